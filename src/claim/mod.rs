@@ -1,0 +1,2 @@
+//! The claim language: reading, checking and printing claim files.
+pub mod syntax;
