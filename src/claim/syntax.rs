@@ -407,6 +407,17 @@ pub enum Method {
     },
 }
 
+/// A complaint about a place in the text, found after parsing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnose {
+    /// What is wrong.
+    pub message: String,
+    /// What would be right, if known.
+    pub help: Option<String>,
+    /// Where.
+    pub span: Span,
+}
+
 impl Expr {
     /// Whether two expressions are the same but for their places.
     pub fn same(&self, other: &Expr) -> bool {

@@ -1,1 +1,2 @@
-//! Placeholder.
+//! From statement to verdict.
+pub mod outcome;

@@ -1,0 +1,113 @@
+//! What an audit says of one claim: the verdict with its evidence, never a bare flag.
+
+use crate::claim::syntax::{Diagnose, Expectation};
+
+/// The three verdicts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Shown for every value that the hypotheses allow.
+    Proved,
+    /// False at an exact point where every hypothesis holds.
+    Refuted,
+    /// Neither; [`Outcome::reason`] says what was tried or which limit was reached.
+    Undecided,
+}
+
+impl Verdict {
+    /// `proved`, `refuted` or `undecided`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Proved => "proved",
+            Verdict::Refuted => "refuted",
+            Verdict::Undecided => "undecided",
+        }
+    }
+
+    /// Whether the author expected this verdict.
+    pub fn is_expected(self, expected: Expectation) -> bool {
+        matches!(
+            (self, expected),
+            (Verdict::Proved, Expectation::Proved)
+                | (Verdict::Refuted, Expectation::Refuted)
+                | (Verdict::Undecided, Expectation::Undecided)
+        )
+    }
+}
+
+/// An exact point: variable names with exact values in the order of declaration.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Point {
+    /// `("m1", "4")`, `("mu(1)", "3/2")`: the values are integers or fractions `p/q`.
+    pub values: Vec<(String, String)>,
+}
+
+/// A counterexample with what it breaks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Witness {
+    /// Where.
+    pub point: Point,
+    /// What is false there: the broken comparison as text with both sides' values, for instance
+    /// `eta3 >= eta2` with `16/81` and `1/4`. Sides that are not rational are given as text with
+    /// enough digits to see the difference.
+    pub broken: Vec<Broken>,
+}
+
+/// A comparison that fails at a witness.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Broken {
+    /// The comparison as text.
+    pub statement: String,
+    /// The value of its left side.
+    pub left: String,
+    /// The value of its right side.
+    pub right: String,
+}
+
+/// One line of an argument.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// 0 for the main argument, deeper inside cases, inductions and auxiliary facts.
+    pub depth: usize,
+    /// The rule, in the field's words: `identity`, `elimination`, `sign`, `cases`, `induction`, …
+    pub rule: &'static str,
+    /// What is shown or used, as text in the claim language or close to it.
+    pub text: String,
+}
+
+/// What the audit says of one claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// The claim's name.
+    pub claim: String,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The main rule of the argument, or of the refutation: `identity`, `elimination`, `sign`,
+    /// `equivalence`, `extremum`, `induction`, `mean inequality`, `limit`, `witness`, `search`,
+    /// `definedness`, …; empty when undecided.
+    pub method: String,
+    /// The hypotheses that the argument used, as text; hypotheses that only make expressions
+    /// defined are included.
+    pub used: Vec<String>,
+    /// The hypotheses that are stated and that the argument never used.
+    pub unused: Vec<String>,
+    /// A point where all hypotheses hold; `None` when the claim has none or none was needed.
+    pub sample: Option<Point>,
+    /// The counterexample of a refutation.
+    pub witness: Option<Witness>,
+    /// Why it is undecided: what was tried, what is missing, or the limit reached.
+    pub reason: Option<String>,
+    /// The argument, line by line, for `carom explain`.
+    pub argument: Vec<Line>,
+}
+
+/// A claim that cannot be judged because it makes no sense; the audit of its file fails (exit 2).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The hypotheses can never hold at once.
+    Contradictory {
+        /// Which of them clash, as text.
+        hypotheses: String,
+    },
+    /// Something in the text makes no sense: a label nobody declared, a method out of place.
+    Text(Diagnose),
+}
