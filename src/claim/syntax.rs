@@ -358,8 +358,10 @@ pub enum Step {
 pub enum Method {
     /// `by algebra`, `by algebra from a, b`: the automatic methods, only with the named facts if any.
     Algebra(Vec<Name>),
-    /// `by induction on n`; the base is the least value that the hypotheses allow.
-    Induction(Name),
+    /// `by induction on n`, `by induction on n { STEPS }`: the base is the least value that the
+    /// hypotheses allow; the steps belong to the step from n to n + 1, where the fact `induction` is
+    /// the hypothesis.
+    Induction(Name, Box<Proof>),
     /// `by power of fact to 1/n`: from A ≥ B > 0 to A^E ≥ B^E, E > 0.
     Power {
         /// The fact.

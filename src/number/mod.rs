@@ -1,1 +1,2 @@
-//! Placeholder.
+//! Numbers: exact input and exact roots.
+pub mod rational;

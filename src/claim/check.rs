@@ -1,0 +1,237 @@
+//! Names: everything used is declared, once, and used as what it is.
+
+use super::diagnostic::{Diagnostic, Fault, nearest};
+use super::syntax::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What a name stands for.
+#[derive(Clone, Copy, PartialEq)]
+enum Role {
+    /// A variable or a definition without parameters.
+    Value,
+    /// A family or a sequence, or a definition with so many parameters.
+    Function(usize),
+}
+
+struct Names<'a> {
+    roles: BTreeMap<String, Role>,
+    faults: &'a mut Vec<Diagnostic>,
+}
+
+/// Reports every fault of names in a claim.
+pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
+    let mut names = Names { roles: BTreeMap::new(), faults };
+    for item in &claim.items {
+        match item {
+            Item::Given(bindings) => names.bindings(bindings),
+            Item::Let { name, parameters, value } => {
+                let saved = names.roles.clone();
+                for parameter in parameters {
+                    names.roles.insert(parameter.text.clone(), Role::Value);
+                }
+                names.expr(value);
+                names.roles = saved;
+                let role = if parameters.is_empty() { Role::Value } else { Role::Function(parameters.len()) };
+                names.declare(name, role);
+            }
+            Item::Define { name, initial, index, step, .. } => {
+                names.expr(initial);
+                names.declare(name, Role::Function(1));
+                let saved = names.roles.clone();
+                names.roles.insert(index.text.clone(), Role::Value);
+                names.expr(step);
+                names.roles = saved;
+            }
+            Item::Assume { prop, .. } => names.prop(prop),
+        }
+    }
+    names.prop(&claim.goal);
+    names.proof(&claim.proof);
+    let mut seen = BTreeSet::new();
+    for cited in &claim.using {
+        if !seen.insert(&cited.text) {
+            faults.push(Diagnostic::new(Fault::Twice(cited.text.clone()), cited.span));
+        }
+    }
+}
+
+impl Names<'_> {
+    fn declare(&mut self, name: &Name, role: Role) {
+        if FUNCTIONS.iter().any(|f| f.0 == name.text) {
+            let message = format!("{} is a function of the language", name.text);
+            let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
+            self.faults.push(Diagnostic::new(fault, name.span));
+        } else if self.roles.insert(name.text.clone(), role).is_some() {
+            self.faults.push(Diagnostic::new(Fault::Twice(name.text.clone()), name.span));
+        }
+    }
+
+    fn bindings(&mut self, bindings: &[Binding]) {
+        for binding in bindings {
+            for (name, index) in &binding.names {
+                let saved = self.roles.clone();
+                if let Some(index) = index {
+                    self.roles.insert(index.text.clone(), Role::Value);
+                }
+                for constraint in &binding.constraints {
+                    match constraint {
+                        Constraint::Relation(_, e) => self.expr(e),
+                        Constraint::Interval { from, to, .. } | Constraint::Range(from, to) => {
+                            self.expr(from);
+                            self.expr(to);
+                        }
+                    }
+                }
+                self.roles = saved;
+                if let Some((from, to)) = &binding.indices {
+                    self.expr(from);
+                    self.expr(to);
+                }
+                self.declare(name, if index.is_some() { Role::Function(1) } else { Role::Value });
+            }
+        }
+    }
+
+    fn used(&mut self, name: &str, role: Role, span: Span) {
+        match self.roles.get(name) {
+            None => {
+                let nearest = nearest(name, self.roles.keys().map(String::as_str));
+                let fault = Fault::Undeclared { name: name.to_string(), nearest };
+                self.faults.push(Diagnostic::new(fault, span));
+            }
+            Some(declared) if *declared == role => {}
+            Some(declared) => {
+                let (message, help) = match (declared, role) {
+                    (Role::Value, _) => (format!("{name} is no function"), format!("write {name}*(…) for a product")),
+                    (Role::Function(1), Role::Value) => (format!("{name} needs an index or argument"), format!("write {name}(k)")),
+                    (Role::Function(n), _) => (format!("{name} takes {n} arguments"), format!("give {n}")),
+                };
+                self.faults.push(Diagnostic::new(Fault::Other { message, help: Some(help) }, span));
+            }
+        }
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Name(name) => self.used(name, Role::Value, expr.span),
+            ExprKind::Apply(name, arguments) => {
+                match FUNCTIONS.iter().find(|f| f.0 == name.text) {
+                    Some((_, n)) if *n == arguments.len() => {}
+                    Some((_, n)) => {
+                        let message = format!("{} takes {n} argument", name.text);
+                        self.faults.push(Diagnostic::new(Fault::Other { message, help: None }, name.span));
+                    }
+                    None => self.used(&name.text, Role::Function(arguments.len()), name.span),
+                }
+                arguments.iter().for_each(|a| self.expr(a));
+            }
+            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+                self.expr(&index.from);
+                self.expr(&index.to);
+                let saved = self.roles.insert(index.name.text.clone(), Role::Value);
+                self.expr(body);
+                self.restore(&index.name.text, saved);
+            }
+            ExprKind::Derivative(body, by) => {
+                self.expr(body);
+                by.iter().for_each(|n| self.used(&n.text, Role::Value, n.span));
+            }
+            ExprKind::Number(_) => {}
+            ExprKind::Negate(a) => self.expr(a),
+            ExprKind::Sum(list) => list.iter().for_each(|(_, e)| self.expr(e)),
+            ExprKind::Product(list) => list.iter().for_each(|(_, e)| self.expr(e)),
+            ExprKind::Power(a, b) => {
+                self.expr(a);
+                self.expr(b);
+            }
+            ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| self.expr(e)),
+        }
+    }
+
+    fn restore(&mut self, name: &str, saved: Option<Role>) {
+        match saved {
+            Some(role) => self.roles.insert(name.to_string(), role),
+            None => self.roles.remove(name),
+        };
+    }
+
+    fn prop(&mut self, prop: &Prop) {
+        match &prop.kind {
+            PropKind::Compare(sides, _) => sides.iter().for_each(|e| self.expr(e)),
+            PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+                list.iter().for_each(|p| self.prop(p));
+            }
+            PropKind::Not(p) => self.prop(p),
+            PropKind::Implies(p, q) => {
+                self.prop(p);
+                self.prop(q);
+            }
+            PropKind::Exists(bindings, body) | PropKind::ForAll(bindings, body) => {
+                let saved = self.roles.clone();
+                self.bindings(bindings);
+                self.prop(body);
+                self.roles = saved;
+            }
+            PropKind::Extremum(extremum) => {
+                extremum.at.iter().for_each(|(_, e)| self.expr(e));
+                self.expr(&extremum.value);
+                let saved = self.roles.clone();
+                self.bindings(&extremum.over);
+                self.expr(&extremum.of);
+                self.roles = saved;
+                let over: Vec<&Name> = extremum.over.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
+                let same = over.len() == extremum.at.len()
+                    && over.iter().all(|n| extremum.at.iter().any(|(m, _)| m.text == n.text));
+                if !same {
+                    let message = "`at` gives one value for each variable under `over`".to_string();
+                    self.faults.push(Diagnostic::new(Fault::Other { message, help: None }, prop.span));
+                }
+            }
+            PropKind::Limit(limit) => {
+                self.used(&limit.variable.text, Role::Value, limit.variable.span);
+                self.expr(&limit.of);
+                self.expr(&limit.value);
+            }
+        }
+    }
+
+    fn proof(&mut self, proof: &Proof) {
+        let saved = self.roles.clone();
+        for step in &proof.steps {
+            match step {
+                Step::Have { prop, proof, .. } | Step::Case { prop, proof, .. } => {
+                    self.prop(prop);
+                    self.proof(proof);
+                }
+                Step::Obtain { binding, prop, witness, .. } => {
+                    self.expr(witness);
+                    self.bindings(std::slice::from_ref(binding));
+                    self.prop(prop);
+                }
+            }
+        }
+        match &proof.close {
+            Some(Method::Power { exponent, .. }) => self.expr(exponent),
+            Some(Method::Product(list)) => list.iter().filter_map(|p| p.1.as_ref()).for_each(|e| self.expr(e)),
+            Some(Method::Mean { a, b, weight }) => [a, b, weight].into_iter().for_each(|e| self.expr(e)),
+            Some(Method::Hoelder { first, second, weight }) => {
+                [&first.0, &first.1, &second.0, &second.1, weight].into_iter().for_each(|e| self.expr(e));
+            }
+            Some(Method::Instance { with, .. } | Method::Witness(with)) => {
+                for (_, e) in with {
+                    let renames_family = matches!(&e.kind, ExprKind::Name(n) if matches!(self.roles.get(n), Some(Role::Function(1))));
+                    if !renames_family {
+                        self.expr(e);
+                    }
+                }
+            }
+            Some(Method::Squeeze { lower, upper }) => {
+                self.expr(lower);
+                self.expr(upper);
+            }
+            Some(Method::Induction(_, step)) => self.proof(step),
+            Some(Method::Algebra(_)) | None => {}
+        }
+        self.roles = saved;
+    }
+}

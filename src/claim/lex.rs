@@ -1,0 +1,192 @@
+//! Tokens of a claim file.
+//!
+//! Contract: every byte of the source belongs to a token, to white space or to a comment; each token
+//! knows its place. Unicode signs (≤ ≥ ≠ ⇒ ⇔ · × − ∧ ∨ ¬ ∞ →) read as their ASCII forms.
+//! Limits: [`NUMERAL_LIMIT`], [`NAME_LIMIT`], [`TOKENS_LIMIT`], [`FILE_LIMIT`].
+
+use super::diagnostic::{Diagnostic, Fault};
+use super::syntax::Span;
+
+/// The largest claim file in bytes.
+pub const FILE_LIMIT: usize = 1 << 20;
+/// The longest numeral in characters, and the largest decimal exponent.
+pub const NUMERAL_LIMIT: usize = 10_000;
+/// The longest name in characters.
+pub const NAME_LIMIT: usize = 100;
+/// The most tokens in a file.
+pub const TOKENS_LIMIT: usize = 200_000;
+
+/// A token with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Token {
+    /// What it is.
+    pub kind: Kind,
+    /// Where it stands.
+    pub span: Span,
+    /// Whether it is the first on its line.
+    pub first_on_line: bool,
+}
+
+/// The kinds of tokens.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// A name or keyword; may hold `-` between letters where a claim's name is read.
+    Word(String),
+    /// A numeral as written.
+    Number(String),
+    /// A text in quotation marks.
+    Text(String),
+    /// A sign in its ASCII form.
+    Sign(&'static str),
+    /// The end of the file.
+    End,
+}
+
+const SIGNS: &[&str] = &[
+    "<=>", "**", "==", "<=", ">=", "!=", "=>", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",", ";",
+    ":", "=", "<", ">",
+];
+
+const UNICODE: &[(char, &str)] = &[
+    ('≤', "<="),
+    ('≥', ">="),
+    ('≠', "!="),
+    ('⇒', "=>"),
+    ('⇔', "<=>"),
+    ('·', "*"),
+    ('×', "*"),
+    ('−', "-"),
+    ('→', "->"),
+];
+
+const UNICODE_WORDS: &[(char, &str)] = &[('∧', "and"), ('∨', "or"), ('¬', "not"), ('∞', "infinity"), ('√', "sqrt")];
+
+/// The tokens of a source, with all faults found on the way.
+pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
+    let mut out: Vec<Token> = Vec::new();
+    let mut faults = Vec::new();
+    let mut first_on_line = true;
+    let mut at = 0;
+    while let Some(c) = source[at..].chars().next() {
+        if out.len() >= TOKENS_LIMIT {
+            let span = Span { start: at, end: at + c.len_utf8() };
+            faults.push(Diagnostic::new(Fault::Limit { name: "tokens per file", allowed: TOKENS_LIMIT }, span));
+            break;
+        }
+        let start = at;
+        if c == '\n' {
+            first_on_line = true;
+            at += 1;
+            continue;
+        }
+        if c.is_whitespace() || c == '\u{feff}' {
+            at += c.len_utf8();
+            continue;
+        }
+        if c == '#' {
+            at += source[at..].find('\n').unwrap_or(source.len() - at);
+            continue;
+        }
+        let kind = if c.is_alphabetic() || c == '_' {
+            let rest = &source[at..];
+            let mut end = 0;
+            for (i, d) in rest.char_indices() {
+                let dash = d == '-' && i > 0 && dashed(&out) && rest[i + 1..].starts_with(|n: char| n.is_alphanumeric());
+                if d.is_alphanumeric() || d == '_' || dash || d == '\'' {
+                    end = i + d.len_utf8();
+                } else {
+                    break;
+                }
+            }
+            at += end;
+            if rest[..end].chars().count() > NAME_LIMIT {
+                let fault = Fault::Limit { name: "characters in a name", allowed: NAME_LIMIT };
+                faults.push(Diagnostic::new(fault, Span { start, end: at }));
+                continue;
+            }
+            Kind::Word(rest[..end].to_string())
+        } else if c.is_ascii_digit() {
+            let length = numeral(&source[at..]);
+            at += length;
+            let text = &source[start..at];
+            let exponent = text.split_once(['e', 'E']).map_or("0", |p| p.1).trim_start_matches(['+', '-']);
+            let exponent: usize = exponent.parse().unwrap_or(usize::MAX);
+            if length > NUMERAL_LIMIT || exponent > NUMERAL_LIMIT {
+                let fault = Fault::Limit { name: "digits of a numeral", allowed: NUMERAL_LIMIT };
+                faults.push(Diagnostic::new(fault, Span { start, end: at }));
+                Kind::Number("1".to_string())
+            } else {
+                Kind::Number(text.to_string())
+            }
+        } else if c == '"' {
+            let rest = &source[at + 1..];
+            let end = rest.find(['"', '\n']).unwrap_or(rest.len());
+            if !rest[end..].starts_with('"') {
+                at += 1 + end;
+                faults.push(Diagnostic::new(Fault::OpenText, Span { start, end: at }));
+                continue;
+            }
+            at += end + 2;
+            Kind::Text(rest[..end].to_string())
+        } else if let Some((_, sign)) = UNICODE.iter().find(|u| u.0 == c) {
+            at += c.len_utf8();
+            Kind::Sign(sign)
+        } else if let Some((_, word)) = UNICODE_WORDS.iter().find(|u| u.0 == c) {
+            at += c.len_utf8();
+            Kind::Word(word.to_string())
+        } else if let Some(sign) = SIGNS.iter().find(|s| source[at..].starts_with(**s)) {
+            at += sign.len();
+            Kind::Sign(sign)
+        } else {
+            at += c.len_utf8();
+            faults.push(Diagnostic::new(Fault::Stray(c), Span { start, end: at }));
+            continue;
+        };
+        out.push(Token { kind, span: Span { start, end: at }, first_on_line });
+        first_on_line = false;
+    }
+    let end = Span { start: source.len(), end: source.len() };
+    out.push(Token { kind: Kind::End, span: end, first_on_line: true });
+    (out, faults)
+}
+
+/// Whether a word here may hold dashes: after `claim`, `using` or `by`, and in the list after `using`.
+fn dashed(before: &[Token]) -> bool {
+    let word = |i: usize| match before.get(i).map(|t| &t.kind) {
+        Some(Kind::Word(word)) => Some(word.as_str()),
+        _ => None,
+    };
+    let mut at = before.len();
+    if at > 0 && matches!(word(at - 1), Some("claim" | "using" | "by")) {
+        return true;
+    }
+    while at >= 2 && before[at - 1].kind == Kind::Sign(",") && word(at - 2).is_some() {
+        at -= 2;
+        if at >= 1 && word(at - 1) == Some("using") {
+            return true;
+        }
+    }
+    false
+}
+
+/// The length of the numeral at the beginning: digits, point and digits, exponent. `1..6` is a range.
+fn numeral(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |mut i: usize| {
+        while bytes.get(i).is_some_and(u8::is_ascii_digit) {
+            i += 1;
+        }
+        i
+    };
+    let mut at = digits(0);
+    if bytes.get(at) == Some(&b'.') && bytes.get(at + 1).is_some_and(u8::is_ascii_digit) {
+        at = digits(at + 1);
+    }
+    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
+        if bytes.get(at + 1 + sign).is_some_and(u8::is_ascii_digit) {
+            at = digits(at + 1 + sign);
+        }
+    }
+    at
+}

@@ -1,0 +1,169 @@
+//! Expressions, from sums down to atoms.
+
+use super::*;
+
+impl Parser {
+    pub(super) fn expr(&mut self) -> Parsed<Expr> {
+        self.deeper(Self::sum)
+    }
+
+    fn sum(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        let first = self.signed()?;
+        let mut list = vec![(Sign::Plus, first)];
+        loop {
+            let sign = match self.peek() {
+                Kind::Sign("+") => Sign::Plus,
+                Kind::Sign("-") => Sign::Minus,
+                _ => break,
+            };
+            self.advance();
+            let summand = self.product()?;
+            list.push((sign, summand));
+        }
+        Ok(self.collapsed(list, start, ExprKind::Sum))
+    }
+
+    fn collapsed<T>(&self, mut list: Vec<(T, Expr)>, start: usize, kind: fn(Vec<(T, Expr)>) -> ExprKind) -> Expr {
+        if list.len() == 1
+            && let Some((_, only)) = list.pop()
+        {
+            return only;
+        }
+        Expr { kind: kind(list), span: self.since(start) }
+    }
+
+    /// A product that may begin with minus signs: −x·y is −(x·y).
+    fn signed(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        if self.sign("-") {
+            let inner = self.deeper(Self::signed)?;
+            return Ok(Expr { kind: ExprKind::Negate(Box::new(inner)), span: self.since(start) });
+        }
+        self.product()
+    }
+
+    fn product(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        let first = self.power()?;
+        let mut list = vec![(Factor::Times, first)];
+        loop {
+            let operator = match self.peek() {
+                Kind::Sign("*") => Factor::Times,
+                Kind::Sign("/") => Factor::Over,
+                _ => break,
+            };
+            self.advance();
+            let factor = if matches!(self.peek(), Kind::Sign("-")) { self.deeper(Self::signed_power)? } else { self.power()? };
+            list.push((operator, factor));
+        }
+        Ok(self.collapsed(list, start, ExprKind::Product))
+    }
+
+    fn signed_power(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        if self.sign("-") {
+            let inner = self.deeper(Self::signed_power)?;
+            return Ok(Expr { kind: ExprKind::Negate(Box::new(inner)), span: self.since(start) });
+        }
+        self.power()
+    }
+
+    fn power(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        let base = self.atom()?;
+        if self.sign("^") {
+            let exponent = self.deeper(Self::signed_power)?;
+            let kind = ExprKind::Power(Box::new(base), Box::new(exponent));
+            return Ok(Expr { kind, span: self.since(start) });
+        }
+        Ok(base)
+    }
+
+    fn atom(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        match self.peek().clone() {
+            Kind::Number(text) => {
+                self.advance();
+                Ok(Expr { kind: ExprKind::Number(text), span: self.since(start) })
+            }
+            Kind::Sign("(") => {
+                self.advance();
+                let inner = self.expr()?;
+                self.need_sign(")", "to close the parenthesis")?;
+                Ok(inner)
+            }
+            Kind::Sign("[") => self.deeper(Self::matrix),
+            Kind::Word(word) if word == "sum" || word == "product" => {
+                self.advance();
+                self.need_sign("(", &format!("after {word}"))?;
+                let name = self.name("an index name")?;
+                if !self.sign("=") {
+                    return Err(self.expected("`=` and a range such as 1..n"));
+                }
+                let from = Box::new(self.expr()?);
+                self.need_sign("..", "between the first and the last index")?;
+                let to = Box::new(self.expr()?);
+                self.need_sign(",", "before what is summed or multiplied")?;
+                let body = Box::new(self.expr()?);
+                self.need_sign(")", &format!("to close the {word}"))?;
+                let index = Index { name, from, to };
+                let kind =
+                    if word == "sum" { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) };
+                Ok(Expr { kind, span: self.since(start) })
+            }
+            Kind::Word(word) if word == "derivative" => {
+                self.advance();
+                self.need_sign("(", "after derivative")?;
+                let body = Box::new(self.expr()?);
+                let mut by = Vec::new();
+                while self.sign(",") {
+                    by.push(self.name("a variable to differentiate by")?);
+                }
+                if by.is_empty() {
+                    return Err(self.expected("`,` and the variable to differentiate by"));
+                }
+                self.need_sign(")", "to close the derivative")?;
+                Ok(Expr { kind: ExprKind::Derivative(body, by), span: self.since(start) })
+            }
+            Kind::Word(word) if !RESERVED.contains(&word.as_str()) => {
+                let name = self.name("a name")?;
+                if !self.sign("(") {
+                    return Ok(Expr { kind: ExprKind::Name(word), span: self.since(start) });
+                }
+                let mut arguments = vec![self.expr()?];
+                while self.sign(",") {
+                    arguments.push(self.expr()?);
+                }
+                self.need_sign(")", "to close the arguments")?;
+                Ok(Expr { kind: ExprKind::Apply(name, arguments), span: self.since(start) })
+            }
+            _ => Err(self.expected("an expression")),
+        }
+    }
+
+    fn matrix(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        self.need_sign("[", "to open the matrix")?;
+        let mut rows = vec![vec![self.expr()?]];
+        loop {
+            if self.sign(",") {
+                let entry = self.expr()?;
+                if let Some(row) = rows.last_mut() {
+                    row.push(entry);
+                }
+            } else if self.sign(";") {
+                let entry = self.expr()?;
+                rows.push(vec![entry]);
+            } else {
+                break;
+            }
+        }
+        self.need_sign("]", "to close the matrix")?;
+        let span = self.since(start);
+        if rows.iter().any(|r| r.len() != rows[0].len()) {
+            return Err(self.other("the rows of this matrix differ in length", None, span));
+        }
+        Ok(Expr { kind: ExprKind::Matrix(rows), span })
+    }
+}

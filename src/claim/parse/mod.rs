@@ -1,0 +1,240 @@
+//! From text to syntax trees.
+//!
+//! Contract: [`parse`] returns every claim of a file, or every fault that it found, never both, and
+//! never panics. After a fault it goes on at the next clause, so that one run reports several.
+//! Nesting is limited by [`MAX_DEPTH`]; time is linear in the number of tokens but for parentheses
+//! that may open a proposition or an expression, which are decided by one look ahead.
+
+mod clause;
+mod expression;
+mod proof;
+mod proposition;
+
+use super::diagnostic::{Diagnostic, Fault};
+use super::lex::{FILE_LIMIT, Kind, Token, tokens};
+use super::syntax::*;
+
+/// Words that begin a clause.
+const CLAUSES: &[&str] = &[
+    "claim", "source", "section", "number", "reading", "note", "using", "given", "let", "define", "assume", "prove",
+    "expect",
+];
+
+/// Words that cannot be names of variables.
+const RESERVED: &[&str] = &[
+    "claim", "source", "section", "number", "reading", "note", "using", "given", "let", "define", "assume", "prove",
+    "expect", "and", "or", "not", "exists", "for", "all", "each", "in", "is", "at", "over", "of", "as", "by", "with",
+    "maximum", "minimum", "limit", "infinity", "have", "obtain", "case", "real", "natural", "sum", "product",
+    "derivative", "only", "conclude",
+];
+
+/// The claims of a source text.
+pub fn parse(source: &str) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    if source.len() > FILE_LIMIT {
+        let fault = Fault::Limit { name: "bytes in a claim file", allowed: FILE_LIMIT };
+        return Err(vec![Diagnostic::new(fault, Span::default())]);
+    }
+    let (tokens, faults) = tokens(source);
+    let mut parser = Parser { tokens, at: 0, depth: 0, faults };
+    let claims = parser.claims();
+    let mut faults = parser.faults;
+    if claims.is_empty() && faults.is_empty() {
+        faults.push(Diagnostic::new(Fault::Empty, Span { start: 0, end: source.len().min(1) }));
+    }
+    if faults.is_empty() {
+        for claim in &claims {
+            super::check::check(claim, &mut faults);
+        }
+    }
+    if faults.is_empty() { Ok(claims) } else { Err(faults) }
+}
+
+/// The claims of a file's bytes.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    match std::str::from_utf8(bytes) {
+        Ok(source) => parse(source),
+        Err(fault) => {
+            let start = fault.valid_up_to();
+            Err(vec![Diagnostic::new(Fault::NotText, Span { start, end: start + 1 })])
+        }
+    }
+}
+
+/// A proposition by itself, for tests and tools.
+pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
+    let (tokens, faults) = tokens(source);
+    let mut parser = Parser { tokens, at: 0, depth: 0, faults };
+    let prop = parser.prop();
+    if let Ok(prop) = prop
+        && parser.faults.is_empty()
+        && parser.peek() == &Kind::End
+    {
+        return Ok(prop);
+    }
+    if parser.faults.is_empty() {
+        parser.expected("the end of the statement");
+    }
+    Err(parser.faults)
+}
+
+/// The fault has been reported; the caller gives up its construct.
+struct Reported;
+
+type Parsed<T> = Result<T, Reported>;
+
+struct Parser {
+    tokens: Vec<Token>,
+    at: usize,
+    depth: usize,
+    faults: Vec<Diagnostic>,
+}
+
+impl Parser {
+    fn peek(&self) -> &Kind {
+        &self.tokens[self.at].kind
+    }
+
+    fn peek_at(&self, ahead: usize) -> &Kind {
+        &self.tokens[(self.at + ahead).min(self.tokens.len() - 1)].kind
+    }
+
+    fn span(&self) -> Span {
+        self.tokens[self.at].span
+    }
+
+    fn last_end(&self) -> usize {
+        if self.at == 0 { 0 } else { self.tokens[self.at - 1].span.end }
+    }
+
+    fn since(&self, start: usize) -> Span {
+        Span { start, end: self.last_end().max(start) }
+    }
+
+    fn advance(&mut self) -> Token {
+        let token = self.tokens[self.at].clone();
+        if self.at + 1 < self.tokens.len() {
+            self.at += 1;
+        }
+        token
+    }
+
+    fn sign(&mut self, sign: &str) -> bool {
+        let found = matches!(self.peek(), Kind::Sign(s) if *s == sign);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    fn is_word(&self, word: &str) -> bool {
+        matches!(self.peek(), Kind::Word(w) if w == word)
+    }
+
+    fn word(&mut self, word: &str) -> bool {
+        let found = self.is_word(word);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    fn need_sign(&mut self, sign: &str, what: &str) -> Parsed<()> {
+        if self.sign(sign) { Ok(()) } else { Err(self.expected(&format!("`{sign}` {what}"))) }
+    }
+
+    fn need_word(&mut self, word: &str) -> Parsed<()> {
+        if self.word(word) { Ok(()) } else { Err(self.expected(&format!("`{word}`"))) }
+    }
+
+    fn found(&self) -> String {
+        match self.peek() {
+            Kind::Word(w) => format!("`{w}`"),
+            Kind::Number(n) => format!("the number {}", n.chars().take(20).collect::<String>()),
+            Kind::Text(_) => "a text".to_string(),
+            Kind::Sign(s) => format!("`{s}`"),
+            Kind::End => "the end of the file".to_string(),
+        }
+    }
+
+    fn expected(&mut self, expected: &str) -> Reported {
+        self.expected_with(expected, None)
+    }
+
+    fn expected_with(&mut self, expected: &str, help: Option<String>) -> Reported {
+        let help = help.or_else(|| {
+            let previous = self.at.checked_sub(1).map(|i| &self.tokens[i]);
+            match (previous.map(|t| &t.kind), self.peek()) {
+                (_, Kind::Sign("==")) => Some("equality is written with one sign: a = b".to_string()),
+                (_, Kind::Sign("**")) => Some("powers are written a^b".to_string()),
+                (Some(Kind::Number(n)), Kind::Word(w)) => Some(format!("write {n}*{w}")),
+                (Some(Kind::Number(n)), Kind::Sign("(")) => Some(format!("write {n}*(…)")),
+                (Some(Kind::Sign(")")), Kind::Sign("(")) => Some("write (…)*(…)".to_string()),
+                (Some(Kind::Sign(")")), Kind::Word(w)) if !RESERVED.contains(&w.as_str()) => {
+                    Some(format!("write (…)*{w}"))
+                }
+                _ => None,
+            }
+        });
+        let fault = Fault::Expected { expected: expected.to_string(), found: self.found(), help };
+        let span = self.span();
+        self.faults.push(Diagnostic::new(fault, span));
+        Reported
+    }
+
+    fn other(&mut self, message: &str, help: Option<&str>, span: Span) -> Reported {
+        let fault = Fault::Other { message: message.to_string(), help: help.map(str::to_string) };
+        self.faults.push(Diagnostic::new(fault, span));
+        Reported
+    }
+
+    /// Runs a parser one level deeper, unless that is too deep.
+    fn deeper<T>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if self.depth >= MAX_DEPTH {
+            let span = self.span();
+            let fault = Fault::Limit { name: "levels of nesting", allowed: MAX_DEPTH };
+            self.faults.push(Diagnostic::new(fault, span));
+            // The rest of such a file is of the same kind: stop reading.
+            self.at = self.tokens.len() - 1;
+            return Err(Reported);
+        }
+        self.depth += 1;
+        let result = parse(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// A name that is no keyword.
+    fn name(&mut self, what: &str) -> Parsed<Name> {
+        match self.peek().clone() {
+            Kind::Word(text) if !RESERVED.contains(&text.as_str()) => {
+                let span = self.advance().span;
+                Ok(Name { text, span })
+            }
+            Kind::Word(text) => {
+                let help = format!("`{text}` is a word of the language; choose another name");
+                Err(self.expected_with(what, Some(help)))
+            }
+            _ => Err(self.expected(what)),
+        }
+    }
+
+    fn text(&mut self) -> Parsed<String> {
+        match self.peek().clone() {
+            Kind::Text(text) => {
+                self.advance();
+                Ok(text)
+            }
+            _ => Err(self.expected("a text in quotation marks")),
+        }
+    }
+
+    /// Whether a clause begins here.
+    fn at_clause(&self) -> bool {
+        let token = &self.tokens[self.at];
+        match &token.kind {
+            Kind::End => true,
+            Kind::Word(w) => token.first_on_line && CLAUSES.contains(&w.as_str()),
+            _ => false,
+        }
+    }
+}

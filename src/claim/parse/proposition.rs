@@ -1,0 +1,289 @@
+//! Propositions, from equivalences down to comparisons, and the bindings of quantifiers.
+
+use super::*;
+
+impl Parser {
+    pub(super) fn prop(&mut self) -> Parsed<Prop> {
+        self.deeper(Self::equivalence)
+    }
+
+    fn equivalence(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        let mut list = vec![self.implication()?];
+        while self.sign("<=>") {
+            list.push(self.implication()?);
+        }
+        Ok(self.joined(list, start, PropKind::Equivalent))
+    }
+
+    fn joined(&self, mut list: Vec<Prop>, start: usize, kind: fn(Vec<Prop>) -> PropKind) -> Prop {
+        if list.len() == 1
+            && let Some(only) = list.pop()
+        {
+            return only;
+        }
+        Prop { kind: kind(list), span: self.since(start) }
+    }
+
+    fn implication(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        let left = self.disjunction()?;
+        if self.sign("=>") {
+            let right = self.deeper(Self::implication)?;
+            let kind = PropKind::Implies(Box::new(left), Box::new(right));
+            return Ok(Prop { kind, span: self.since(start) });
+        }
+        Ok(left)
+    }
+
+    fn disjunction(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        let mut list = vec![self.conjunction()?];
+        while self.word("or") {
+            list.push(self.conjunction()?);
+        }
+        Ok(self.joined(list, start, PropKind::Or))
+    }
+
+    fn conjunction(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        let mut list = vec![self.negation()?];
+        while self.word("and") {
+            list.push(self.negation()?);
+        }
+        Ok(self.joined(list, start, PropKind::And))
+    }
+
+    fn negation(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        if self.word("not") {
+            let inner = self.deeper(Self::negation)?;
+            return Ok(Prop { kind: PropKind::Not(Box::new(inner)), span: self.since(start) });
+        }
+        self.atomic()
+    }
+
+    fn atomic(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        if self.word("exists") {
+            let bindings = self.bindings()?;
+            self.need_sign(":", "before what is said to hold")?;
+            let body = Box::new(self.prop()?);
+            return Ok(Prop { kind: PropKind::Exists(bindings, body), span: self.since(start) });
+        }
+        if self.word("for") {
+            if !self.word("all") && !self.word("each") {
+                return Err(self.expected("`all` or `each`"));
+            }
+            let bindings = self.bindings()?;
+            self.need_sign(":", "before what is said to hold")?;
+            let body = Box::new(self.prop()?);
+            return Ok(Prop { kind: PropKind::ForAll(bindings, body), span: self.since(start) });
+        }
+        if self.is_word("maximum") || self.is_word("minimum") {
+            return self.extremum();
+        }
+        if self.word("limit") {
+            self.need_word("of")?;
+            let of = self.expr()?;
+            self.need_word("as")?;
+            let variable = self.name("the variable that grows")?;
+            self.need_sign("->", "between the variable and infinity")?;
+            self.need_word("infinity")?;
+            self.need_word("is")?;
+            let value = self.expr()?;
+            let kind = PropKind::Limit(Box::new(Limit { of, variable, value }));
+            return Ok(Prop { kind, span: self.since(start) });
+        }
+        if matches!(self.peek(), Kind::Sign("(")) && self.parenthesis_holds_prop() {
+            self.advance();
+            let inner = self.prop()?;
+            self.need_sign(")", "to close the parenthesis")?;
+            return Ok(inner);
+        }
+        self.comparison()
+    }
+
+    /// Whether the parenthesis here holds a relation or a word of logic at its own level.
+    fn parenthesis_holds_prop(&self) -> bool {
+        let mut level = 0usize;
+        for token in &self.tokens[self.at..] {
+            match &token.kind {
+                Kind::Sign("(" | "[" | "{") => level += 1,
+                Kind::Sign(")" | "]" | "}") => {
+                    level -= 1;
+                    if level == 0 {
+                        return false;
+                    }
+                }
+                Kind::Word(w) if level == 1 && matches!(w.as_str(), "and" | "or" | "not" | "exists" | "for" | "limit" | "maximum" | "minimum") => {
+                    return true;
+                }
+                Kind::Sign("<" | "<=" | ">" | ">=" | "=" | "==" | "!=" | "=>" | "<=>") if level == 1 => return true,
+                Kind::End => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    fn relation(&mut self) -> Option<Relation> {
+        let relation = match self.peek() {
+            Kind::Sign("=") => Relation::Equal,
+            Kind::Sign("!=") => Relation::NotEqual,
+            Kind::Sign("<") => Relation::Less,
+            Kind::Sign("<=") => Relation::LessEqual,
+            Kind::Sign(">") => Relation::Greater,
+            Kind::Sign(">=") => Relation::GreaterEqual,
+            _ => return None,
+        };
+        self.advance();
+        Some(relation)
+    }
+
+    fn comparison(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        let mut sides = vec![self.expr()?];
+        let mut relations = Vec::new();
+        while let Some(relation) = self.relation() {
+            relations.push(relation);
+            sides.push(self.expr()?);
+        }
+        if relations.is_empty() {
+            return Err(self.expected("a comparison sign such as = or >="));
+        }
+        Ok(Prop { kind: PropKind::Compare(sides, relations), span: self.since(start) })
+    }
+
+    fn extremum(&mut self) -> Parsed<Prop> {
+        let start = self.span().start;
+        let maximum = self.is_word("maximum");
+        self.advance();
+        self.need_word("of")?;
+        let of = self.expr()?;
+        self.need_word("over")?;
+        let over = self.bindings()?;
+        let unique = self.word("only");
+        self.need_word("at")?;
+        let at = self.assignments()?;
+        self.need_word("is")?;
+        let value = self.expr()?;
+        let kind = PropKind::Extremum(Box::new(Extremum { maximum, unique, of, over, at, value }));
+        Ok(Prop { kind, span: self.since(start) })
+    }
+
+    /// `x = A, y = B`
+    pub(super) fn assignments(&mut self) -> Parsed<Vec<(Name, Expr)>> {
+        let mut list = Vec::new();
+        loop {
+            let name = self.name("a name")?;
+            self.need_sign("=", "after the name")?;
+            list.push((name, self.expr()?));
+            if !self.sign(",") {
+                return Ok(list);
+            }
+        }
+    }
+
+    /// `m1, m2 > 0; e in [0, 1]; n natural`: separated by `;`, or by `,` where a new constraint began.
+    pub(super) fn bindings(&mut self) -> Parsed<Vec<Binding>> {
+        let mut list = Vec::new();
+        loop {
+            list.push(self.binding()?);
+            if !self.sign(";") && !(self.constrained(&list) && self.sign(",")) {
+                return Ok(list);
+            }
+            if self.at_clause() {
+                return Ok(list);
+            }
+        }
+    }
+
+    fn constrained(&self, list: &[Binding]) -> bool {
+        list.last().is_some_and(|b| b.natural || !b.constraints.is_empty())
+    }
+
+    fn binding(&mut self) -> Parsed<Binding> {
+        let start = self.span().start;
+        let mut names = Vec::new();
+        loop {
+            let name = self.name("a name to declare")?;
+            let mut index = None;
+            if self.sign("(") {
+                index = Some(self.name("the name of the index")?);
+                self.need_sign(")", "after the index")?;
+            }
+            names.push((name, index));
+            if !self.sign(",") {
+                break;
+            }
+        }
+        let mut natural = false;
+        let mut constraints = Vec::new();
+        let mut any = false;
+        loop {
+            if any {
+                self.word("and");
+            }
+            if self.word("real") {
+                any = true;
+            } else if self.word("natural") {
+                natural = true;
+            } else if let Some(relation) = self.relation() {
+                constraints.push(Constraint::Relation(relation, self.expr()?));
+            } else if self.word("in") {
+                constraints.push(self.interval(&mut natural)?);
+            } else {
+                break;
+            }
+            any = true;
+        }
+        if !any {
+            return Err(self.expected("a domain: `real`, `natural`, `> 0`, `in [0, 1]` or `in 1..n`"));
+        }
+        let mut indices = None;
+        if self.word("for") {
+            self.name("the index")?;
+            self.need_word("in")?;
+            let from = self.expr()?;
+            self.need_sign("..", "between the first and the last index")?;
+            indices = Some((from, self.expr()?));
+        }
+        Ok(Binding { names, natural, constraints, indices, span: self.since(start) })
+    }
+
+    fn interval(&mut self, natural: &mut bool) -> Parsed<Constraint> {
+        // A parenthesis may open an interval or a range's first expression; a bracket an interval.
+        let closed = matches!(self.peek(), Kind::Sign("["));
+        if closed || matches!(self.peek(), Kind::Sign("(")) {
+            let saved = self.at;
+            let faults = self.faults.len();
+            self.advance();
+            if let Ok(from) = self.expr()
+                && self.sign(",")
+            {
+                let to = self.expr()?;
+                let to_closed = match self.peek() {
+                    Kind::Sign("]") => true,
+                    Kind::Sign(")") => false,
+                    _ => return Err(self.expected("`]` or `)` to close the interval")),
+                };
+                self.advance();
+                return Ok(Constraint::Interval { from, from_closed: closed, to, to_closed });
+            }
+            if closed {
+                if self.faults.len() == faults {
+                    return Err(self.expected("`,` between the ends of the interval"));
+                }
+                return Err(Reported);
+            }
+            self.faults.truncate(faults);
+            self.at = saved;
+        }
+        let from = self.expr()?;
+        self.need_sign("..", "between the first and the last value")?;
+        let to = self.expr()?;
+        *natural = true;
+        Ok(Constraint::Range(from, to))
+    }
+}

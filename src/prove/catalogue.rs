@@ -1,0 +1,333 @@
+//! Claims judged: each once, those that it cites first, no others.
+
+
+use super::context::{Context, Engine, Failure, Origin, source};
+use super::expand::Statement;
+use super::outcome::{Fault, Line, Outcome, Verdict};
+use super::refute;
+use crate::claim::diagnostic::{self, Diagnostic};
+use crate::claim::print;
+use crate::claim::syntax::*;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+
+/// Bounds on the work for one claim; each is reported by name when it is reached.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// The largest power of a sum that is expanded (`degree`).
+    pub degree: u32,
+    /// The most terms of a sum (`terms`).
+    pub terms: usize,
+    /// The most bits of a coefficient after a power (`digits`, in bits).
+    pub digits: u64,
+    /// The most steps of the search (`steps`).
+    pub steps: usize,
+    /// The longest time for one claim (`time`).
+    pub time: Duration,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits { degree: 100, terms: 5_000, digits: 100_000, steps: 400_000, time: Duration::from_secs(10) }
+    }
+}
+
+/// A set of claims and what is known of them.
+pub struct Catalogue {
+    claims: Vec<Claim>,
+    index: BTreeMap<String, usize>,
+    outcomes: BTreeMap<String, Result<Outcome, Fault>>,
+    proved: BTreeMap<String, Rc<Statement>>,
+    judged: usize,
+}
+
+impl Catalogue {
+    /// A catalogue of claims with distinct names.
+    ///
+    /// # Errors
+    /// Names used twice, citations of claims that are not there, and citations in a circle.
+    pub fn new(claims: Vec<Claim>) -> Result<Catalogue, Vec<(String, Diagnostic)>> {
+        let mut faults = Vec::new();
+        let mut index = BTreeMap::new();
+        for (place, claim) in claims.iter().enumerate() {
+            if index.insert(claim.name.text.clone(), place).is_some() {
+                let fault = diagnostic::Fault::Twice(claim.name.text.clone());
+                faults.push((claim.name.text.clone(), Diagnostic::new(fault, claim.name.span)));
+            }
+        }
+        for claim in &claims {
+            for cited in &claim.using {
+                if !index.contains_key(&cited.text) {
+                    let nearest = diagnostic::nearest(&cited.text, index.keys().map(String::as_str));
+                    let message = format!("no claim is called {}", cited.text);
+                    let help = nearest.map(|n| format!("did you mean {n}?"));
+                    faults.push((claim.name.text.clone(), Diagnostic::new(diagnostic::Fault::Other { message, help }, cited.span)));
+                }
+            }
+        }
+        if faults.is_empty()
+            && let Some(path) = circle(&claims, &index)
+        {
+            let first = &claims[index[&path[0]]];
+            let span = first.using.first().map_or(first.name.span, |n| n.span);
+            faults.push((path[0].clone(), Diagnostic::new(diagnostic::Fault::Circular(path), span)));
+        }
+        if faults.is_empty() {
+            Ok(Catalogue { claims, index, outcomes: BTreeMap::new(), proved: BTreeMap::new(), judged: 0 })
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// The claims in their order.
+    pub fn claims(&self) -> &[Claim] {
+        &self.claims
+    }
+
+    /// A claim by name.
+    pub fn get(&self, name: &str) -> Option<&Claim> {
+        self.index.get(name).map(|i| &self.claims[*i])
+    }
+
+    /// How many claims were judged so far.
+    pub fn work(&self) -> usize {
+        self.judged
+    }
+
+    /// The outcome of a claim; what it cites is judged first.
+    ///
+    /// # Errors
+    /// The claim makes no sense: its hypotheses contradict each other, or its argument cites what is
+    /// not there.
+    pub fn audit(&mut self, name: &str, limits: &Limits) -> Result<Outcome, Fault> {
+        // An explicit stack: citations may be many levels deep.
+        let mut stack = vec![name.to_string()];
+        while let Some(top) = stack.last().cloned() {
+            if self.outcomes.contains_key(&top) {
+                stack.pop();
+                continue;
+            }
+            let Some(claim) = self.get(&top).cloned() else {
+                let message = format!("no claim is called {top}");
+                return Err(Fault::Text(Diagnose { message, help: None, span: Span::default() }));
+            };
+            let open: Vec<String> =
+                claim.using.iter().map(|n| n.text.clone()).filter(|n| !self.outcomes.contains_key(n)).collect();
+            if !open.is_empty() {
+                stack.extend(open);
+                continue;
+            }
+            let (outcome, statement) = self.judge(&claim, limits);
+            if let (Ok(Outcome { verdict: Verdict::Proved, .. }), Some(statement)) = (&outcome, statement) {
+                self.proved.insert(top.clone(), Rc::new(statement));
+            }
+            self.judged += 1;
+            self.outcomes.insert(top, outcome);
+            stack.pop();
+        }
+        self.outcomes[name].clone()
+    }
+
+    fn judge(&self, claim: &Claim, limits: &Limits) -> (Result<Outcome, Fault>, Option<Statement>) {
+        let statement = match Statement::of(claim) {
+            Ok(statement) => statement,
+            Err(limit) => {
+                let reason = format!("limit reached: {}", limit.0);
+                return (Ok(undecided(claim, reason)), None);
+            }
+        };
+        let cited: BTreeMap<String, Rc<Statement>> = statement
+            .using
+            .iter()
+            .filter_map(|n| self.proved.get(n).map(|s| (n.clone(), s.clone())))
+            .collect();
+        let outcome = judge(claim, &statement, &cited, limits);
+        (outcome, Some(statement))
+    }
+}
+
+fn undecided(claim: &Claim, reason: String) -> Outcome {
+    Outcome {
+        claim: claim.name.text.clone(),
+        verdict: Verdict::Undecided,
+        method: String::new(),
+        used: Vec::new(),
+        unused: Vec::new(),
+        sample: None,
+        witness: None,
+        reason: Some(reason),
+        argument: Vec::new(),
+    }
+}
+
+fn judge(claim: &Claim, statement: &Statement, cited: &BTreeMap<String, Rc<Statement>>, limits: &Limits) -> Result<Outcome, Fault> {
+    let mut engine = Engine {
+        ring: Default::default(),
+        log: Vec::new(),
+        depth: 0,
+        used: 0,
+        deadline: Some(Instant::now() + limits.time),
+        steps: limits.steps,
+        cited,
+        limit: None,
+        rules: Vec::new(),
+    };
+    engine.ring.degree_limit = limits.degree;
+    engine.ring.terms_limit = limits.terms;
+    engine.ring.bits_limit = limits.digits;
+    let mut cx = Context::default();
+    let mut result = hypotheses(&mut engine, &mut cx, statement);
+    let hypotheses_count = cx.facts.len();
+    if let Err(Failure::Fault(diagnose)) = result {
+        return Err(Fault::Text(diagnose));
+    }
+    let has_hypotheses = !statement.bindings.is_empty() || !statement.assumptions.is_empty();
+    let sample = if has_hypotheses { refute::sample(&mut engine, &cx, statement) } else { None };
+    if cx.contradiction.is_some() && sample.is_none() {
+        let list: Vec<String> = statement.assumptions.iter().map(|a| print::prop(&a.1)).collect();
+        return Err(Fault::Contradictory { hypotheses: list.join("; ") });
+    }
+    let hypotheses_facts = cx.facts.clone();
+    let mut proving = cx.clone();
+    engine.used = 0;
+    if result.is_ok() {
+        result = engine.attempt(|engine| engine.follow(&mut proving, &statement.goal, &statement.proof));
+    }
+    if let Err(Failure::Fault(diagnose)) = result {
+        return Err(Fault::Text(diagnose));
+    }
+    let mut outcome = undecided(claim, String::new());
+    outcome.sample = sample;
+    outcome.reason = None;
+    match result {
+        Ok(()) if has_hypotheses && outcome.sample.is_none() => {
+            // The argument stands, but nothing shows that the hypotheses can hold at once.
+            outcome.reason = Some("no point was found at which all the hypotheses hold".to_string());
+        }
+        Ok(()) => {
+            outcome.verdict = Verdict::Proved;
+            outcome.method = main_rule(&engine.rules).to_string();
+            for (place, fact) in hypotheses_facts.iter().enumerate().take(hypotheses_count) {
+                let text = describe(fact, statement);
+                if text.is_empty() {
+                    continue;
+                }
+                if engine.used & source(place) != 0 { outcome.used.push(text) } else { outcome.unused.push(text) }
+            }
+            outcome.argument = engine.log.clone();
+        }
+        Err(failure) => {
+            let limit = engine.limit;
+            engine.steps = engine.steps.max(1_000);
+            match refute::counterexample(&mut engine, &cx, statement) {
+                Some(witness) => {
+                    outcome.verdict = Verdict::Refuted;
+                    outcome.method = if witness.broken.iter().all(|b| b.left == "no value") { "definedness" } else { "search" }.to_string();
+                    let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+                    outcome.argument.push(Line { depth: 0, rule: "witness", text: at.join(", ") });
+                    for broken in &witness.broken {
+                        let text = if broken.right.is_empty() {
+                            broken.statement.clone()
+                        } else {
+                            format!("{}: left side {}, right side {}", broken.statement, broken.left, broken.right)
+                        };
+                        outcome.argument.push(Line { depth: 1, rule: "witness", text });
+                    }
+                    outcome.witness = Some(witness);
+                }
+                None => {
+                    outcome.reason = Some(match (failure, limit) {
+                        (Failure::Limit(name), _) => format!("limit reached: {name}"),
+                        (Failure::NotShown(text), Some(name)) => format!("not shown: {text} (limit reached: {name})"),
+                        (Failure::NotShown(text), None) => format!("not shown: {text}"),
+                        (Failure::Undefined(text), _) => format!("an expression may have no value: {text}"),
+                        (Failure::Fault(diagnose), _) => diagnose.message,
+                    });
+                }
+            }
+        }
+    }
+    Ok(outcome)
+}
+
+fn hypotheses(engine: &mut Engine, cx: &mut Context, statement: &Statement) -> Result<(), Failure> {
+    for sequence in &statement.sequences {
+        cx.sequences.insert(sequence.name.clone(), Rc::new(sequence.clone()));
+    }
+    engine.declare(cx, &statement.bindings)?;
+    for (label, prop) in &statement.assumptions {
+        engine.assume(cx, prop, label.clone(), Origin::Hypothesis)?;
+    }
+    Ok(())
+}
+
+/// A hypothesis as text.
+fn describe(fact: &super::context::Fact, statement: &Statement) -> String {
+    if let PropKind::And(list) = &fact.prop.kind
+        && list.is_empty()
+        && let Some(label) = &fact.label
+    {
+        // A family's domain.
+        let name = label.split('(').next().unwrap_or(label);
+        for binding in &statement.bindings {
+            if let Some((_, Some(_))) = binding.names.iter().find(|n| n.0.text == name) {
+                let mut single = binding.clone();
+                single.names.retain(|n| n.0.text == name);
+                return print::Style::Text.binding(&single);
+            }
+        }
+        return label.clone();
+    }
+    match (&fact.label, fact.origin) {
+        (Some(label), Origin::Hypothesis) => format!("{label}: {}", print::prop(&fact.prop)),
+        _ => print::prop(&fact.prop),
+    }
+}
+
+/// The rule that carries an argument, the most telling of those used.
+fn main_rule(rules: &[&'static str]) -> &'static str {
+    const ORDER: &[&str] = &[
+        "limit", "extremum", "induction", "mean inequality", "witness", "equivalence", "cofactors", "instance", "power", "product",
+        "cases", "elimination", "sign", "identity", "contradiction",
+    ];
+    ORDER.iter().find(|r| rules.contains(r)).copied().unwrap_or("logic")
+}
+
+/// Names along a circle of citations, the first repeated at the end.
+fn circle(claims: &[Claim], index: &BTreeMap<String, usize>) -> Option<Vec<String>> {
+    // 0 not seen, 1 on the path, 2 done.
+    let mut state = vec![0u8; claims.len()];
+    for start in 0..claims.len() {
+        let mut path: Vec<(usize, usize)> = Vec::new();
+        if state[start] == 0 {
+            state[start] = 1;
+            path.push((start, 0));
+        }
+        while let Some((node, next)) = path.last().copied() {
+            let Some(cited) = claims[node].using.get(next) else {
+                state[node] = 2;
+                path.pop();
+                continue;
+            };
+            if let Some(last) = path.last_mut() {
+                last.1 += 1;
+            }
+            let to = index[&cited.text];
+            match state[to] {
+                0 => {
+                    state[to] = 1;
+                    path.push((to, 0));
+                }
+                1 => {
+                    let from = path.iter().position(|p| p.0 == to).unwrap_or(0);
+                    let mut names: Vec<String> = path[from..].iter().map(|p| claims[p.0].name.text.clone()).collect();
+                    names.push(claims[to].name.text.clone());
+                    return Some(names);
+                }
+                _ => {}
+            }
+        }
+    }
+    None
+}

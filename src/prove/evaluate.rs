@@ -1,0 +1,533 @@
+//! Expressions and propositions at exact points.
+//!
+//! Contract: a value is exact, or an interval that contains it; a truth value is given only when it is
+//! certain. *Undefined* means that the expression has no value at the point; *unknown* that intervals
+//! do not decide. Neither is ever taken for false.
+//!
+//! Roots of numbers that are no perfect powers become intervals of relative width 2^−[`PRECISION`].
+
+use super::expand::Sequence;
+use crate::claim::syntax::*;
+use crate::number::rational;
+use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Integer, Rational};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
+
+/// Bits kept of the ends of intervals.
+pub const PRECISION: u64 = 192;
+
+/// The largest exponent and index that is evaluated.
+const LARGEST: i64 = 400;
+
+/// A number known exactly or between two others.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Number {
+    /// Exactly this.
+    Exact(Rational),
+    /// Strictly or loosely between these.
+    Between(Rational, Rational),
+}
+
+/// Why there is no value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Missing {
+    /// There is none at this point; the text says where.
+    Undefined(String),
+    /// It is not found by these means.
+    Unknown,
+}
+
+type Result<T> = std::result::Result<T, Missing>;
+
+/// A point: values of variables and of members of families.
+#[derive(Clone, Debug, Default)]
+pub struct Assignment {
+    /// Variables and bound indices.
+    pub values: HashMap<String, Rational>,
+    /// Families: the values that members take in turn.
+    pub families: HashMap<String, Vec<Rational>>,
+    /// Sequences.
+    pub sequences: BTreeMap<String, Sequence>,
+    /// Index ranges of families: first and last.
+    pub ranges: HashMap<String, (Expr, Expr)>,
+    /// The members that were looked up.
+    pub seen: RefCell<BTreeMap<(String, i64), Rational>>,
+}
+
+/// A scalar or a matrix of numbers.
+enum Value {
+    Scalar(Number),
+    Matrix(Vec<Vec<Number>>),
+}
+
+impl Number {
+    fn ends(&self) -> (&Rational, &Rational) {
+        match self {
+            Number::Exact(q) => (q, q),
+            Number::Between(a, b) => (a, b),
+        }
+    }
+
+    /// The sign of the difference to another number, if certain.
+    pub fn order(&self, other: &Number) -> Option<std::cmp::Ordering> {
+        let ((a, b), (c, d)) = (self.ends(), other.ends());
+        if let (Number::Exact(a), Number::Exact(c)) = (self, other) {
+            return Some(a.cmp(c));
+        }
+        if b < c {
+            Some(std::cmp::Ordering::Less)
+        } else if a > d {
+            Some(std::cmp::Ordering::Greater)
+        } else {
+            None
+        }
+    }
+
+    /// p/q, or a decimal enough to tell the number from its neighbours.
+    pub fn text(&self) -> String {
+        match self {
+            Number::Exact(q) => q.to_string(),
+            Number::Between(a, b) => {
+                let middle = (a + b) / Rational::from(2);
+                let value = f64_text(&middle);
+                format!("{value}...")
+            }
+        }
+    }
+}
+
+/// A few digits, cut off rather than rounded.
+fn f64_text(q: &Rational) -> String {
+    let scale = Rational::from(10).pow(12i64);
+    let (negative, size) = if *q < 0 { (true, -q) } else { (false, q.clone()) };
+    let digits = malachite::base::num::arithmetic::traits::Floor::floor(size * scale).to_string();
+    let padded = format!("{digits:0>13}");
+    let (whole, part) = padded.split_at(padded.len() - 12);
+    format!("{}{whole}.{part}", if negative { "-" } else { "" })
+}
+
+fn rounded(q: &Rational, up: bool) -> Rational {
+    let bits = q.numerator_ref().significant_bits().max(q.denominator_ref().significant_bits());
+    if bits <= 2 * PRECISION {
+        return q.clone();
+    }
+    // Scale so that the numerator has about PRECISION bits over a power of two.
+    let shift = q.denominator_ref().significant_bits() + PRECISION;
+    let shift = i64::try_from(shift).unwrap_or(i64::MAX) - i64::try_from(q.numerator_ref().significant_bits()).unwrap_or(0);
+    let scale = Rational::from(2).pow(shift.max(0));
+    let scaled = q * &scale;
+    let whole = if up {
+        malachite::base::num::arithmetic::traits::Ceiling::ceiling(scaled)
+    } else {
+        malachite::base::num::arithmetic::traits::Floor::floor(scaled)
+    };
+    Rational::from(whole) / scale
+}
+
+fn between(a: Rational, b: Rational) -> Number {
+    if a == b { Number::Exact(a) } else { Number::Between(rounded(&a, false), rounded(&b, true)) }
+}
+
+fn add(a: &Number, b: &Number) -> Number {
+    match (a, b) {
+        (Number::Exact(a), Number::Exact(b)) => Number::Exact(a + b),
+        _ => {
+            let ((a, b), (c, d)) = (a.ends(), b.ends());
+            between(a + c, b + d)
+        }
+    }
+}
+
+fn negate(a: &Number) -> Number {
+    match a {
+        Number::Exact(a) => Number::Exact(-a),
+        Number::Between(a, b) => Number::Between(-b, -a),
+    }
+}
+
+fn multiply(a: &Number, b: &Number) -> Number {
+    match (a, b) {
+        (Number::Exact(a), Number::Exact(b)) => Number::Exact(a * b),
+        (Number::Exact(q), _) | (_, Number::Exact(q)) if *q == 0 => Number::Exact(Rational::ZERO),
+        _ => {
+            let ((a, b), (c, d)) = (a.ends(), b.ends());
+            let products = [a * c, a * d, b * c, b * d];
+            let least = products.iter().min().cloned().unwrap_or(Rational::ZERO);
+            let most = products.iter().max().cloned().unwrap_or(Rational::ZERO);
+            between(least, most)
+        }
+    }
+}
+
+fn invert(a: &Number, text: impl Fn() -> String) -> Result<Number> {
+    let (low, high) = a.ends();
+    match a {
+        Number::Exact(q) if *q == 0 => Err(Missing::Undefined(format!("division by {} = 0", text()))),
+        Number::Exact(q) => Ok(Number::Exact(Rational::ONE / q)),
+        _ if *low > 0 || *high < 0 => Ok(between(Rational::ONE / high, Rational::ONE / low)),
+        _ => Err(Missing::Unknown),
+    }
+}
+
+fn whole_power(a: &Number, k: u64) -> Result<Number> {
+    let (low, high) = a.ends();
+    let bits = low.significant_bits().max(high.significant_bits());
+    if bits.saturating_mul(k) > 60_000 {
+        return Err(Missing::Unknown);
+    }
+    Ok(match a {
+        Number::Exact(q) => Number::Exact(q.pow(k)),
+        Number::Between(a, b) if *a >= 0 => between(a.pow(k), b.pow(k)),
+        _ => {
+            let mut out = Number::Exact(Rational::ONE);
+            for _ in 0..k {
+                out = multiply(&out, a);
+            }
+            out
+        }
+    })
+}
+
+/// The k-th root of a non-negative number.
+fn root(a: &Number, k: u64) -> Number {
+    if let Number::Exact(q) = a
+        && let Some(root) = rational::exact_root(q, k)
+    {
+        return Number::Exact(root);
+    }
+    let (low, high) = a.ends();
+    // floor(2^P·root) from an integer root of floor(2^(kP)·q); P grows for small q.
+    let lower = |q: &Rational, plus: bool| -> Rational {
+        if *q <= 0 {
+            return Rational::ZERO;
+        }
+        let small = q.denominator_ref().significant_bits().saturating_sub(q.numerator_ref().significant_bits());
+        let precision = PRECISION + small / k + 1;
+        let scaled = q * Rational::from(2).pow(precision * k);
+        let whole = malachite::base::num::arithmetic::traits::Floor::floor(scaled);
+        let mut r = Integer::floor_root(whole, k);
+        if plus {
+            r += Integer::ONE;
+        }
+        Rational::from(r) / Rational::from(2).pow(precision)
+    };
+    between(lower(low, false), lower(high, true))
+}
+
+impl Assignment {
+    /// The value of a scalar expression.
+    pub fn number(&self, e: &Expr) -> Result<Number> {
+        match self.value(e)? {
+            Value::Scalar(number) => Ok(number),
+            Value::Matrix(_) => Err(Missing::Unknown),
+        }
+    }
+
+    fn value(&self, e: &Expr) -> Result<Value> {
+        use ExprKind::*;
+        Ok(Value::Scalar(match &e.kind {
+            Number(text) => self::Number::Exact(rational::parse(text).map_err(|_| Missing::Unknown)?),
+            Name(name) => self::Number::Exact(self.values.get(name).cloned().ok_or(Missing::Unknown)?),
+            Negate(a) => match self.value(a)? {
+                Value::Scalar(a) => negate(&a),
+                Value::Matrix(rows) => {
+                    return Ok(Value::Matrix(rows.iter().map(|r| r.iter().map(negate).collect()).collect()));
+                }
+            },
+            Sum(list) => {
+                let mut sum: Option<Value> = None;
+                for (sign, summand) in list {
+                    let flip = |n: self::Number| if *sign == Sign::Plus { n } else { negate(&n) };
+                    let value = match self.value(summand)? {
+                        Value::Scalar(n) => Value::Scalar(flip(n)),
+                        Value::Matrix(rows) => Value::Matrix(rows.into_iter().map(|r| r.into_iter().map(flip).collect()).collect()),
+                    };
+                    sum = Some(match (sum, value) {
+                        (None, value) => value,
+                        (Some(Value::Scalar(a)), Value::Scalar(b)) => Value::Scalar(add(&a, &b)),
+                        (Some(Value::Matrix(a)), Value::Matrix(b)) => Value::Matrix(
+                            a.iter().zip(&b).map(|(r, s)| r.iter().zip(s).map(|(x, y)| add(x, y)).collect()).collect(),
+                        ),
+                        _ => return Err(Missing::Unknown),
+                    });
+                }
+                return sum.ok_or(Missing::Unknown);
+            }
+            Product(list) => {
+                let mut product = Value::Scalar(self::Number::Exact(Rational::ONE));
+                for (operator, factor) in list {
+                    let value = self.value(factor)?;
+                    product = match (product, value) {
+                        (Value::Scalar(a), Value::Scalar(b)) => {
+                            let b = if *operator == Factor::Over { invert(&b, || crate::claim::print::expr(factor))? } else { b };
+                            Value::Scalar(multiply(&a, &b))
+                        }
+                        (Value::Matrix(m), Value::Scalar(b)) | (Value::Scalar(b), Value::Matrix(m)) => {
+                            let b = if *operator == Factor::Over { invert(&b, || crate::claim::print::expr(factor))? } else { b };
+                            Value::Matrix(m.iter().map(|r| r.iter().map(|x| multiply(x, &b)).collect()).collect())
+                        }
+                        (Value::Matrix(a), Value::Matrix(b)) => {
+                            if a[0].len() != b.len() {
+                                return Err(Missing::Unknown);
+                            }
+                            let cell = |row: &Vec<self::Number>, j: usize| {
+                                row.iter().zip(&b).fold(self::Number::Exact(Rational::ZERO), |sum, (x, r)| add(&sum, &multiply(x, &r[j])))
+                            };
+                            Value::Matrix(a.iter().map(|row| (0..b[0].len()).map(|j| cell(row, j)).collect()).collect())
+                        }
+                    };
+                }
+                return Ok(product);
+            }
+            Power(a, b) => {
+                let (a, b) = (self.number(a)?, self.number(b)?);
+                self.power(&a, &b, e)?
+            }
+            Apply(name, arguments) => return self.apply(name, arguments, e),
+            SumOver(index, body) | ProductOver(index, body) => {
+                let is_sum = matches!(&e.kind, SumOver(..));
+                let (from, to) = (self.whole(&index.from)?, self.whole(&index.to)?);
+                if to < from - 1 {
+                    return Err(Missing::Undefined(format!("the range of {} ends before it begins", index.name.text)));
+                }
+                if to - from > LARGEST {
+                    return Err(Missing::Unknown);
+                }
+                let mut total = self::Number::Exact(if is_sum { Rational::ZERO } else { Rational::ONE });
+                for k in from..=to {
+                    let mut inner = self.clone();
+                    inner.values.insert(index.name.text.clone(), Rational::from(k));
+                    let value = inner.number(body)?;
+                    self.seen.borrow_mut().extend(inner.seen.into_inner());
+                    total = if is_sum { add(&total, &value) } else { multiply(&total, &value) };
+                }
+                total
+            }
+            Derivative(..) => return Err(Missing::Unknown),
+            Matrix(rows) => {
+                let rows: Result<Vec<Vec<self::Number>>> =
+                    rows.iter().map(|r| r.iter().map(|x| self.number(x)).collect()).collect();
+                return Ok(Value::Matrix(rows?));
+            }
+        }))
+    }
+
+    fn whole(&self, e: &Expr) -> Result<i64> {
+        match self.number(e)? {
+            Number::Exact(q) => i64::try_from(&q).map_err(|_| Missing::Undefined(format!("{} is no whole number", crate::claim::print::expr(e)))),
+            Number::Between(..) => Err(Missing::Unknown),
+        }
+    }
+
+    fn power(&self, a: &Number, b: &Number, e: &Expr) -> Result<Number> {
+        let Number::Exact(q) = b else { return Err(Missing::Unknown) };
+        let text = || crate::claim::print::expr(e);
+        let (Ok(p), Ok(k)) = (i64::try_from(&Integer::from(q.numerator_ref())), i64::try_from(&Integer::from(q.denominator_ref()))) else {
+            return Err(Missing::Unknown);
+        };
+        if p > LARGEST || k > LARGEST {
+            return Err(Missing::Unknown);
+        }
+        let (low, high) = a.ends();
+        let base = if k == 1 {
+            a.clone()
+        } else if *high < 0 {
+            return Err(Missing::Undefined(format!("{} takes a root of a negative number", text())));
+        } else if *low < 0 {
+            return Err(Missing::Unknown);
+        } else {
+            root(a, k.unsigned_abs())
+        };
+        let power = whole_power(&base, p.unsigned_abs())?;
+        if *q < 0 { invert(&power, text) } else { Ok(power) }
+    }
+
+    fn apply(&self, name: &Name, arguments: &[Expr], e: &Expr) -> Result<Value> {
+        let text = name.text.as_str();
+        if matches!(text, "det" | "transpose") {
+            let Some(Value::Matrix(m)) = arguments.first().map(|a| self.value(a)).transpose()? else { return Err(Missing::Unknown) };
+            if text == "transpose" {
+                return Ok(Value::Matrix((0..m[0].len()).map(|j| m.iter().map(|r| r[j].clone()).collect()).collect()));
+            }
+            return match m.as_slice() {
+                [a, b] if a.len() == 2 => {
+                    let down = multiply(&a[0], &b[1]);
+                    let up = multiply(&a[1], &b[0]);
+                    Ok(Value::Scalar(add(&down, &negate(&up))))
+                }
+                _ => Err(Missing::Unknown),
+            };
+        }
+        let argument = arguments.first().ok_or(Missing::Unknown)?;
+        let half = |k: i64| Number::Exact(Rational::from_signeds(1, k));
+        Ok(Value::Scalar(match text {
+            "sqrt" => self.power(&self.number(argument)?, &half(2), e)?,
+            "cbrt" => self.power(&self.number(argument)?, &half(3), e)?,
+            "exp" | "ln" | "cosh" | "sinh" | "tanh" | "sech" => return Err(Missing::Unknown),
+            _ => {
+                let index = self.whole(argument)?;
+                if index < 0 || index > LARGEST {
+                    return Err(Missing::Undefined(format!("{} has no member {index}", name.text)));
+                }
+                if let Some((from, to)) = self.ranges.get(text)
+                    && !(self.whole(from)? <= index && index <= self.whole(to)?)
+                {
+                    return Err(Missing::Undefined(format!("{text}({index}) lies outside the range of {text}")));
+                }
+                if let Some(list) = self.families.get(text) {
+                    let place = usize::try_from(index).unwrap_or(0) % list.len().max(1);
+                    let value = list.get(place).cloned().ok_or(Missing::Unknown)?;
+                    self.seen.borrow_mut().insert((name.text.clone(), index), value.clone());
+                    Number::Exact(value)
+                } else if let Some(sequence) = self.sequences.get(text).cloned() {
+                    self.member(&sequence, index)?
+                } else {
+                    return Err(Missing::Unknown);
+                }
+            }
+        }))
+    }
+
+    /// u(k), each member evaluated once: the step may mention the member before it, which is bound
+    /// as a value of its own.
+    fn member(&self, sequence: &Sequence, index: i64) -> Result<Number> {
+        let mut value = self.number(&sequence.initial)?;
+        for k in 0..index {
+            let Number::Exact(known) = &value else { return Err(Missing::Unknown) };
+            let mut inner = self.clone();
+            inner.values.insert(sequence.index.clone(), Rational::from(k));
+            inner.sequences.remove(&sequence.name);
+            inner.families.insert(sequence.name.clone(), vec![known.clone()]);
+            value = inner.number(&sequence.step)?;
+            let seen = inner.seen.into_inner();
+            self.seen.borrow_mut().extend(seen.into_iter().filter(|s| s.0.0 != sequence.name));
+        }
+        Ok(value)
+    }
+
+    /// The truth of a proposition, if certain. Quantifiers and extrema are not decided here.
+    pub fn truth(&self, prop: &Prop) -> Result<bool> {
+        match &prop.kind {
+            PropKind::Compare(sides, relations) => {
+                let values: Vec<Value> = sides.iter().map(|e| self.value(e)).collect::<Result<_>>()?;
+                let mut unknown = false;
+                for (pair, relation) in values.windows(2).zip(relations) {
+                    match (&pair[0], &pair[1]) {
+                        (Value::Scalar(a), Value::Scalar(b)) => match holds(a, *relation, b) {
+                            Some(false) => return Ok(false),
+                            Some(true) => {}
+                            None => unknown = true,
+                        },
+                        (Value::Matrix(a), Value::Matrix(b)) => {
+                            for (x, y) in a.iter().flatten().zip(b.iter().flatten()) {
+                                match holds(x, Relation::Equal, y) {
+                                    Some(false) => return Ok(false),
+                                    Some(true) => {}
+                                    None => unknown = true,
+                                }
+                            }
+                        }
+                        _ => return Err(Missing::Unknown),
+                    }
+                }
+                if unknown { Err(Missing::Unknown) } else { Ok(true) }
+            }
+            PropKind::And(list) => {
+                let mut unknown = None;
+                for part in list {
+                    match self.truth(part) {
+                        Ok(false) => return Ok(false),
+                        Ok(true) => {}
+                        Err(missing) => unknown = Some(missing),
+                    }
+                }
+                unknown.map_or(Ok(true), Err)
+            }
+            PropKind::Or(list) => {
+                let mut unknown = None;
+                for part in list {
+                    match self.truth(part) {
+                        Ok(true) => return Ok(true),
+                        Ok(false) => {}
+                        Err(missing) => unknown = Some(missing),
+                    }
+                }
+                unknown.map_or(Ok(false), Err)
+            }
+            PropKind::Not(inner) => Ok(!self.truth(inner)?),
+            PropKind::Implies(p, q) => {
+                if self.truth(p)? {
+                    self.truth(q)
+                } else {
+                    Ok(true)
+                }
+            }
+            PropKind::Equivalent(list) => {
+                let first = list.first().map_or(Ok(true), |p| self.truth(p))?;
+                for part in &list[1..] {
+                    if self.truth(part)? != first {
+                        return Ok(false);
+                    }
+                }
+                Ok(true)
+            }
+            _ => Err(Missing::Unknown),
+        }
+    }
+
+    /// The comparisons that fail in a false proposition, with both sides.
+    pub fn broken(&self, prop: &Prop, into: &mut Vec<super::outcome::Broken>) {
+        match &prop.kind {
+            PropKind::Compare(sides, relations) => {
+                for (pair, relation) in sides.windows(2).zip(relations) {
+                    let single = Prop { kind: PropKind::Compare(pair.to_vec(), vec![*relation]), span: prop.span };
+                    if let (Ok(a), Ok(b)) = (self.number(&pair[0]), self.number(&pair[1])) {
+                        into.push(super::outcome::Broken {
+                            statement: crate::claim::print::prop(&single),
+                            left: a.text(),
+                            right: b.text(),
+                        });
+                    }
+                }
+            }
+            PropKind::And(list) => {
+                for part in list.iter().filter(|p| self.truth(p) == Ok(false)) {
+                    self.broken(part, into);
+                }
+            }
+            PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().for_each(|p| self.broken(p, into)),
+            PropKind::Not(p) => self.broken(p, into),
+            PropKind::Implies(p, q) => {
+                self.broken(p, into);
+                self.broken(q, into);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Whether a comparison certainly holds or certainly fails.
+fn holds(a: &Number, relation: Relation, b: &Number) -> Option<bool> {
+    use std::cmp::Ordering::*;
+    let ((low, high), (least, most)) = (a.ends(), b.ends());
+    if let Some(order) = a.order(b) {
+        return Some(match relation {
+            Relation::Equal => order == Equal,
+            Relation::NotEqual => order != Equal,
+            Relation::Less => order == Less,
+            Relation::LessEqual => order != Greater,
+            Relation::Greater => order == Greater,
+            Relation::GreaterEqual => order != Less,
+        });
+    }
+    match relation {
+        Relation::LessEqual if high <= least => Some(true),
+        Relation::GreaterEqual if low >= most => Some(true),
+        Relation::Less if low >= most => Some(false),
+        Relation::Greater if high <= least => Some(false),
+        _ => None,
+    }
+}

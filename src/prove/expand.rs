@@ -1,0 +1,504 @@
+//! Definitions put in place: a claim without `let`, and substitution that captures nothing.
+//!
+//! Contract: [`Statement::of`] yields the claim's hypotheses, goal and argument with every `let`
+//! expanded, so that later floors meet variables, families and sequences only. [`Substitution`]
+//! replaces free names; a bound name that would capture one is renamed. The size of the result is
+//! bounded by [`NODES_LIMIT`]: definitions that double at each line end in a limit, not in memory.
+
+use crate::algebra::form::Limit;
+use crate::claim::syntax::*;
+use std::collections::{BTreeSet, HashMap};
+
+/// The largest number of nodes of all expanded expressions of a claim together.
+pub const NODES_LIMIT: usize = 100_000;
+
+/// A sequence by recurrence: u(0) and u(k + 1) in terms of k and u(k).
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    /// Its name.
+    pub name: String,
+    /// u(0).
+    pub initial: Expr,
+    /// The name k.
+    pub index: String,
+    /// u(k + 1).
+    pub step: Expr,
+}
+
+/// A claim with its definitions put in place.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// The claim's name.
+    pub name: String,
+    /// Variables and families.
+    pub bindings: Vec<Binding>,
+    /// Sequences.
+    pub sequences: Vec<Sequence>,
+    /// Hypotheses with their labels.
+    pub assumptions: Vec<(Option<String>, Prop)>,
+    /// What is to be shown.
+    pub goal: Prop,
+    /// The argument.
+    pub proof: Proof,
+    /// Claims it may cite.
+    pub using: Vec<String>,
+}
+
+/// What a name is replaced by.
+#[derive(Clone, Debug)]
+enum Replacement {
+    Value(Expr),
+    Definition(Vec<String>, Expr),
+    Family(String),
+}
+
+/// A simultaneous replacement of free names.
+#[derive(Clone, Debug, Default)]
+pub struct Substitution {
+    map: HashMap<String, Replacement>,
+    mentioned: BTreeSet<String>,
+    nodes: usize,
+    fresh: usize,
+}
+
+type Result<T> = std::result::Result<T, Limit>;
+
+impl Statement {
+    /// The statement of a claim.
+    pub fn of(claim: &Claim) -> Result<Statement> {
+        let mut definitions = Substitution::default();
+        let mut out = Statement {
+            name: claim.name.text.clone(),
+            bindings: Vec::new(),
+            sequences: Vec::new(),
+            assumptions: Vec::new(),
+            goal: claim.goal.clone(),
+            proof: Proof::default(),
+            using: claim.using.iter().map(|n| n.text.clone()).collect(),
+        };
+        for item in &claim.items {
+            match item {
+                Item::Given(bindings) => {
+                    for binding in bindings {
+                        out.bindings.push(definitions.binding(binding)?);
+                    }
+                }
+                Item::Let { name, parameters, value } => {
+                    let value = definitions.expr(value)?;
+                    let parameters = parameters.iter().map(|p| p.text.clone()).collect();
+                    definitions.define(&name.text, parameters, value);
+                }
+                Item::Define { name, initial, index, step, .. } => out.sequences.push(Sequence {
+                    name: name.text.clone(),
+                    initial: definitions.expr(initial)?,
+                    index: index.text.clone(),
+                    step: definitions.expr(step)?,
+                }),
+                Item::Assume { label, prop } => {
+                    let label = label.as_ref().map(|l| l.text.clone());
+                    out.assumptions.push((label, definitions.prop(prop)?));
+                }
+            }
+        }
+        out.goal = definitions.prop(&claim.goal)?;
+        out.proof = definitions.proof(&claim.proof)?;
+        Ok(out)
+    }
+}
+
+impl Substitution {
+    /// Replaces a free name by an expression.
+    pub fn replace(&mut self, name: &str, value: Expr) {
+        names_in(&value, &mut self.mentioned);
+        self.map.insert(name.to_string(), Replacement::Value(value));
+    }
+
+    /// Renames a family or sequence.
+    pub fn rename_family(&mut self, name: &str, other: &str) {
+        self.mentioned.insert(other.to_string());
+        self.map.insert(name.to_string(), Replacement::Family(other.to_string()));
+    }
+
+    fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
+        names_in(&value, &mut self.mentioned);
+        self.map.insert(name.to_string(), Replacement::Definition(parameters, value));
+    }
+
+    fn count(&mut self) -> Result<()> {
+        self.nodes += 1;
+        if self.nodes > NODES_LIMIT { Err(Limit("definition size")) } else { Ok(()) }
+    }
+
+    /// Enters the scope of bound names: they are no longer replaced, and renamed if they would
+    /// capture a name of a replacement. Returns the inner substitution and the names to write.
+    fn enter(&mut self, names: &[&Name]) -> (Substitution, Vec<Name>) {
+        let mut inner = self.clone();
+        let mut out = Vec::new();
+        for name in names {
+            inner.map.remove(&name.text);
+            if self.mentioned.contains(&name.text) && !inner.map.is_empty() {
+                self.fresh += 1;
+                let fresh = format!("{}_{}", name.text, self.fresh);
+                let value = Expr { kind: ExprKind::Name(fresh.clone()), span: name.span };
+                inner.fresh = self.fresh;
+                inner.map.insert(name.text.clone(), Replacement::Value(value));
+                inner.mentioned.insert(fresh.clone());
+                out.push(Name { text: fresh, span: name.span });
+            } else {
+                out.push((*name).clone());
+            }
+        }
+        (inner, out)
+    }
+
+    fn leave(&mut self, inner: Substitution) {
+        self.nodes = inner.nodes;
+        self.fresh = inner.fresh;
+    }
+
+    fn exprs(&mut self, list: &[Expr]) -> Result<Vec<Expr>> {
+        list.iter().map(|e| self.expr(e)).collect()
+    }
+
+    /// The expression with the names replaced.
+    pub fn expr(&mut self, expr: &Expr) -> Result<Expr> {
+        self.count()?;
+        use ExprKind::*;
+        let kind = match &expr.kind {
+            Number(text) => Number(text.clone()),
+            Name(name) => match self.map.get(name) {
+                Some(Replacement::Value(value)) => return Ok(self.copied(value.clone(), expr.span)?),
+                Some(Replacement::Definition(parameters, value)) if parameters.is_empty() => {
+                    return Ok(self.copied(value.clone(), expr.span)?);
+                }
+                Some(Replacement::Family(other)) => Name(other.clone()),
+                _ => Name(name.clone()),
+            },
+            Apply(function, arguments) => {
+                let arguments = self.exprs(arguments)?;
+                match self.map.get(&function.text).cloned() {
+                    Some(Replacement::Definition(parameters, value)) if parameters.len() == arguments.len() => {
+                        let mut inner = Substitution { nodes: self.nodes, fresh: self.fresh, ..Default::default() };
+                        for (parameter, argument) in parameters.iter().zip(&arguments) {
+                            inner.replace(parameter, argument.clone());
+                        }
+                        let out = inner.expr(&value)?;
+                        self.leave(inner);
+                        return Ok(Expr { kind: out.kind, span: expr.span });
+                    }
+                    Some(Replacement::Family(other)) => {
+                        Apply(crate::claim::syntax::Name { text: other, span: function.span }, arguments)
+                    }
+                    _ => Apply(function.clone(), arguments),
+                }
+            }
+            Negate(a) => Negate(Box::new(self.expr(a)?)),
+            Sum(list) => Sum(list.iter().map(|(s, e)| Ok((*s, self.expr(e)?))).collect::<Result<_>>()?),
+            Product(list) => Product(list.iter().map(|(s, e)| Ok((*s, self.expr(e)?))).collect::<Result<_>>()?),
+            Power(a, b) => Power(Box::new(self.expr(a)?), Box::new(self.expr(b)?)),
+            SumOver(index, body) => {
+                let (index, body) = self.over(index, body)?;
+                SumOver(index, body)
+            }
+            ProductOver(index, body) => {
+                let (index, body) = self.over(index, body)?;
+                ProductOver(index, body)
+            }
+            Derivative(body, by) => {
+                // The variable of differentiation stays a name; a renaming is followed.
+                let mut names = Vec::new();
+                for name in by {
+                    match self.map.get(&name.text) {
+                        Some(Replacement::Value(Expr { kind: Name(other), .. })) => {
+                            names.push(crate::claim::syntax::Name { text: other.clone(), span: name.span });
+                        }
+                        Some(_) => return Err(Limit("a value put for a variable of differentiation")),
+                        None => names.push(name.clone()),
+                    }
+                }
+                Derivative(Box::new(self.expr(body)?), names)
+            }
+            Matrix(rows) => Matrix(rows.iter().map(|r| self.exprs(r)).collect::<Result<_>>()?),
+        };
+        Ok(Expr { kind, span: expr.span })
+    }
+
+    fn copied(&mut self, value: Expr, span: Span) -> Result<Expr> {
+        self.nodes += nodes_in(&value);
+        self.count()?;
+        Ok(Expr { kind: value.kind, span })
+    }
+
+    fn over(&mut self, index: &Index, body: &Expr) -> Result<(Index, Box<Expr>)> {
+        let from = Box::new(self.expr(&index.from)?);
+        let to = Box::new(self.expr(&index.to)?);
+        let (mut inner, names) = self.enter(&[&index.name]);
+        let body = Box::new(inner.expr(body)?);
+        self.leave(inner);
+        let name = names.into_iter().next().unwrap_or_else(|| index.name.clone());
+        Ok((Index { name, from, to }, body))
+    }
+
+    /// The binding with the names in its constraints replaced.
+    pub fn binding(&mut self, binding: &Binding) -> Result<Binding> {
+        let indices: Vec<&Name> = binding.names.iter().filter_map(|n| n.1.as_ref()).collect();
+        let mut inner = self.clone();
+        for index in &indices {
+            inner.map.remove(&index.text);
+        }
+        let constraints = binding
+            .constraints
+            .iter()
+            .map(|c| {
+                Ok(match c {
+                    Constraint::Relation(r, e) => Constraint::Relation(*r, inner.expr(e)?),
+                    Constraint::Interval { from, from_closed, to, to_closed } => Constraint::Interval {
+                        from: inner.expr(from)?,
+                        from_closed: *from_closed,
+                        to: inner.expr(to)?,
+                        to_closed: *to_closed,
+                    },
+                    Constraint::Range(a, b) => Constraint::Range(inner.expr(a)?, inner.expr(b)?),
+                })
+            })
+            .collect::<Result<_>>()?;
+        let indices = match &binding.indices {
+            Some((a, b)) => Some((inner.expr(a)?, inner.expr(b)?)),
+            None => None,
+        };
+        self.leave(inner);
+        Ok(Binding { constraints, indices, ..binding.clone() })
+    }
+
+    fn quantified(&mut self, bindings: &[Binding], body: &Prop) -> Result<(Vec<Binding>, Box<Prop>)> {
+        let names: Vec<&Name> = bindings.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
+        let (mut inner, renamed) = self.enter(&names);
+        let mut renamed = renamed.into_iter();
+        let mut out = Vec::new();
+        for binding in bindings {
+            let mut binding = inner.binding(binding)?;
+            for name in &mut binding.names {
+                if let Some(new) = renamed.next() {
+                    name.0 = new;
+                }
+            }
+            out.push(binding);
+        }
+        let body = Box::new(inner.prop(body)?);
+        self.leave(inner);
+        Ok((out, body))
+    }
+
+    /// The proposition with the names replaced.
+    pub fn prop(&mut self, prop: &Prop) -> Result<Prop> {
+        use PropKind::*;
+        let kind = match &prop.kind {
+            Compare(sides, relations) => Compare(self.exprs(sides)?, relations.clone()),
+            And(list) => And(list.iter().map(|p| self.prop(p)).collect::<Result<_>>()?),
+            Or(list) => Or(list.iter().map(|p| self.prop(p)).collect::<Result<_>>()?),
+            Not(p) => Not(Box::new(self.prop(p)?)),
+            Implies(p, q) => Implies(Box::new(self.prop(p)?), Box::new(self.prop(q)?)),
+            Equivalent(list) => Equivalent(list.iter().map(|p| self.prop(p)).collect::<Result<_>>()?),
+            Exists(bindings, body) => {
+                let (bindings, body) = self.quantified(bindings, body)?;
+                Exists(bindings, body)
+            }
+            ForAll(bindings, body) => {
+                let (bindings, body) = self.quantified(bindings, body)?;
+                ForAll(bindings, body)
+            }
+            PropKind::Extremum(extremum) => {
+                // The point is outside the scope of `over`; what is extremised is inside. A renamed
+                // variable keeps its place in `at`.
+                let at_values = extremum.at.iter().map(|(_, e)| self.expr(e)).collect::<Result<Vec<_>>>()?;
+                let value = self.expr(&extremum.value)?;
+                let names: Vec<&Name> = extremum.over.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
+                let (mut inner, renamed) = self.enter(&names);
+                let rename: HashMap<String, Name> =
+                    names.iter().map(|n| n.text.clone()).zip(renamed).collect();
+                let mut over = Vec::new();
+                for binding in &extremum.over {
+                    let mut binding = inner.binding(binding)?;
+                    for name in &mut binding.names {
+                        if let Some(new) = rename.get(&name.0.text) {
+                            name.0 = new.clone();
+                        }
+                    }
+                    over.push(binding);
+                }
+                let of = inner.expr(&extremum.of)?;
+                self.leave(inner);
+                let at = extremum
+                    .at
+                    .iter()
+                    .zip(at_values)
+                    .map(|((n, _), e)| (rename.get(&n.text).unwrap_or(n).clone(), e))
+                    .collect();
+                PropKind::Extremum(Box::new(crate::claim::syntax::Extremum {
+                    maximum: extremum.maximum,
+                    unique: extremum.unique,
+                    of,
+                    over,
+                    at,
+                    value,
+                }))
+            }
+            PropKind::Limit(limit) => PropKind::Limit(Box::new(crate::claim::syntax::Limit {
+                of: self.expr(&limit.of)?,
+                variable: limit.variable.clone(),
+                value: self.expr(&limit.value)?,
+            })),
+        };
+        Ok(Prop { kind, span: prop.span })
+    }
+
+    fn values(&mut self, list: &[(Name, Expr)]) -> Result<Vec<(Name, Expr)>> {
+        list.iter().map(|(n, e)| Ok((n.clone(), self.expr(e)?))).collect()
+    }
+
+    /// The argument with the names replaced.
+    pub fn proof(&mut self, proof: &Proof) -> Result<Proof> {
+        let steps = proof
+            .steps
+            .iter()
+            .map(|step| {
+                Ok(match step {
+                    Step::Have { label, prop, proof } => {
+                        Step::Have { label: label.clone(), prop: self.prop(prop)?, proof: self.proof(proof)? }
+                    }
+                    Step::Obtain { binding, label, prop, witness } => Step::Obtain {
+                        binding: self.binding(binding)?,
+                        label: label.clone(),
+                        prop: self.prop(prop)?,
+                        witness: self.expr(witness)?,
+                    },
+                    Step::Case { label, prop, proof } => {
+                        Step::Case { label: label.clone(), prop: self.prop(prop)?, proof: self.proof(proof)? }
+                    }
+                })
+            })
+            .collect::<Result<_>>()?;
+        let close = match &proof.close {
+            None => None,
+            Some(method) => Some(match method {
+                Method::Algebra(facts) => Method::Algebra(facts.clone()),
+                Method::Induction(name, step) => Method::Induction(name.clone(), Box::new(self.proof(step)?)),
+                Method::Instance { claim, with } => Method::Instance { claim: claim.clone(), with: self.values(with)? },
+                Method::Witness(list) => Method::Witness(self.values(list)?),
+                Method::Power { fact, exponent } => {
+                    Method::Power { fact: fact.clone(), exponent: self.expr(exponent)? }
+                }
+                Method::Product(list) => Method::Product(
+                    list.iter()
+                        .map(|(n, e)| Ok((n.clone(), e.as_ref().map(|e| self.expr(e)).transpose()?)))
+                        .collect::<Result<_>>()?,
+                ),
+                Method::Mean { a, b, weight } => {
+                    Method::Mean { a: self.expr(a)?, b: self.expr(b)?, weight: self.expr(weight)? }
+                }
+                Method::Hoelder { first, second, weight } => Method::Hoelder {
+                    first: (self.expr(&first.0)?, self.expr(&first.1)?),
+                    second: (self.expr(&second.0)?, self.expr(&second.1)?),
+                    weight: self.expr(weight)?,
+                },
+                Method::Squeeze { lower, upper } => {
+                    Method::Squeeze { lower: self.expr(lower)?, upper: self.expr(upper)? }
+                }
+            }),
+        };
+        Ok(Proof { steps, close })
+    }
+}
+
+/// Calls `visit` with every direct part of an expression.
+pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
+    use ExprKind::*;
+    match &expr.kind {
+        Number(_) | Name(_) => {}
+        Apply(_, list) => list.iter().for_each(visit),
+        Negate(a) | Derivative(a, _) => visit(a),
+        Sum(list) => list.iter().for_each(|(_, e)| visit(e)),
+        Product(list) => list.iter().for_each(|(_, e)| visit(e)),
+        Power(a, b) => {
+            visit(a);
+            visit(b);
+        }
+        SumOver(index, body) | ProductOver(index, body) => {
+            visit(&index.from);
+            visit(&index.to);
+            visit(body);
+        }
+        Matrix(rows) => rows.iter().flatten().for_each(visit),
+    }
+}
+
+/// All names that occur in an expression, bound ones and function names included.
+pub fn names_in(expr: &Expr, into: &mut BTreeSet<String>) {
+    match &expr.kind {
+        ExprKind::Name(name) => {
+            into.insert(name.clone());
+        }
+        ExprKind::Apply(name, _) => {
+            into.insert(name.text.clone());
+        }
+        ExprKind::Derivative(_, by) => into.extend(by.iter().map(|n| n.text.clone())),
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+            into.insert(index.name.text.clone());
+        }
+        _ => {}
+    }
+    parts(expr, &mut |part| names_in(part, into));
+}
+
+fn nodes_in(expr: &Expr) -> usize {
+    let mut count = 1;
+    parts(expr, &mut |part| count += nodes_in(part));
+    count
+}
+
+/// All names that occur in a proposition.
+pub fn names_in_prop(prop: &Prop, into: &mut BTreeSet<String>) {
+    use PropKind::*;
+    match &prop.kind {
+        Compare(sides, _) => sides.iter().for_each(|e| names_in(e, into)),
+        And(list) | Or(list) | Equivalent(list) => list.iter().for_each(|p| names_in_prop(p, into)),
+        Not(p) => names_in_prop(p, into),
+        Implies(p, q) => {
+            names_in_prop(p, into);
+            names_in_prop(q, into);
+        }
+        Exists(bindings, body) | ForAll(bindings, body) => {
+            bindings.iter().for_each(|b| names_in_binding(b, into));
+            names_in_prop(body, into);
+        }
+        Extremum(extremum) => {
+            extremum.over.iter().for_each(|b| names_in_binding(b, into));
+            names_in(&extremum.of, into);
+            names_in(&extremum.value, into);
+            extremum.at.iter().for_each(|(_, e)| names_in(e, into));
+        }
+        Limit(limit) => {
+            into.insert(limit.variable.text.clone());
+            names_in(&limit.of, into);
+            names_in(&limit.value, into);
+        }
+    }
+}
+
+/// All names that occur in a binding.
+pub fn names_in_binding(binding: &Binding, into: &mut BTreeSet<String>) {
+    into.extend(binding.names.iter().map(|n| n.0.text.clone()));
+    for constraint in &binding.constraints {
+        match constraint {
+            Constraint::Relation(_, e) => names_in(e, into),
+            Constraint::Interval { from, to, .. } | Constraint::Range(from, to) => {
+                names_in(from, into);
+                names_in(to, into);
+            }
+        }
+    }
+    if let Some((a, b)) = &binding.indices {
+        names_in(a, into);
+        names_in(b, into);
+    }
+}

@@ -1,0 +1,328 @@
+//! Search for exact points: where the hypotheses hold, and where the goal then fails.
+//!
+//! Contract: a returned point satisfies every hypothesis exactly and certainly, and the goal is
+//! certainly false there or has no value. Points are tried in order of simplicity, so the first is
+//! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
+
+use super::context::{Context, Engine};
+use super::evaluate::{Assignment, Missing};
+use super::expand::Statement;
+use super::outcome::{Broken, Point, Witness};
+use crate::claim::parse::parse_prop;
+use crate::claim::syntax::*;
+use crate::number::rational;
+use malachite::Rational;
+
+/// Real values in order of simplicity; the perfect powers among them make roots rational.
+const REALS: &[&str] = &[
+    "1", "2", "1/2", "0", "3", "4", "1/4", "-1", "1/3", "9", "8", "64", "3/2", "3/4", "1/8", "9/10", "16", "1/9", "-2", "1/10", "27", "1/64", "10",
+    "81", "99/100", "100", "729",
+];
+
+/// How many points are tried.
+const POINTS: usize = 6_000;
+
+/// A search over points.
+struct Search {
+    names: Vec<(String, bool)>,
+    values: Vec<Vec<Rational>>,
+    families: Vec<(String, bool, Vec<Prop>)>,
+    determined: Vec<(String, Expr)>,
+    hypotheses: Vec<Prop>,
+    base: Assignment,
+}
+
+impl Search {
+    fn new(bindings: &[Binding], statement: Option<&Statement>) -> Search {
+        let mut search = Search {
+            names: Vec::new(),
+            values: Vec::new(),
+            families: Vec::new(),
+            determined: Vec::new(),
+            hypotheses: Vec::new(),
+            base: Assignment::default(),
+        };
+        if let Some(statement) = statement {
+            for sequence in &statement.sequences {
+                search.base.sequences.insert(sequence.name.clone(), sequence.clone());
+            }
+            search.hypotheses = statement.assumptions.iter().map(|a| a.1.clone()).collect();
+        }
+        search.declare(bindings);
+        search
+    }
+
+    fn declare(&mut self, bindings: &[Binding]) {
+        for binding in bindings {
+            for (name, index) in &binding.names {
+                if index.is_some() {
+                    let mut single = binding.clone();
+                    single.names = vec![(name.clone(), None)];
+                    single.indices = None;
+                    self.families.push((name.text.clone(), binding.natural, super::assume::domain(&single)));
+                    if let Some(range) = &binding.indices {
+                        self.base.ranges.insert(name.text.clone(), range.clone());
+                    }
+                } else {
+                    self.names.push((name.text.clone(), binding.natural));
+                }
+            }
+            self.hypotheses.extend(super::assume::domain(binding));
+        }
+    }
+
+    /// Variables that the context determines are computed from the others.
+    fn determine(&mut self, engine: &Engine, cx: &Context) {
+        for (name, (form, _)) in &cx.environment {
+            let text = format!("{name} = {}", super::show::form(&engine.ring, form));
+            if let Ok(Prop { kind: PropKind::Compare(sides, _), .. }) = parse_prop(&text)
+                && let Some(value) = sides.into_iter().nth(1)
+            {
+                self.determined.push((name.clone(), value));
+            }
+        }
+        self.names.retain(|n| !self.determined.iter().any(|d| d.0 == n.0));
+    }
+
+    /// Candidate values for each variable, those kept that its own constant bounds allow.
+    fn candidates(&mut self) {
+        let reals: Vec<Rational> = REALS.iter().filter_map(|t| rational::parse(t).ok()).collect();
+        for (name, natural) in &self.names {
+            let all: Vec<Rational> = if *natural { (0..8).map(Rational::from).collect() } else { reals.clone() };
+            let kept = all
+                .into_iter()
+                .filter(|value| {
+                    let mut alone = Assignment::default();
+                    alone.values.insert(name.clone(), value.clone());
+                    self.hypotheses.iter().all(|h| alone.truth(h) != Ok(false))
+                })
+                .collect();
+            self.values.push(kept);
+        }
+        for (name, natural, domain) in &self.families {
+            let all: Vec<Rational> = if *natural { (0..8).map(Rational::from).collect() } else { reals.clone() };
+            let kept: Vec<Rational> = all
+                .into_iter()
+                .filter(|value| {
+                    let mut alone = Assignment::default();
+                    alone.values.insert(name.clone(), value.clone());
+                    domain.iter().all(|h| alone.truth(h) == Ok(true))
+                })
+                .collect();
+            self.values.push(kept);
+        }
+    }
+
+    /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
+    fn run(&mut self, engine: Option<&mut Engine>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
+        self.candidates();
+        let deadline = engine.and_then(|e| e.deadline);
+        let width = self.values.len();
+        if self.values.iter().any(Vec::is_empty) {
+            return false;
+        }
+        let largest: usize = self.values.iter().map(|v| v.len() - 1).sum();
+        let mut tried = 0;
+        for total in 0..=largest {
+            let mut ranks = vec![0usize; width];
+            let mut stack = vec![(0usize, total)];
+            // All ways to share `total` among the variables.
+            while let Some((place, _)) = stack.last().copied() {
+                let used: usize = ranks[..place].iter().sum();
+                let left = total - used;
+                if place == width {
+                    stack.pop();
+                    if left == 0 {
+                        tried += 1;
+                        if tried > POINTS {
+                            return false;
+                        }
+                        if tried % 64 == 0
+                            && let Some(deadline) = deadline
+                            && std::time::Instant::now() > deadline
+                        {
+                            return false;
+                        }
+                        if let Some(point) = self.point(&ranks)
+                            && visit(&point)
+                        {
+                            return true;
+                        }
+                    }
+                    // Advance the last place that can grow.
+                    while let Some((place, _)) = stack.pop() {
+                        let used: usize = ranks[..place].iter().sum();
+                        let room = (total - used).min(self.values[place].len() - 1);
+                        if ranks[place] < room {
+                            ranks[place] += 1;
+                            stack.push((place, total));
+                            stack.push((place + 1, total));
+                            if place + 1 < width {
+                                ranks[place + 1] = self.least(&ranks, place + 1, total);
+                            }
+                            break;
+                        }
+                        ranks[place] = 0;
+                    }
+                    continue;
+                }
+                ranks[place] = self.least(&ranks, place, total);
+                stack.push((place + 1, total));
+            }
+        }
+        false
+    }
+
+    /// The least rank here such that the places after it can still take up the rest.
+    fn least(&self, ranks: &[usize], place: usize, total: usize) -> usize {
+        let used: usize = ranks[..place].iter().sum();
+        let after: usize = self.values[place + 1..].iter().map(|v| v.len() - 1).sum();
+        (total - used).saturating_sub(after).min(self.values[place].len() - 1)
+    }
+
+    fn point(&self, ranks: &[usize]) -> Option<Assignment> {
+        let mut point = self.base.clone();
+        for ((name, _), (rank, values)) in self.names.iter().zip(ranks.iter().zip(&self.values)) {
+            point.values.insert(name.clone(), values[*rank].clone());
+        }
+        let offset = self.names.len();
+        for (i, (name, _, _)) in self.families.iter().enumerate() {
+            let values = &self.values[offset + i];
+            let rank = ranks[offset + i];
+            // Members run through the values in turn, starting at the rank.
+            let list: Vec<Rational> = (0..values.len().min(5)).map(|k| values[(rank + k * rank) % values.len()].clone()).collect();
+            point.families.insert(name.clone(), list);
+        }
+        for (name, value) in &self.determined {
+            match point.number(value) {
+                Ok(super::evaluate::Number::Exact(q)) => {
+                    point.values.insert(name.clone(), q);
+                }
+                _ => return None,
+            }
+        }
+        self.hypotheses.iter().all(|h| point.truth(h) == Ok(true)).then_some(point)
+    }
+}
+
+fn as_point(statement: &Statement, point: &Assignment) -> Point {
+    let mut values = Vec::new();
+    let mut named: Vec<String> = Vec::new();
+    for binding in &statement.bindings {
+        named.extend(binding.names.iter().filter(|n| n.1.is_none()).map(|n| n.0.text.clone()));
+    }
+    for name in &named {
+        if let Some(q) = point.values.get(name) {
+            values.push((name.clone(), q.to_string()));
+        }
+    }
+    let mut others: Vec<&String> = point.values.keys().filter(|k| !named.contains(k)).collect();
+    others.sort();
+    for name in others {
+        values.push((name.clone(), point.values[name].to_string()));
+    }
+    for ((name, index), q) in point.seen.borrow().iter() {
+        values.push((format!("{name}({index})"), q.to_string()));
+    }
+    Point { values }
+}
+
+/// A point where all hypotheses of the statement hold.
+pub fn sample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<Point> {
+    let mut search = Search::new(&statement.bindings, Some(statement));
+    search.determine(engine, cx);
+    let mut found = None;
+    search.run(Some(engine), &mut |point| {
+        found = Some(as_point(statement, point));
+        true
+    });
+    found
+}
+
+/// A counterexample to the statement.
+pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<Witness> {
+    let mut search = Search::new(&statement.bindings, Some(statement));
+    search.determine(engine, cx);
+    let mut goal = statement.goal.clone();
+    // Quantifiers in front and the variables of an extremum are searched like the others.
+    loop {
+        goal = match goal.kind {
+            PropKind::ForAll(bindings, body) => {
+                search.declare(&bindings);
+                *body
+            }
+            PropKind::Extremum(extremum) => {
+                let mut at = super::expand::Substitution::default();
+                for (name, value) in &extremum.at {
+                    at.replace(&name.text, value.clone());
+                }
+                let there = at.expr(&extremum.of).ok()?;
+                search.declare(&extremum.over);
+                let relation = if extremum.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
+                let mut list = vec![
+                    super::method::compare(there, Relation::Equal, extremum.value.clone()),
+                    super::method::compare(extremum.of.clone(), relation, extremum.value.clone()),
+                ];
+                if extremum.unique {
+                    let same = extremum
+                        .at
+                        .iter()
+                        .map(|(n, e)| super::method::compare(super::context::name_expr(&n.text), Relation::Equal, e.clone()))
+                        .collect();
+                    let equal = super::method::compare(extremum.of, Relation::Equal, extremum.value);
+                    let kind = PropKind::Implies(Box::new(equal), Box::new(Prop { kind: PropKind::And(same), span: goal.span }));
+                    list.push(Prop { kind, span: goal.span });
+                }
+                Prop { kind: PropKind::And(list), span: goal.span }
+            }
+            kind => {
+                goal = Prop { kind, span: goal.span };
+                break;
+            }
+        };
+    }
+    let mut found = None;
+    search.run(Some(engine), &mut |point| {
+        point.seen.borrow_mut().clear();
+        let broken = match point.truth(&goal) {
+            Ok(false) => {
+                let mut list = Vec::new();
+                point.broken(&goal, &mut list);
+                list
+            }
+            Err(Missing::Undefined(text)) => vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }],
+            _ => return false,
+        };
+        found = Some(Witness { point: as_point(statement, point), broken });
+        true
+    });
+    found
+}
+
+/// Values for the variables of an `exists` that make its body certainly true.
+pub fn example(bindings: &[Binding], body: &Prop) -> Option<Vec<(String, Rational)>> {
+    let mut search = Search::new(bindings, None);
+    let names: Vec<String> = search.names.iter().map(|n| n.0.clone()).collect();
+    let mut found = None;
+    search.run(None, &mut |point| {
+        if point.truth(body) != Ok(true) {
+            return false;
+        }
+        found = Some(names.iter().filter_map(|n| Some((n.clone(), point.values.get(n)?.clone()))).collect());
+        true
+    });
+    found
+}
+
+/// A rational as an expression.
+pub fn literal(q: &Rational) -> Expr {
+    let span = Span::default();
+    let number = |text: String| Expr { kind: ExprKind::Number(text), span };
+    let (top, bottom) = (number(q.numerator_ref().to_string()), number(q.denominator_ref().to_string()));
+    let size = if *q.denominator_ref() == 1u32 {
+        top
+    } else {
+        Expr { kind: ExprKind::Product(vec![(Factor::Times, top), (Factor::Over, bottom)]), span }
+    };
+    if *q < 0 { Expr { kind: ExprKind::Negate(Box::new(size)), span } } else { size }
+}

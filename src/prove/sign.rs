@@ -1,0 +1,280 @@
+//! The signs of forms: what follows at once from the signs of atoms, and what has to be searched.
+//!
+//! Contract: every set returned contains the sign of the form at every point that the context
+//! allows and where the form is defined. A set of all signs means *not known*.
+//!
+//! Method: a form is a product, so its signs are the product of its atoms' signs. The sign of a sum
+//! follows from the signs of its terms, from facts about the sum itself, or, when searched, from its
+//! factors and from certificates of positivity under the context's constraints.
+
+use super::comparison::Plain;
+use super::context::*;
+use crate::algebra::form::{Atom, AtomId, Exponent, Form};
+use crate::algebra::{factor, positivity};
+use crate::claim::syntax::{Constraint, Relation};
+
+type Result<T> = std::result::Result<T, Failure>;
+
+impl Engine<'_> {
+    /// The signs of a form that follow at once.
+    pub fn signs(&mut self, cx: &mut Context, form: &Form) -> Result<Signs> {
+        let mut signs = Signs::of_number(&form.coefficient);
+        for (atom, exponent) in &form.powers {
+            let base = self.atom_signs(cx, *atom)?;
+            signs = signs.times(power_signs(base, exponent));
+        }
+        Ok(signs)
+    }
+
+    /// The signs of a form, each unknown atom searched.
+    pub fn searched_form_signs(&mut self, cx: &mut Context, form: &Form) -> Result<Signs> {
+        let mut signs = Signs::of_number(&form.coefficient);
+        for (atom, exponent) in form.powers.clone() {
+            let base = self.searched_signs(cx, atom)?;
+            signs = signs.times(power_signs(base, &exponent));
+        }
+        Ok(signs)
+    }
+
+    /// The signs of an atom that follow at once.
+    pub fn atom_signs(&mut self, cx: &mut Context, atom: AtomId) -> Result<Signs> {
+        self.tick()?;
+        if let Some((signs, sources)) = cx.memo.get(&atom) {
+            self.used |= sources;
+            return Ok(*signs);
+        }
+        let kind = self.ring.atom(atom);
+        self.use_members(cx, atom)?;
+        let before = std::mem::replace(&mut self.used, 0);
+        let structural = match &*kind {
+            Atom::Prime(_) | Atom::Euler => Signs::POSITIVE,
+            Atom::Variable(_) | Atom::Member(..) if self.is_natural(cx, atom) => Signs::NOT_NEGATIVE,
+            Atom::Variable(_) | Atom::Member(..) => Signs::ANY,
+            // ln a has the sign of a − 1.
+            Atom::Logarithm(inner) => {
+                let shifted = self.ring.sub(&Form::atom(*inner), &Form::integer(1))?;
+                if matches!(*self.ring.atom(*inner), Atom::Prime(_)) { Signs::POSITIVE } else { self.signs(cx, &shifted)? }
+            }
+            Atom::SumOver(over) => {
+                let body = self.signs(cx, &over.body)?;
+                if body.within(Signs::NOT_NEGATIVE) { Signs::NOT_NEGATIVE } else { Signs::ANY }
+            }
+            Atom::ProductOver(over) => {
+                let body = self.signs(cx, &over.body)?;
+                if body.within(Signs::POSITIVE) {
+                    Signs::POSITIVE
+                } else if body.within(Signs::NOT_NEGATIVE) {
+                    Signs::NOT_NEGATIVE
+                } else if body.within(Signs::NOT_ZERO) {
+                    Signs::NOT_ZERO
+                } else {
+                    Signs::ANY
+                }
+            }
+            Atom::Sum(poly) => {
+                let mut signs = Signs::ZERO;
+                for (monomial, c) in &poly.terms {
+                    let term = Form { coefficient: c.clone(), powers: monomial.clone() };
+                    signs = signs.plus(self.signs(cx, &term)?);
+                    if signs == Signs::ANY {
+                        break;
+                    }
+                }
+                signs
+            }
+        };
+        let mut sources = self.used;
+        let mut signs = structural;
+        if let Some((known, from)) = cx.signs.get(&atom)
+            && !structural.within(*known)
+        {
+            signs = structural.and(*known);
+            sources = if structural == Signs::ANY { *from } else { sources | from };
+        }
+        self.used = before | sources;
+        if signs != Signs::ANY {
+            cx.memo.insert(atom, (signs, sources));
+        }
+        Ok(signs)
+    }
+
+    /// The signs of an atom, with a search where they do not follow at once.
+    pub fn searched_signs(&mut self, cx: &mut Context, atom: AtomId) -> Result<Signs> {
+        let signs = self.atom_signs(cx, atom)?;
+        let decided = [Signs::POSITIVE, Signs::NEGATIVE, Signs::ZERO].iter().any(|s| signs.within(*s));
+        if decided {
+            return Ok(signs);
+        }
+        if self.ring.sum(atom).is_none() || !cx.searched.insert(atom) {
+            return Ok(signs);
+        }
+        let before = std::mem::replace(&mut self.used, 0);
+        let found = self.search(cx, atom, signs)?;
+        let sources = self.used;
+        self.used |= before;
+        if found != signs {
+            cx.memo.insert(atom, (found, sources));
+        }
+        Ok(found)
+    }
+
+    fn search(&mut self, cx: &mut Context, atom: AtomId, known: Signs) -> Result<Signs> {
+        self.tick()?;
+        let mut signs = known;
+        // Division by sums whose sign is known.
+        for (divisor, _) in cx.signs.clone() {
+            if divisor == atom {
+                continue;
+            }
+            let (Some(p), Some(q)) = (self.ring.sum(atom), self.ring.sum(divisor)) else { continue };
+            if q.terms.len() > p.terms.len() * 2 {
+                continue;
+            }
+            if let Some(quotient) = self.ring.poly_quotient(&p, &q)? {
+                let quotient = self.ring.poly_form(quotient)?;
+                let form = self.ring.mul(&quotient, &Form::atom(divisor))?;
+                signs = signs.and(self.signs(cx, &form)?);
+            }
+        }
+        if decided(signs) {
+            return Ok(signs);
+        }
+        let problem = Plain::of(self, cx, &[atom])?;
+        let Some(goal) = problem.goals.first().cloned() else { return Ok(signs) };
+        // Factors, each judged by its own terms.
+        if goal.len() <= 200
+            && let Ok(factors) = factor::factor(&goal)
+            && (factors.factors.len() > 1 || factors.factors.iter().any(|f| f.1 > 1))
+        {
+            let mut product = Signs::of_number(&factors.unit);
+            for (factor, multiplicity) in &factors.factors {
+                let mut each = problem.signs_by_terms(factor);
+                if !decided(each) {
+                    each = each.and(problem.searched(self, factor)?);
+                }
+                product = product.times(power_signs(each, &Exponent::integer(i64::from(*multiplicity))));
+            }
+            signs = signs.and(product);
+            if decided(signs) {
+                self.used |= problem.sources;
+                return Ok(signs);
+            }
+        }
+        let found = signs.and(problem.searched(self, &goal)?);
+        if found != signs {
+            self.used |= problem.sources;
+        }
+        Ok(found)
+    }
+
+    /// Uses the domain of every member of a family that the atom mentions.
+    fn use_members(&mut self, cx: &mut Context, atom: AtomId) -> Result<()> {
+        match &*self.ring.atom(atom) {
+            Atom::Member(name, index) => {
+                let (name, index) = (name.clone(), index.clone());
+                self.use_member(cx, atom, &name, &index)
+            }
+            Atom::Sum(poly) => {
+                let atoms: Vec<AtomId> = poly.terms.iter().flat_map(|t| t.0.iter().map(|p| p.0)).collect();
+                for inner in atoms {
+                    self.use_members(cx, inner)?;
+                }
+                Ok(())
+            }
+            Atom::SumOver(over) | Atom::ProductOver(over) => {
+                let atoms: Vec<AtomId> = over.body.powers.iter().map(|p| p.0).collect();
+                for inner in atoms {
+                    self.use_members(cx, inner)?;
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn use_member(&mut self, cx: &mut Context, atom: AtomId, name: &str, index: &Form) -> Result<()> {
+        if !cx.members.insert(atom) {
+            return Ok(());
+        }
+        let Some(family) = cx.families.get(name).cloned() else { return Ok(()) };
+        let saved = cx.indices.insert(family.index.clone(), index.clone());
+        let mut bounds = Vec::new();
+        for constraint in &family.binding.constraints {
+            match constraint {
+                Constraint::Relation(relation, e) => bounds.push((*relation, e.clone())),
+                Constraint::Interval { from, from_closed, to, to_closed } => {
+                    bounds.push((if *from_closed { Relation::GreaterEqual } else { Relation::Greater }, from.clone()));
+                    bounds.push((if *to_closed { Relation::LessEqual } else { Relation::Less }, to.clone()));
+                }
+                Constraint::Range(from, to) => {
+                    bounds.push((Relation::GreaterEqual, from.clone()));
+                    bounds.push((Relation::LessEqual, to.clone()));
+                }
+            }
+        }
+        for (relation, bound) in bounds {
+            let value = self.scalar(cx, &bound, &mut Vec::new())?;
+            let difference = self.ring.sub(&Form::atom(atom), &value)?;
+            self.narrow_form(cx, &difference, relation, family.source)?;
+        }
+        match saved {
+            Some(form) => cx.indices.insert(family.index.clone(), form),
+            None => cx.indices.remove(&family.index),
+        };
+        Ok(())
+    }
+}
+
+/// Whether one sign is left.
+pub fn decided(signs: Signs) -> bool {
+    [Signs::POSITIVE, Signs::NEGATIVE, Signs::ZERO].iter().any(|s| signs.within(*s))
+}
+
+/// The signs of a power, where it is defined.
+pub fn power_signs(base: Signs, exponent: &Exponent) -> Signs {
+    let negative = exponent.order_sign().is_lt();
+    let signs = match exponent.as_integer() {
+        Some(k) if k % 2 == 0 => base.squared(),
+        Some(_) => base,
+        // Other powers exist only for non-negative bases; symbolic ones only for positive bases.
+        None if exponent.number().is_some() => base.and(Signs::NOT_NEGATIVE),
+        None => Signs::POSITIVE,
+    };
+    if negative { signs.and(Signs::NOT_ZERO) } else { signs }
+}
+
+impl Plain {
+    /// The sign of a polynomial from the signs of its terms.
+    pub fn signs_by_terms(&self, poly: &crate::algebra::polynomial::Polynomial) -> Signs {
+        let mut signs = Signs::ZERO;
+        for (monomial, c) in poly.terms() {
+            let mut term = Signs::of_number(c);
+            for (variable, k) in monomial.powers() {
+                let base = self.signs.get(variable as usize).copied().unwrap_or(Signs::ANY);
+                term = term.times(power_signs(base, &Exponent::integer(i64::from(k))));
+            }
+            signs = signs.plus(term);
+        }
+        signs
+    }
+
+    /// The sign of a polynomial from certificates under the constraints.
+    pub fn searched(&self, engine: &mut Engine, poly: &crate::algebra::polynomial::Polynomial) -> Result<Signs> {
+        engine.tick()?;
+        let limits = positivity::Limits::default();
+        let mut signs = Signs::ANY;
+        for (p, strict, weak) in [
+            (poly.clone(), Signs::POSITIVE, Signs::NOT_NEGATIVE),
+            (-poly, Signs::NEGATIVE, Signs::of(Relation::LessEqual)),
+        ] {
+            if positivity::certify(&p, &self.constraints, true, &self.squares, &limits).is_some() {
+                signs = signs.and(strict);
+                break;
+            }
+            if positivity::certify(&p, &self.constraints, false, &self.squares, &limits).is_some() {
+                signs = signs.and(weak);
+            }
+        }
+        Ok(signs)
+    }
+}
