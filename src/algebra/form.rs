@@ -23,7 +23,7 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Floor, Lcm, Pow, Reciprocal};
 use malachite::base::num::basic::traits::{One, Zero};
 use std::cmp::Ordering;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 use std::rc::Rc;
 
 /// The number of an atom in its [`Ring`].
@@ -187,7 +187,7 @@ pub struct Ring {
 
 impl Default for Ring {
     fn default() -> Ring {
-        Ring { atoms: Vec::new(), index: HashMap::new(), terms_limit: 5_000, degree_limit: 100, bits_limit: 100_000 }
+        Ring { atoms: Vec::new(), index: HashMap::default(), terms_limit: 5_000, degree_limit: 100, bits_limit: 100_000 }
     }
 }
 
@@ -269,20 +269,19 @@ impl Ring {
         Ok(self.exponent_sum(a, &minus)?.order_sign())
     }
 
-    /// Splits E = S + k, k an integer: the floor of a number, or of the constant term where E is a
-    /// polynomial; k = 0 where E has a denominator.
+    /// Splits E = S + k, k an integer: the floor of a number, or of the constant among the summands
+    /// of a form: (n + 1)/n is 1/n + 1.
     fn split_integer(&mut self, exponent: &Exponent) -> Result<(Exponent, i64)> {
         let whole = match exponent {
             Exponent::Number(q) => q.floor(),
             Exponent::Symbolic(form) => {
-                let constant = match form.powers.as_slice() {
-                    [(atom, one)] if one.as_integer() == Some(1) => match self.sum(*atom) {
-                        Some(poly) => poly.terms.last().filter(|t| t.0.is_empty()).map(|t| &t.1 * &form.coefficient),
-                        None => None,
-                    },
-                    _ => None,
-                };
-                constant.map_or(malachite::Integer::ZERO, |c| c.floor())
+                let mut constant = Rational::ZERO;
+                for summand in self.summands(form)? {
+                    if let Some(q) = summand.as_number() {
+                        constant += q;
+                    }
+                }
+                constant.floor()
             }
         };
         let k = i64::try_from(&whole).map_err(|_| Limit("exponent"))?;
@@ -398,7 +397,7 @@ impl Ring {
 
     /// p · q.
     pub fn poly_product(&mut self, p: &Poly, q: &Poly) -> Result<Poly> {
-        let mut terms = HashMap::new();
+        let mut terms = HashMap::default();
         for (a, c) in &p.terms {
             for (b, d) in &q.terms {
                 let product = self.monomial_product(a, b)?;
@@ -428,31 +427,73 @@ impl Ring {
         Ok(base.pow(k))
     }
 
-    /// p / q if the division is exact. `None` also when more than 4·|p| + 16 steps would be needed:
-    /// with such monomials an inexact division need not end.
+    /// The least and the largest exponent of each atom.
+    fn spread(&mut self, p: &Poly) -> Result<Vec<(AtomId, Exponent, Exponent)>> {
+        let mut atoms: Vec<AtomId> = p.terms.iter().flat_map(|t| t.0.iter().map(|x| x.0)).collect();
+        atoms.sort_unstable();
+        atoms.dedup();
+        let mut out = Vec::with_capacity(atoms.len());
+        for atom in atoms {
+            let (mut low, mut high) = (exponent_in(&p.terms[0].0, atom), exponent_in(&p.terms[0].0, atom));
+            for (monomial, _) in &p.terms[1..] {
+                let e = exponent_in(monomial, atom);
+                if self.exponent_order(&e, &low)? == Ordering::Less {
+                    low = e;
+                } else if self.exponent_order(&e, &high)? == Ordering::Greater {
+                    high = e;
+                }
+            }
+            out.push((atom, low, high));
+        }
+        Ok(out)
+    }
+
+    /// p / q if the division is exact.
+    ///
+    /// In each atom the least and largest exponents of a product are the sums of those of its
+    /// factors, which bounds the exponents of the quotient: a term outside these bounds shows that
+    /// the division is not exact. `None` also after |p| + 16 terms of the quotient.
     pub fn poly_quotient(&mut self, p: &Poly, q: &Poly) -> Result<Option<Poly>> {
         let Some((lead, c)) = q.terms.first().cloned() else { return Ok(None) };
-        let inverse: Monomial = lead.iter().map(|(a, e)| (*a, e.clone())).collect();
-        let mut minus = Vec::with_capacity(inverse.len());
-        for (a, e) in &inverse {
+        if p.terms.is_empty() {
+            return Ok(Some(p.clone()));
+        }
+        let mut bounds = self.spread(p)?;
+        for (atom, low, high) in self.spread(q)? {
+            let Some(place) = bounds.iter().position(|b| b.0 == atom) else { return Ok(None) };
+            let (minus_low, minus_high) = (self.exponent_negated(&low), self.exponent_negated(&high));
+            let least = self.exponent_sum(&bounds[place].1, &minus_low)?;
+            let most = self.exponent_sum(&bounds[place].2, &minus_high)?;
+            if self.exponent_order(&least, &most)? == Ordering::Greater {
+                return Ok(None);
+            }
+            bounds[place] = (atom, least, most);
+        }
+        let mut minus = Vec::with_capacity(lead.len());
+        for (a, e) in &lead {
             minus.push((*a, self.exponent_negated(e)));
         }
-        let mut rest: HashMap<Monomial, Rational> = p.terms.iter().cloned().collect();
-        let mut quotient: HashMap<Monomial, Rational> = HashMap::new();
-        let mut ordered = p.clone();
-        for _ in 0..4 * p.terms.len() + 16 {
-            let Some((top, d)) = ordered.terms.first().cloned() else {
+        let mut rest = p.clone();
+        let mut quotient: HashMap<Monomial, Rational> = HashMap::default();
+        for _ in 0..p.terms.len() + 16 {
+            let Some((top, d)) = rest.terms.first().cloned() else {
                 return Ok(Some(self.collect(quotient)?));
             };
             let monomial = self.monomial_product(&top, &minus)?;
+            for (atom, low, high) in &bounds {
+                let e = exponent_in(&monomial, *atom);
+                if self.exponent_order(&e, low)? == Ordering::Less || self.exponent_order(&e, high)? == Ordering::Greater {
+                    return Ok(None);
+                }
+            }
             let factor = &d / &c;
+            let mut terms: HashMap<Monomial, Rational> = rest.terms.into_iter().collect();
             for (other, k) in &q.terms {
                 let product = self.monomial_product(&monomial, other)?;
-                *rest.entry(product).or_insert(Rational::ZERO) -= k * &factor;
+                *terms.entry(product).or_insert(Rational::ZERO) -= k * &factor;
             }
             quotient.insert(monomial, factor);
-            rest.retain(|_, c| *c != 0);
-            ordered = self.collect(rest.clone())?;
+            rest = self.collect(terms)?;
         }
         Ok(None)
     }
@@ -571,7 +612,7 @@ impl Ring {
         for (atom, exponent) in &common {
             minus.push((*atom, self.exponent_negated(exponent)));
         }
-        let mut terms = HashMap::new();
+        let mut terms = HashMap::default();
         for form in forms {
             let rest = self.monomial_product(&form.powers, &minus)?;
             self.accumulate(&mut terms, rest, &form.coefficient)?;

@@ -166,6 +166,27 @@ impl Engine<'_> {
             self.line("transitivity", chain);
             return Ok(());
         }
+        if cx.splits < SPLITS {
+            // Suppose the opposite; if the facts then contradict each other the goal holds.
+            let mut inner = cx.clone();
+            inner.splits = SPLITS;
+            let opposite = super::method::compare(a.clone(), super::comparison::negated(relation), b.clone());
+            let supposed = self.attempt(|engine| {
+                engine.defined(&mut inner.clone(), goal)?;
+                engine.assume(&mut inner, &opposite, None, Origin::Hypothesis)?;
+                match inner.contradiction {
+                    Some(sources) => {
+                        engine.used |= sources;
+                        engine.line("contradiction", format!("{}: its opposite contradicts the facts", print::prop(goal)));
+                        Ok(())
+                    }
+                    None => Err(not_shown(goal)),
+                }
+            });
+            if supposed.is_ok() {
+                return supposed;
+            }
+        }
         if let Some(result) = self.split_on_fact(cx, goal) {
             return result;
         }
@@ -217,7 +238,13 @@ impl Engine<'_> {
             return Ok(());
         }
         // The very comparison may be known, as a product of factors of open sign.
-        if let Reduced::Open(literal) = normal(&self.reduced(cx, &difference, relation)?) {
+        let reduced = normal(&self.reduced(cx, &difference, relation)?);
+        if reduced == Reduced::Decided(true) {
+            let form = self.show(&difference);
+            self.line("sign", format!("{}: the difference has the sign of {form}", print::prop(goal)));
+            return Ok(());
+        }
+        if let Reduced::Open(literal) = reduced {
             let known = cx.constraints.iter().find(|(other, _)| normal(&Reduced::Open(other.clone())) == Reduced::Open(literal.clone()));
             if let Some((_, sources)) = known {
                 self.used |= sources;

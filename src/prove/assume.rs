@@ -144,8 +144,18 @@ impl Engine<'_> {
         if relation == Relation::Equal
             && let Reduced::Open(literal) = self.reduced(cx, &difference, relation)?
         {
-            // One factor left: try to solve for a variable.
+            // One factor left: it may be known not to vanish; else try to solve for a variable.
             if let [(atom, _)] = literal.atoms.as_slice() {
+                let small = self.ring.sum(*atom).is_some_and(|p| p.terms.len() <= 12);
+                if small && !cx.signs.contains_key(atom) {
+                    let before = std::mem::replace(&mut self.used, sources);
+                    let signs = self.searched_signs(cx, *atom)?;
+                    let all = std::mem::replace(&mut self.used, before);
+                    if signs.within(Signs::NOT_ZERO) {
+                        cx.contradiction = Some(all);
+                        return Ok(false);
+                    }
+                }
                 if self.solve(cx, *atom, sources)? {
                     return Ok(true);
                 }
@@ -153,6 +163,11 @@ impl Engine<'_> {
                     return Ok(true);
                 }
             }
+        }
+        // Without common roots as well: certificates work with the exponents as they stand.
+        let plain = self.ring.sub(a, b)?;
+        if plain != difference {
+            self.narrow_form(cx, &plain, relation, sources)?;
         }
         self.narrow_form(cx, &difference, relation, sources)?;
         Ok(false)

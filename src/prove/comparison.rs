@@ -132,6 +132,12 @@ impl Engine<'_> {
 
     /// The comparison of a form with zero, reduced to atoms whose sign is open.
     pub fn reduced(&mut self, cx: &mut Context, form: &Form, relation: Relation) -> Result<Reduced> {
+        self.reduced_to(cx, form, relation, true)
+    }
+
+    /// As [`Engine::reduced`]; with `roots` a difference of two positive monomials is brought to the
+    /// smallest exponents.
+    fn reduced_to(&mut self, cx: &mut Context, form: &Form, relation: Relation, roots: bool) -> Result<Reduced> {
         let all = self.signs(cx, form)?;
         if let Some(truth) = truth_of(all, relation) {
             return Ok(Reduced::Decided(truth));
@@ -158,7 +164,8 @@ impl Engine<'_> {
             }
             atoms.push((atom, even && !equality));
         }
-        if let [(atom, false)] = atoms.as_slice()
+        if roots
+            && let [(atom, false)] = atoms.as_slice()
             && let Some(poly) = self.ring.sum(*atom)
             && let [(m, c), (k, d)] = poly.terms.as_slice()
             && *c > 0
@@ -187,6 +194,13 @@ impl Engine<'_> {
 
     /// Adds what `form relation 0` says to the context.
     pub fn narrow_form(&mut self, cx: &mut Context, form: &Form, relation: Relation, sources: Sources) -> Result<()> {
+        // As it stands, too: certificates work with these exponents, not with the smallest.
+        if let Reduced::Open(literal) = self.reduced_to(cx, form, relation, false)? {
+            self.narrow(cx, &literal, sources);
+            if let [(atom, false)] = literal.atoms.as_slice() {
+                self.propagate(cx, *atom, sources)?;
+            }
+        }
         match self.reduced(cx, form, relation)? {
             Reduced::Decided(true) => {}
             Reduced::Decided(false) => cx.contradiction = Some(sources | self.used),

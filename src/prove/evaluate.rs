@@ -474,7 +474,41 @@ impl Assignment {
                 }
                 Ok(true)
             }
+            PropKind::ForAll(bindings, body) => self.for_all_indices(bindings, body),
             _ => Err(Missing::Unknown),
+        }
+    }
+
+    /// `for all k natural: P` where every family is constant and k stands in indices only: then P does
+    /// not depend on k, and one value decides.
+    fn for_all_indices(&self, bindings: &[Binding], body: &Prop) -> Result<bool> {
+        let [Binding { names, natural: true, constraints, indices: None, .. }] = bindings else { return Err(Missing::Unknown) };
+        let constant = self.families.values().all(|list| list.iter().all(|q| *q == list[0]));
+        let [(name, None)] = names.as_slice() else { return Err(Missing::Unknown) };
+        if !constant || !constraints.is_empty() || !self.only_index(body, &name.text) || !self.ranges.is_empty() {
+            return Err(Missing::Unknown);
+        }
+        let mut inner = self.clone();
+        inner.values.insert(name.text.clone(), Rational::ZERO);
+        inner.truth(body)
+    }
+
+    fn only_index(&self, prop: &Prop, name: &str) -> bool {
+        fn inside(point: &Assignment, e: &Expr, name: &str) -> bool {
+            match &e.kind {
+                ExprKind::Name(n) => n != name,
+                ExprKind::Apply(f, _) if point.families.contains_key(&f.text) => true,
+                _ => {
+                    let mut fine = true;
+                    super::expand::parts(e, &mut |part| fine &= inside(point, part, name));
+                    fine
+                }
+            }
+        }
+        match &prop.kind {
+            PropKind::Compare(sides, _) => sides.iter().all(|e| inside(self, e, name)),
+            PropKind::And(list) | PropKind::Or(list) => list.iter().all(|p| self.only_index(p, name)),
+            _ => false,
         }
     }
 

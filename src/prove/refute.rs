@@ -281,6 +281,7 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
             }
         };
     }
+    let goal = without_derivatives(engine, cx, &goal);
     let mut found = None;
     search.run(Some(engine), &mut |point| {
         point.seen.borrow_mut().clear();
@@ -311,6 +312,48 @@ pub fn example(bindings: &[Binding], body: &Prop) -> Option<Vec<(String, Rationa
         found = Some(names.iter().filter_map(|n| Some((n.clone(), point.values.get(n)?.clone()))).collect());
         true
     });
+    found
+}
+
+/// The proposition with derivatives carried out, where that succeeds: the evaluator knows none.
+fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
+    let mut each = |list: &[Prop]| list.iter().map(|p| without_derivatives(engine, cx, p)).collect::<Vec<_>>();
+    let kind = match &prop.kind {
+        PropKind::And(list) => PropKind::And(each(list)),
+        PropKind::Or(list) => PropKind::Or(each(list)),
+        PropKind::Equivalent(list) => PropKind::Equivalent(each(list)),
+        PropKind::Implies(p, q) => {
+            let mut both = each(&[(**p).clone(), (**q).clone()]).into_iter();
+            match (both.next(), both.next()) {
+                (Some(p), Some(q)) => PropKind::Implies(Box::new(p), Box::new(q)),
+                _ => return prop.clone(),
+            }
+        }
+        PropKind::Compare(sides, relations) => {
+            let sides = sides
+                .iter()
+                .map(|side| {
+                    if !differentiates(side) {
+                        return side.clone();
+                    }
+                    let form = engine.scalar(&mut cx.clone(), side, &mut Vec::new());
+                    let text = form.map(|f| format!("0 = {}", super::show::form(&engine.ring, &f)));
+                    match text.map(|t| parse_prop(&t)) {
+                        Ok(Ok(Prop { kind: PropKind::Compare(sides, _), .. })) => sides.into_iter().nth(1).unwrap_or_else(|| side.clone()),
+                        _ => side.clone(),
+                    }
+                })
+                .collect();
+            PropKind::Compare(sides, relations.clone())
+        }
+        other => other.clone(),
+    };
+    Prop { kind, span: prop.span }
+}
+
+fn differentiates(e: &Expr) -> bool {
+    let mut found = matches!(e.kind, ExprKind::Derivative(..));
+    super::expand::parts(e, &mut |part| found |= differentiates(part));
     found
 }
 
