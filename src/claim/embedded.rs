@@ -1,0 +1,80 @@
+//! The claim files that come with the program.
+//!
+//! A claim stands in the file of its name, so that one claim and what it cites are found without
+//! reading the rest.
+
+use super::diagnostic::Diagnostic;
+use super::parse::parse;
+use super::syntax::Claim;
+use include_dir::{Dir, include_dir};
+
+static PROOFS: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs");
+
+/// A claim file: its path below `proofs/` and its text.
+#[derive(Clone, Copy, Debug)]
+pub struct File {
+    /// The path.
+    pub path: &'static str,
+    /// The text.
+    pub text: &'static str,
+}
+
+/// All claim files in the order of reports: the paper, then beyond, then lemmas, each by number.
+pub fn files() -> Vec<File> {
+    let mut out = Vec::new();
+    for folder in ["ricardo-lee-2015", "beyond", "lemmas"] {
+        let Some(dir) = PROOFS.get_dir(folder) else { continue };
+        let mut list: Vec<File> = dir
+            .files()
+            .filter_map(|f| Some(File { path: f.path().to_str()?, text: f.contents_utf8()? }))
+            .filter(|f| f.path.ends_with(".claim"))
+            .collect();
+        list.sort_by_key(|f| natural(f.path));
+        out.extend(list);
+    }
+    out
+}
+
+/// The name of the claim in a file.
+pub fn stem(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path).trim_end_matches(".claim")
+}
+
+/// `u2` before `u10`.
+fn natural(path: &str) -> (String, u32, String) {
+    let name = stem(path);
+    let head: String = name.chars().take_while(|c| !c.is_ascii_digit()).collect();
+    let digits: String = name[head.len()..].chars().take_while(char::is_ascii_digit).collect();
+    (head.clone(), digits.parse().unwrap_or(0), name[head.len() + digits.len()..].to_string())
+}
+
+/// The claims with these names and all that they cite; all claims where no names are given. `None`
+/// where a name is not there.
+///
+/// # Errors
+/// The faults of an embedded file; the tests see to it that there are none.
+pub fn claims(only: &[String]) -> Result<Option<Vec<Claim>>, Vec<Diagnostic>> {
+    let files = files();
+    if only.is_empty() {
+        let mut out = Vec::new();
+        for file in &files {
+            out.extend(parse(file.text)?);
+        }
+        return Ok(Some(out));
+    }
+    let mut out: Vec<Claim> = Vec::new();
+    let mut wanted: Vec<String> = only.to_vec();
+    while let Some(name) = wanted.pop() {
+        if out.iter().any(|c| c.name.text == name) {
+            continue;
+        }
+        let Some(file) = files.iter().find(|f| stem(f.path) == name) else { return Ok(None) };
+        for claim in parse(file.text)? {
+            wanted.extend(claim.using.iter().map(|n| n.text.clone()));
+            out.push(claim);
+        }
+    }
+    let place = |claim: &Claim| files.iter().position(|f| stem(f.path) == claim.name.text);
+    out.sort_by_key(place);
+    Ok(Some(out))
+}

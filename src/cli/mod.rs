@@ -1,0 +1,198 @@
+//! The command line: one file for each subcommand.
+//!
+//! Exit codes: 0 all as expected; 1 a verdict is not as expected; 2 bad input or usage; 3 a stated
+//! limit was reached.
+
+mod audit;
+mod explain;
+mod fmt;
+mod load;
+
+use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Audits the algebra of one-dimensional chain collisions.
+#[derive(Parser)]
+#[command(name = "carom", version, disable_help_subcommand = true, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// The subcommands.
+#[derive(Subcommand)]
+enum Command {
+    /// Judge claims: proved, refuted with an exact counterexample, or undecided with the reason
+    Audit {
+        /// Claim files and folders; the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// Judge only these claims
+        #[arg(long, value_name = "ID", num_args = 1..)]
+        only: Vec<String>,
+        /// The form of the report
+        #[arg(long, value_enum, default_value = "text")]
+        format: Format,
+        /// Write the report to a file
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        limits: LimitFlags,
+    },
+    /// Print the whole argument of one claim
+    Explain {
+        /// The claim's name
+        id: String,
+        /// Claim files and folders; the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// The form of the argument
+        #[arg(long, value_enum, default_value = "text")]
+        format: ExplainFormat,
+        #[command(flatten)]
+        limits: LimitFlags,
+    },
+    /// Rewrite claim files in the one style
+    Fmt {
+        /// Claim files and folders
+        #[arg(required = true)]
+        paths: Vec<PathBuf>,
+        /// Change nothing; exit 1 if a file is not formatted
+        #[arg(long)]
+        check: bool,
+    },
+    /// Print a completion script
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Print help: `carom help language` describes the claim language
+    Help {
+        /// A subcommand, or `language`
+        topic: Option<String>,
+    },
+}
+
+/// The forms of a report.
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+    Markdown,
+    Junit,
+}
+
+/// The forms of an argument.
+#[derive(Clone, Copy, ValueEnum)]
+enum ExplainFormat {
+    Text,
+    Latex,
+}
+
+/// Flags that raise or lower the limits.
+#[derive(clap::Args)]
+struct LimitFlags {
+    /// The largest power of a sum that is expanded
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    max_degree: u32,
+    /// The most terms of a sum
+    #[arg(long, value_name = "N", default_value_t = 5000)]
+    max_terms: usize,
+    /// The most bits of a coefficient after a power
+    #[arg(long, value_name = "BITS", default_value_t = 100_000)]
+    max_digits: u64,
+    /// The most steps of the search for each claim
+    #[arg(long, value_name = "N", default_value_t = 400_000)]
+    max_steps: usize,
+    /// The most seconds for each claim
+    #[arg(long, value_name = "SECONDS", default_value_t = 10)]
+    time: u64,
+}
+
+impl LimitFlags {
+    fn limits(&self) -> crate::prove::catalogue::Limits {
+        crate::prove::catalogue::Limits {
+            degree: self.max_degree,
+            terms: self.max_terms,
+            digits: self.max_digits,
+            steps: self.max_steps,
+            time: std::time::Duration::from_secs(self.time),
+        }
+    }
+}
+
+/// A failure that ends the program: what to print, and the exit code.
+struct Exit {
+    code: u8,
+    message: String,
+}
+
+impl Exit {
+    fn usage(message: impl Into<String>) -> Exit {
+        Exit { code: 2, message: message.into() }
+    }
+}
+
+/// Runs the program.
+pub fn run() -> ExitCode {
+    let arguments = Arguments::parse();
+    // Expressions nest up to a limit; this stack holds the deepest with room to spare.
+    let worker = std::thread::Builder::new().stack_size(64 << 20).spawn(move || dispatch(arguments.command));
+    let result = match worker.map(std::thread::JoinHandle::join) {
+        Ok(Ok(result)) => result,
+        _ => Err(Exit { code: 101, message: "the program failed; please report this".to_string() }),
+    };
+    match result {
+        Ok(code) => ExitCode::from(code),
+        Err(exit) => {
+            let _ = writeln!(anstream::stderr(), "{}", exit.message);
+            ExitCode::from(exit.code)
+        }
+    }
+}
+
+fn dispatch(command: Command) -> Result<u8, Exit> {
+    match command {
+        Command::Audit { paths, only, format, output, limits } => audit::run(&paths, &only, format, output.as_deref(), &limits.limits()),
+        Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Fmt { paths, check } => fmt::run(&paths, check),
+        Command::Completions { shell } => {
+            let mut out = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);
+            print(&String::from_utf8_lossy(&out));
+            Ok(0)
+        }
+        Command::Help { topic } => help(topic.as_deref()),
+    }
+}
+
+fn help(topic: Option<&str>) -> Result<u8, Exit> {
+    let mut command = Arguments::command();
+    match topic {
+        None => print(&command.render_long_help().to_string()),
+        Some("language") => print(crate::claim::LANGUAGE),
+        Some(name) => match command.find_subcommand_mut(name) {
+            Some(sub) => print(&sub.render_long_help().to_string()),
+            None => {
+                return Err(Exit::usage(format!("error: there is no help on {name}; topics are audit, explain, fmt, completions, language")));
+            }
+        },
+    }
+    Ok(0)
+}
+
+/// Writes to standard output; a reader that has gone away is no error.
+fn print(text: &str) {
+    let mut out = anstream::stdout();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// Writes a file as a whole or not at all.
+fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let fail = |e: std::io::Error| Exit::usage(format!("error: cannot write {}: {e}", path.display()));
+    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
+    file.write_all(text.as_bytes()).map_err(fail)?;
+    file.persist(path).map_err(|e| fail(e.error))?;
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! An audit as JSON: the contract of the command line.
+
+use super::{Entry, reading, summary};
+use crate::claim::print::Style;
+use serde_json::{Map, Value, json};
+
+/// The report; `judged` is how many claims were worked on, cited ones included.
+pub fn report(entries: &[Entry], judged: usize) -> String {
+    let claims: Vec<Value> = entries.iter().map(one).collect();
+    let s = summary(entries);
+    let value = json!({
+        "claims": claims,
+        "summary": {
+            "proved": s.proved,
+            "refuted": s.refuted,
+            "undecided": s.undecided,
+            "unexpected": s.unexpected,
+            "judged": judged,
+        },
+    });
+    let mut out = serde_json::to_string_pretty(&value).unwrap_or_default();
+    out.push('\n');
+    out
+}
+
+fn one(entry: &Entry) -> Value {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
+    let point = |values: &[(String, String)]| {
+        Value::Object(values.iter().map(|(n, v)| (n.clone(), Value::String(v.clone()))).collect::<Map<_, _>>())
+    };
+    let expected = match claim.expect {
+        crate::claim::syntax::Expectation::Proved => "proved",
+        crate::claim::syntax::Expectation::Refuted => "refuted",
+        crate::claim::syntax::Expectation::Undecided => "undecided",
+    };
+    json!({
+        "id": claim.name.text,
+        "number": claim.number,
+        "title": claim.title,
+        "source": claim.source,
+        "section": claim.section,
+        "statement": entry.goal(Style::Text),
+        "latex": entry.goal(Style::Latex),
+        "reading": reading(claim),
+        "verdict": outcome.verdict.name(),
+        "expected": expected,
+        "as_expected": entry.as_expected(),
+        "method": outcome.method,
+        "assumptions": outcome.used,
+        "unused": outcome.unused,
+        "sample": outcome.sample.as_ref().map(|p| point(&p.values)),
+        "witness": outcome.witness.as_ref().map(|w| point(&w.point.values)),
+        "broken": outcome.witness.as_ref().map(|w| w.broken.iter().map(|b| json!({
+            "statement": b.statement, "left": b.left, "right": b.right,
+        })).collect::<Vec<_>>()),
+        "reason": outcome.reason,
+        "notes": claim.notes,
+        "certificate": null,
+    })
+}

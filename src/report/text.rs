@@ -1,0 +1,78 @@
+//! An audit for a terminal.
+
+use super::{Entry, reading, summary};
+use crate::claim::print::Style;
+use crate::prove::outcome::Verdict;
+
+const GREEN: &str = "\x1b[32m";
+const RED: &str = "\x1b[31m";
+const YELLOW: &str = "\x1b[33m";
+const BOLD: &str = "\x1b[1m";
+const DIM: &str = "\x1b[2m";
+const PLAIN: &str = "\x1b[0m";
+
+/// The report with colours; who writes it to something else than a terminal strips them.
+pub fn report(entries: &[Entry]) -> String {
+    let mut out = String::new();
+    let mut section = None;
+    for entry in entries {
+        let here = entry.claim.section.as_deref().unwrap_or("Claims");
+        if section != Some(here) {
+            out.push_str(&format!("{}{BOLD}{here}{PLAIN}\n", if section.is_none() { "" } else { "\n" }));
+            section = Some(here);
+        }
+        one(&mut out, entry);
+    }
+    let s = summary(entries);
+    out.push_str(&format!(
+        "\n{BOLD}{} claims: {} proved, {} refuted, {} undecided{PLAIN}",
+        entries.len(),
+        s.proved,
+        s.refuted,
+        s.undecided
+    ));
+    out.push_str(&if s.unexpected == 0 {
+        "; all as expected\n".to_string()
+    } else {
+        format!("; {RED}{} not as expected{PLAIN}\n", s.unexpected)
+    });
+    out
+}
+
+fn one(out: &mut String, entry: &Entry) {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
+    let (colour, mark) = match outcome.verdict {
+        Verdict::Proved => (GREEN, "proved   "),
+        Verdict::Refuted => (RED, "refuted  "),
+        Verdict::Undecided => (YELLOW, "undecided"),
+    };
+    let number = claim.number.map_or(String::new(), |n| format!("({n})"));
+    let extracted = if reading(claim) == "extracted" { ", as extracted" } else { "" };
+    out.push_str(&format!("  {colour}{mark}{PLAIN} {number:>5} {BOLD}{}{PLAIN}  {}{extracted}\n", claim.name.text, claim.title));
+    let goal = entry.goal(Style::Unicode);
+    let goal = if goal.chars().count() > 150 { goal.chars().take(147).collect::<String>() + "..." } else { goal };
+    out.push_str(&format!("                  {DIM}{goal}{PLAIN}\n"));
+    if let Some(witness) = &outcome.witness {
+        let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+        out.push_str(&format!("                  fails at {}\n", at.join(", ")));
+        for broken in &witness.broken {
+            if broken.right.is_empty() {
+                out.push_str(&format!("                    {}\n", broken.statement));
+            } else {
+                out.push_str(&format!("                    left side {}, right side {}\n", broken.left, broken.right));
+            }
+        }
+    }
+    if let Some(reason) = &outcome.reason {
+        out.push_str(&format!("                  {reason}\n"));
+    }
+    if outcome.verdict == Verdict::Proved && !outcome.unused.is_empty() {
+        out.push_str(&format!("                  not needed: {}\n", outcome.unused.join("; ")));
+    }
+    for note in &claim.notes {
+        out.push_str(&format!("                  note: {note}\n"));
+    }
+    if !entry.as_expected() {
+        out.push_str(&format!("                  {RED}not as expected{PLAIN}\n"));
+    }
+}
