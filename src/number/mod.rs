@@ -1,1 +1,1 @@
-//! Placeholder.
+//! Exact numbers.
