@@ -7,8 +7,11 @@
 //!
 //! Variables are plain numbers; a caller that has names passes a naming function where text is made.
 
+mod division;
+pub mod gcd;
 pub mod monomial;
 pub mod polynomial;
+mod substitution;
 
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;

@@ -19,7 +19,7 @@ use malachite::base::num::arithmetic::traits::{Gcd, HeightRef};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// The most terms that a limited operation may return.
 pub const MAX_TERMS: usize = 50_000;
@@ -33,7 +33,7 @@ pub const MAX_BITS: usize = 1 << 22;
 /// A polynomial with rational coefficients, in normal form.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Polynomial {
-    terms: Vec<(Monomial, Rational)>,
+    pub(super) terms: Vec<(Monomial, Rational)>,
 }
 
 impl Polynomial {
@@ -373,100 +373,6 @@ impl Polynomial {
         Self::from_terms(terms)
     }
 
-    /// The polynomial with one variable replaced, by Horner's rule.
-    ///
-    /// # Errors
-    /// [`LimitReached`] when the degree, the terms, the work or the bits pass their limit.
-    pub fn substitute(&self, var: Var, value: &Self) -> Result<Self, LimitReached> {
-        if !self.contains(var) {
-            return Ok(self.clone());
-        }
-        let mut result = Self::zero();
-        for coefficient in self.coefficients_in(var).iter().rev() {
-            result = result.try_mul(value)?.add(coefficient);
-        }
-        Ok(result)
-    }
-
-    /// The polynomial with several variables replaced at once; where `value` is `None`, the variable
-    /// stays.
-    ///
-    /// # Errors
-    /// [`LimitReached`] when the degree, the terms, the work or the bits pass their limit.
-    pub fn substitute_all(
-        &self,
-        value: &dyn Fn(Var) -> Option<Self>,
-    ) -> Result<Self, LimitReached> {
-        let values: BTreeMap<Var, Self> = self
-            .variables()
-            .into_iter()
-            .filter_map(|v| Some((v, value(v)?)))
-            .collect();
-        let mut powers: BTreeMap<(Var, u32), Self> = BTreeMap::new();
-        let mut sum = Self::zero();
-        for (monomial, coefficient) in &self.terms {
-            let mut product = Self::constant(coefficient.clone());
-            for &(var, exponent) in monomial.powers() {
-                let power = match powers.get(&(var, exponent)) {
-                    Some(power) => power.clone(),
-                    None => {
-                        let base = values
-                            .get(&var)
-                            .cloned()
-                            .unwrap_or_else(|| Self::variable(var));
-                        let power = base.pow(exponent)?;
-                        powers.insert((var, exponent), power.clone());
-                        power
-                    }
-                };
-                product = product.try_mul(&power)?;
-            }
-            sum = sum.add(&product);
-            within(Limit::Terms, MAX_TERMS, sum.terms.len())?;
-        }
-        Ok(sum)
-    }
-
-    /// The value at a point.
-    #[must_use]
-    pub fn evaluate(&self, value: &dyn Fn(Var) -> Rational) -> Rational {
-        self.evaluate_some(&|var| Some(value(var))).constant_term()
-    }
-
-    /// The polynomial with some variables replaced by numbers; where `value` is `None`, the variable
-    /// stays.
-    #[must_use]
-    pub fn evaluate_some(&self, value: &dyn Fn(Var) -> Option<Rational>) -> Self {
-        let mut tables: BTreeMap<Var, Vec<Rational>> = BTreeMap::new();
-        for var in self.variables() {
-            if let Some(value) = value(var) {
-                let mut powers = vec![Rational::ONE];
-                for i in 0..self.degree_in(var) as usize {
-                    powers.push(&powers[i] * &value);
-                }
-                tables.insert(var, powers);
-            }
-        }
-        let terms = self.terms.iter().map(|(monomial, coefficient)| {
-            let mut product = coefficient.clone();
-            let mut kept = monomial.clone();
-            for &(var, exponent) in monomial.powers() {
-                if let Some(powers) = tables.get(&var) {
-                    product *= &powers[exponent as usize];
-                    kept = kept.without(var).0;
-                }
-            }
-            (kept, product)
-        });
-        Self::from_terms(terms)
-    }
-
-    /// The polynomial with one variable replaced by a number.
-    #[must_use]
-    pub fn evaluate_at(&self, var: Var, value: &Rational) -> Self {
-        self.evaluate_some(&|v| (v == var).then(|| value.clone()))
-    }
-
     /// The positive rational that leaves coprime integer coefficients when divided out; 0 of zero.
     #[must_use]
     pub fn content(&self) -> Rational {
@@ -514,61 +420,6 @@ impl Polynomial {
             common = common.gcd(monomial);
         }
         common
-    }
-
-    /// The quotient, where the divisor divides exactly; `None` otherwise and for the divisor 0.
-    ///
-    /// Why it is right: the leading term of a multiple of `d` is a multiple of the leading term of
-    /// `d`, so the first remainder that violates this shows that `d` does not divide.
-    ///
-    /// Cost: terms of the quotient times terms of the divisor, with a logarithmic factor.
-    #[must_use]
-    pub fn exact_divide(&self, divisor: &Self) -> Option<Self> {
-        let (lead, lead_coefficient) = divisor.leading_term()?;
-        if self.is_zero() {
-            return Some(Self::zero());
-        }
-        if divisor.terms.len() == 1 {
-            let mut terms = Vec::with_capacity(self.terms.len());
-            for (monomial, coefficient) in &self.terms {
-                terms.push((monomial.checked_div(lead)?, coefficient / lead_coefficient));
-            }
-            return Some(Self { terms });
-        }
-        // Degrees add in a product, in each variable and at both ends of the order.
-        self.terms.last()?.0.checked_div(&divisor.terms.last()?.0)?;
-        let mut room: BTreeMap<Var, u32> = BTreeMap::new();
-        for var in divisor.variables() {
-            let left = self.degree_in(var).checked_sub(divisor.degree_in(var))?;
-            room.insert(var, left);
-        }
-        let inverse = Rational::ONE / lead_coefficient;
-        let mut remainder: BTreeMap<Monomial, Rational> = self.terms.iter().cloned().collect();
-        let mut quotient = Vec::new();
-        while let Some((monomial, coefficient)) = remainder.pop_last() {
-            let factor = monomial.checked_div(lead)?;
-            if room.iter().any(|(&var, &left)| factor.exponent(var) > left) {
-                return None;
-            }
-            let scale = &coefficient * &inverse;
-            for (m, c) in &divisor.terms[1..] {
-                let change = c * &scale;
-                let place = factor.mul(m);
-                match remainder.entry(place) {
-                    std::collections::btree_map::Entry::Vacant(empty) => {
-                        empty.insert(-change);
-                    }
-                    std::collections::btree_map::Entry::Occupied(mut held) => {
-                        *held.get_mut() -= change;
-                        if *held.get() == Rational::ZERO {
-                            held.remove();
-                        }
-                    }
-                }
-            }
-            quotient.push((factor, scale));
-        }
-        Some(Self { terms: quotient })
     }
 
     /// The polynomial as text, with the given names.

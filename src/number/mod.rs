@@ -1,1 +1,3 @@
 //! Exact numbers.
+
+pub mod rational;
