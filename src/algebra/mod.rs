@@ -8,13 +8,19 @@
 //! Variables are plain numbers; a caller that has names passes a naming function where text is made.
 
 mod division;
+pub mod factor;
+pub mod fraction;
 pub mod gcd;
 pub mod monomial;
 pub mod polynomial;
+pub mod roots;
 mod substitution;
+pub mod univariate;
 
+pub use fraction::Fraction;
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
+pub use univariate::Univariate;
 
 use std::fmt;
 
