@@ -7,6 +7,17 @@ use carom::number::rational::{self, NumeralError, parse};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
+
+/// So many cases, and failing ones kept beside this file.
+fn cases(cases: u32) -> ProptestConfig {
+    let kept = FileFailurePersistence::Direct("tests/algebra.proptest-regressions");
+    ProptestConfig {
+        cases,
+        failure_persistence: Some(Box::new(kept)),
+        ..ProptestConfig::default()
+    }
+}
 
 /// Random polynomials in three variables with small coefficients.
 fn polynomial() -> impl Strategy<Value = Polynomial> {
@@ -30,7 +41,7 @@ fn fraction(numerator: &Polynomial, denominator: &Polynomial) -> Fraction {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(cases(64))]
 
     #[test]
     fn ring_laws(a in polynomial(), b in polynomial(), c in polynomial()) {
@@ -61,7 +72,7 @@ fn common(a: &Polynomial, b: &Polynomial) -> Polynomial {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(cases(64))]
 
     #[test]
     fn gcd_divides_and_leaves_coprime_cofactors(a in polynomial(), b in polynomial()) {
@@ -84,7 +95,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(cases(64))]
 
     #[test]
     fn factors_multiply_back_and_are_coprime(

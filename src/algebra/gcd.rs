@@ -245,3 +245,41 @@ fn gcd_with_linear(
         None => gcd_within(&content, b, budget),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Budget, gcd, heuristic, modular, subresultant};
+    use crate::algebra::{Monomial, Polynomial};
+    use malachite::Rational;
+    use proptest::prelude::*;
+
+    /// Random polynomials in two variables with integer coefficients.
+    fn polynomial() -> impl Strategy<Value = Polynomial> {
+        prop::collection::vec((0u32..4, 0u32..4, -6i64..=6), 1..6).prop_map(|terms| {
+            Polynomial::from_terms(terms.into_iter().map(|(a, b, n)| {
+                let monomial = Monomial::new(&[(0, a), (1, b)]).expect("small degree");
+                (monomial, Rational::from(n))
+            }))
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn every_method_finds_the_same_gcd(p in polynomial(), a in polynomial(), b in polynomial()) {
+            let (a, b) = (p.mul(&a).primitive_part().1, p.mul(&b).primitive_part().1);
+            prop_assume!(a.contains(0) && b.contains(0) && a.contains(1) && b.contains(1));
+            let expected = gcd(&a, &b).expect("small");
+            let slow = subresultant::gcd_in(&a, &b, 0, &mut Budget::new()).expect("small");
+            prop_assert_eq!(&slow, &expected);
+            for (var, bound) in modular::degree_bounds(&a, &b, &[0, 1]) {
+                prop_assert!(expected.degree_in(var) <= bound);
+            }
+            let guess = heuristic::candidate(&a, &b, &[0, 1], &mut Budget::new()).expect("small");
+            if let Some(guess) = guess {
+                prop_assert!(a.exact_divide(&guess).is_some() && b.exact_divide(&guess).is_some());
+            }
+        }
+    }
+}

@@ -13,7 +13,9 @@ pub mod fraction;
 pub mod gcd;
 pub mod monomial;
 pub mod polynomial;
+pub mod positivity;
 pub mod roots;
+pub mod simplex;
 mod substitution;
 pub mod univariate;
 
@@ -35,10 +37,12 @@ pub enum Limit {
     Terms,
     /// The total degree of a polynomial.
     Degree,
-    /// Term products in one computation.
+    /// Elementary steps of one computation: products of terms, updates of a tableau.
     Work,
     /// Bits of a numerator or denominator.
     Bits,
+    /// Pivots of a linear program.
+    Pivots,
 }
 
 /// An exact computation was stopped: it would have needed more than it was allowed.
@@ -59,8 +63,9 @@ impl fmt::Display for LimitReached {
         let what = match self.limit {
             Limit::Terms => "terms",
             Limit::Degree => "degree",
-            Limit::Work => "term products",
+            Limit::Work => "elementary steps",
             Limit::Bits => "bits of a coefficient",
+            Limit::Pivots => "pivots",
         };
         write!(
             f,

@@ -118,6 +118,25 @@ impl Interval {
         };
         above && below
     }
+
+    /// The condition on a variable of the given name, as text.
+    #[must_use]
+    pub fn display(&self, name: &str) -> String {
+        let lower = match &self.lower {
+            End::Infinite => String::new(),
+            End::Open(a) => format!("{a} < "),
+            End::Closed(a) => format!("{a} <= "),
+        };
+        let upper = match &self.upper {
+            End::Infinite => String::new(),
+            End::Open(b) => format!(" < {b}"),
+            End::Closed(b) => format!(" <= {b}"),
+        };
+        if lower.is_empty() && upper.is_empty() {
+            return format!("all real {name}");
+        }
+        format!("{lower}{name}{upper}")
+    }
 }
 
 /// The sign of a polynomial on an interval; each variant is exact, none leaves room.
