@@ -10,13 +10,14 @@
 //! - a polynomial quadratic in a variable splits when its discriminant is a square.
 
 use super::gcd::{content_in, gcd};
-use super::{LimitReached, Monomial, Polynomial, Univariate, Var};
+use super::polynomial::within;
+use super::{Limit, LimitReached, Monomial, Polynomial, Univariate, Var};
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 
 /// The most terms that an exact root of a polynomial may have.
-pub const MAX_ROOT_TERMS: usize = 500;
+pub const MAX_ROOT_TERMS: usize = 200;
 
 /// The most terms of a discriminant whose square root is looked for.
 const MAX_DISCRIMINANT_TERMS: usize = 400;
@@ -150,7 +151,8 @@ fn split_once(p: &Polynomial) -> Result<Option<(Polynomial, Polynomial)>, LimitR
     }
     for var in p.variables() {
         if p.degree_in(var) == 2
-            && let Some(found) = split_quadratic(p, var)?
+            // A limit here only means that no split was found.
+            && let Ok(Some(found)) = split_quadratic(p, var)
         {
             return Ok(Some(complement(p, &found)));
         }
@@ -206,20 +208,30 @@ pub fn exact_root(p: &Polynomial, k: u32) -> Result<Option<Polynomial>, LimitRea
     if k <= 1 {
         return Ok((k == 1).then(|| p.clone()));
     }
+    if k > 2 && k.is_multiple_of(2) {
+        // The square root with positive leading coefficient is the (k/2)-th power of one of ±r.
+        return match exact_root(p, 2)? {
+            Some(root) => exact_root(&root, k / 2),
+            None => Ok(None),
+        };
+    }
     let Some(top) = term_root(lead, coefficient, k) else {
         return Ok(None);
     };
     let Some(bottom) = term_root(last, last_coefficient, k) else {
         return Ok(None);
     };
-    if p.variables().iter().any(|&var| p.degree_in(var) % k != 0) {
+    if p.variables()
+        .iter()
+        .any(|&var| !p.degree_in(var).is_multiple_of(k))
+    {
         return Ok(None);
     }
     let mut root = Polynomial::term(top.0.clone(), top.1.clone());
     // The step for the next term t: p − r^k = k·lt(r)^(k−1)·t + smaller.
     let slope = root.pow(k - 1)?.scale(&Rational::from(k));
+    let mut rest = p.sub(&root.pow(k)?);
     loop {
-        let rest = p.sub(&root.pow(k)?);
         if rest.is_zero() {
             return Ok(Some(root));
         }
@@ -234,8 +246,16 @@ pub fn exact_root(p: &Polynomial, k: u32) -> Result<Option<Polynomial>, LimitRea
         if *place < bottom.0 || root.terms().last().is_some_and(|(m, _)| m <= place) {
             return Ok(None);
         }
-        super::polynomial::within(super::Limit::Terms, MAX_ROOT_TERMS, root.term_count() + 1)?;
-        root = root.add(&next);
+        within(Limit::Terms, MAX_ROOT_TERMS, root.term_count() + 1)?;
+        if k == 2 {
+            // p − (r + t)² = (p − r²) − (2r + t)·t
+            let sum = root.scale(&Rational::from(2)).add(&next);
+            rest = rest.sub(&sum.try_mul(&next)?);
+            root = root.add(&next);
+        } else {
+            root = root.add(&next);
+            rest = p.sub(&root.pow(k)?);
+        }
     }
 }
 
@@ -244,10 +264,10 @@ fn term_root(monomial: &Monomial, coefficient: &Rational, k: u32) -> Option<(Mon
     let powers = monomial
         .powers()
         .iter()
-        .map(|&(var, exponent)| (exponent % k == 0).then_some((var, exponent / k)))
+        .map(|&(var, exponent)| exponent.is_multiple_of(k).then_some((var, exponent / k)))
         .collect::<Option<Vec<_>>>()?;
     let negative = *coefficient < Rational::ZERO;
-    if negative && k % 2 == 0 {
+    if negative && k.is_multiple_of(2) {
         return None;
     }
     let size = if negative {

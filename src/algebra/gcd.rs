@@ -16,7 +16,7 @@
 //!    might miss would have degree 0 in every variable;
 //! 5. otherwise the subresultant remainder sequence decides ([`subresultant`]).
 //!
-//! Limits: products of terms are counted over the whole call, up to [`MAX_GCD_WORK`].
+//! Limits: products of terms and steps of divisions are counted over the whole call, up to [`MAX_GCD_WORK`].
 
 mod heuristic;
 mod modular;
@@ -26,8 +26,9 @@ use super::polynomial::within;
 use super::{Limit, LimitReached, Monomial, Polynomial, Var};
 use std::collections::BTreeMap;
 
-/// The most products of two terms that one gcd may form.
-pub const MAX_GCD_WORK: usize = 8_000_000;
+/// The most products of two terms that one gcd may form; a product of long coefficients counts once
+/// for every 64 bits.
+pub const MAX_GCD_WORK: usize = 20_000_000;
 
 /// What one computation may still spend.
 pub(super) struct Budget {
@@ -48,7 +49,8 @@ impl Budget {
 
     /// The product, paid for.
     fn mul(&mut self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, LimitReached> {
-        self.spend(a.term_count(), b.term_count())?;
+        let words = 1 + (a.height_bits() + b.height_bits()) / 64;
+        self.spend(a.term_count().saturating_mul(words), b.term_count())?;
         a.try_mul(b)
     }
 
@@ -58,8 +60,7 @@ impl Budget {
         a: &Polynomial,
         b: &Polynomial,
     ) -> Result<Option<Polynomial>, LimitReached> {
-        self.spend(a.term_count(), b.term_count())?;
-        Ok(a.exact_divide(b))
+        a.divide_counted(b, MAX_GCD_WORK, &mut self.spent)
     }
 }
 
@@ -167,6 +168,17 @@ fn gcd_reduced(
     }
     if a == b {
         return Ok(a.clone());
+    }
+    // A primitive polynomial of degree 1 is irreducible.
+    for (linear, other) in [(a, b), (b, a)] {
+        if linear.degree() == 1 {
+            let divides = budget.divide(other, linear)?.is_some();
+            return Ok(if divides {
+                linear.clone()
+            } else {
+                Polynomial::one()
+            });
+        }
     }
     let (left, right) = (a.variables(), b.variables());
     if let Some(&var) = left.iter().find(|v| !right.contains(v)) {

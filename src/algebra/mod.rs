@@ -17,6 +17,7 @@ pub mod positivity;
 pub mod roots;
 pub mod simplex;
 mod substitution;
+mod text;
 pub mod univariate;
 
 pub use fraction::Fraction;

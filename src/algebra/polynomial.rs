@@ -15,7 +15,7 @@ pub use super::monomial::MAX_DEGREE;
 use super::monomial::{Monomial, checked_degree};
 use super::{Limit, LimitReached, Var};
 use malachite::Rational;
-use malachite::base::num::arithmetic::traits::{Gcd, HeightRef};
+use malachite::base::num::arithmetic::traits::HeightRef;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 use std::cmp::Ordering;
@@ -371,94 +371,6 @@ impl Polynomial {
             Some((rest.mul(&power), coefficient * Rational::from(exponent)))
         });
         Self::from_terms(terms)
-    }
-
-    /// The positive rational that leaves coprime integer coefficients when divided out; 0 of zero.
-    #[must_use]
-    pub fn content(&self) -> Rational {
-        let mut content = Rational::ZERO;
-        for (_, coefficient) in &self.terms {
-            content = (&content).gcd(coefficient);
-        }
-        content
-    }
-
-    /// The content with the sign of the leading coefficient, and the primitive part: coprime integer
-    /// coefficients, the leading one positive. Their product is the polynomial; zero gives (0, 0).
-    #[must_use]
-    pub fn primitive_part(&self) -> (Rational, Self) {
-        if self.is_zero() {
-            return (Rational::ZERO, Self::zero());
-        }
-        let mut content = self.content();
-        if self.leading_coefficient() < Rational::ZERO {
-            content = -content;
-        }
-        if content == Rational::ONE {
-            return (content, self.clone());
-        }
-        let terms = self
-            .terms
-            .iter()
-            .map(|(m, c)| (m.clone(), c / &content))
-            .collect();
-        (content, Self { terms })
-    }
-
-    /// The largest monomial that divides every term; 1 of the zero polynomial.
-    #[must_use]
-    pub fn monomial_content(&self) -> Monomial {
-        let mut monomials = self.terms.iter().map(|(m, _)| m);
-        let Some(first) = monomials.next() else {
-            return Monomial::one();
-        };
-        let mut common = first.clone();
-        for monomial in monomials {
-            if common.is_one() {
-                break;
-            }
-            common = common.gcd(monomial);
-        }
-        common
-    }
-
-    /// The polynomial as text, with the given names.
-    #[must_use]
-    pub fn display(&self, name: &dyn Fn(Var) -> String) -> String {
-        if self.is_zero() {
-            return "0".to_owned();
-        }
-        let mut text = String::new();
-        for (index, (monomial, coefficient)) in self.terms.iter().enumerate() {
-            let negative = *coefficient < Rational::ZERO;
-            text.push_str(match (index, negative) {
-                (0, false) => "",
-                (0, true) => "-",
-                (_, false) => " + ",
-                (_, true) => " - ",
-            });
-            let size = if negative {
-                -coefficient
-            } else {
-                coefficient.clone()
-            };
-            let product = monomial.text(name);
-            if product.is_empty() {
-                text.push_str(&size.to_string());
-            } else if size == Rational::ONE {
-                text.push_str(&product);
-            } else {
-                text.push_str(&format!("{size}*{product}"));
-            }
-        }
-        text
-    }
-}
-
-impl std::fmt::Display for Polynomial {
-    /// The polynomial with the variables named `x0`, `x1`, ….
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.display(&|var| format!("x{var}")))
     }
 }
 

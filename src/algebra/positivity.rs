@@ -45,6 +45,8 @@ pub struct Limits {
     pub pivots: usize,
     /// The most updates of tableau entries.
     pub work: usize,
+    /// The highest degree to which Sturm's theorem and Bernstein coefficients are applied.
+    pub univariate_degree: u32,
 }
 
 impl Default for Limits {
@@ -55,6 +57,7 @@ impl Default for Limits {
             rows: 300,
             pivots: 500,
             work: 2_000_000,
+            univariate_degree: 60,
         }
     }
 }
@@ -109,9 +112,22 @@ pub fn certify(
     if let Some(value) = p.as_constant() {
         return good(constant(&value, constraints));
     }
+    let moderate = p.degree() <= limits.univariate_degree;
     good(bounds::by_coefficients(p, constraints))
-        .or_else(|| good(sturm(p, constraints)))
-        .or_else(|| good(bounds::by_bernstein(p, constraints)))
+        .or_else(|| {
+            good(if moderate {
+                sturm(p, constraints)
+            } else {
+                None
+            })
+        })
+        .or_else(|| {
+            good(if moderate {
+                bounds::by_bernstein(p, constraints)
+            } else {
+                None
+            })
+        })
         .or_else(|| {
             let none: &[Polynomial] = &[];
             let own = products::usual_squares(p);
