@@ -30,6 +30,11 @@ fn polynomial() -> impl Strategy<Value = Polynomial> {
     })
 }
 
+/// Random polynomials other than 0.
+fn nonzero() -> impl Strategy<Value = Polynomial> {
+    polynomial().prop_filter("zero", |p| !p.is_zero())
+}
+
 /// Random small rationals.
 fn rational() -> impl Strategy<Value = Rational> {
     (-9i64..=9, 1i64..=4).prop_map(|(n, d)| Rational::from_signeds(n, d))
@@ -126,10 +131,9 @@ proptest! {
 
     #[test]
     fn fractions_are_a_field_in_lowest_terms(
-        a in polynomial(), b in polynomial(), c in polynomial(), d in polynomial(),
+        a in polynomial(), b in nonzero(), c in polynomial(), d in nonzero(),
         x in rational(), y in rational(), z in rational(),
     ) {
-        prop_assume!(!b.is_zero() && !d.is_zero());
         let (p, q) = (fraction(&a, &b), fraction(&c, &d));
         let sum = p.add(&q).expect("small");
         prop_assert_eq!(&sum, &fraction(&a.mul(&d).add(&c.mul(&b)), &b.mul(&d)));
@@ -220,8 +224,15 @@ proptest! {
             prop_assert_eq!(f.root_count_in(&interval), inside, "{:?}", interval);
             check_sign(&p, &f, &interval)?;
         }
-        let g = Univariate::from_polynomial(
-            &p.mul(&x.mul(&x).sub(&Polynomial::integer(quadratic))), 0).expect("one variable");
+        let q = p.mul(&x.mul(&x).sub(&Polynomial::integer(quadratic)));
+        let g = Univariate::from_polynomial(&q, 0).expect("one variable");
+        for interval in [
+            Interval::whole(),
+            Interval { lower: End::Closed(lower.clone()), upper: End::Open(upper.clone()) },
+            Interval { lower: End::Open(lower), upper: End::Infinite },
+        ] {
+            check_sign(&q, &g, &interval)?;
+        }
         let all = g.real_roots();
         for (index, root) in all.iter().enumerate() {
             match root {
@@ -237,6 +248,8 @@ proptest! {
             }
         }
         prop_assert_eq!(all.len(), g.root_count());
+        let positive = all.iter().filter(|root| *root.upper() > 0).count();
+        prop_assert!(positive <= g.sign_variations() && g.sign_variations() <= g.degree());
         check_sign(&p, &f, &Interval::whole())?;
     }
 

@@ -348,11 +348,12 @@ impl Line {
                 .cloned()
                 .collect();
             let thinned = Univariate::new(thinned);
-            // A root of a thinned polynomial of degree 1 would give back the whole polynomial.
+            // The polynomial is square-free, hence so are its thinned ones, and
+            // a root of a thinned polynomial of degree 1 would give back the whole polynomial.
             if thinned.degree() < 2 {
                 continue;
             }
-            if let Some(root) = thinned.rational_roots().first() {
+            if let Some(root) = thinned.rational_roots_if_square_free().first() {
                 return self.binomial(root, power);
             }
         }

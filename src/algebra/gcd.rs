@@ -7,14 +7,22 @@
 //! Method, from the cheap to the certain:
 //! 1. contents and monomials are taken out; a variable that only one argument has cannot occur in
 //!    the gcd, so that argument is replaced by its coefficients;
-//! 2. images modulo a prime in one variable at a time bound the degrees of the gcd ([`modular`]); a
+//! 2. images modulo a prime in one variable at a time bound the degrees of the gcd (`modular`); a
 //!    bound 0 takes the variable out, and often settles that the gcd is 1;
 //! 3. when one argument is as small as the bounds allow, it is tried as a divisor; an argument
 //!    linear in a variable is, up to content, irreducible and is tried as well;
-//! 4. a candidate is guessed from integer gcds ([`heuristic`]); it is accepted only if it divides
+//! 4. homogeneous polynomials lose a variable;
+//! 5. a candidate is guessed from integer gcds (`heuristic`); it is accepted only if it divides
 //!    both arguments and reaches every degree bound, which makes it the gcd: the cofactor that it
 //!    might miss would have degree 0 in every variable;
-//! 5. otherwise the subresultant remainder sequence decides ([`subresultant`]).
+//! 6. otherwise the subresultant remainder sequence decides (`subresultant`).
+//!
+//! ```
+//! use carom::algebra::{Polynomial, gcd::gcd};
+//! let (x, y) = (Polynomial::variable(0), Polynomial::variable(1));
+//! let squares = &(&x * &x) - &(&y * &y);
+//! assert_eq!(gcd(&squares, &(&(&x + &y) * &y)), Ok(&x + &y));
+//! ```
 //!
 //! Limits: products of terms and steps of divisions are counted over the whole call, up to [`MAX_GCD_WORK`].
 
@@ -24,6 +32,8 @@ mod subresultant;
 
 use super::polynomial::within;
 use super::{Limit, LimitReached, Monomial, Polynomial, Var};
+use malachite::Rational;
+use malachite::base::num::basic::traits::One;
 use std::collections::BTreeMap;
 
 /// The most products of two terms that one gcd may form; a product of long coefficients counts once
@@ -157,7 +167,7 @@ fn reduced(p: &Polynomial) -> (Polynomial, Monomial) {
     (stripped, monomial)
 }
 
-/// Steps 1 to 5 for primitive polynomials without monomial content.
+/// Steps 1 to 6 for primitive polynomials without monomial content.
 fn gcd_reduced(
     a: &Polynomial,
     b: &Polynomial,
@@ -211,6 +221,9 @@ fn gcd_reduced(
             return gcd_with_linear(b, a, var, budget);
         }
     }
+    if left.len() > 1 && is_homogeneous(a) && is_homogeneous(b) {
+        return gcd_homogeneous(a, b, &left, budget);
+    }
     if let Some(candidate) = heuristic::candidate(a, b, &left, budget)?
         && reaches(&candidate, &bounds)
         && budget.divide(a, &candidate)?.is_some()
@@ -224,6 +237,33 @@ fn gcd_reduced(
         .min_by_key(|&var| a.degree_in(var).max(b.degree_in(var)))
         .unwrap_or_default();
     subresultant::gcd_in(a, b, main, budget)
+}
+
+/// Whether all terms have the same degree.
+fn is_homogeneous(p: &Polynomial) -> bool {
+    p.terms().all(|(m, _)| m.degree() == p.degree())
+}
+
+/// The gcd of homogeneous polynomials without monomial content, with one variable put to 1.
+///
+/// Why it is right: divisors of a homogeneous polynomial are homogeneous, and for polynomials that
+/// the variable does not divide, putting it to 1 keeps products and is undone by restoring degrees.
+fn gcd_homogeneous(
+    a: &Polynomial,
+    b: &Polynomial,
+    vars: &[Var],
+    budget: &mut Budget,
+) -> Result<Polynomial, LimitReached> {
+    let gain = |&var: &Var| a.degree_in(var).min(b.degree_in(var));
+    let var = vars.iter().copied().max_by_key(gain).unwrap_or_default();
+    let one = Rational::ONE;
+    let flat = gcd_within(&a.evaluate_at(var, &one), &b.evaluate_at(var, &one), budget)?;
+    let degree = flat.degree();
+    let restored = flat.terms().map(|(m, c)| {
+        let missing = Monomial::small_power(var, degree - m.degree());
+        (m.mul(&missing), c.clone())
+    });
+    Ok(Polynomial::from_terms(restored).primitive_part().1)
 }
 
 /// Whether a polynomial has exactly the given degrees.
@@ -285,6 +325,14 @@ mod tests {
             let expected = gcd(&a, &b).expect("small");
             let slow = subresultant::gcd_in(&a, &b, 0, &mut Budget::new()).expect("small");
             prop_assert_eq!(&slow, &expected);
+            let flat = |p: &Polynomial| {
+                let degree = p.degree();
+                Polynomial::from_terms(p.terms().map(|(m, c)| {
+                    let powers = [m.powers(), &[(5, degree - m.degree())]].concat();
+                    (Monomial::new(&powers).expect("small degree"), c.clone())
+                }))
+            };
+            prop_assert_eq!(gcd(&flat(&a), &flat(&b)).expect("small"), flat(&expected));
             for (var, bound) in modular::degree_bounds(&a, &b, &[0, 1]) {
                 prop_assert!(expected.degree_in(var) <= bound);
             }

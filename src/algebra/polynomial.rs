@@ -4,6 +4,14 @@
 //! strictly decreasing graded lexicographic order, so that equal polynomials are equal values and
 //! `==`, hashing and ordering mean what they say. All arithmetic is exact.
 //!
+//! ```
+//! use carom::algebra::Polynomial;
+//! let (x, y) = (Polynomial::variable(0), Polynomial::variable(1));
+//! let difference = &(&x * &x) - &(&y * &y);
+//! assert_eq!(difference.exact_divide(&(&x - &y)), Some(&x + &y));
+//! assert_eq!(difference.to_string(), "x0^2 - x1^2");
+//! ```
+//!
 //! Limits: [`Polynomial::try_mul`], [`Polynomial::pow`] and [`Polynomial::substitute`] refuse results
 //! beyond [`MAX_DEGREE`], [`MAX_TERMS`] or [`MAX_WORK`]. The plain product [`Polynomial::mul`] is for
 //! factors already known to be moderate; whatever a user may have written goes through `try_mul`.

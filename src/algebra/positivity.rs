@@ -6,8 +6,22 @@
 //!
 //! Method, from the cheap to the general: coefficients of one sign after shifting single-variable
 //! bounds to 0; Bernstein coefficients on boxes; Sturm's theorem in one variable; and a linear
-//! program for `p = Σ λ·∏ gⱼ^αⱼ·s²` with `λ > 0` ([`products`]; Handelman, Schmüdgen). All but
+//! program for `p = Σ λ·∏ gⱼ^αⱼ·s²` with `λ > 0` (module `products`; Handelman, Schmüdgen). All but
 //! Sturm's give the same kind of certificate, an identity that anyone can multiply out.
+//!
+//! ```
+//! use carom::algebra::Polynomial;
+//! use carom::algebra::positivity::{Constraint, Limits, certify};
+//! let (a, b) = (Polynomial::variable(0), Polynomial::variable(1));
+//! // a > b > 0 implies a² > b².
+//! let constraints = [
+//!     Constraint { poly: &a - &b, strict: true },
+//!     Constraint { poly: b.clone(), strict: true },
+//! ];
+//! let p = &(&a * &a) - &(&b * &b);
+//! let certificate = certify(&p, &constraints, &[], true, &Limits::default());
+//! assert!(certificate.is_some_and(|c| c.is_strict() && c.verify(&p, &constraints)));
+//! ```
 //!
 //! Why it is right: a product of constraints and squares is not negative where the constraints hold,
 //! and a sum of such with positive weights is not. The sum is positive if one summand is, for which

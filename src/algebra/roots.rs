@@ -5,6 +5,15 @@
 //! one root each. [`Univariate::sign_on`] decides the sign on an interval, zeros included, and shows
 //! points of both signs where there are such.
 //!
+//! ```
+//! use carom::algebra::roots::{Interval, RealRoot, SignOn};
+//! use carom::algebra::{Polynomial, Univariate};
+//! let x = Polynomial::variable(0);
+//! let f = Univariate::from_polynomial(&(&(&x * &x) - &Polynomial::integer(4)), 0).expect("one variable");
+//! assert_eq!(f.real_roots(), [RealRoot::Exact((-2).into()), RealRoot::Exact(2.into())]);
+//! assert!(matches!(f.sign_on(&Interval::whole()), SignOn::Mixed { .. }));
+//! ```
+//!
 //! Why it is right: Sturm counts for the square-free part without its rational roots; a rational
 //! point of bisection is never one of the roots that are left. Between two neighbouring roots a
 //! polynomial keeps its sign (intermediate value theorem), so one point between them decides.

@@ -8,6 +8,8 @@
 //! are found first, by lifting roots modulo a small prime, and divided out, so that bisection meets
 //! only irrational roots and never stands on one.
 //!
+//! Limits: none; a caller that does not know the degree bounds it.
+//!
 //! Cost: a Sturm sequence of degree `n` takes `O(n²)` coefficient products, the coefficients being
 //! subresultants of `O(n)` times the bits of the input; one count evaluates it twice.
 
@@ -143,6 +145,11 @@ impl Univariate {
     /// The greatest common divisor, primitive with positive leading coefficient.
     #[must_use]
     pub fn gcd(&self, other: &Self) -> Self {
+        // The general gcd reads most answers off integers; the remainder sequence has no limit.
+        let general = super::gcd::gcd(&self.to_polynomial(0), &other.to_polynomial(0));
+        if let Some(common) = general.ok().and_then(|g| Self::from_polynomial(&g, 0)) {
+            return common;
+        }
         let (mut p, mut q) = (self.primitive(), other.primitive());
         while !q.is_zero() {
             let rest = p.pseudo_divide(&q).1.primitive();
@@ -181,8 +188,13 @@ impl Univariate {
     /// the power exceeds twice the bound. Every candidate is tested exactly.
     #[must_use]
     pub fn rational_roots(&self) -> Vec<Rational> {
+        self.square_free_part().rational_roots_if_square_free()
+    }
+
+    /// The rational roots of a square-free polynomial.
+    pub(super) fn rational_roots_if_square_free(&self) -> Vec<Rational> {
         let mut roots = Vec::new();
-        let mut f = self.square_free_part();
+        let mut f = self.clone();
         if f.degree() > 0 && f.coefficients.first() == Some(&Integer::ZERO) {
             roots.push(Rational::ZERO);
             f.coefficients.remove(0);
@@ -196,7 +208,7 @@ impl Univariate {
         roots
     }
 
-    /// The rational roots of a square-free polynomial.
+    /// The rational roots of a square-free polynomial, by lifting.
     fn lifted_roots(&self) -> Vec<Rational> {
         let Some((prime, residues)) = self.simple_roots_modulo() else {
             return Vec::new();
