@@ -1,247 +1,347 @@
-//! Certificates that a polynomial is positive, or not negative, where given polynomials are.
+//! Exact proofs that a polynomial is positive, or not negative, where given constraints hold.
 //!
-//! Contract: [`certify`] returns a [`Certificate`] only after it has multiplied it out again, so a
-//! returned one is a proof: under the constraints gⱼ ≥ 0 (strict ones gⱼ > 0) and the assumption
-//! that p is *not* positive, a sum of products of non-negative quantities would be both 0 and
-//! positive. `None` says nothing.
+//! Contract: [`certify`] returns a [`Certificate`] that has been verified, or `None`, which says
+//! nothing. A certificate proves `p ≥ 0`, or `p > 0` when it is [strict](Certificate::is_strict), at
+//! every real point where each constraint `g ≥ 0` (strict: `g > 0`) holds.
 //!
-//! Method: a search among products of constraints (with squares offered by the caller) for
-//! non-negative λ with Σ λ·∏g ≡ 0, one λ of a strictly positive product not 0: an exact linear
-//! program. In one variable Sturm's theorem decides outright.
+//! Method, from the cheap to the general: coefficients of one sign after shifting single-variable
+//! bounds to 0; Bernstein coefficients on boxes; Sturm's theorem in one variable; and a linear
+//! program for `p = Σ λ·∏ gⱼ^αⱼ·s²` with `λ > 0` (module `products`; Handelman, Schmüdgen). All but
+//! Sturm's give the same kind of certificate, an identity that anyone can multiply out.
+//!
+//! ```
+//! use carom::algebra::Polynomial;
+//! use carom::algebra::positivity::{Constraint, Limits, certify};
+//! let (a, b) = (Polynomial::variable(0), Polynomial::variable(1));
+//! // a > b > 0 implies a² > b².
+//! let constraints = [
+//!     Constraint { poly: &a - &b, strict: true },
+//!     Constraint { poly: b.clone(), strict: true },
+//! ];
+//! let p = &(&a * &a) - &(&b * &b);
+//! let certificate = certify(&p, &constraints, &[], true, &Limits::default());
+//! assert!(certificate.is_some_and(|c| c.is_strict() && c.verify(&p, &constraints)));
+//! ```
+//!
+//! Why it is right: a product of constraints and squares is not negative where the constraints hold,
+//! and a sum of such with positive weights is not. The sum is positive if one summand is, for which
+//! all its factors are to be strict constraints (none of them: a positive constant).
 
-use super::polynomial::{Monomial, Polynomial};
-use super::simplex::feasible;
-use super::univariate::{self, End};
+mod bounds;
+#[cfg(test)]
+mod laws;
+mod products;
+
+use super::roots::{Interval, SignOn};
+use super::{Polynomial, Univariate, Var};
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
-use std::collections::BTreeMap;
 
-/// g ≥ 0, or g > 0 where strict.
-#[derive(Clone, Debug, PartialEq)]
+/// A condition `poly ≥ 0`, or `poly > 0` when strict.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Constraint {
-    /// g.
+    /// The polynomial.
     pub poly: Polynomial,
-    /// Whether g > 0.
+    /// Whether 0 is excluded.
     pub strict: bool,
 }
 
-/// Bounds of the search.
-#[derive(Clone, Debug)]
+/// What a search may cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// The most products tried at once.
+    /// How far the degree of products may pass that of the polynomial.
+    pub extra_degree: u32,
+    /// The most products among which a linear program chooses.
     pub columns: usize,
-    /// The most monomials among them.
+    /// The most monomials that occur in them.
     pub rows: usize,
-    /// The most factors in a product.
-    pub factors: usize,
+    /// The most pivots of a linear program.
+    pub pivots: usize,
+    /// The most updates of tableau entries.
+    pub work: usize,
+    /// The highest degree to which Sturm's theorem and Bernstein coefficients are applied.
+    pub univariate_degree: u32,
 }
 
 impl Default for Limits {
-    fn default() -> Limits {
-        Limits { columns: 220, rows: 120, factors: 2 }
+    fn default() -> Self {
+        Self {
+            extra_degree: 1,
+            columns: 400,
+            rows: 300,
+            pivots: 500,
+            work: 2_000_000,
+            univariate_degree: 60,
+        }
     }
 }
 
-/// Why p has its sign.
-#[derive(Clone, Debug, PartialEq)]
+/// One summand `λ·∏ gⱼ^αⱼ·∏ sₖ²` of a combination.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Summand {
+    /// The positive weight λ.
+    pub weight: Rational,
+    /// The constraints by number, with exponents at least 1.
+    pub constraints: Vec<(usize, u32)>,
+    /// The polynomials that enter squared.
+    pub squares: Vec<Polynomial>,
+}
+
+/// A proof that a polynomial is positive, or not negative, under constraints.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Certificate {
-    /// Σ λ·∏ (constraints, by number; the number of constraints stands for the negated goal) ≡ 0.
-    Combination(Vec<(Rational, Vec<usize>)>),
-    /// Sturm's theorem in one variable on the interval that the constraints cut out.
-    Sturm,
+    /// The polynomial is this sum of products of constraints and squares.
+    Combination {
+        /// The summands.
+        summands: Vec<Summand>,
+        /// Whether one of them is shown to be positive.
+        strict: bool,
+    },
+    /// The polynomial has one variable, and Sturm's theorem gives its sign between two bounds.
+    Sturm {
+        /// The variable.
+        var: Var,
+        /// The interval that the single-variable linear constraints cut out.
+        interval: Interval,
+        /// Whether it has no root there.
+        strict: bool,
+    },
 }
 
-/// A certificate that p > 0 (`strict`) or p ≥ 0 where all the constraints hold.
-pub fn certify(p: &Polynomial, constraints: &[Constraint], strict: bool, squares: &[Polynomial], limits: &Limits) -> Option<Certificate> {
-    if let Some(true) = by_sturm(p, constraints, strict) {
-        return Some(Certificate::Sturm);
+/// A verified proof of `p ≥ 0`, or of `p > 0` if `want_strict`, under the constraints; `None` where
+/// none was found. `squares` lists polynomials whose squares may help.
+///
+/// Cost: at most one Sturm sequence and `2·(extra_degree + 1)` linear programs within the limits.
+#[must_use]
+pub fn certify(
+    p: &Polynomial,
+    constraints: &[Constraint],
+    squares: &[Polynomial],
+    want_strict: bool,
+    limits: &Limits,
+) -> Option<Certificate> {
+    let good = |found: Option<Certificate>| {
+        found.filter(|c| (c.is_strict() || !want_strict) && c.verify(p, constraints))
+    };
+    if let Some(value) = p.as_constant() {
+        return good(constant(&value, constraints));
     }
-    if p.degree() > 12 || p.len() > 60 || p.variables().len() > 7 {
+    let moderate = p.degree() <= limits.univariate_degree;
+    good(bounds::by_coefficients(p, constraints))
+        .or_else(|| {
+            good(if moderate {
+                sturm(p, constraints)
+            } else {
+                None
+            })
+        })
+        .or_else(|| {
+            good(if moderate {
+                bounds::by_bernstein(p, constraints)
+            } else {
+                None
+            })
+        })
+        .or_else(|| {
+            let none: &[Polynomial] = &[];
+            let own = products::usual_squares(p);
+            let more: Vec<Polynomial> = squares.iter().cloned().chain(own).collect();
+            let tries = if squares.is_empty() {
+                [none, &more]
+            } else {
+                [squares, &more]
+            };
+            let degrees = p.degree()..=p.degree().saturating_add(limits.extra_degree);
+            degrees
+                .flat_map(|degree| tries.map(|squares| (degree, squares)))
+                .find_map(|(degree, squares)| {
+                    good(products::by_products(
+                        p,
+                        constraints,
+                        squares,
+                        want_strict,
+                        degree,
+                        limits,
+                    ))
+                })
+        })
+}
+
+/// The certificate of a constant that is not negative.
+fn constant(value: &Rational, constraints: &[Constraint]) -> Option<Certificate> {
+    if *value < Rational::ZERO {
         return None;
     }
-    // The negated goal: −p ≥ 0, or −p > 0.
-    let mut all: Vec<Constraint> = constraints.to_vec();
-    all.push(Constraint { poly: -p, strict: !strict });
-    let goal = all.len() - 1;
-    for square in squares {
-        all.push(Constraint { poly: square * square, strict: false });
-    }
-    let mut tried = 0;
-    for factors in 1..=limits.factors {
-        let products = products(&all, factors, limits.columns, goal);
-        if products.len() == tried {
-            continue;
-        }
-        tried = products.len();
-        if let Some(found) = combination(&all, &products, limits) {
-            let certificate = Certificate::Combination(found);
-            if verify(&certificate, &all) {
-                return Some(certificate);
-            }
-        }
-    }
-    None
+    let summand = Summand {
+        weight: value.clone(),
+        constraints: Vec::new(),
+        squares: Vec::new(),
+    };
+    let summands = if *value > Rational::ZERO {
+        vec![summand]
+    } else {
+        Vec::new()
+    };
+    Some(Certificate::combination(summands, constraints))
 }
 
-/// Whether a combination is a contradiction: it multiplies out to 0, has no negative λ, and one
-/// positive λ stands before a product of strict constraints only.
-fn verify(certificate: &Certificate, all: &[Constraint]) -> bool {
-    let Certificate::Combination(list) = certificate else { return false };
-    let mut sum = Polynomial::zero();
-    let mut strict = false;
-    for (weight, product) in list {
-        if *weight < 0 {
-            return false;
-        }
-        let mut term = Polynomial::constant(weight.clone());
-        for &j in product {
-            term = &term * &all[j].poly;
-        }
-        strict |= *weight > 0 && product.iter().all(|&j| all[j].strict);
-        sum = &sum + &term;
-    }
-    sum.is_zero() && strict
+/// Sturm's theorem on the interval of the linear constraints.
+fn sturm(p: &Polynomial, constraints: &[Constraint]) -> Option<Certificate> {
+    let [var] = p.variables()[..] else {
+        return None;
+    };
+    let interval = bounds::interval(constraints, var);
+    let strict = match Univariate::from_polynomial(p, var)?.sign_on(&interval) {
+        SignOn::Positive => true,
+        SignOn::NonNegative | SignOn::Zero => false,
+        _ => return None,
+    };
+    Some(Certificate::Sturm {
+        var,
+        interval,
+        strict,
+    })
 }
 
-/// Products to combine: at most `factors` of the constraints that are more than a variable, times
-/// monomials in the variables known to be non-negative, no variable's degree above the goal's.
-fn products(all: &[Constraint], factors: usize, most: usize, goal: usize) -> Vec<Vec<usize>> {
-    let is_variable = |c: &Constraint| c.poly.len() == 1 && c.poly.degree() == 1;
-    let variables: Vec<usize> = (0..all.len()).filter(|&j| j != goal && is_variable(&all[j])).collect();
-    let others: Vec<usize> = (0..all.len()).filter(|j| !variables.contains(j)).collect();
-    let bounds: BTreeMap<usize, u32> = variables
-        .iter()
-        .map(|&j| {
-            let v = all[j].poly.variables()[0];
-            let degree = all.iter().map(|c| c.poly.degree_in(v)).max().unwrap_or(1);
-            (j, all[goal].poly.degree_in(v).max(degree).min(8))
-        })
-        .collect();
-    let degree = all[goal].poly.degree().max(all.iter().map(|c| c.poly.degree()).max().unwrap_or(1));
-    let mut monomials: Vec<Vec<usize>> = vec![Vec::new()];
-    for &j in &variables {
-        let mut longer = Vec::new();
-        for monomial in &monomials {
-            for k in 1..=bounds[&j] as usize {
-                if monomial.len() + k > degree as usize || longer.len() > 4 * most {
-                    break;
+impl Summand {
+    /// Whether it is positive wherever the constraints hold.
+    fn is_positive(&self, constraints: &[Constraint]) -> bool {
+        self.squares.is_empty()
+            && self
+                .constraints
+                .iter()
+                .all(|&(j, _)| constraints.get(j).is_some_and(|g| g.strict))
+    }
+
+    /// The polynomial, where the numbers of the constraints are right and no limit is reached.
+    fn product(&self, constraints: &[Constraint]) -> Option<Polynomial> {
+        let mut product = Polynomial::constant(self.weight.clone());
+        for &(j, exponent) in &self.constraints {
+            let power = constraints.get(j)?.poly.pow(exponent).ok()?;
+            product = product.try_mul(&power).ok()?;
+        }
+        for square in &self.squares {
+            product = product.try_mul(&square.pow(2).ok()?).ok()?;
+        }
+        Some(product)
+    }
+
+    fn text(&self, name: &dyn Fn(Var) -> String, constraints: &[Constraint]) -> String {
+        let mut factors = Vec::new();
+        for &(j, exponent) in &self.constraints {
+            let base = constraints
+                .get(j)
+                .map_or("?".to_owned(), |g| bracketed(&g.poly, name));
+            factors.push(if exponent == 1 {
+                base
+            } else {
+                format!("{base}^{exponent}")
+            });
+        }
+        factors.extend(
+            self.squares
+                .iter()
+                .map(|s| format!("{}^2", bracketed(s, name))),
+        );
+        if self.weight != Rational::ONE || factors.is_empty() {
+            factors.insert(0, self.weight.to_string());
+        }
+        factors.join("*")
+    }
+}
+
+/// The polynomial as a factor in a product.
+fn bracketed(p: &Polynomial, name: &dyn Fn(Var) -> String) -> String {
+    let text = p.display(name);
+    let plain = p
+        .leading_term()
+        .is_some_and(|(m, c)| *c == Rational::ONE && m.degree() == 1);
+    if p.term_count() == 1 && plain {
+        text
+    } else {
+        format!("({text})")
+    }
+}
+
+impl Certificate {
+    /// The combination, strict if one of its summands is positive.
+    fn combination(summands: Vec<Summand>, constraints: &[Constraint]) -> Self {
+        let strict = summands.iter().any(|s| s.is_positive(constraints));
+        Self::Combination { summands, strict }
+    }
+
+    /// Whether it proves `p > 0`, and not only `p ≥ 0`.
+    #[must_use]
+    pub fn is_strict(&self) -> bool {
+        match self {
+            Self::Combination { strict, .. } | Self::Sturm { strict, .. } => *strict,
+        }
+    }
+
+    /// Checks the certificate from nothing but itself: a combination is multiplied out and compared,
+    /// a sign on an interval is determined again.
+    #[must_use]
+    pub fn verify(&self, p: &Polynomial, constraints: &[Constraint]) -> bool {
+        match self {
+            Self::Combination { summands, strict } => {
+                let mut sum = Polynomial::zero();
+                for summand in summands {
+                    match summand.product(constraints) {
+                        Some(product) if summand.weight > Rational::ZERO => sum = sum.add(&product),
+                        _ => return false,
+                    }
                 }
-                let mut next = monomial.clone();
-                next.extend(std::iter::repeat_n(j, k));
-                longer.push(next);
+                sum == *p && (!strict || summands.iter().any(|s| s.is_positive(constraints)))
+            }
+            Self::Sturm {
+                var,
+                interval,
+                strict,
+            } => {
+                let sign = Univariate::from_polynomial(p, *var).map(|f| f.sign_on(interval));
+                let holds = match sign {
+                    Some(SignOn::Positive) => true,
+                    Some(SignOn::NonNegative | SignOn::Zero) => !strict,
+                    _ => false,
+                };
+                holds && bounds::interval(constraints, *var) == *interval
             }
         }
-        monomials.extend(longer);
     }
-    monomials.sort_by_key(Vec::len);
-    let mut bases: Vec<Vec<usize>> = vec![Vec::new()];
-    let mut layer = bases.clone();
-    for _ in 0..factors {
-        let mut next = Vec::new();
-        for product in &layer {
-            let from = product.last().copied().unwrap_or(0);
-            for &j in others.iter().filter(|&&j| j >= from && !(j == goal && product.contains(&goal))) {
-                let mut longer = product.clone();
-                longer.push(j);
-                next.push(longer);
-            }
-        }
-        bases.extend(next.iter().cloned());
-        layer = next;
-        if bases.len() > most {
-            break;
-        }
-    }
-    let room = |base: &Vec<usize>, monomial: &Vec<usize>| {
-        let size: u32 = base.iter().map(|&j| all[j].poly.degree()).sum();
-        size as usize + monomial.len() <= degree as usize + factors - 1
-    };
-    let mut out = Vec::new();
-    for monomial in &monomials {
-        for base in &bases {
-            if room(base, monomial) {
-                let mut product = base.clone();
-                product.extend(monomial);
-                out.push(product);
-            }
-        }
-        if out.len() > most {
-            break;
-        }
-    }
-    out.truncate(most);
-    out
-}
 
-fn combination(all: &[Constraint], products: &[Vec<usize>], limits: &Limits) -> Option<Vec<(Rational, Vec<usize>)>> {
-    let mut rows: BTreeMap<Monomial, usize> = BTreeMap::new();
-    let mut columns = Vec::new();
-    let mut kept = Vec::new();
-    for product in products {
-        let mut poly = Polynomial::one();
-        for &j in product {
-            poly = &poly * &all[j].poly;
-        }
-        if poly.len() > 200 {
-            continue;
-        }
-        let mut column: Vec<(usize, Rational)> = Vec::new();
-        for (monomial, c) in poly.terms() {
-            let next = rows.len() + 1;
-            let row = *rows.entry(monomial.clone()).or_insert(next);
-            column.push((row, c.clone()));
-        }
-        // Row 0: the λ of strict products sum to 1.
-        if product.iter().all(|&j| all[j].strict) {
-            column.push((0, Rational::ONE));
-        }
-        columns.push(column);
-        kept.push(product.clone());
-        if rows.len() > limits.rows {
-            return None;
-        }
-    }
-    let count = rows.len() + 1;
-    let mut right = vec![Rational::ZERO; count];
-    right[0] = Rational::ONE;
-    let solution = feasible(count, &columns, &right)?;
-    Some(solution.into_iter().zip(kept).filter(|(weight, _)| *weight != 0).collect())
-}
-
-/// Sturm's theorem, where p has one variable: on the interval cut out by the linear constraints in it.
-fn by_sturm(p: &Polynomial, constraints: &[Constraint], strict: bool) -> Option<bool> {
-    let variables = p.variables();
-    let [v] = variables.as_slice() else {
-        return p.as_constant().map(|c| if strict { c > 0 } else { c >= 0 });
-    };
-    let dense: Vec<Rational> = p.coefficients_in(*v).iter().map(|c| c.as_constant()).collect::<Option<_>>()?;
-    let (mut left, mut right) = (End::Infinite, End::Infinite);
-    for constraint in constraints {
-        if constraint.poly.variables() != [*v] || constraint.poly.degree() != 1 {
-            continue;
-        }
-        let list = constraint.poly.coefficients_in(*v);
-        let (Some(b), Some(a)) = (list[0].as_constant(), list[1].as_constant()) else { continue };
-        let at = -b / &a;
-        let end = if constraint.strict { End::Open(at.clone()) } else { End::Closed(at.clone()) };
-        let tighter = |old: &End, larger: bool| match old {
-            End::Infinite => true,
-            End::Closed(x) => (if larger { at > *x } else { at < *x }) || (at == *x && constraint.strict),
-            End::Open(x) => {
-                if larger {
-                    at > *x
+    /// The proof in words and formulas.
+    #[must_use]
+    pub fn explain(&self, name: &dyn Fn(Var) -> String, constraints: &[Constraint]) -> String {
+        match self {
+            Self::Combination { summands, strict } => {
+                let parts: Vec<String> =
+                    summands.iter().map(|s| s.text(name, constraints)).collect();
+                let sum = if parts.is_empty() {
+                    "0".to_owned()
                 } else {
-                    at < *x
-                }
+                    parts.join(" + ")
+                };
+                let why = match strict {
+                    true => "no summand is negative and one is positive",
+                    false => "no summand is negative",
+                };
+                format!("it equals {sum}, where {why}")
             }
-        };
-        if a > 0 {
-            if tighter(&left, true) {
-                left = end;
+            Self::Sturm {
+                var,
+                interval,
+                strict,
+            } => {
+                let what = if *strict {
+                    "has no root and is positive"
+                } else {
+                    "is not negative"
+                };
+                format!(
+                    "by Sturm's theorem it {what} for {}",
+                    interval.display(&name(*var))
+                )
             }
-        } else if tighter(&right, false) {
-            right = end;
         }
     }
-    Some(univariate::is_positive(&dense, &left, &right, strict))
 }

@@ -1,124 +1,407 @@
-//! Polynomials in one variable: Sturm sequences, roots and signs on intervals. Exact throughout.
+//! Polynomials in one variable with integer coefficients: their rational roots, the number and the
+//! place of their real roots.
 //!
-//! Sturm's theorem: for a square-free p the number of distinct real roots in (a, b] is V(a) − V(b),
-//! V counting the sign changes in the sequence p, p′, −rem, … It is applied to the square-free part.
+//! Contract: a [`Univariate`] made from a rational polynomial differs from it by a positive factor,
+//! so it has the same roots and the same sign everywhere. Counts and signs are exact.
+//!
+//! Method: Sturm's theorem counts the roots of the square-free part in an interval; rational roots
+//! are found first, by lifting roots modulo a small prime, and divided out, so that bisection meets
+//! only irrational roots and never stands on one.
+//!
+//! Limits: none; a caller that does not know the degree bounds it.
+//!
+//! Cost: a Sturm sequence of degree `n` takes `O(n²)` coefficient products, the coefficients being
+//! subresultants of `O(n)` times the bits of the input; one count evaluates it twice.
 
-use malachite::Rational;
+use super::{Polynomial, Var};
+use malachite::base::num::arithmetic::traits::{DivExact, Gcd, ModInverse};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Integer, Natural, Rational};
+use std::cmp::Ordering;
 
-/// Coefficients from the constant up, the last not 0.
-pub type Dense = Vec<Rational>;
-
-/// An end of an interval.
-#[derive(Clone, Debug, PartialEq)]
-pub enum End {
-    /// −∞ on the left, +∞ on the right.
-    Infinite,
-    /// A point that belongs to the interval.
-    Closed(Rational),
-    /// A point that does not.
-    Open(Rational),
+/// A polynomial in one variable, low coefficients first, the last one not 0.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+pub struct Univariate {
+    coefficients: Vec<Integer>,
 }
 
-/// p without leading zeros.
-pub fn trimmed(mut p: Dense) -> Dense {
-    while p.last().is_some_and(|c| *c == 0) {
-        p.pop();
-    }
-    p
-}
-
-/// p(x).
-pub fn value(p: &Dense, x: &Rational) -> Rational {
-    p.iter().rev().fold(Rational::ZERO, |sum, c| sum * x + c)
-}
-
-/// p′.
-pub fn derivative(p: &Dense) -> Dense {
-    p.iter().enumerate().skip(1).map(|(k, c)| c * Rational::from(k)).collect()
-}
-
-/// The remainder of p by q ≠ 0.
-pub fn remainder(p: &Dense, q: &Dense) -> Dense {
-    let mut rest = p.clone();
-    let Some(lead) = q.last() else { return rest };
-    while rest.len() >= q.len() {
-        let factor = rest.last().map_or(Rational::ZERO, |c| c / lead);
-        let shift = rest.len() - q.len();
-        for (i, c) in q.iter().enumerate() {
-            rest[shift + i] -= c * &factor;
+impl Univariate {
+    /// The polynomial with the given coefficients, low ones first.
+    #[must_use]
+    pub fn new(mut coefficients: Vec<Integer>) -> Self {
+        while coefficients.last().is_some_and(|c| *c == Integer::ZERO) {
+            coefficients.pop();
         }
-        rest.pop();
-        rest = trimmed(rest);
+        Self { coefficients }
     }
-    rest
-}
 
-fn quotient(p: &Dense, q: &Dense) -> Dense {
-    let mut rest = p.clone();
-    let mut out = vec![Rational::ZERO; (p.len() + 1).saturating_sub(q.len())];
-    let Some(lead) = q.last() else { return out };
-    while rest.len() >= q.len() {
-        let factor = rest.last().map_or(Rational::ZERO, |c| c / lead);
-        let shift = rest.len() - q.len();
-        for (i, c) in q.iter().enumerate() {
-            rest[shift + i] -= c * &factor;
+    /// A positive multiple, with coprime integer coefficients, of a polynomial in which at most the
+    /// variable `var` occurs; `None` where another variable occurs.
+    #[must_use]
+    pub fn from_polynomial(p: &Polynomial, var: Var) -> Option<Self> {
+        if p.is_zero() {
+            return Some(Self::default());
         }
-        out[shift] = factor;
-        rest.pop();
-        rest = trimmed(rest);
-    }
-    out
-}
-
-/// The greatest common divisor, monic.
-pub fn gcd(p: &Dense, q: &Dense) -> Dense {
-    let (mut a, mut b) = (p.clone(), q.clone());
-    while !b.is_empty() {
-        let r = monic(&remainder(&a, &b));
-        a = b;
-        b = r;
-    }
-    monic(&a)
-}
-
-fn monic(p: &Dense) -> Dense {
-    match p.last() {
-        Some(lead) => p.iter().map(|c| c / lead).collect(),
-        None => Vec::new(),
-    }
-}
-
-/// p with every root simple.
-pub fn square_free_part(p: &Dense) -> Dense {
-    let g = gcd(p, &derivative(p));
-    if g.len() <= 1 { p.clone() } else { quotient(p, &g) }
-}
-
-/// The Sturm sequence of a square-free p.
-pub fn sturm(p: &Dense) -> Vec<Dense> {
-    let mut out = vec![p.clone(), trimmed(derivative(p))];
-    while let [.., a, b] = out.as_slice() {
-        if b.len() <= 1 {
-            break;
+        let content = p.content();
+        let mut coefficients = vec![Integer::ZERO; p.degree_in(var) as usize + 1];
+        for (monomial, coefficient) in p.terms() {
+            let (rest, exponent) = monomial.without(var);
+            if !rest.is_one() {
+                return None;
+            }
+            coefficients[exponent as usize] = integer(&(coefficient / &content));
         }
-        let r: Dense = remainder(a, b);
-        // A positive multiple keeps the signs and the numbers small.
-        let scale = r.last().map_or(Rational::ONE, |c| if *c < 0 { -c } else { c.clone() });
-        let next: Dense = r.iter().map(|c| -c / &scale).collect();
-        if next.is_empty() {
-            break;
-        }
-        out.push(next);
+        Some(Self::new(coefficients))
     }
-    out
+
+    /// The polynomial in the variable `var`.
+    #[must_use]
+    pub fn to_polynomial(&self, var: Var) -> Polynomial {
+        let coefficients: Vec<Polynomial> = self
+            .coefficients
+            .iter()
+            .map(|c| Polynomial::constant(Rational::from(c)))
+            .collect();
+        Polynomial::from_coefficients_in(var, &coefficients)
+    }
+
+    /// The coefficients, low ones first; none of the zero polynomial.
+    #[must_use]
+    pub fn coefficients(&self) -> &[Integer] {
+        &self.coefficients
+    }
+
+    /// The degree; 0 of the zero polynomial.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.coefficients.len().saturating_sub(1)
+    }
+
+    /// Whether this is the zero polynomial.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.coefficients.is_empty()
+    }
+
+    /// The sign at a rational point.
+    #[must_use]
+    pub fn sign_at(&self, x: &Rational) -> Ordering {
+        // With x = n/d, d > 0, the sign is that of Σ cᵢ·nⁱ·d^(deg−i).
+        let n = numerator(x);
+        let d = Integer::from(x.denominator_ref());
+        let mut sum = Integer::ZERO;
+        let mut scale = Integer::ONE;
+        for c in self.coefficients.iter().rev() {
+            sum = sum * &n + c * &scale;
+            scale *= &d;
+        }
+        sum.cmp(&Integer::ZERO)
+    }
+
+    /// The sign for all sufficiently large `x`.
+    #[must_use]
+    pub fn sign_at_infinity(&self) -> Ordering {
+        self.coefficients
+            .last()
+            .map_or(Ordering::Equal, |c| c.cmp(&Integer::ZERO))
+    }
+
+    /// The sign for all sufficiently small (very negative) `x`.
+    #[must_use]
+    pub fn sign_at_minus_infinity(&self) -> Ordering {
+        let sign = self.sign_at_infinity();
+        if self.degree() % 2 == 1 {
+            sign.reverse()
+        } else {
+            sign
+        }
+    }
+
+    /// The derivative.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let lowered = self.coefficients.iter().enumerate().skip(1);
+        Self::new(lowered.map(|(i, c)| c * Integer::from(i as u64)).collect())
+    }
+
+    /// The number of sign changes among the non-zero coefficients: by Descartes' rule at least the
+    /// number of positive roots with multiplicity, and of the same parity.
+    #[must_use]
+    pub fn sign_variations(&self) -> usize {
+        variations(self.coefficients.iter().map(|c| c.cmp(&Integer::ZERO)))
+    }
+
+    /// The square-free part: the same roots, each once; the sign of the leading coefficient stays.
+    #[must_use]
+    pub fn square_free_part(&self) -> Self {
+        let common = self.gcd(&self.derivative());
+        if common.degree() == 0 {
+            return self.primitive();
+        }
+        self.pseudo_divide(&common).0.primitive()
+    }
+
+    /// The greatest common divisor, primitive with positive leading coefficient.
+    #[must_use]
+    pub fn gcd(&self, other: &Self) -> Self {
+        // The general gcd reads most answers off integers; the remainder sequence has no limit.
+        let general = super::gcd::gcd(&self.to_polynomial(0), &other.to_polynomial(0));
+        if let Some(common) = general.ok().and_then(|g| Self::from_polynomial(&g, 0)) {
+            return common;
+        }
+        let (mut p, mut q) = (self.primitive(), other.primitive());
+        while !q.is_zero() {
+            let rest = p.pseudo_divide(&q).1.primitive();
+            p = q;
+            q = rest;
+        }
+        if p.sign_at_infinity() == Ordering::Less {
+            p.negated()
+        } else {
+            p
+        }
+    }
+
+    /// The Sturm sequence: the polynomial, its derivative, and then the negated remainders, each up
+    /// to a positive factor.
+    #[must_use]
+    pub fn sturm_sequence(&self) -> SturmSequence {
+        let mut sequence = vec![self.primitive(), self.derivative().primitive()];
+        while let [.., p, q] = sequence.as_slice() {
+            if q.is_zero() {
+                break;
+            }
+            let next = p.pseudo_divide(q).1.primitive().negated();
+            sequence.push(next);
+        }
+        sequence.retain(|p| !p.is_zero());
+        SturmSequence { sequence }
+    }
+
+    /// The rational roots in increasing order, each once; none of the zero polynomial.
+    ///
+    /// Why it is right: for a root `r` of the square-free part `f` with leading coefficient `l`,
+    /// `l·r` is an integer of absolute value at most `l + max |cᵢ|` (Cauchy). A prime that divides
+    /// neither `l` nor a value `f'(s)` at a root `s` of `f` modulo it has each such `s` lifted to
+    /// exactly one root modulo each of its powers, so the balanced residue of `l·s` is `l·r` once
+    /// the power exceeds twice the bound. Every candidate is tested exactly.
+    #[must_use]
+    pub fn rational_roots(&self) -> Vec<Rational> {
+        self.square_free_part().rational_roots_if_square_free()
+    }
+
+    /// The rational roots of a square-free polynomial.
+    pub(super) fn rational_roots_if_square_free(&self) -> Vec<Rational> {
+        let mut roots = Vec::new();
+        let mut f = self.clone();
+        if f.degree() > 0 && f.coefficients.first() == Some(&Integer::ZERO) {
+            roots.push(Rational::ZERO);
+            f.coefficients.remove(0);
+        }
+        match f.coefficients.as_slice() {
+            [] | [_] => {}
+            [b, a] => roots.push(Rational::from_integers_ref(&-b, a)),
+            _ => roots.extend(f.lifted_roots()),
+        }
+        roots.sort();
+        roots
+    }
+
+    /// The rational roots of a square-free polynomial, by lifting.
+    fn lifted_roots(&self) -> Vec<Rational> {
+        let Some((prime, residues)) = self.simple_roots_modulo() else {
+            return Vec::new();
+        };
+        let lead = self.coefficients.last().cloned().unwrap_or(Integer::ONE);
+        let largest = self
+            .coefficients
+            .iter()
+            .map(Integer::unsigned_abs_ref)
+            .max()
+            .cloned();
+        let bound = (lead.unsigned_abs_ref() + largest.unwrap_or(Natural::ONE)) << 1u32;
+        let derivative = self.derivative();
+        let mut found = Vec::new();
+        for residue in residues {
+            let mut modulus = Natural::from(prime);
+            let mut root = Natural::from(residue);
+            while modulus <= bound {
+                modulus = &modulus * &modulus;
+                let value = self.value_modulo(&root, &modulus);
+                let slope = derivative.value_modulo(&root, &modulus);
+                let Some(inverse) = slope.mod_inverse(&modulus) else {
+                    break;
+                };
+                // Newton's step r − f(r)/f'(r).
+                root = (root + (&modulus - value) * inverse) % &modulus;
+            }
+            let product = Integer::from(&root) * &lead;
+            let shifted = balanced(&product, &modulus);
+            let candidate = Rational::from_integers_ref(&shifted, &lead);
+            if self.sign_at(&candidate) == Ordering::Equal {
+                found.push(candidate);
+            }
+        }
+        found
+    }
+
+    /// A prime modulo which the degree stays and all roots are simple, with these roots.
+    fn simple_roots_modulo(&self) -> Option<(u64, Vec<u64>)> {
+        let lead = self.coefficients.last()?;
+        let derivative = self.derivative();
+        let mut prime = 13u64;
+        loop {
+            let modulus = Natural::from(prime);
+            if residue(lead, &modulus) != Natural::ZERO {
+                let small = self.residues(prime);
+                let slope = derivative.residues(prime);
+                let roots: Vec<u64> = (0..prime)
+                    .filter(|&x| horner(&small, x, prime) == 0)
+                    .collect();
+                if roots.iter().all(|&x| horner(&slope, x, prime) != 0) {
+                    return Some((prime, roots));
+                }
+            }
+            // Only divisors of the leading coefficient and the discriminant are unsuitable: finitely
+            // many primes.
+            prime = next_prime(prime)?;
+        }
+    }
+
+    fn residues(&self, prime: u64) -> Vec<u64> {
+        let modulus = Natural::from(prime);
+        let small = |c| u64::try_from(&residue(c, &modulus)).unwrap_or(0);
+        self.coefficients.iter().map(small).collect()
+    }
+
+    fn value_modulo(&self, x: &Natural, modulus: &Natural) -> Natural {
+        let mut sum = Natural::ZERO;
+        for c in self.coefficients.iter().rev() {
+            sum = (sum * x + residue(c, modulus)) % modulus;
+        }
+        sum
+    }
+
+    /// A bound with all real roots strictly between its negative and itself.
+    #[must_use]
+    pub fn root_bound(&self) -> Rational {
+        let Some((lead, lower)) = self.coefficients.split_last() else {
+            return Rational::ONE;
+        };
+        // Cauchy: |x| < 1 + max |cᵢ/l|; the next power of two is kinder to bisection.
+        let largest = lower.iter().map(Integer::unsigned_abs_ref).max().cloned();
+        let ratio =
+            largest.unwrap_or(Natural::ZERO) / lead.unsigned_abs_ref() + Natural::from(2u32);
+        Rational::from(Natural::ONE << ratio.significant_bits())
+    }
+
+    /// The quotient and remainder of a positive multiple, that is, `m·self = q·divisor + r` with an
+    /// integer `m > 0`. The divisor is not 0.
+    fn pseudo_divide(&self, divisor: &Self) -> (Self, Self) {
+        let Some((lead, lower)) = divisor.coefficients.split_last() else {
+            return (Self::default(), self.clone());
+        };
+        let size = Integer::from(lead.unsigned_abs_ref());
+        let negative = *lead < Integer::ZERO;
+        let mut rest = self.coefficients.clone();
+        let mut quotient: Vec<Integer> = Vec::new();
+        while rest.len() > lower.len() {
+            let Some(top) = rest.pop() else { break };
+            let factor = if negative { -top } else { top };
+            let shift = rest.len() - lower.len();
+            for (i, c) in rest.iter_mut().enumerate() {
+                *c *= &size;
+                if let Some(part) = i.checked_sub(shift) {
+                    *c -= &factor * &lower[part];
+                }
+            }
+            for c in &mut quotient {
+                *c *= &size;
+            }
+            quotient.push(factor);
+        }
+        quotient.reverse();
+        (Self::new(quotient), Self::new(rest))
+    }
+
+    /// The polynomial divided by the (positive) gcd of its coefficients.
+    fn primitive(&self) -> Self {
+        let mut content = Natural::ZERO;
+        for c in &self.coefficients {
+            content = content.gcd(c.unsigned_abs_ref());
+        }
+        if content <= Natural::ONE {
+            return self.clone();
+        }
+        let content = Integer::from(content);
+        Self {
+            coefficients: self
+                .coefficients
+                .iter()
+                .map(|c| c.div_exact(&content))
+                .collect(),
+        }
+    }
+
+    /// The quotient by `d·x − n` for a root `n/d`.
+    pub(super) fn without_root(&self, root: &Rational) -> Self {
+        let linear = Self::new(vec![
+            -numerator(root),
+            Integer::from(root.denominator_ref()),
+        ]);
+        self.pseudo_divide(&linear).0.primitive()
+    }
+
+    fn negated(mut self) -> Self {
+        for c in &mut self.coefficients {
+            *c = -&*c;
+        }
+        self
+    }
 }
 
-fn changes(signs: impl Iterator<Item = i8>) -> usize {
+/// A Sturm sequence; see [`Univariate::sturm_sequence`].
+#[derive(Clone, Debug)]
+pub struct SturmSequence {
+    sequence: Vec<Univariate>,
+}
+
+impl SturmSequence {
+    /// The number of distinct real roots.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        let below = self.sequence.iter().map(Univariate::sign_at_minus_infinity);
+        let above = self.sequence.iter().map(Univariate::sign_at_infinity);
+        variations(below).saturating_sub(variations(above))
+    }
+
+    /// The number of distinct roots in the half-open interval `(a, b]`; an end that is `None` is
+    /// infinite.
+    ///
+    /// Why it is right: Sturm's theorem in the form that holds for polynomials with multiple roots
+    /// and for ends that are roots of a square-free polynomial. For a polynomial that is not
+    /// square-free the ends must not be multiple roots.
+    #[must_use]
+    pub fn count_between(&self, a: Option<&Rational>, b: Option<&Rational>) -> usize {
+        let below = a.map_or_else(
+            || variations(self.sequence.iter().map(Univariate::sign_at_minus_infinity)),
+            |x| variations(self.sequence.iter().map(|p| p.sign_at(x))),
+        );
+        let above = b.map_or_else(
+            || variations(self.sequence.iter().map(Univariate::sign_at_infinity)),
+            |x| variations(self.sequence.iter().map(|p| p.sign_at(x))),
+        );
+        below.saturating_sub(above)
+    }
+}
+
+/// The number of changes in a sequence of signs, zeros left out.
+fn variations(signs: impl Iterator<Item = Ordering>) -> usize {
+    let mut last = Ordering::Equal;
     let mut count = 0;
-    let mut last = 0;
-    for sign in signs.filter(|s| *s != 0) {
-        if last != 0 && sign != last {
+    for sign in signs.filter(|&s| s != Ordering::Equal) {
+        if last != Ordering::Equal && sign != last {
             count += 1;
         }
         last = sign;
@@ -126,156 +409,44 @@ fn changes(signs: impl Iterator<Item = i8>) -> usize {
     count
 }
 
-fn sign(q: &Rational) -> i8 {
-    if *q > 0 {
-        1
-    } else if *q < 0 {
-        -1
+/// The numerator with its sign.
+fn numerator(x: &Rational) -> Integer {
+    Integer::from_sign_and_abs(*x >= Rational::ZERO, x.numerator_ref().clone())
+}
+
+/// The value of an integer rational.
+fn integer(x: &Rational) -> Integer {
+    numerator(x)
+}
+
+/// The residue in `0..modulus`.
+fn residue(c: &Integer, modulus: &Natural) -> Natural {
+    let rest = c.unsigned_abs_ref() % modulus;
+    if *c < Integer::ZERO && rest != Natural::ZERO {
+        modulus - rest
     } else {
-        0
+        rest
     }
 }
 
-fn changes_at(sequence: &[Dense], x: Option<&Rational>, right: bool) -> usize {
-    changes(sequence.iter().map(|p| match x {
-        Some(x) => sign(&value(p, x)),
-        None => {
-            let lead = p.last().map_or(0, sign);
-            if right || p.len() % 2 == 1 { lead } else { -lead }
-        }
-    }))
-}
-
-/// The number of distinct roots strictly between two ends (infinite where `None`).
-pub fn roots_between(p: &Dense, left: Option<&Rational>, right: Option<&Rational>) -> usize {
-    let mut p = square_free_part(p);
-    // Roots at the ends are divided out.
-    for end in [left, right].into_iter().flatten() {
-        if value(&p, end) == 0 {
-            p = quotient(&p, &vec![-end, Rational::ONE]);
-        }
-    }
-    if p.len() <= 1 {
-        return 0;
-    }
-    let sequence = sturm(&p);
-    changes_at(&sequence, left, false).saturating_sub(changes_at(&sequence, right, true))
-}
-
-/// A point strictly inside an interval.
-fn inside(left: Option<&Rational>, right: Option<&Rational>) -> Rational {
-    match (left, right) {
-        (Some(a), Some(b)) => (a + b) / Rational::from(2),
-        (Some(a), None) => a + Rational::ONE,
-        (None, Some(b)) => b - Rational::ONE,
-        (None, None) => Rational::ZERO,
+/// The residue of smallest absolute value.
+fn balanced(c: &Integer, modulus: &Natural) -> Integer {
+    let rest = residue(c, modulus);
+    if &rest + &rest > *modulus {
+        Integer::from(rest) - Integer::from(modulus)
+    } else {
+        Integer::from(rest)
     }
 }
 
-/// Whether p ≥ 0 (p > 0 if `strict`) on the whole interval, decided exactly.
-///
-/// p > 0 on the open interval iff it has no root there and is positive at one inner point. p ≥ 0 iff
-/// the part with odd multiplicities is: then p changes its sign nowhere.
-pub fn is_positive(p: &Dense, left: &End, right: &End, strict: bool) -> bool {
-    let p = trimmed(p.clone());
-    if p.is_empty() {
-        return !strict;
-    }
-    let bound = |end: &End| match end {
-        End::Infinite => None,
-        End::Closed(x) | End::Open(x) => Some(x.clone()),
-    };
-    let (a, b) = (bound(left), bound(right));
-    for end in [left, right] {
-        if let End::Closed(x) = end {
-            let at = value(&p, x);
-            if at < 0 || (strict && at == 0) {
-                return false;
-            }
-        }
-    }
-    if let (Some(a), Some(b)) = (&a, &b)
-        && a >= b
-    {
-        return true;
-    }
-    let odd = if strict { p.clone() } else { odd_part(&p) };
-    if roots_between(&odd, a.as_ref(), b.as_ref()) > 0 {
-        return false;
-    }
-    value(&odd, &inside(a.as_ref(), b.as_ref())) > 0
+fn horner(coefficients: &[u64], x: u64, prime: u64) -> u64 {
+    coefficients
+        .iter()
+        .rev()
+        .fold(0, |sum, &c| (sum * x + c) % prime)
 }
 
-/// The product of the square-free parts with odd multiplicity, with p's sign.
-fn odd_part(p: &Dense) -> Dense {
-    let mut rest = p.clone();
-    let mut out: Dense = vec![Rational::ONE];
-    loop {
-        // rest = r₁·r₂²·r₃³…: its square-free part s, and rest/s.
-        let s = square_free_part(&rest);
-        if s.len() <= 1 {
-            break;
-        }
-        let once = quotient(&rest, &s);
-        // Roots of multiplicity 1 in rest: in s but not in rest/s.
-        let shared = gcd(&s, &once);
-        let simple = quotient(&s, &shared);
-        out = product(&out, &simple);
-        if once.len() <= 1 {
-            break;
-        }
-        // rest/(s·shared) has every multiplicity lowered by 2.
-        rest = quotient(&once, &shared);
-    }
-    if p.last().map_or(0, sign) != out.last().map_or(0, sign) {
-        out = out.iter().map(|c| -c).collect();
-    }
-    out
-}
-
-fn product(p: &Dense, q: &Dense) -> Dense {
-    let mut out = vec![Rational::ZERO; (p.len() + q.len()).saturating_sub(1)];
-    for (i, a) in p.iter().enumerate() {
-        for (j, b) in q.iter().enumerate() {
-            out[i + j] += a * b;
-        }
-    }
-    out
-}
-
-/// Disjoint intervals (a, b] with one root each, every root in one; exact roots as a = b.
-pub fn isolate(p: &Dense) -> Vec<(Rational, Rational)> {
-    let p = square_free_part(&trimmed(p.clone()));
-    if p.len() <= 1 {
-        return Vec::new();
-    }
-    // Cauchy's bound.
-    let lead = p.last().cloned().unwrap_or(Rational::ONE);
-    let mut bound = Rational::ONE;
-    for c in &p {
-        let ratio = c / &lead;
-        let size = if ratio < 0 { -ratio } else { ratio };
-        if size >= bound {
-            bound = size;
-        }
-    }
-    bound += Rational::ONE;
-    let sequence = sturm(&p);
-    let count = |a: &Rational, b: &Rational| changes_at(&sequence, Some(a), false).saturating_sub(changes_at(&sequence, Some(b), true));
-    let mut work = vec![(-&bound, bound)];
-    let mut out = Vec::new();
-    while let Some((a, b)) = work.pop() {
-        match count(&a, &b) {
-            0 => {}
-            1 if value(&p, &b) == 0 => out.push((b.clone(), b)),
-            1 => out.push((a, b)),
-            _ => {
-                let middle = (&a + &b) / Rational::from(2);
-                work.push((middle.clone(), b));
-                work.push((a, middle));
-            }
-        }
-    }
-    out.sort();
-    out
+/// The next prime below 2³¹.
+fn next_prime(after: u64) -> Option<u64> {
+    (after + 1..1 << 31).find(|&n| (2..).take_while(|d| d * d <= n).all(|d| n % d != 0))
 }

@@ -1,2 +1,3 @@
-//! Numbers: exact input and exact roots.
+//! Exact numbers.
+
 pub mod rational;

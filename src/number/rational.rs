@@ -1,108 +1,235 @@
-//! Exact rational numbers from text, and exact roots.
+//! Rational numbers as text, their exact roots and their height.
 //!
-//! Contract: [`parse`] reads integers, fractions `p/q`, decimals and scientific notation, with an
-//! optional sign, and returns the very number written. Repeating decimals such as `1.2(3)` are refused
-//! with the fraction form named, because no standard says how they read.
+//! Contract: [`parse`] reads a numeral as exactly the number that it denotes: `0.1` is one tenth.
+//! Accepted are integers `12`, fractions of integers `3/4`, decimals `0.5` and scientific notation
+//! `2.5e-3`, each with an optional sign; a point needs digits on both sides. Measured values with an
+//! uncertainty, `1.2(3)`, are refused: they do not denote a number.
+//!
+//! Limits: [`MAX_DIGITS`] digits and exponents of ten up to [`MAX_EXPONENT`] in size.
 
-use malachite::base::num::arithmetic::traits::{CheckedRoot, Pow};
-use malachite::{Integer, Natural, Rational};
+use malachite::base::num::arithmetic::traits::{CheckedRoot, HeightRef, Pow};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Natural, Rational};
+use std::fmt;
 use std::str::FromStr;
 
-/// The most digits of a numeral, and the largest decimal exponent.
-pub const DIGITS_LIMIT: usize = 10_000;
+/// The most digits of one numeral, its exponent not counted.
+pub const MAX_DIGITS: usize = 10_000;
 
-/// Why a numeral was not read.
+/// The largest absolute value of the exponent of ten.
+pub const MAX_EXPONENT: u64 = 10_000;
+
+/// Why a text is not a numeral; places are byte offsets into the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NumeralError {
-    /// Nothing to read.
-    Empty,
-    /// A character that does not belong there, with its place in bytes.
-    Unexpected(usize, char),
-    /// A fraction with denominator 0.
-    ZeroDenominator,
-    /// A repeating decimal.
-    Repeating,
-    /// More digits than [`DIGITS_LIMIT`], or a larger exponent.
-    TooLong,
+    /// Digits were expected here.
+    MissingDigits {
+        /// The place.
+        at: usize,
+    },
+    /// A character that does not belong into a numeral, or not here.
+    Unexpected {
+        /// The place.
+        at: usize,
+        /// The character.
+        found: char,
+    },
+    /// An uncertainty in parentheses: `1.2(3)` is a measurement, not a number.
+    Uncertainty {
+        /// The place of the parenthesis.
+        at: usize,
+    },
+    /// A fraction with denominator zero.
+    ZeroDenominator {
+        /// The place of the denominator.
+        at: usize,
+    },
+    /// More than [`MAX_DIGITS`] digits.
+    TooManyDigits {
+        /// How many are allowed.
+        allowed: usize,
+        /// How many there are.
+        needed: usize,
+    },
+    /// An exponent of ten beyond [`MAX_EXPONENT`].
+    ExponentTooLarge {
+        /// The place of the exponent.
+        at: usize,
+        /// The largest absolute value that is allowed.
+        allowed: u64,
+    },
 }
 
-impl std::fmt::Display for NumeralError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for NumeralError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NumeralError::Empty => write!(f, "a number is missing"),
-            NumeralError::Unexpected(at, c) => write!(f, "{c:?} at place {} does not belong to a number", at + 1),
-            NumeralError::ZeroDenominator => write!(f, "the denominator is 0"),
-            NumeralError::Repeating => write!(f, "repeating decimals are not read: write a fraction such as 37/30"),
-            NumeralError::TooLong => write!(f, "limit reached: at most {DIGITS_LIMIT} digits, exponents up to {DIGITS_LIMIT}"),
+            Self::MissingDigits { at } => write!(f, "digits expected at byte {at}"),
+            Self::Unexpected { at, found } => {
+                write!(f, "unexpected {found:?} in a numeral at byte {at}")
+            }
+            Self::Uncertainty { at } => write!(
+                f,
+                "uncertainty in parentheses at byte {at}: write the exact number that is meant"
+            ),
+            Self::ZeroDenominator { at } => write!(f, "denominator zero at byte {at}"),
+            Self::TooManyDigits { allowed, needed } => {
+                write!(f, "{needed} digits in a numeral, {allowed} allowed")
+            }
+            Self::ExponentTooLarge { at, allowed } => {
+                write!(f, "exponent at byte {at} is larger than {allowed}")
+            }
         }
     }
 }
 
-/// The number that a text denotes.
+impl std::error::Error for NumeralError {}
+
+/// Reads a numeral exactly.
+///
+/// ```
+/// use carom::number::rational::parse;
+/// assert_eq!(parse("-2.5e-1"), parse("-1/4"));
+/// assert!(parse("1.2(3)").is_err());
+/// ```
+///
+/// # Errors
+/// [`NumeralError`] says what is wrong and where.
 pub fn parse(text: &str) -> Result<Rational, NumeralError> {
-    let trimmed = text.trim();
-    if trimmed.len() > 2 * DIGITS_LIMIT + 16 {
-        return Err(NumeralError::TooLong);
-    }
-    if let Some((top, bottom)) = trimmed.split_once('/') {
-        let (top, bottom) = (decimal(top.trim())?, decimal(bottom.trim())?);
-        if bottom == 0 {
-            return Err(NumeralError::ZeroDenominator);
+    let mut reader = Reader { text, at: 0 };
+    let negative = reader.sign();
+    let whole = reader.digits()?;
+    let value = if reader.take(b'/') {
+        let place = reader.at;
+        let below = reader.digits()?;
+        reader.end()?;
+        limit_digits(whole.len() + below.len())?;
+        let denominator = natural(below, place)?;
+        if denominator == Natural::ZERO {
+            return Err(NumeralError::ZeroDenominator { at: place });
         }
-        return Ok(top / bottom);
-    }
-    decimal(trimmed)
-}
-
-fn decimal(text: &str) -> Result<Rational, NumeralError> {
-    if text.contains('(') {
-        return Err(NumeralError::Repeating);
-    }
-    let (negative, digits) = match text.strip_prefix(['-', '−']) {
-        Some(rest) => (true, rest),
-        None => (false, text.strip_prefix('+').unwrap_or(text)),
+        Rational::from_naturals(natural(whole, 0)?, denominator)
+    } else {
+        let fraction = if reader.take(b'.') {
+            reader.digits()?
+        } else {
+            ""
+        };
+        let exponent = reader.exponent()?;
+        reader.end()?;
+        limit_digits(whole.len() + fraction.len())?;
+        let mantissa = natural(&[whole, fraction].concat(), 0)?;
+        let places = i64::try_from(fraction.len()).unwrap_or(i64::MAX);
+        Rational::from(mantissa) * Rational::from(10).pow(exponent - places)
     };
-    let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, exponent),
-        None => (digits, "0"),
-    };
-    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    if whole.is_empty() && part.is_empty() {
-        return Err(match text.chars().next() {
-            Some(c) => NumeralError::Unexpected(0, c),
-            None => NumeralError::Empty,
-        });
-    }
-    for list in [whole, part] {
-        if let Some(c) = list.chars().find(|c| !c.is_ascii_digit()) {
-            return Err(NumeralError::Unexpected(text.find(c).unwrap_or(0), c));
-        }
-    }
-    if whole.len() + part.len() > DIGITS_LIMIT {
-        return Err(NumeralError::TooLong);
-    }
-    let unsigned = exponent.strip_prefix(['-', '+']).unwrap_or(exponent);
-    if unsigned.is_empty() || !unsigned.bytes().all(|b| b.is_ascii_digit()) {
-        let c = unsigned.chars().find(|c| !c.is_ascii_digit()).unwrap_or('e');
-        return Err(NumeralError::Unexpected(text.rfind(c).unwrap_or(0), c));
-    }
-    let exponent: i64 = exponent.parse().map_err(|_| NumeralError::TooLong)?;
-    if exponent.unsigned_abs() > DIGITS_LIMIT as u64 {
-        return Err(NumeralError::TooLong);
-    }
-    let digits = format!("{whole}{part}");
-    let value = Natural::from_str(&digits).map_err(|()| NumeralError::Empty)?;
-    let scale = exponent - i64::try_from(part.len()).map_err(|_| NumeralError::TooLong)?;
-    let value = Rational::from(value) * Rational::from(10).pow(scale);
     Ok(if negative { -value } else { value })
 }
 
-/// The k-th root of a non-negative rational, if it is rational. k ≥ 1.
-pub fn exact_root(q: &Rational, k: u64) -> Option<Rational> {
-    if *q < 0 || k == 0 {
+fn limit_digits(needed: usize) -> Result<(), NumeralError> {
+    if needed > MAX_DIGITS {
+        return Err(NumeralError::TooManyDigits {
+            allowed: MAX_DIGITS,
+            needed,
+        });
+    }
+    Ok(())
+}
+
+fn natural(digits: &str, at: usize) -> Result<Natural, NumeralError> {
+    Natural::from_str(digits).map_err(|()| NumeralError::MissingDigits { at })
+}
+
+/// A position in the text of a numeral.
+struct Reader<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn take(&mut self, byte: u8) -> bool {
+        let found = self.text.as_bytes().get(self.at) == Some(&byte);
+        self.at += usize::from(found);
+        found
+    }
+
+    /// An optional sign; whether it was a minus.
+    fn sign(&mut self) -> bool {
+        let minus = self.take(b'-');
+        if !minus {
+            self.take(b'+');
+        }
+        minus
+    }
+
+    /// One or more decimal digits.
+    fn digits(&mut self) -> Result<&'a str, NumeralError> {
+        let rest = &self.text[self.at..];
+        let length = rest.bytes().take_while(u8::is_ascii_digit).count();
+        if length == 0 {
+            return Err(match rest.chars().next() {
+                Some('(') => NumeralError::Uncertainty { at: self.at },
+                Some(found) => NumeralError::Unexpected { at: self.at, found },
+                None => NumeralError::MissingDigits { at: self.at },
+            });
+        }
+        self.at += length;
+        Ok(&rest[..length])
+    }
+
+    /// An optional exponent of ten, 0 where there is none.
+    fn exponent(&mut self) -> Result<i64, NumeralError> {
+        if !self.take(b'e') && !self.take(b'E') {
+            return Ok(0);
+        }
+        let place = self.at;
+        let negative = self.sign();
+        let digits = self.digits()?.trim_start_matches('0');
+        let size = if digits.is_empty() {
+            Ok(0)
+        } else {
+            digits.parse::<u64>()
+        };
+        match size {
+            Ok(size) if size <= MAX_EXPONENT => {
+                let size = i64::try_from(size).unwrap_or(i64::MAX);
+                Ok(if negative { -size } else { size })
+            }
+            _ => Err(NumeralError::ExponentTooLarge {
+                at: place,
+                allowed: MAX_EXPONENT,
+            }),
+        }
+    }
+
+    fn end(&self) -> Result<(), NumeralError> {
+        match self.text[self.at..].chars().next() {
+            None => Ok(()),
+            Some('(') => Err(NumeralError::Uncertainty { at: self.at }),
+            Some(found) => Err(NumeralError::Unexpected { at: self.at, found }),
+        }
+    }
+}
+
+/// The exact `k`-th root of a non-negative rational, where it is rational.
+///
+/// `None` for a negative number, for `k = 0`, and where the root is irrational.
+#[must_use]
+pub fn exact_root(value: &Rational, k: u64) -> Option<Rational> {
+    if k == 0 || *value < Rational::ZERO {
         return None;
     }
-    let top = Integer::from(q.numerator_ref()).checked_root(k)?;
-    let bottom = Integer::from(q.denominator_ref()).checked_root(k)?;
-    Some(Rational::from_integers(top, bottom))
+    if *value == Rational::ZERO || *value == Rational::ONE || k == 1 {
+        return Some(value.clone());
+    }
+    // A k-th power other than 0 and 1 has a part of at least 2^k.
+    if value.height_ref().significant_bits() <= k {
+        return None;
+    }
+    value.checked_root(k)
+}
+
+/// The larger of the absolute values of numerator and denominator in lowest terms.
+#[must_use]
+pub fn height(value: &Rational) -> Natural {
+    value.height_ref().clone()
 }

@@ -9,7 +9,7 @@ use super::comparison::{Plain, Reduced};
 use super::context::*;
 use super::translate::{Condition, Value, text_of};
 use crate::algebra::form::Form;
-use crate::algebra::gcd::pseudo_remainder;
+use crate::algebra::{Polynomial, Var};
 use crate::claim::print;
 use crate::claim::syntax::*;
 
@@ -325,11 +325,11 @@ impl Engine<'_> {
                 for equation in &plain.equations {
                     for v in equation.variables() {
                         let degree = equation.degree_in(v);
-                        let lead = equation.coefficients_in(v).pop().unwrap_or_default();
+                        let lead = equation.leading_coefficient_in(v);
                         if degree == 0 || rest.degree_in(v) < degree || !plain.signs_by_terms(&lead).within(Signs::NOT_ZERO) {
                             continue;
                         }
-                        rest = pseudo_remainder(&rest, equation, v)?;
+                        rest = pseudo_remainder(rest, equation, v)?;
                     }
                 }
             }
@@ -545,6 +545,23 @@ fn excluded_middle(list: &[Prop]) -> bool {
             (a.same(c) && b.same(d) && all(*r, *s)) || (a.same(d) && b.same(c) && all(*r, super::comparison::mirrored(*s)))
         })
     })
+}
+
+/// The remainder of lᵏ·p by q in v, l the leading coefficient of q in v: where q vanishes and l does
+/// not, p vanishes if the remainder does.
+fn pseudo_remainder(p: Polynomial, q: &Polynomial, v: Var) -> Result<Polynomial> {
+    let degree = q.degree_in(v);
+    let lead = q.leading_coefficient_in(v);
+    let mut rest = p;
+    while !rest.is_zero() && rest.degree_in(v) >= degree {
+        let k = rest.degree_in(v);
+        let top = rest.leading_coefficient_in(v);
+        let mut shifted = vec![Polynomial::zero(); (k - degree) as usize];
+        shifted.push(top);
+        let multiple = Polynomial::from_coefficients_in(v, &shifted).try_mul(q)?;
+        rest = rest.try_mul(&lead)?.sub(&multiple);
+    }
+    Ok(rest)
 }
 
 /// A reduced comparison with its atoms in order.

@@ -10,7 +10,7 @@
 use super::context::*;
 use super::sign::power_signs;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form, Poly};
-use crate::algebra::polynomial::{Monomial, Polynomial};
+use crate::algebra::{Monomial, Polynomial};
 use crate::algebra::positivity::Constraint;
 use crate::claim::syntax::Relation;
 use crate::number::rational::exact_root;
@@ -306,8 +306,6 @@ pub struct Plain {
     pub goals: Vec<Polynomial>,
     /// The generators and what the context says of them and of sums in them.
     pub constraints: Vec<Constraint>,
-    /// Polynomials whose squares may help.
-    pub squares: Vec<Polynomial>,
     /// The signs of the generators.
     pub signs: Vec<Signs>,
     /// Equations: polynomials that vanish.
@@ -373,7 +371,6 @@ impl Plain {
         let mut plain = Plain {
             goals: Vec::new(),
             constraints: Vec::new(),
-            squares: Vec::new(),
             signs: Vec::new(),
             equations: Vec::new(),
             generators: Vec::new(),
@@ -383,14 +380,14 @@ impl Plain {
         let table = plain.exponents(engine, cx, &everything)?;
         let mut list = table.into_iter();
         for _ in &polys {
-            plain.goals.push(list.next().unwrap_or_default());
+            plain.goals.push(list.next().unwrap_or_else(Polynomial::zero));
         }
         for (i, signs) in plain.signs.clone().into_iter().enumerate() {
             let variable = Polynomial::variable(u32::try_from(i).unwrap_or(u32::MAX));
             if signs.within(Signs::NOT_NEGATIVE) {
                 plain.constraints.push(Constraint { poly: variable, strict: signs == Signs::POSITIVE });
             } else if signs.within(Signs::of(Relation::LessEqual)) {
-                plain.constraints.push(Constraint { poly: -&variable, strict: signs == Signs::NEGATIVE });
+                plain.constraints.push(Constraint { poly: variable.neg(), strict: signs == Signs::NEGATIVE });
             }
             if let Some((_, sources)) = plain.generators.get(i).and_then(|g| cx.signs.get(&g.0)) {
                 plain.sources |= sources;
@@ -399,39 +396,26 @@ impl Plain {
         for (factors, relation, sources) in facts {
             let mut product = Polynomial::one();
             for (_, even) in &factors {
-                let poly = list.next().unwrap_or_default();
-                product = &product * &poly;
+                let poly = list.next().unwrap_or_else(Polynomial::zero);
+                product = product.try_mul(&poly)?;
                 if *even {
-                    product = &product * &poly;
+                    product = product.try_mul(&poly)?;
                 }
             }
             plain.sources |= sources;
             match relation {
                 Relation::Equal => {
                     plain.constraints.push(Constraint { poly: product.clone(), strict: false });
-                    plain.constraints.push(Constraint { poly: -&product, strict: false });
+                    plain.constraints.push(Constraint { poly: product.neg(), strict: false });
                     plain.equations.push(product);
                 }
                 Relation::Greater | Relation::GreaterEqual => {
                     plain.constraints.push(Constraint { poly: product, strict: relation == Relation::Greater });
                 }
                 Relation::Less | Relation::LessEqual => {
-                    plain.constraints.push(Constraint { poly: -&product, strict: relation == Relation::Less });
+                    plain.constraints.push(Constraint { poly: product.neg(), strict: relation == Relation::Less });
                 }
                 Relation::NotEqual => {}
-            }
-        }
-        let count = u32::try_from(plain.generators.len()).unwrap_or(0);
-        for i in 0..count {
-            let variable = Polynomial::variable(i);
-            if !plain.signs[i as usize].within(Signs::NOT_NEGATIVE) {
-                plain.squares.push(variable.clone());
-            }
-            if count <= 4 {
-                plain.squares.extend((0..i).map(|j| &variable - &Polynomial::variable(j)));
-            }
-            if count <= 3 {
-                plain.squares.push(&variable - &Polynomial::one());
             }
         }
         Ok(plain)
@@ -529,9 +513,15 @@ impl Plain {
             }
             let mut terms = Vec::new();
             for (list, c) in table {
-                let exponents: Option<Vec<u32>> =
-                    list.iter().zip(&least).map(|(k, low)| u32::try_from(k - low).ok().filter(|k| *k < 10_000)).collect();
-                terms.push((Monomial::new(exponents.ok_or(Failure::Limit("degree"))?), c));
+                let mut powers = Vec::new();
+                for (place, (k, low)) in list.iter().zip(&least).enumerate() {
+                    let variable = u32::try_from(place).map_err(|_| Failure::Limit("terms"))?;
+                    let exponent = u32::try_from(k - low).map_err(|_| Failure::Limit("degree"))?;
+                    if exponent > 0 {
+                        powers.push((variable, exponent));
+                    }
+                }
+                terms.push((Monomial::new(&powers)?, c));
             }
             out.push(Polynomial::from_terms(terms));
         }
@@ -543,7 +533,7 @@ impl Plain {
         let mut sum = Vec::new();
         for (monomial, c) in poly.terms() {
             let mut term = Form::number(c.clone());
-            for (v, k) in monomial.powers() {
+            for &(v, k) in monomial.powers() {
                 let (atom, key, unit) = self.generators[v as usize].clone();
                 let mut exponent = key;
                 exponent.coefficient = unit * Rational::from(k);

@@ -277,6 +277,18 @@ impl Engine<'_> {
     }
 }
 
+impl From<crate::algebra::LimitReached> for Failure {
+    fn from(reached: crate::algebra::LimitReached) -> Failure {
+        use crate::algebra::Limit;
+        Failure::Limit(match reached.limit {
+            Limit::Terms => "terms",
+            Limit::Degree => "degree",
+            Limit::Bits => "digits",
+            _ => "work",
+        })
+    }
+}
+
 /// The bit of a fact.
 pub fn source(fact: usize) -> Sources {
     1u128 << fact.min(127)

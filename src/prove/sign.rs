@@ -142,7 +142,7 @@ impl Engine<'_> {
         let problem = Plain::of(self, cx, &[atom])?;
         let Some(goal) = problem.goals.first().cloned() else { return Ok(signs) };
         // Factors, each judged by its own terms.
-        if goal.len() <= 200
+        if goal.term_count() <= 200
             && let Ok(factors) = factor::factor(&goal)
             && (factors.factors.len() > 1 || factors.factors.iter().any(|f| f.1 > 1))
         {
@@ -249,7 +249,7 @@ impl Plain {
         let mut signs = Signs::ZERO;
         for (monomial, c) in poly.terms() {
             let mut term = Signs::of_number(c);
-            for (variable, k) in monomial.powers() {
+            for &(variable, k) in monomial.powers() {
                 let base = self.signs.get(variable as usize).copied().unwrap_or(Signs::ANY);
                 term = term.times(power_signs(base, &Exponent::integer(i64::from(k))));
             }
@@ -265,13 +265,13 @@ impl Plain {
         let mut signs = Signs::ANY;
         for (p, strict, weak) in [
             (poly.clone(), Signs::POSITIVE, Signs::NOT_NEGATIVE),
-            (-poly, Signs::NEGATIVE, Signs::of(Relation::LessEqual)),
+            (poly.neg(), Signs::NEGATIVE, Signs::of(Relation::LessEqual)),
         ] {
-            if positivity::certify(&p, &self.constraints, true, &self.squares, &limits).is_some() {
+            if positivity::certify(&p, &self.constraints, &[], true, &limits).is_some() {
                 signs = signs.and(strict);
                 break;
             }
-            if positivity::certify(&p, &self.constraints, false, &self.squares, &limits).is_some() {
+            if positivity::certify(&p, &self.constraints, &[], false, &limits).is_some() {
                 signs = signs.and(weak);
             }
         }
