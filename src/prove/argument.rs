@@ -320,20 +320,9 @@ impl Engine<'_> {
                 continue;
             }
             let plain = Plain::of(self, cx, &[atom])?;
-            let Some(mut rest) = plain.goals.first().cloned() else { continue };
-            for _ in 0..3 {
-                for equation in &plain.equations {
-                    for v in equation.variables() {
-                        let degree = equation.degree_in(v);
-                        let lead = equation.leading_coefficient_in(v);
-                        if degree == 0 || rest.degree_in(v) < degree || !plain.signs_by_terms(&lead).within(Signs::NOT_ZERO) {
-                            continue;
-                        }
-                        rest = pseudo_remainder(rest, equation, v)?;
-                    }
-                }
-            }
-            if rest.is_zero() {
+            let Some(goal) = plain.goals.first().cloned() else { continue };
+            let equations: Vec<&Polynomial> = plain.equations.iter().collect();
+            if reduces_to_zero(&plain, goal, &equations, &mut 300) {
                 self.used |= plain.sources;
                 return Ok(true);
             }
@@ -545,6 +534,33 @@ fn excluded_middle(list: &[Prop]) -> bool {
             (a.same(c) && b.same(d) && all(*r, *s)) || (a.same(d) && b.same(c) && all(*r, super::comparison::mirrored(*s)))
         })
     })
+}
+
+/// Whether p vanishes where the equations do: each equation in turn takes out one variable, by a
+/// pseudo-division whose leading coefficient cannot vanish; at most `tries` divisions.
+fn reduces_to_zero(plain: &Plain, p: Polynomial, equations: &[&Polynomial], tries: &mut usize) -> bool {
+    if p.is_zero() {
+        return true;
+    }
+    for (place, equation) in equations.iter().enumerate() {
+        let mut others = equations.to_vec();
+        others.remove(place);
+        for v in equation.variables() {
+            let degree = equation.degree_in(v);
+            if degree == 0 || p.degree_in(v) < degree || !plain.signs_by_terms(&equation.leading_coefficient_in(v)).within(Signs::NOT_ZERO) {
+                continue;
+            }
+            if *tries == 0 {
+                return false;
+            }
+            *tries -= 1;
+            let Ok(rest) = pseudo_remainder(p.clone(), equation, v) else { continue };
+            if rest.term_count() <= 400 && reduces_to_zero(plain, rest, &others, tries) {
+                return true;
+            }
+        }
+    }
+    false
 }
 
 /// The remainder of lᵏ·p by q in v, l the leading coefficient of q in v: where q vanishes and l does

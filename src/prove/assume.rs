@@ -9,7 +9,7 @@ use super::translate::Value;
 use crate::algebra::factor;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form};
 use crate::claim::syntax::*;
-use crate::prove::comparison::{Plain, Reduced, negated};
+use crate::prove::comparison::{Plain, Reduced, negated, truth_of};
 use std::rc::Rc;
 
 type Result<T> = std::result::Result<T, Failure>;
@@ -291,34 +291,44 @@ impl Engine<'_> {
         Ok(false)
     }
 
-    /// Equations between products of which all factors but one are known not to vanish.
+    /// Comparisons of products of which all factors but one have a known sign say the sign of the
+    /// last one; if all are known they may contradict the comparison.
     fn resolve(&mut self, cx: &mut Context) -> Result<()> {
         for _ in 0..8 {
             let mut found = None;
             for (literal, sources) in cx.constraints.clone() {
-                if literal.relation != Relation::Equal {
-                    continue;
-                }
+                let equality = literal.relation == Relation::Equal;
                 let mut open = Vec::new();
+                let mut rest = Signs::POSITIVE;
                 let before = std::mem::replace(&mut self.used, sources);
-                for (atom, _) in &literal.atoms {
-                    if !self.atom_signs(cx, *atom)?.within(Signs::NOT_ZERO) {
-                        open.push(*atom);
+                for (atom, even) in &literal.atoms {
+                    let signs = self.atom_signs(cx, *atom)?;
+                    let signs = if *even { signs.squared() } else { signs };
+                    if signs.within(Signs::POSITIVE) || signs.within(Signs::NEGATIVE) || equality && signs.within(Signs::NOT_ZERO) {
+                        rest = rest.times(signs);
+                    } else {
+                        open.push((*atom, *even));
                     }
                 }
-                let sources = self.used;
-                self.used = before;
+                let sources = std::mem::replace(&mut self.used, before);
+                let negative = !equality && rest.within(Signs::NEGATIVE);
+                let relation = if negative { super::comparison::mirrored(literal.relation) } else { literal.relation };
                 match open.as_slice() {
-                    [] => cx.contradiction = Some(sources),
-                    [one] if !cx.signs.get(one).is_some_and(|s| s.0 == Signs::ZERO) => found = Some((*one, sources)),
+                    [] if truth_of(Signs::POSITIVE, relation) == Some(false) => cx.contradiction = Some(sources),
+                    [(one, false)] => {
+                        let known = self.atom_signs(cx, *one)?;
+                        if !known.within(Signs::of(relation)) {
+                            found = Some((*one, relation, sources));
+                        }
+                    }
                     _ => {}
                 }
             }
-            let Some((atom, sources)) = found else { return Ok(()) };
-            if self.solve(cx, atom, sources)? {
+            let Some((atom, relation, sources)) = found else { return Ok(()) };
+            if relation == Relation::Equal && self.solve(cx, atom, sources)? {
                 return self.rebuild(cx);
             }
-            self.narrow_form(cx, &Form::atom(atom), Relation::Equal, sources)?;
+            self.narrow_form(cx, &Form::atom(atom), relation, sources)?;
         }
         Ok(())
     }
