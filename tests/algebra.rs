@@ -12,11 +12,7 @@ use proptest::test_runner::FileFailurePersistence;
 /// So many cases, and failing ones kept beside this file.
 fn cases(cases: u32) -> ProptestConfig {
     let kept = FileFailurePersistence::Direct("tests/algebra.proptest-regressions");
-    ProptestConfig {
-        cases,
-        failure_persistence: Some(Box::new(kept)),
-        ..ProptestConfig::default()
-    }
+    ProptestConfig { cases, failure_persistence: Some(Box::new(kept)), ..ProptestConfig::default() }
 }
 
 /// Random polynomials in three variables with small coefficients.
@@ -298,11 +294,7 @@ fn check_sign(p: &Polynomial, f: &Univariate, interval: &Interval) -> Result<(),
 #[test]
 fn known_factorisations_are_found() {
     let name = |v: u32| ["a", "b", "c"][v as usize].to_owned();
-    let (a, b, c) = (
-        Polynomial::variable(0),
-        Polynomial::variable(1),
-        Polynomial::variable(2),
-    );
+    let (a, b, c) = (Polynomial::variable(0), Polynomial::variable(1), Polynomial::variable(2));
     let one = Polynomial::one();
     let cases = [
         (a.pow(4).expect("small").sub(&b.pow(4).expect("small")), 3),
@@ -315,17 +307,8 @@ fn known_factorisations_are_found() {
     ];
     for (p, count) in cases {
         let found = factor(&p).expect("small");
-        let shown: Vec<String> = found
-            .factors
-            .iter()
-            .map(|(f, _)| f.display(&name))
-            .collect();
-        assert_eq!(
-            found.factors.len(),
-            count,
-            "{}: {shown:?}",
-            p.display(&name)
-        );
+        let shown: Vec<String> = found.factors.iter().map(|(f, _)| f.display(&name)).collect();
+        assert_eq!(found.factors.len(), count, "{}: {shown:?}", p.display(&name));
     }
 }
 
@@ -334,44 +317,14 @@ fn measured_values_and_malformed_numerals_are_refused_with_their_place() {
     assert_eq!(parse("1.2(3)"), Err(NumeralError::Uncertainty { at: 3 }));
     assert_eq!(parse(""), Err(NumeralError::MissingDigits { at: 0 }));
     assert_eq!(parse("1."), Err(NumeralError::MissingDigits { at: 2 }));
-    assert_eq!(
-        parse(".5"),
-        Err(NumeralError::Unexpected { at: 0, found: '.' })
-    );
+    assert_eq!(parse(".5"), Err(NumeralError::Unexpected { at: 0, found: '.' }));
     assert_eq!(parse("1/0"), Err(NumeralError::ZeroDenominator { at: 2 }));
-    assert_eq!(
-        parse("1e10001"),
-        Err(NumeralError::ExponentTooLarge {
-            at: 2,
-            allowed: 10_000
-        })
-    );
-    assert_eq!(
-        parse("1e99999999999999999999999"),
-        Err(NumeralError::ExponentTooLarge {
-            at: 2,
-            allowed: 10_000
-        })
-    );
-    assert_eq!(
-        parse("1e0000000000000000000000000000000003"),
-        Ok(Rational::from(1000))
-    );
-    assert_eq!(
-        parse(&"7".repeat(10_001)),
-        Err(NumeralError::TooManyDigits {
-            allowed: 10_000,
-            needed: 10_001
-        })
-    );
-    assert_eq!(
-        parse("1.5/2"),
-        Err(NumeralError::Unexpected { at: 3, found: '/' })
-    );
-    assert_eq!(
-        parse("--1"),
-        Err(NumeralError::Unexpected { at: 1, found: '-' })
-    );
+    assert_eq!(parse("1e10001"), Err(NumeralError::ExponentTooLarge { at: 2, allowed: 10_000 }));
+    assert_eq!(parse("1e99999999999999999999999"), Err(NumeralError::ExponentTooLarge { at: 2, allowed: 10_000 }));
+    assert_eq!(parse("1e0000000000000000000000000000000003"), Ok(Rational::from(1000)));
+    assert_eq!(parse(&"7".repeat(10_001)), Err(NumeralError::TooManyDigits { allowed: 10_000, needed: 10_001 }));
+    assert_eq!(parse("1.5/2"), Err(NumeralError::Unexpected { at: 3, found: '/' }));
+    assert_eq!(parse("--1"), Err(NumeralError::Unexpected { at: 1, found: '-' }));
 }
 
 #[test]

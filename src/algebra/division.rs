@@ -21,9 +21,7 @@ impl Polynomial {
     /// Cost: terms of the quotient times terms of the divisor, with a logarithmic factor.
     #[must_use]
     pub fn exact_divide(&self, divisor: &Self) -> Option<Self> {
-        self.divide_counted(divisor, usize::MAX, &mut 0)
-            .ok()
-            .flatten()
+        self.divide_counted(divisor, usize::MAX, &mut 0).ok().flatten()
     }
 
     /// The quotient, where the divisor divides exactly, within the limits.
@@ -58,8 +56,7 @@ impl Polynomial {
         let Some(room) = self.room_above(divisor) else {
             return Ok(None);
         };
-        let integral =
-            self.terms.iter().all(|(_, c)| c.is_integer()) && divisor.content() == Rational::ONE;
+        let integral = self.terms.iter().all(|(_, c)| c.is_integer()) && divisor.content() == Rational::ONE;
         let inverse = Rational::ONE / lead_coefficient;
         let mut remainder: BTreeMap<Monomial, Rational> = self.terms.iter().cloned().collect();
         let mut quotient = Vec::new();
@@ -68,9 +65,7 @@ impl Polynomial {
                 return Ok(None);
             };
             let scale = &coefficient * &inverse;
-            if integral && !scale.is_integer()
-                || room.iter().any(|(&var, &left)| factor.exponent(var) > left)
-            {
+            if integral && !scale.is_integer() || room.iter().any(|(&var, &left)| factor.exponent(var) > left) {
                 return Ok(None);
             }
             *work = work.saturating_add(divisor.terms.len());
@@ -97,10 +92,7 @@ impl Polynomial {
         self.terms.last()?.0.checked_div(&divisor.terms.last()?.0)?;
         let mut room = BTreeMap::new();
         for var in divisor.variables() {
-            room.insert(
-                var,
-                self.degree_in(var).checked_sub(divisor.degree_in(var))?,
-            );
+            room.insert(var, self.degree_in(var).checked_sub(divisor.degree_in(var))?);
         }
         Some(room)
     }
@@ -129,11 +121,7 @@ impl Polynomial {
         if content == Rational::ONE {
             return (content, self.clone());
         }
-        let terms = self
-            .terms
-            .iter()
-            .map(|(m, c)| (m.clone(), c / &content))
-            .collect();
+        let terms = self.terms.iter().map(|(m, c)| (m.clone(), c / &content)).collect();
         (content, Self { terms })
     }
 

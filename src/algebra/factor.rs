@@ -57,10 +57,7 @@ pub fn square_free(p: &Polynomial) -> Result<Factored, LimitReached> {
         for &(var, exponent) in monomial.powers() {
             factors.push((Polynomial::variable(var), exponent));
         }
-        separate(
-            &divided(&primitive, &Polynomial::monomial(monomial)),
-            &mut factors,
-        )?;
+        separate(&divided(&primitive, &Polynomial::monomial(monomial)), &mut factors)?;
     }
     factors.sort();
     Ok(Factored { unit, factors })
@@ -83,10 +80,7 @@ pub fn factor(p: &Polynomial) -> Result<Factored, LimitReached> {
         }
     }
     split.sort();
-    Ok(Factored {
-        unit,
-        factors: split,
-    })
+    Ok(Factored { unit, factors: split })
 }
 
 /// Splits contents off until every part is primitive in each of its variables, then Yun's algorithm.
@@ -137,8 +131,7 @@ fn yun(p: &Polynomial, var: Var, factors: &mut Vec<(Polynomial, u32)>) -> Result
 
 /// The quotient by a divisor that is known to divide.
 fn divided(p: &Polynomial, divisor: &Polynomial) -> Polynomial {
-    p.exact_divide(divisor)
-        .expect("the divisor was found as a common divisor")
+    p.exact_divide(divisor).expect("the divisor was found as a common divisor")
 }
 
 /// A split of a square-free primitive polynomial into two primitive factors, where one is found.
@@ -200,9 +193,7 @@ fn split_quadratic(p: &Polynomial, var: Var) -> Result<Option<Polynomial>, Limit
 /// # Errors
 /// [`LimitReached`] when a root would have more than [`MAX_ROOT_TERMS`] terms.
 pub fn exact_root(p: &Polynomial, k: u32) -> Result<Option<Polynomial>, LimitReached> {
-    let (Some((lead, coefficient)), Some((last, last_coefficient))) =
-        (p.leading_term(), p.terms().last())
-    else {
+    let (Some((lead, coefficient)), Some((last, last_coefficient))) = (p.leading_term(), p.terms().last()) else {
         return Ok((k > 0).then(Polynomial::zero));
     };
     if k <= 1 {
@@ -221,10 +212,7 @@ pub fn exact_root(p: &Polynomial, k: u32) -> Result<Option<Polynomial>, LimitRea
     let Some(bottom) = term_root(last, last_coefficient, k) else {
         return Ok(None);
     };
-    if p.variables()
-        .iter()
-        .any(|&var| !p.degree_in(var).is_multiple_of(k))
-    {
+    if p.variables().iter().any(|&var| !p.degree_in(var).is_multiple_of(k)) {
         return Ok(None);
     }
     let mut root = Polynomial::term(top.0.clone(), top.1.clone());
@@ -270,11 +258,7 @@ fn term_root(monomial: &Monomial, coefficient: &Rational, k: u32) -> Option<(Mon
     if negative && k.is_multiple_of(2) {
         return None;
     }
-    let size = if negative {
-        -coefficient
-    } else {
-        coefficient.clone()
-    };
+    let size = if negative { -coefficient } else { coefficient.clone() };
     let root = rational::exact_root(&size, u64::from(k))?;
     let monomial = Monomial::new(&powers).ok()?;
     Some((monomial, if negative { -root } else { root }))
@@ -297,12 +281,7 @@ impl Line {
         if !first.gcd(last).is_one() {
             return None;
         }
-        let count = first
-            .powers()
-            .iter()
-            .chain(last.powers())
-            .map(|&(_, e)| e)
-            .reduce(integer_gcd)?;
+        let count = first.powers().iter().chain(last.powers()).map(|&(_, e)| e).reduce(integer_gcd)?;
         let root = |m: &Monomial| {
             let powers: Vec<(Var, u32)> = m.powers().iter().map(|&(v, e)| (v, e / count)).collect();
             Monomial::new(&powers).ok()
@@ -321,11 +300,7 @@ impl Line {
             terms.push((Monomial::small_power(0, place), coefficient.clone()));
         }
         let univariate = Univariate::from_polynomial(&Polynomial::from_terms(terms), 0)?;
-        Some(Self {
-            above,
-            below,
-            univariate,
-        })
+        Some(Self { above, below, univariate })
     }
 
     /// A proper factor: first of the polynomial read in a power of its variable, so that
@@ -340,13 +315,7 @@ impl Line {
             .map(|(_, i)| i)
             .reduce(integer_gcd)?;
         for power in (1..=step).rev().filter(|m| step % m == 0) {
-            let thinned: Vec<_> = self
-                .univariate
-                .coefficients()
-                .iter()
-                .step_by(power as usize)
-                .cloned()
-                .collect();
+            let thinned: Vec<_> = self.univariate.coefficients().iter().step_by(power as usize).cloned().collect();
             let thinned = Univariate::new(thinned);
             // The polynomial is square-free, hence so are its thinned ones, and
             // a root of a thinned polynomial of degree 1 would give back the whole polynomial.
@@ -364,20 +333,14 @@ impl Line {
     fn binomial(&self, root: &Rational, power: u32) -> Option<Polynomial> {
         let below = between(&self.above, &self.below, power, power)?;
         let above = between(&self.above, &self.below, power, 0)?;
-        Some(Polynomial::from_terms([
-            (below, Rational::ONE),
-            (above, -root),
-        ]))
+        Some(Polynomial::from_terms([(below, Rational::ONE), (above, -root)]))
     }
 }
 
 /// `X^(n−i)·Y^i`.
 fn between(above: &Monomial, below: &Monomial, n: u32, i: u32) -> Option<Monomial> {
     let raise = |m: &Monomial, k: u32| {
-        m.powers()
-            .iter()
-            .map(|&(v, e)| Some((v, e.checked_mul(k)?)))
-            .collect::<Option<Vec<_>>>()
+        m.powers().iter().map(|&(v, e)| Some((v, e.checked_mul(k)?))).collect::<Option<Vec<_>>>()
     };
     let mut powers = raise(above, n.checked_sub(i)?)?;
     powers.extend(raise(below, i)?);

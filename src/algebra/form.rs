@@ -22,8 +22,8 @@ use malachite::Natural;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Floor, Lcm, Pow, Reciprocal};
 use malachite::base::num::basic::traits::{One, Zero};
-use std::cmp::Ordering;
 use rustc_hash::FxHashMap as HashMap;
+use std::cmp::Ordering;
 use std::rc::Rc;
 
 /// The number of an atom in its [`Ring`].
@@ -187,7 +187,13 @@ pub struct Ring {
 
 impl Default for Ring {
     fn default() -> Ring {
-        Ring { atoms: Vec::new(), index: HashMap::default(), terms_limit: 5_000, degree_limit: 100, bits_limit: 100_000 }
+        Ring {
+            atoms: Vec::new(),
+            index: HashMap::default(),
+            terms_limit: 5_000,
+            degree_limit: 100,
+            bits_limit: 100_000,
+        }
     }
 }
 
@@ -482,7 +488,9 @@ impl Ring {
             let monomial = self.monomial_product(&top, &minus)?;
             for (atom, low, high) in &bounds {
                 let e = exponent_in(&monomial, *atom);
-                if self.exponent_order(&e, low)? == Ordering::Less || self.exponent_order(&e, high)? == Ordering::Greater {
+                if self.exponent_order(&e, low)? == Ordering::Less
+                    || self.exponent_order(&e, high)? == Ordering::Greater
+                {
                     return Ok(None);
                 }
             }

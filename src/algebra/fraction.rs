@@ -49,10 +49,7 @@ impl std::error::Error for FractionError {}
 
 impl From<Polynomial> for Fraction {
     fn from(numerator: Polynomial) -> Self {
-        Self {
-            numerator,
-            denominator: Polynomial::one(),
-        }
+        Self { numerator, denominator: Polynomial::one() }
     }
 }
 
@@ -103,10 +100,7 @@ impl Fraction {
             true => numerator,
             false => numerator.scale(&(Rational::ONE / content)),
         };
-        Self {
-            numerator,
-            denominator,
-        }
+        Self { numerator, denominator }
     }
 
     /// The numerator; its coefficients are rational.
@@ -158,10 +152,7 @@ impl Fraction {
     /// The negative.
     #[must_use]
     pub fn neg(&self) -> Self {
-        Self {
-            numerator: self.numerator.neg(),
-            denominator: self.denominator.clone(),
-        }
+        Self { numerator: self.numerator.neg(), denominator: self.denominator.clone() }
     }
 
     /// The product with a rational number.
@@ -170,10 +161,7 @@ impl Fraction {
         if *factor == Rational::ZERO {
             return Self::zero();
         }
-        Self {
-            numerator: self.numerator.scale(factor),
-            denominator: self.denominator.clone(),
-        }
+        Self { numerator: self.numerator.scale(factor), denominator: self.denominator.clone() }
     }
 
     /// The sum.
@@ -196,10 +184,7 @@ impl Fraction {
         let sum = a.try_mul(&rest_d)?.add(&c.try_mul(&rest_b)?);
         // Only the common part of the denominators can cancel.
         let (numerator, common) = cancelled(&sum, &common)?;
-        Ok(Self::coprime(
-            numerator,
-            rest_b.try_mul(&rest_d)?.try_mul(&common)?,
-        ))
+        Ok(Self::coprime(numerator, rest_b.try_mul(&rest_d)?.try_mul(&common)?))
     }
 
     /// The difference.
@@ -228,10 +213,7 @@ impl Fraction {
         if self.is_zero() {
             return Err(FractionError::ZeroDenominator);
         }
-        Ok(Self::coprime(
-            self.denominator.clone(),
-            self.numerator.clone(),
-        ))
+        Ok(Self::coprime(self.denominator.clone(), self.numerator.clone()))
     }
 
     /// The quotient.
@@ -247,17 +229,10 @@ impl Fraction {
     /// # Errors
     /// [`FractionError`] for a negative power of 0 and at a limit.
     pub fn pow(&self, exponent: i32) -> Result<Self, FractionError> {
-        let base = if exponent < 0 {
-            self.reciprocal()?
-        } else {
-            self.clone()
-        };
+        let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
         let size = exponent.unsigned_abs();
         // Powers of coprime polynomials are coprime, powers of primitive ones primitive (Gauss).
-        Ok(Self {
-            numerator: base.numerator.pow(size)?,
-            denominator: base.denominator.pow(size)?,
-        })
+        Ok(Self { numerator: base.numerator.pow(size)?, denominator: base.denominator.pow(size)? })
     }
 
     /// The value at a point, `None` at a pole.
@@ -280,10 +255,7 @@ impl Fraction {
             let (n, d) = cancelled(&n.derivative(var), d)?;
             return Ok(Self::coprime(n, d));
         }
-        let change = n
-            .derivative(var)
-            .try_mul(d)?
-            .sub(&n.try_mul(&d.derivative(var))?);
+        let change = n.derivative(var).try_mul(d)?.sub(&n.try_mul(&d.derivative(var))?);
         let (n, d) = cancelled(&change, &d.pow(2)?)?;
         Ok(Self::coprime(n, d))
     }
@@ -294,16 +266,10 @@ impl Fraction {
     /// [`FractionError`] where the denominator becomes 0 and at a limit.
     pub fn substitute(&self, var: Var, value: &Self) -> Result<Self, FractionError> {
         if let Some(value) = value.as_polynomial() {
-            return Self::new(
-                &self.numerator.substitute(var, value)?,
-                &self.denominator.substitute(var, value)?,
-            );
+            return Self::new(&self.numerator.substitute(var, value)?, &self.denominator.substitute(var, value)?);
         }
         // Both are made polynomials by the same power of the denominator of the value.
-        let degree = self
-            .numerator
-            .degree_in(var)
-            .max(self.denominator.degree_in(var));
+        let degree = self.numerator.degree_in(var).max(self.denominator.degree_in(var));
         let above = homogenised(&self.numerator, var, degree, value)?;
         let below = homogenised(&self.denominator, var, degree, value)?;
         Self::new(&above, &below)
@@ -345,20 +311,13 @@ fn divided(p: &Polynomial, divisor: &Polynomial) -> Polynomial {
 }
 
 /// `Σ cᵢ·nⁱ·d^(degree − i)` for `p = Σ cᵢ·varⁱ` and the value `n/d`.
-fn homogenised(
-    p: &Polynomial,
-    var: Var,
-    degree: u32,
-    value: &Fraction,
-) -> Result<Polynomial, LimitReached> {
+fn homogenised(p: &Polynomial, var: Var, degree: u32, value: &Fraction) -> Result<Polynomial, LimitReached> {
     let mut coefficients = p.coefficients_in(var);
     coefficients.resize(degree as usize + 1, Polynomial::zero());
     let mut sum = Polynomial::zero();
     let mut scale = Polynomial::one();
     for coefficient in coefficients.iter().rev() {
-        sum = sum
-            .try_mul(&value.numerator)?
-            .add(&coefficient.try_mul(&scale)?);
+        sum = sum.try_mul(&value.numerator)?.add(&coefficient.try_mul(&scale)?);
         scale = scale.try_mul(&value.denominator)?;
     }
     Ok(sum)

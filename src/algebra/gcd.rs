@@ -65,11 +65,7 @@ impl Budget {
     }
 
     /// The exact quotient, paid for.
-    fn divide(
-        &mut self,
-        a: &Polynomial,
-        b: &Polynomial,
-    ) -> Result<Option<Polynomial>, LimitReached> {
+    fn divide(&mut self, a: &Polynomial, b: &Polynomial) -> Result<Option<Polynomial>, LimitReached> {
         a.divide_counted(b, MAX_GCD_WORK, &mut self.spent)
     }
 }
@@ -86,15 +82,9 @@ pub fn gcd(a: &Polynomial, b: &Polynomial) -> Result<Polynomial, LimitReached> {
 ///
 /// # Errors
 /// As for [`gcd`].
-pub fn gcd_all<'a>(
-    list: impl IntoIterator<Item = &'a Polynomial>,
-) -> Result<Polynomial, LimitReached> {
+pub fn gcd_all<'a>(list: impl IntoIterator<Item = &'a Polynomial>) -> Result<Polynomial, LimitReached> {
     let mut budget = Budget::new();
-    fold(
-        Polynomial::zero(),
-        list.into_iter().cloned().collect(),
-        &mut budget,
-    )
+    fold(Polynomial::zero(), list.into_iter().cloned().collect(), &mut budget)
 }
 
 /// The content with respect to one variable: the gcd of the coefficients, primitive.
@@ -105,20 +95,12 @@ pub fn content_in(p: &Polynomial, var: Var) -> Result<Polynomial, LimitReached> 
     content_within(p, var, &mut Budget::new())
 }
 
-fn content_within(
-    p: &Polynomial,
-    var: Var,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn content_within(p: &Polynomial, var: Var, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     fold(Polynomial::zero(), p.coefficients_in(var), budget)
 }
 
 /// The gcd of `start` with every polynomial of the list, the smallest first.
-fn fold(
-    start: Polynomial,
-    mut list: Vec<Polynomial>,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn fold(start: Polynomial, mut list: Vec<Polynomial>, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     list.retain(|p| !p.is_zero());
     list.sort_by_key(|p| (p.term_count(), p.degree()));
     list.dedup();
@@ -133,11 +115,7 @@ fn fold(
 }
 
 /// Step 1: contents, monomials and the trivial cases.
-fn gcd_within(
-    a: &Polynomial,
-    b: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     if a.is_zero() {
         return Ok(b.primitive_part().1);
     }
@@ -168,11 +146,7 @@ fn reduced(p: &Polynomial) -> (Polynomial, Monomial) {
 }
 
 /// Steps 1 to 6 for primitive polynomials without monomial content.
-fn gcd_reduced(
-    a: &Polynomial,
-    b: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn gcd_reduced(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     if a.is_constant() || b.is_constant() {
         return Ok(Polynomial::one());
     }
@@ -183,11 +157,7 @@ fn gcd_reduced(
     for (linear, other) in [(a, b), (b, a)] {
         if linear.degree() == 1 {
             let divides = budget.divide(other, linear)?.is_some();
-            return Ok(if divides {
-                linear.clone()
-            } else {
-                Polynomial::one()
-            });
+            return Ok(if divides { linear.clone() } else { Polynomial::one() });
         }
     }
     let (left, right) = (a.variables(), b.variables());
@@ -231,11 +201,7 @@ fn gcd_reduced(
     {
         return Ok(candidate);
     }
-    let main = left
-        .iter()
-        .copied()
-        .min_by_key(|&var| a.degree_in(var).max(b.degree_in(var)))
-        .unwrap_or_default();
+    let main = left.iter().copied().min_by_key(|&var| a.degree_in(var).max(b.degree_in(var))).unwrap_or_default();
     subresultant::gcd_in(a, b, main, budget)
 }
 
@@ -268,9 +234,7 @@ fn gcd_homogeneous(
 
 /// Whether a polynomial has exactly the given degrees.
 fn reaches(p: &Polynomial, bounds: &BTreeMap<Var, u32>) -> bool {
-    bounds
-        .iter()
-        .all(|(&var, &bound)| p.degree_in(var) == bound)
+    bounds.iter().all(|(&var, &bound)| p.degree_in(var) == bound)
 }
 
 /// The gcd where `a` has degree 1 in a variable.
@@ -278,12 +242,7 @@ fn reaches(p: &Polynomial, bounds: &BTreeMap<Var, u32>) -> bool {
 /// Why it is right: `a = c·l` with the content `c` free of the variable and `l` primitive of degree
 /// 1, hence irreducible. Either `l` divides `b`, and `gcd(a, b) = l·gcd(c, b/l)`, or it is coprime
 /// to `b`, and `gcd(a, b) = gcd(c, b)`.
-fn gcd_with_linear(
-    a: &Polynomial,
-    b: &Polynomial,
-    var: Var,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn gcd_with_linear(a: &Polynomial, b: &Polynomial, var: Var, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     let content = content_within(a, var, budget)?;
     let linear = match budget.divide(a, &content)? {
         Some(quotient) => quotient.primitive_part().1,

@@ -69,11 +69,7 @@ impl fmt::Display for LimitReached {
             Limit::Bits => "bits of a coefficient",
             Limit::Pivots => "pivots",
         };
-        write!(
-            f,
-            "limit on {what} reached: {} allowed, {} needed",
-            self.allowed, self.needed
-        )
+        write!(f, "limit on {what} reached: {} allowed, {} needed", self.allowed, self.needed)
     }
 }
 

@@ -30,10 +30,7 @@ impl Monomial {
     /// The variable itself.
     #[must_use]
     pub fn variable(var: Var) -> Self {
-        Self {
-            degree: 1,
-            powers: vec![(var, 1)],
-        }
+        Self { degree: 1, powers: vec![(var, 1)] }
     }
 
     /// The product of the given powers, in any order; equal variables are multiplied together.
@@ -52,10 +49,7 @@ impl Monomial {
                 _ => merged.push((var, exponent)),
             }
         }
-        Ok(Self {
-            degree,
-            powers: merged,
-        })
+        Ok(Self { degree, powers: merged })
     }
 
     /// The power `var^exponent`.
@@ -70,10 +64,7 @@ impl Monomial {
     pub(super) fn small_power(var: Var, exponent: u32) -> Self {
         match exponent {
             0 => Self::one(),
-            _ => Self {
-                degree: exponent,
-                powers: vec![(var, exponent)],
-            },
+            _ => Self { degree: exponent, powers: vec![(var, exponent)] },
         }
     }
 
@@ -92,10 +83,7 @@ impl Monomial {
     /// The exponent of one variable, 0 where it does not occur.
     #[must_use]
     pub fn exponent(&self, var: Var) -> u32 {
-        self.powers
-            .iter()
-            .find(|&&(v, _)| v == var)
-            .map_or(0, |&(_, e)| e)
+        self.powers.iter().find(|&&(v, _)| v == var).map_or(0, |&(_, e)| e)
     }
 
     /// The variables with their exponents, variables increasing, exponents at least 1.
@@ -122,10 +110,7 @@ impl Monomial {
             return other.clone();
         }
         let mut powers = Vec::with_capacity(self.powers.len() + other.powers.len());
-        let (mut left, mut right) = (
-            self.powers.iter().peekable(),
-            other.powers.iter().peekable(),
-        );
+        let (mut left, mut right) = (self.powers.iter().peekable(), other.powers.iter().peekable());
         loop {
             match (left.peek(), right.peek()) {
                 (Some(&&(a, e)), Some(&&(b, f))) => match a.cmp(&b) {
@@ -151,10 +136,7 @@ impl Monomial {
                 (None, None) => break,
             }
         }
-        Self {
-            degree: self.degree + other.degree,
-            powers,
-        }
+        Self { degree: self.degree + other.degree, powers }
     }
 
     /// The quotient, where the divisor divides.
@@ -181,10 +163,7 @@ impl Monomial {
         if rest.peek().is_some() {
             return None;
         }
-        Some(Self {
-            degree: self.degree - divisor.degree,
-            powers,
-        })
+        Some(Self { degree: self.degree - divisor.degree, powers })
     }
 
     /// The greatest common divisor: the smaller exponent of each variable.
@@ -209,19 +188,8 @@ impl Monomial {
         if exponent == 0 {
             return (self.clone(), 0);
         }
-        let powers = self
-            .powers
-            .iter()
-            .copied()
-            .filter(|&(v, _)| v != var)
-            .collect();
-        (
-            Self {
-                degree: self.degree - exponent,
-                powers,
-            },
-            exponent,
-        )
+        let powers = self.powers.iter().copied().filter(|&(v, _)| v != var).collect();
+        (Self { degree: self.degree - exponent, powers }, exponent)
     }
 
     /// The monomial as text, 1 as the empty string.
@@ -242,11 +210,7 @@ impl Monomial {
 pub(super) fn checked_degree(total: u64) -> Result<u32, LimitReached> {
     match u32::try_from(total) {
         Ok(degree) if degree <= MAX_DEGREE => Ok(degree),
-        _ => Err(LimitReached {
-            limit: Limit::Degree,
-            allowed: u64::from(MAX_DEGREE),
-            needed: total,
-        }),
+        _ => Err(LimitReached { limit: Limit::Degree, allowed: u64::from(MAX_DEGREE), needed: total }),
     }
 }
 

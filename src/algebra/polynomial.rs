@@ -87,9 +87,7 @@ impl Polynomial {
         if coefficient == Rational::ZERO {
             return Self::zero();
         }
-        Self {
-            terms: vec![(monomial, coefficient)],
-        }
+        Self { terms: vec![(monomial, coefficient)] }
     }
 
     /// The sum of the given terms, in any order, with repetitions and zeros allowed.
@@ -156,17 +154,13 @@ impl Polynomial {
     /// The coefficient of the leading term; 0 of the zero polynomial.
     #[must_use]
     pub fn leading_coefficient(&self) -> Rational {
-        self.terms
-            .first()
-            .map_or(Rational::ZERO, |(_, c)| c.clone())
+        self.terms.first().map_or(Rational::ZERO, |(_, c)| c.clone())
     }
 
     /// The coefficient of one monomial, 0 where it does not occur.
     #[must_use]
     pub fn coefficient(&self, monomial: &Monomial) -> Rational {
-        self.terms
-            .binary_search_by(|(m, _)| monomial.cmp(m))
-            .map_or(Rational::ZERO, |i| self.terms[i].1.clone())
+        self.terms.binary_search_by(|(m, _)| monomial.cmp(m)).map_or(Rational::ZERO, |i| self.terms[i].1.clone())
     }
 
     /// The constant term.
@@ -187,32 +181,20 @@ impl Polynomial {
     /// The largest exponent of a variable.
     #[must_use]
     pub fn degree_in(&self, var: Var) -> u32 {
-        self.terms
-            .iter()
-            .map(|(m, _)| m.exponent(var))
-            .max()
-            .unwrap_or(0)
+        self.terms.iter().map(|(m, _)| m.exponent(var)).max().unwrap_or(0)
     }
 
     /// The variables that occur, increasing.
     #[must_use]
     pub fn variables(&self) -> Vec<Var> {
-        let all: BTreeSet<Var> = self
-            .terms
-            .iter()
-            .flat_map(|(m, _)| m.powers().iter().map(|&(v, _)| v))
-            .collect();
+        let all: BTreeSet<Var> = self.terms.iter().flat_map(|(m, _)| m.powers().iter().map(|&(v, _)| v)).collect();
         all.into_iter().collect()
     }
 
     /// The bits of the largest numerator or denominator among the coefficients.
     #[must_use]
     pub fn height_bits(&self) -> usize {
-        let bits = self
-            .terms
-            .iter()
-            .map(|(_, c)| c.height_ref().significant_bits())
-            .max();
+        let bits = self.terms.iter().map(|(_, c)| c.height_ref().significant_bits()).max();
         usize::try_from(bits.unwrap_or(0)).unwrap_or(usize::MAX)
     }
 
@@ -225,25 +207,19 @@ impl Polynomial {
     /// The sum.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
-        Self {
-            terms: merge(self.terms.clone(), other.terms.clone()),
-        }
+        Self { terms: merge(self.terms.clone(), other.terms.clone()) }
     }
 
     /// The difference.
     #[must_use]
     pub fn sub(&self, other: &Self) -> Self {
-        Self {
-            terms: merge(self.terms.clone(), other.neg().terms),
-        }
+        Self { terms: merge(self.terms.clone(), other.neg().terms) }
     }
 
     /// The negative.
     #[must_use]
     pub fn neg(&self) -> Self {
-        Self {
-            terms: self.terms.iter().map(|(m, c)| (m.clone(), -c)).collect(),
-        }
+        Self { terms: self.terms.iter().map(|(m, c)| (m.clone(), -c)).collect() }
     }
 
     /// The product with a rational number.
@@ -252,13 +228,7 @@ impl Polynomial {
         if *factor == Rational::ZERO {
             return Self::zero();
         }
-        Self {
-            terms: self
-                .terms
-                .iter()
-                .map(|(m, c)| (m.clone(), c * factor))
-                .collect(),
-        }
+        Self { terms: self.terms.iter().map(|(m, c)| (m.clone(), c * factor)).collect() }
     }
 
     /// The product of two polynomials whose degrees together stay below `u32::MAX`.
@@ -267,14 +237,8 @@ impl Polynomial {
     /// few of their results; for unbounded products use [`Polynomial::try_mul`].
     #[must_use]
     pub fn mul(&self, other: &Self) -> Self {
-        let (few, many) = if self.terms.len() <= other.terms.len() {
-            (self, other)
-        } else {
-            (other, self)
-        };
-        Self {
-            terms: product(&few.terms, &many.terms),
-        }
+        let (few, many) = if self.terms.len() <= other.terms.len() { (self, other) } else { (other, self) };
+        Self { terms: product(&few.terms, &many.terms) }
     }
 
     /// The product, within the limits.
@@ -285,11 +249,7 @@ impl Polynomial {
         checked_degree(u64::from(self.degree()) + u64::from(other.degree()))?;
         let work = self.terms.len().saturating_mul(other.terms.len());
         within(Limit::Work, MAX_WORK, work)?;
-        within(
-            Limit::Bits,
-            MAX_BITS,
-            self.height_bits().saturating_add(other.height_bits()),
-        )?;
+        within(Limit::Bits, MAX_BITS, self.height_bits().saturating_add(other.height_bits()))?;
         let result = self.mul(other);
         within(Limit::Terms, MAX_TERMS, result.terms.len())?;
         Ok(result)
@@ -345,28 +305,17 @@ impl Polynomial {
     /// The polynomial `Σ cᵢ·varⁱ`.
     #[must_use]
     pub fn from_coefficients_in(var: Var, coefficients: &[Self]) -> Self {
-        let terms = coefficients
-            .iter()
-            .zip(0u32..)
-            .flat_map(|(poly, exponent)| {
-                let power = Monomial::small_power(var, exponent);
-                poly.terms
-                    .iter()
-                    .map(move |(m, c)| (m.mul(&power), c.clone()))
-            });
+        let terms = coefficients.iter().zip(0u32..).flat_map(|(poly, exponent)| {
+            let power = Monomial::small_power(var, exponent);
+            poly.terms.iter().map(move |(m, c)| (m.mul(&power), c.clone()))
+        });
         Self::from_terms(terms)
     }
 
     /// The product with a monomial.
     #[must_use]
     pub fn mul_monomial(&self, monomial: &Monomial) -> Self {
-        Self {
-            terms: self
-                .terms
-                .iter()
-                .map(|(m, c)| (m.mul(monomial), c.clone()))
-                .collect(),
-        }
+        Self { terms: self.terms.iter().map(|(m, c)| (m.mul(monomial), c.clone())).collect() }
     }
 
     /// The partial derivative.
@@ -387,18 +336,11 @@ pub(super) fn within(limit: Limit, allowed: usize, needed: usize) -> Result<(), 
     if needed <= allowed {
         return Ok(());
     }
-    Err(LimitReached {
-        limit,
-        allowed: allowed as u64,
-        needed: needed as u64,
-    })
+    Err(LimitReached { limit, allowed: allowed as u64, needed: needed as u64 })
 }
 
 /// The sum of two ordered lists of terms, ordered and without zeros.
-fn merge(
-    left: Vec<(Monomial, Rational)>,
-    right: Vec<(Monomial, Rational)>,
-) -> Vec<(Monomial, Rational)> {
+fn merge(left: Vec<(Monomial, Rational)>, right: Vec<(Monomial, Rational)>) -> Vec<(Monomial, Rational)> {
     if left.is_empty() {
         return right;
     }
@@ -430,16 +372,10 @@ fn merge(
 }
 
 /// The product of two ordered lists of terms: rows of products, merged in a balanced tree.
-fn product(
-    few: &[(Monomial, Rational)],
-    many: &[(Monomial, Rational)],
-) -> Vec<(Monomial, Rational)> {
+fn product(few: &[(Monomial, Rational)], many: &[(Monomial, Rational)]) -> Vec<(Monomial, Rational)> {
     match few {
         [] => Vec::new(),
-        [(monomial, coefficient)] => many
-            .iter()
-            .map(|(m, c)| (m.mul(monomial), c * coefficient))
-            .collect(),
+        [(monomial, coefficient)] => many.iter().map(|(m, c)| (m.mul(monomial), c * coefficient)).collect(),
         _ => {
             let (upper, lower) = few.split_at(few.len() / 2);
             merge(product(upper, many), product(lower, many))

@@ -65,14 +65,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self {
-            extra_degree: 1,
-            columns: 400,
-            rows: 300,
-            pivots: 500,
-            work: 2_000_000,
-            univariate_degree: 60,
-        }
+        Self { extra_degree: 1, columns: 400, rows: 300, pivots: 500, work: 2_000_000, univariate_degree: 60 }
     }
 }
 
@@ -120,50 +113,24 @@ pub fn certify(
     want_strict: bool,
     limits: &Limits,
 ) -> Option<Certificate> {
-    let good = |found: Option<Certificate>| {
-        found.filter(|c| (c.is_strict() || !want_strict) && c.verify(p, constraints))
-    };
+    let good =
+        |found: Option<Certificate>| found.filter(|c| (c.is_strict() || !want_strict) && c.verify(p, constraints));
     if let Some(value) = p.as_constant() {
         return good(constant(&value, constraints));
     }
     let moderate = p.degree() <= limits.univariate_degree;
     good(bounds::by_coefficients(p, constraints))
-        .or_else(|| {
-            good(if moderate {
-                sturm(p, constraints)
-            } else {
-                None
-            })
-        })
-        .or_else(|| {
-            good(if moderate {
-                bounds::by_bernstein(p, constraints)
-            } else {
-                None
-            })
-        })
+        .or_else(|| good(if moderate { sturm(p, constraints) } else { None }))
+        .or_else(|| good(if moderate { bounds::by_bernstein(p, constraints) } else { None }))
         .or_else(|| {
             let none: &[Polynomial] = &[];
             let own = products::usual_squares(p);
             let more: Vec<Polynomial> = squares.iter().cloned().chain(own).collect();
-            let tries = if squares.is_empty() {
-                [none, &more]
-            } else {
-                [squares, &more]
-            };
+            let tries = if squares.is_empty() { [none, &more] } else { [squares, &more] };
             let degrees = p.degree()..=p.degree().saturating_add(limits.extra_degree);
-            degrees
-                .flat_map(|degree| tries.map(|squares| (degree, squares)))
-                .find_map(|(degree, squares)| {
-                    good(products::by_products(
-                        p,
-                        constraints,
-                        squares,
-                        want_strict,
-                        degree,
-                        limits,
-                    ))
-                })
+            degrees.flat_map(|degree| tries.map(|squares| (degree, squares))).find_map(|(degree, squares)| {
+                good(products::by_products(p, constraints, squares, want_strict, degree, limits))
+            })
         })
 }
 
@@ -172,16 +139,8 @@ fn constant(value: &Rational, constraints: &[Constraint]) -> Option<Certificate>
     if *value < Rational::ZERO {
         return None;
     }
-    let summand = Summand {
-        weight: value.clone(),
-        constraints: Vec::new(),
-        squares: Vec::new(),
-    };
-    let summands = if *value > Rational::ZERO {
-        vec![summand]
-    } else {
-        Vec::new()
-    };
+    let summand = Summand { weight: value.clone(), constraints: Vec::new(), squares: Vec::new() };
+    let summands = if *value > Rational::ZERO { vec![summand] } else { Vec::new() };
     Some(Certificate::combination(summands, constraints))
 }
 
@@ -196,21 +155,13 @@ fn sturm(p: &Polynomial, constraints: &[Constraint]) -> Option<Certificate> {
         SignOn::NonNegative | SignOn::Zero => false,
         _ => return None,
     };
-    Some(Certificate::Sturm {
-        var,
-        interval,
-        strict,
-    })
+    Some(Certificate::Sturm { var, interval, strict })
 }
 
 impl Summand {
     /// Whether it is positive wherever the constraints hold.
     fn is_positive(&self, constraints: &[Constraint]) -> bool {
-        self.squares.is_empty()
-            && self
-                .constraints
-                .iter()
-                .all(|&(j, _)| constraints.get(j).is_some_and(|g| g.strict))
+        self.squares.is_empty() && self.constraints.iter().all(|&(j, _)| constraints.get(j).is_some_and(|g| g.strict))
     }
 
     /// The polynomial, where the numbers of the constraints are right and no limit is reached.
@@ -229,20 +180,10 @@ impl Summand {
     fn text(&self, name: &dyn Fn(Var) -> String, constraints: &[Constraint]) -> String {
         let mut factors = Vec::new();
         for &(j, exponent) in &self.constraints {
-            let base = constraints
-                .get(j)
-                .map_or("?".to_owned(), |g| bracketed(&g.poly, name));
-            factors.push(if exponent == 1 {
-                base
-            } else {
-                format!("{base}^{exponent}")
-            });
+            let base = constraints.get(j).map_or("?".to_owned(), |g| bracketed(&g.poly, name));
+            factors.push(if exponent == 1 { base } else { format!("{base}^{exponent}") });
         }
-        factors.extend(
-            self.squares
-                .iter()
-                .map(|s| format!("{}^2", bracketed(s, name))),
-        );
+        factors.extend(self.squares.iter().map(|s| format!("{}^2", bracketed(s, name))));
         if self.weight != Rational::ONE || factors.is_empty() {
             factors.insert(0, self.weight.to_string());
         }
@@ -253,14 +194,8 @@ impl Summand {
 /// The polynomial as a factor in a product.
 fn bracketed(p: &Polynomial, name: &dyn Fn(Var) -> String) -> String {
     let text = p.display(name);
-    let plain = p
-        .leading_term()
-        .is_some_and(|(m, c)| *c == Rational::ONE && m.degree() == 1);
-    if p.term_count() == 1 && plain {
-        text
-    } else {
-        format!("({text})")
-    }
+    let plain = p.leading_term().is_some_and(|(m, c)| *c == Rational::ONE && m.degree() == 1);
+    if p.term_count() == 1 && plain { text } else { format!("({text})") }
 }
 
 impl Certificate {
@@ -293,11 +228,7 @@ impl Certificate {
                 }
                 sum == *p && (!strict || summands.iter().any(|s| s.is_positive(constraints)))
             }
-            Self::Sturm {
-                var,
-                interval,
-                strict,
-            } => {
+            Self::Sturm { var, interval, strict } => {
                 let sign = Univariate::from_polynomial(p, *var).map(|f| f.sign_on(interval));
                 let holds = match sign {
                     Some(SignOn::Positive) => true,
@@ -314,33 +245,17 @@ impl Certificate {
     pub fn explain(&self, name: &dyn Fn(Var) -> String, constraints: &[Constraint]) -> String {
         match self {
             Self::Combination { summands, strict } => {
-                let parts: Vec<String> =
-                    summands.iter().map(|s| s.text(name, constraints)).collect();
-                let sum = if parts.is_empty() {
-                    "0".to_owned()
-                } else {
-                    parts.join(" + ")
-                };
+                let parts: Vec<String> = summands.iter().map(|s| s.text(name, constraints)).collect();
+                let sum = if parts.is_empty() { "0".to_owned() } else { parts.join(" + ") };
                 let why = match strict {
                     true => "no summand is negative and one is positive",
                     false => "no summand is negative",
                 };
                 format!("it equals {sum}, where {why}")
             }
-            Self::Sturm {
-                var,
-                interval,
-                strict,
-            } => {
-                let what = if *strict {
-                    "has no root and is positive"
-                } else {
-                    "is not negative"
-                };
-                format!(
-                    "by Sturm's theorem it {what} for {}",
-                    interval.display(&name(*var))
-                )
+            Self::Sturm { var, interval, strict } => {
+                let what = if *strict { "has no root and is positive" } else { "is not negative" };
+                format!("by Sturm's theorem it {what} for {}", interval.display(&name(*var)))
             }
         }
     }

@@ -96,10 +96,7 @@ impl Interval {
     /// The whole line.
     #[must_use]
     pub fn whole() -> Self {
-        Self {
-            lower: End::Infinite,
-            upper: End::Infinite,
-        }
+        Self { lower: End::Infinite, upper: End::Infinite }
     }
 
     /// Whether no number lies in it.
@@ -176,11 +173,7 @@ impl Univariate {
     /// The number of distinct real roots.
     #[must_use]
     pub fn root_count(&self) -> usize {
-        if self.is_zero() {
-            0
-        } else {
-            self.sturm_sequence().count()
-        }
+        if self.is_zero() { 0 } else { self.sturm_sequence().count() }
     }
 
     /// The number of distinct roots in an interval; none of the zero polynomial.
@@ -275,10 +268,7 @@ struct Isolation {
 impl Isolation {
     fn of(f: &Univariate) -> Self {
         if f.is_zero() {
-            return Self {
-                roots: Vec::new(),
-                irrational: Univariate::default(),
-            };
+            return Self { roots: Vec::new(), irrational: Univariate::default() };
         }
         let mut irrational = f.square_free_part();
         let rational = irrational.rational_roots();
@@ -295,12 +285,8 @@ impl Isolation {
         for root in &rational {
             isolation.exclude(root);
         }
-        isolation
-            .roots
-            .extend(rational.into_iter().map(RealRoot::Exact));
-        isolation
-            .roots
-            .sort_by(|a, b| a.lower().cmp(b.lower()).then(a.upper().cmp(b.upper())));
+        isolation.roots.extend(rational.into_iter().map(RealRoot::Exact));
+        isolation.roots.sort_by(|a, b| a.lower().cmp(b.lower()).then(a.upper().cmp(b.upper())));
         isolation
     }
 

@@ -68,37 +68,24 @@ fn useful_columns(columns: &[Column], target: &[Rational]) -> Option<Vec<usize>>
     let mut positive = vec![0usize; target.len()];
     let mut negative = vec![0usize; target.len()];
     for (row, entry) in columns.iter().flatten() {
-        let count = if *entry > Rational::ZERO {
-            &mut positive
-        } else {
-            &mut negative
-        };
+        let count = if *entry > Rational::ZERO { &mut positive } else { &mut negative };
         count[*row] += 1;
     }
     let mut kept: Vec<usize> = (0..columns.len()).collect();
     loop {
         for (row, value) in target.iter().enumerate() {
-            if *value > Rational::ZERO && positive[row] == 0
-                || *value < Rational::ZERO && negative[row] == 0
-            {
+            if *value > Rational::ZERO && positive[row] == 0 || *value < Rational::ZERO && negative[row] == 0 {
                 return None;
             }
         }
-        let forced = |row: usize| {
-            target[row] == Rational::ZERO && (positive[row] == 0 || negative[row] == 0)
-        };
-        let (dropped, rest): (Vec<usize>, Vec<usize>) = kept
-            .iter()
-            .partition(|&&j| columns[j].iter().any(|(row, _)| forced(*row)));
+        let forced = |row: usize| target[row] == Rational::ZERO && (positive[row] == 0 || negative[row] == 0);
+        let (dropped, rest): (Vec<usize>, Vec<usize>) =
+            kept.iter().partition(|&&j| columns[j].iter().any(|(row, _)| forced(*row)));
         if dropped.is_empty() {
             return Some(rest);
         }
         for (row, entry) in dropped.iter().flat_map(|&j| &columns[j]) {
-            let count = if *entry > Rational::ZERO {
-                &mut positive
-            } else {
-                &mut negative
-            };
+            let count = if *entry > Rational::ZERO { &mut positive } else { &mut negative };
             count[*row] -= 1;
         }
         kept = rest;
@@ -136,14 +123,7 @@ impl Tableau {
         }
         rows.retain(|row| row.iter().any(|entry| *entry != Rational::ZERO));
         let basis = vec![None; rows.len()];
-        Self {
-            rows,
-            basis,
-            width,
-            limits,
-            pivots: 0,
-            work: 0,
-        }
+        Self { rows, basis, width, limits, pivots: 0, work: 0 }
     }
 
     /// Phase one: makes the artificial unknowns 0; whether that is possible.
@@ -164,9 +144,7 @@ impl Tableau {
             if self.basis[row].is_some() {
                 continue;
             }
-            let entry = self.rows[row][..self.width]
-                .iter()
-                .position(|e| *e != Rational::ZERO);
+            let entry = self.rows[row][..self.width].iter().position(|e| *e != Rational::ZERO);
             match entry {
                 Some(column) => self.pivot(row, column, &mut [])?,
                 None => {
@@ -191,9 +169,7 @@ impl Tableau {
                 }
             }
         }
-        let ray = self.improve(&mut gains, |gains| {
-            gains.last().is_some_and(|value| *value < Rational::ZERO)
-        })?;
+        let ray = self.improve(&mut gains, |gains| gains.last().is_some_and(|value| *value < Rational::ZERO))?;
         if let Some(column) = ray {
             // The sum grows without bound along this column: one step of length 1.
             for row in &mut self.rows {
@@ -246,9 +222,9 @@ impl Tableau {
                 continue;
             }
             let ratio = &row[self.width] / &row[column];
-            let better = best.as_ref().is_none_or(|(k, least)| {
-                ratio < *least || ratio == *least && self.basis[i] < self.basis[*k]
-            });
+            let better = best
+                .as_ref()
+                .is_none_or(|(k, least)| ratio < *least || ratio == *least && self.basis[i] < self.basis[*k]);
             if better {
                 best = Some((i, ratio));
             }
@@ -257,12 +233,7 @@ impl Tableau {
     }
 
     /// Solves one row for an unknown and removes it from all other rows and from the gains.
-    fn pivot(
-        &mut self,
-        row: usize,
-        column: usize,
-        gains: &mut [Rational],
-    ) -> Result<(), LimitReached> {
+    fn pivot(&mut self, row: usize, column: usize, gains: &mut [Rational]) -> Result<(), LimitReached> {
         self.pivots += 1;
         within(Limit::Pivots, self.limits.pivots, self.pivots)?;
         let inverse = Rational::ONE / &self.rows[row][column];
@@ -272,9 +243,7 @@ impl Tableau {
                 *entry *= &inverse;
             }
         }
-        let filled: Vec<usize> = (0..=self.width)
-            .filter(|&j| pivot_row[j] != Rational::ZERO)
-            .collect();
+        let filled: Vec<usize> = (0..=self.width).filter(|&j| pivot_row[j] != Rational::ZERO).collect();
         let eliminate = |other: &mut [Rational]| {
             let factor = match other.get(column) {
                 Some(factor) if *factor != Rational::ZERO => factor.clone(),
@@ -345,24 +314,14 @@ mod tests {
     #[test]
     fn linear_programs_without_solution_are_recognised() {
         let r = Rational::from;
-        let limits = SimplexLimits {
-            pivots: 200,
-            work: 100_000,
-        };
+        let limits = SimplexLimits { pivots: 200, work: 100_000 };
         // λ₁ − λ₂ = 1 and λ₁ − λ₂ = 2.
         let columns: Vec<Column> = vec![vec![(0, r(1)), (1, r(1))], vec![(0, r(-1)), (1, r(-1))]];
         assert_eq!(solve(&columns, &[r(1), r(2)], None, &limits), Ok(None));
         // A marked unknown that every solution has at 0.
-        let columns: Vec<Column> =
-            vec![vec![(0, r(1))], vec![(0, r(1)), (1, r(1))], vec![(1, r(1))]];
+        let columns: Vec<Column> = vec![vec![(0, r(1))], vec![(0, r(1)), (1, r(1))], vec![(1, r(1))]];
         let marked = [false, true, false];
-        assert_eq!(
-            solve(&columns, &[r(1), r(0)], Some(&marked), &limits),
-            Ok(None)
-        );
-        assert!(matches!(
-            solve(&columns, &[r(1), r(1)], Some(&marked), &limits),
-            Ok(Some(_))
-        ));
+        assert_eq!(solve(&columns, &[r(1), r(0)], Some(&marked), &limits), Ok(None));
+        assert!(matches!(solve(&columns, &[r(1), r(1)], Some(&marked), &limits), Ok(Some(_))));
     }
 }

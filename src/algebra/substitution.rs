@@ -30,15 +30,8 @@ impl Polynomial {
     ///
     /// # Errors
     /// [`LimitReached`] when the degree, the terms, the work or the bits pass their limit.
-    pub fn substitute_all(
-        &self,
-        value: &dyn Fn(Var) -> Option<Self>,
-    ) -> Result<Self, LimitReached> {
-        let values: BTreeMap<Var, Self> = self
-            .variables()
-            .into_iter()
-            .filter_map(|v| Some((v, value(v)?)))
-            .collect();
+    pub fn substitute_all(&self, value: &dyn Fn(Var) -> Option<Self>) -> Result<Self, LimitReached> {
+        let values: BTreeMap<Var, Self> = self.variables().into_iter().filter_map(|v| Some((v, value(v)?))).collect();
         let mut powers: BTreeMap<(Var, u32), Self> = BTreeMap::new();
         let mut sum = Self::zero();
         for (monomial, coefficient) in &self.terms {
@@ -47,10 +40,7 @@ impl Polynomial {
                 let power = match powers.get(&(var, exponent)) {
                     Some(power) => power.clone(),
                     None => {
-                        let base = values
-                            .get(&var)
-                            .cloned()
-                            .unwrap_or_else(|| Self::variable(var));
+                        let base = values.get(&var).cloned().unwrap_or_else(|| Self::variable(var));
                         let power = base.pow(exponent)?;
                         powers.insert((var, exponent), power.clone());
                         power

@@ -20,11 +20,7 @@ impl Polynomial {
                 (_, false) => " + ",
                 (_, true) => " - ",
             });
-            let size = if negative {
-                -coefficient
-            } else {
-                coefficient.clone()
-            };
+            let size = if negative { -coefficient } else { coefficient.clone() };
             let product = monomial.text(name);
             if product.is_empty() {
                 text.push_str(&size.to_string());

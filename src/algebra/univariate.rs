@@ -58,11 +58,8 @@ impl Univariate {
     /// The polynomial in the variable `var`.
     #[must_use]
     pub fn to_polynomial(&self, var: Var) -> Polynomial {
-        let coefficients: Vec<Polynomial> = self
-            .coefficients
-            .iter()
-            .map(|c| Polynomial::constant(Rational::from(c)))
-            .collect();
+        let coefficients: Vec<Polynomial> =
+            self.coefficients.iter().map(|c| Polynomial::constant(Rational::from(c))).collect();
         Polynomial::from_coefficients_in(var, &coefficients)
     }
 
@@ -102,20 +99,14 @@ impl Univariate {
     /// The sign for all sufficiently large `x`.
     #[must_use]
     pub fn sign_at_infinity(&self) -> Ordering {
-        self.coefficients
-            .last()
-            .map_or(Ordering::Equal, |c| c.cmp(&Integer::ZERO))
+        self.coefficients.last().map_or(Ordering::Equal, |c| c.cmp(&Integer::ZERO))
     }
 
     /// The sign for all sufficiently small (very negative) `x`.
     #[must_use]
     pub fn sign_at_minus_infinity(&self) -> Ordering {
         let sign = self.sign_at_infinity();
-        if self.degree() % 2 == 1 {
-            sign.reverse()
-        } else {
-            sign
-        }
+        if self.degree() % 2 == 1 { sign.reverse() } else { sign }
     }
 
     /// The derivative.
@@ -156,11 +147,7 @@ impl Univariate {
             p = q;
             q = rest;
         }
-        if p.sign_at_infinity() == Ordering::Less {
-            p.negated()
-        } else {
-            p
-        }
+        if p.sign_at_infinity() == Ordering::Less { p.negated() } else { p }
     }
 
     /// The Sturm sequence: the polynomial, its derivative, and then the negated remainders, each up
@@ -214,12 +201,7 @@ impl Univariate {
             return Vec::new();
         };
         let lead = self.coefficients.last().cloned().unwrap_or(Integer::ONE);
-        let largest = self
-            .coefficients
-            .iter()
-            .map(Integer::unsigned_abs_ref)
-            .max()
-            .cloned();
+        let largest = self.coefficients.iter().map(Integer::unsigned_abs_ref).max().cloned();
         let bound = (lead.unsigned_abs_ref() + largest.unwrap_or(Natural::ONE)) << 1u32;
         let derivative = self.derivative();
         let mut found = Vec::new();
@@ -256,9 +238,7 @@ impl Univariate {
             if residue(lead, &modulus) != Natural::ZERO {
                 let small = self.residues(prime);
                 let slope = derivative.residues(prime);
-                let roots: Vec<u64> = (0..prime)
-                    .filter(|&x| horner(&small, x, prime) == 0)
-                    .collect();
+                let roots: Vec<u64> = (0..prime).filter(|&x| horner(&small, x, prime) == 0).collect();
                 if roots.iter().all(|&x| horner(&slope, x, prime) != 0) {
                     return Some((prime, roots));
                 }
@@ -291,8 +271,7 @@ impl Univariate {
         };
         // Cauchy: |x| < 1 + max |cᵢ/l|; the next power of two is kinder to bisection.
         let largest = lower.iter().map(Integer::unsigned_abs_ref).max().cloned();
-        let ratio =
-            largest.unwrap_or(Natural::ZERO) / lead.unsigned_abs_ref() + Natural::from(2u32);
+        let ratio = largest.unwrap_or(Natural::ZERO) / lead.unsigned_abs_ref() + Natural::from(2u32);
         Rational::from(Natural::ONE << ratio.significant_bits())
     }
 
@@ -335,21 +314,12 @@ impl Univariate {
             return self.clone();
         }
         let content = Integer::from(content);
-        Self {
-            coefficients: self
-                .coefficients
-                .iter()
-                .map(|c| c.div_exact(&content))
-                .collect(),
-        }
+        Self { coefficients: self.coefficients.iter().map(|c| c.div_exact(&content)).collect() }
     }
 
     /// The quotient by `d·x − n` for a root `n/d`.
     pub(super) fn without_root(&self, root: &Rational) -> Self {
-        let linear = Self::new(vec![
-            -numerator(root),
-            Integer::from(root.denominator_ref()),
-        ]);
+        let linear = Self::new(vec![-numerator(root), Integer::from(root.denominator_ref())]);
         self.pseudo_divide(&linear).0.primitive()
     }
 
@@ -422,28 +392,17 @@ fn integer(x: &Rational) -> Integer {
 /// The residue in `0..modulus`.
 fn residue(c: &Integer, modulus: &Natural) -> Natural {
     let rest = c.unsigned_abs_ref() % modulus;
-    if *c < Integer::ZERO && rest != Natural::ZERO {
-        modulus - rest
-    } else {
-        rest
-    }
+    if *c < Integer::ZERO && rest != Natural::ZERO { modulus - rest } else { rest }
 }
 
 /// The residue of smallest absolute value.
 fn balanced(c: &Integer, modulus: &Natural) -> Integer {
     let rest = residue(c, modulus);
-    if &rest + &rest > *modulus {
-        Integer::from(rest) - Integer::from(modulus)
-    } else {
-        Integer::from(rest)
-    }
+    if &rest + &rest > *modulus { Integer::from(rest) - Integer::from(modulus) } else { Integer::from(rest) }
 }
 
 fn horner(coefficients: &[u64], x: u64, prime: u64) -> u64 {
-    coefficients
-        .iter()
-        .rev()
-        .fold(0, |sum, &c| (sum * x + c) % prime)
+    coefficients.iter().rev().fold(0, |sum, &c| (sum * x + c) % prime)
 }
 
 /// The next prime below 2³¹.

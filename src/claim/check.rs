@@ -103,7 +103,9 @@ impl Names<'_> {
             Some(declared) => {
                 let (message, help) = match (declared, role) {
                     (Role::Value, _) => (format!("{name} is no function"), format!("write {name}*(…) for a product")),
-                    (Role::Function(1), Role::Value) => (format!("{name} needs an index or argument"), format!("write {name}(k)")),
+                    (Role::Function(1), Role::Value) => {
+                        (format!("{name} needs an index or argument"), format!("write {name}(k)"))
+                    }
                     (Role::Function(n), _) => (format!("{name} takes {n} arguments"), format!("give {n}")),
                 };
                 self.faults.push(Diagnostic::new(Fault::Other { message, help: Some(help) }, span));
@@ -219,7 +221,8 @@ impl Names<'_> {
             }
             Some(Method::Instance { with, .. } | Method::Witness(with)) => {
                 for (_, e) in with {
-                    let renames_family = matches!(&e.kind, ExprKind::Name(n) if matches!(self.roles.get(n), Some(Role::Function(1))));
+                    let renames_family =
+                        matches!(&e.kind, ExprKind::Name(n) if matches!(self.roles.get(n), Some(Role::Function(1))));
                     if !renames_family {
                         self.expr(e);
                     }

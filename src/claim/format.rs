@@ -42,7 +42,9 @@ pub fn format(source: &str) -> Result<String, Vec<Diagnostic>> {
         } else if depth == 0 {
             4
         } else {
-            let step = ["have", "case", "obtain", "conclude", "by", "}"].iter().any(|w| first == *w) || closing || code.is_empty();
+            let step = ["have", "case", "obtain", "conclude", "by", "}"].iter().any(|w| first == *w)
+                || closing
+                || code.is_empty();
             2 * (depth - usize::from(closing)) + if step && first != "by" { 0 } else { 2 }
         };
         out.push_str(&" ".repeat(indent));
@@ -114,7 +116,8 @@ fn spaced(code: &str) -> String {
 }
 
 fn ends_operand(kind: &Kind) -> bool {
-    const WORDS: &[&str] = &["by", "is", "at", "over", "of", "and", "or", "not", "prove", "in", "to", "weight", "between", "with"];
+    const WORDS: &[&str] =
+        &["by", "is", "at", "over", "of", "and", "or", "not", "prove", "in", "to", "weight", "between", "with"];
     match kind {
         Kind::Word(w) => !WORDS.contains(&w.as_str()),
         Kind::Number(_) | Kind::Text(_) => true,

@@ -14,7 +14,7 @@ pub const NUMERAL_LIMIT: usize = 10_000;
 /// The longest name in characters.
 pub const NAME_LIMIT: usize = 100;
 /// The most tokens in a file.
-pub const TOKENS_LIMIT: usize = 200_000;
+pub const TOKENS_LIMIT: usize = 500_000;
 
 /// A token with its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,8 +43,8 @@ pub enum Kind {
 }
 
 const SIGNS: &[&str] = &[
-    "<=>", "**", "==", "<=", ">=", "!=", "=>", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",", ";",
-    ":", "=", "<", ">",
+    "<=>", "**", "==", "<=", ">=", "!=", "=>", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",",
+    ";", ":", "=", "<", ">",
 ];
 
 const UNICODE: &[(char, &str)] = &[
@@ -91,7 +91,8 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
             let rest = &source[at..];
             let mut end = 0;
             for (i, d) in rest.char_indices() {
-                let dash = d == '-' && i > 0 && dashed(&out) && rest[i + 1..].starts_with(|n: char| n.is_alphanumeric());
+                let dash =
+                    d == '-' && i > 0 && dashed(&out) && rest[i + 1..].starts_with(|n: char| n.is_alphanumeric());
                 if d.is_alphanumeric() || d == '_' || dash || d == '\'' {
                     end = i + d.len_utf8();
                 } else {

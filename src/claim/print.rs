@@ -108,12 +108,14 @@ impl Style {
             },
             ExprKind::Matrix(rows) => {
                 let (cell, row) = if self == Style::Latex { (" & ", " \\\\ ") } else { (", ", "; ") };
-                let rows: Vec<String> = rows
-                    .iter()
-                    .map(|r| r.iter().map(|e| self.expr(e)).collect::<Vec<_>>().join(cell))
-                    .collect();
+                let rows: Vec<String> =
+                    rows.iter().map(|r| r.iter().map(|e| self.expr(e)).collect::<Vec<_>>().join(cell)).collect();
                 let inner = rows.join(row);
-                if self == Style::Latex { format!("\\begin{{pmatrix}} {inner} \\end{{pmatrix}}") } else { format!("[{inner}]") }
+                if self == Style::Latex {
+                    format!("\\begin{{pmatrix}} {inner} \\end{{pmatrix}}")
+                } else {
+                    format!("[{inner}]")
+                }
             }
         }
     }
@@ -130,11 +132,17 @@ impl Style {
 
     fn product(self, list: &[(Factor, Expr)]) -> String {
         if self == Style::Latex {
-            let side = |operator: Factor| -> Vec<&Expr> { list.iter().filter(|p| p.0 == operator).map(|p| &p.1).collect() };
+            let side =
+                |operator: Factor| -> Vec<&Expr> { list.iter().filter(|p| p.0 == operator).map(|p| &p.1).collect() };
             let (above, below) = (side(Factor::Times), side(Factor::Over));
             let joined = |list: &[&Expr]| match list {
                 [one] => self.expr(one),
-                _ => list.iter().enumerate().map(|(i, e)| self.at_least(e, if i == 0 { 2 } else { 3 })).collect::<Vec<_>>().join(" "),
+                _ => list
+                    .iter()
+                    .enumerate()
+                    .map(|(i, e)| self.at_least(e, if i == 0 { 2 } else { 3 }))
+                    .collect::<Vec<_>>()
+                    .join(" "),
             };
             if below.is_empty() {
                 return list.iter().map(|(_, e)| self.at_least(e, 3)).collect::<Vec<_>>().join(" \\, ");
@@ -173,7 +181,9 @@ impl Style {
             (Style::Latex, "sqrt") => format!("\\sqrt{{{list}}}"),
             (Style::Latex, "cbrt") => format!("\\sqrt[3]{{{list}}}"),
             (Style::Latex, "sech" | "transpose") => format!("\\operatorname{{{}}}\\left({list}\\right)", name.text),
-            (Style::Latex, "exp" | "ln" | "cosh" | "sinh" | "tanh" | "det") => format!("\\{}\\left({list}\\right)", name.text),
+            (Style::Latex, "exp" | "ln" | "cosh" | "sinh" | "tanh" | "det") => {
+                format!("\\{}\\left({list}\\right)", name.text)
+            }
             (Style::Latex, _) if arguments.len() == 1 => format!("{}_{{{list}}}", self.name(&name.text)),
             (Style::Unicode, "sqrt") => match arguments {
                 [one] if level(one) >= 5 => format!("√{list}"),
@@ -208,7 +218,8 @@ impl Style {
             Style::Latex if digits.is_empty() => format!("{head}{marks}"),
             Style::Latex => format!("{head}{marks}_{{{digits}}}"),
             _ => {
-                let low: String = digits.chars().filter_map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect();
+                let low: String =
+                    digits.chars().filter_map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect();
                 format!("{head}{marks}{low}")
             }
         }
@@ -275,7 +286,8 @@ impl Style {
             }
             PropKind::Extremum(x) => {
                 let word = if x.maximum { "maximum of" } else { "minimum of" };
-                let at: Vec<String> = x.at.iter().map(|(n, e)| format!("{} = {}", self.name(&n.text), self.expr(e))).collect();
+                let at: Vec<String> =
+                    x.at.iter().map(|(n, e)| format!("{} = {}", self.name(&n.text), self.expr(e))).collect();
                 let only = if x.unique { "only at" } else { "at" };
                 format!(
                     "{} {} {} {} {} {} {} {}",
@@ -336,7 +348,13 @@ impl Style {
                 Constraint::Relation(r, e) => format!("{} {}", self.relation(*r), self.expr(e)),
                 Constraint::Interval { from, from_closed, to, to_closed } => format!(
                     "{} {}{}, {}{}",
-                    if self == Style::Latex { "\\in" } else if self == Style::Unicode { "∈" } else { "in" },
+                    if self == Style::Latex {
+                        "\\in"
+                    } else if self == Style::Unicode {
+                        "∈"
+                    } else {
+                        "in"
+                    },
                     if *from_closed { "[" } else { "(" },
                     self.expr(from),
                     self.expr(to),
@@ -363,13 +381,21 @@ impl Style {
             Item::Given(bindings) => format!("given {}", self.bindings(bindings)),
             Item::Let { name, parameters, value } => {
                 let parameters: Vec<String> = parameters.iter().map(|p| self.name(&p.text)).collect();
-                let head = if parameters.is_empty() { self.name(&name.text) } else { format!("{}({})", self.name(&name.text), parameters.join(", ")) };
+                let head = if parameters.is_empty() {
+                    self.name(&name.text)
+                } else {
+                    format!("{}({})", self.name(&name.text), parameters.join(", "))
+                };
                 format!("{}{head} = {}", if latex { "" } else { "let " }, self.expr(value))
             }
             Item::Define { name, initial, index, step, .. } => {
                 let (u, k) = (self.name(&name.text), self.name(&index.text));
                 let (a, b) = (self.expr(initial), self.expr(step));
-                if latex { format!("{u}_{{0}} = {a}, \\quad {u}_{{{k}+1}} = {b}") } else { format!("define {u} by {u}(0) = {a}, {u}({k} + 1) = {b}") }
+                if latex {
+                    format!("{u}_{{0}} = {a}, \\quad {u}_{{{k}+1}} = {b}")
+                } else {
+                    format!("define {u} by {u}(0) = {a}, {u}({k} + 1) = {b}")
+                }
             }
             Item::Assume { label, prop } => match (label, latex) {
                 (Some(label), false) => format!("assume {}: {}", label.text, self.prop(prop)),

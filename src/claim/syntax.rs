@@ -424,15 +424,12 @@ impl Expr {
     /// Whether two expressions are the same but for their places.
     pub fn same(&self, other: &Expr) -> bool {
         use ExprKind::*;
-        let all =
-            |a: &[Expr], b: &[Expr]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.same(b));
+        let all = |a: &[Expr], b: &[Expr]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.same(b));
         match (&self.kind, &other.kind) {
             (Number(a), Number(b)) | (Name(a), Name(b)) => a == b,
             (Apply(f, a), Apply(g, b)) => f.text == g.text && all(a, b),
             (Negate(a), Negate(b)) => a.same(b),
-            (Sum(a), Sum(b)) => {
-                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && a.1.same(&b.1))
-            }
+            (Sum(a), Sum(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && a.1.same(&b.1)),
             (Product(a), Product(b)) => {
                 a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && a.1.same(&b.1))
             }

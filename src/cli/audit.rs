@@ -22,7 +22,9 @@ pub struct Loaded {
 /// Loads the built-in catalogue or the given files; with `only`, no more of the catalogue than needed.
 pub fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     let (claims, origin, sources): (Vec<Claim>, Vec<usize>, Vec<Source>) = if paths.is_empty() {
-        let broken = |faults: Vec<Diagnostic>| Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"));
+        let broken = |faults: Vec<Diagnostic>| {
+            Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
+        };
         let claims = match embedded::claims(only).map_err(broken)? {
             Some(claims) => claims,
             None => {
@@ -80,7 +82,13 @@ impl Loaded {
 }
 
 /// Runs the command.
-pub fn run(paths: &[PathBuf], only: &[String], format: Format, output: Option<&Path>, limits: &Limits) -> Result<u8, Exit> {
+pub fn run(
+    paths: &[PathBuf],
+    only: &[String],
+    format: Format,
+    output: Option<&Path>,
+    limits: &Limits,
+) -> Result<u8, Exit> {
     let mut loaded = load(paths, only)?;
     let names: Vec<String> = if only.is_empty() {
         loaded.catalogue.claims().iter().map(|c| c.name.text.clone()).collect()
@@ -125,7 +133,10 @@ pub fn run(paths: &[PathBuf], only: &[String], format: Format, output: Option<&P
         None => print(&text),
     }
     let unexpected: Vec<&Entry> = entries.iter().filter(|e| !e.as_expected()).collect();
-    let limit = |e: &&&Entry| e.outcome.verdict == Verdict::Undecided && e.outcome.reason.as_deref().is_some_and(|r| r.contains("limit reached"));
+    let limit = |e: &&&Entry| {
+        e.outcome.verdict == Verdict::Undecided
+            && e.outcome.reason.as_deref().is_some_and(|r| r.contains("limit reached"))
+    };
     Ok(if unexpected.is_empty() {
         0
     } else if unexpected.iter().all(|e| limit(&e)) {

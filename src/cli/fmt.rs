@@ -11,7 +11,8 @@ pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     let mut changed = Vec::new();
     let mut messages = Vec::new();
     for path in files(paths)? {
-        let bytes = std::fs::read(&path).map_err(|e| Exit::usage(format!("error: cannot read {}: {e}", path.display())))?;
+        let bytes =
+            std::fs::read(&path).map_err(|e| Exit::usage(format!("error: cannot read {}: {e}", path.display())))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let shown = path.display().to_string();
         let formatted = parse_bytes(&bytes).and_then(|_| format(&text));

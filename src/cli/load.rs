@@ -28,8 +28,13 @@ fn folder(path: &Path, out: &mut Vec<PathBuf>, depth: usize) -> Result<(), Exit>
         return Err(Exit { code: 3, message: "limit reached: folders nest deeper than 32 levels".to_string() });
     }
     let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let mut list: Vec<PathBuf> =
-        std::fs::read_dir(path).map_err(fail)?.collect::<Result<Vec<_>, _>>().map_err(fail)?.into_iter().map(|e| e.path()).collect();
+    let mut list: Vec<PathBuf> = std::fs::read_dir(path)
+        .map_err(fail)?
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(fail)?
+        .into_iter()
+        .map(|e| e.path())
+        .collect();
     list.sort();
     for entry in list {
         if entry.is_dir() {
@@ -56,7 +61,11 @@ pub fn claims(files: &[PathBuf]) -> Result<(Vec<Claim>, Vec<usize>, Vec<Source>)
     for path in files {
         let size = std::fs::metadata(path).map(|m| m.len()).unwrap_or(0);
         if size > crate::claim::lex::FILE_LIMIT as u64 {
-            messages.push(format!("error: {}: limit reached: at most {} bytes in a claim file", path.display(), crate::claim::lex::FILE_LIMIT));
+            messages.push(format!(
+                "error: {}: limit reached: at most {} bytes in a claim file",
+                path.display(),
+                crate::claim::lex::FILE_LIMIT
+            ));
             continue;
         }
         let bytes = match std::fs::read(path) {
@@ -72,7 +81,9 @@ pub fn claims(files: &[PathBuf]) -> Result<(Vec<Claim>, Vec<usize>, Vec<Source>)
                 origin.extend(std::iter::repeat_n(sources.len(), list.len()));
                 claims.extend(list);
             }
-            Err(faults) => messages.extend(faults.iter().take(20).map(|f| f.render(&source.path, &source.text, colour()))),
+            Err(faults) => {
+                messages.extend(faults.iter().take(20).map(|f| f.render(&source.path, &source.text, colour())))
+            }
         }
         sources.push(source);
     }
@@ -84,7 +95,11 @@ pub fn faults(list: &[(String, Diagnostic)], claims: &[Claim], origin: &[usize],
     let text: Vec<String> = list
         .iter()
         .map(|(name, fault)| {
-            let source = claims.iter().position(|c| c.name.text == *name).and_then(|i| origin.get(i)).and_then(|s| sources.get(*s));
+            let source = claims
+                .iter()
+                .position(|c| c.name.text == *name)
+                .and_then(|i| origin.get(i))
+                .and_then(|s| sources.get(*s));
             match source {
                 Some(source) => fault.render(&source.path, &source.text, colour()),
                 None => format!("error: {name}: {}", fault.message()),

@@ -153,7 +153,9 @@ pub fn run() -> ExitCode {
 
 fn dispatch(command: Command) -> Result<u8, Exit> {
     match command {
-        Command::Audit { paths, only, format, output, limits } => audit::run(&paths, &only, format, output.as_deref(), &limits.limits()),
+        Command::Audit { paths, only, format, output, limits } => {
+            audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
+        }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Completions { shell } => {
@@ -174,7 +176,9 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string()),
             None => {
-                return Err(Exit::usage(format!("error: there is no help on {name}; topics are audit, explain, fmt, completions, language")));
+                return Err(Exit::usage(format!(
+                    "error: there is no help on {name}; topics are audit, explain, fmt, completions, language"
+                )));
             }
         },
     }

@@ -68,10 +68,9 @@ impl fmt::Display for NumeralError {
             Self::Unexpected { at, found } => {
                 write!(f, "unexpected {found:?} in a numeral at byte {at}")
             }
-            Self::Uncertainty { at } => write!(
-                f,
-                "uncertainty in parentheses at byte {at}: write the exact number that is meant"
-            ),
+            Self::Uncertainty { at } => {
+                write!(f, "uncertainty in parentheses at byte {at}: write the exact number that is meant")
+            }
             Self::ZeroDenominator { at } => write!(f, "denominator zero at byte {at}"),
             Self::TooManyDigits { allowed, needed } => {
                 write!(f, "{needed} digits in a numeral, {allowed} allowed")
@@ -110,11 +109,7 @@ pub fn parse(text: &str) -> Result<Rational, NumeralError> {
         }
         Rational::from_naturals(natural(whole, 0)?, denominator)
     } else {
-        let fraction = if reader.take(b'.') {
-            reader.digits()?
-        } else {
-            ""
-        };
+        let fraction = if reader.take(b'.') { reader.digits()? } else { "" };
         let exponent = reader.exponent()?;
         reader.end()?;
         limit_digits(whole.len() + fraction.len())?;
@@ -127,10 +122,7 @@ pub fn parse(text: &str) -> Result<Rational, NumeralError> {
 
 fn limit_digits(needed: usize) -> Result<(), NumeralError> {
     if needed > MAX_DIGITS {
-        return Err(NumeralError::TooManyDigits {
-            allowed: MAX_DIGITS,
-            needed,
-        });
+        return Err(NumeralError::TooManyDigits { allowed: MAX_DIGITS, needed });
     }
     Ok(())
 }
@@ -184,20 +176,13 @@ impl<'a> Reader<'a> {
         let place = self.at;
         let negative = self.sign();
         let digits = self.digits()?.trim_start_matches('0');
-        let size = if digits.is_empty() {
-            Ok(0)
-        } else {
-            digits.parse::<u64>()
-        };
+        let size = if digits.is_empty() { Ok(0) } else { digits.parse::<u64>() };
         match size {
             Ok(size) if size <= MAX_EXPONENT => {
                 let size = i64::try_from(size).unwrap_or(i64::MAX);
                 Ok(if negative { -size } else { size })
             }
-            _ => Err(NumeralError::ExponentTooLarge {
-                at: place,
-                allowed: MAX_EXPONENT,
-            }),
+            _ => Err(NumeralError::ExponentTooLarge { at: place, allowed: MAX_EXPONENT }),
         }
     }
 

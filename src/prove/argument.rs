@@ -177,7 +177,10 @@ impl Engine<'_> {
                 match inner.contradiction {
                     Some(sources) => {
                         engine.used |= sources;
-                        engine.line("contradiction", format!("{}: its opposite contradicts the facts", print::prop(goal)));
+                        engine.line(
+                            "contradiction",
+                            format!("{}: its opposite contradicts the facts", print::prop(goal)),
+                        );
                         Ok(())
                     }
                     None => Err(not_shown(goal)),
@@ -195,7 +198,14 @@ impl Engine<'_> {
     }
 
     /// The comparison of two values, straight from signs and equations.
-    fn direct_comparison(&mut self, cx: &mut Context, a: &Expr, relation: Relation, b: &Expr, goal: &Prop) -> Result<()> {
+    fn direct_comparison(
+        &mut self,
+        cx: &mut Context,
+        a: &Expr,
+        relation: Relation,
+        b: &Expr,
+        goal: &Prop,
+    ) -> Result<()> {
         let mut conditions = Vec::new();
         let x = self.translate(cx, a, &mut conditions)?;
         let y = self.translate(cx, b, &mut conditions)?;
@@ -234,7 +244,10 @@ impl Engine<'_> {
             return Ok(());
         }
         if matches!(relation, Relation::Equal) && self.vanishes(cx, &difference)? {
-            self.line("cofactors", format!("{}: the difference is a combination of the equations known", print::prop(goal)));
+            self.line(
+                "cofactors",
+                format!("{}: the difference is a combination of the equations known", print::prop(goal)),
+            );
             return Ok(());
         }
         // The very comparison may be known, as a product of factors of open sign.
@@ -245,7 +258,10 @@ impl Engine<'_> {
             return Ok(());
         }
         if let Reduced::Open(literal) = reduced {
-            let known = cx.constraints.iter().find(|(other, _)| normal(&Reduced::Open(other.clone())) == Reduced::Open(literal.clone()));
+            let known = cx
+                .constraints
+                .iter()
+                .find(|(other, _)| normal(&Reduced::Open(other.clone())) == Reduced::Open(literal.clone()));
             if let Some((_, sources)) = known {
                 self.used |= sources;
                 self.line("known", format!("{}: equivalent to a fact", print::prop(goal)));
@@ -350,7 +366,8 @@ impl Engine<'_> {
             let mut inner = cx.clone();
             let mut fine = true;
             let result = self.attempt(|engine| {
-                engine.line("cases", format!("{}: suppose that only {} can hold", print::prop(goal), print::prop(part)));
+                engine
+                    .line("cases", format!("{}: suppose that only {} can hold", print::prop(goal), print::prop(part)));
                 engine.deeper(|engine| {
                     for (j, other) in list.iter().enumerate() {
                         if i == j {
@@ -521,7 +538,9 @@ impl Engine<'_> {
 /// Whether two of the comparisons are each other's opposite, or <= and >= between the same sides.
 fn excluded_middle(list: &[Prop]) -> bool {
     let single = |p: &Prop| match &p.kind {
-        PropKind::Compare(sides, relations) if relations.len() == 1 => Some((sides[0].clone(), relations[0], sides[1].clone())),
+        PropKind::Compare(sides, relations) if relations.len() == 1 => {
+            Some((sides[0].clone(), relations[0], sides[1].clone()))
+        }
         _ => None,
     };
     let singles: Vec<_> = list.iter().filter_map(single).collect();
@@ -529,9 +548,11 @@ fn excluded_middle(list: &[Prop]) -> bool {
         singles[..i].iter().any(|(c, s, d)| {
             let all = |x: Relation, y: Relation| {
                 use Relation::*;
-                super::comparison::negated(x) == y || matches!((x, y), (LessEqual, GreaterEqual) | (GreaterEqual, LessEqual))
+                super::comparison::negated(x) == y
+                    || matches!((x, y), (LessEqual, GreaterEqual) | (GreaterEqual, LessEqual))
             };
-            (a.same(c) && b.same(d) && all(*r, *s)) || (a.same(d) && b.same(c) && all(*r, super::comparison::mirrored(*s)))
+            (a.same(c) && b.same(d) && all(*r, *s))
+                || (a.same(d) && b.same(c) && all(*r, super::comparison::mirrored(*s)))
         })
     })
 }
@@ -547,7 +568,10 @@ fn reduces_to_zero(plain: &Plain, p: Polynomial, equations: &[&Polynomial], trie
         others.remove(place);
         for v in equation.variables() {
             let degree = equation.degree_in(v);
-            if degree == 0 || p.degree_in(v) < degree || !plain.signs_by_terms(&equation.leading_coefficient_in(v)).within(Signs::NOT_ZERO) {
+            if degree == 0
+                || p.degree_in(v) < degree
+                || !plain.signs_by_terms(&equation.leading_coefficient_in(v)).within(Signs::NOT_ZERO)
+            {
                 continue;
             }
             if *tries == 0 {

@@ -32,7 +32,11 @@ impl Engine<'_> {
                         cx.families.insert(name.text.clone(), Rc::new(family));
                         // The domain as a fact, so that its use can be reported.
                         let text = Prop { kind: PropKind::And(Vec::new()), span: binding.span };
-                        cx.facts.push(Fact { label: Some(format!("{}({})", name.text, index.text)), prop: Rc::new(text), origin: Origin::Domain });
+                        cx.facts.push(Fact {
+                            label: Some(format!("{}({})", name.text, index.text)),
+                            prop: Rc::new(text),
+                            origin: Origin::Domain,
+                        });
                     }
                     None => cx.variables.push((name.text.clone(), binding.natural)),
                 }
@@ -139,7 +143,14 @@ impl Engine<'_> {
         }
     }
 
-    fn take_comparison(&mut self, cx: &mut Context, a: &Form, relation: Relation, b: &Form, sources: Sources) -> Result<bool> {
+    fn take_comparison(
+        &mut self,
+        cx: &mut Context,
+        a: &Form,
+        relation: Relation,
+        b: &Form,
+        sources: Sources,
+    ) -> Result<bool> {
         let difference = self.difference(cx, a, b)?;
         if relation == Relation::Equal
             && let Reduced::Open(literal) = self.reduced(cx, &difference, relation)?
@@ -218,7 +229,14 @@ impl Engine<'_> {
     }
 
     /// Records the value of a variable and puts it into the values found before.
-    fn eliminate(&mut self, cx: &mut Context, name: &str, variable: AtomId, value: Form, sources: Sources) -> Result<()> {
+    fn eliminate(
+        &mut self,
+        cx: &mut Context,
+        name: &str,
+        variable: AtomId,
+        value: Form,
+        sources: Sources,
+    ) -> Result<()> {
         let mut changed = Vec::new();
         for (other, (form, from)) in &cx.environment {
             if self.ring.mentions(form, &|a| a == variable) {
@@ -304,7 +322,10 @@ impl Engine<'_> {
                 for (atom, even) in &literal.atoms {
                     let signs = self.atom_signs(cx, *atom)?;
                     let signs = if *even { signs.squared() } else { signs };
-                    if signs.within(Signs::POSITIVE) || signs.within(Signs::NEGATIVE) || equality && signs.within(Signs::NOT_ZERO) {
+                    if signs.within(Signs::POSITIVE)
+                        || signs.within(Signs::NEGATIVE)
+                        || equality && signs.within(Signs::NOT_ZERO)
+                    {
                         rest = rest.times(signs);
                     } else {
                         open.push((*atom, *even));

@@ -1,6 +1,5 @@
 //! Claims judged: each once, those that it cites first, no others.
 
-
 use super::context::{Context, Engine, Failure, Origin, source};
 use super::expand::Statement;
 use super::outcome::{Fault, Line, Outcome, Verdict};
@@ -62,7 +61,10 @@ impl Catalogue {
                     let nearest = diagnostic::nearest(&cited.text, index.keys().map(String::as_str));
                     let message = format!("no claim is called {}", cited.text);
                     let help = nearest.map(|n| format!("did you mean {n}?"));
-                    faults.push((claim.name.text.clone(), Diagnostic::new(diagnostic::Fault::Other { message, help }, cited.span)));
+                    faults.push((
+                        claim.name.text.clone(),
+                        Diagnostic::new(diagnostic::Fault::Other { message, help }, cited.span),
+                    ));
                 }
             }
         }
@@ -137,11 +139,8 @@ impl Catalogue {
                 return (Ok(undecided(claim, reason)), None);
             }
         };
-        let cited: BTreeMap<String, Rc<Statement>> = statement
-            .using
-            .iter()
-            .filter_map(|n| self.proved.get(n).map(|s| (n.clone(), s.clone())))
-            .collect();
+        let cited: BTreeMap<String, Rc<Statement>> =
+            statement.using.iter().filter_map(|n| self.proved.get(n).map(|s| (n.clone(), s.clone()))).collect();
         let outcome = judge(claim, &statement, &cited, limits);
         (outcome, Some(statement))
     }
@@ -161,7 +160,12 @@ fn undecided(claim: &Claim, reason: String) -> Outcome {
     }
 }
 
-fn judge(claim: &Claim, statement: &Statement, cited: &BTreeMap<String, Rc<Statement>>, limits: &Limits) -> Result<Outcome, Fault> {
+fn judge(
+    claim: &Claim,
+    statement: &Statement,
+    cited: &BTreeMap<String, Rc<Statement>>,
+    limits: &Limits,
+) -> Result<Outcome, Fault> {
     let mut engine = Engine {
         ring: Default::default(),
         log: Vec::new(),
@@ -223,7 +227,9 @@ fn judge(claim: &Claim, statement: &Statement, cited: &BTreeMap<String, Rc<State
             match refute::counterexample(&mut engine, &cx, statement) {
                 Some(witness) => {
                     outcome.verdict = Verdict::Refuted;
-                    outcome.method = if witness.broken.iter().all(|b| b.left == "no value") { "definedness" } else { "search" }.to_string();
+                    outcome.method =
+                        if witness.broken.iter().all(|b| b.left == "no value") { "definedness" } else { "search" }
+                            .to_string();
                     let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
                     outcome.argument.push(Line { depth: 0, rule: "witness", text: at.join(", ") });
                     for broken in &witness.broken {
@@ -288,8 +294,21 @@ fn describe(fact: &super::context::Fact, statement: &Statement) -> String {
 /// The rule that carries an argument, the most telling of those used.
 fn main_rule(rules: &[&'static str]) -> &'static str {
     const ORDER: &[&str] = &[
-        "limit", "extremum", "induction", "mean inequality", "witness", "equivalence", "cofactors", "instance", "power", "product",
-        "cases", "elimination", "sign", "identity", "contradiction",
+        "limit",
+        "extremum",
+        "induction",
+        "mean inequality",
+        "witness",
+        "equivalence",
+        "cofactors",
+        "instance",
+        "power",
+        "product",
+        "cases",
+        "elimination",
+        "sign",
+        "identity",
+        "contradiction",
     ];
     ORDER.iter().find(|r| rules.contains(r)).copied().unwrap_or("logic")
 }

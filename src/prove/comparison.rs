@@ -10,8 +10,8 @@
 use super::context::*;
 use super::sign::power_signs;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form, Poly};
-use crate::algebra::{Monomial, Polynomial};
 use crate::algebra::positivity::Constraint;
+use crate::algebra::{Monomial, Polynomial};
 use crate::claim::syntax::Relation;
 use crate::number::rational::exact_root;
 use malachite::Rational;
@@ -59,7 +59,11 @@ impl Engine<'_> {
         if a == b {
             return Ok(Form::integer(0));
         }
-        if !a.is_zero() && !b.is_zero() && self.signs(cx, a)? == Signs::POSITIVE && self.signs(cx, b)? == Signs::POSITIVE {
+        if !a.is_zero()
+            && !b.is_zero()
+            && self.signs(cx, a)? == Signs::POSITIVE
+            && self.signs(cx, b)? == Signs::POSITIVE
+        {
             let quotient = self.ring.div(a, b)?;
             let root = self.root_of_quotient(cx, quotient)?;
             let (mut up, mut down) = (Form::number(Rational::ONE), Form::integer(1));
@@ -238,9 +242,16 @@ impl Engine<'_> {
             self.used = before;
             if signs != Signs::ANY {
                 let signs = signs.times(Signs::of_number(c));
-                let relation = [Relation::Equal, Relation::Greater, Relation::Less, Relation::NotEqual, Relation::GreaterEqual, Relation::LessEqual]
-                    .into_iter()
-                    .find(|r| signs.within(Signs::of(*r)));
+                let relation = [
+                    Relation::Equal,
+                    Relation::Greater,
+                    Relation::Less,
+                    Relation::NotEqual,
+                    Relation::GreaterEqual,
+                    Relation::LessEqual,
+                ]
+                .into_iter()
+                .find(|r| signs.within(Signs::of(*r)));
                 if let Some(relation) = relation {
                     self.narrow(cx, &Literal { relation, atoms: vec![(*inner, false)] }, from);
                 }
@@ -251,7 +262,7 @@ impl Engine<'_> {
 
     fn narrow(&mut self, cx: &mut Context, literal: &Literal, sources: Sources) {
         let allowed = Signs::of(literal.relation);
-        let mut set = |cx: &mut Context, atom: AtomId, signs: Signs| {
+        let set = |cx: &mut Context, atom: AtomId, signs: Signs| {
             let entry = cx.signs.entry(atom).or_insert((Signs::ANY, 0));
             let both = entry.0.and(signs);
             if both != entry.0 {
@@ -332,9 +343,10 @@ impl Plain {
             if engine.ring.sum(atom).is_none() || goals.contains(&atom) && signs == Signs::ANY {
                 continue;
             }
-            let relation = [Relation::Equal, Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual]
-                .into_iter()
-                .find(|r| signs.within(Signs::of(*r)));
+            let relation =
+                [Relation::Equal, Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual]
+                    .into_iter()
+                    .find(|r| signs.within(Signs::of(*r)));
             if let Some(relation) = relation {
                 known.push((Literal { relation, atoms: vec![(atom, false)] }, sources));
             }
@@ -436,7 +448,8 @@ impl Plain {
                 let common = denominators.entry(*atom).or_insert_with(|| Form::integer(1));
                 let have = crate::algebra::form::exponent_in(&common.powers, *inner).as_integer().unwrap_or(0);
                 if have < -k {
-                    let more = Form { coefficient: Rational::ONE, powers: vec![(*inner, Exponent::integer(-k - have))] };
+                    let more =
+                        Form { coefficient: Rational::ONE, powers: vec![(*inner, Exponent::integer(-k - have))] };
                     *common = engine.ring.mul(common, &more)?;
                 }
             }
@@ -487,7 +500,11 @@ impl Plain {
             if key.powers.is_empty() && unit > 1 {
                 unit = Rational::ONE;
             }
-            let signs = if key.powers.is_empty() { power_signs(base, &Exponent::Number(unit.clone())) } else { Signs::POSITIVE };
+            let signs = if key.powers.is_empty() {
+                power_signs(base, &Exponent::Number(unit.clone()))
+            } else {
+                Signs::POSITIVE
+            };
             self.signs.push(signs);
             self.generators.push((atom, key, unit));
         }

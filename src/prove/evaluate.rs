@@ -116,7 +116,8 @@ fn rounded(q: &Rational, up: bool) -> Rational {
     }
     // Scale so that the numerator has about PRECISION bits over a power of two.
     let shift = q.denominator_ref().significant_bits() + PRECISION;
-    let shift = i64::try_from(shift).unwrap_or(i64::MAX) - i64::try_from(q.numerator_ref().significant_bits()).unwrap_or(0);
+    let shift =
+        i64::try_from(shift).unwrap_or(i64::MAX) - i64::try_from(q.numerator_ref().significant_bits()).unwrap_or(0);
     let scale = Rational::from(2).pow(shift.max(0));
     let scaled = q * &scale;
     let whole = if up {
@@ -243,7 +244,9 @@ impl Assignment {
                     let flip = |n: self::Number| if *sign == Sign::Plus { n } else { negate(&n) };
                     let value = match self.value(summand)? {
                         Value::Scalar(n) => Value::Scalar(flip(n)),
-                        Value::Matrix(rows) => Value::Matrix(rows.into_iter().map(|r| r.into_iter().map(flip).collect()).collect()),
+                        Value::Matrix(rows) => {
+                            Value::Matrix(rows.into_iter().map(|r| r.into_iter().map(flip).collect()).collect())
+                        }
                     };
                     sum = Some(match (sum, value) {
                         (None, value) => value,
@@ -262,11 +265,19 @@ impl Assignment {
                     let value = self.value(factor)?;
                     product = match (product, value) {
                         (Value::Scalar(a), Value::Scalar(b)) => {
-                            let b = if *operator == Factor::Over { invert(&b, || crate::claim::print::expr(factor))? } else { b };
+                            let b = if *operator == Factor::Over {
+                                invert(&b, || crate::claim::print::expr(factor))?
+                            } else {
+                                b
+                            };
                             Value::Scalar(multiply(&a, &b))
                         }
                         (Value::Matrix(m), Value::Scalar(b)) | (Value::Scalar(b), Value::Matrix(m)) => {
-                            let b = if *operator == Factor::Over { invert(&b, || crate::claim::print::expr(factor))? } else { b };
+                            let b = if *operator == Factor::Over {
+                                invert(&b, || crate::claim::print::expr(factor))?
+                            } else {
+                                b
+                            };
                             Value::Matrix(m.iter().map(|r| r.iter().map(|x| multiply(x, &b)).collect()).collect())
                         }
                         (Value::Matrix(a), Value::Matrix(b)) => {
@@ -274,7 +285,9 @@ impl Assignment {
                                 return Err(Missing::Unknown);
                             }
                             let cell = |row: &Vec<self::Number>, j: usize| {
-                                row.iter().zip(&b).fold(self::Number::Exact(Rational::ZERO), |sum, (x, r)| add(&sum, &multiply(x, &r[j])))
+                                row.iter().zip(&b).fold(self::Number::Exact(Rational::ZERO), |sum, (x, r)| {
+                                    add(&sum, &multiply(x, &r[j]))
+                                })
                             };
                             Value::Matrix(a.iter().map(|row| (0..b[0].len()).map(|j| cell(row, j)).collect()).collect())
                         }
@@ -317,7 +330,8 @@ impl Assignment {
 
     fn whole(&self, e: &Expr) -> Result<i64> {
         match self.number(e)? {
-            Number::Exact(q) => i64::try_from(&q).map_err(|_| Missing::Undefined(format!("{} is no whole number", crate::claim::print::expr(e)))),
+            Number::Exact(q) => i64::try_from(&q)
+                .map_err(|_| Missing::Undefined(format!("{} is no whole number", crate::claim::print::expr(e)))),
             Number::Between(..) => Err(Missing::Unknown),
         }
     }
@@ -325,7 +339,9 @@ impl Assignment {
     fn power(&self, a: &Number, b: &Number, e: &Expr) -> Result<Number> {
         let Number::Exact(q) = b else { return Err(Missing::Unknown) };
         let text = || crate::claim::print::expr(e);
-        let (Ok(p), Ok(k)) = (i64::try_from(&Integer::from(q.numerator_ref())), i64::try_from(&Integer::from(q.denominator_ref()))) else {
+        let (Ok(p), Ok(k)) =
+            (i64::try_from(&Integer::from(q.numerator_ref())), i64::try_from(&Integer::from(q.denominator_ref())))
+        else {
             return Err(Missing::Unknown);
         };
         if p > LARGEST || k > LARGEST {
@@ -348,7 +364,9 @@ impl Assignment {
     fn apply(&self, name: &Name, arguments: &[Expr], e: &Expr) -> Result<Value> {
         let text = name.text.as_str();
         if matches!(text, "det" | "transpose") {
-            let Some(Value::Matrix(m)) = arguments.first().map(|a| self.value(a)).transpose()? else { return Err(Missing::Unknown) };
+            let Some(Value::Matrix(m)) = arguments.first().map(|a| self.value(a)).transpose()? else {
+                return Err(Missing::Unknown);
+            };
             if text == "transpose" {
                 return Ok(Value::Matrix((0..m[0].len()).map(|j| m.iter().map(|r| r[j].clone()).collect()).collect()));
             }
@@ -482,7 +500,9 @@ impl Assignment {
     /// `for all k natural: P` where every family is constant and k stands in indices only: then P does
     /// not depend on k, and one value decides.
     fn for_all_indices(&self, bindings: &[Binding], body: &Prop) -> Result<bool> {
-        let [Binding { names, natural: true, constraints, indices: None, .. }] = bindings else { return Err(Missing::Unknown) };
+        let [Binding { names, natural: true, constraints, indices: None, .. }] = bindings else {
+            return Err(Missing::Unknown);
+        };
         let constant = self.families.values().all(|list| list.iter().all(|q| *q == list[0]));
         let [(name, None)] = names.as_slice() else { return Err(Missing::Unknown) };
         if !constant || !constraints.is_empty() || !self.only_index(body, &name.text) || !self.ranges.is_empty() {

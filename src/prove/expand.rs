@@ -314,8 +314,7 @@ impl Substitution {
                 let value = self.expr(&extremum.value)?;
                 let names: Vec<&Name> = extremum.over.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
                 let (mut inner, renamed) = self.enter(&names);
-                let rename: HashMap<String, Name> =
-                    names.iter().map(|n| n.text.clone()).zip(renamed).collect();
+                let rename: HashMap<String, Name> = names.iter().map(|n| n.text.clone()).zip(renamed).collect();
                 let mut over = Vec::new();
                 for binding in &extremum.over {
                     let mut binding = inner.binding(binding)?;

@@ -16,7 +16,10 @@ impl Engine<'_> {
             at.replace(&name.text, value.clone());
         }
         let text: Vec<String> = extremum.at.iter().map(|(n, e)| format!("{} = {}", n.text, print::expr(e))).collect();
-        self.line("extremum", format!("the point {} lies in the domain and gives {}", text.join(", "), print::expr(&extremum.value)));
+        self.line(
+            "extremum",
+            format!("the point {} lies in the domain and gives {}", text.join(", "), print::expr(&extremum.value)),
+        );
         self.deeper(|engine| {
             for binding in &extremum.over {
                 if binding.natural || binding.names.iter().any(|n| n.1.is_some()) {

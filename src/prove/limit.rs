@@ -73,7 +73,11 @@ impl Engine<'_> {
                 _ => false,
             };
             if !lower {
-                let text = format!("{} must be free to grow, but a hypothesis says {}", variable.text, print::prop(&fact.prop));
+                let text = format!(
+                    "{} must be free to grow, but a hypothesis says {}",
+                    variable.text,
+                    print::prop(&fact.prop)
+                );
                 return Err(Failure::NotShown(text));
             }
         }

@@ -140,7 +140,14 @@ impl Engine<'_> {
     }
 
     /// Hölder's inequality for two pairs.
-    fn hoelder(&mut self, cx: &mut Context, goal: &Prop, first: &(Expr, Expr), second: &(Expr, Expr), weight: &Expr) -> Result<()> {
+    fn hoelder(
+        &mut self,
+        cx: &mut Context,
+        goal: &Prop,
+        first: &(Expr, Expr),
+        second: &(Expr, Expr),
+        weight: &Expr,
+    ) -> Result<()> {
         for e in [&first.0, &first.1, &second.0, &second.1] {
             self.positive(cx, e)?;
         }
@@ -249,14 +256,18 @@ impl Engine<'_> {
                     });
                     let names = sequence_names(sequence);
                     if !same || with.iter().any(|w| names.contains(&w.0.text)) {
-                        return Err(Failure::NotShown(format!("the sequence {} of {} is not the same here", sequence.name, claim.text)));
+                        return Err(Failure::NotShown(format!(
+                            "the sequence {} of {} is not the same here",
+                            sequence.name, claim.text
+                        )));
                     }
                 }
                 let assumptions = statement.assumptions.iter().map(|a| a.1.clone()).collect();
                 (statement.bindings.clone(), assumptions, statement.goal.clone())
             }
         };
-        let declared: BTreeSet<&str> = bindings.iter().flat_map(|b| b.names.iter().map(|n| n.0.text.as_str())).collect();
+        let declared: BTreeSet<&str> =
+            bindings.iter().flat_map(|b| b.names.iter().map(|n| n.0.text.as_str())).collect();
         for (name, _) in with {
             if !declared.contains(name.text.as_str()) {
                 let message = format!("{} has no variable {}", claim.text, name.text);
@@ -272,7 +283,10 @@ impl Engine<'_> {
                 match (index, given) {
                     (Some(_), Some(Expr { kind: ExprKind::Name(other), .. })) => map.rename_family(&name.text, other),
                     (Some(_), Some(value)) => {
-                        return Err(super::translate::fault(value.span, "a family is replaced by the name of a family"));
+                        return Err(super::translate::fault(
+                            value.span,
+                            "a family is replaced by the name of a family",
+                        ));
                     }
                     (None, Some(value)) => map.replace(&name.text, value.clone()),
                     (_, None) => {

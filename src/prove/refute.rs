@@ -15,8 +15,8 @@ use malachite::Rational;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
-    "1", "2", "1/2", "0", "3", "4", "1/4", "-1", "1/3", "9", "8", "64", "3/2", "3/4", "1/8", "9/10", "16", "1/9", "-2", "1/10", "27", "1/64", "10",
-    "81", "99/100", "100", "729",
+    "1", "2", "1/2", "0", "3", "4", "1/4", "-1", "1/3", "9", "8", "64", "3/2", "3/4", "1/8", "9/10", "16", "1/9", "-2",
+    "1/10", "27", "1/64", "10", "81", "99/100", "100", "729",
 ];
 
 /// How many points are tried.
@@ -190,7 +190,8 @@ impl Search {
             let values = &self.values[offset + i];
             let rank = ranks[offset + i];
             // Members run through the values in turn, starting at the rank.
-            let list: Vec<Rational> = (0..values.len().min(5)).map(|k| values[(rank + k * rank) % values.len()].clone()).collect();
+            let list: Vec<Rational> =
+                (0..values.len().min(5)).map(|k| values[(rank + k * rank) % values.len()].clone()).collect();
             point.families.insert(name.clone(), list);
         }
         for (name, value) in &self.determined {
@@ -267,10 +268,15 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
                     let same = extremum
                         .at
                         .iter()
-                        .map(|(n, e)| super::method::compare(super::context::name_expr(&n.text), Relation::Equal, e.clone()))
+                        .map(|(n, e)| {
+                            super::method::compare(super::context::name_expr(&n.text), Relation::Equal, e.clone())
+                        })
                         .collect();
                     let equal = super::method::compare(extremum.of, Relation::Equal, extremum.value);
-                    let kind = PropKind::Implies(Box::new(equal), Box::new(Prop { kind: PropKind::And(same), span: goal.span }));
+                    let kind = PropKind::Implies(
+                        Box::new(equal),
+                        Box::new(Prop { kind: PropKind::And(same), span: goal.span }),
+                    );
                     list.push(Prop { kind, span: goal.span });
                 }
                 Prop { kind: PropKind::And(list), span: goal.span }
@@ -291,13 +297,33 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
                 point.broken(&goal, &mut list);
                 list
             }
-            Err(Missing::Undefined(text)) => vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }],
+            Err(Missing::Undefined(text)) => {
+                vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }]
+            }
             _ => return false,
         };
         found = Some(Witness { point: as_point(statement, point), broken });
         true
     });
     found
+}
+
+/// A counterexample found without the prover: only the evaluator and the statement's own words. For
+/// tests of soundness.
+pub fn falsified(statement: &Statement) -> Option<Witness> {
+    let cited = std::collections::BTreeMap::new();
+    let mut engine = Engine {
+        ring: Default::default(),
+        log: Vec::new(),
+        depth: 0,
+        used: 0,
+        deadline: None,
+        steps: 100_000,
+        cited: &cited,
+        limit: None,
+        rules: Vec::new(),
+    };
+    counterexample(&mut engine, &Context::default(), statement)
 }
 
 /// Values for the variables of an `exists` that make its body certainly true.
@@ -339,7 +365,9 @@ fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
                     let form = engine.scalar(&mut cx.clone(), side, &mut Vec::new());
                     let text = form.map(|f| format!("0 = {}", super::show::form(&engine.ring, &f)));
                     match text.map(|t| parse_prop(&t)) {
-                        Ok(Ok(Prop { kind: PropKind::Compare(sides, _), .. })) => sides.into_iter().nth(1).unwrap_or_else(|| side.clone()),
+                        Ok(Ok(Prop { kind: PropKind::Compare(sides, _), .. })) => {
+                            sides.into_iter().nth(1).unwrap_or_else(|| side.clone())
+                        }
                         _ => side.clone(),
                     }
                 })

@@ -15,11 +15,17 @@ pub fn form(ring: &Ring, form: &Form) -> String {
         let base = self::atom(ring, *atom);
         let text = match exponent {
             Exponent::Number(q) if q == 1 => base,
-            Exponent::Number(q) if malachite::base::num::conversion::traits::IsInteger::is_integer(&q) => format!("{base}^{q}"),
+            Exponent::Number(q) if malachite::base::num::conversion::traits::IsInteger::is_integer(&q) => {
+                format!("{base}^{q}")
+            }
             Exponent::Number(q) => format!("{base}^({q})"),
             Exponent::Symbolic(e) => {
                 let text = self::form(ring, &e);
-                if text.chars().all(|c| c.is_alphanumeric()) { format!("{base}^{text}") } else { format!("{base}^({text})") }
+                if text.chars().all(|c| c.is_alphanumeric()) {
+                    format!("{base}^{text}")
+                } else {
+                    format!("{base}^({text})")
+                }
             }
         };
         if negative { below.push(text) } else { above.push(text) }
@@ -52,7 +58,12 @@ fn atom(ring: &Ring, id: u32) -> String {
         Atom::SumOver(over) | Atom::ProductOver(over) => {
             let word = if matches!(&*ring.atom(id), Atom::SumOver(_)) { "sum" } else { "product" };
             let bound = atom(ring, over.index);
-            format!("{word}({bound} = {}..{}, {})", form(ring, &over.from), form(ring, &over.to), form(ring, &over.body))
+            format!(
+                "{word}({bound} = {}..{}, {})",
+                form(ring, &over.from),
+                form(ring, &over.to),
+                form(ring, &over.body)
+            )
         }
     }
 }

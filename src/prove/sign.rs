@@ -53,7 +53,11 @@ impl Engine<'_> {
             // ln a has the sign of a − 1.
             Atom::Logarithm(inner) => {
                 let shifted = self.ring.sub(&Form::atom(*inner), &Form::integer(1))?;
-                if matches!(*self.ring.atom(*inner), Atom::Prime(_)) { Signs::POSITIVE } else { self.signs(cx, &shifted)? }
+                if matches!(*self.ring.atom(*inner), Atom::Prime(_)) {
+                    Signs::POSITIVE
+                } else {
+                    self.signs(cx, &shifted)?
+                }
             }
             Atom::SumOver(over) => {
                 let body = self.signs(cx, &over.body)?;

@@ -62,9 +62,7 @@ impl Engine<'_> {
             Negate(a) => match self.translate(cx, a, conditions)? {
                 Value::Scalar(form) => form.negated(),
                 Value::Matrix(rows) => {
-                    return Ok(Value::Matrix(
-                        rows.iter().map(|r| r.iter().map(Form::negated).collect()).collect(),
-                    ));
+                    return Ok(Value::Matrix(rows.iter().map(|r| r.iter().map(Form::negated).collect()).collect()));
                 }
             },
             Sum(list) => {
@@ -218,7 +216,13 @@ impl Engine<'_> {
         self.ring.variable(name)
     }
 
-    fn apply(&mut self, cx: &mut Context, function: &Name, arguments: &[Expr], conditions: &mut Vec<Condition>) -> Result<Value> {
+    fn apply(
+        &mut self,
+        cx: &mut Context,
+        function: &Name,
+        arguments: &[Expr],
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Value> {
         let name = function.text.as_str();
         if matches!(name, "det" | "transpose") && arguments.len() == 1 {
             let Value::Matrix(rows) = self.translate(cx, &arguments[0], conditions)? else {
@@ -283,7 +287,14 @@ impl Engine<'_> {
     }
 
     /// A member of a family, or of a sequence: u(S + c) with a whole c > 0 unfolds to u(S).
-    fn member(&mut self, cx: &mut Context, function: &Name, index: Form, text: &str, conditions: &mut Vec<Condition>) -> Result<Form> {
+    fn member(
+        &mut self,
+        cx: &mut Context,
+        function: &Name,
+        index: Form,
+        text: &str,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
         let name = function.text.clone();
         if let Some(family) = cx.families.get(&name).cloned() {
             conditions.push(Condition {
@@ -313,7 +324,14 @@ impl Engine<'_> {
         self.sequence(cx, &sequence, index, text, conditions)
     }
 
-    fn sequence(&mut self, cx: &mut Context, sequence: &Rc<Sequence>, index: Form, text: &str, conditions: &mut Vec<Condition>) -> Result<Form> {
+    fn sequence(
+        &mut self,
+        cx: &mut Context,
+        sequence: &Rc<Sequence>,
+        index: Form,
+        text: &str,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
         self.tick()?;
         let (start, above) = split_constant(self, &index)?;
         if start.is_zero() && above == 0 {
@@ -341,9 +359,9 @@ impl Engine<'_> {
         let fine = summands.iter().all(|f| {
             use malachite::base::num::conversion::traits::IsInteger;
             (&f.coefficient).is_integer()
-                && f.powers.iter().all(|(atom, exponent)| {
-                    exponent.as_integer().is_some_and(|k| k >= 0) && self.is_natural(cx, *atom)
-                })
+                && f.powers
+                    .iter()
+                    .all(|(atom, exponent)| exponent.as_integer().is_some_and(|k| k >= 0) && self.is_natural(cx, *atom))
         });
         if fine { Ok(()) } else { Err(Failure::Undefined(format!("the index of {text} need not be a whole number"))) }
     }
@@ -360,15 +378,18 @@ impl Engine<'_> {
     }
 
     /// base^exponent.
-    pub fn raise(&mut self, cx: &mut Context, base: &Form, exponent: &Form, text: &str, conditions: &mut Vec<Condition>) -> Result<Form> {
+    pub fn raise(
+        &mut self,
+        cx: &mut Context,
+        base: &Form,
+        exponent: &Form,
+        text: &str,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
         let exponent = Exponent::of(exponent.clone());
         if let Some(k) = exponent.as_integer() {
             if k < 0 {
-                conditions.push(Condition {
-                    form: base.clone(),
-                    relation: Relation::NotEqual,
-                    text: text.to_string(),
-                });
+                conditions.push(Condition { form: base.clone(), relation: Relation::NotEqual, text: text.to_string() });
                 if base.is_zero() {
                     return Err(Failure::Undefined(format!("{text} divides by 0")));
                 }
@@ -403,9 +424,8 @@ impl Engine<'_> {
                 && let Some(k) = exponent.as_integer()
                 && let Some(poly) = self.ring.sum(atom)
             {
-                let opposite = crate::algebra::form::Poly {
-                    terms: poly.terms.iter().map(|(m, c)| (m.clone(), -c)).collect(),
-                };
+                let opposite =
+                    crate::algebra::form::Poly { terms: poly.terms.iter().map(|(m, c)| (m.clone(), -c)).collect() };
                 let flipped = self.ring.intern(Atom::Sum(Rc::new(opposite)));
                 let exchange = Form {
                     coefficient: if k % 2 == 0 { Rational::ONE } else { -Rational::ONE },
@@ -465,7 +485,13 @@ impl Engine<'_> {
         Ok(out)
     }
 
-    fn logarithm(&mut self, cx: &mut Context, form: &Form, text: &str, conditions: &mut Vec<Condition>) -> Result<Form> {
+    fn logarithm(
+        &mut self,
+        cx: &mut Context,
+        form: &Form,
+        text: &str,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
         conditions.push(Condition { form: form.clone(), relation: Relation::Greater, text: text.to_string() });
         if form.is_zero() {
             return Err(Failure::Undefined(format!("{text} takes the logarithm of 0")));
@@ -504,7 +530,14 @@ impl Engine<'_> {
 
     /// A sum or product over an index: constant ranges are written out; a last index S + c with a
     /// whole c is brought to S by splitting off members; a first index 0 to 1 likewise.
-    fn over(&mut self, cx: &mut Context, index: &Index, body: &Expr, is_sum: bool, conditions: &mut Vec<Condition>) -> Result<Form> {
+    fn over(
+        &mut self,
+        cx: &mut Context,
+        index: &Index,
+        body: &Expr,
+        is_sum: bool,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
         let from = self.scalar(cx, &index.from, conditions)?;
         let to = self.scalar(cx, &index.to, conditions)?;
         let name = index.name.text.clone();
@@ -604,9 +637,12 @@ impl Engine<'_> {
         }
         let coefficient = Form::number(form.coefficient.clone());
         if form.is_zero() {
-            return self.combined(&parts, is_sum).and_then(|p| if is_sum { Ok(p) } else { Err(Failure::NotShown(text)) });
+            return self
+                .combined(&parts, is_sum)
+                .and_then(|p| if is_sum { Ok(p) } else { Err(Failure::NotShown(text)) });
         }
-        let coefficient = if is_sum { coefficient } else { self.raise(cx, &coefficient, &count.form(), &text, conditions)? };
+        let coefficient =
+            if is_sum { coefficient } else { self.raise(cx, &coefficient, &count.form(), &text, conditions)? };
         outside = self.ring.mul(&outside, &coefficient)?;
         if is_sum || !within.powers.is_empty() {
             let kind = if is_sum { Atom::SumOver(over(within)) } else { Atom::ProductOver(over(within)) };
@@ -628,7 +664,14 @@ impl Engine<'_> {
         Ok(product)
     }
 
-    fn body_at(&mut self, cx: &Context, name: &str, at: Form, body: &Expr, conditions: &mut Vec<Condition>) -> Result<Form> {
+    fn body_at(
+        &mut self,
+        cx: &Context,
+        name: &str,
+        at: Form,
+        body: &Expr,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
         let mut inner = cx.clone();
         inner.indices.insert(name.to_string(), at);
         self.scalar(&mut inner, body, conditions)

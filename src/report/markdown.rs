@@ -18,7 +18,10 @@ pub fn report(entries: &[Entry]) -> String {
     for entry in entries {
         let here = entry.claim.section.as_deref().unwrap_or("Claims");
         if section != Some(here) {
-            out.push_str(&format!("\n## {}\n\n| claim | no. | verdict | reading | statement | remarks |\n|---|---|---|---|---|---|\n", escape(here)));
+            out.push_str(&format!(
+                "\n## {}\n\n| claim | no. | verdict | reading | statement | remarks |\n|---|---|---|---|---|---|\n",
+                escape(here)
+            ));
             section = Some(here);
         }
         let (claim, outcome) = (&entry.claim, &entry.outcome);

@@ -48,7 +48,10 @@ fn one(out: &mut String, entry: &Entry) {
     };
     let number = claim.number.map_or(String::new(), |n| format!("({n})"));
     let extracted = if reading(claim) == "extracted" { ", as extracted" } else { "" };
-    out.push_str(&format!("  {colour}{mark}{PLAIN} {number:>5} {BOLD}{}{PLAIN}  {}{extracted}\n", claim.name.text, claim.title));
+    out.push_str(&format!(
+        "  {colour}{mark}{PLAIN} {number:>5} {BOLD}{}{PLAIN}  {}{extracted}\n",
+        claim.name.text, claim.title
+    ));
     let goal = entry.goal(Style::Unicode);
     let goal = if goal.chars().count() > 150 { goal.chars().take(147).collect::<String>() + "..." } else { goal };
     out.push_str(&format!("                  {DIM}{goal}{PLAIN}\n"));

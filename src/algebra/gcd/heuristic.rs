@@ -62,10 +62,7 @@ fn guess(
             budget.spend(a.term_count() + b.term_count(), vars.len())?;
             if let Some(image) = guess(&left, &right, fewer, budget)? {
                 let (_, read) = digits(image, var, &point).primitive_part();
-                if !read.is_zero()
-                    && budget.divide(&a, &read)?.is_some()
-                    && budget.divide(&b, &read)?.is_some()
-                {
+                if !read.is_zero() && budget.divide(&a, &read)?.is_some() && budget.divide(&b, &read)?.is_some() {
                     return Ok(Some(read.scale(&content)));
                 }
             }
@@ -78,24 +75,15 @@ fn guess(
 
 /// The largest absolute value of a coefficient; the coefficients are integers.
 fn norm(p: &Polynomial) -> Natural {
-    p.terms()
-        .map(|(_, c)| c.numerator_ref().clone())
-        .max()
-        .unwrap_or(Natural::ZERO)
+    p.terms().map(|(_, c)| c.numerator_ref().clone()).max().unwrap_or(Natural::ZERO)
 }
 
 /// The polynomial in `var` whose coefficients are the balanced digits of `image` to the base `point`.
 fn digits(mut image: Polynomial, var: Var, point: &Natural) -> Polynomial {
     let mut coefficients = Vec::new();
     while !image.is_zero() {
-        let digit = Polynomial::from_terms(
-            image
-                .terms()
-                .map(|(m, c)| (m.clone(), Rational::from(balanced(c, point)))),
-        );
-        image = image
-            .sub(&digit)
-            .scale(&Rational::from_naturals(Natural::ONE, point.clone()));
+        let digit = Polynomial::from_terms(image.terms().map(|(m, c)| (m.clone(), Rational::from(balanced(c, point)))));
+        image = image.sub(&digit).scale(&Rational::from_naturals(Natural::ONE, point.clone()));
         coefficients.push(digit);
     }
     Polynomial::from_coefficients_in(var, &coefficients)
@@ -105,9 +93,5 @@ fn digits(mut image: Polynomial, var: Var, point: &Natural) -> Polynomial {
 fn balanced(c: &Rational, point: &Natural) -> Integer {
     let value = Integer::from_sign_and_abs(*c >= Rational::ZERO, c.numerator_ref().clone());
     let (_, rest) = value.div_mod(Integer::from(point));
-    if rest.clone().unsigned_abs() * Natural::from(2u32) > *point {
-        rest - Integer::from(point)
-    } else {
-        rest
-    }
+    if rest.clone().unsigned_abs() * Natural::from(2u32) > *point { rest - Integer::from(point) } else { rest }
 }

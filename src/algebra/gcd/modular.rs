@@ -53,11 +53,7 @@ fn residues(p: &Polynomial) -> Vec<u64> {
 fn residue(c: &Rational) -> u64 {
     let rest = c.numerator_ref() % Natural::from(PRIME);
     let value = u64::try_from(&rest).unwrap_or(0);
-    if *c < Rational::ZERO {
-        negate(value)
-    } else {
-        value
-    }
+    if *c < Rational::ZERO { negate(value) } else { value }
 }
 
 /// The image in one variable, low coefficients first, and whether it keeps the degree.

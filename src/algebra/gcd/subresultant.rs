@@ -32,27 +32,14 @@ pub(super) fn gcd_in(
 }
 
 /// The quotient by a divisor that is known to divide.
-fn without(
-    p: &Polynomial,
-    divisor: &Polynomial,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn without(p: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     let quotient = budget.divide(p, divisor)?;
     Ok(quotient.expect("contents and the scaling of subresultants divide exactly"))
 }
 
 /// The last non-zero member of the subresultant sequence.
-fn last_remainder(
-    a: Polynomial,
-    b: Polynomial,
-    var: Var,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
-    let (mut p, mut q) = if a.degree_in(var) >= b.degree_in(var) {
-        (a, b)
-    } else {
-        (b, a)
-    };
+fn last_remainder(a: Polynomial, b: Polynomial, var: Var, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
+    let (mut p, mut q) = if a.degree_in(var) >= b.degree_in(var) { (a, b) } else { (b, a) };
     let (mut g, mut h) = (Polynomial::one(), Polynomial::one());
     loop {
         if q.is_zero() {
@@ -77,12 +64,7 @@ fn last_remainder(
 }
 
 /// The remainder of `lc(q)^(δ+1)·p` by `q`, where δ is the difference of the degrees.
-fn pseudo_remainder(
-    p: &Polynomial,
-    q: &Polynomial,
-    var: Var,
-    budget: &mut Budget,
-) -> Result<Polynomial, LimitReached> {
+fn pseudo_remainder(p: &Polynomial, q: &Polynomial, var: Var, budget: &mut Budget) -> Result<Polynomial, LimitReached> {
     let divisor = q.coefficients_in(var);
     let mut rest = p.coefficients_in(var);
     let Some((lead, lower)) = divisor.split_last() else {

@@ -48,26 +48,13 @@ fn bounds_of(constraints: &[Constraint], var: Var) -> Bounds {
         let at = -poly.constant_term() / &slope;
         let lower = slope > Rational::ZERO;
         let size = if lower { slope } else { -slope };
-        let held = if lower {
-            &mut bounds.lower
-        } else {
-            &mut bounds.upper
-        };
+        let held = if lower { &mut bounds.lower } else { &mut bounds.upper };
         let tighter = held.as_ref().is_none_or(|old| {
-            let order = if lower {
-                at.cmp(&old.at)
-            } else {
-                old.at.cmp(&at)
-            };
+            let order = if lower { at.cmp(&old.at) } else { old.at.cmp(&at) };
             order.is_gt() || order.is_eq() && *strict && !old.strict
         });
         if tighter {
-            *held = Some(Bound {
-                constraint,
-                at,
-                size,
-                strict: *strict,
-            });
+            *held = Some(Bound { constraint, at, size, strict: *strict });
         }
     }
     bounds
@@ -77,16 +64,11 @@ fn bounds_of(constraints: &[Constraint], var: Var) -> Bounds {
 pub(super) fn interval(constraints: &[Constraint], var: Var) -> Interval {
     let end = |bound: Option<Bound>| match bound {
         None => End::Infinite,
-        Some(Bound {
-            at, strict: true, ..
-        }) => End::Open(at),
+        Some(Bound { at, strict: true, .. }) => End::Open(at),
         Some(Bound { at, .. }) => End::Closed(at),
     };
     let Bounds { lower, upper } = bounds_of(constraints, var);
-    Interval {
-        lower: end(lower),
-        upper: end(upper),
-    }
+    Interval { lower: end(lower), upper: end(upper) }
 }
 
 /// A combination from the signs of the coefficients after moving one bound of each variable to 0.
@@ -101,9 +83,7 @@ pub(super) fn by_coefficients(p: &Polynomial, constraints: &[Constraint]) -> Opt
             (None, None) => continue,
         };
         if bound.at != Rational::ZERO || sign != Rational::ONE {
-            let value = Polynomial::variable(var)
-                .scale(&sign)
-                .add(&Polynomial::constant(bound.at.clone()));
+            let value = Polynomial::variable(var).scale(&sign).add(&Polynomial::constant(bound.at.clone()));
             moved = moved.substitute(var, &value).ok()?;
         }
         distances.insert(var, bound);
@@ -135,11 +115,7 @@ pub(super) fn by_bernstein(p: &Polynomial, constraints: &[Constraint]) -> Option
             fresh = fresh.checked_add(1)?;
         }
         for var in &vars {
-            let Bounds {
-                lower: Some(lower),
-                upper: None,
-            } = bounds_of(constraints, *var)
-            else {
+            let Bounds { lower: Some(lower), upper: None } = bounds_of(constraints, *var) else {
                 continue;
             };
             let value = Polynomial::variable(*var).add(&Polynomial::constant(lower.at.clone()));
@@ -152,14 +128,7 @@ pub(super) fn by_bernstein(p: &Polynomial, constraints: &[Constraint]) -> Option
 
 /// `p` with `var` written in the distances `s` (again `var`) and `t` to its bounds, homogeneous in
 /// them: `x = (a·t + b·s)/(b − a)` and `1 = (s + t)/(b − a)`.
-fn homogeneous(
-    p: &Polynomial,
-    var: Var,
-    fresh: Var,
-    lower: &Bound,
-    upper: &Bound,
-    raise: u32,
-) -> Option<Polynomial> {
+fn homogeneous(p: &Polynomial, var: Var, fresh: Var, lower: &Bound, upper: &Bound, raise: u32) -> Option<Polynomial> {
     let inverse = Rational::ONE / (&upper.at - &lower.at);
     let (s, t) = (Polynomial::variable(var), Polynomial::variable(fresh));
     let value = t.scale(&lower.at).add(&s.scale(&upper.at)).scale(&inverse);
@@ -170,10 +139,7 @@ fn homogeneous(
     let mut sum = Polynomial::zero();
     let mut scale = Polynomial::one();
     for coefficient in coefficients.iter().rev() {
-        sum = sum
-            .try_mul(&value)
-            .ok()?
-            .add(&coefficient.try_mul(&scale).ok()?);
+        sum = sum.try_mul(&value).ok()?.add(&coefficient.try_mul(&scale).ok()?);
         scale = scale.try_mul(&one).ok()?;
     }
     Some(sum)
@@ -196,11 +162,7 @@ fn summands_of(
 }
 
 /// One term in the distances as a summand in the constraints.
-fn summand_of(
-    monomial: &Monomial,
-    coefficient: &Rational,
-    distances: &BTreeMap<Var, Bound>,
-) -> Option<Summand> {
+fn summand_of(monomial: &Monomial, coefficient: &Rational, distances: &BTreeMap<Var, Bound>) -> Option<Summand> {
     let mut weight = coefficient.clone();
     let mut used = Vec::new();
     let mut squared = Vec::new();
@@ -218,9 +180,5 @@ fn summand_of(
         true => Vec::new(),
         false => vec![Polynomial::monomial(Monomial::new(&squared).ok()?)],
     };
-    Some(Summand {
-        weight,
-        constraints: used,
-        squares,
-    })
+    Some(Summand { weight, constraints: used, squares })
 }

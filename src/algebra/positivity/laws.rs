@@ -18,62 +18,27 @@ fn polynomial() -> impl Strategy<Value = Polynomial> {
 
 /// The constraints, strict or not.
 fn conditions(polys: &[Polynomial], strict: bool) -> Vec<Constraint> {
-    polys
-        .iter()
-        .map(|poly| Constraint {
-            poly: poly.clone(),
-            strict,
-        })
-        .collect()
+    polys.iter().map(|poly| Constraint { poly: poly.clone(), strict }).collect()
 }
 
 #[test]
 fn positivity_that_ought_to_be_proved_is_proved() {
-    let (a, b, c) = (
-        Polynomial::variable(0),
-        Polynomial::variable(1),
-        Polynomial::variable(2),
-    );
+    let (a, b, c) = (Polynomial::variable(0), Polynomial::variable(1), Polynomial::variable(2));
     let int = Polynomial::integer;
     let one = int(1);
     let square = |p: &Polynomial| p.mul(p);
     let cases: Vec<(&str, Polynomial, Vec<Polynomial>)> = vec![
         ("constant", int(3), vec![]),
-        (
-            "no real root",
-            square(&a).sub(&a.scale(&Rational::from(2))).add(&int(2)),
-            vec![],
-        ),
-        (
-            "shifted bounds",
-            a.mul(&b).sub(&a).sub(&b).add(&one),
-            vec![a.sub(&one), b.sub(&one)],
-        ),
-        (
-            "upper bound",
-            int(8).sub(&square(&a)),
-            vec![int(2).sub(&a), a.add(&one)],
-        ),
-        (
-            "box",
-            one.sub(&a.mul(&b)),
-            vec![a.clone(), b.clone(), one.sub(&a), one.sub(&b)],
-        ),
+        ("no real root", square(&a).sub(&a.scale(&Rational::from(2))).add(&int(2)), vec![]),
+        ("shifted bounds", a.mul(&b).sub(&a).sub(&b).add(&one), vec![a.sub(&one), b.sub(&one)]),
+        ("upper bound", int(8).sub(&square(&a)), vec![int(2).sub(&a), a.add(&one)]),
+        ("box", one.sub(&a.mul(&b)), vec![a.clone(), b.clone(), one.sub(&a), one.sub(&b)]),
         ("transitivity", a.sub(&b), vec![a.sub(&c), c.sub(&b)]),
-        (
-            "squares are monotone",
-            square(&a).sub(&square(&b)),
-            vec![a.sub(&b), b.clone()],
-        ),
-        (
-            "square of a difference",
-            square(&a).add(&square(&b)).sub(&a.mul(&b)),
-            vec![a.clone(), b.clone()],
-        ),
+        ("squares are monotone", square(&a).sub(&square(&b)), vec![a.sub(&b), b.clone()]),
+        ("square of a difference", square(&a).add(&square(&b)).sub(&a.mul(&b)), vec![a.clone(), b.clone()]),
         (
             "Bernstein in one variable, bound in the other",
-            c.add(&one)
-                .sub(&a.mul(&a).scale(&Rational::from_signeds(1, 2))),
+            c.add(&one).sub(&a.mul(&a).scale(&Rational::from_signeds(1, 2))),
             vec![a.clone(), one.sub(&a), c.clone()],
         ),
         (
@@ -81,34 +46,18 @@ fn positivity_that_ought_to_be_proved_is_proved() {
             a.mul(&b).add(&b.mul(&c)).sub(&square(&b)).sub(&c.mul(&b)),
             vec![a.sub(&b), b.sub(&c), c.clone()],
         ),
-        (
-            "nonlinear constraint",
-            a.mul(&b),
-            vec![a.mul(&b).sub(&square(&c)), c.clone()],
-        ),
+        ("nonlinear constraint", a.mul(&b), vec![a.mul(&b).sub(&square(&c)), c.clone()]),
     ];
     for (title, p, polys) in cases {
         let constraints = conditions(&polys, true);
         let found = certify(&p, &constraints, &[], true, &Limits::default());
         let certificate = found.unwrap_or_else(|| panic!("{title}: {p} > 0 was not proved"));
-        assert!(
-            certificate.is_strict() && certificate.verify(&p, &constraints),
-            "{title}"
-        );
-        assert!(
-            !certificate.verify(&p.sub(&int(100)), &constraints),
-            "{title}: wrong polynomial"
-        );
+        assert!(certificate.is_strict() && certificate.verify(&p, &constraints), "{title}");
+        assert!(!certificate.verify(&p.sub(&int(100)), &constraints), "{title}: wrong polynomial");
         let weak = conditions(&polys, false);
         let found = certify(&p, &weak, &[], false, &Limits::default());
-        assert!(
-            found.is_some_and(|c| c.verify(&p, &weak)),
-            "{title}: {p} >= 0 was not proved"
-        );
-        println!(
-            "{title}: {}",
-            certificate.explain(&|v| format!("x{v}"), &constraints)
-        );
+        assert!(found.is_some_and(|c| c.verify(&p, &weak)), "{title}: {p} >= 0 was not proved");
+        println!("{title}: {}", certificate.explain(&|v| format!("x{v}"), &constraints));
     }
     // Needs the square of a polynomial that only the caller can know.
     let hint = a.mul(&b).sub(&c).sub(&one);
@@ -124,28 +73,17 @@ fn strictness_is_not_claimed_where_zero_is_reached() {
     let p = x.mul(&x).add(&y);
     let both = [x.clone(), y.clone()];
     assert!(certify(&p, &conditions(&both, true), &[], true, &Limits::default()).is_some());
-    assert_eq!(
-        certify(&p, &conditions(&both, false), &[], true, &Limits::default()),
-        None
-    );
+    assert_eq!(certify(&p, &conditions(&both, false), &[], true, &Limits::default()), None);
     let square = x.mul(&x);
     assert_eq!(certify(&square, &[], &[], true, &Limits::default()), None);
     assert!(certify(&square, &[], &[], false, &Limits::default()).is_some());
     let forged = Certificate::Combination {
-        summands: vec![Summand {
-            weight: Rational::from(1),
-            constraints: vec![],
-            squares: vec![x.clone()],
-        }],
+        summands: vec![Summand { weight: Rational::from(1), constraints: vec![], squares: vec![x.clone()] }],
         strict: true,
     };
     assert!(!forged.verify(&square, &[]));
     let unknown = Certificate::Combination {
-        summands: vec![Summand {
-            weight: Rational::from(1),
-            constraints: vec![(7, 1)],
-            squares: vec![],
-        }],
+        summands: vec![Summand { weight: Rational::from(1), constraints: vec![(7, 1)], squares: vec![] }],
         strict: false,
     };
     assert!(!unknown.verify(&x, &conditions(&both, false)));

@@ -26,11 +26,7 @@ struct Candidate {
 /// The squares that are tried without being asked for: variables, and their differences from each
 /// other and from 1.
 pub(super) fn usual_squares(p: &Polynomial) -> Vec<Polynomial> {
-    let vars: Vec<Polynomial> = p
-        .variables()
-        .into_iter()
-        .map(Polynomial::variable)
-        .collect();
+    let vars: Vec<Polynomial> = p.variables().into_iter().map(Polynomial::variable).collect();
     let mut squares = vars.clone();
     for (i, x) in vars.iter().enumerate() {
         squares.extend(vars[i + 1..].iter().map(|y| x.sub(y)));
@@ -50,21 +46,15 @@ pub(super) fn by_products(
 ) -> Option<Certificate> {
     let candidates = candidates(p, constraints, squares, degree, limits.columns);
     let mut places: BTreeMap<&Monomial, usize> = BTreeMap::new();
-    for (monomial, _) in p
-        .terms()
-        .chain(candidates.iter().flat_map(|c| c.poly.terms()))
-    {
+    for (monomial, _) in p.terms().chain(candidates.iter().flat_map(|c| c.poly.terms())) {
         let next = places.len();
         places.entry(monomial).or_insert(next);
     }
     if places.len() > limits.rows {
         return None;
     }
-    let column = |q: &Polynomial| -> Column {
-        q.terms()
-            .filter_map(|(m, c)| Some((*places.get(m)?, c.clone())))
-            .collect()
-    };
+    let column =
+        |q: &Polynomial| -> Column { q.terms().filter_map(|(m, c)| Some((*places.get(m)?, c.clone()))).collect() };
     let columns: Vec<Column> = candidates.iter().map(|c| column(&c.poly)).collect();
     let mut target = vec![Rational::ZERO; places.len()];
     for (place, value) in column(p) {
@@ -72,10 +62,7 @@ pub(super) fn by_products(
     }
     let positive: Vec<bool> = candidates.iter().map(|c| c.positive).collect();
     let preferred = want_strict.then_some(positive.as_slice());
-    let cost = SimplexLimits {
-        pivots: limits.pivots,
-        work: limits.work,
-    };
+    let cost = SimplexLimits { pivots: limits.pivots, work: limits.work };
     let weights = solve(&columns, &target, preferred, &cost).ok()??;
     let summands = candidates
         .into_iter()
@@ -101,12 +88,8 @@ fn candidates(
 ) -> Vec<Candidate> {
     let vars = p.variables();
     let relevant = relevant_constraints(constraints, vars);
-    let mut products = vec![Candidate {
-        poly: Polynomial::one(),
-        constraints: Vec::new(),
-        square: None,
-        positive: true,
-    }];
+    let mut products =
+        vec![Candidate { poly: Polynomial::one(), constraints: Vec::new(), square: None, positive: true }];
     // Each product is extended by its last constraint or a later one, so that none is met twice;
     // the list grows while it is walked.
     let mut seen: HashMap<Polynomial, usize> = HashMap::new();
@@ -128,12 +111,7 @@ fn candidates(
                 _ => used.push((j, 1)),
             }
             let positive = base.positive && g.strict;
-            let extended = Candidate {
-                poly,
-                constraints: used,
-                square: None,
-                positive,
-            };
+            let extended = Candidate { poly, constraints: used, square: None, positive };
             push_distinct(&mut products, &mut seen, extended);
         }
         next += 1;
@@ -162,11 +140,7 @@ fn candidates(
 }
 
 /// Adds a candidate unless a multiple of it is there already; a positive one takes its place.
-fn push_distinct(
-    products: &mut Vec<Candidate>,
-    seen: &mut HashMap<Polynomial, usize>,
-    candidate: Candidate,
-) {
+fn push_distinct(products: &mut Vec<Candidate>, seen: &mut HashMap<Polynomial, usize>, candidate: Candidate) {
     let content = candidate.poly.content();
     if content == Rational::ZERO {
         return;

@@ -180,7 +180,11 @@ impl Parser {
         let shape = "`u(0) = …, u(k + 1) = …`";
         let same = |p: &mut Self| -> Parsed<()> {
             let again = p.name("the name of the sequence")?;
-            if again.text == name.text { Ok(()) } else { Err(p.other(&format!("a definition by recurrence reads {shape}"), None, again.span)) }
+            if again.text == name.text {
+                Ok(())
+            } else {
+                Err(p.other(&format!("a definition by recurrence reads {shape}"), None, again.span))
+            }
         };
         same(self)?;
         self.need_sign("(", "after the name")?;

@@ -54,7 +54,8 @@ impl Parser {
                 _ => break,
             };
             self.advance();
-            let factor = if matches!(self.peek(), Kind::Sign("-")) { self.deeper(Self::signed_power)? } else { self.power()? };
+            let factor =
+                if matches!(self.peek(), Kind::Sign("-")) { self.deeper(Self::signed_power)? } else { self.power()? };
             list.push((operator, factor));
         }
         Ok(self.collapsed(list, start, ExprKind::Product))

@@ -22,10 +22,48 @@ const CLAUSES: &[&str] = &[
 
 /// Words that cannot be names of variables.
 const RESERVED: &[&str] = &[
-    "claim", "source", "section", "number", "reading", "note", "using", "given", "let", "define", "assume", "prove",
-    "expect", "and", "or", "not", "exists", "for", "all", "each", "in", "is", "at", "over", "of", "as", "by", "with",
-    "maximum", "minimum", "limit", "infinity", "have", "obtain", "case", "real", "natural", "sum", "product",
-    "derivative", "only", "conclude",
+    "claim",
+    "source",
+    "section",
+    "number",
+    "reading",
+    "note",
+    "using",
+    "given",
+    "let",
+    "define",
+    "assume",
+    "prove",
+    "expect",
+    "and",
+    "or",
+    "not",
+    "exists",
+    "for",
+    "all",
+    "each",
+    "in",
+    "is",
+    "at",
+    "over",
+    "of",
+    "as",
+    "by",
+    "with",
+    "maximum",
+    "minimum",
+    "limit",
+    "infinity",
+    "have",
+    "obtain",
+    "case",
+    "real",
+    "natural",
+    "sum",
+    "product",
+    "derivative",
+    "only",
+    "conclude",
 ];
 
 /// The claims of a source text.
@@ -166,7 +204,9 @@ impl Parser {
             match (previous.map(|t| &t.kind), self.peek()) {
                 (_, Kind::Sign("==")) => Some("equality is written with one sign: a = b".to_string()),
                 (_, Kind::Sign("**")) => Some("powers are written a^b".to_string()),
-                (Some(Kind::Number(n)), Kind::Word(w)) => Some(format!("write {n}*{w}")),
+                (Some(Kind::Number(n)), Kind::Word(w)) if !RESERVED.contains(&w.as_str()) => {
+                    Some(format!("write {n}*{w}"))
+                }
                 (Some(Kind::Number(n)), Kind::Sign("(")) => Some(format!("write {n}*(…)")),
                 (Some(Kind::Sign(")")), Kind::Sign("(")) => Some("write (…)*(…)".to_string()),
                 (Some(Kind::Sign(")")), Kind::Word(w)) if !RESERVED.contains(&w.as_str()) => {

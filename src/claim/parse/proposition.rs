@@ -116,7 +116,13 @@ impl Parser {
                         return false;
                     }
                 }
-                Kind::Word(w) if level == 1 && matches!(w.as_str(), "and" | "or" | "not" | "exists" | "for" | "limit" | "maximum" | "minimum") => {
+                Kind::Word(w)
+                    if level == 1
+                        && matches!(
+                            w.as_str(),
+                            "and" | "or" | "not" | "exists" | "for" | "limit" | "maximum" | "minimum"
+                        ) =>
+                {
                     return true;
                 }
                 Kind::Sign("<" | "<=" | ">" | ">=" | "=" | "==" | "!=" | "=>" | "<=>") if level == 1 => return true,
