@@ -37,14 +37,12 @@ pub fn format(source: &str) -> Result<String, Vec<Diagnostic>> {
         let text = spaced(code);
         let first = text.split([' ', ':']).next().unwrap_or("");
         let closing = text.starts_with('}');
-        let indent = if depth == 0 && (MARGIN.contains(&first) || closing) || code.is_empty() && depth == 0 {
+        let indent = if depth == 0 && (MARGIN.contains(&first) || closing || code.is_empty()) {
             0
         } else if depth == 0 {
             4
         } else {
-            let step = ["have", "case", "obtain", "conclude", "by", "}"].iter().any(|w| first == *w)
-                || closing
-                || code.is_empty();
+            let step = ["have", "case", "obtain", "conclude", "by", "}"].contains(&first) || closing || code.is_empty();
             2 * (depth - usize::from(closing)) + if step && first != "by" { 0 } else { 2 }
         };
         out.push_str(&" ".repeat(indent));

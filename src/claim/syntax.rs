@@ -3,7 +3,7 @@
 //! Contract: the tree is plain data. Numerals stay text, so that prover and kernel each read them
 //! with their own arithmetic. Chains of `+ -` and of `* /` are flat lists, so that the depth of a
 //! tree is bounded by [`MAX_DEPTH`], which the parser enforces; recursion over a tree is safe.
-//! Two trees are compared with [`Expr::same`] and [`Prop::same`], which ignore places.
+//! Two expressions are compared with [`Expr::same`], which ignores places.
 
 /// The deepest nesting of parentheses, powers, negations and propositions that the parser accepts.
 pub const MAX_DEPTH: usize = 200;

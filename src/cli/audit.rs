@@ -39,7 +39,7 @@ pub fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     };
     let copy = claims.clone();
     let catalogue = Catalogue::new(claims).map_err(|list| load::faults(&list, &copy, &origin, &sources))?;
-    if let Some(_) = only.iter().find(|n| catalogue.get(n).is_none()) {
+    if only.iter().find(|n| catalogue.get(n).is_none()).is_some() {
         let names: Vec<&str> = catalogue.claims().iter().map(|c| c.name.text.as_str()).collect();
         return Err(no_match(only, &names));
     }

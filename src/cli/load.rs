@@ -54,8 +54,11 @@ pub struct Source {
     pub text: String,
 }
 
+/// Claims, the number of each one's source, and the sources.
+pub type Claims = (Vec<Claim>, Vec<usize>, Vec<Source>);
+
 /// The claims of files, each with the number of its source.
-pub fn claims(files: &[PathBuf]) -> Result<(Vec<Claim>, Vec<usize>, Vec<Source>), Exit> {
+pub fn claims(files: &[PathBuf]) -> Result<Claims, Exit> {
     let (mut claims, mut origin, mut sources) = (Vec::new(), Vec::new(), Vec::new());
     let mut messages = Vec::new();
     for path in files {

@@ -310,6 +310,9 @@ pub fn truth_of(signs: Signs, relation: Relation) -> Option<bool> {
     }
 }
 
+/// A product of sums (the flag: squared) with its relation to zero and the facts behind it.
+type KnownProduct = (Vec<(Poly, bool)>, Relation, Sources);
+
 /// Sums as ordinary polynomials in generators, each a power of an atom.
 #[derive(Clone, Debug)]
 pub struct Plain {
@@ -335,7 +338,7 @@ impl Plain {
         near.sort_unstable();
         near.dedup();
         // Facts about sums, those in the goal's own atoms first.
-        let mut facts: Vec<(Vec<(Poly, bool)>, Relation, Sources)> = Vec::new();
+        let mut facts: Vec<KnownProduct> = Vec::new();
         let mut known: Vec<(Literal, Sources)> = Vec::new();
         let mut signed: Vec<(AtomId, (Signs, Sources))> = cx.signs.iter().map(|(a, s)| (*a, *s)).collect();
         signed.sort_by_key(|s| s.0);

@@ -234,7 +234,7 @@ impl Engine<'_> {
             return Err(Failure::Limit("steps"));
         }
         self.steps -= 1;
-        if self.steps % 64 == 0
+        if self.steps.is_multiple_of(64)
             && let Some(deadline) = self.deadline
             && Instant::now() > deadline
         {

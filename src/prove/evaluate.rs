@@ -387,7 +387,7 @@ impl Assignment {
             "exp" | "ln" | "cosh" | "sinh" | "tanh" | "sech" => return Err(Missing::Unknown),
             _ => {
                 let index = self.whole(argument)?;
-                if index < 0 || index > LARGEST {
+                if !(0..=LARGEST).contains(&index) {
                     return Err(Missing::Undefined(format!("{} has no member {index}", name.text)));
                 }
                 if let Some((from, to)) = self.ranges.get(text)

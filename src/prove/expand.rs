@@ -167,9 +167,9 @@ impl Substitution {
         let kind = match &expr.kind {
             Number(text) => Number(text.clone()),
             Name(name) => match self.map.get(name) {
-                Some(Replacement::Value(value)) => return Ok(self.copied(value.clone(), expr.span)?),
+                Some(Replacement::Value(value)) => return self.copied(value.clone(), expr.span),
                 Some(Replacement::Definition(parameters, value)) if parameters.is_empty() => {
-                    return Ok(self.copied(value.clone(), expr.span)?);
+                    return self.copied(value.clone(), expr.span);
                 }
                 Some(Replacement::Family(other)) => Name(other.clone()),
                 _ => Name(name.clone()),

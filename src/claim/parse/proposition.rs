@@ -196,7 +196,7 @@ impl Parser {
         let mut list = Vec::new();
         loop {
             list.push(self.binding()?);
-            if !self.sign(";") && !(self.constrained(&list) && self.sign(",")) {
+            if !(self.sign(";") || self.constrained(&list) && self.sign(",")) {
                 return Ok(list);
             }
             if self.at_clause() {
@@ -232,7 +232,7 @@ impl Parser {
                 self.word("and");
             }
             if self.word("real") {
-                any = true;
+                // The default; said for the reader.
             } else if self.word("natural") {
                 natural = true;
             } else if let Some(relation) = self.relation() {
