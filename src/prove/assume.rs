@@ -155,8 +155,14 @@ impl Engine<'_> {
         if relation == Relation::Equal
             && let Reduced::Open(literal) = self.reduced(cx, &difference, relation)?
         {
-            // One factor left: it may be known not to vanish; else try to solve for a variable.
+            // One factor left: try to solve for a variable; else it may be known not to vanish.
             if let [(atom, _)] = literal.atoms.as_slice() {
+                if self.solve(cx, *atom, sources)? {
+                    return Ok(true);
+                }
+                if self.split_equation(cx, *atom, sources)? {
+                    return Ok(true);
+                }
                 let small = self.ring.sum(*atom).is_some_and(|p| p.terms.len() <= 12);
                 if small && !cx.signs.contains_key(atom) {
                     let before = std::mem::replace(&mut self.used, sources);
@@ -166,12 +172,6 @@ impl Engine<'_> {
                         cx.contradiction = Some(all);
                         return Ok(false);
                     }
-                }
-                if self.solve(cx, *atom, sources)? {
-                    return Ok(true);
-                }
-                if self.split_equation(cx, *atom, sources)? {
-                    return Ok(true);
                 }
             }
         }

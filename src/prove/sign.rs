@@ -12,6 +12,8 @@ use super::context::*;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form};
 use crate::algebra::{factor, positivity};
 use crate::claim::syntax::{Constraint, Relation};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
 
 type Result<T> = std::result::Result<T, Failure>;
 
@@ -262,15 +264,78 @@ impl Plain {
         signs
     }
 
+    /// Whether the polynomial is seen to be positive, and negative, at sampled points where the
+    /// constraints hold with room to spare. In floating point: a hint which search to skip.
+    fn guess_signs(&self, poly: &crate::algebra::polynomial::Polynomial) -> (bool, bool) {
+        type Terms = Vec<(Vec<(usize, i32)>, f64)>;
+        let terms = |p: &crate::algebra::polynomial::Polynomial| -> Terms {
+            p.terms()
+                .map(|(m, c)| {
+                    let powers =
+                        m.powers().iter().map(|&(v, k)| (v as usize, i32::try_from(k).unwrap_or(i32::MAX))).collect();
+                    (powers, f64::rounding_from(c, RoundingMode::Nearest).0)
+                })
+                .collect()
+        };
+        // The value and the sum of the terms' sizes.
+        let value = |terms: &Terms, point: &[f64]| -> (f64, f64) {
+            terms.iter().fold((0.0, 0.0), |(sum, size), (powers, c)| {
+                let term = powers.iter().fold(*c, |t, &(v, k)| t * point[v].powi(k));
+                (sum + term, size + term.abs())
+            })
+        };
+        let constraints: Vec<Terms> = self.constraints.iter().map(|c| terms(&c.poly)).collect();
+        let goal = terms(poly);
+        let (mut positive, mut negative) = (false, false);
+        let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+        for _ in 0..160 {
+            let point: Vec<f64> = self
+                .signs
+                .iter()
+                .map(|signs| {
+                    state ^= state << 13;
+                    state ^= state >> 7;
+                    state ^= state << 17;
+                    const VALUES: [f64; 8] = [0.1, 0.4, 0.8, 0.97, 1.05, 1.3, 2.5, 8.0];
+                    let size = VALUES[(state >> 40) as usize % 8] * (1.0 + ((state >> 20) % 97) as f64 / 1000.0);
+                    let flip = signs.within(Signs::NEGATIVE) || (*signs == Signs::ANY && state & 1 == 1);
+                    if flip { -size } else { size }
+                })
+                .collect();
+            let clear = |(sum, size): (f64, f64)| if sum.abs() > size * 1e-9 { sum.signum() } else { 0.0 };
+            if constraints.iter().any(|c| clear(value(c, &point)) <= 0.0) {
+                continue;
+            }
+            match clear(value(&goal, &point)) {
+                s if s > 0.0 => positive = true,
+                s if s < 0.0 => negative = true,
+                _ => {}
+            }
+            if positive && negative {
+                break;
+            }
+        }
+        (positive, negative)
+    }
+
     /// The sign of a polynomial from certificates under the constraints.
     pub fn searched(&self, engine: &mut Engine, poly: &crate::algebra::polynomial::Polynomial) -> Result<Signs> {
         engine.tick()?;
         let limits = positivity::Limits::default();
         let mut signs = Signs::ANY;
+        // Sampled points say which searches are in vain; they decide nothing.
+        let seen = self.guess_signs(poly);
+        if seen == (true, true) {
+            return Ok(signs);
+        }
         for (p, strict, weak) in [
             (poly.clone(), Signs::POSITIVE, Signs::NOT_NEGATIVE),
             (poly.neg(), Signs::NEGATIVE, Signs::of(Relation::LessEqual)),
         ] {
+            let in_vain = if strict == Signs::POSITIVE { seen.1 } else { seen.0 };
+            if in_vain {
+                continue;
+            }
             if positivity::certify(&p, &self.constraints, &[], true, &limits).is_some() {
                 signs = signs.and(strict);
                 break;
