@@ -336,12 +336,14 @@ impl Plain {
             if in_vain {
                 continue;
             }
+            // The weak statement first: where it finds no certificate the strict one finds none.
+            if positivity::certify(&p, &self.constraints, &[], false, &limits).is_none() {
+                continue;
+            }
+            signs = signs.and(weak);
             if positivity::certify(&p, &self.constraints, &[], true, &limits).is_some() {
                 signs = signs.and(strict);
                 break;
-            }
-            if positivity::certify(&p, &self.constraints, &[], false, &limits).is_some() {
-                signs = signs.and(weak);
             }
         }
         Ok(signs)

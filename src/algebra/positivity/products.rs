@@ -13,7 +13,8 @@ use super::super::{Monomial, Polynomial, Var};
 use super::{Certificate, Constraint, Limits, Summand};
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
-use std::collections::{BTreeMap, HashMap};
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeMap;
 
 /// A product that the program may use.
 struct Candidate {
@@ -92,7 +93,7 @@ fn candidates(
         vec![Candidate { poly: Polynomial::one(), constraints: Vec::new(), square: None, positive: true }];
     // Each product is extended by its last constraint or a later one, so that none is met twice;
     // the list grows while it is walked.
-    let mut seen: HashMap<Polynomial, usize> = HashMap::new();
+    let mut seen: HashMap<Polynomial, usize> = HashMap::default();
     let mut next = 0;
     while next < products.len() && products.len() < most {
         let first = products[next].constraints.last().map_or(0, |&(j, _)| j);
