@@ -183,7 +183,14 @@ pub struct Ring {
     pub degree_limit: u32,
     /// The largest number of bits of a coefficient's numerator or denominator after a power.
     pub bits_limit: u64,
+    /// Sums of symbolic exponents that were formed before: the same few come up all the time.
+    exponent_sums: HashMap<(Exponent, Exponent), Exponent>,
+    /// Quotients of sums that were tried before, by the atoms of the sums.
+    quotients: HashMap<(AtomId, AtomId), Option<Form>>,
 }
+
+/// The most sums of exponents that are kept.
+const REMEMBERED: usize = 50_000;
 
 impl Default for Ring {
     fn default() -> Ring {
@@ -193,6 +200,8 @@ impl Default for Ring {
             terms_limit: 5_000,
             degree_limit: 100,
             bits_limit: 100_000,
+            exponent_sums: HashMap::default(),
+            quotients: HashMap::default(),
         }
     }
 }
@@ -243,8 +252,15 @@ impl Ring {
         if b.is_zero() {
             return Ok(a.clone());
         }
-        let sum = self.add(&[a.form(), b.form()])?;
-        Ok(Exponent::of(sum))
+        let key = (a.clone(), b.clone());
+        if let Some(sum) = self.exponent_sums.get(&key) {
+            return Ok(sum.clone());
+        }
+        let sum = Exponent::of(self.add(&[a.form(), b.form()])?);
+        if self.exponent_sums.len() < REMEMBERED {
+            self.exponent_sums.insert(key, sum.clone());
+        }
+        Ok(sum)
     }
 
     /// a · b.
@@ -454,12 +470,26 @@ impl Ring {
         Ok(out)
     }
 
+    /// The quotient of the sums under two atoms if the division is exact.
+    pub fn atom_quotient(&mut self, above: AtomId, below: AtomId) -> Result<Option<Form>> {
+        if let Some(known) = self.quotients.get(&(above, below)) {
+            return Ok(known.clone());
+        }
+        let (Some(p), Some(q)) = (self.sum(above), self.sum(below)) else { return Ok(None) };
+        let quotient = match self.poly_quotient(&p, &q)? {
+            Some(quotient) => Some(self.poly_form(quotient)?),
+            None => None,
+        };
+        self.quotients.insert((above, below), quotient.clone());
+        Ok(quotient)
+    }
+
     /// p / q if the division is exact.
     ///
     /// In each atom the least and largest exponents of a product are the sums of those of its
     /// factors, which bounds the exponents of the quotient: a term outside these bounds shows that
     /// the division is not exact. `None` also after |p| + 16 terms of the quotient.
-    pub fn poly_quotient(&mut self, p: &Poly, q: &Poly) -> Result<Option<Poly>> {
+    fn poly_quotient(&mut self, p: &Poly, q: &Poly) -> Result<Option<Poly>> {
         let Some((lead, c)) = q.terms.first().cloned() else { return Ok(None) };
         if p.terms.is_empty() {
             return Ok(Some(p.clone()));
@@ -722,14 +752,13 @@ impl Ring {
                     if p.terms.len() > 400 || p.terms.len() < 2 || q.terms.len() > p.terms.len() * 4 {
                         continue;
                     }
-                    if let Some(quotient) = self.poly_quotient(&p, &q)? {
+                    if let Some(quotient) = self.atom_quotient(*above, *below)? {
                         change = Some((*above, *below, quotient));
                         break 'search;
                     }
                 }
             }
             let Some((above, below, quotient)) = change else { return Ok(()) };
-            let quotient = self.poly_form(quotient)?;
             let exchange = Form {
                 coefficient: Rational::ONE,
                 powers: if above < below {

@@ -65,7 +65,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { extra_degree: 1, columns: 400, rows: 300, pivots: 500, work: 2_000_000, univariate_degree: 60 }
+        Self { extra_degree: 1, columns: 120, rows: 300, pivots: 500, work: 200_000, univariate_degree: 60 }
     }
 }
 

@@ -176,6 +176,7 @@ fn judge(
         cited,
         limit: None,
         rules: Vec::new(),
+        certified: Default::default(),
     };
     engine.ring.degree_limit = limits.degree;
     engine.ring.terms_limit = limits.terms;

@@ -8,7 +8,9 @@
 //! A fact that divides by something, or takes a root, is understood to say that it is defined.
 
 use super::expand::Sequence;
+use crate::algebra::Polynomial;
 use crate::algebra::form::{AtomId, Form, Ring};
+use crate::algebra::positivity::Constraint;
 use crate::claim::syntax::{Binding, Diagnose, Expr, Prop, Relation};
 use crate::prove::outcome::Line;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -224,6 +226,8 @@ pub struct Engine<'c> {
     pub limit: Option<&'static str>,
     /// The main rules used, for the name of the method.
     pub rules: Vec<&'static str>,
+    /// What certificates were found for a polynomial under constraints: all signs if none was.
+    pub certified: HashMap<(Polynomial, Vec<Constraint>), Signs>,
 }
 
 impl Engine<'_> {

@@ -322,6 +322,7 @@ pub fn falsified(statement: &Statement) -> Option<Witness> {
         cited: &cited,
         limit: None,
         rules: Vec::new(),
+        certified: Default::default(),
     };
     counterexample(&mut engine, &Context::default(), statement)
 }

@@ -136,8 +136,7 @@ impl Engine<'_> {
             if q.terms.len() > p.terms.len() * 2 {
                 continue;
             }
-            if let Some(quotient) = self.ring.poly_quotient(&p, &q)? {
-                let quotient = self.ring.poly_form(quotient)?;
+            if let Some(quotient) = self.ring.atom_quotient(atom, divisor)? {
                 let form = self.ring.mul(&quotient, &Form::atom(divisor))?;
                 signs = signs.and(self.signs(cx, &form)?);
             }
@@ -336,13 +335,27 @@ impl Plain {
             if in_vain {
                 continue;
             }
-            // The weak statement first: where it finds no certificate the strict one finds none.
-            if positivity::certify(&p, &self.constraints, &[], false, &limits).is_none() {
-                continue;
+            // The same polynomial comes up in many branches of an argument.
+            let key = (p, self.constraints.clone());
+            let found = match engine.certified.get(&key) {
+                Some(found) => *found,
+                None => {
+                    // The weak statement first: where it finds no certificate the strict one finds none.
+                    let certify = |strict| positivity::certify(&key.0, &key.1, &[], strict, &limits).is_some();
+                    let found = if !certify(false) {
+                        Signs::ANY
+                    } else if certify(true) {
+                        Signs::POSITIVE
+                    } else {
+                        Signs::NOT_NEGATIVE
+                    };
+                    *engine.certified.entry(key).or_insert(found)
+                }
+            };
+            if found != Signs::ANY {
+                signs = signs.and(if found == Signs::POSITIVE { strict } else { weak });
             }
-            signs = signs.and(weak);
-            if positivity::certify(&p, &self.constraints, &[], true, &limits).is_some() {
-                signs = signs.and(strict);
+            if found == Signs::POSITIVE {
                 break;
             }
         }
