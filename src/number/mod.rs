@@ -1,3 +1,4 @@
 //! Exact numbers.
 
+pub mod elementary;
 pub mod rational;

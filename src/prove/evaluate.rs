@@ -8,7 +8,7 @@
 
 use super::expand::Sequence;
 use crate::claim::syntax::*;
-use crate::number::rational;
+use crate::number::{elementary, rational};
 use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
@@ -218,6 +218,62 @@ fn root(a: &Number, k: u64) -> Number {
     between(lower(low, false), lower(high, true))
 }
 
+/// a^p, or a^−p, for p > [`LARGEST`], where a rough enclosure is to be had: the exact value may have
+/// billions of digits.
+fn large_power(a: &Number, p: i64, negative: bool, text: impl Fn() -> String) -> Result<Number> {
+    let (low, high) = a.ends();
+    let one = Rational::ONE;
+    match a {
+        Number::Exact(q) if *q == 0 => {
+            if negative {
+                invert(a, text)
+            } else {
+                Ok(a.clone())
+            }
+        }
+        Number::Exact(q) if *q == 1 => Ok(a.clone()),
+        Number::Exact(q) if *q == -1 => Ok(Number::Exact(if p % 2 == 0 { one } else { -one })),
+        // 0 < h < 1: 0 < h^p ≤ h^400 for p ≥ 400.
+        _ if *low > 0 && *high < 1 && !negative => {
+            Ok(Number::Between(Rational::ZERO, rounded(&high.pow(LARGEST), true)))
+        }
+        _ if *low > 1 && negative => Ok(Number::Between(Rational::ZERO, rounded(&(one / low).pow(LARGEST), true))),
+        _ => Err(Missing::Unknown),
+    }
+}
+
+/// e^a.
+fn exponential(a: &Number) -> Result<Number> {
+    let (low, high) = a.ends();
+    let (low, high) = elementary::exp(low, high).ok_or(Missing::Unknown)?;
+    Ok(between(low, high))
+}
+
+/// ln a.
+fn logarithm(a: &Number, text: impl Fn() -> String) -> Result<Number> {
+    let (low, high) = a.ends();
+    if *high <= 0 {
+        return Err(Missing::Undefined(format!("{} takes the logarithm of a number that is not positive", text())));
+    }
+    let (low, high) = elementary::ln(low, high).ok_or(Missing::Unknown)?;
+    Ok(between(low, high))
+}
+
+/// cosh, sinh, tanh or sech of a.
+fn hyperbolic(name: &str, a: &Number) -> Result<Number> {
+    let (up, down) = (exponential(a)?, exponential(&negate(a))?);
+    let half = Number::Exact(Rational::from_signeds(1, 2));
+    let cosh = multiply(&half, &add(&up, &down));
+    let sinh = multiply(&half, &add(&up, &negate(&down)));
+    let inverse = |n: &Number| invert(n, String::new);
+    match name {
+        "cosh" => Ok(cosh),
+        "sinh" => Ok(sinh),
+        "sech" => inverse(&cosh),
+        _ => Ok(multiply(&sinh, &inverse(&cosh)?)),
+    }
+}
+
 impl Assignment {
     /// The value of a scalar expression.
     pub fn number(&self, e: &Expr) -> Result<Number> {
@@ -337,17 +393,26 @@ impl Assignment {
     }
 
     fn power(&self, a: &Number, b: &Number, e: &Expr) -> Result<Number> {
-        let Number::Exact(q) = b else { return Err(Missing::Unknown) };
         let text = || crate::claim::print::expr(e);
+        let Number::Exact(q) = b else {
+            // a^b = exp(b·ln a) for a > 0.
+            if *a.ends().0 <= 0 {
+                return Err(Missing::Unknown);
+            }
+            return exponential(&multiply(b, &logarithm(a, text)?));
+        };
         let (Ok(p), Ok(k)) =
             (i64::try_from(&Integer::from(q.numerator_ref())), i64::try_from(&Integer::from(q.denominator_ref())))
         else {
             return Err(Missing::Unknown);
         };
-        if p > LARGEST || k > LARGEST {
+        let (low, high) = a.ends();
+        if k == 1 && p.unsigned_abs() > LARGEST.unsigned_abs() {
+            return large_power(a, p, *q < 0, text);
+        }
+        if p.unsigned_abs() > LARGEST.unsigned_abs() || k > LARGEST {
             return Err(Missing::Unknown);
         }
-        let (low, high) = a.ends();
         let base = if k == 1 {
             a.clone()
         } else if *high < 0 {
@@ -384,7 +449,9 @@ impl Assignment {
         Ok(Value::Scalar(match text {
             "sqrt" => self.power(&self.number(argument)?, &half(2), e)?,
             "cbrt" => self.power(&self.number(argument)?, &half(3), e)?,
-            "exp" | "ln" | "cosh" | "sinh" | "tanh" | "sech" => return Err(Missing::Unknown),
+            "exp" => exponential(&self.number(argument)?)?,
+            "ln" => logarithm(&self.number(argument)?, || crate::claim::print::expr(e))?,
+            "cosh" | "sinh" | "tanh" | "sech" => hyperbolic(text, &self.number(argument)?)?,
             _ => {
                 let index = self.whole(argument)?;
                 if !(0..=LARGEST).contains(&index) {
