@@ -1,4 +1,4 @@
-//! Limits at infinity: rational functions by their degrees, others between two of those.
+//! Limits at infinity: rational functions by their degrees, others by series or between two of those.
 //!
 //! Contract: the variable grows through all values that its declaration allows; hypotheses about it
 //! other than a constant lower bound are refused, so that what is shown holds for all large values.
@@ -7,6 +7,7 @@ use super::argument::not_shown;
 use super::context::*;
 use super::expand::names_in_prop;
 use super::method::compare;
+use super::series::Tends;
 use crate::algebra::form::{Atom, Exponent, Form};
 use crate::claim::print;
 use crate::claim::syntax::*;
@@ -17,22 +18,33 @@ use std::collections::BTreeSet;
 type Result<T> = std::result::Result<T, Failure>;
 
 impl Engine<'_> {
-    /// Shows a limit of a rational function of the variable.
+    /// Shows a limit that the degrees or a series give.
     pub fn limit(&mut self, cx: &mut Context, limit: &Limit, goal: &Prop) -> Result<()> {
-        self.unbounded(cx, &limit.variable)?;
         let mut conditions = Vec::new();
-        let form = self.scalar(cx, &limit.of, &mut conditions)?;
         let value = self.scalar(cx, &limit.value, &mut conditions)?;
         self.show_conditions(cx, conditions)?;
         if !self.free_of(&value, &limit.variable.text) {
             return Err(super::translate::fault(limit.variable.span, "the limit must not depend on the variable"));
         }
-        let found = self.rational_limit(cx, &form, &limit.variable.text)?.ok_or_else(|| not_shown(goal))?;
+        let Some((Tends::To(found), how)) = self.tends(cx, limit)? else { return Err(not_shown(goal)) };
         if self.ring.sub(&found, &value)?.is_zero() {
-            self.line("limit", format!("{}: by the degrees in {}", print::prop(goal), limit.variable.text));
+            self.line("limit", format!("{}: by {how} {}", print::prop(goal), limit.variable.text));
             return Ok(());
         }
         Err(not_shown(goal))
+    }
+
+    /// What the expression of a limit tends to, and by which method.
+    pub fn tends(&mut self, cx: &mut Context, limit: &Limit) -> Result<Option<(Tends, &'static str)>> {
+        self.unbounded(cx, &limit.variable)?;
+        let mut conditions = Vec::new();
+        let form = self.scalar(cx, &limit.of, &mut conditions)?;
+        self.show_conditions(cx, conditions)?;
+        if let Some(value) = self.rational_limit(cx, &form, &limit.variable.text)? {
+            return Ok(Some((Tends::To(value), "the degrees in")));
+        }
+        let found = self.limit_by_series(cx, &form, &limit.variable.text)?;
+        Ok(found.map(|tends| (tends, "the series in 1 over")))
     }
 
     /// Shows a limit between two expressions that have it.

@@ -16,6 +16,7 @@ pub mod limit;
 pub mod method;
 pub mod outcome;
 pub mod refute;
+mod series;
 pub mod show;
 pub mod sign;
 pub mod translate;

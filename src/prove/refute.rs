@@ -8,6 +8,7 @@ use super::context::{Context, Engine};
 use super::evaluate::{Assignment, Missing};
 use super::expand::Statement;
 use super::outcome::{Broken, Point, Witness};
+use super::series::Tends;
 use crate::claim::parse::parse_prop;
 use crate::claim::syntax::*;
 use crate::number::rational;
@@ -288,6 +289,7 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
         };
     }
     let goal = without_derivatives(engine, cx, &goal);
+    let goal = without_limits(engine, cx, &goal);
     let mut found = None;
     search.run(Some(engine), &mut |point| {
         point.seen.borrow_mut().clear();
@@ -375,6 +377,39 @@ fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
                 .collect();
             PropKind::Compare(sides, relations.clone())
         }
+        other => other.clone(),
+    };
+    Prop { kind, span: prop.span }
+}
+
+/// The proposition with every limit that the prover finds replaced by a comparison with it.
+fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
+    let kind = match &prop.kind {
+        PropKind::And(list) => PropKind::And(list.iter().map(|p| without_limits(engine, cx, p)).collect()),
+        PropKind::Limit(limit) => match engine.tends(&mut cx.clone(), limit) {
+            Ok(Some((Tends::To(found), _))) => {
+                let text = format!("0 = {}", super::show::form(&engine.ring, &found));
+                match parse_prop(&text) {
+                    Ok(Prop { kind: PropKind::Compare(sides, relations), .. }) => {
+                        let found = sides.into_iter().nth(1).unwrap_or_else(|| limit.value.clone());
+                        PropKind::Compare(vec![found, limit.value.clone()], relations)
+                    }
+                    _ => return prop.clone(),
+                }
+            }
+            // Nothing finite is the limit: 1/0 = the value has no value anywhere.
+            Ok(Some((Tends::Infinitely, _))) => {
+                let infinite = Expr {
+                    kind: ExprKind::Product(vec![
+                        (Factor::Times, literal(&Rational::from(1))),
+                        (Factor::Over, literal(&Rational::from(0))),
+                    ]),
+                    span: prop.span,
+                };
+                PropKind::Compare(vec![infinite, limit.value.clone()], vec![Relation::Equal])
+            }
+            _ => return prop.clone(),
+        },
         other => other.clone(),
     };
     Prop { kind, span: prop.span }

@@ -249,10 +249,10 @@ impl Engine<'_> {
         Ok(Value::Scalar(match name {
             "sqrt" => self.raise(cx, &value, &half, &text, conditions)?,
             "cbrt" => self.raise(cx, &value, &Form::number(Rational::from_signeds(1, 3)), &text, conditions)?,
-            "exp" => self.exponential(cx, &value)?,
+            "exp" => self.exponential(&value)?,
             "ln" => self.logarithm(cx, &value, &text, conditions)?,
             "cosh" | "sinh" | "tanh" | "sech" => {
-                let up = self.exponential(cx, &value)?;
+                let up = self.exponential(&value)?;
                 let down = self.ring.inverse(&up)?;
                 let cosh = self.ring.add(&[up.clone(), down.clone()])?;
                 let cosh = self.ring.mul(&cosh, &half)?;
@@ -454,7 +454,7 @@ impl Engine<'_> {
     }
 
     /// exp of a form: c·ln(a) becomes a^c, the rest a power of the base of natural exponentials.
-    fn exponential(&mut self, _cx: &mut Context, form: &Form) -> Result<Form> {
+    pub fn exponential(&mut self, form: &Form) -> Result<Form> {
         let mut out = Form::integer(1);
         let mut rest = Vec::new();
         for summand in self.ring.summands(form)? {
@@ -485,7 +485,8 @@ impl Engine<'_> {
         Ok(out)
     }
 
-    fn logarithm(
+    /// The logarithm of a form, factor by factor.
+    pub fn logarithm(
         &mut self,
         cx: &mut Context,
         form: &Form,
