@@ -166,3 +166,75 @@ fn fmt_rewrites_once_and_checks() {
     assert_eq!(formatted, "claim c \"t\"\ngiven x > 0  # a mass\nprove x/x = 1\n");
     assert_eq!(carom(&["fmt", "--check", &name]).status.code(), Some(0));
 }
+
+#[cfg(unix)]
+#[test]
+fn written_files_keep_their_mode_and_new_ones_get_what_the_mask_allows() {
+    use std::os::unix::fs::PermissionsExt;
+    let mode = |path: &std::path::Path| std::fs::metadata(path).expect("it is there").permissions().mode() & 0o777;
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(&folder, "a.claim", b"claim c \"t\"\ngiven x>0\nprove x/x=1\n");
+    for wanted in [0o640, 0o755, 0o600] {
+        std::fs::write(&path, b"claim c \"t\"\ngiven x>0\nprove x/x=1\n").expect("written");
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(wanted)).expect("set");
+        assert_eq!(carom(&["fmt", &path.display().to_string()]).status.code(), Some(0));
+        assert_eq!(mode(&path), wanted);
+    }
+    // What a plain new file gets here says what the mask allows.
+    let plain = mode(&file(&folder, "plain", b""));
+    let new = folder.path().join("new.json");
+    let out = carom(&["audit", "--only", "eq05", "--format", "json", "--output", &new.display().to_string()]);
+    assert_eq!(out.status.code(), Some(0));
+    assert_eq!(mode(&new), plain);
+}
+
+#[cfg(unix)]
+#[test]
+fn output_goes_through_links_and_into_devices() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let target = file(&folder, "target.txt", b"old");
+    let link = folder.path().join("link.txt");
+    std::os::unix::fs::symlink("target.txt", &link).expect("a link");
+    let dangling = folder.path().join("dangling.txt");
+    std::os::unix::fs::symlink("made.txt", &dangling).expect("a link");
+    for (name, end) in [(&link, &target), (&dangling, &folder.path().join("made.txt"))] {
+        let out = carom(&["audit", "--only", "eq05", "--output", &name.display().to_string()]);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        assert!(std::fs::symlink_metadata(name).expect("there").file_type().is_symlink(), "the link stays");
+        assert!(std::fs::read_to_string(end).expect("there").contains("1 proved"));
+    }
+    // A device stands for whatever is no regular file; replacing it would break the machine.
+    let null = folder.path().join("null");
+    std::os::unix::fs::symlink("/dev/null", &null).expect("a link");
+    let out = carom(&["audit", "--only", "eq05", "--output", &null.display().to_string()]);
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    let after = std::fs::metadata("/dev/null").expect("there");
+    assert!(!after.is_file());
+    for (from, to) in [("a", "b"), ("b", "a")] {
+        std::os::unix::fs::symlink(to, folder.path().join(from)).expect("a link");
+    }
+    let out = carom(&["audit", "--only", "eq05", "--output", &folder.path().join("a").display().to_string()]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("circle"), "{}", text(&out.stderr));
+    let out = carom(&["audit", "--only", "eq05", "--output", &folder.path().display().to_string()]);
+    assert_eq!(out.status.code(), Some(2));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    for arguments in [&["audit", "--only", "eq05"][..], &["help", "language"], &["explain", "eq05"], &["help", "audit"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");
+        let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).stdout(full).output().expect("it runs");
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains("cannot write to standard output"), "{}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn help_on_a_subcommand_shows_how_the_program_is_called() {
+    for name in ["audit", "explain", "fmt"] {
+        let out = carom(&["help", name]);
+        assert!(text(&out.stdout).contains(&format!("Usage: carom {name} ")), "{}", text(&out.stdout));
+    }
+}

@@ -130,7 +130,7 @@ pub fn run(
     };
     match output {
         Some(path) => write_file(path, &anstream::adapter::strip_str(&text).to_string())?,
-        None => print(&text),
+        None => print(&text)?,
     }
     let unexpected: Vec<&Entry> = entries.iter().filter(|e| !e.as_expected()).collect();
     let limit = |e: &&&Entry| {

@@ -18,6 +18,6 @@ pub fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) 
     print(&match format {
         ExplainFormat::Text => argument::text(&entry),
         ExplainFormat::Latex => argument::latex(&entry),
-    });
+    })?;
     Ok(u8::from(!entry.as_expected()))
 }

@@ -26,7 +26,7 @@ pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
         return Err(Exit::usage(messages.join("\n")));
     }
     for (path, formatted) in &changed {
-        print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()));
+        print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()))?;
         if !check {
             write_file(path, formatted)?;
         }

@@ -7,10 +7,12 @@ mod audit;
 mod explain;
 mod fmt;
 mod load;
+mod output;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use output::{print, write_file};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Audits the algebra of one-dimensional chain collisions.
@@ -161,8 +163,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Completions { shell } => {
             let mut out = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);
-            print(&String::from_utf8_lossy(&out));
-            Ok(0)
+            print(&String::from_utf8_lossy(&out)).map(|()| 0)
         }
         Command::Help { topic } => help(topic.as_deref()),
     }
@@ -170,11 +171,13 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
 
 fn help(topic: Option<&str>) -> Result<u8, Exit> {
     let mut command = Arguments::command();
+    // Without this a subcommand does not know the name of the program.
+    command.build();
     match topic {
-        None => print(&command.render_long_help().to_string()),
-        Some("language") => print(crate::claim::LANGUAGE),
+        None => print(&command.render_long_help().to_string())?,
+        Some("language") => print(crate::claim::LANGUAGE)?,
         Some(name) => match command.find_subcommand_mut(name) {
-            Some(sub) => print(&sub.render_long_help().to_string()),
+            Some(sub) => print(&sub.render_long_help().to_string())?,
             None => {
                 return Err(Exit::usage(format!(
                     "error: there is no help on {name}; topics are audit, explain, fmt, completions, language"
@@ -183,20 +186,4 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
         },
     }
     Ok(0)
-}
-
-/// Writes to standard output; a reader that has gone away is no error.
-fn print(text: &str) {
-    let mut out = anstream::stdout();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-}
-
-/// Writes a file as a whole or not at all.
-fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let fail = |e: std::io::Error| Exit::usage(format!("error: cannot write {}: {e}", path.display()));
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
-    file.write_all(text.as_bytes()).map_err(fail)?;
-    file.persist(path).map_err(|e| fail(e.error))?;
-    Ok(())
 }
