@@ -8,6 +8,8 @@ mod explain;
 mod fmt;
 mod load;
 mod output;
+mod progress;
+mod statements;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use output::{print, write_file};
@@ -54,6 +56,14 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
+    /// Print statements: name, hypotheses and goal, without judging them
+    Print {
+        /// Names of the built-in catalogue, claim files and folders; the whole catalogue if none is given
+        claims: Vec<String>,
+        /// How to write them
+        #[arg(long, value_enum, default_value = "text")]
+        format: PrintFormat,
+    },
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -88,6 +98,18 @@ enum Format {
 #[derive(Clone, Copy, ValueEnum)]
 enum ExplainFormat {
     Text,
+    Markdown,
+    Latex,
+}
+
+/// The ways of writing a statement.
+#[derive(Clone, Copy, ValueEnum)]
+enum PrintFormat {
+    /// The claim language
+    Text,
+    /// Signs such as ≤ and ·
+    Unicode,
+    /// For a document with amsmath
     Latex,
 }
 
@@ -159,6 +181,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Completions { shell } => {
             let mut out = Vec::new();
@@ -179,8 +202,10 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string())?,
             None => {
+                let topics: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_string()).collect();
                 return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are audit, explain, fmt, completions, language"
+                    "error: there is no help on {name}; topics are {}, language",
+                    topics.join(", ")
                 )));
             }
         },
