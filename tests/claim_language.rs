@@ -158,3 +158,10 @@ fn deep_and_large_inputs_end_at_named_limits() {
     assert!(parse(&long).is_ok(), "a long flat sum is no deep tree");
     assert!(parse_bytes(b"claim c \"\xff\xfe\"").is_err());
 }
+
+#[test]
+fn a_fault_in_one_clause_brings_no_other_with_it() {
+    let source = "claim c \"t\"\ngiven x > 0\nassume x = = 1\nassume x = = 2\nprove x = x\n";
+    assert_eq!(parse(source).expect_err("faulty").len(), 2);
+    assert_eq!(parse("claim c \"t\"\ngiven x > 0\nprove x = = 1\n").expect_err("faulty").len(), 1);
+}

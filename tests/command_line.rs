@@ -166,3 +166,286 @@ fn fmt_rewrites_once_and_checks() {
     assert_eq!(formatted, "claim c \"t\"\ngiven x > 0  # a mass\nprove x/x = 1\n");
     assert_eq!(carom(&["fmt", "--check", &name]).status.code(), Some(0));
 }
+
+#[cfg(unix)]
+#[test]
+fn written_files_keep_their_mode_and_new_ones_get_what_the_mask_allows() {
+    use std::os::unix::fs::PermissionsExt;
+    let mode = |path: &std::path::Path| std::fs::metadata(path).expect("it is there").permissions().mode() & 0o777;
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(&folder, "a.claim", b"claim c \"t\"\ngiven x>0\nprove x/x=1\n");
+    for wanted in [0o640, 0o755, 0o600] {
+        std::fs::write(&path, b"claim c \"t\"\ngiven x>0\nprove x/x=1\n").expect("written");
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(wanted)).expect("set");
+        assert_eq!(carom(&["fmt", &path.display().to_string()]).status.code(), Some(0));
+        assert_eq!(mode(&path), wanted);
+    }
+    // What a plain new file gets here says what the mask allows.
+    let plain = mode(&file(&folder, "plain", b""));
+    let new = folder.path().join("new.json");
+    let out = carom(&["audit", "--only", "eq05", "--format", "json", "--output", &new.display().to_string()]);
+    assert_eq!(out.status.code(), Some(0));
+    assert_eq!(mode(&new), plain);
+}
+
+#[cfg(unix)]
+#[test]
+fn output_goes_through_links_and_into_devices() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let target = file(&folder, "target.txt", b"old");
+    let link = folder.path().join("link.txt");
+    std::os::unix::fs::symlink("target.txt", &link).expect("a link");
+    let dangling = folder.path().join("dangling.txt");
+    std::os::unix::fs::symlink("made.txt", &dangling).expect("a link");
+    for (name, end) in [(&link, &target), (&dangling, &folder.path().join("made.txt"))] {
+        let out = carom(&["audit", "--only", "eq05", "--output", &name.display().to_string()]);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        assert!(std::fs::symlink_metadata(name).expect("there").file_type().is_symlink(), "the link stays");
+        assert!(std::fs::read_to_string(end).expect("there").contains("1 proved"));
+    }
+    // A device stands for whatever is no regular file; replacing it would break the machine.
+    let null = folder.path().join("null");
+    std::os::unix::fs::symlink("/dev/null", &null).expect("a link");
+    let out = carom(&["audit", "--only", "eq05", "--output", &null.display().to_string()]);
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    let after = std::fs::metadata("/dev/null").expect("there");
+    assert!(!after.is_file());
+    for (from, to) in [("a", "b"), ("b", "a")] {
+        std::os::unix::fs::symlink(to, folder.path().join(from)).expect("a link");
+    }
+    let out = carom(&["audit", "--only", "eq05", "--output", &folder.path().join("a").display().to_string()]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("circle"), "{}", text(&out.stderr));
+    let out = carom(&["audit", "--only", "eq05", "--output", &folder.path().display().to_string()]);
+    assert_eq!(out.status.code(), Some(2));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    for arguments in [&["audit", "--only", "eq05"][..], &["help", "language"], &["explain", "eq05"], &["help", "audit"]]
+    {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");
+        let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).stdout(full).output().expect("it runs");
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains("cannot write to standard output"), "{}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn help_on_a_subcommand_shows_how_the_program_is_called() {
+    for name in ["audit", "explain", "fmt"] {
+        let out = carom(&["help", name]);
+        assert!(text(&out.stdout).contains(&format!("Usage: carom {name} ")), "{}", text(&out.stdout));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_endless_file_is_read_no_further_than_the_limit() {
+    for command in ["audit", "fmt"] {
+        let started = Instant::now();
+        let out = carom(&[command, "/dev/zero"]);
+        assert_eq!(out.status.code(), Some(2));
+        assert!(text(&out.stderr).contains("limit reached"), "{}", text(&out.stderr));
+        assert!(started.elapsed().as_secs_f64() < 1.0);
+    }
+}
+
+#[test]
+fn a_name_used_in_two_files_is_shown_in_the_second_with_the_first_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let first = file(&folder, "first.claim", b"# one\nclaim same \"t\"\ngiven x > 0\nprove x = x\n");
+    let second = file(&folder, "second.claim", b"claim same \"u\"\ngiven x > 0\nprove x = x\n");
+    let out = carom(&["audit", &first.display().to_string(), &second.display().to_string()]);
+    assert_eq!(out.status.code(), Some(2));
+    let said = text(&out.stderr);
+    assert!(said.contains(&format!("--> {}:1:7", second.display())), "{said}");
+    assert!(said.contains(&format!("{}:2:7", first.display())), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_reached_twice_is_read_once_and_links_in_a_circle_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(&folder, "a.claim", b"claim c \"t\"\ngiven x > 0\nprove x = x\n");
+    std::os::unix::fs::symlink(".", folder.path().join("again")).expect("a link");
+    std::os::unix::fs::symlink("a.claim", folder.path().join("b.claim")).expect("a link");
+    let (whole, path) = (folder.path().display().to_string(), path.display().to_string());
+    for arguments in [&["audit", &path, &path][..], &["audit", &whole, &path], &["audit", &path, &whole, &whole]] {
+        let out = carom(arguments);
+        assert_eq!(out.status.code(), Some(0), "{arguments:?}: {}", text(&out.stderr));
+        assert!(text(&out.stdout).contains("1 claim: 1 proved"), "{}", text(&out.stdout));
+    }
+    for (from, to) in [("x.claim", "y.claim"), ("y.claim", "x.claim")] {
+        std::os::unix::fs::symlink(to, folder.path().join(from)).expect("a link");
+    }
+    let out = carom(&["audit", &whole]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("cannot read"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn faults_that_are_not_shown_are_counted() {
+    let content = format!("claim c \"t\"\ngiven x > 0\n{}prove x = x\n", "assume x = = 1\n".repeat(33));
+    let out = audit_of(content.as_bytes());
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("13 more faults"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn each_section_has_one_heading_in_the_order_of_the_catalogue() {
+    let sections = ["b", "a", "b", "a", "c"];
+    let content: String = sections
+        .iter()
+        .enumerate()
+        .map(|(i, s)| format!("claim c{i} \"t\"\nsection \"part {s}\"\ngiven x > 0\nprove x = x\n\n"))
+        .collect();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(&folder, "a.claim", content.as_bytes()).display().to_string();
+    for format in ["text", "markdown"] {
+        let shown = text(&carom(&["audit", &path, "--format", format]).stdout);
+        let places: Vec<usize> = ["part b", "c0", "c2", "part a", "c1", "c3", "part c", "c4"]
+            .iter()
+            .map(|w| shown.find(w).expect(w))
+            .collect();
+        assert!(places.is_sorted(), "{shown}");
+        for section in ["part a", "part b", "part c"] {
+            assert_eq!(shown.matches(section).count(), 1, "{shown}");
+        }
+        assert!(shown.contains("5 claims"), "{shown}");
+    }
+}
+
+#[test]
+fn each_pair_of_sides_is_said_to_be_of_which_comparison() {
+    let out = audit_of(b"claim c \"t\"\ngiven x, y > 0\nprove x > y + 1 and y > x + 1\n");
+    let shown = text(&out.stdout);
+    for line in shown.lines().filter(|l| l.contains("left side")) {
+        assert!(line.contains("x > y + 1: ") || line.contains("y > x + 1: "), "{shown}");
+    }
+    assert_eq!(shown.matches("left side").count(), 2, "{shown}");
+}
+
+#[test]
+fn a_path_after_only_is_explained() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(&folder, "a.claim", b"claim c \"t\"\ngiven x > 0\nprove x = x\n").display().to_string();
+    let out = carom(&["audit", "--only", "eq13", &path]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("paths before --only"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn reports_for_machines_say_what_could_not_be_judged() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let content =
+        b"claim good \"t\"\ngiven x > 0\nprove x = x\nclaim bad \"t\"\ngiven x > 0\nassume low: x < -1\nprove x = 7\n";
+    let path = file(&folder, "a.claim", content).display().to_string();
+    for (format, sign) in [
+        ("junit", "<error message=\"error: the hypotheses of bad cannot all hold"),
+        ("markdown", "## Errors\n\nbad\n"),
+        ("text", "1 claim: 1 proved, 0 refuted, 0 undecided; 1 error"),
+        ("json", "\"claim\": \"bad\""),
+    ] {
+        let out = carom(&["audit", &path, "--format", format]);
+        assert_eq!(out.status.code(), Some(2));
+        assert!(text(&out.stdout).contains(sign), "{}", text(&out.stdout));
+        assert!(text(&out.stderr).contains("cannot all hold"));
+        if format == "json" {
+            let value: serde_json::Value = serde_json::from_slice(&out.stdout).expect("JSON");
+            assert_eq!((&value["claims"][0]["id"], &value["summary"]["errors"]), (&"good".into(), &1.into()));
+        }
+    }
+    let broken = file(&folder, "b.claim", b"claim c \"t\"\nprove\n").display().to_string();
+    let report = folder.path().join("report.xml");
+    let out = carom(&["audit", &broken, "--format", "junit", "--output", &report.display().to_string()]);
+    assert_eq!(out.status.code(), Some(2));
+    let report = std::fs::read_to_string(report).expect("it is written");
+    assert!(report.contains("errors=\"1\"") && report.contains("b.claim"), "{report}");
+}
+
+#[test]
+fn every_form_of_an_argument_says_why_where_and_how_deep() {
+    for (form, signs) in [
+        ("latex", ["hspace*{2em}", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("markdown", ["  - *", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("text", ["    [", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+    ] {
+        let out = carom(&["explain", "b-grow", "--format", form]);
+        assert!(text(&out.stdout).contains(signs[0]), "{}", text(&out.stdout));
+        let out = carom(&["explain", "p-final", "--format", form]);
+        assert!(text(&out.stdout).contains(signs[1]), "{}", text(&out.stdout));
+        let folder = tempfile::tempdir().expect("a folder");
+        let content = b"claim big \"t\"\ngiven x > 0\nprove (x + 2)^(10^9) - (x + 1)^(10^9) > 0\n";
+        let path = file(&folder, "a.claim", content).display().to_string();
+        let out = carom(&["explain", "big", &path, "--format", form]);
+        assert!(text(&out.stdout).contains(signs[2]), "{}", text(&out.stdout));
+    }
+}
+
+#[test]
+fn printed_claims_read_back_and_have_three_forms() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let all = carom(&["print"]);
+    assert_eq!(all.status.code(), Some(0));
+    let copy = file(&folder, "copy.claim", &all.stdout).display().to_string();
+    let again = carom(&["print", &copy]);
+    assert_eq!(text(&again.stdout), text(&all.stdout), "what is printed is claim language: {}", text(&again.stderr));
+    assert!(text(&all.stdout).matches("\nprove ").count() > 80);
+    let out = carom(&["print", "eq13", "u3", "--format", "unicode"]);
+    assert!(text(&out.stdout).contains("e₁"), "{}", text(&out.stdout));
+    let out = carom(&["print", "eq13", "--format", "latex"]);
+    assert!(text(&out.stdout).contains("\\frac"), "{}", text(&out.stdout));
+    assert_eq!(carom(&["print", "eq99"]).status.code(), Some(2));
+    assert_eq!(carom(&["print", "/no/such.claim"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_reader_of_a_report_may_go_away() {
+    for format in ["text", "json", "markdown", "junit"] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["audit", "--only", "eq05", "--format", format])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        drop(child.stdout.take());
+        let out = child.wait_with_output().expect("it ends");
+        assert_eq!((text(&out.stderr), out.status.code()), (String::new(), Some(0)), "{format}");
+    }
+}
+
+#[test]
+fn colours_come_when_forced_and_go_with_no_color() {
+    let run = |variables: &[(&str, &str)]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+        command.args(["audit", "--only", "eq05"]).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
+        command.envs(variables.iter().copied());
+        text(&command.output().expect("it runs").stdout).contains('\u{1b}')
+    };
+    assert!(run(&[("CLICOLOR_FORCE", "1")]), "the control: there are colours to drop");
+    assert!(!run(&[]));
+    assert!(!run(&[("NO_COLOR", "1")]));
+}
+
+/// On a terminal, which `script` provides.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_gets_colours_unless_no_color_is_set() {
+    let run = |no_color: &str| {
+        let command = format!("{} audit --only eq05", env!("CARGO_BIN_EXE_carom"));
+        let out = Command::new("script")
+            .args(["-qec", &command, "/dev/null"])
+            .env("NO_COLOR", no_color)
+            .env("TERM", "xterm")
+            .env_remove("CLICOLOR_FORCE")
+            .stdin(Stdio::null())
+            .output()
+            .expect("`script` of util-linux is there");
+        text(&out.stdout)
+    };
+    assert!(run("").contains('\u{1b}'), "the control");
+    let plain = run("1");
+    assert!(plain.contains("proved") && !plain.contains('\u{1b}'), "{plain:?}");
+}

@@ -1,15 +1,15 @@
 //! `carom audit`
 
 use super::load::{self, Source};
+use super::progress::Progress;
 use super::{Exit, Format, print, write_file};
 use crate::claim::diagnostic::{Diagnostic, Fault as Wrong, nearest};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::prove::catalogue::{Catalogue, Limits};
 use crate::prove::outcome::{Fault, Outcome, Verdict};
-use crate::report::{self, Entry};
+use crate::report::{self, Audit, Entry, Problem};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 /// Claims ready to be judged, with the texts that errors point into.
 pub struct Loaded {
@@ -52,6 +52,11 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
         .filter(|n| !names.contains(&n.as_str()))
         .map(|n| match nearest(n, names.iter().copied()) {
             Some(near) => format!("error: no claim is called {n}; did you mean {near}?"),
+            // Every word after --only is taken for a name, a path as well.
+            None if n.contains('/') || n.ends_with(".claim") || Path::new(n).exists() => format!(
+                "error: no claim is called {n}; it looks like a path: write paths before --only, \
+                 as in `carom audit {n} --only ID`"
+            ),
             None => format!("error: no claim is called {n}; `carom audit` lists the names"),
         })
         .collect();
@@ -89,59 +94,68 @@ pub fn run(
     output: Option<&Path>,
     limits: &Limits,
 ) -> Result<u8, Exit> {
-    let mut loaded = load(paths, only)?;
-    let names: Vec<String> = if only.is_empty() {
-        loaded.catalogue.claims().iter().map(|c| c.name.text.clone()).collect()
-    } else {
-        let all = loaded.catalogue.claims().iter().map(|c| c.name.text.clone());
-        all.filter(|n| only.contains(n)).collect()
+    let mut loaded = match load(paths, only) {
+        Ok(loaded) => loaded,
+        Err(exit) => {
+            // A machine that reads only the report must not take silence for success.
+            if let Format::Junit = format {
+                let problems = vec![problem("claims", &exit)];
+                write(&Audit { entries: Vec::new(), problems, judged: 0 }, format, output)?;
+            }
+            return Err(exit);
+        }
     };
-    let started = Instant::now();
-    let mut bar: Option<indicatif::ProgressBar> = None;
-    let mut entries: Vec<Entry> = Vec::new();
-    let mut faults = Vec::new();
+    let all = loaded.catalogue.claims().iter().map(|c| c.name.text.clone());
+    let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
+    let progress = Progress::start(names.len());
+    let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
     for (done, name) in names.iter().enumerate() {
-        if bar.is_none() && started.elapsed() > Duration::from_millis(500) {
-            bar = Some(indicatif::ProgressBar::new(names.len() as u64));
-        }
-        if let Some(bar) = &bar {
-            bar.set_position(done as u64);
-        }
+        progress.now(done, name);
         match loaded.judge(name, limits) {
             Ok(outcome) => {
                 if let Some(claim) = loaded.catalogue.get(name) {
                     entries.push(Entry { claim: claim.clone(), outcome });
                 }
             }
-            Err(exit) => faults.push(exit.message),
+            Err(exit) => {
+                problems.push(problem(name, &exit));
+                messages.push(exit.message);
+            }
         }
     }
-    if let Some(bar) = bar {
-        bar.finish_and_clear();
+    progress.finish();
+    let audit = Audit { entries, problems, judged: loaded.catalogue.work() };
+    write(&audit, format, output)?;
+    if !messages.is_empty() {
+        return Err(Exit::usage(messages.join("\n")));
     }
-    if !faults.is_empty() {
-        return Err(Exit::usage(faults.join("\n")));
-    }
-    let text = match format {
-        Format::Text => report::text::report(&entries),
-        Format::Json => report::json::report(&entries, loaded.catalogue.work()),
-        Format::Markdown => report::markdown::report(&entries),
-        Format::Junit => report::junit::report(&entries),
-    };
-    match output {
-        Some(path) => write_file(path, &anstream::adapter::strip_str(&text).to_string())?,
-        None => print(&text),
-    }
-    let unexpected: Vec<&Entry> = entries.iter().filter(|e| !e.as_expected()).collect();
-    let limit = |e: &&&Entry| {
+    let unexpected: Vec<&Entry> = audit.entries.iter().filter(|e| !e.as_expected()).collect();
+    let limit = |e: &&Entry| {
         e.outcome.verdict == Verdict::Undecided
             && e.outcome.reason.as_deref().is_some_and(|r| r.contains("limit reached"))
     };
-    Ok(if unexpected.is_empty() {
-        0
-    } else if unexpected.iter().all(|e| limit(&e)) {
-        3
-    } else {
-        1
+    Ok(match unexpected.len() {
+        0 => 0,
+        _ if unexpected.iter().all(limit) => 3,
+        _ => 1,
     })
+}
+
+/// A failure as a report shows it; the message for the terminal may have colours.
+fn problem(name: &str, exit: &Exit) -> Problem {
+    Problem { name: name.to_string(), message: anstream::adapter::strip_str(&exit.message).to_string() }
+}
+
+/// Writes the report.
+fn write(audit: &Audit, format: Format, output: Option<&Path>) -> Result<(), Exit> {
+    let text = match format {
+        Format::Text => report::text::report(audit),
+        Format::Json => report::json::report(audit),
+        Format::Markdown => report::markdown::report(audit),
+        Format::Junit => report::junit::report(audit),
+    };
+    match output {
+        Some(path) => write_file(path, &anstream::adapter::strip_str(&text).to_string()),
+        None => print(&text),
+    }
 }

@@ -17,7 +17,8 @@ pub fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) 
     let entry = Entry { claim, outcome };
     print(&match format {
         ExplainFormat::Text => argument::text(&entry),
+        ExplainFormat::Markdown => argument::markdown(&entry),
         ExplainFormat::Latex => argument::latex(&entry),
-    });
+    })?;
     Ok(u8::from(!entry.as_expected()))
 }

@@ -1,6 +1,6 @@
 //! `carom fmt`
 
-use super::load::{colour, files};
+use super::load::{files, read, rendered};
 use super::{Exit, print, write_file};
 use crate::claim::format::format;
 use crate::claim::parse::parse_bytes;
@@ -11,22 +11,21 @@ pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     let mut changed = Vec::new();
     let mut messages = Vec::new();
     for path in files(paths)? {
-        let bytes =
-            std::fs::read(&path).map_err(|e| Exit::usage(format!("error: cannot read {}: {e}", path.display())))?;
+        let bytes = read(&path)?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let shown = path.display().to_string();
         let formatted = parse_bytes(&bytes).and_then(|_| format(&text));
         match formatted {
             Ok(formatted) if formatted != text => changed.push((path, formatted)),
             Ok(_) => {}
-            Err(faults) => messages.extend(faults.iter().map(|f| f.render(&shown, &text, colour()))),
+            Err(faults) => messages.extend(rendered(&faults, &shown, &text)),
         }
     }
     if !messages.is_empty() {
         return Err(Exit::usage(messages.join("\n")));
     }
     for (path, formatted) in &changed {
-        print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()));
+        print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()))?;
         if !check {
             write_file(path, formatted)?;
         }

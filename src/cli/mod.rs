@@ -7,10 +7,14 @@ mod audit;
 mod explain;
 mod fmt;
 mod load;
+mod output;
+mod progress;
+mod statements;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use output::{print, write_file};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Audits the algebra of one-dimensional chain collisions.
@@ -52,6 +56,14 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
+    /// Print statements: name, hypotheses and goal, without judging them
+    Print {
+        /// Names of the built-in catalogue, claim files and folders; the whole catalogue if none is given
+        claims: Vec<String>,
+        /// How to write them
+        #[arg(long, value_enum, default_value = "text")]
+        format: PrintFormat,
+    },
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -86,6 +98,18 @@ enum Format {
 #[derive(Clone, Copy, ValueEnum)]
 enum ExplainFormat {
     Text,
+    Markdown,
+    Latex,
+}
+
+/// The ways of writing a statement.
+#[derive(Clone, Copy, ValueEnum)]
+enum PrintFormat {
+    /// The claim language
+    Text,
+    /// Signs such as ≤ and ·
+    Unicode,
+    /// For a document with amsmath
     Latex,
 }
 
@@ -157,12 +181,12 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Completions { shell } => {
             let mut out = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);
-            print(&String::from_utf8_lossy(&out));
-            Ok(0)
+            print(&String::from_utf8_lossy(&out)).map(|()| 0)
         }
         Command::Help { topic } => help(topic.as_deref()),
     }
@@ -170,33 +194,21 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
 
 fn help(topic: Option<&str>) -> Result<u8, Exit> {
     let mut command = Arguments::command();
+    // Without this a subcommand does not know the name of the program.
+    command.build();
     match topic {
-        None => print(&command.render_long_help().to_string()),
-        Some("language") => print(crate::claim::LANGUAGE),
+        None => print(&command.render_long_help().to_string())?,
+        Some("language") => print(crate::claim::LANGUAGE)?,
         Some(name) => match command.find_subcommand_mut(name) {
-            Some(sub) => print(&sub.render_long_help().to_string()),
+            Some(sub) => print(&sub.render_long_help().to_string())?,
             None => {
+                let topics: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_string()).collect();
                 return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are audit, explain, fmt, completions, language"
+                    "error: there is no help on {name}; topics are {}, language",
+                    topics.join(", ")
                 )));
             }
         },
     }
     Ok(0)
-}
-
-/// Writes to standard output; a reader that has gone away is no error.
-fn print(text: &str) {
-    let mut out = anstream::stdout();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-}
-
-/// Writes a file as a whole or not at all.
-fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let fail = |e: std::io::Error| Exit::usage(format!("error: cannot write {}: {e}", path.display()));
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
-    file.write_all(text.as_bytes()).map_err(fail)?;
-    file.persist(path).map_err(|e| fail(e.error))?;
-    Ok(())
 }

@@ -1,21 +1,24 @@
 //! An audit as JSON: the contract of the command line.
 
-use super::{Entry, reading, summary};
+use super::{Audit, Entry, reading, summary};
 use crate::claim::print::Style;
 use serde_json::{Map, Value, json};
 
-/// The report; `judged` is how many claims were worked on, cited ones included.
-pub fn report(entries: &[Entry], judged: usize) -> String {
-    let claims: Vec<Value> = entries.iter().map(one).collect();
-    let s = summary(entries);
+/// The report; `errors` names what could not be judged.
+pub fn report(audit: &Audit) -> String {
+    let claims: Vec<Value> = audit.entries.iter().map(one).collect();
+    let errors: Vec<Value> = audit.problems.iter().map(|p| json!({ "claim": p.name, "message": p.message })).collect();
+    let s = summary(&audit.entries);
     let value = json!({
         "claims": claims,
+        "errors": errors,
         "summary": {
             "proved": s.proved,
             "refuted": s.refuted,
             "undecided": s.undecided,
             "unexpected": s.unexpected,
-            "judged": judged,
+            "errors": audit.problems.len(),
+            "judged": audit.judged,
         },
     });
     let mut out = serde_json::to_string_pretty(&value).unwrap_or_default();

@@ -1,50 +1,58 @@
 //! An audit as Markdown.
 
-use super::{Entry, reading, summary};
+use super::{Audit, Entry, counted, reading, summary};
 use crate::claim::print::Style;
 
-/// The report: a table for each section.
-pub fn report(entries: &[Entry]) -> String {
-    let s = summary(entries);
+/// The report: a table for each section, then what could not be judged.
+pub fn report(audit: &Audit) -> String {
+    let s = summary(&audit.entries);
     let mut out = format!(
-        "# Audit\n\n{} claims: {} proved, {} refuted, {} undecided; {} not as expected.\n",
-        entries.len(),
+        "# Audit\n\n{}: {} proved, {} refuted, {} undecided; {} not as expected{}.\n",
+        audit.count(),
         s.proved,
         s.refuted,
         s.undecided,
-        s.unexpected
+        s.unexpected,
+        if audit.problems.is_empty() { String::new() } else { format!("; {}", counted(audit.problems.len(), "error")) }
     );
-    let mut section = None;
-    for entry in entries {
-        let here = entry.claim.section.as_deref().unwrap_or("Claims");
-        if section != Some(here) {
-            out.push_str(&format!(
-                "\n## {}\n\n| claim | no. | verdict | reading | statement | remarks |\n|---|---|---|---|---|---|\n",
-                escape(here)
-            ));
-            section = Some(here);
-        }
-        let (claim, outcome) = (&entry.claim, &entry.outcome);
-        let mut remarks: Vec<String> = Vec::new();
-        if let Some(witness) = &outcome.witness {
-            let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
-            remarks.push(format!("fails at {}", at.join(", ")));
-        }
-        remarks.extend(outcome.reason.clone());
-        remarks.extend(claim.notes.iter().cloned());
-        let number = claim.number.map_or(String::new(), |n| n.to_string());
+    for (section, entries) in audit.sections() {
         out.push_str(&format!(
-            "| {} {} | {number} | {}{} | {} | `{}` | {} |\n",
-            escape(&claim.name.text),
-            escape(&claim.title),
-            outcome.verdict.name(),
-            if entry.as_expected() { "" } else { " (not as expected)" },
-            reading(claim),
-            entry.goal(Style::Unicode).replace('|', "\\|").replace('`', "'"),
-            escape(&remarks.join("; ")),
+            "\n## {}\n\n| claim | no. | verdict | reading | statement | remarks |\n|---|---|---|---|---|---|\n",
+            escape(section)
         ));
+        for entry in entries {
+            row(&mut out, entry);
+        }
+    }
+    if !audit.problems.is_empty() {
+        out.push_str("\n## Errors\n");
+    }
+    for problem in &audit.problems {
+        out.push_str(&format!("\n{}\n\n```text\n{}\n```\n", escape(&problem.name), problem.message));
     }
     out
+}
+
+fn row(out: &mut String, entry: &Entry) {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
+    let mut remarks: Vec<String> = Vec::new();
+    if let Some(witness) = &outcome.witness {
+        let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+        remarks.push(format!("fails at {}", at.join(", ")));
+    }
+    remarks.extend(outcome.reason.clone());
+    remarks.extend(claim.notes.iter().cloned());
+    let number = claim.number.map_or(String::new(), |n| n.to_string());
+    out.push_str(&format!(
+        "| {} {} | {number} | {}{} | {} | `{}` | {} |\n",
+        escape(&claim.name.text),
+        escape(&claim.title),
+        outcome.verdict.name(),
+        if entry.as_expected() { "" } else { " (not as expected)" },
+        reading(claim),
+        entry.goal(Style::Unicode).replace('|', "\\|").replace('`', "'"),
+        escape(&remarks.join("; ")),
+    ));
 }
 
 /// Text that Markdown shows as it stands.

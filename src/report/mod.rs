@@ -30,6 +30,49 @@ impl Entry {
     }
 }
 
+/// A claim, or a file of claims, that could not be judged.
+pub struct Problem {
+    /// The claim, or `claims` where it concerns none in particular.
+    pub name: String,
+    /// What is wrong, with its place; several lines.
+    pub message: String,
+}
+
+/// An audit.
+pub struct Audit {
+    /// What was judged, in the order of the catalogue.
+    pub entries: Vec<Entry>,
+    /// What could not be judged.
+    pub problems: Vec<Problem>,
+    /// How many claims were worked on, cited ones included.
+    pub judged: usize,
+}
+
+impl Audit {
+    /// The entries of each section, the sections in the order in which they first appear.
+    pub fn sections(&self) -> Vec<(&str, Vec<&Entry>)> {
+        let mut out: Vec<(&str, Vec<&Entry>)> = Vec::new();
+        for entry in &self.entries {
+            let here = entry.claim.section.as_deref().unwrap_or("Claims");
+            match out.iter_mut().find(|s| s.0 == here) {
+                Some(section) => section.1.push(entry),
+                None => out.push((here, vec![entry])),
+            }
+        }
+        out
+    }
+
+    /// `84 claims`, `1 claim`.
+    pub fn count(&self) -> String {
+        counted(self.entries.len(), "claim")
+    }
+}
+
+/// A number with its noun.
+pub fn counted(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
 /// The counts of an audit.
 #[derive(Default, Clone, Copy)]
 pub struct Summary {

@@ -1,6 +1,6 @@
 //! An audit for a terminal.
 
-use super::{Entry, reading, summary};
+use super::{Audit, Entry, counted, reading, summary};
 use crate::claim::print::Style;
 use crate::prove::outcome::Verdict;
 
@@ -12,29 +12,30 @@ const DIM: &str = "\x1b[2m";
 const PLAIN: &str = "\x1b[0m";
 
 /// The report with colours; who writes it to something else than a terminal strips them.
-pub fn report(entries: &[Entry]) -> String {
+pub fn report(audit: &Audit) -> String {
     let mut out = String::new();
-    let mut section = None;
-    for entry in entries {
-        let here = entry.claim.section.as_deref().unwrap_or("Claims");
-        if section != Some(here) {
-            out.push_str(&format!("{}{BOLD}{here}{PLAIN}\n", if section.is_none() { "" } else { "\n" }));
-            section = Some(here);
+    for (place, (section, entries)) in audit.sections().into_iter().enumerate() {
+        out.push_str(&format!("{}{BOLD}{section}{PLAIN}\n", if place == 0 { "" } else { "\n" }));
+        for entry in entries {
+            one(&mut out, entry);
         }
-        one(&mut out, entry);
     }
-    let s = summary(entries);
+    let s = summary(&audit.entries);
     out.push_str(&format!(
-        "\n{BOLD}{} claims: {} proved, {} refuted, {} undecided{PLAIN}",
-        entries.len(),
+        "\n{BOLD}{}: {} proved, {} refuted, {} undecided{PLAIN}",
+        audit.count(),
         s.proved,
         s.refuted,
         s.undecided
     ));
-    out.push_str(&if s.unexpected == 0 {
-        "; all as expected\n".to_string()
-    } else {
-        format!("; {RED}{} not as expected{PLAIN}\n", s.unexpected)
+    let errors = match audit.problems.len() {
+        0 => String::new(),
+        n => format!("; {RED}{}{PLAIN}", counted(n, "error")),
+    };
+    out.push_str(&match s.unexpected {
+        0 if errors.is_empty() => "; all as expected\n".to_string(),
+        0 => format!("{errors}\n"),
+        n => format!("; {RED}{n} not as expected{PLAIN}{errors}\n"),
     });
     out
 }
@@ -62,7 +63,12 @@ fn one(out: &mut String, entry: &Entry) {
             if broken.right.is_empty() {
                 out.push_str(&format!("                    {}\n", broken.statement));
             } else {
-                out.push_str(&format!("                    left side {}, right side {}\n", broken.left, broken.right));
+                // With one comparison the goal above says which; with several each must be named.
+                let which = if witness.broken.len() > 1 { format!("{}: ", broken.statement) } else { String::new() };
+                out.push_str(&format!(
+                    "                    {which}left side {}, right side {}\n",
+                    broken.left, broken.right
+                ));
             }
         }
     }

@@ -67,7 +67,6 @@ impl Parser {
                 continue;
             }
             if self.clause(&mut claim, &mut proved).is_err() {
-                proved = true;
                 self.skip();
             }
         }

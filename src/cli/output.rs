@@ -1,0 +1,121 @@
+//! Where a command's text goes: standard output or a file, as a whole or not at all.
+//!
+//! Contract: a regular file is replaced in one step, by a file with the old permissions (a new one
+//! gets what the process's mask allows), so that a reader sees the old text or the new one. A symbolic
+//! link stays and its target is replaced. What is no regular file, such as `/dev/null` or a pipe, is
+//! written in place.
+
+use super::Exit;
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The most symbolic links that are followed from one name.
+const LINKS: usize = 40;
+
+/// An open place for output.
+pub enum Output {
+    /// Written as it comes.
+    InPlace(PathBuf, File),
+    /// Written beside the target, which it replaces at the end.
+    Whole(PathBuf, tempfile::NamedTempFile),
+}
+
+fn cannot(path: &Path, e: io::Error) -> Exit {
+    Exit::usage(format!("error: cannot write {}: {e}", path.display()))
+}
+
+impl Output {
+    /// Opens a file for writing; nothing of it changes before [`Output::finish`] unless it is no
+    /// regular file.
+    ///
+    /// # Errors
+    /// A folder, a file or folder without permission to write, symbolic links in a circle.
+    pub fn file(path: &Path) -> Result<Output, Exit> {
+        let target = followed(path)?;
+        let old = std::fs::metadata(&target).ok();
+        if let Some(old) = &old {
+            // Replacing asks no permission of the file itself; opening it does.
+            let file = OpenOptions::new().write(true).open(&target).map_err(|e| cannot(path, e))?;
+            if !old.is_file() {
+                return Ok(Output::InPlace(path.to_path_buf(), file));
+            }
+        }
+        let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let file = beside(folder, old.as_ref()).map_err(|e| cannot(path, e))?;
+        Ok(Output::Whole(target, file))
+    }
+
+    /// Puts the text in its place.
+    pub fn finish(self) -> Result<(), Exit> {
+        match self {
+            Output::InPlace(path, mut file) => file.flush().map_err(|e| cannot(&path, e)),
+            Output::Whole(path, file) => match file.persist(&path) {
+                Ok(_) => Ok(()),
+                Err(e) => Err(cannot(&path, e.error)),
+            },
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Output::InPlace(_, file) => file.write(bytes),
+            Output::Whole(_, file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Output::InPlace(_, file) => file.flush(),
+            Output::Whole(_, file) => file.flush(),
+        }
+    }
+}
+
+/// A new file in a folder, with the permissions of the one that it will replace.
+fn beside(folder: &Path, old: Option<&Metadata>) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let file = builder.tempfile_in(folder)?;
+    if let Some(old) = old {
+        file.as_file().set_permissions(old.permissions())?;
+    }
+    Ok(file)
+}
+
+/// The name at the end of a chain of symbolic links; it need not exist.
+fn followed(path: &Path) -> Result<PathBuf, Exit> {
+    let mut at = path.to_path_buf();
+    for _ in 0..LINKS {
+        match std::fs::read_link(&at) {
+            Ok(to) if to.is_absolute() => at = to,
+            Ok(to) => at = at.parent().unwrap_or(Path::new("")).join(to),
+            Err(_) => return Ok(at),
+        }
+    }
+    Err(Exit::usage(format!("error: cannot write {}: its symbolic links form a circle", path.display())))
+}
+
+/// Writes a file as a whole.
+pub fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
+    let mut output = Output::file(path)?;
+    output.write_all(text.as_bytes()).map_err(|e| cannot(path, e))?;
+    output.finish()
+}
+
+/// Writes to standard output; colours are dropped where they are not wanted.
+///
+/// # Errors
+/// Whatever keeps the text from being written, but for a reader that has gone away.
+pub fn print(text: &str) -> Result<(), Exit> {
+    let mut out = anstream::stdout();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Exit::usage(format!("error: cannot write to standard output: {e}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,158 @@
+//! Progress on a terminal, for work that takes longer than half a second.
+//!
+//! A thread of its own draws, so that one long step shows the time going by as well as many short
+//! ones. Where standard error is no terminal, there is no thread and nothing is drawn.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// How long nothing is shown.
+const QUIET: Duration = Duration::from_millis(500);
+/// How often the bar is drawn.
+const TICK: Duration = Duration::from_millis(100);
+
+/// What the bar shows.
+#[derive(Default)]
+struct State {
+    done: u64,
+    what: String,
+}
+
+/// A bar that appears when the work turns out to be long, and goes when this is dropped.
+pub struct Progress {
+    state: Arc<Mutex<State>>,
+    thread: Option<(Sender<()>, JoinHandle<()>)>,
+}
+
+impl Progress {
+    /// Begins to wait; `total` is how many steps there will be.
+    pub fn start(total: usize) -> Progress {
+        let terminal = std::io::stderr().is_terminal();
+        Progress::on(total as u64, terminal.then(ProgressDrawTarget::stderr))
+    }
+
+    fn on(total: u64, target: Option<ProgressDrawTarget>) -> Progress {
+        let state = Arc::new(Mutex::new(State::default()));
+        let shared = state.clone();
+        let thread = target.map(|target| {
+            let (sender, stop) = channel::<()>();
+            (sender, std::thread::spawn(move || draw(total, target, &shared, |wait| stop.recv_timeout(wait))))
+        });
+        Progress { state, thread }
+    }
+
+    /// Says how many steps are done and what the present one is.
+    pub fn now(&self, done: usize, what: &str) {
+        if self.thread.is_some() {
+            let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+            state.done = done as u64;
+            what.clone_into(&mut state.what);
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn finish(self) {}
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some((sender, thread)) = self.thread.take() {
+            drop(sender);
+            // A drawing thread that failed leaves nothing behind that matters.
+            let _ = thread.join();
+        }
+    }
+}
+
+fn draw(
+    total: u64,
+    target: ProgressDrawTarget,
+    state: &Mutex<State>,
+    wait: impl Fn(Duration) -> Result<(), RecvTimeoutError>,
+) {
+    if wait(QUIET) != Err(RecvTimeoutError::Timeout) {
+        return;
+    }
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} {wide_msg}");
+    let bar = ProgressBar::with_draw_target(Some(total), target)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    loop {
+        {
+            let state = state.lock().unwrap_or_else(PoisonError::into_inner);
+            bar.set_position(state.done);
+            bar.set_message(state.what.clone());
+        }
+        bar.tick();
+        if wait(TICK) != Err(RecvTimeoutError::Timeout) {
+            break;
+        }
+    }
+    bar.finish_and_clear();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use indicatif::TermLike;
+
+    /// A terminal that counts what is written to it.
+    #[derive(Debug, Clone, Default)]
+    struct Recorder(Arc<Mutex<String>>);
+
+    impl TermLike for Recorder {
+        fn width(&self) -> u16 {
+            80
+        }
+        fn move_cursor_up(&self, _: usize) -> std::io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_down(&self, _: usize) -> std::io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_right(&self, _: usize) -> std::io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_left(&self, _: usize) -> std::io::Result<()> {
+            Ok(())
+        }
+        fn write_line(&self, text: &str) -> std::io::Result<()> {
+            self.write_str(text)
+        }
+        fn write_str(&self, text: &str) -> std::io::Result<()> {
+            self.0.lock().expect("not poisoned").push_str(text);
+            Ok(())
+        }
+        fn clear_line(&self) -> std::io::Result<()> {
+            Ok(())
+        }
+        fn flush(&self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn one_slow_step_shows_a_bar_after_half_a_second_and_a_fast_one_shows_none() {
+        let terminal = Recorder::default();
+        let target = || Some(ProgressDrawTarget::term_like_with_hz(Box::new(terminal.clone()), 50));
+        let progress = Progress::on(1, target());
+        progress.now(0, "fast");
+        progress.finish();
+        assert_eq!(*terminal.0.lock().expect("not poisoned"), "");
+        let progress = Progress::on(1, target());
+        progress.now(0, "slow-claim");
+        std::thread::sleep(Duration::from_millis(250));
+        assert_eq!(*terminal.0.lock().expect("not poisoned"), "", "too early");
+        std::thread::sleep(Duration::from_millis(1000));
+        let shown = terminal.0.lock().expect("not poisoned").clone();
+        assert!(shown.contains("0/1") && shown.contains("slow-claim"), "{shown:?}");
+        assert!(
+            shown.contains("00:00:01") || shown.contains("0s") || shown.contains("1s"),
+            "the time goes by: {shown:?}"
+        );
+        progress.finish();
+    }
+}

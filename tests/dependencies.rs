@@ -1,0 +1,122 @@
+//! The policy for dependencies, checked without a network: where they come from and under which licence.
+//!
+//! Every package that a build on this machine uses must come from crates.io and allow its use under a
+//! licence of the list; the LGPL is accepted for malachite alone, whose terms the README explains.
+
+use std::process::Command;
+
+/// Licences that ask for no more than attribution.
+const ALLOWED: &[&str] = &[
+    "MIT",
+    "Apache-2.0",
+    "BSD-2-Clause",
+    "BSD-3-Clause",
+    "ISC",
+    "Zlib",
+    "BSL-1.0",
+    "Unlicense",
+    "Unicode-3.0",
+    "CC0-1.0",
+];
+
+/// The tokens of an SPDX expression; the old sign `/` means OR.
+fn tokens(expression: &str) -> Vec<String> {
+    let spaced = expression.replace('(', " ( ").replace(')', " ) ").replace('/', " OR ");
+    spaced.split_whitespace().map(str::to_string).collect()
+}
+
+/// Whether an SPDX expression can be met by allowed licences; an expression that cannot be read is not.
+fn allowed(expression: &str, accepted: &[&str]) -> bool {
+    let tokens = tokens(expression);
+    let mut at = 0;
+    let result = either(&tokens, &mut at, accepted);
+    result && at == tokens.len()
+}
+
+fn either(tokens: &[String], at: &mut usize, accepted: &[&str]) -> bool {
+    let mut result = both(tokens, at, accepted);
+    while tokens.get(*at).is_some_and(|t| t == "OR") {
+        *at += 1;
+        result |= both(tokens, at, accepted);
+    }
+    result
+}
+
+fn both(tokens: &[String], at: &mut usize, accepted: &[&str]) -> bool {
+    let mut result = single(tokens, at, accepted);
+    while tokens.get(*at).is_some_and(|t| t == "AND") {
+        *at += 1;
+        result &= single(tokens, at, accepted);
+    }
+    result
+}
+
+fn single(tokens: &[String], at: &mut usize, accepted: &[&str]) -> bool {
+    let Some(token) = tokens.get(*at) else { return false };
+    *at += 1;
+    if token == "(" {
+        let result = either(tokens, at, accepted);
+        let closed = tokens.get(*at).is_some_and(|t| t == ")");
+        *at += 1;
+        return result && closed;
+    }
+    if tokens.get(*at).is_some_and(|t| t == "WITH") {
+        // An exception takes away a duty; it adds none.
+        *at += 2;
+    }
+    accepted.contains(&token.as_str())
+}
+
+#[test]
+fn licence_expressions_are_read_as_spdx_means_them() {
+    for expression in ["MIT", "MIT OR GPL-3.0-only", "GPL-3.0-only/MIT", "(GPL-3.0-only OR MIT) AND Zlib"] {
+        assert!(allowed(expression, ALLOWED), "{expression}");
+    }
+    assert!(allowed("Apache-2.0 WITH LLVM-exception", ALLOWED));
+    for expression in ["", "GPL-3.0-only", "MIT AND GPL-3.0-only", "LGPL-3.0-only", "(MIT", "MIT)", "MIT MIT", "OR MIT"]
+    {
+        assert!(!allowed(expression, ALLOWED), "{expression}");
+    }
+}
+
+#[test]
+fn every_dependency_is_from_crates_io_under_an_accepted_licence() {
+    let rustc = Command::new("rustc").arg("-vV").output().expect("rustc is there");
+    let version = String::from_utf8_lossy(&rustc.stdout).into_owned();
+    let host = version.lines().find_map(|l| l.strip_prefix("host: ")).expect("rustc names its host");
+    // Packages for other platforms are not on this machine, and nothing may be downloaded here.
+    let metadata = |more: &[&str]| {
+        Command::new(env!("CARGO"))
+            .args(["metadata", "--locked", "--offline", "--format-version", "1", "--filter-platform", host])
+            .args(more)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .expect("cargo is there")
+    };
+    // Where only the default features were built, packages of the others may be missing too.
+    let all = metadata(&["--all-features"]);
+    let out = if all.status.success() { all } else { metadata(&[]) };
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let value: serde_json::Value = serde_json::from_slice(&out.stdout).expect("JSON");
+    let packages = value["packages"].as_array().expect("a list");
+    assert!(packages.len() > 20, "the list of packages is read");
+    let mut wrong = Vec::new();
+    for package in packages {
+        let text = |key: &str| package[key].as_str().unwrap_or_default().to_string();
+        let (name, licence, source) = (text("name"), text("license"), text("source"));
+        if name == env!("CARGO_PKG_NAME") {
+            continue;
+        }
+        let mut accepted = ALLOWED.to_vec();
+        if name == "malachite" || name.starts_with("malachite-") {
+            accepted.push("LGPL-3.0-only");
+        }
+        if !allowed(&licence, &accepted) {
+            wrong.push(format!("{name}: licence {licence:?}"));
+        }
+        if source != "registry+https://github.com/rust-lang/crates.io-index" {
+            wrong.push(format!("{name}: from {source:?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
