@@ -827,15 +827,23 @@ impl Ring {
         }
     }
 
-    /// The derivative by a variable: (∏ aᵢ^Eᵢ)′ = ∏ aᵢ^Eᵢ · Σ Eᵢ aᵢ′/aᵢ. `None` where an exponent, an
-    /// index or a bound depends on the variable.
+    /// The derivative by a variable: (∏ aᵢ^Eᵢ)′ = ∏ aᵢ^Eᵢ · Σ (Eᵢ aᵢ′/aᵢ + Eᵢ′ ln aᵢ). `None` where an
+    /// index or a bound of a sum depends on the variable.
     pub fn derivative(&mut self, form: &Form, variable: AtomId) -> Result<Option<Form>> {
         let mut sum = Vec::new();
         for (atom, exponent) in &form.powers {
             if let Exponent::Symbolic(e) = exponent
                 && self.mentions(e, &|a| a == variable)
             {
-                return Ok(None);
+                // (a^E)' = a^E·(E'·ln a + E·a'/a); a symbolic exponent has a positive base.
+                let Some(change) = self.derivative(e, variable)? else { return Ok(None) };
+                let change = if matches!(*self.atom(*atom), Atom::Euler) {
+                    change
+                } else {
+                    let logarithm = Form::atom(self.intern(Atom::Logarithm(*atom)));
+                    self.mul(&change, &logarithm)?
+                };
+                sum.push(self.mul(form, &change)?);
             }
             let Some(inner) = self.atom_derivative(*atom, variable)? else { return Ok(None) };
             if inner.is_zero() {
