@@ -186,7 +186,11 @@ fn run() {
                     Verdict::Refuted => refuted += 1,
                     Verdict::Undecided => {
                         undecided += 1;
-                        open.push(format!("{name}#{place}"));
+                        open.push(format!(
+                            "{name}#{place}: {} [{}]",
+                            carom::claim::print::prop(&mutant.goal),
+                            outcome.reason.unwrap_or_default()
+                        ));
                     }
                     Verdict::Proved => {
                         proved += 1;
@@ -204,7 +208,7 @@ fn run() {
         }
     }
     println!("{total} mutants: {refuted} refuted, {proved} still true and proved, {undecided} undecided");
-    println!("undecided: {}", open.join(" "));
+    println!("undecided:\n  {}", open.join("\n  "));
     assert!(wrong.is_empty(), "proved although false:\n{}", wrong.join("\n"));
     assert!(total >= 1_000, "only {total} mutants");
     assert!(refuted * 10 >= total * 7, "too few refuted: {refuted} of {total}");

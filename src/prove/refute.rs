@@ -13,6 +13,7 @@ use crate::claim::parse::parse_prop;
 use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
+use std::time::Instant;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
@@ -22,6 +23,9 @@ const REALS: &[&str] = &[
 
 /// How many points are tried.
 const POINTS: usize = 6_000;
+
+/// At how many points limits are found anew.
+const LIMITS: usize = 60;
 
 /// A search over points.
 struct Search {
@@ -115,9 +119,8 @@ impl Search {
     }
 
     /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
-    fn run(&mut self, engine: Option<&mut Engine>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
+    fn run(&mut self, deadline: Option<Instant>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
         self.candidates();
-        let deadline = engine.and_then(|e| e.deadline);
         let width = self.values.len();
         if self.values.iter().any(Vec::is_empty) {
             return false;
@@ -140,7 +143,7 @@ impl Search {
                         }
                         if tried % 64 == 0
                             && let Some(deadline) = deadline
-                            && std::time::Instant::now() > deadline
+                            && Instant::now() > deadline
                         {
                             return false;
                         }
@@ -234,7 +237,7 @@ pub fn sample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Optio
     let mut search = Search::new(&statement.bindings, Some(statement));
     search.determine(engine, cx);
     let mut found = None;
-    search.run(Some(engine), &mut |point| {
+    search.run(engine.deadline, &mut |point| {
         found = Some(as_point(statement, point));
         true
     });
@@ -291,12 +294,21 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
     let goal = without_derivatives(engine, cx, &goal);
     let goal = without_limits(engine, cx, &goal);
     let mut found = None;
-    search.run(Some(engine), &mut |point| {
+    // Limits that depend on the other variables are found point by point.
+    let mut limits_left = if has_limit(&goal) { LIMITS } else { 0 };
+    search.run(engine.deadline, &mut |point| {
         point.seen.borrow_mut().clear();
-        let broken = match point.truth(&goal) {
+        let there = if limits_left > 0 {
+            limits_left -= 1;
+            limits_at(engine, point, &goal)
+        } else {
+            None
+        };
+        let goal = there.as_ref().unwrap_or(&goal);
+        let broken = match point.truth(goal) {
             Ok(false) => {
                 let mut list = Vec::new();
-                point.broken(&goal, &mut list);
+                point.broken(goal, &mut list);
                 list
             }
             Err(Missing::Undefined(text)) => {
@@ -380,6 +392,47 @@ fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
         other => other.clone(),
     };
     Prop { kind, span: prop.span }
+}
+
+fn has_limit(prop: &Prop) -> bool {
+    match &prop.kind {
+        PropKind::And(list) => list.iter().any(has_limit),
+        PropKind::Limit(_) => true,
+        _ => false,
+    }
+}
+
+/// The proposition with its limits found for the values of one point; the limit's own variable stays
+/// free.
+fn limits_at(engine: &mut Engine, point: &Assignment, prop: &Prop) -> Option<Prop> {
+    match &prop.kind {
+        PropKind::And(list) => {
+            let parts: Option<Vec<Prop>> = list.iter().map(|p| limits_at(engine, point, p)).collect();
+            Some(Prop { kind: PropKind::And(parts?), span: prop.span })
+        }
+        PropKind::Limit(limit) => {
+            let variable = &limit.variable;
+            let mut values = super::expand::Substitution::default();
+            for (name, value) in point.values.iter().filter(|v| *v.0 != variable.text) {
+                values.replace(name, literal(value));
+            }
+            let (of, value) = (values.expr(&limit.of).ok()?, values.expr(&limit.value).ok()?);
+            let here = Limit { of, variable: variable.clone(), value };
+            let mut cx = Context::default();
+            let natural = Binding {
+                names: vec![(variable.clone(), None)],
+                natural: false,
+                constraints: vec![Constraint::Relation(Relation::Greater, literal(&Rational::from(0)))],
+                indices: None,
+                span: prop.span,
+            };
+            engine.declare(&mut cx, &[natural]).ok()?;
+            let prop = Prop { kind: PropKind::Limit(Box::new(here)), span: prop.span };
+            let found = without_limits(engine, &cx, &prop);
+            (!has_limit(&found)).then_some(found)
+        }
+        _ => Some(prop.clone()),
+    }
 }
 
 /// The proposition with every limit that the prover finds replaced by a comparison with it.
