@@ -14,7 +14,9 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod certificate;
 pub mod claim;
+pub mod kernel;
 
 #[cfg(feature = "engine")]
 pub mod algebra;

@@ -115,6 +115,23 @@ pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
     Err(parser.faults)
 }
 
+/// An expression by itself, for certificates and tools.
+pub fn parse_expr(source: &str) -> Result<Expr, Vec<Diagnostic>> {
+    let (tokens, faults) = tokens(source);
+    let mut parser = Parser { tokens, at: 0, depth: 0, faults };
+    let expr = parser.expr();
+    if let Ok(expr) = expr
+        && parser.faults.is_empty()
+        && parser.peek() == &Kind::End
+    {
+        return Ok(expr);
+    }
+    if parser.faults.is_empty() {
+        parser.expected("the end of the expression");
+    }
+    Err(parser.faults)
+}
+
 /// The fault has been reported; the caller gives up its construct.
 struct Reported;
 

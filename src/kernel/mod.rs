@@ -1,0 +1,368 @@
+//! The kernel: certificates re-checked with nothing but the claim, ring arithmetic and one lemma.
+//!
+//! Contract: [`Checker::finish`] returns [`Accepted`] only if the claim's goal holds, with a value for
+//! every expression in it, at every point that its hypotheses allow. The prover is not asked.
+//!
+//! **What a fact is.** The kernel keeps a list of facts. At every point that satisfies the hypotheses
+//! and the suppositions of the open blocks, each fact is true and every expression in it has a value.
+//! A rule adds a fact only if that stays so; above each rule stands why. A block ends by turning its
+//! last fact into an implication or a statement `for all`, and everything else in it is forgotten.
+//!
+//! **What is assumed.** The field and order of the reals; x ↦ exp x and its inverse ln on positive
+//! numbers, with b^E = exp(E·ln b); derivatives of these; induction; and one inequality, the weighted
+//! mean of two values ([`analysis`]). An acceptance says whether it rests on that.
+//!
+//! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. Nothing
+//! is searched: a step that lacks a hint is rejected. Work, depth and size have limits; reaching one
+//! is not a rejection but [`Verdict::Declined`].
+
+pub mod analysis;
+pub mod fraction;
+pub mod logic;
+pub mod order;
+pub mod statement;
+pub mod text;
+pub mod translate;
+
+use crate::certificate::{Certificate, Rule, Step};
+use crate::claim::syntax::{Binding, Claim, Prop, PropKind};
+use fraction::{Fraction, Poly, Work};
+use order::Signs;
+use statement::Statement;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+use translate::Atom;
+
+/// The most steps of a certificate.
+pub const STEPS_LIMIT: usize = 20_000;
+
+/// Why a step was not taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The step is not justified.
+    Rejected(String),
+    /// A limit was reached.
+    Declined(&'static str),
+}
+
+/// A rejection.
+pub fn rejected<T>(reason: &str) -> Result<T, Failure> {
+    Err(Failure::Rejected(reason.to_string()))
+}
+
+/// A limit.
+pub fn declined<T>(limit: &'static str) -> Result<T, Failure> {
+    Err(Failure::Declined(limit))
+}
+
+/// A claim that was shown. Only the kernel makes one.
+#[derive(Clone, Debug)]
+pub struct Accepted {
+    statement: Statement,
+    rests_on: BTreeSet<String>,
+}
+
+impl Accepted {
+    /// The statement as the kernel understood it.
+    pub fn text(&self) -> String {
+        self.statement.text()
+    }
+
+    /// The cited claims and analytic lemmas that it rests on, those of cited claims included.
+    pub fn rests_on(&self) -> &BTreeSet<String> {
+        &self.rests_on
+    }
+}
+
+/// What the kernel says of a certificate.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// The claim is shown.
+    Accepted(Box<Accepted>),
+    /// It is not, by this certificate.
+    Rejected {
+        /// The first bad step, by label.
+        step: String,
+        /// Its rule.
+        rule: &'static str,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A limit was reached.
+    Declined {
+        /// Its name.
+        limit: &'static str,
+    },
+}
+
+/// Checks a certificate of a claim; `cited` holds what was accepted of the claims under `using`.
+pub fn check(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Verdict {
+    let verdict = |step: &str, rule, failure| match failure {
+        Failure::Rejected(reason) => Verdict::Rejected { step: step.to_string(), rule, reason },
+        Failure::Declined(limit) => Verdict::Declined { limit },
+    };
+    let mut checker = match Checker::new(claim, cited) {
+        Ok(checker) => checker,
+        Err(failure) => return verdict("", "statement", failure),
+    };
+    if certificate.claim != claim.name.text {
+        return verdict("", "statement", Failure::Rejected("the certificate is of another claim".to_string()));
+    }
+    for step in &certificate.steps {
+        if let Err(failure) = checker.step(step) {
+            return verdict(&step.label, step.rule.name(), failure);
+        }
+    }
+    match checker.finish() {
+        Ok(accepted) => Verdict::Accepted(Box::new(accepted)),
+        Err(failure) => verdict("", "qed", failure),
+    }
+}
+
+/// Something known.
+#[derive(Clone, Debug)]
+pub struct Fact {
+    /// Its label.
+    pub label: String,
+    /// What holds.
+    pub prop: Rc<Prop>,
+    /// The same as text: facts are compared by it.
+    pub key: String,
+}
+
+/// A block that is open, with what is forgotten at its end.
+#[derive(Clone, Debug)]
+struct Block {
+    label: String,
+    goal: Prop,
+    kept: [usize; 5],
+}
+
+/// The state of a check.
+#[derive(Clone)]
+pub struct Checker {
+    statement: Rc<Statement>,
+    cited: Rc<Vec<Accepted>>,
+    rests_on: BTreeSet<String>,
+    /// The facts.
+    pub facts: Vec<Fact>,
+    blocks: Vec<Block>,
+    /// Variables in scope; the flag says natural.
+    pub variables: Vec<(String, bool)>,
+    atoms: Vec<Atom>,
+    atom_index: BTreeMap<Atom, usize>,
+    /// Polynomials of known signs.
+    signs: Vec<(Poly, Signs)>,
+    /// exp L = value.
+    powers: Vec<(Fraction, Fraction)>,
+    /// Atoms that are written as something else.
+    replaced: Vec<(usize, Fraction)>,
+    /// How many indices of sums and products are in scope.
+    binders: usize,
+    steps: usize,
+    /// How much arithmetic was done.
+    pub work: Work,
+}
+
+impl Checker {
+    /// The state before the first step: the hypotheses are the facts `h1`, `h2`, …
+    pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
+        let statement = Statement::of(claim)?;
+        let allowed: BTreeSet<&str> = claim.using.iter().map(|n| n.text.as_str()).collect();
+        let cited = cited.iter().filter(|a| allowed.contains(a.statement.name.as_str())).map(|a| (*a).clone()).collect();
+        let mut checker = Checker {
+            statement: Rc::new(statement),
+            cited: Rc::new(cited),
+            rests_on: BTreeSet::new(),
+            facts: Vec::new(),
+            blocks: Vec::new(),
+            variables: Vec::new(),
+            atoms: Vec::new(),
+            atom_index: BTreeMap::new(),
+            signs: Vec::new(),
+            powers: Vec::new(),
+            replaced: Vec::new(),
+            binders: 0,
+            steps: 0,
+            work: Work::default(),
+        };
+        let statement = checker.statement.clone();
+        for binding in &statement.bindings {
+            checker.declare(binding)?;
+        }
+        let domains = statement.bindings.iter().flat_map(statement::domain);
+        for prop in domains.chain(statement.assumptions.iter().cloned()) {
+            let label = format!("h{}", checker.facts.len() + 1);
+            checker.know(&label, prop)?;
+        }
+        Ok(checker)
+    }
+
+    /// The statement that is to be shown.
+    pub fn statement(&self) -> &Statement {
+        &self.statement
+    }
+
+    /// Takes one step, or says why not; then nothing is changed but the list of atoms.
+    pub fn step(&mut self, step: &Step) -> Result<(), Failure> {
+        self.steps += 1;
+        if self.steps > STEPS_LIMIT {
+            return declined("steps");
+        }
+        self.fields(step)?;
+        let (kept, blocks) = (self.sizes(), self.blocks.len());
+        let result = match step.rule {
+            Rule::Power => self.power(step),
+            Rule::Logarithm => self.logarithm(step),
+            Rule::Replace => self.replace(step),
+            Rule::Unfold => self.unfold(step),
+            Rule::Member => self.member(step),
+            Rule::Note => self.note(step),
+            Rule::Sign => self.sign(step),
+            Rule::Combination => self.combination(step),
+            Rule::Suppose => self.suppose(step),
+            Rule::Let => self.let_values(step),
+            Rule::End => return self.end(),
+            Rule::All => self.all(step),
+            Rule::Part => self.part(step),
+            Rule::Either => self.either(step),
+            Rule::Excluded => self.excluded(step),
+            Rule::Cases => self.cases(step),
+            Rule::Apply => self.apply(step),
+            Rule::Equivalent => self.equivalent(step),
+            Rule::Negation => self.negation(step),
+            Rule::Absurd => self.absurd(step),
+            Rule::Instance => self.instance(step),
+            Rule::Induction => self.induction(step),
+            Rule::Witness => self.witness(step),
+            Rule::Monotone => self.monotone(step),
+            Rule::Mean => self.mean(step),
+            Rule::Extremum => self.extremum(step),
+            Rule::Limit => self.limit(step),
+            Rule::Squeeze => self.squeeze(step),
+        };
+        if result.is_err() {
+            self.blocks.truncate(blocks);
+            self.forget(kept);
+        }
+        result
+    }
+
+    /// Whether the goal is shown.
+    pub fn finish(self) -> Result<Accepted, Failure> {
+        if !self.blocks.is_empty() {
+            return rejected("a block is open at the end");
+        }
+        if !self.knows(&self.statement.goal) {
+            return rejected("the goal is not among the facts");
+        }
+        Ok(Accepted { statement: (*self.statement).clone(), rests_on: self.rests_on })
+    }
+
+    /// A step has the fields that its rule reads and no others.
+    fn fields(&self, step: &Step) -> Result<(), Failure> {
+        let from = match step.rule {
+            Rule::Note | Rule::Replace | Rule::Part | Rule::Cases | Rule::Apply | Rule::Monotone | Rule::Absurd => 1,
+            Rule::Negation | Rule::Instance => 1,
+            _ => 0,
+        };
+        let with = matches!(step.rule, Rule::Instance | Rule::Witness | Rule::Monotone | Rule::Mean | Rule::Squeeze);
+        let combination = step.rule == Rule::Combination;
+        let prop = !matches!(step.rule, Rule::Note | Rule::Replace | Rule::End);
+        let label = step.rule != Rule::End;
+        let used = self.facts.iter().any(|f| f.label == step.label) || self.blocks.iter().any(|b| b.label == step.label);
+        if step.from.len() != from
+            || step.prop.is_some() != prop
+            || (!with && !step.with.is_empty())
+            || (step.times.is_some() && !combination)
+            || (!step.terms.is_empty() && !combination)
+            || step.label.is_empty() == label
+        {
+            return rejected("a field is missing, or is not one of this rule");
+        }
+        if used { rejected("the label is in use") } else { Ok(()) }
+    }
+
+    /// What a step shows; `fields` has seen that it is there.
+    fn shown(step: &Step) -> Result<&Prop, Failure> {
+        step.prop.as_ref().ok_or(Failure::Rejected("a step that shows nothing".to_string()))
+    }
+
+    /// The fact that a step cites.
+    fn cited_fact(&self, step: &Step) -> Result<Rc<Prop>, Failure> {
+        self.fact(step.from.first().map_or("", String::as_str))
+    }
+
+    /// A fact by label.
+    pub fn fact(&self, label: &str) -> Result<Rc<Prop>, Failure> {
+        match self.facts.iter().find(|f| f.label == label) {
+            Some(fact) => Ok(fact.prop.clone()),
+            None => rejected(&format!("there is no fact {label}")),
+        }
+    }
+
+    /// Whether this very proposition is a fact.
+    pub fn knows(&self, prop: &Prop) -> bool {
+        let key = text::prop(prop);
+        self.facts.iter().any(|f| f.key == key)
+    }
+
+    /// A fact that a rule needs must be known word for word.
+    fn need(&self, prop: &Prop) -> Result<(), Failure> {
+        if self.knows(prop) { Ok(()) } else { rejected(&format!("needs {}", text::prop(prop))) }
+    }
+
+    /// Adds a fact; the sign of what it compares is noted where it can be translated.
+    fn know(&mut self, label: &str, prop: Prop) -> Result<(), Failure> {
+        if let PropKind::Compare(..) = &prop.kind {
+            match self.note_comparison(&prop, false) {
+                Ok(()) | Err(Failure::Rejected(_)) => {}
+                Err(limit) => return Err(limit),
+            }
+        }
+        let key = text::prop(&prop);
+        self.facts.push(Fact { label: label.to_string(), prop: Rc::new(prop), key });
+        Ok(())
+    }
+
+    fn declare(&mut self, binding: &Binding) -> Result<(), Failure> {
+        for (name, index) in &binding.names {
+            if self.is_declared(&name.text) {
+                return rejected(&format!("the name {} is in use", name.text));
+            }
+            if index.is_none() {
+                self.variables.push((name.text.clone(), binding.natural));
+            }
+        }
+        Ok(())
+    }
+
+    fn is_declared(&self, name: &str) -> bool {
+        self.variables.iter().any(|v| v.0 == name) || self.is_family(name)
+    }
+
+    fn is_family(&self, name: &str) -> bool {
+        self.family(name).is_some() || self.statement.sequences.iter().any(|s| s.name == name)
+    }
+
+    fn family(&self, name: &str) -> Option<(&Binding, &str)> {
+        // Families are declared by the claim only, never in a block.
+        let list = self.statement.bindings.iter().flat_map(|b| b.names.iter().map(move |n| (b, n)));
+        list.filter_map(|(b, n)| n.1.as_ref().map(|index| (b, n, index))).find(|x| x.1.0.text == name).map(
+            |(binding, _, index)| (binding, index.text.as_str()),
+        )
+    }
+
+    fn sizes(&self) -> [usize; 5] {
+        [self.facts.len(), self.variables.len(), self.signs.len(), self.powers.len(), self.replaced.len()]
+    }
+
+    fn forget(&mut self, kept: [usize; 5]) {
+        let [facts, variables, signs, powers, replaced] = kept;
+        self.facts.truncate(facts);
+        self.variables.truncate(variables);
+        self.signs.truncate(signs);
+        self.powers.truncate(powers);
+        self.replaced.truncate(replaced);
+    }
+}

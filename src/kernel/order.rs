@@ -1,0 +1,383 @@
+//! Signs: of polynomials by their terms and by facts, and the two rules that show comparisons.
+
+use super::fraction::{Fraction, Poly};
+use super::statement::{constraints, name};
+use super::translate::{Atom, Value};
+use super::{Checker, Failure, declined, rejected, text};
+use crate::certificate::Step;
+use crate::claim::syntax::*;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+/// How deep signs of products over an index may nest.
+const NESTING: usize = 20;
+
+/// A set of possible signs: negative 1, zero 2, positive 4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signs(u8);
+
+impl Signs {
+    /// Only zero.
+    pub const ZERO: Signs = Signs(2);
+    /// Only positive.
+    pub const POSITIVE: Signs = Signs(4);
+    /// Not negative.
+    pub const NOT_NEGATIVE: Signs = Signs(6);
+    /// Not zero.
+    pub const NOT_ZERO: Signs = Signs(5);
+    /// Nothing known.
+    pub const ANY: Signs = Signs(7);
+
+    /// The signs of a − b that `a relation b` allows.
+    pub fn of(relation: Relation) -> Signs {
+        match relation {
+            Relation::Equal => Signs(2),
+            Relation::NotEqual => Signs(5),
+            Relation::Less => Signs(1),
+            Relation::LessEqual => Signs(3),
+            Relation::Greater => Signs(4),
+            Relation::GreaterEqual => Signs(6),
+        }
+    }
+
+    /// The sign of a number.
+    pub fn of_number(q: &BigRational) -> Signs {
+        if q.is_zero() {
+            Signs(2)
+        } else if q.is_negative() {
+            Signs(1)
+        } else {
+            Signs(4)
+        }
+    }
+
+    /// Whether every sign here is in the other set.
+    pub fn within(self, other: Signs) -> bool {
+        self.0 & !other.0 == 0
+    }
+
+    /// The signs in both.
+    pub fn and(self, other: Signs) -> Signs {
+        Signs(self.0 & other.0)
+    }
+
+    fn has(self, sign: i8) -> bool {
+        self.0 & (1 << (sign + 1)) != 0
+    }
+
+    fn pairs(self, other: Signs, mut result: impl FnMut(i8, i8) -> u8) -> Signs {
+        let mut out = 0;
+        for a in [-1i8, 0, 1] {
+            for b in [-1i8, 0, 1] {
+                if self.has(a) && other.has(b) {
+                    out |= result(a, b);
+                }
+            }
+        }
+        Signs(out)
+    }
+
+    /// The signs of products.
+    pub fn times(self, other: Signs) -> Signs {
+        self.pairs(other, |a, b| 1 << (a * b + 1))
+    }
+
+    /// The signs of sums.
+    pub fn plus(self, other: Signs) -> Signs {
+        self.pairs(other, |a, b| if a * b < 0 { 7 } else { 1 << ((a + b).signum() + 1) })
+    }
+
+    /// The signs of a whole power that has a value.
+    pub fn power(self, k: i64) -> Signs {
+        let signs = match k {
+            0 => Signs(4),
+            _ if k % 2 == 0 => Signs((self.0 & 2) | if self.0 & 5 != 0 { 4 } else { 0 }),
+            _ => self,
+        };
+        if k < 0 { signs.and(Signs::NOT_ZERO) } else { signs }
+    }
+}
+
+impl Checker {
+    /// The signs of a fraction: the product of the signs of its factors.
+    pub fn signs_of(&self, f: &Fraction) -> Result<Signs, Failure> {
+        self.fraction_signs(f, NESTING)
+    }
+
+    fn fraction_signs(&self, f: &Fraction, depth: usize) -> Result<Signs, Failure> {
+        let mut signs = Signs::of_number(&f.coefficient);
+        for (poly, k) in &f.factors {
+            signs = signs.times(self.poly_signs_in(poly, depth)?.power(*k));
+        }
+        Ok(signs)
+    }
+
+    /// The signs of a polynomial: those noted of it, and those of the sum of its terms.
+    pub fn poly_signs(&self, poly: &Poly) -> Result<Signs, Failure> {
+        self.poly_signs_in(poly, NESTING)
+    }
+
+    fn poly_signs_in(&self, poly: &Poly, depth: usize) -> Result<Signs, Failure> {
+        let mut signs = self.signs.iter().filter(|s| s.0 == *poly).fold(Signs::ANY, |all, s| all.and(s.1));
+        if let Some(atom) = poly.single_atom() {
+            return Ok(signs.and(self.structural(atom, depth)?));
+        }
+        let mut sum = Signs::ZERO;
+        for (monomial, c) in poly.terms() {
+            let mut term = Signs::of_number(c);
+            for (atom, k) in monomial {
+                term = term.times(self.poly_signs_in(&Poly::atom(*atom), depth)?.power(i64::from(*k)));
+            }
+            sum = sum.plus(term);
+        }
+        signs = signs.and(sum);
+        Ok(signs)
+    }
+
+    /// What the kind of an atom says of its sign: naturals are not negative, exponentials positive, a
+    /// member of a family lies in its domain, and products (sums) of positive bodies are positive
+    /// (not negative: a range may be empty).
+    fn structural(&self, atom: usize, depth: usize) -> Result<Signs, Failure> {
+        let Some(depth) = depth.checked_sub(1) else { return declined("nesting of products") };
+        Ok(match self.atom(atom) {
+            Some(Atom::Variable(name)) if self.variables.iter().any(|v| v.0 == *name && v.1) => Signs::NOT_NEGATIVE,
+            Some(Atom::Bound(_)) => Signs::NOT_NEGATIVE,
+            Some(Atom::Exponential(_)) => Signs::POSITIVE,
+            Some(Atom::Member(name, _)) => self.family_signs(name),
+            Some(Atom::Over(true, _, _, _, body)) => {
+                let body = self.fraction_signs(body, depth)?;
+                if body.within(Signs::NOT_NEGATIVE) { Signs::NOT_NEGATIVE } else { Signs::ANY }
+            }
+            Some(Atom::Over(false, _, _, _, body)) => {
+                let body = self.fraction_signs(body, depth)?;
+                let kinds = [Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO];
+                kinds.into_iter().find(|kind| body.within(*kind)).unwrap_or(Signs::ANY)
+            }
+            _ => Signs::ANY,
+        })
+    }
+
+    /// The signs that the domain of a family allows, from comparisons with numerals.
+    fn family_signs(&self, family: &str) -> Signs {
+        let Some((binding, _)) = self.family(family) else { return Signs::ANY };
+        let mut signs = if binding.natural { Signs::NOT_NEGATIVE } else { Signs::ANY };
+        for prop in constraints(binding, &name(family)) {
+            let PropKind::Compare(sides, relations) = &prop.kind else { continue };
+            let (Some(Expr { kind: ExprKind::Number(bound), .. }), Some(relation)) = (sides.get(1), relations.first())
+            else {
+                continue;
+            };
+            let Ok(bound) = super::translate::numeral(bound) else { continue };
+            // x relation b with b ≥ 0: x is the sum of x − b and b.
+            signs = signs.and(Signs::of(*relation).plus(Signs::of_number(&bound)));
+        }
+        signs
+    }
+
+    /// The difference of the two sides of a single comparison.
+    pub fn difference(&mut self, prop: &Prop) -> Result<(Fraction, Relation), Failure> {
+        let PropKind::Compare(sides, relations) = &prop.kind else { return rejected("a comparison is needed") };
+        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
+            return rejected("a single comparison is needed, not a chain");
+        };
+        let (a, b) = (self.scalar(a)?, self.scalar(b)?);
+        Ok((a.minus(&b, &mut self.work)?, *relation))
+    }
+
+    /// Notes what a fact `a relation b` says of the sign of the one factor of a − b that is open.
+    ///
+    /// With `granted` its divisors are noted to be other than 0 first: a fact has values on both sides.
+    pub fn note_comparison(&mut self, prop: &Prop, granted: bool) -> Result<(), Failure> {
+        if granted {
+            for divisor in divisors(prop) {
+                let f = self.scalar(&divisor)?;
+                self.note_signs(&f, Signs::NOT_ZERO)?;
+            }
+        }
+        let (difference, relation) = self.difference(prop)?;
+        self.note_signs(&difference, Signs::of(relation))
+    }
+
+    fn note_signs(&mut self, f: &Fraction, allowed: Signs) -> Result<(), Failure> {
+        let mut rest = Signs::of_number(&f.coefficient);
+        let mut open = Vec::new();
+        for (poly, k) in &f.factors {
+            let signs = self.poly_signs(poly)?.power(*k);
+            let strict = signs.within(Signs::POSITIVE) || signs.within(Signs(1));
+            if strict { rest = rest.times(signs) } else { open.push((poly.clone(), *k)) }
+        }
+        if allowed.within(Signs::NOT_ZERO) {
+            // A product that is not 0 has no factor that is.
+            self.signs.extend(open.iter().map(|(poly, _)| (poly.clone(), Signs::NOT_ZERO)));
+        }
+        if let [(poly, k)] = open.as_slice()
+            && rest.within(Signs::NOT_ZERO)
+        {
+            // The factor's sign is one whose power, times the rest, is allowed.
+            let signs = [Signs(1), Signs(2), Signs(4)]
+                .into_iter()
+                .filter(|s| !(*k < 0 && *s == Signs::ZERO) && s.power(*k).times(rest).within(allowed))
+                .fold(Signs(0), |all, s| Signs(all.0 | s.0));
+            self.signs.push((poly.clone(), signs));
+        }
+        Ok(())
+    }
+
+    /// Rule `note`. From a fact, nothing new: its sign is written down for later steps, with the atoms
+    /// as they are now, and that its divisors are not 0.
+    ///
+    /// Sound: a − b is the product of its factors; if all but one have one known sign other than 0,
+    /// then `a relation b` says which signs the last can have. Every expression in a fact has a value (a
+    /// hypothesis of the claim is understood to say so of itself), so its divisors are not 0.
+    pub(super) fn note(&mut self, step: &Step) -> Result<(), Failure> {
+        let fact = self.cited_fact(step)?;
+        match &fact.kind {
+            PropKind::Compare(sides, relations) => {
+                for (pair, relation) in sides.windows(2).zip(relations) {
+                    let single = Prop { kind: PropKind::Compare(pair.to_vec(), vec![*relation]), span: fact.span };
+                    self.note_comparison(&single, true)?;
+                }
+                Ok(())
+            }
+            _ => rejected("a comparison is needed"),
+        }
+    }
+
+    /// Rule `sign`: `a relation b`, if the signs of the factors of a − b leave no others; for matrices
+    /// equality, entry by entry.
+    ///
+    /// Sound: both sides are translated, so they have values; a − b equals c·∏ pᵢ^kᵢ; every pᵢ has one
+    /// of the signs noted of it, and one that the signs of its terms allow; the sign of a product is
+    /// the product of signs. Matrices are equal iff their entries are.
+    pub(super) fn sign(&mut self, step: &Step) -> Result<(), Failure> {
+        let prop = Self::shown(step)?;
+        if let PropKind::Compare(sides, relations) = &prop.kind
+            && let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice())
+            && let Value::Matrix(x) = self.value(a, super::statement::DEPTH_LIMIT)?
+        {
+            let Value::Matrix(y) = self.value(b, super::statement::DEPTH_LIMIT)? else {
+                return rejected("a matrix is compared with a number");
+            };
+            if x.len() != y.len() || x.iter().zip(&y).any(|(r, s)| r.len() != s.len()) {
+                return rejected("the sizes of these matrices differ");
+            }
+            for (p, q) in x.iter().flatten().zip(y.iter().flatten()) {
+                let difference = p.minus(q, &mut self.work)?;
+                if !self.signs_of(&difference)?.within(Signs::ZERO) {
+                    return rejected("two entries are not shown to be equal");
+                }
+            }
+            return self.know(&step.label, prop.clone());
+        }
+        let (difference, relation) = self.difference(prop)?;
+        let signs = self.signs_of(&difference)?;
+        if !signs.within(Signs::of(relation)) {
+            return rejected("the signs of the factors of the difference do not show this");
+        }
+        self.know(&step.label, prop.clone())
+    }
+
+    /// Rule `combination`: `a relation b` from D·(a − b) = Σ Eⱼ·∏ (xⱼ − yⱼ) over facts `xⱼ relation yⱼ`.
+    ///
+    /// Sound: D, the Eⱼ and the facts have values and known signs, so the right side has the signs of
+    /// the sum of products; the identity is verified in the atoms; dividing by D, whose sign is known
+    /// and not 0, gives those of a − b.
+    pub(super) fn combination(&mut self, step: &Step) -> Result<(), Failure> {
+        let prop = Self::shown(step)?;
+        let (difference, relation) = self.difference(prop)?;
+        let times = match &step.times {
+            Some(e) => self.scalar(e)?,
+            None => Fraction::integer(1),
+        };
+        let mut signs = Signs::ZERO;
+        let mut terms = vec![times.times(&difference).negated()];
+        for term in &step.terms {
+            let mut product = self.scalar(&term.factor)?;
+            let mut sign = self.signs_of(&product)?;
+            for label in &term.facts {
+                let fact = self.fact(label)?;
+                let (value, relation) = self.difference(&fact)?;
+                product = product.times(&value);
+                sign = sign.times(Signs::of(relation));
+            }
+            signs = signs.plus(sign);
+            terms.push(product);
+        }
+        if !Fraction::sum(&terms, &mut self.work)?.is_zero() {
+            return rejected("the combination is not the difference of the two sides");
+        }
+        let divisor = self.signs_of(&times)?;
+        if !divisor.within(Signs::NOT_ZERO) {
+            return rejected("the multiplier may be 0");
+        }
+        if !signs.times(divisor).within(Signs::of(relation)) {
+            return rejected("the signs of the summands do not show this");
+        }
+        self.know(&step.label, prop.clone())
+    }
+
+    /// Rule `member`: what the domain of a family says of one member.
+    ///
+    /// Sound: a family has a value in its domain at every natural index; the index is shown to be one,
+    /// and families with a range of indices are not followed.
+    pub(super) fn member(&mut self, step: &Step) -> Result<(), Failure> {
+        let prop = Self::shown(step)?;
+        let PropKind::Compare(sides, _) = &prop.kind else { return rejected("a comparison is needed") };
+        let Some(Expr { kind: ExprKind::Apply(function, arguments), .. }) = sides.first() else {
+            return rejected("the left side is a member of a family");
+        };
+        let (Some((binding, index)), [argument]) = (self.family(&function.text), arguments.as_slice()) else {
+            return rejected(&format!("{} is not a family", function.text));
+        };
+        let (binding, index) = (binding.clone(), index.to_string());
+        let mut map = super::statement::Substitution::default();
+        map.replace(&index, argument);
+        let member = sides.first().cloned().unwrap_or_else(|| name(""));
+        // The domain of the family with its index put in, about this member.
+        for constraint in constraints(&map.binding(&as_plain(&binding))?, &member) {
+            if text::prop(&constraint) == text::prop(prop) {
+                self.difference(prop)?;
+                return self.know(&step.label, prop.clone());
+            }
+        }
+        rejected("the domain of the family does not say this")
+    }
+}
+
+/// A binding of families as one of plain names: its constraints then have no bound index.
+fn as_plain(binding: &Binding) -> Binding {
+    let names = binding.names.iter().map(|n| (n.0.clone(), None)).collect();
+    Binding { names, indices: None, ..binding.clone() }
+}
+
+/// The divisors in a comparison, innermost first, but for those under a bound name.
+fn divisors(prop: &Prop) -> Vec<Expr> {
+    let mut out = Vec::new();
+    if let PropKind::Compare(sides, _) = &prop.kind {
+        sides.iter().for_each(|e| divisors_in(e, &mut out));
+    }
+    out
+}
+
+fn divisors_in(e: &Expr, out: &mut Vec<Expr>) {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => {}
+        ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Derivative(..) => {}
+        ExprKind::Apply(_, list) => list.iter().for_each(|e| divisors_in(e, out)),
+        ExprKind::Negate(a) => divisors_in(a, out),
+        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| divisors_in(e, out)),
+        ExprKind::Product(list) => {
+            for (factor, e) in list {
+                divisors_in(e, out);
+                if *factor == Factor::Over {
+                    out.push(e.clone());
+                }
+            }
+        }
+        ExprKind::Power(a, b) => {
+            divisors_in(a, out);
+            divisors_in(b, out);
+        }
+        ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| divisors_in(e, out)),
+    }
+}
