@@ -20,6 +20,8 @@ pub mod kernel;
 
 #[cfg(feature = "engine")]
 pub mod algebra;
+#[cfg(feature = "engine")]
+pub mod certify;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "engine")]

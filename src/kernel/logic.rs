@@ -383,7 +383,7 @@ impl Checker {
     }
 
     /// Whether a fraction is free of a variable, at any depth.
-    pub(super) fn is_free_of(&self, f: &Fraction, variable: &str) -> bool {
+    pub fn is_free_of(&self, f: &Fraction, variable: &str) -> bool {
         use super::translate::Atom;
         let free = |poly: &super::fraction::Poly| self.is_free_of(&Fraction::of(poly), variable);
         f.atoms().all(|place| match self.atom(place) {

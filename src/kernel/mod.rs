@@ -203,6 +203,11 @@ impl Checker {
         &self.statement
     }
 
+    /// The statement of a claim that may be cited.
+    pub fn cited_statement(&self, name: &str) -> Option<Statement> {
+        self.cited.iter().find(|a| a.statement.name == name).map(|a| a.statement.clone())
+    }
+
     /// Takes one step, or says why not; then nothing is changed but the list of atoms.
     pub fn step(&mut self, step: &Step) -> Result<(), Failure> {
         self.steps += 1;

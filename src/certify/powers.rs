@@ -1,0 +1,403 @@
+//! Which powers the others are written in: for each base, exponents that generate all others.
+
+use super::write::{quotient, whole_power};
+use super::{Certifier, Fail};
+use crate::certificate::Rule;
+use crate::claim::syntax::*;
+use crate::kernel::fraction::{Fraction, Poly, Work};
+use crate::kernel::statement::{compare, expr};
+use crate::kernel::translate::Atom;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use std::collections::BTreeMap;
+
+/// A power that others are written in.
+#[derive(Clone, Debug)]
+pub struct Generator {
+    base: Poly,
+    exponent: Fraction,
+    expr: Expr,
+}
+
+type Vector = BTreeMap<Vec<(usize, u32)>, BigRational>;
+
+impl Certifier {
+    /// Introduces every power in these expressions.
+    pub fn prepare(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
+        let mut list = Vec::new();
+        exprs.iter().for_each(|e| powers_in(e, &mut list));
+        for _ in 0..8 {
+            let mut pending: Vec<(Expr, Fraction)> = Vec::new();
+            for e in &list {
+                let Ok(log) = self.checker.log(e) else { continue };
+                if self.checker.exponential(&log).is_err() && !pending.iter().any(|p| p.0.same(e)) {
+                    let whole = match &e.kind {
+                        ExprKind::Power(_, exponent) => {
+                            self.checker.scalar(exponent).is_ok_and(|k| k.as_integer().is_some())
+                        }
+                        _ => false,
+                    };
+                    if !whole {
+                        pending.push((e.clone(), log));
+                    }
+                }
+            }
+            if pending.is_empty() {
+                return Ok(());
+            }
+            self.introduce(&pending)?;
+        }
+        Ok(())
+    }
+
+    /// The logarithm as a sum over bases, each with its exponent.
+    fn exponents(&mut self, log: &Fraction) -> Result<Vec<(Poly, Fraction)>, Fail> {
+        let mut work = Work::default();
+        let (top, bottom) = log.parts(&mut work).map_err(|f| format!("{f:?}"))?;
+        let mut out = Vec::new();
+        let mut rest = top.clone();
+        let atoms: std::collections::BTreeSet<usize> = top.atoms().collect();
+        for atom in atoms {
+            let Some(Atom::Logarithm(base)) = self.checker.atom(atom).cloned() else { continue };
+            let parts = rest.coefficients(atom);
+            if parts.keys().any(|k| *k > 1) {
+                return Err("a power with a logarithm in its exponent".to_string());
+            }
+            if let Some(coefficient) = parts.get(&1) {
+                let exponent = Fraction::of(coefficient).times(&Fraction::of(&bottom).power(-1).map_err(say)?);
+                out.push((base, simplified(&exponent)?));
+            }
+            rest = parts.get(&0).cloned().unwrap_or_default();
+        }
+        if rest.terms().next().is_some() {
+            return Err("an exponential of what is not a logarithm".to_string());
+        }
+        Ok(out)
+    }
+
+    fn introduce(&mut self, pending: &[(Expr, Fraction)]) -> Result<(), Fail> {
+        let mut decomposed = Vec::new();
+        let mut wanted: Vec<(Poly, Vec<Fraction>)> = Vec::new();
+        for (_, log) in pending {
+            let parts = self.exponents(log)?;
+            for (base, exponent) in &parts {
+                match wanted.iter_mut().find(|w| w.0 == *base) {
+                    Some(w) if !w.1.contains(exponent) => w.1.push(exponent.clone()),
+                    Some(_) => {}
+                    None => wanted.push((base.clone(), vec![exponent.clone()])),
+                }
+            }
+            decomposed.push(parts);
+        }
+        for (base, exponents) in &wanted {
+            self.generate(base, exponents)?;
+        }
+        for ((e, _), parts) in pending.iter().zip(&decomposed) {
+            let mut factors = Vec::new();
+            for (base, exponent) in parts {
+                factors.extend(self.written(base, exponent)?);
+            }
+            // Already introduced as a generator.
+            let log = self.checker.log(e).map_err(say)?;
+            if self.checker.exponential(&log).is_ok() {
+                continue;
+            }
+            let value = product_of(&factors);
+            self.take(Rule::Power, &[], Some(compare(e.clone(), Relation::Equal, value)))?;
+        }
+        Ok(())
+    }
+
+    /// Sees to it that the generators of a base suffice for these exponents.
+    fn generate(&mut self, base: &Poly, exponents: &[Fraction]) -> Result<(), Fail> {
+        if exponents.iter().all(|e| self.written(base, e).is_ok()) {
+            return Ok(());
+        }
+        let is_atom = base.single_atom().is_some();
+        let one = Fraction::integer(1);
+        let mut all = vec![];
+        // The base itself counts where it is an atom: it occurs by itself.
+        if base.atoms().next().is_some() {
+            all.push(one.clone());
+        }
+        all.extend(self.generators.iter().filter(|g| g.base == *base).map(|g| g.exponent.clone()));
+        all.extend(exponents.iter().cloned());
+        all.dedup();
+        let basis = match choose(&all, is_atom)? {
+            Some(basis) => basis,
+            None => {
+                // Without the base itself, where it is a sum.
+                choose(all.get(1..).unwrap_or_default(), true)?.ok_or("no generators for these exponents")?
+            }
+        };
+        let base_expr = self.poly_expr(base)?;
+        let mut fresh = Vec::new();
+        for exponent in &basis {
+            if *exponent == one && base.atoms().next().is_some() {
+                continue;
+            }
+            if self.generators.iter().any(|g| g.base == *base && g.exponent == *exponent) {
+                continue;
+            }
+            let power = expr(ExprKind::Power(Box::new(base_expr.clone()), Box::new(self.fraction_expr(exponent)?)));
+            self.take(Rule::Power, &[], Some(compare(power.clone(), Relation::Equal, power.clone())))?;
+            let value = self.checker.scalar(&power).map_err(say)?;
+            let atom = value.factors.keys().next().and_then(Poly::single_atom).ok_or("no atom")?;
+            self.exponentials.push((atom, power.clone()));
+            fresh.push(Generator { base: base.clone(), exponent: exponent.clone(), expr: power });
+        }
+        self.generators.retain(|g| g.base != *base || basis.contains(&g.exponent));
+        self.generators.extend(fresh);
+        if is_atom && !basis.contains(&one) {
+            let factors = self.written(base, &one)?;
+            let prop = compare(base_expr, Relation::Equal, product_of(&factors));
+            let label = self.take(Rule::Logarithm, &[], Some(prop))?;
+            self.take(Rule::Replace, &[label], None)?;
+        }
+        Ok(())
+    }
+
+    /// base^exponent in the generators: expressions with whole exponents.
+    fn written(&self, base: &Poly, exponent: &Fraction) -> Result<Vec<(Expr, i64)>, Fail> {
+        let mut list: Vec<(Fraction, Expr)> =
+            self.generators.iter().filter(|g| g.base == *base).map(|g| (g.exponent.clone(), g.expr.clone())).collect();
+        let replaced = base.single_atom().is_some_and(|a| self.checker.resolved(a) != Fraction::atom(a));
+        if !replaced {
+            list.push((Fraction::integer(1), self.poly_expr(base)?));
+        }
+        let basis: Vec<Fraction> = list.iter().map(|l| l.0.clone()).collect();
+        let mut both = basis.clone();
+        both.push(exponent.clone());
+        let mut vectors = vectors(&both)?;
+        let target = vectors.pop().unwrap_or_default();
+        // The base itself may be superfluous: the others are tried alone.
+        for count in [vectors.len(), vectors.len().saturating_sub(usize::from(!replaced))] {
+            if let Some(k) = coordinates(vectors.get(..count).unwrap_or_default(), &target)
+                && k.iter().all(BigRational::is_integer)
+            {
+                let mut out = Vec::new();
+                for (k, (_, e)) in k.iter().zip(&list) {
+                    let k = i64::try_from(k.numer()).map_err(|_| "a large exponent")?;
+                    if k != 0 {
+                        out.push((e.clone(), k));
+                    }
+                }
+                return Ok(out);
+            }
+        }
+        Err("a power that the generators do not give".to_string())
+    }
+}
+
+fn say(failure: crate::kernel::Failure) -> Fail {
+    format!("{failure:?}")
+}
+
+fn product_of(factors: &[(Expr, i64)]) -> Expr {
+    let side = |positive: bool| {
+        factors
+            .iter()
+            .filter(|f| (f.1 > 0) == positive)
+            .map(|(e, k)| whole_power(e.clone(), k.unsigned_abs()))
+            .collect::<Vec<_>>()
+    };
+    quotient(side(true), side(false))
+}
+
+/// A fraction with common factors of numerator and denominator cancelled where these are factors of
+/// the denominator as it stands.
+pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
+    use crate::algebra::Polynomial;
+    let mut work = Work::default();
+    let (top, bottom) = f.parts(&mut work).map_err(say)?;
+    let convert = |p: &Poly| super::signs::to_algebra(p);
+    let (mut top, mut bottom): (Polynomial, Polynomial) = (convert(&top)?, convert(&bottom)?);
+    let common = crate::algebra::gcd::gcd(&top, &bottom).map_err(|_| "a limit in a greatest common divisor")?;
+    if !common.is_constant() {
+        top = top.exact_divide(&common).unwrap_or(top);
+        bottom = bottom.exact_divide(&common).unwrap_or(bottom);
+    }
+    let (top, bottom) = (super::signs::factored(&top)?, super::signs::factored(&bottom)?);
+    Ok(top.times(&bottom.power(-1).map_err(say)?))
+}
+
+/// The exponents over a common denominator, as vectors of coefficients.
+fn vectors(list: &[Fraction]) -> Result<Vec<Vector>, Fail> {
+    let mut common = Fraction::integer(1);
+    for f in list {
+        for (poly, k) in &f.factors {
+            let entry = common.factors.entry(poly.clone()).or_insert(0);
+            *entry = (*entry).max(-*k);
+        }
+    }
+    common.factors.retain(|_, k| *k > 0);
+    let mut work = Work::default();
+    let mut out = Vec::new();
+    for f in list {
+        let poly = f.times(&common).expanded(&mut work).map_err(say)?;
+        out.push(poly.terms().map(|(m, c)| (m.clone(), c.clone())).collect());
+    }
+    Ok(out)
+}
+
+/// The coordinates of a vector in independent ones.
+fn coordinates(basis: &[Vector], target: &Vector) -> Option<Vec<BigRational>> {
+    let keys: std::collections::BTreeSet<&Vec<(usize, u32)>> =
+        basis.iter().chain([target]).flat_map(|v| v.keys()).collect();
+    let zero = BigRational::zero();
+    let mut rows: Vec<Vec<BigRational>> = keys
+        .iter()
+        .map(|key| basis.iter().chain([target]).map(|v| v.get(*key).unwrap_or(&zero).clone()).collect())
+        .collect();
+    let width = basis.len();
+    let mut pivots = Vec::new();
+    let mut top = 0;
+    for column in 0..width {
+        let Some(place) = (top..rows.len()).find(|r| !rows[*r][column].is_zero()) else { return None };
+        rows.swap(top, place);
+        let pivot = rows[top][column].clone();
+        for entry in &mut rows[top] {
+            *entry /= &pivot;
+        }
+        let lead = rows[top].clone();
+        for (r, row) in rows.iter_mut().enumerate() {
+            if r != top && !row[column].is_zero() {
+                let factor = row[column].clone();
+                for (entry, l) in row.iter_mut().zip(&lead) {
+                    *entry -= &factor * l;
+                }
+            }
+        }
+        pivots.push(top);
+        top += 1;
+    }
+    if rows.iter().skip(top).any(|row| !row[width].is_zero()) {
+        return None;
+    }
+    Some(pivots.iter().map(|r| rows[*r][width].clone()).collect())
+}
+
+/// Exponents that generate all with whole coordinates: some of them if possible, else by reduction of
+/// the lattice. With `free` the first may be left out.
+fn choose(all: &[Fraction], free: bool) -> Result<Option<Vec<Fraction>>, Fail> {
+    let list = vectors(all)?;
+    let mut rank: Vec<usize> = Vec::new();
+    for place in 0..list.len() {
+        let basis: Vec<Vector> = rank.iter().map(|r| list[*r].clone()).collect();
+        if coordinates(&basis, &list[place]).is_none() {
+            rank.push(place);
+        }
+    }
+    let size = rank.len();
+    let mut places: Vec<usize> = (0..size).collect();
+    for _ in 0..2000 {
+        let basis: Vec<Vector> = places.iter().map(|p| list[*p].clone()).collect();
+        let whole = |v: &Vector| coordinates(&basis, v).is_some_and(|k| k.iter().all(BigRational::is_integer));
+        if list.iter().all(whole) {
+            return Ok(Some(places.iter().map(|p| all[*p].clone()).collect()));
+        }
+        // The next choice in lexicographic order.
+        let Some(at) = (0..size).rev().find(|i| places[*i] < list.len() - size + i) else { break };
+        places[at] += 1;
+        for i in at + 1..size {
+            places[i] = places[i - 1] + 1;
+        }
+    }
+    if !free {
+        return Ok(None);
+    }
+    // Row reduction over the integers.
+    let keys: Vec<Vec<(usize, u32)>> =
+        list.iter().flat_map(|v| v.keys().cloned()).collect::<std::collections::BTreeSet<_>>().into_iter().collect();
+    let scale = list.iter().flat_map(|v| v.values()).fold(BigInt::one(), |a, c| a.lcm(c.denom()));
+    let mut rows: Vec<Vec<BigInt>> = list
+        .iter()
+        .map(|v| {
+            let whole = |k| v.get(k).map_or(BigInt::zero(), |c| (c * BigRational::from_integer(scale.clone())).to_integer());
+            keys.iter().map(whole).collect()
+        })
+        .collect();
+    let mut done = 0;
+    for column in 0..keys.len() {
+        loop {
+            let mut nonzero: Vec<usize> = (done..rows.len()).filter(|r| !rows[*r][column].is_zero()).collect();
+            nonzero.sort_by_key(|r| rows[*r][column].abs());
+            let Some((&first, others)) = nonzero.split_first() else { break };
+            if others.is_empty() {
+                rows.swap(done, first);
+                done += 1;
+                break;
+            }
+            let lead = rows[first].clone();
+            for &r in others {
+                let factor = rows[r][column].div_floor(&lead[column]);
+                for (entry, l) in rows[r].iter_mut().zip(&lead) {
+                    *entry -= &factor * l;
+                }
+            }
+        }
+    }
+    let mut common = Fraction::integer(1);
+    for f in all {
+        for (poly, k) in &f.factors {
+            let entry = common.factors.entry(poly.clone()).or_insert(0);
+            *entry = (*entry).max(-*k);
+        }
+    }
+    common.factors.retain(|_, k| *k > 0);
+    let mut out = Vec::new();
+    for row in rows.iter().take(done) {
+        let flip = row.iter().find(|c| !c.is_zero()).is_some_and(Signed::is_negative);
+        let mut terms = Vec::new();
+        for (key, c) in keys.iter().zip(row) {
+            let c = if flip { -c.clone() } else { c.clone() };
+            let mut term = Fraction::number(BigRational::new(c, scale.clone()));
+            for (atom, k) in key {
+                term = term.times(&Fraction::atom(*atom).power(i64::from(*k)).map_err(say)?);
+            }
+            terms.push(term);
+        }
+        let sum = Fraction::sum(&terms, &mut Work::default()).map_err(say)?;
+        out.push(simplified(&sum.times(&common.power(-1).map_err(say)?))?);
+    }
+    Ok(Some(out))
+}
+
+/// The powers, roots and exponentials in an expression, innermost first; those under a bound index
+/// are left out.
+fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => {}
+        ExprKind::Apply(f, arguments) => {
+            arguments.iter().for_each(|a| powers_in(a, out));
+            match (f.text.as_str(), arguments.first()) {
+                ("sqrt" | "cbrt" | "exp", _) => out.push(e.clone()),
+                ("cosh" | "sinh" | "tanh" | "sech", Some(x)) => {
+                    for x in [x.clone(), expr(ExprKind::Negate(Box::new(x.clone())))] {
+                        let f = Name { text: "exp".to_string(), span: f.span };
+                        out.push(expr(ExprKind::Apply(f, vec![x])));
+                    }
+                }
+                _ => {}
+            }
+        }
+        ExprKind::Negate(a) => powers_in(a, out),
+        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| powers_in(e, out)),
+        ExprKind::Product(list) => list.iter().for_each(|(_, e)| powers_in(e, out)),
+        ExprKind::Power(a, b) => {
+            powers_in(a, out);
+            powers_in(b, out);
+            if !matches!(&b.kind, ExprKind::Number(text) if text.bytes().all(|b| b.is_ascii_digit())) {
+                out.push(e.clone());
+            }
+        }
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+            powers_in(&index.from, out);
+            powers_in(&index.to, out);
+        }
+        ExprKind::Derivative(body, _) => powers_in(body, out),
+        ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| powers_in(e, out)),
+    }
+}

@@ -1,0 +1,668 @@
+//! Comparisons: the hints by which the kernel sees the sign of a difference.
+
+use super::{Certifier, Fail};
+use crate::algebra::positivity::{self, Constraint};
+use crate::algebra::{Monomial, Polynomial, factor};
+use crate::certificate::{Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::fraction::{Fraction, Poly, Work};
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, numeral};
+use crate::kernel::translate::Atom;
+use malachite::Rational;
+use num_rational::BigRational;
+use std::collections::BTreeSet;
+use std::str::FromStr;
+
+/// The kernel's polynomial as one of the engine's.
+pub fn to_algebra(poly: &Poly) -> Result<Polynomial, Fail> {
+    let mut terms = Vec::new();
+    for (monomial, c) in poly.terms() {
+        let powers: Vec<(u32, u32)> =
+            monomial.iter().map(|(a, k)| Ok((u32::try_from(*a)?, *k))).collect::<Result<_, std::num::TryFromIntError>>().map_err(|_| "too many atoms")?;
+        let c = Rational::from_str(&c.to_string()).map_err(|()| "a number that cannot be read")?;
+        terms.push((Monomial::new(&powers).map_err(|_| "a degree")?, c));
+    }
+    Ok(Polynomial::from_terms(terms))
+}
+
+/// The engine's polynomial as one of the kernel's.
+pub fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
+    let mut terms = Vec::new();
+    for (monomial, c) in p.terms() {
+        let c = BigRational::from_str(&c.to_string()).map_err(|_| "a number that cannot be read")?;
+        let mut term = Fraction::number(c);
+        for (atom, k) in monomial.powers() {
+            term = term.times(&Fraction::atom(*atom as usize).power(i64::from(*k)).map_err(say)?);
+        }
+        terms.push(term);
+    }
+    Fraction::sum(&terms, &mut Work::default()).map_err(say)
+}
+
+/// The engine's polynomial, in factors.
+pub fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
+    let Ok(list) = factor::factor(p) else { return from_algebra(p) };
+    let mut out = Fraction::number(BigRational::from_str(&list.unit.to_string()).map_err(|_| "a number that cannot be read")?);
+    for (p, k) in &list.factors {
+        out = out.times(&from_algebra(p)?.power(i64::from(*k)).map_err(say)?);
+    }
+    Ok(out)
+}
+
+fn say(failure: crate::kernel::Failure) -> Fail {
+    format!("{failure:?}")
+}
+
+/// A polynomial that a fact or an atom says is not negative.
+struct Known {
+    constraint: Constraint,
+    /// The fact, if it comes from one.
+    label: Option<String>,
+    /// The constraint is this times the difference of the fact's sides, or this itself.
+    factor: Fraction,
+}
+
+impl Certifier {
+    /// Shows a single comparison by signs.
+    pub fn comparison(&mut self, a: &Expr, relation: Relation, b: &Expr) -> Result<(), Fail> {
+        let prop = compare(a.clone(), relation, b.clone());
+        self.prepare(&[a, b])?;
+        self.unfold_all(&[a, b])?;
+        if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
+            return Ok(());
+        }
+        let (difference, _) = match self.checker.difference(&prop) {
+            Ok(found) => found,
+            Err(crate::kernel::Failure::Rejected(reason)) => {
+                // A value may hang on a sign that has to be shown first.
+                self.define(&[a, b])?;
+                if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
+                    return Ok(());
+                }
+                self.checker.difference(&prop).map_err(|_| reason)?
+            }
+            Err(failure) => return Err(say(failure)),
+        };
+        let open: Vec<Poly> = difference
+            .factors
+            .iter()
+            .filter(|(p, k)| {
+                let signs = self.checker.poly_signs(p).unwrap_or(Signs::ANY).power(**k);
+                !(signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less)))
+            })
+            .map(|f| f.0.clone())
+            .collect();
+        for poly in &open {
+            self.settle(poly, 3)?;
+            if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
+                return Ok(());
+            }
+        }
+        if relation == Relation::Equal && self.by_equations(&prop, &difference).is_ok() {
+            return Ok(());
+        }
+        Err(format!("not shown: {}", crate::claim::print::prop(&prop)))
+    }
+
+    /// Shows what these expressions need to have a value: divisors, bases, arguments of logarithms.
+    pub fn define(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
+        let mut list = Vec::new();
+        exprs.iter().for_each(|e| needs(e, &mut list));
+        for (e, relation) in list {
+            let Ok(f) = self.checker.scalar(&e) else { continue };
+            if self.checker.signs_of(&f).is_ok_and(|s| s.within(Signs::of(relation))) {
+                continue;
+            }
+            let wanted = compare(e.clone(), relation, numeral(0));
+            if self.checker.knows(&wanted) {
+                continue;
+            }
+            let _ = self.attempt(|c| c.comparison(&e, relation, &numeral(0)));
+            if relation == Relation::Greater {
+                // A power needs the sign of each factor.
+                for poly in f.factors.keys() {
+                    let _ = self.settle(poly, 2);
+                }
+            }
+        }
+        self.prepare(exprs)
+    }
+
+    /// Seeks the sign of a polynomial and has the kernel note it.
+    pub fn settle(&mut self, poly: &Poly, depth: usize) -> Result<(), Fail> {
+        let known = self.checker.poly_signs(poly).map_err(say)?;
+        if known.within(Signs::POSITIVE) || known.within(Signs::of(Relation::Less)) || known.within(Signs::ZERO) {
+            return Ok(());
+        }
+        let p = to_algebra(poly)?;
+        if p.term_count() <= 300 && depth > 0 {
+            let split = factored(&p)?;
+            if split.factors.len() > 1 || split.factors.values().any(|k| *k > 1) {
+                for part in split.factors.keys().cloned().collect::<Vec<_>>() {
+                    self.settle(&part, depth - 1)?;
+                }
+                let signs = self.checker.signs_of(&split).map_err(say)?;
+                if let Some(relation) = relation_of(signs) {
+                    let prop = compare(self.poly_expr(poly)?, relation, numeral(0));
+                    let factor = self.fraction_expr(&split)?;
+                    self.combination(prop, None, vec![Term { facts: Vec::new(), factor }])?;
+                }
+                return Ok(());
+            }
+        }
+        self.search(poly, &p)
+    }
+
+    /// A certificate of positivity under the facts, as a combination.
+    fn search(&mut self, poly: &Poly, p: &Polynomial) -> Result<(), Fail> {
+        self.tick()?;
+        let known = self.known(poly)?;
+        let constraints: Vec<Constraint> = known.iter().map(|k| k.constraint.clone()).collect();
+        let seen = guess_signs(p, &constraints);
+        for (p, positive, in_vain) in [(p.clone(), true, seen.1), (p.neg(), false, seen.0)] {
+            if in_vain {
+                continue;
+            }
+            let limits = positivity::Limits::default();
+            let weak = positivity::certify(&p, &constraints, &[], false, &limits);
+            let Some(weak) = weak else { continue };
+            let strict = positivity::certify(&p, &constraints, &[], true, &limits);
+            for (found, is_strict) in [(strict, true), (Some(weak), false)] {
+                let Some(positivity::Certificate::Combination { summands, .. }) = found else { continue };
+                let relation = match (positive, is_strict) {
+                    (true, true) => Relation::Greater,
+                    (true, false) => Relation::GreaterEqual,
+                    (false, true) => Relation::Less,
+                    (false, false) => Relation::LessEqual,
+                };
+                let mut terms = Vec::new();
+                for summand in &summands {
+                    let weight = BigRational::from_str(&summand.weight.to_string()).map_err(|_| "a weight")?;
+                    let mut factor = Fraction::number(if positive { weight } else { -weight });
+                    let mut facts = Vec::new();
+                    for (place, exponent) in &summand.constraints {
+                        let k = known.get(*place).ok_or("a constraint")?;
+                        factor = factor.times(&k.factor.power(i64::from(*exponent)).map_err(say)?);
+                        if let Some(label) = &k.label {
+                            facts.extend(std::iter::repeat_n(label.clone(), *exponent as usize));
+                        }
+                    }
+                    for square in &summand.squares {
+                        factor = factor.times(&from_algebra(square)?.power(2).map_err(say)?);
+                    }
+                    terms.push(Term { facts, factor: self.fraction_expr(&factor)? });
+                }
+                let prop = compare(self.poly_expr(poly)?, relation, numeral(0));
+                if self.combination(prop, None, terms).is_ok() {
+                    return Ok(());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What is known of signs around a polynomial, as constraints.
+    fn known(&mut self, poly: &Poly) -> Result<Vec<Known>, Fail> {
+        let mut near: BTreeSet<usize> = poly.atoms().collect();
+        let mut facts: Vec<(String, Fraction, Relation)> = Vec::new();
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, prop) in list.iter().rev() {
+            if !matches!(&prop.kind, PropKind::Compare(_, r) if r.len() == 1 && r.first() != Some(&Relation::NotEqual)) {
+                continue;
+            }
+            let Ok((difference, relation)) = self.checker.difference(prop) else { continue };
+            if difference.is_zero() {
+                continue;
+            }
+            facts.push((label.clone(), difference, relation));
+        }
+        let mut chosen: Vec<(Fraction, Known)> = Vec::new();
+        let mut more = BTreeSet::new();
+        for pass in 0..2 {
+            for (label, difference, relation) in &facts {
+                let mut open = Fraction::integer(1);
+                let mut rest = Fraction::number(difference.coefficient.clone());
+                for (p, k) in &difference.factors {
+                    let signs = self.checker.poly_signs(p).map_err(say)?.power(*k);
+                    // What the fact itself says is not what is known without it.
+                    let settled = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
+                    let keep = !settled || (*k == 1 && p.single_atom().is_none() && p.terms().any(|t| *t.1 < BigRational::from_integer(0.into())));
+                    let one = Fraction::of(p).power(*k).map_err(say)?;
+                    if keep { open = open.times(&one) } else { rest = rest.times(&one) }
+                }
+                if open.factors.values().any(|k| *k < 0) || open.factors.is_empty() {
+                    continue;
+                }
+                let Ok(expanded) = open.expanded(&mut Work::default()) else { continue };
+                if expanded.terms().count() > 60 {
+                    continue;
+                }
+                let inside = expanded.atoms().all(|a| near.contains(&a));
+                if !inside {
+                    if pass == 0 && expanded.atoms().any(|a| near.contains(&a)) {
+                        more.extend(expanded.atoms());
+                    }
+                    continue;
+                }
+                let signs = self.checker.signs_of(&rest).map_err(say)?;
+                let positive = signs.within(Signs::POSITIVE);
+                if !positive && !signs.within(Signs::of(Relation::Less)) {
+                    continue;
+                }
+                let wanted = match relation {
+                    Relation::Greater => vec![(true, true)],
+                    Relation::GreaterEqual => vec![(true, false)],
+                    Relation::Less => vec![(false, true)],
+                    Relation::LessEqual => vec![(false, false)],
+                    _ => vec![(true, false), (false, false)],
+                };
+                for (up, strict) in wanted {
+                    // ±open = (x − y)/|rest|, up to the direction.
+                    let same = up == positive;
+                    let base = to_algebra(&expanded)?;
+                    let constraint = Constraint { poly: if same { base } else { base.neg() }, strict };
+                    let inverse = rest.power(-1).map_err(say)?;
+                    let factor = if same { inverse } else { inverse.negated() };
+                    if chosen.iter().any(|c| c.1.constraint == constraint) {
+                        continue;
+                    }
+                    chosen.push((open.clone(), Known { constraint, label: Some(label.clone()), factor }));
+                }
+            }
+            if pass == 0 {
+                if chosen.len() >= 6 || near.len() + more.len() > 14 {
+                    break;
+                }
+                near.extend(more.iter().copied());
+            }
+        }
+        chosen.truncate(14);
+        let mut out: Vec<Known> = chosen.into_iter().map(|c| c.1).collect();
+        let used: BTreeSet<usize> = poly
+            .atoms()
+            .chain(out.iter().flat_map(|k| k.constraint.poly.variables()).map(|v| v as usize))
+            .collect();
+        for atom in used {
+            let signs = self.checker.poly_signs(&Poly::atom(atom)).map_err(say)?;
+            let base = Polynomial::variable(u32::try_from(atom).map_err(|_| "too many atoms")?);
+            if signs.within(Signs::NOT_NEGATIVE) {
+                let strict = signs.within(Signs::POSITIVE);
+                let constraint = Constraint { poly: base, strict };
+                if !out.iter().any(|k| k.constraint.poly == constraint.poly && (k.constraint.strict || !strict)) {
+                    out.push(Known { constraint, label: None, factor: Fraction::atom(atom) });
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// An equation as a multiple of one that is known.
+    fn by_equations(&mut self, prop: &Prop, difference: &Fraction) -> Result<(), Fail> {
+        let (top, bottom) = difference.parts(&mut Work::default()).map_err(say)?;
+        let goal = to_algebra(&top)?;
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, fact) in list.iter().rev() {
+            if !matches!(&fact.kind, PropKind::Compare(_, r) if r.as_slice() == [Relation::Equal]) {
+                continue;
+            }
+            let Ok((known, _)) = self.checker.difference(fact) else { continue };
+            if known.is_zero() {
+                continue;
+            }
+            let (p, q) = known.parts(&mut Work::default()).map_err(say)?;
+            if let Some(quotient) = goal.exact_divide(&to_algebra(&p)?) {
+                let factor = from_algebra(&quotient)?
+                    .times(&Fraction::of(&q))
+                    .times(&Fraction::of(&bottom).power(-1).map_err(say)?);
+                let factor = self.fraction_expr(&factor)?;
+                let term = Term { facts: vec![label.clone()], factor };
+                if self.combination(prop.clone(), None, vec![term]).is_ok() {
+                    return Ok(());
+                }
+            }
+        }
+        Err("no equation gives this".to_string())
+    }
+
+    /// What follows from a comparison that is known: signs of factors, values of variables.
+    pub fn exploit(&mut self, label: &str, prop: &Prop) -> Result<(), Fail> {
+        let Ok((difference, relation)) = self.checker.difference(prop) else { return Ok(()) };
+        let _ = self.take(Rule::Note, &[label.to_string()], None);
+        let Ok((difference, _)) = self.checker.difference(prop).or(Ok::<_, Fail>((difference, relation))) else {
+            return Ok(());
+        };
+        if difference.as_number().is_some() {
+            return Ok(());
+        }
+        // Factors that the kernel does not see.
+        for (poly, k) in difference.factors.clone() {
+            let signs = self.checker.poly_signs(&poly).map_err(say)?;
+            let decided = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
+            if decided && relation != Relation::Equal && poly.single_atom().is_some() || k < 0 {
+                continue;
+            }
+            let Ok(p) = to_algebra(&poly) else { continue };
+            if p.term_count() > 120 {
+                continue;
+            }
+            let split = factored(&p)?;
+            if split.factors.len() < 2 && split.factors.values().all(|k| *k == 1) {
+                continue;
+            }
+            let rest_of = |part: &Poly| {
+                let mut rest = difference.times(&Fraction::of(&poly).power(-k).unwrap_or(Fraction::integer(1)));
+                let all = split.power(k).unwrap_or(Fraction::integer(1));
+                rest = rest.times(&all);
+                let exponent = rest.factors.get(part).copied().unwrap_or(0);
+                (rest.times(&Fraction::of(part).power(-1).unwrap_or(Fraction::integer(1))), exponent)
+            };
+            for part in split.factors.keys() {
+                let (rest, exponent) = rest_of(part);
+                let signs = self.checker.signs_of(&rest).map_err(say)?;
+                if exponent != 1 || !signs.within(Signs::NOT_ZERO) {
+                    continue;
+                }
+                let positive = signs.within(Signs::POSITIVE);
+                let relation = if positive { relation } else { mirrored(relation) };
+                if !positive && !signs.within(Signs::of(Relation::Less)) && !matches!(relation, Relation::Equal | Relation::NotEqual) {
+                    continue;
+                }
+                let shown = compare(self.poly_expr(part)?, relation, numeral(0));
+                if self.checker.knows(&shown) {
+                    continue;
+                }
+                let factor = self.fraction_expr(&rest.power(-1).map_err(say)?)?;
+                let term = Term { facts: vec![label.to_string()], factor };
+                if let Ok(new) = self.combination(shown.clone(), None, vec![term])
+                    && relation == Relation::Equal
+                {
+                    self.determine(&new, &shown)?;
+                }
+            }
+        }
+        if relation == Relation::Equal { self.determine(label, prop) } else { Ok(()) }
+    }
+
+    /// Writes a variable by means of an equation that is linear in it.
+    fn determine(&mut self, label: &str, prop: &Prop) -> Result<(), Fail> {
+        let Ok((difference, _)) = self.checker.difference(prop) else { return Ok(()) };
+        let mut open = Vec::new();
+        let mut rest = Fraction::number(difference.coefficient.clone());
+        for (p, k) in &difference.factors {
+            let signs = self.checker.poly_signs(p).map_err(say)?;
+            let one = Fraction::of(p).power(*k).map_err(say)?;
+            let negative = p.terms().any(|t| *t.1 < BigRational::from_integer(0.into()));
+            if signs.within(Signs::NOT_ZERO) && (!negative || *k < 0) { rest = rest.times(&one) } else { open.push((p.clone(), *k)) }
+        }
+        let [(poly, 1)] = open.as_slice() else { return Ok(()) };
+        if !self.checker.signs_of(&rest).map_err(say)?.within(Signs::NOT_ZERO) {
+            return Ok(());
+        }
+        let mut atoms: Vec<usize> = poly.atoms().collect::<BTreeSet<_>>().into_iter().collect();
+        let order = |c: &Self, atom: usize| match c.checker.atom(atom) {
+            Some(Atom::Variable(name)) => {
+                c.checker.variables.iter().position(|v| v.0 == *name && !v.1).map_or(0, |p| p + 1)
+            }
+            _ => 0,
+        };
+        atoms.sort_by_key(|a| std::cmp::Reverse(order(self, *a)));
+        for atom in atoms {
+            let Some(Atom::Variable(variable)) = self.checker.atom(atom).cloned() else { continue };
+            if order(self, atom) == 0 {
+                continue;
+            }
+            let parts = poly.coefficients(atom);
+            if parts.keys().any(|k| *k > 1) {
+                continue;
+            }
+            let Some(slope) = parts.get(&1) else { continue };
+            let slope = Fraction::of(slope);
+            if !self.checker.signs_of(&slope).map_err(say)?.within(Signs::NOT_ZERO) {
+                continue;
+            }
+            let constant = parts.get(&0).map_or(Fraction::integer(0), Fraction::of);
+            let free = |f: &Fraction| self.checker.is_free_of(f, &variable);
+            if !free(&slope) || !free(&constant) {
+                continue;
+            }
+            let value = constant.times(&slope.power(-1).map_err(say)?).negated();
+            let value = super::powers::simplified(&value)?;
+            let shown = compare(self.atom_expr(atom)?, Relation::Equal, self.fraction_expr(&value)?);
+            let factor = self.fraction_expr(&rest.times(&slope).power(-1).map_err(say)?)?;
+            let new = if self.checker.knows(&shown) && text_of(prop) == text_of(&shown) {
+                label.to_string()
+            } else {
+                match self.combination(shown, None, vec![Term { facts: vec![label.to_string()], factor }]) {
+                    Ok(new) => new,
+                    Err(_) => continue,
+                }
+            };
+            self.take(Rule::Replace, &[new], None)?;
+            return self.renote(&variable);
+        }
+        Ok(())
+    }
+
+    /// Notes again what mentions a variable that is written otherwise from now on.
+    fn renote(&mut self, variable: &str) -> Result<(), Fail> {
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, prop) in list {
+            let mut names = BTreeSet::new();
+            crate::kernel::statement::names_in_prop(&prop, &mut names);
+            let PropKind::Compare(sides, _) = &prop.kind else { continue };
+            if !names.contains(variable) {
+                continue;
+            }
+            let sides: Vec<&Expr> = sides.iter().collect();
+            self.prepare(&sides)?;
+            let _ = self.take(Rule::Note, &[label], None);
+        }
+        Ok(())
+    }
+
+    /// Splits members off sums, products and sequences, so that equal ones are written alike.
+    pub fn unfold_all(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
+        for _ in 0..40 {
+            let mut atoms = BTreeSet::new();
+            for e in exprs {
+                if let Ok(crate::kernel::translate::Value::Scalar(f)) = self.checker.value(e, 300) {
+                    atoms.extend(f.atoms());
+                }
+            }
+            let mut changed = false;
+            for atom in atoms {
+                if let Some((left, right)) = self.unfolding(atom)? {
+                    let prop = compare(left, Relation::Equal, right);
+                    if let Ok(label) = self.take(Rule::Unfold, &[], Some(prop)) {
+                        self.take(Rule::Replace, &[label], None)?;
+                        changed = true;
+                    }
+                }
+            }
+            if !changed {
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// An atom as what it unfolds to, where its index has a positive constant part.
+    fn unfolding(&mut self, atom: usize) -> Result<Option<(Expr, Expr)>, Fail> {
+        use crate::kernel::statement::Substitution;
+        let constant = |p: &Poly| p.terms().find(|t| t.0.is_empty()).map_or(BigRational::from_integer(0.into()), |t| t.1.clone());
+        let zero = BigRational::from_integer(0.into());
+        let shifted = |p: &Poly, by: i64| {
+            let sum = Fraction::sum(&[Fraction::of(p), Fraction::integer(by)], &mut Work::default());
+            sum.and_then(|f| f.expanded(&mut Work::default())).map_err(say)
+        };
+        match self.checker.atom(atom).cloned() {
+            Some(Atom::Member(name, index)) => {
+                let statement = self.checker.statement().clone();
+                let Some(u) = statement.sequences.iter().find(|s| s.name == name) else { return Ok(None) };
+                let left = self.atom_expr(atom)?;
+                if index.terms().next().is_none() {
+                    return Ok(Some((left, u.initial.clone())));
+                }
+                if constant(&index) <= zero {
+                    return Ok(None);
+                }
+                let before = self.poly_expr(&shifted(&index, -1)?)?;
+                let mut map = Substitution::default();
+                map.replace(&u.index, &before);
+                Ok(Some((left, map.expr(&u.step).map_err(say)?)))
+            }
+            Some(Atom::Over(is_sum, _, from, to, _)) => {
+                let left = self.atom_expr(atom)?;
+                let (ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body)) = &left.kind else {
+                    return Ok(None);
+                };
+                let length = Fraction::of(&shifted(&to, 1)?).minus(&Fraction::of(&from), &mut Work::default()).map_err(say)?;
+                if length.is_zero() {
+                    return Ok(Some((left.clone(), numeral(u32::from(!is_sum)))));
+                }
+                let over = |index: Index| {
+                    let body = body.clone();
+                    expr(if is_sum { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) })
+                };
+                let at = |e: &Expr| -> Result<Expr, Fail> {
+                    let mut map = Substitution::default();
+                    map.replace(&index.name.text, e);
+                    map.expr(body).map_err(say)
+                };
+                let joined = |rest: Expr, one: Expr| {
+                    if is_sum {
+                        expr(ExprKind::Sum(vec![(Sign::Plus, rest), (Sign::Plus, one)]))
+                    } else {
+                        expr(ExprKind::Product(vec![(Factor::Times, rest), (Factor::Times, one)]))
+                    }
+                };
+                if constant(&to) > zero {
+                    let shorter = Index { to: Box::new(self.poly_expr(&shifted(&to, -1)?)?), ..index.clone() };
+                    return Ok(Some((left.clone(), joined(over(shorter), at(&index.to)?))));
+                }
+                if from.terms().next().is_none() {
+                    let later = Index { from: Box::new(numeral(1)), ..index.clone() };
+                    return Ok(Some((left.clone(), joined(over(later), at(&index.from)?))));
+                }
+                Ok(None)
+            }
+            _ => Ok(None),
+        }
+    }
+}
+
+fn text_of(prop: &Prop) -> String {
+    crate::kernel::text::prop(prop)
+}
+
+/// The narrowest relation to 0 that signs allow, if any.
+fn relation_of(signs: Signs) -> Option<Relation> {
+    [Relation::Equal, Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual, Relation::NotEqual]
+        .into_iter()
+        .find(|r| signs.within(Signs::of(*r)))
+}
+
+fn mirrored(relation: Relation) -> Relation {
+    match relation {
+        Relation::Less => Relation::Greater,
+        Relation::LessEqual => Relation::GreaterEqual,
+        Relation::Greater => Relation::Less,
+        Relation::GreaterEqual => Relation::LessEqual,
+        other => other,
+    }
+}
+
+/// What an expression needs to have a value, innermost first.
+fn needs(e: &Expr, out: &mut Vec<(Expr, Relation)>) {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => {}
+        ExprKind::Apply(f, list) => {
+            list.iter().for_each(|e| needs(e, out));
+            if let ("sqrt" | "cbrt" | "ln", Some(x)) = (f.text.as_str(), list.first()) {
+                out.push((x.clone(), Relation::Greater));
+            }
+        }
+        ExprKind::Negate(a) => needs(a, out),
+        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| needs(e, out)),
+        ExprKind::Product(list) => {
+            for (factor, e) in list {
+                needs(e, out);
+                if *factor == Factor::Over {
+                    out.push((e.clone(), Relation::NotEqual));
+                }
+            }
+        }
+        ExprKind::Power(a, b) => {
+            needs(a, out);
+            needs(b, out);
+            if !matches!(&b.kind, ExprKind::Number(text) if text.bytes().all(|b| b.is_ascii_digit())) {
+                out.push((
+                    (**a).clone(),
+                    if matches!(b.kind, ExprKind::Negate(_)) { Relation::NotEqual } else { Relation::Greater },
+                ));
+            }
+        }
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+            needs(&index.from, out);
+            needs(&index.to, out);
+        }
+        ExprKind::Derivative(body, _) => needs(body, out),
+        ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| needs(e, out)),
+    }
+}
+
+/// Whether the polynomial is seen to be positive, and negative, where the constraints hold with room
+/// to spare: a hint which search is in vain, in floating point.
+fn guess_signs(p: &Polynomial, constraints: &[Constraint]) -> (bool, bool) {
+    use malachite::base::num::conversion::traits::RoundingFrom;
+    use malachite::base::rounding_modes::RoundingMode;
+    type Terms = Vec<(Vec<(u32, i32)>, f64)>;
+    let terms = |p: &Polynomial| -> Terms {
+        p.terms()
+            .map(|(m, c)| {
+                let powers = m.powers().iter().map(|&(v, k)| (v, i32::try_from(k).unwrap_or(i32::MAX))).collect();
+                (powers, f64::rounding_from(c, RoundingMode::Nearest).0)
+            })
+            .collect()
+    };
+    let variables: BTreeSet<u32> =
+        p.variables().into_iter().chain(constraints.iter().flat_map(|c| c.poly.variables())).collect();
+    let order: Vec<u32> = variables.into_iter().collect();
+    let value = |terms: &Terms, point: &[f64]| -> f64 {
+        let (sum, size) = terms.iter().fold((0.0, 0.0), |(sum, size), (powers, c)| {
+            let term = powers.iter().fold(*c, |t, &(v, k)| {
+                t * order.binary_search(&v).map_or(1.0, |place| point[place]).powi(k)
+            });
+            (sum + term, size + f64::abs(term))
+        });
+        if f64::abs(sum) > size * 1e-9 { sum } else { 0.0 }
+    };
+    let limits: Vec<Terms> = constraints.iter().filter(|c| !c.poly.is_zero()).map(|c| terms(&c.poly)).collect();
+    let goal = terms(p);
+    let (mut positive, mut negative) = (false, false);
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    for _ in 0..400 {
+        let point: Vec<f64> = order
+            .iter()
+            .map(|_| {
+                state ^= state << 13;
+                state ^= state >> 7;
+                state ^= state << 17;
+                const VALUES: [f64; 8] = [0.1, 0.4, 0.8, 0.97, 1.05, 1.3, 2.5, 8.0];
+                let size = VALUES[(state >> 40) as usize % 8] * (1.0 + ((state >> 20) % 97) as f64 / 1000.0);
+                if state & 7 == 1 { -size } else { size }
+            })
+            .collect();
+        if limits.iter().any(|c| value(c, &point) <= 0.0) {
+            continue;
+        }
+        let v = value(&goal, &point);
+        positive |= v > 0.0;
+        negative |= v < 0.0;
+    }
+    (positive, negative)
+}
