@@ -15,6 +15,7 @@ use crate::certificate::{Certificate, Rule, Step, Term};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::Work;
 use crate::kernel::logic::negation;
+use crate::kernel::order::Signs;
 use crate::kernel::statement::{Substitution, compare, domain, expr, name, numeral, prop};
 use crate::kernel::{Accepted, Checker, text};
 use crate::prove::expand;
@@ -41,6 +42,7 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
         exponentials: Vec::new(),
         labels: Vec::new(),
         values: Substitution::default(),
+        replaced: Vec::new(),
         counter: 0,
         tries: 0,
         splits: 0,
@@ -133,6 +135,8 @@ pub struct Certifier {
     labels: Vec<(String, Prop)>,
     /// Names that the argument obtained, with their values.
     values: Substitution,
+    /// Equations by which variables are replaced: label, variable.
+    replaced: Vec<(String, String)>,
     counter: usize,
     tries: usize,
     splits: usize,
@@ -243,6 +247,14 @@ impl Certifier {
         for (label, prop) in &list {
             self.suppose(label, prop)?;
         }
+        for (variable, _) in self.checker.variables.clone() {
+            if let Ok(f) = self.checker.scalar(&name(&variable)) {
+                for poly in f.factors.keys() {
+                    self.settle(poly, 1)?;
+                }
+            }
+        }
+        self.prepare(&exprs.iter().collect::<Vec<_>>())?;
         let first = list.len() - own.assumptions.len();
         for ((label, _), (_, prop)) in statement.assumptions.iter().zip(list.into_iter().skip(first)) {
             if let Some(label) = label {
@@ -455,6 +467,9 @@ impl Certifier {
             Ok(()) => return Ok(()),
             Err(first) => first,
         };
+        if let Some(label) = self.contradiction() {
+            return self.take(Rule::Absurd, &[label], Some(goal.clone())).map(|_| ());
+        }
         if self.saturate()? && self.attempt(|c| c.comparison(a, relation, b)).is_ok() {
             return Ok(());
         }
@@ -470,6 +485,21 @@ impl Certifier {
             }
         }
         Err(first)
+    }
+
+    /// A fact that compares two numbers and is false.
+    fn contradiction(&mut self) -> Option<String> {
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, fact) in list.into_iter().rev() {
+            if let Ok((difference, relation)) = self.checker.difference(&fact)
+                && let Some(number) = difference.as_number()
+                && !Signs::of_number(number).within(Signs::of(relation))
+            {
+                return Some(label);
+            }
+        }
+        None
     }
 
     /// Conclusions of implications and equivalences whose premises are seen at once.
@@ -588,6 +618,9 @@ impl Certifier {
             if c.saturate()? && c.comparison(&a, relation, &b).is_ok() {
                 return Ok(());
             }
+            if let Some(label) = c.contradiction() {
+                return c.take(Rule::Absurd, &[label], Some(goal.clone())).map(|_| ());
+            }
             c.clash(goal)
         })?;
         self.take(Rule::Cases, &[either], Some(goal.clone())).map(|_| ())
@@ -611,6 +644,7 @@ impl Certifier {
                 let both = [self.label_of(fact), self.label_of(&opposite)];
                 let [Some(x), Some(y)] = both else { continue };
                 let wrong = [
+                    (Relation::NotEqual, 1, -1),
                     (Relation::Less, 1, -1),
                     (Relation::Less, -1, 1),
                 ];

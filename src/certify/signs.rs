@@ -228,7 +228,11 @@ impl Certifier {
                     let signs = self.checker.poly_signs(p).map_err(say)?.power(*k);
                     // What the fact itself says is not what is known without it.
                     let settled = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
-                    let keep = !settled || (*k == 1 && p.single_atom().is_none() && p.terms().any(|t| *t.1 < BigRational::from_integer(0.into())));
+                    let open_terms = p.terms().any(|t| *t.1 < BigRational::from_integer(0.into()))
+                        || p.atoms().any(|a| {
+                            !self.checker.poly_signs(&Poly::atom(a)).is_ok_and(|s| s.within(Signs::NOT_NEGATIVE))
+                        });
+                    let keep = !settled || (*k == 1 && p.single_atom().is_none() && open_terms);
                     let one = Fraction::of(p).power(*k).map_err(say)?;
                     if keep { open = open.times(&one) } else { rest = rest.times(&one) }
                 }
@@ -313,6 +317,17 @@ impl Certifier {
                 continue;
             }
             let (p, q) = known.parts(&mut Work::default()).map_err(say)?;
+            if let Some(quotient) = to_algebra(&p)?.exact_divide(&goal) {
+                // D·goal = the fact.
+                let times = from_algebra(&quotient)?
+                    .times(&Fraction::of(&bottom))
+                    .times(&Fraction::of(&q).power(-1).map_err(say)?);
+                let times = self.fraction_expr(&times)?;
+                let term = Term { facts: vec![label.clone()], factor: numeral(1) };
+                if self.combination(prop.clone(), Some(times), vec![term]).is_ok() {
+                    return Ok(());
+                }
+            }
             if let Some(quotient) = goal.exact_divide(&to_algebra(&p)?) {
                 let factor = from_algebra(&quotient)?
                     .times(&Fraction::of(&q))
@@ -337,53 +352,39 @@ impl Certifier {
         if difference.as_number().is_some() {
             return Ok(());
         }
-        // Factors that the kernel does not see.
-        for (poly, k) in difference.factors.clone() {
-            let signs = self.checker.poly_signs(&poly).map_err(say)?;
-            let decided = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
-            if decided && relation != Relation::Equal && poly.single_atom().is_some() || k < 0 {
-                continue;
+        // Factors that the kernel does not see: the same fact, with its difference in factors.
+        let mut whole = Fraction::number(difference.coefficient.clone());
+        let mut changed = false;
+        for (poly, k) in &difference.factors {
+            let p = to_algebra(poly)?;
+            let split = if p.term_count() > 120 { Fraction::of(poly) } else { factored(&p)? };
+            changed |= split != Fraction::of(poly);
+            whole = whole.times(&split.power(*k).map_err(say)?);
+        }
+        let mut label = label.to_string();
+        let mut prop = prop.clone();
+        if changed {
+            let shown = compare(self.fraction_expr(&whole)?, relation, numeral(0));
+            let term = Term { facts: vec![label.clone()], factor: numeral(1) };
+            if let Ok(new) = self.combination(shown.clone(), None, vec![term]) {
+                label = new;
+                prop = shown;
             }
-            let Ok(p) = to_algebra(&poly) else { continue };
-            if p.term_count() > 120 {
-                continue;
-            }
-            let split = factored(&p)?;
-            if split.factors.len() < 2 && split.factors.values().all(|k| *k == 1) {
-                continue;
-            }
-            let rest_of = |part: &Poly| {
-                let mut rest = difference.times(&Fraction::of(&poly).power(-k).unwrap_or(Fraction::integer(1)));
-                let all = split.power(k).unwrap_or(Fraction::integer(1));
-                rest = rest.times(&all);
-                let exponent = rest.factors.get(part).copied().unwrap_or(0);
-                (rest.times(&Fraction::of(part).power(-1).unwrap_or(Fraction::integer(1))), exponent)
-            };
-            for part in split.factors.keys() {
-                let (rest, exponent) = rest_of(part);
-                let signs = self.checker.signs_of(&rest).map_err(say)?;
-                if exponent != 1 || !signs.within(Signs::NOT_ZERO) {
-                    continue;
-                }
-                let positive = signs.within(Signs::POSITIVE);
-                let relation = if positive { relation } else { mirrored(relation) };
-                if !positive && !signs.within(Signs::of(Relation::Less)) && !matches!(relation, Relation::Equal | Relation::NotEqual) {
-                    continue;
-                }
-                let shown = compare(self.poly_expr(part)?, relation, numeral(0));
-                if self.checker.knows(&shown) {
-                    continue;
-                }
-                let factor = self.fraction_expr(&rest.power(-1).map_err(say)?)?;
-                let term = Term { facts: vec![label.to_string()], factor };
-                if let Ok(new) = self.combination(shown.clone(), None, vec![term])
-                    && relation == Relation::Equal
-                {
-                    self.determine(&new, &shown)?;
+        }
+        if relation != Relation::Equal {
+            return Ok(());
+        }
+        if whole.factors.len() > 1 || whole.factors.values().any(|k| *k > 1) {
+            for part in whole.factors.keys() {
+                if self.checker.poly_signs(part).map_err(say)?.within(Signs::ZERO) {
+                    let shown = compare(self.poly_expr(part)?, Relation::Equal, numeral(0));
+                    if let Ok(new) = self.take(Rule::Sign, &[], Some(shown.clone())) {
+                        return self.determine(&new, &shown);
+                    }
                 }
             }
         }
-        if relation == Relation::Equal { self.determine(label, prop) } else { Ok(()) }
+        self.determine(&label, &prop)
     }
 
     /// Writes a variable by means of an equation that is linear in it.
@@ -440,7 +441,14 @@ impl Certifier {
                     Err(_) => continue,
                 }
             };
-            self.take(Rule::Replace, &[new], None)?;
+            self.take(Rule::Replace, std::slice::from_ref(&new), None)?;
+            // Values that mention the variable are written anew.
+            for (label, other) in self.replaced.clone() {
+                if other != variable && self.checker.fact(&label).is_ok() {
+                    let _ = self.take(Rule::Replace, &[label], None);
+                }
+            }
+            self.replaced.push((new, variable.clone()));
             return self.renote(&variable);
         }
         Ok(())
@@ -564,16 +572,6 @@ fn relation_of(signs: Signs) -> Option<Relation> {
     [Relation::Equal, Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual, Relation::NotEqual]
         .into_iter()
         .find(|r| signs.within(Signs::of(*r)))
-}
-
-fn mirrored(relation: Relation) -> Relation {
-    match relation {
-        Relation::Less => Relation::Greater,
-        Relation::LessEqual => Relation::GreaterEqual,
-        Relation::Greater => Relation::Less,
-        Relation::GreaterEqual => Relation::LessEqual,
-        other => other,
-    }
 }
 
 /// What an expression needs to have a value, innermost first.

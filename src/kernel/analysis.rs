@@ -102,8 +102,16 @@ impl Checker {
         let ([left, right], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else {
             return rejected("an equation is needed");
         };
-        let left = self.scalar(left)?;
         let value = self.scalar(right)?;
+        if let ExprKind::Name(variable) = &left.kind
+            && self.variables.iter().any(|v| v.0 == *variable)
+        {
+            // A variable may be replaced again.
+            let atom = self.intern(Atom::Variable(variable.clone()));
+            self.replaced.push((atom, value));
+            return Ok(());
+        }
+        let left = self.scalar(left)?;
         let mut factors = left.factors.iter();
         let single = match (factors.next(), factors.next()) {
             (Some((poly, 1)), None) if left.as_number().is_none() && left.coefficient == Fraction::integer(1).coefficient => {

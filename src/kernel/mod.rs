@@ -332,10 +332,10 @@ impl Checker {
 
     fn declare(&mut self, binding: &Binding) -> Result<(), Failure> {
         for (name, index) in &binding.names {
-            if self.is_declared(&name.text) {
-                return rejected(&format!("the name {} is in use", name.text));
-            }
             if index.is_none() {
+                if self.is_declared(&name.text) {
+                    return rejected(&format!("the name {} is in use", name.text));
+                }
                 self.variables.push((name.text.clone(), binding.natural));
             }
         }

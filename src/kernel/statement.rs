@@ -190,7 +190,9 @@ impl Substitution {
     }
 
     fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
-        names_in(&value, &mut self.mentioned);
+        let mut names = BTreeSet::new();
+        names_in(&value, &mut names);
+        self.mentioned.extend(names.into_iter().filter(|n| !parameters.contains(n)));
         self.map.insert(name.to_string(), Replacement::Definition(parameters, value));
     }
 
@@ -366,7 +368,7 @@ impl Substitution {
     }
 }
 
-/// Every name that occurs, bound ones as well.
+/// Every name that occurs free.
 pub fn names_in(e: &Expr, out: &mut BTreeSet<String>) {
     use ExprKind::*;
     match &e.kind {
@@ -386,10 +388,12 @@ pub fn names_in(e: &Expr, out: &mut BTreeSet<String>) {
             names_in(b, out);
         }
         SumOver(index, body) | ProductOver(index, body) => {
-            out.insert(index.name.text.clone());
             names_in(&index.from, out);
             names_in(&index.to, out);
-            names_in(body, out);
+            let mut inside = BTreeSet::new();
+            names_in(body, &mut inside);
+            inside.remove(&index.name.text);
+            out.extend(inside);
         }
         Derivative(body, by) => {
             out.extend(by.iter().map(|n| n.text.clone()));
