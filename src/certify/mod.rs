@@ -43,6 +43,8 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
         labels: Vec::new(),
         values: Substitution::default(),
         replaced: Vec::new(),
+        entries: Vec::new(),
+        introduced: std::collections::HashSet::new(),
         counter: 0,
         tries: 0,
         splits: 0,
@@ -137,6 +139,10 @@ pub struct Certifier {
     values: Substitution,
     /// Equations by which variables are replaced: label, variable.
     replaced: Vec<(String, String)>,
+    /// Powers that are not generators, with their bases and exponents.
+    entries: Vec<(Expr, Vec<(crate::kernel::fraction::Poly, crate::kernel::fraction::Fraction)>)>,
+    /// Powers known to be introduced, as text.
+    introduced: std::collections::HashSet<String>,
     counter: usize,
     tries: usize,
     splits: usize,
@@ -149,6 +155,8 @@ struct Mark {
     generators: Vec<powers::Generator>,
     exponentials: usize,
     labels: usize,
+    entries: usize,
+    introduced: std::collections::HashSet<String>,
     counter: usize,
 }
 
@@ -205,6 +213,8 @@ impl Certifier {
             generators: self.generators.clone(),
             exponentials: self.exponentials.len(),
             labels: self.labels.len(),
+            entries: self.entries.len(),
+            introduced: self.introduced.clone(),
             counter: self.counter,
         };
         let result = run(self);
@@ -214,6 +224,8 @@ impl Certifier {
             self.generators = mark.generators;
             self.exponentials.truncate(mark.exponentials);
             self.labels.truncate(mark.labels);
+            self.entries.truncate(mark.entries);
+            self.introduced = mark.introduced;
             self.counter = mark.counter;
         }
         result
@@ -226,11 +238,14 @@ impl Certifier {
         }
         let rule = if matches!(goal.kind, PropKind::ForAll(..)) { Rule::Let } else { Rule::Suppose };
         let (generators, labels) = (self.generators.clone(), self.labels.len());
+        let (entries, introduced) = (self.entries.len(), self.introduced.clone());
         let label = self.take(rule, &[], Some(goal.clone()))?;
         run(self, &label)?;
         self.take(Rule::End, &[], None)?;
         self.generators = generators;
         self.labels.truncate(labels);
+        self.entries.truncate(entries);
+        self.introduced = introduced;
         Ok(())
     }
 
@@ -635,6 +650,23 @@ impl Certifier {
             if relations.len() != 1 {
                 continue;
             }
+            // What is said to vanish may be seen not to.
+            if relations[0] == Relation::Equal
+                && let Ok((difference, _)) = self.checker.difference(fact)
+            {
+                for poly in difference.factors.keys() {
+                    let done = self.attempt(|c| {
+                        c.search_again(poly)?;
+                        match &goal.kind {
+                            PropKind::Compare(g, r) => c.comparison(&g[0], r[0], &g[1]),
+                            _ => Err("no comparison".to_string()),
+                        }
+                    });
+                    if done.is_ok() {
+                        return Ok(());
+                    }
+                }
+            }
             // A fact whose opposite is shown as well.
             let Some(opposite) = negation(fact) else { continue };
             let PropKind::Compare(_, relations) = &opposite.kind else { continue };
@@ -972,7 +1004,7 @@ impl Certifier {
             }
         }
         let apart = compare(a.clone(), Relation::NotEqual, b.clone());
-        let strict = self.attempt(|c| c.show(&apart)).is_ok();
+        let strict = self.attempt(|c| c.show(&apart)).is_ok() || self.attempt(|c| c.apart(&apart)).is_ok();
         let power = |x: &Expr, e: &Expr| expr(ExprKind::Power(Box::new(x.clone()), Box::new(e.clone())));
         let times = |x: Expr, y: Expr| expr(ExprKind::Product(vec![(Factor::Times, x), (Factor::Times, y)]));
         let left = times(power(a, &rest), power(b, p));
@@ -993,6 +1025,34 @@ impl Certifier {
             }
         }
         Err("the mean inequality".to_string())
+    }
+
+    /// Two values differ because others do, of which they are made by powers.
+    fn apart(&mut self, goal: &Prop) -> Result<(), Fail> {
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, fact) in list.iter().rev() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            let ([x, y], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Ok(f) = self.checker.scalar(x) else { continue };
+            for exponent in self.exponents_of(&f) {
+                let done = self.attempt(|c| {
+                    c.show(&compare(exponent.clone(), Relation::Greater, numeral(0)))?;
+                    let power = |e: &Expr| expr(ExprKind::Power(Box::new(e.clone()), Box::new(exponent.clone())));
+                    let (a, b) = (power(x), power(y));
+                    c.prepare(&[&a, &b])?;
+                    let shown = compare(a, Relation::NotEqual, b);
+                    let with = vec![(Name { text: "exponent".to_string(), span: Span::default() }, exponent.clone())];
+                    let new = c.with(Rule::Monotone, std::slice::from_ref(label), Some(shown.clone()), with)?;
+                    c.suppose(&new, &shown)?;
+                    c.show(goal)
+                });
+                if done.is_ok() {
+                    return Ok(());
+                }
+            }
+        }
+        Err("not shown to differ".to_string())
     }
 
     /// (a+b)^(1−p) (c+d)^p ≥ a^(1−p) c^p + b^(1−p) d^p: the mean of a/(a+b) and c/(c+d), that of b/(a+b)

@@ -28,6 +28,10 @@ impl Certifier {
     pub fn prepare(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
         let mut list = Vec::new();
         exprs.iter().for_each(|e| powers_in(e, &mut list));
+        list.retain(|e| !self.introduced.contains(&crate::kernel::text::expr(e)));
+        if list.is_empty() {
+            return Ok(());
+        }
         for _ in 0..8 {
             let mut pending: Vec<(Expr, Fraction)> = Vec::new();
             for e in &list {
@@ -45,6 +49,13 @@ impl Certifier {
                 }
             }
             if pending.is_empty() {
+                for e in &list {
+                    if let Ok(log) = self.checker.log(e)
+                        && self.checker.exponential(&log).is_ok()
+                    {
+                        self.introduced.insert(crate::kernel::text::expr(e));
+                    }
+                }
                 return Ok(());
             }
             self.introduce(&pending)?;
@@ -106,6 +117,7 @@ impl Certifier {
             }
             let value = product_of(&factors);
             self.take(Rule::Power, &[], Some(compare(e.clone(), Relation::Equal, value)))?;
+            self.entries.push((e.clone(), parts.clone()));
         }
         Ok(())
     }
@@ -148,6 +160,8 @@ impl Certifier {
             self.exponentials.push((atom, power.clone()));
             fresh.push(Generator { base: base.clone(), exponent: exponent.clone(), expr: power });
         }
+        let dropped: Vec<Generator> =
+            self.generators.iter().filter(|g| g.base == *base && !basis.contains(&g.exponent)).cloned().collect();
         self.generators.retain(|g| g.base != *base || basis.contains(&g.exponent));
         self.generators.extend(fresh);
         if is_atom && !basis.contains(&one) {
@@ -155,8 +169,55 @@ impl Certifier {
             let prop = compare(base_expr, Relation::Equal, product_of(&factors));
             let label = self.take(Rule::Logarithm, &[], Some(prop))?;
             self.take(Rule::Replace, &[label], None)?;
+            self.introduced.clear();
+        }
+        if !dropped.is_empty() {
+            // What was written in generators that are given up is written in the new ones.
+            self.introduced.clear();
+            for old in &dropped {
+                self.exponentials.retain(|x| !x.1.same(&old.expr));
+                let factors = self.written(base, &old.exponent)?;
+                self.take(Rule::Power, &[], Some(compare(old.expr.clone(), Relation::Equal, product_of(&factors))))?;
+            }
+            for (e, parts) in self.entries.clone() {
+                if !parts.iter().any(|p| p.0 == *base) {
+                    continue;
+                }
+                let mut factors = Vec::new();
+                for (base, exponent) in &parts {
+                    let Ok(list) = self.written(base, exponent) else { continue };
+                    factors.extend(list);
+                }
+                let _ = self.take(Rule::Power, &[], Some(compare(e, Relation::Equal, product_of(&factors))));
+            }
         }
         Ok(())
+    }
+
+    /// The exponents of the generators of a variable, and the differences of two of them.
+    pub fn exponents_of(&self, variable: &Fraction) -> Vec<Expr> {
+        let bases: Vec<&Poly> = variable.factors.keys().collect();
+        let logs: Vec<&Generator> = self
+            .generators
+            .iter()
+            .filter(|g| {
+                bases.contains(&&g.base)
+                    || bases.iter().any(|b| b.single_atom().is_some_and(|a| self.exponentials.iter().any(|x| x.0 == a && x.1.same(&g.expr))))
+            })
+            .collect();
+        let mut out = Vec::new();
+        for g in &logs {
+            out.extend(self.fraction_expr(&g.exponent));
+        }
+        for g in &logs {
+            for h in &logs {
+                if g.base == h.base && g.exponent != h.exponent {
+                    let difference = g.exponent.minus(&h.exponent, &mut Work::default());
+                    out.extend(difference.map_err(say).and_then(|d| simplified(&d)).and_then(|d| self.fraction_expr(&d)));
+                }
+            }
+        }
+        out
     }
 
     /// base^exponent in the generators: expressions with whole exponents.

@@ -154,6 +154,12 @@ impl Certifier {
         self.search(poly, &p)
     }
 
+    /// The sign of a polynomial sought although one is known: facts may contradict each other.
+    pub fn search_again(&mut self, poly: &Poly) -> Result<(), Fail> {
+        let p = to_algebra(poly)?;
+        self.search(poly, &p)
+    }
+
     /// A certificate of positivity under the facts, as a combination.
     fn search(&mut self, poly: &Poly, p: &Polynomial) -> Result<(), Fail> {
         self.tick()?;
@@ -361,6 +367,14 @@ impl Certifier {
             changed |= split != Fraction::of(poly);
             whole = whole.times(&split.power(*k).map_err(say)?);
         }
+        if changed && whole.factors.len() > 1 {
+            for part in whole.factors.keys() {
+                let signs = self.checker.poly_signs(part).map_err(say)?;
+                if !signs.within(Signs::NOT_ZERO) && part.single_atom().is_none() {
+                    let _ = self.attempt(|c| c.settle(part, 0));
+                }
+            }
+        }
         let mut label = label.to_string();
         let mut prop = prop.clone();
         if changed {
@@ -409,12 +423,13 @@ impl Certifier {
             }
             _ => 0,
         };
-        atoms.sort_by_key(|a| std::cmp::Reverse(order(self, *a)));
+        atoms.sort_by_key(|a| std::cmp::Reverse((order(self, *a), *a)));
         for atom in atoms {
-            let Some(Atom::Variable(variable)) = self.checker.atom(atom).cloned() else { continue };
-            if order(self, atom) == 0 {
-                continue;
-            }
+            let variable = match self.checker.atom(atom).cloned() {
+                Some(Atom::Variable(variable)) if order(self, atom) > 0 => variable,
+                Some(Atom::Member(..)) => String::new(),
+                _ => continue,
+            };
             let parts = poly.coefficients(atom);
             if parts.keys().any(|k| *k > 1) {
                 continue;
@@ -425,7 +440,9 @@ impl Certifier {
                 continue;
             }
             let constant = parts.get(&0).map_or(Fraction::integer(0), Fraction::of);
-            let free = |f: &Fraction| self.checker.is_free_of(f, &variable);
+            let free = |f: &Fraction| {
+                f.atoms().all(|a| a != atom) && (variable.is_empty() || self.checker.is_free_of(f, &variable))
+            };
             if !free(&slope) || !free(&constant) {
                 continue;
             }
@@ -441,9 +458,12 @@ impl Certifier {
                     Err(_) => continue,
                 }
             };
-            self.take(Rule::Replace, std::slice::from_ref(&new), None)?;
+            if self.take(Rule::Replace, std::slice::from_ref(&new), None).is_err() {
+                continue;
+            }
+            self.introduced.clear();
             // Values that mention the variable are written anew.
-            for (label, other) in self.replaced.clone() {
+            for (label, other) in self.replaced.clone().into_iter().rev() {
                 if other != variable && self.checker.fact(&label).is_ok() {
                     let _ = self.take(Rule::Replace, &[label], None);
                 }
@@ -462,7 +482,7 @@ impl Certifier {
             let mut names = BTreeSet::new();
             crate::kernel::statement::names_in_prop(&prop, &mut names);
             let PropKind::Compare(sides, _) = &prop.kind else { continue };
-            if !names.contains(variable) {
+            if !variable.is_empty() && !names.contains(variable) {
                 continue;
             }
             let sides: Vec<&Expr> = sides.iter().collect();
@@ -485,10 +505,11 @@ impl Certifier {
             for atom in atoms {
                 if let Some((left, right)) = self.unfolding(atom)? {
                     let prop = compare(left, Relation::Equal, right);
-                    if let Ok(label) = self.take(Rule::Unfold, &[], Some(prop)) {
-                        self.take(Rule::Replace, &[label], None)?;
-                        changed = true;
-                    }
+                    let done = self.attempt(|c| {
+                        let label = c.take(Rule::Unfold, &[], Some(prop))?;
+                        c.take(Rule::Replace, &[label], None)
+                    });
+                    changed |= done.is_ok();
                 }
             }
             if !changed {

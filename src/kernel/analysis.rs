@@ -200,7 +200,8 @@ impl Checker {
 
     /// Rule `monotone`: `A^E relation B^E` from `A relation B` between positive values and E > 0.
     ///
-    /// Sound: x ↦ x^E = exp(E·ln x) rises strictly on x > 0 if E > 0; positive bases give values.
+    /// Sound: x ↦ x^E = exp(E·ln x) rises strictly on x > 0 if E > 0, so it keeps every relation, `!=`
+    /// among them; positive bases give values.
     pub(super) fn monotone(&mut self, step: &Step) -> Result<(), Failure> {
         let goal = Self::shown(step)?;
         let fact = self.cited_fact(step)?;

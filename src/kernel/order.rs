@@ -135,6 +135,7 @@ impl Checker {
     }
 
     /// What the kind of an atom says of its sign: naturals are not negative, exponentials positive, a
+    /// logarithm has the sign of its argument less 1, a
     /// member of a family lies in its domain, and products (sums) of positive bodies are positive
     /// (not negative: a range may be empty).
     fn structural(&self, atom: usize, depth: usize) -> Result<Signs, Failure> {
@@ -143,6 +144,12 @@ impl Checker {
             Some(Atom::Variable(name)) if self.variables.iter().any(|v| v.0 == *name && v.1) => Signs::NOT_NEGATIVE,
             Some(Atom::Bound(_)) => Signs::NOT_NEGATIVE,
             Some(Atom::Exponential(_)) => Signs::POSITIVE,
+            // ln p rises with p, and ln 1 = 0.
+            Some(Atom::Logarithm(inner)) => {
+                let one = Fraction::integer(-1);
+                let shifted = Fraction::sum(&[Fraction::of(inner), one], &mut super::fraction::Work::default())?;
+                self.fraction_signs(&shifted, depth)?
+            }
             Some(Atom::Member(name, _)) => self.family_signs(name),
             Some(Atom::Over(true, _, _, _, body)) => {
                 let body = self.fraction_signs(body, depth)?;
