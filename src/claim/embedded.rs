@@ -35,6 +35,18 @@ pub fn files() -> Vec<File> {
     out
 }
 
+/// The certificates that come with the program: name of the claim, text.
+pub fn certificates() -> Vec<(String, &'static str)> {
+    let Some(dir) = PROOFS.get_dir("certificates") else { return Vec::new() };
+    let mut out: Vec<(String, &'static str)> = dir
+        .files()
+        .filter_map(|f| Some((f.path().to_str()?.strip_suffix(".cert")?, f.contents_utf8()?)))
+        .map(|(path, text)| (stem(path).to_string(), text))
+        .collect();
+    out.sort();
+    out
+}
+
 /// The name of the claim in a file.
 pub fn stem(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path).trim_end_matches(".claim")

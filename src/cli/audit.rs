@@ -3,12 +3,15 @@
 use super::load::{self, Source};
 use super::progress::Progress;
 use super::{Exit, Format, print, write_file};
+use crate::certify::certify;
 use crate::claim::diagnostic::{Diagnostic, Fault as Wrong, nearest};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
+use crate::kernel::Accepted;
 use crate::prove::catalogue::{Catalogue, Limits};
 use crate::prove::outcome::{Fault, Outcome, Verdict};
 use crate::report::{self, Audit, Entry, Problem};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Claims ready to be judged, with the texts that errors point into.
@@ -92,6 +95,7 @@ pub fn run(
     only: &[String],
     format: Format,
     output: Option<&Path>,
+    certificates: Option<&Path>,
     limits: &Limits,
 ) -> Result<u8, Exit> {
     let mut loaded = match load(paths, only) {
@@ -114,7 +118,7 @@ pub fn run(
         match loaded.judge(name, limits) {
             Ok(outcome) => {
                 if let Some(claim) = loaded.catalogue.get(name) {
-                    entries.push(Entry { claim: claim.clone(), outcome });
+                    entries.push(Entry { claim: claim.clone(), outcome, certificate: None });
                 }
             }
             Err(exit) => {
@@ -124,6 +128,9 @@ pub fn run(
         }
     }
     progress.finish();
+    if let Some(folder) = certificates {
+        write_certificates(&loaded.catalogue, &mut entries, folder)?;
+    }
     let audit = Audit { entries, problems, judged: loaded.catalogue.work() };
     write(&audit, format, output)?;
     if !messages.is_empty() {
@@ -139,6 +146,41 @@ pub fn run(
         _ if unexpected.iter().all(limit) => 3,
         _ => 1,
     })
+}
+
+/// Writes a certificate for each claim that was proved, and says for which none was found.
+fn write_certificates(catalogue: &Catalogue, entries: &mut [Entry], folder: &Path) -> Result<(), Exit> {
+    std::fs::create_dir_all(folder)
+        .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
+    let proved: Vec<Claim> =
+        entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).map(|e| e.claim.clone()).collect();
+    let mut accepted: BTreeMap<String, Result<Accepted, String>> = BTreeMap::new();
+    for claim in catalogue.in_order(&proved) {
+        let cited: Vec<&Accepted> =
+            claim.using.iter().filter_map(|n| accepted.get(&n.text).and_then(|r| r.as_ref().ok())).collect();
+        let result = match certify(&claim, &cited) {
+            Ok((certificate, shown)) => {
+                let path = folder.join(format!("{}.cert", claim.name.text));
+                write_file(&path, &crate::certificate::text::write(&certificate))?;
+                for entry in entries.iter_mut().filter(|e| e.claim.name.text == claim.name.text) {
+                    entry.certificate = Some(path.display().to_string());
+                }
+                Ok(shown)
+            }
+            Err(reason) => Err(reason),
+        };
+        accepted.insert(claim.name.text.clone(), result);
+    }
+    let missing: Vec<String> = accepted
+        .iter()
+        .filter_map(|(name, result)| result.as_ref().err().map(|reason| format!("  {name}: {reason}")))
+        .collect();
+    let mut message = format!("{} of {} proved claims have a certificate", accepted.len() - missing.len(), accepted.len());
+    if !missing.is_empty() {
+        message += &format!("; proved, no certificate:\n{}", missing.join("\n"));
+    }
+    let _ = std::io::Write::write_all(&mut anstream::stderr(), format!("{message}\n").as_bytes());
+    Ok(())
 }
 
 /// A failure as a report shows it; the message for the terminal may have colours.

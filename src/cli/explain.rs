@@ -14,7 +14,7 @@ pub fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) 
     let Some(claim) = loaded.catalogue.get(id).cloned() else {
         return Err(Exit::usage(format!("error: no claim is called {id}")));
     };
-    let entry = Entry { claim, outcome };
+    let entry = Entry { claim, outcome, certificate: None };
     print(&match format {
         ExplainFormat::Text => argument::text(&entry),
         ExplainFormat::Markdown => argument::markdown(&entry),

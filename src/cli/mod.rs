@@ -4,6 +4,7 @@
 //! limit was reached.
 
 mod audit;
+mod check;
 mod explain;
 mod fmt;
 mod load;
@@ -41,8 +42,22 @@ enum Command {
         /// Write the report to a file
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
+        /// Write a certificate for each proved claim into this folder
+        #[arg(long, value_name = "DIR")]
+        certificates: Option<PathBuf>,
         #[command(flatten)]
         limits: LimitFlags,
+    },
+    /// Check certificates again with the small kernel, which trusts nothing of the prover
+    Check {
+        /// Certificates and folders of them; those of the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// Claim files and folders that the certificates are of; the built-in catalogue if none is given
+        #[arg(long, value_name = "PATH", num_args = 1..)]
+        claims: Vec<PathBuf>,
+        /// Print the verdicts only, not the statements as the kernel understood them
+        #[arg(long)]
+        quiet: bool,
     },
     /// Print the whole argument of one claim
     Explain {
@@ -177,9 +192,10 @@ pub fn run() -> ExitCode {
 
 fn dispatch(command: Command) -> Result<u8, Exit> {
     match command {
-        Command::Audit { paths, only, format, output, limits } => {
-            audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
+        Command::Audit { paths, only, format, output, certificates, limits } => {
+            audit::run(&paths, &only, format, output.as_deref(), certificates.as_deref(), &limits.limits())
         }
+        Command::Check { paths, claims, quiet } => check::run(&paths, &claims, quiet),
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),

@@ -92,6 +92,30 @@ impl Catalogue {
         self.index.get(name).map(|i| &self.claims[*i])
     }
 
+    /// Claims and all that they cite, those cited first.
+    pub fn in_order(&self, claims: &[Claim]) -> Vec<Claim> {
+        let mut out: Vec<Claim> = Vec::new();
+        let mut stack: Vec<Claim> = claims.iter().rev().cloned().collect();
+        while let Some(claim) = stack.pop() {
+            if out.iter().any(|c| c.name.text == claim.name.text) {
+                continue;
+            }
+            let missing: Vec<Claim> = claim
+                .using
+                .iter()
+                .filter(|n| !out.iter().any(|c| c.name.text == n.text))
+                .filter_map(|n| self.get(&n.text).cloned())
+                .collect();
+            if missing.is_empty() {
+                out.push(claim);
+            } else {
+                stack.push(claim);
+                stack.extend(missing);
+            }
+        }
+        out
+    }
+
     /// How many claims were judged so far.
     pub fn work(&self) -> usize {
         self.judged

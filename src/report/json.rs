@@ -58,6 +58,6 @@ fn one(entry: &Entry) -> Value {
         })).collect::<Vec<_>>()),
         "reason": outcome.reason,
         "notes": claim.notes,
-        "certificate": null,
+        "certificate": entry.certificate,
     })
 }

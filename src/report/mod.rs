@@ -16,6 +16,8 @@ pub struct Entry {
     pub claim: Claim,
     /// The outcome.
     pub outcome: Outcome,
+    /// The file of its certificate, if one was written.
+    pub certificate: Option<String>,
 }
 
 impl Entry {

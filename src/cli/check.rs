@@ -1,0 +1,188 @@
+//! `carom check`
+
+use super::{Exit, load, print};
+use crate::certificate::Certificate;
+use crate::certificate::text::{FILE_LIMIT, digest, read};
+use crate::claim::diagnostic::Diagnostic;
+use crate::claim::embedded;
+use crate::claim::syntax::Claim;
+use crate::kernel::{self, Accepted, Verdict};
+use std::collections::BTreeMap;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// A certificate with where it comes from.
+struct Found {
+    origin: String,
+    certificate: Certificate,
+}
+
+/// What one certificate came to.
+enum Outcome {
+    Accepted(Box<Accepted>),
+    Rejected(String),
+    Declined(&'static str),
+}
+
+/// Runs the command: exit 1 if a certificate is rejected, 3 if a limit was reached.
+pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+    let claims: Vec<Claim> = if claims.is_empty() {
+        let broken = |faults: Vec<Diagnostic>| {
+            Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
+        };
+        embedded::claims(&[]).map_err(broken)?.unwrap_or_default()
+    } else {
+        load::claims(&load::files(claims)?)?.0
+    };
+    let (asked, found) = certificates(paths)?;
+    let mut outcomes: BTreeMap<String, Outcome> = BTreeMap::new();
+    for name in &asked {
+        judge(name, &claims, &found, &mut outcomes);
+    }
+    let (mut out, mut code, mut good) = (String::new(), 0, 0);
+    for name in &asked {
+        let origin = found.get(name).map_or("", |f| f.origin.as_str());
+        match outcomes.get(name) {
+            Some(Outcome::Accepted(accepted)) => {
+                good += 1;
+                out += &format!("accepted  {name}");
+                if !accepted.rests_on().is_empty() {
+                    let list: Vec<&str> = accepted.rests_on().iter().map(String::as_str).collect();
+                    out += &format!("  (rests on {})", list.join(", "));
+                }
+                out.push('\n');
+                if !quiet {
+                    out += &accepted.text().lines().map(|l| format!("    {l}\n")).collect::<String>();
+                }
+            }
+            Some(Outcome::Rejected(reason)) => {
+                code = 1;
+                out += &format!("rejected  {name}  {origin}: {reason}\n");
+            }
+            Some(Outcome::Declined(limit)) => {
+                code = if code == 1 { 1 } else { 3 };
+                out += &format!("declined  {name}  {origin}: limit reached: {limit}\n");
+            }
+            None => {}
+        }
+    }
+    out += &format!("{good} of {} certificates accepted\n", asked.len());
+    print(&out)?;
+    Ok(code)
+}
+
+/// The certificates to judge, and all that were found: cited claims may have theirs beside them.
+fn certificates(paths: &[PathBuf]) -> Result<(Vec<String>, BTreeMap<String, Found>), Exit> {
+    let mut found = BTreeMap::new();
+    let mut asked = Vec::new();
+    if paths.is_empty() {
+        for (name, text) in embedded::certificates() {
+            let certificate = parsed(&format!("{name}.cert"), text)?;
+            asked.push(certificate.claim.clone());
+            found.insert(certificate.claim.clone(), Found { origin: format!("{name}.cert"), certificate });
+        }
+        return Ok((asked, found));
+    }
+    let mut beside: Vec<PathBuf> = Vec::new();
+    for path in paths {
+        let files = if path.is_dir() { listed(path)? } else { vec![path.clone()] };
+        if files.is_empty() {
+            return Err(Exit::usage(format!("error: no .cert files in {}", path.display())));
+        }
+        for file in files {
+            let certificate = parsed(&file.display().to_string(), &text_of(&file)?)?;
+            asked.push(certificate.claim.clone());
+            let origin = file.display().to_string();
+            if let Some(other) = found.insert(certificate.claim.clone(), Found { origin: origin.clone(), certificate }) {
+                return Err(Exit::usage(format!("error: {} and {origin} are certificates of the same claim", other.origin)));
+            }
+            beside.extend(file.parent().map(|p| if p.as_os_str().is_empty() { PathBuf::from(".") } else { p.to_path_buf() }));
+        }
+    }
+    beside.sort();
+    beside.dedup();
+    for folder in beside {
+        for file in listed(&folder)? {
+            let name = file.file_stem().and_then(|s| s.to_str()).unwrap_or_default().to_string();
+            if !found.contains_key(&name) {
+                let origin = file.display().to_string();
+                let certificate = parsed(&origin, &text_of(&file)?)?;
+                found.entry(certificate.claim.clone()).or_insert(Found { origin, certificate });
+            }
+        }
+    }
+    Ok((asked, found))
+}
+
+fn listed(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
+    let fault = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", folder.display()));
+    let mut out = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(fault)? {
+        let path = entry.map_err(fault)?.path();
+        if path.extension().is_some_and(|e| e == "cert") {
+            out.push(path);
+        }
+    }
+    out.sort();
+    Ok(out)
+}
+
+fn text_of(path: &Path) -> Result<String, Exit> {
+    let fault = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
+    let mut bytes = Vec::new();
+    let limit = u64::try_from(FILE_LIMIT).unwrap_or(u64::MAX).saturating_add(1);
+    std::fs::File::open(path).map_err(fault)?.take(limit).read_to_end(&mut bytes).map_err(fault)?;
+    String::from_utf8(bytes).map_err(|_| Exit::usage(format!("error: {} is not UTF-8 text", path.display())))
+}
+
+fn parsed(origin: &str, text: &str) -> Result<Certificate, Exit> {
+    read(text).map_err(|m| Exit::usage(format!("error: {origin}:{}: {}", m.line, m.message)))
+}
+
+/// Judges a certificate, those of the claims that it cites first.
+fn judge(name: &str, claims: &[Claim], found: &BTreeMap<String, Found>, outcomes: &mut BTreeMap<String, Outcome>) {
+    let mut stack = vec![name.to_string()];
+    while let Some(top) = stack.last().cloned() {
+        if outcomes.contains_key(&top) {
+            stack.pop();
+            continue;
+        }
+        let (Some(claim), Some(here)) = (claims.iter().find(|c| c.name.text == top), found.get(&top)) else {
+            let what = if found.contains_key(&top) { "there is no claim of this name" } else { "it has no certificate" };
+            outcomes.insert(top, Outcome::Rejected(what.to_string()));
+            stack.pop();
+            continue;
+        };
+        let open: Vec<String> = claim
+            .using
+            .iter()
+            .map(|n| n.text.clone())
+            .filter(|n| !outcomes.contains_key(n) && !stack.contains(n) && found.contains_key(n))
+            .collect();
+        if !open.is_empty() {
+            stack.extend(open);
+            continue;
+        }
+        let cited: Vec<&Accepted> = claim
+            .using
+            .iter()
+            .filter_map(|n| match outcomes.get(&n.text) {
+                Some(Outcome::Accepted(accepted)) => Some(&**accepted),
+                _ => None,
+            })
+            .collect();
+        let outcome = match kernel::check(claim, &here.certificate, &cited) {
+            Verdict::Accepted(accepted) if digest(&accepted.text()) == here.certificate.statement => {
+                Outcome::Accepted(accepted)
+            }
+            Verdict::Accepted(_) => Outcome::Rejected("the digest is that of another statement".to_string()),
+            Verdict::Rejected { step, rule, reason } => Outcome::Rejected(match step.as_str() {
+                "" => format!("{rule}: {reason}"),
+                _ => format!("step {step} ({rule}): {reason}"),
+            }),
+            Verdict::Declined { limit } => Outcome::Declined(limit),
+        };
+        outcomes.insert(top, outcome);
+        stack.pop();
+    }
+}

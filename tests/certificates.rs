@@ -1,0 +1,308 @@
+//! The catalogue's certificates: accepted, complete as stated, and rejected once they are damaged.
+//!
+//! `CAROM_MUTANTS=N` damages each certificate in N ways (a few, if it is not set).
+
+use carom::certificate::Certificate;
+use carom::certificate::text::{digest, read, write};
+use carom::claim::embedded;
+use carom::claim::syntax::*;
+use carom::kernel::{Accepted, Verdict, check};
+use std::collections::BTreeMap;
+
+/// Proved claims of the catalogue without a certificate, in order: an honest list. The reasons stand in
+/// `proofs/certificates/README.md`.
+const WITHOUT: &str = include_str!("certificates/without.txt");
+
+fn deep<T: Send + 'static>(run: impl FnOnce() -> T + Send + 'static) -> T {
+    std::thread::Builder::new().stack_size(256 << 20).spawn(run).unwrap().join().unwrap()
+}
+
+fn claims() -> Vec<Claim> {
+    embedded::claims(&[]).unwrap().unwrap()
+}
+
+type Check = dyn Fn(&Claim, &Certificate, &[&Accepted]) -> bool;
+
+/// Every committed certificate with its claim, cited ones first, and what was accepted so far.
+fn all() -> (Vec<(Claim, String)>, BTreeMap<String, Accepted>) {
+    let texts: BTreeMap<String, &str> = embedded::certificates().into_iter().collect();
+    let mut waiting: Vec<Claim> = claims().into_iter().filter(|c| texts.contains_key(&c.name.text)).collect();
+    let mut accepted: BTreeMap<String, Accepted> = BTreeMap::new();
+    let mut out = Vec::new();
+    while !waiting.is_empty() {
+        let before = waiting.len();
+        for claim in std::mem::take(&mut waiting) {
+            if claim.using.iter().any(|n| texts.contains_key(&n.text) && !accepted.contains_key(&n.text)) {
+                waiting.push(claim);
+                continue;
+            }
+            let text = texts[&claim.name.text];
+            let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
+            match check(&claim, &read(text).unwrap(), &cited) {
+                Verdict::Accepted(shown) => {
+                    assert_eq!(digest(&shown.text()), read(text).unwrap().statement, "{}", claim.name.text);
+                    accepted.insert(claim.name.text.clone(), *shown);
+                }
+                other => panic!("{}: {other:?}", claim.name.text),
+            }
+            out.push((claim, text.to_string()));
+        }
+        assert!(waiting.len() < before, "certificates that wait for one another");
+    }
+    (out, accepted)
+}
+
+#[test]
+fn every_committed_certificate_is_accepted_and_every_gap_is_listed() {
+    deep(|| {
+        let (list, _) = all();
+        let have: Vec<String> = list.iter().map(|c| c.0.name.text.clone()).collect();
+        let claims = claims();
+        let mut gaps: Vec<&str> = claims
+            .iter()
+            .filter(|c| c.expect == Expectation::Proved && !have.contains(&c.name.text))
+            .map(|c| c.name.text.as_str())
+            .collect();
+        gaps.sort_unstable();
+        assert_eq!(gaps, WITHOUT.lines().collect::<Vec<_>>());
+        assert!(!list.is_empty());
+        for (claim, _) in &list {
+            assert_eq!(claim.expect, Expectation::Proved, "{}", claim.name.text);
+        }
+        let names: Vec<String> = embedded::certificates().into_iter().map(|c| c.0).collect();
+        assert_eq!(names.len(), have.len(), "a certificate of no claim");
+    });
+}
+
+#[test]
+fn certificates_read_back_as_they_were_written() {
+    for (name, text) in embedded::certificates() {
+        assert_eq!(write(&read(text).unwrap()), text, "{name}");
+    }
+}
+
+/// A bounded share; the whole is made again by `.ci/run`.
+#[test]
+fn small_certificates_are_found_again_just_as_they_are() {
+    deep(|| {
+        let (list, accepted) = all();
+        for (claim, text) in list.iter().filter(|c| c.1.len() < 700) {
+            let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
+            let (found, _) = carom::certify::certify(claim, &cited).unwrap();
+            assert_eq!(write(&found), *text, "{}", claim.name.text);
+        }
+    });
+}
+
+fn flipped(relation: Relation) -> Relation {
+    match relation {
+        Relation::Equal => Relation::NotEqual,
+        Relation::NotEqual => Relation::Equal,
+        Relation::Less => Relation::GreaterEqual,
+        Relation::LessEqual => Relation::Greater,
+        Relation::Greater => Relation::LessEqual,
+        Relation::GreaterEqual => Relation::Less,
+    }
+}
+
+/// Another goal: the first relation turned round, or the words after a limit or extremum changed.
+fn other_goal(p: &Prop) -> Prop {
+    let two = |e: &Expr| Expr {
+        kind: ExprKind::Sum(vec![
+            (Sign::Plus, e.clone()),
+            (Sign::Plus, Expr { kind: ExprKind::Number("1".to_string()), span: Span::default() }),
+        ]),
+        span: Span::default(),
+    };
+    let kind = match &p.kind {
+        PropKind::Compare(sides, relations) => {
+            let mut relations = relations.clone();
+            relations[0] = flipped(relations[0]);
+            PropKind::Compare(sides.clone(), relations)
+        }
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+            let mut list = list.clone();
+            list[0] = other_goal(&list[0]);
+            match &p.kind {
+                PropKind::And(_) => PropKind::And(list),
+                PropKind::Or(_) => PropKind::Or(list),
+                _ => PropKind::Equivalent(list),
+            }
+        }
+        PropKind::Not(inner) => inner.kind.clone(),
+        PropKind::Implies(a, b) => PropKind::Implies(a.clone(), Box::new(other_goal(b))),
+        PropKind::Exists(b, body) => PropKind::Exists(b.clone(), Box::new(other_goal(body))),
+        PropKind::ForAll(b, body) => PropKind::ForAll(b.clone(), Box::new(other_goal(body))),
+        PropKind::Extremum(e) => PropKind::Extremum(Box::new(Extremum { value: two(&e.value), ..(**e).clone() })),
+        PropKind::Limit(l) => PropKind::Limit(Box::new(Limit { value: two(&l.value), ..(**l).clone() })),
+    };
+    Prop { kind, span: p.span }
+}
+
+/// What a sound and complete check does; the faults of the one that is tried.
+fn faults(tried: &Check) -> Vec<String> {
+    let (list, accepted) = all();
+    let mut out = Vec::new();
+    for (place, (claim, text)) in list.iter().enumerate() {
+        let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
+        let certificate = read(text).unwrap();
+        let name = &claim.name.text;
+        if !tried(claim, &certificate, &cited) {
+            out.push(format!("{name}: rejects a good certificate"));
+        }
+        let changed = Claim { goal: other_goal(&claim.goal), ..claim.clone() };
+        if tried(&changed, &certificate, &cited) {
+            out.push(format!("{name}: accepts it for another goal"));
+        }
+        let mut shorter = certificate.clone();
+        shorter.steps.pop();
+        if tried(claim, &shorter, &cited) {
+            out.push(format!("{name}: accepts it without its last step"));
+        }
+        // The certificate of another claim, under this one's name.
+        let (other, other_text) = &list[(place + 1) % list.len()];
+        if other.name.text != *name {
+            let stolen = Certificate { claim: name.clone(), ..read(other_text).unwrap() };
+            if tried(claim, &stolen, &cited) {
+                out.push(format!("{name}: accepts the certificate of {}", other.name.text));
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn the_kernel_passes_and_mock_kernels_are_caught() {
+    deep(|| {
+        let kernel = |c: &Claim, cert: &Certificate, cited: &[&Accepted]| {
+            matches!(check(c, cert, cited), Verdict::Accepted(_))
+        };
+        assert_eq!(faults(&kernel), Vec::<String>::new());
+        let mocks: [(&str, &Check); 4] = [
+            ("always accepts", &|_, _, _| true),
+            ("always rejects", &|_, _, _| false),
+            ("only looks at the name", &|c, cert, _| c.name.text == cert.claim),
+            ("only looks whether there are steps", &|c, cert, _| c.name.text == cert.claim && !cert.steps.is_empty()),
+        ];
+        for (name, mock) in mocks {
+            assert!(!faults(mock).is_empty(), "a kernel that {name} is not caught");
+        }
+    });
+}
+
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        usize::try_from(self.0 >> 33).unwrap() % n.max(1)
+    }
+}
+
+/// One way to damage a text; `None` where it does not apply.
+fn damaged(text: &str, kind: usize, random: &mut Random) -> Option<(&'static str, String)> {
+    let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
+    let at = 3 + random.below(lines.len() - 4);
+    let replace_one = |text: &str, random: &mut Random, pairs: &[(&str, &str)]| -> Option<String> {
+        let body = text.find("\n1 ")?;
+        let places: Vec<(usize, &str, &str)> = pairs
+            .iter()
+            .flat_map(|(a, b)| text[body..].match_indices(a).map(move |(i, _)| (body + i, *a, *b)))
+            .collect();
+        let (i, a, b) = *places.get(random.below(places.len()))?;
+        Some(format!("{}{b}{}", &text[..i], &text[i + a.len()..]))
+    };
+    let out = match kind % 9 {
+        0 => {
+            lines.remove(at);
+            ("line removed", lines.join("\n") + "\n")
+        }
+        1 => {
+            let line = lines[at].clone();
+            lines.insert(at, line);
+            ("line doubled", lines.join("\n") + "\n")
+        }
+        2 => {
+            let other = 3 + random.below(lines.len() - 4);
+            lines.swap(at, other);
+            ("lines swapped", lines.join("\n") + "\n")
+        }
+        3 => {
+            let places: Vec<usize> = text.match_indices(|c: char| c.is_ascii_digit()).map(|m| m.0).collect();
+            let i = *places.get(random.below(places.len()))?;
+            let digit = char::from(b'0' + u8::try_from(random.below(10)).unwrap());
+            ("digit changed", format!("{}{digit}{}", &text[..i], &text[i + 1..]))
+        }
+        4 => ("sign changed", replace_one(text, random, &[(" + ", " - "), (" - ", " + "), ("*", "/"), ("/", "*")])?),
+        5 => {
+            let pairs = [(" >= ", " > "), (" > ", " >= "), (" = ", " <= "), (" <= ", " < "), (" < ", " <= "), (" != ", " = ")];
+            ("relation changed", replace_one(text, random, &pairs)?)
+        }
+        6 => {
+            let mut cut = random.below(text.len());
+            while !text.is_char_boundary(cut) {
+                cut -= 1;
+            }
+            ("truncated", text[..cut].to_string())
+        }
+        7 => {
+            let place = text.find("sha256 ")? + 7 + random.below(64);
+            let digit = if &text[place..=place] == "0" { "1" } else { "0" };
+            ("digest changed", format!("{}{digit}{}", &text[..place], &text[place + 1..]))
+        }
+        _ => {
+            let pairs = [("sign:", "combination:"), ("combination:", "sign:"), (" from ", " to "), ("<=>", "=>"), (" and ", " or ")];
+            ("rule changed", replace_one(text, random, &pairs)?)
+        }
+    };
+    (out.1 != text).then_some(out)
+}
+
+#[test]
+fn damaged_certificates_are_rejected_or_still_show_the_same_statement() {
+    let each: usize = std::env::var("CAROM_MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(9);
+    deep(move || {
+        let (list, accepted) = all();
+        let mut counts: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+        let mut random = Random(0x5EED_0F_CA20);
+        for (claim, text) in &list {
+            let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
+            for kind in 0..each {
+                let Some((how, mutant)) = damaged(text, kind, &mut random) else { continue };
+                let count = counts.entry(how).or_default();
+                count.0 += 1;
+                let Ok(certificate) = read(&mutant) else { continue };
+                if let Verdict::Accepted(shown) = check(claim, &certificate, &cited)
+                    && digest(&shown.text()) == certificate.statement
+                {
+                    // The kernel was given the claim: what it shows is that claim, with other steps.
+                    assert_eq!(shown.text(), accepted[&claim.name.text].text());
+                    assert!(!matches!(how, "truncated" | "digest changed"), "{}: {how}", claim.name.text);
+                    count.1 += 1;
+                    if each > 100 {
+                        let line = mutant.lines().zip(text.lines()).find(|(a, b)| a != b).map(|l| l.0.to_string());
+                        println!("{}: {how}, still valid: {}", claim.name.text, line.unwrap_or_default());
+                    }
+                }
+            }
+        }
+        let (tried, valid) = counts.values().fold((0, 0), |all, c| (all.0 + c.0, all.1 + c.1));
+        println!("{tried} mutants, {valid} still valid: {counts:?}");
+        assert!(tried >= list.len(), "mutants were made");
+        assert!(valid * 5 < tried, "too many mutants are still valid: the certificates hold more than they need");
+    });
+}
+
+proptest::proptest! {
+    #[test]
+    fn the_reader_never_panics(bytes in proptest::collection::vec(proptest::num::u8::ANY, 0..300), place in 0usize..400, cut in 0usize..400) {
+        let good = "carom-certificate 1\nclaim a\nstatement sha256 0000000000000000000000000000000000000000000000000000000000000000\n1 sign: x = x\n    | term 1 2: x^2\nqed\n";
+        let noise = String::from_utf8_lossy(&bytes);
+        let _ = read(&noise);
+        let place = place.min(good.len());
+        let end = (place + cut).min(good.len());
+        let _ = read(&format!("{}{noise}{}", &good[..place], &good[end..]));
+    }
+}

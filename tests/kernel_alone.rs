@@ -1,0 +1,102 @@
+//! The kernel stands alone: it compiles with nothing but the syntax tree and the certificate as data.
+#![allow(missing_docs, dead_code)]
+
+#[path = "../src/claim"]
+mod claim {
+    pub mod syntax;
+}
+
+#[path = "../src/certificate"]
+mod certificate {
+    mod step;
+    pub use step::*;
+}
+
+#[path = "../src/kernel/mod.rs"]
+mod kernel;
+
+use certificate::{Certificate, Rule, Step};
+use claim::syntax::*;
+
+fn name(text: &str) -> Name {
+    Name { text: text.to_string(), span: Span::default() }
+}
+
+fn variable(text: &str) -> Expr {
+    Expr { kind: ExprKind::Name(text.to_string()), span: Span::default() }
+}
+
+fn compare(a: Expr, relation: Relation, b: Expr) -> Prop {
+    Prop { kind: PropKind::Compare(vec![a, b], vec![relation]), span: Span::default() }
+}
+
+fn claim(goal: Prop) -> Claim {
+    let binding = Binding {
+        names: vec![(name("x"), None)],
+        natural: false,
+        constraints: Vec::new(),
+        indices: None,
+        span: Span::default(),
+    };
+    Claim {
+        name: name("alone"),
+        title: String::new(),
+        source: None,
+        section: None,
+        number: None,
+        reading: Reading::default(),
+        notes: Vec::new(),
+        using: Vec::new(),
+        items: vec![Item::Given(vec![binding])],
+        goal,
+        proof: Proof::default(),
+        expect: Expectation::default(),
+    }
+}
+
+fn by_sign(goal: &Prop) -> Certificate {
+    let step = Step {
+        label: "1".to_string(),
+        rule: Rule::Sign,
+        from: Vec::new(),
+        prop: Some(goal.clone()),
+        with: Vec::new(),
+        times: None,
+        terms: Vec::new(),
+    };
+    Certificate { claim: "alone".to_string(), statement: String::new(), steps: vec![step] }
+}
+
+#[test]
+fn the_kernel_alone_accepts_an_identity_and_rejects_what_is_none() {
+    let right = compare(variable("x"), Relation::Equal, variable("x"));
+    let wrong = compare(variable("x"), Relation::Greater, variable("x"));
+    let accepted = kernel::check(&claim(right.clone()), &by_sign(&right), &[]);
+    assert!(matches!(accepted, kernel::Verdict::Accepted(_)), "{accepted:?}");
+    let rejected = kernel::check(&claim(wrong.clone()), &by_sign(&wrong), &[]);
+    assert!(matches!(rejected, kernel::Verdict::Rejected { .. }), "{rejected:?}");
+}
+
+#[test]
+fn the_kernel_imports_nothing_else() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/kernel");
+    let allowed = [
+        "super", "crate::certificate", "crate::claim::syntax", "num_bigint", "num_rational", "num_traits", "std",
+        "fraction", "order", "statement", "translate", "PropKind", "ExprKind",
+    ];
+    let mut lines = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        lines += text.lines().count();
+        for line in text.lines().map(str::trim_start).filter_map(|l| l.strip_prefix("use ")) {
+            let known = allowed.iter().any(|a| line.starts_with(&format!("{a}::")) || line.starts_with(&format!("{a};")));
+            assert!(known, "{}: use {line}", path.display());
+        }
+        for word in ["crate::prove", "crate::algebra", "crate::number", "malachite", "f64", "f32", "unsafe", ".unwrap()", ".expect("] {
+            assert!(!text.contains(word), "{} mentions {word}", path.display());
+        }
+    }
+    assert!(lines > 1000, "the folder was read");
+    println!("the kernel has {lines} lines");
+}
