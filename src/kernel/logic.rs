@@ -22,7 +22,8 @@ impl Checker {
 
     /// Rule `let`: opens a block for `for all x …: Q`, in which x is a new variable of that domain.
     ///
-    /// Sound: nothing is known of x but its domain; no name in use is taken, so no fact mentions x.
+    /// Sound: nothing is known of x but its domain, whose bounds have values; no name in use is taken,
+    /// so no fact mentions x.
     pub(super) fn let_values(&mut self, step: &Step) -> Result<(), Failure> {
         let goal = Self::shown(step)?;
         let PropKind::ForAll(bindings, _) = &goal.kind else { return rejected("`for all …` is needed") };
@@ -31,16 +32,11 @@ impl Checker {
         }
         self.open(step, goal.clone());
         for binding in bindings {
-            if let Err(failure) = self.declare(binding) {
-                self.blocks.pop();
-                return Err(failure);
-            }
+            self.declare(binding)?;
         }
         for (place, fact) in bindings.iter().flat_map(domain).enumerate() {
-            if let Err(failure) = self.know(&format!("{}d{}", step.label, place + 1), fact) {
-                self.blocks.pop();
-                return Err(failure);
-            }
+            self.has_values(&fact)?;
+            self.know(&format!("{}d{}", step.label, place + 1), fact)?;
         }
         Ok(())
     }

@@ -285,6 +285,13 @@ impl Checker {
         {
             return rejected("a field is missing, or is not one of this rule");
         }
+        // A walk that ends at the limits of depth and size; after it recursion is safe.
+        let walk = statement::Substitution::default();
+        step.prop.as_ref().map_or(Ok(()), |p| walk.prop(p).map(|_| ()))?;
+        let terms = step.terms.iter().map(|t| &t.factor);
+        for e in step.with.iter().map(|w| &w.1).chain(&step.times).chain(terms) {
+            walk.expr(e)?;
+        }
         if used { rejected("the label is in use") } else { Ok(()) }
     }
 
