@@ -198,6 +198,15 @@ fn judge(
     engine.used = 0;
     if result.is_ok() {
         result = engine.attempt(|engine| engine.follow(&mut proving, &statement.goal, &statement.proof));
+        let guided = !statement.proof.steps.is_empty() || statement.proof.close.is_some();
+        if guided && matches!(result, Err(Failure::NotShown(_) | Failure::Undefined(_))) {
+            // The argument leads nowhere; the statement may be plain all the same.
+            let mut alone = cx.clone();
+            let found = engine.attempt(|engine| engine.show_goal(&mut alone, &statement.goal));
+            if found.is_ok() {
+                result = found;
+            }
+        }
     }
     if let Err(Failure::Fault(diagnose)) = result {
         return Err(Fault::Text(diagnose));
