@@ -160,12 +160,7 @@ fn undecided(claim: &Claim, reason: String) -> Outcome {
     }
 }
 
-fn judge(
-    claim: &Claim,
-    statement: &Statement,
-    cited: &BTreeMap<String, Rc<Statement>>,
-    limits: &Limits,
-) -> Result<Outcome, Fault> {
+fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> Engine<'c> {
     let mut engine = Engine {
         ring: Default::default(),
         log: Vec::new(),
@@ -181,6 +176,49 @@ fn judge(
     engine.ring.degree_limit = limits.degree;
     engine.ring.terms_limit = limits.terms;
     engine.ring.bits_limit = limits.digits;
+    engine
+}
+
+/// The facts (by number) of those assumptions that the search consulted but does not need: without any
+/// one of them the statement is shown all the same.
+fn idle_assumptions(done: &Engine, statement: &Statement, limits: &Limits) -> Vec<std::ops::Range<usize>> {
+    let mut engine = engine(done.cited, limits);
+    let mut cx = Context::default();
+    let mut idle = Vec::new();
+    let domains = engine.declare(&mut cx, &statement.bindings).map(|()| cx.facts.len());
+    let Ok(mut next) = domains else { return idle };
+    for place in 0..statement.assumptions.len() {
+        let (label, prop) = &statement.assumptions[place];
+        if engine.assume(&mut cx, prop, label.clone(), Origin::Hypothesis).is_err() {
+            return idle;
+        }
+        let range = next..cx.facts.len();
+        next = cx.facts.len();
+        if range.clone().all(|fact| done.used & source(fact) == 0) {
+            continue;
+        }
+        let mut without = statement.clone();
+        without.assumptions.remove(place);
+        let mut engine = self::engine(done.cited, limits);
+        // As much work as the proof took, and a little more.
+        engine.steps = 2 * (limits.steps - done.steps.min(limits.steps)) + 1_000;
+        let mut cx = Context::default();
+        if hypotheses(&mut engine, &mut cx, &without).is_ok()
+            && engine.follow(&mut cx, &without.goal, &without.proof).is_ok()
+        {
+            idle.push(range);
+        }
+    }
+    idle
+}
+
+fn judge(
+    claim: &Claim,
+    statement: &Statement,
+    cited: &BTreeMap<String, Rc<Statement>>,
+    limits: &Limits,
+) -> Result<Outcome, Fault> {
+    let mut engine = engine(cited, limits);
     let mut cx = Context::default();
     let mut result = hypotheses(&mut engine, &mut cx, statement);
     let hypotheses_count = cx.facts.len();
@@ -222,12 +260,14 @@ fn judge(
         Ok(()) => {
             outcome.verdict = Verdict::Proved;
             outcome.method = main_rule(&engine.rules).to_string();
+            let idle = idle_assumptions(&engine, statement, limits);
             for (place, fact) in hypotheses_facts.iter().enumerate().take(hypotheses_count) {
                 let text = describe(fact, statement);
                 if text.is_empty() {
                     continue;
                 }
-                if engine.used & source(place) != 0 { outcome.used.push(text) } else { outcome.unused.push(text) }
+                let used = engine.used & source(place) != 0 && !idle.iter().any(|range| range.contains(&place));
+                if used { outcome.used.push(text) } else { outcome.unused.push(text) }
             }
             outcome.argument = engine.log.clone();
         }
