@@ -1,0 +1,3 @@
+//! Tables of certified numbers.
+
+pub mod grid;
