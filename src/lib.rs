@@ -26,7 +26,7 @@ pub mod cli;
 pub mod number;
 #[cfg(feature = "engine")]
 pub mod prove;
-#[cfg(feature = "engine")]
-pub mod table;
 #[cfg(feature = "cli")]
 pub mod report;
+#[cfg(feature = "engine")]
+pub mod table;

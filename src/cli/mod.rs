@@ -1,15 +1,19 @@
 //! The command line: one file for each subcommand.
 //!
-//! Exit codes: 0 all as expected; 1 a verdict is not as expected; 2 bad input or usage; 3 a stated
-//! limit was reached.
+//! Exit codes: 0 all as expected; 1 a verdict or a check is not as expected; 2 bad input or usage; 3 a
+//! stated limit was reached; 130 interrupted.
 
 mod audit;
 mod explain;
 mod fmt;
+mod interrupt;
 mod load;
 mod output;
+mod partial;
 mod progress;
 mod statements;
+mod table;
+mod table_check;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use output::{print, write_file};
@@ -64,6 +68,8 @@ enum Command {
         #[arg(long, value_enum, default_value = "text")]
         format: PrintFormat,
     },
+    /// Print a table of certified numbers, or check somebody's
+    Table(table::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -181,6 +187,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Completions { shell } => {

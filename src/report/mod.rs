@@ -4,6 +4,7 @@ pub mod argument;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod table;
 pub mod text;
 
 use crate::claim::print::{self, Style};

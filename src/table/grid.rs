@@ -33,7 +33,11 @@ pub struct Grid {
 enum Values {
     /// With the text as it was given.
     List(Vec<(String, Rational)>),
-    Steps { start: Rational, step: Rational, count: u64 },
+    Steps {
+        start: Rational,
+        step: Rational,
+        count: u64,
+    },
     Made(Vec<Rational>),
 }
 
@@ -76,7 +80,9 @@ impl fmt::Display for GridError {
             Self::Shape => write!(f, "a run has three parts: start:stop:step or start:stop:xFACTOR"),
             Self::Mixed => write!(f, "commas and colons cannot be mixed; write a list or one run"),
             Self::Still => write!(f, "the run stands still; write a step other than 0 or a factor other than 1"),
-            Self::Away => write!(f, "the run leads away from its stop; turn the sign of the step, or invert the factor"),
+            Self::Away => {
+                write!(f, "the run leads away from its stop; turn the sign of the step, or invert the factor")
+            }
             Self::NotPositive => write!(f, "a geometric run needs a positive start, stop and factor"),
             Self::Limit { limit, allowed } => write!(f, "limit reached: {limit}: {allowed} allowed"),
         }

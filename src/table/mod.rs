@@ -7,6 +7,7 @@
 //! **Shared work.** (25) is a product of a factor of `e` and one of the ratio, for each `n`: see [`shared`].
 
 pub mod check;
+pub mod foreign;
 pub mod grid;
 pub mod shared;
 
@@ -19,6 +20,7 @@ use crate::number::real::Real;
 use grid::Grid;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
 use std::fmt;
 
 /// The longest `p/q` that a row shows, in characters.
@@ -128,7 +130,7 @@ pub enum TableError {
         /// Which, in words.
         row: String,
         /// Why.
-        error: ChainError,
+        error: Box<ChainError>,
     },
 }
 
@@ -153,10 +155,11 @@ impl TableError {
     /// Whether a stated limit is the reason.
     #[must_use]
     pub fn is_limit(&self) -> bool {
-        matches!(
-            self,
-            Self::TooManyRows | Self::Row { error: ChainError::Number(NumberError::LimitReached { .. }), .. }
-        )
+        match self {
+            Self::TooManyRows => true,
+            Self::Row { error, .. } => matches!(**error, ChainError::Number(NumberError::LimitReached { .. })),
+            _ => false,
+        }
     }
 }
 
@@ -210,10 +213,16 @@ pub struct Further {
 pub enum Value {
     /// A real number.
     Real(Real),
-    /// An irrational number of which the digits asked for are settled already, by this enclosure.
-    Settled(Decimal, Interval),
     /// A number of bodies.
     Count(Best),
+}
+
+/// The value of a row, perhaps with its digits.
+pub enum Found {
+    /// Nothing is printed yet.
+    Open(Value),
+    /// An irrational number of which the digits asked for are settled already, by this enclosure.
+    Settled(Decimal, Interval),
 }
 
 impl Plan {
@@ -333,7 +342,7 @@ impl Plan {
     /// # Errors
     /// [`TableError::Row`] naming the row, where a limit is reached.
     pub fn value(&self, row: u64) -> Result<Value, TableError> {
-        let fail = |error| TableError::Row { row: self.in_words(row), error };
+        let fail = |error| TableError::Row { row: self.in_words(row), error: Box::new(error) };
         let place = self.place(row).ok_or(TableError::TooManyRows)?;
         value(self.quantity, &place).map_err(fail)
     }
@@ -350,23 +359,23 @@ impl Plan {
     ///
     /// # Errors
     /// [`TableError::Row`].
-    pub fn row(&self, row: u64, value: Value) -> Result<(Row, Option<Interval>), TableError> {
-        let fail = |error: NumberError| TableError::Row { row: self.in_words(row), error: error.into() };
+    pub fn row(&self, row: u64, found: Found) -> Result<(Row, Option<Interval>), TableError> {
+        let fail = |error: NumberError| TableError::Row { row: self.in_words(row), error: Box::new(error.into()) };
         let labels = self.labels(row);
-        let real = match value {
-            Value::Count(best) => {
-                let (value, exact) = count_text(&best);
-                return Ok((Row { labels, value, exact, further: None }, None));
-            }
-            Value::Settled(decimal, enclosure) => {
+        let real = match found {
+            Found::Settled(decimal, enclosure) => {
                 let row = Row { labels, value: decimal.to_string(), exact: None, further: None };
                 return Ok((row, Some(enclosure)));
             }
-            Value::Real(real) => real,
+            Found::Open(Value::Count(best)) => {
+                let (value, exact) = count_text(&best);
+                return Ok((Row { labels, value, exact, further: None }, None));
+            }
+            Found::Open(Value::Real(real)) => real,
         };
         let Printing { digits, rounding, extra } = self.printing;
         let (decimal, enclosure) = rounded(&real, digits, rounding).map_err(fail)?;
-        let exact = real.as_rational().map(Rational::to_string).filter(|text| text.len() <= MAX_EXACT);
+        let exact = real.as_rational().and_then(short);
         let further = if extra == 0 { None } else { Some(further(&real, digits, extra).map_err(fail)?) };
         Ok((Row { labels, value: decimal.to_string(), exact, further }, Some(enclosure)))
     }
@@ -387,8 +396,15 @@ pub fn value(quantity: Quantity, place: &Place) -> Result<Value, ChainError> {
     })
 }
 
+/// A rational as text, where that is short enough to show.
+fn short(x: &Rational) -> Option<String> {
+    // A digit holds more than three bits: longer ones need not be written to see that they are.
+    let bits = x.numerator_ref().significant_bits() + x.denominator_ref().significant_bits();
+    (bits <= 4 * MAX_EXACT as u64).then(|| x.to_string()).filter(|text| text.len() <= MAX_EXACT)
+}
+
 /// A number of bodies as text, and exactly where it is finite.
-fn count_text(best: &Best) -> (String, Option<String>) {
+pub(crate) fn count_text(best: &Best) -> (String, Option<String>) {
     match best {
         Best::Finite { count, .. } => (count.to_string(), Some(count.to_string())),
         Best::Infinite => ("infinite".to_owned(), None),
@@ -420,5 +436,9 @@ fn further(x: &Real, digits: Digits, extra: u64) -> Result<Further, NumberError>
     };
     let (decimal, _) = Decimal::of_real(x, more, Rounding::Zero)?;
     let (found, _) = Decimal::with_extra(x, digits, extra)?;
-    Ok(Further { decimal: decimal.to_string(), small: usize::try_from(extra).unwrap_or(usize::MAX), bound: found.bound })
+    Ok(Further {
+        decimal: decimal.to_string(),
+        small: usize::try_from(extra).unwrap_or(usize::MAX),
+        bound: found.bound,
+    })
 }

@@ -8,7 +8,7 @@
 //! **Memory.** Factors of `e` are kept for the whole table and those of one ratio until the next, [`KEPT`] of
 //! each at most; what does not fit is computed again.
 
-use super::{Place, Plan, Printing, Quantity, TableError, Value};
+use super::{Found, Place, Plan, Printing, Quantity, TableError};
 use crate::number::decimal::{Decimal, Digits};
 use crate::number::double::Double;
 use crate::number::interval::Interval;
@@ -42,14 +42,14 @@ impl<'a> Factors<'a> {
     ///
     /// # Errors
     /// As [`Plan::value`].
-    pub fn value(&mut self, row: u64) -> Result<Value, TableError> {
+    pub fn value(&mut self, row: u64) -> Result<Found, TableError> {
         if !self.shares {
-            return self.plan.value(row);
+            return self.plan.value(row).map(Found::Open);
         }
         let place = self.plan.place(row).ok_or(TableError::TooManyRows)?;
         Ok(match self.settled(row, &place) {
-            Some((decimal, enclosure)) => Value::Settled(decimal, enclosure),
-            None => self.plan.value(row)?,
+            Some((decimal, enclosure)) => Found::Settled(decimal, enclosure),
+            None => Found::Open(self.plan.value(row)?),
         })
     }
 
