@@ -153,7 +153,7 @@ proptest! {
         let e = format!("{e}/100,1/3");
         let n = format!("{n},1,{}", n * 7);
         let table = plan(Quantity::Eta, &ratio, Some(&e), Some(&n), Digits::Significant(digits), Rounding::ALL[direction]);
-        let mut factors = Factors::new(&table);
+        eprintln!("{ratio} {e} {n} {digits} {direction}"); let mut factors = Factors::new(&table);
         for row in 0..table.rows() {
             let shared = table.row(row, factors.value(row).expect("no limit")).expect("no limit").0;
             let alone = table.row(row, Found::Open(table.value(row).expect("no limit"))).expect("no limit").0;
