@@ -300,3 +300,26 @@ fn reals_settle_and_count_their_attempts() {
     assert_eq!((extra.kept.to_string().as_str(), extra.further.as_str(), extra.bound.as_str()), ("0.2", "500", "0"));
     assert_eq!(Real::rational(Rational::ONE).sign().unwrap().0, std::cmp::Ordering::Greater);
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn one_conversion_gives_the_same_decimals(r in positive_rationals(), k in 2u64..9, digits in 1u64..25, negative: bool) {
+        prop_assume!(exact_root(&r, k).is_none());
+        let power = r.clone();
+        let x = Real::enclosed(move |bits| {
+            let y = root(&power, &Natural::from(k), bits);
+            if negative { y.negated() } else { y }
+        });
+        for rounding in Rounding::ALL {
+            for asked in [Digits::Significant(digits), Digits::Places(digits - 1)] {
+                let (found, _) = Decimal::with_enclosure(&x, asked, rounding).unwrap();
+                prop_assert_eq!(&found.decimal, &Decimal::of_real(&x, asked, rounding).unwrap().0);
+                let longer = asked.plus(3);
+                prop_assert_eq!(found.lower.value(), Decimal::of_real(&x, longer, Rounding::Down).unwrap().0.value());
+                prop_assert_eq!(found.upper.value(), Decimal::of_real(&x, longer, Rounding::Up).unwrap().0.value());
+            }
+        }
+    }
+}

@@ -32,6 +32,7 @@ pub mod pass;
 pub mod recollision;
 pub mod threshold;
 pub mod transfer;
+pub mod uncertain;
 
 use crate::number::NumberError;
 use malachite::Rational;
