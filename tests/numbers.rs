@@ -294,7 +294,10 @@ fn reals_settle_and_count_their_attempts() {
     assert_eq!(x.attempts(), 1);
     let third = Real::rational(Rational::from_signeds(1, 3));
     let (extra, _) = Decimal::with_extra(&third, Digits::Significant(3), 4).unwrap();
-    assert_eq!((extra.kept.to_string().as_str(), extra.further.as_str(), extra.bound.as_str()), ("0.333", "3333", "1e-7"));
+    assert_eq!(
+        (extra.kept.to_string().as_str(), extra.further.as_str(), extra.bound.as_str()),
+        ("0.333", "3333", "1e-7")
+    );
     let short = Real::rational(Rational::from_signeds(1, 4));
     let (extra, _) = Decimal::with_extra(&short, Digits::Places(1), 3).unwrap();
     assert_eq!((extra.kept.to_string().as_str(), extra.further.as_str(), extra.bound.as_str()), ("0.2", "500", "0"));

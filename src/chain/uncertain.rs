@@ -17,8 +17,9 @@
 //! The ratio `r` ranges over `[m1_lo/m2_hi, m1_hi/m2_lo]`: the two masses are measured independently.
 
 use super::best::{Best, best};
+use super::optimum::Optimum;
 use super::threshold::{Helps, helps};
-use super::{ChainError, Positive, Restitution, Restitutions, transfer};
+use super::{ChainError, Positive, Restitution, Restitutions, recollision, transfer};
 use crate::number::NumberError;
 use crate::number::interval::Interval;
 use crate::number::rational::{NumeralError, parse};
@@ -214,6 +215,27 @@ pub fn best_over(
     let (least, level) = best(&near, &e.lo)?;
     let (greatest, other) = best(&far, &e.hi)?;
     Ok(((least, greatest), level.max(other)))
+}
+
+/// Whether bodies of optimal mass meet again after the pass, with one coefficient for all collisions: they do iff
+/// `|d|/N < −ln(e)/2`, so this ceases as `|d|` or `e` grows. `None` where it depends.
+///
+/// # Errors
+/// As [`recollision::of_optimum`].
+pub fn recollides_over(
+    first: &Range<Positive>,
+    last: &Range<Positive>,
+    e: &Range<Restitution>,
+    n: u64,
+) -> Result<(Option<bool>, Level), ChainError> {
+    let (near, far) = ratios(first, last);
+    let unit = first.lo.over(&first.lo);
+    let again = |r: Positive, e: &Restitution| {
+        recollision::of_optimum(&Optimum::new(r, unit.clone(), n, Restitutions::Same(e.clone()))?)
+    };
+    let (likeliest, level) = again(near, &e.lo)?;
+    let (least, other) = again(far, &e.hi)?;
+    Ok(((likeliest == least).then_some(least), level.max(other)))
 }
 
 /// `∏(1 + e_i)²` of lower or upper coefficients.
