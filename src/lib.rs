@@ -29,4 +29,6 @@ pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
 #[cfg(feature = "engine")]
+pub mod scene;
+#[cfg(feature = "engine")]
 pub mod table;

@@ -524,7 +524,7 @@ impl Interval {
         // |a/b − a'/b'| <= (|a − a'| + |a'/b'|·|b − b'|)/|b|, in units of 2^-extra.
         let from_divisor = Bound::of(&quotient).plus(Bound::UNIT).times(other.radius);
         let from_dividend = Bound { size: self.radius, shift: 0 }.up(extra);
-        let bound = from_dividend.plus(from_divisor).down(divisor_bits - 2).plus(Bound::UNIT);
+        let bound = from_dividend.plus(from_divisor).up(1).down(divisor_bits - 1).plus(Bound::UNIT);
         let exponent = self.exponent.saturating_sub(other.exponent);
         let exponent = exponent.saturating_sub(i64::try_from(extra).unwrap_or(i64::MAX));
         Interval::rounded(quotient, bound, exponent, bits)

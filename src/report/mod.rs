@@ -1,5 +1,6 @@
-//! An audit as text, JSON, Markdown and JUnit, and one claim's argument.
+//! An audit as text, JSON, Markdown and JUnit, one claim's argument, and the answers to a scene.
 
+pub mod answers;
 pub mod argument;
 pub mod json;
 pub mod junit;

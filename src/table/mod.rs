@@ -123,6 +123,8 @@ pub enum TableError {
     },
     /// The numbers of inserted bodies are not all integers.
     NotIntegral,
+    /// So many digits cannot be printed.
+    Digits(NumberError),
     /// More rows than a machine word counts.
     TooManyRows,
     /// A row cannot be computed.
@@ -143,6 +145,7 @@ impl fmt::Display for TableError {
             }
             Self::Range { axis, value, wanted } => write!(f, "{axis} {wanted}, not {value}"),
             Self::NotIntegral => write!(f, "n counts bodies: its values are integers"),
+            Self::Digits(error) => write!(f, "{error}"),
             Self::TooManyRows => write!(f, "limit reached: rows of a table: {} allowed", u64::MAX),
             Self::Row { row, error } => write!(f, "{row}: {error}"),
         }
@@ -156,7 +159,7 @@ impl TableError {
     #[must_use]
     pub fn is_limit(&self) -> bool {
         match self {
-            Self::TooManyRows => true,
+            Self::TooManyRows | Self::Digits(NumberError::LimitReached { .. }) => true,
             Self::Row { error, .. } => matches!(**error, ChainError::Number(NumberError::LimitReached { .. })),
             _ => false,
         }
@@ -272,6 +275,8 @@ impl Plan {
                 return Err(TableError::NotIntegral);
             }
         }
+        // Refuses numbers of digits that no row could have.
+        Decimal::of_rational(&Rational::ONE, printing.digits, printing.rounding).map_err(TableError::Digits)?;
         let rows = [Some(&ratio), e.as_ref(), n.as_ref()]
             .into_iter()
             .flatten()
