@@ -179,7 +179,8 @@ impl Optimum {
 
     /// The velocity with which body `i` arrives at its collision with body `i + 1`, or leaves for `i = N`:
     /// `∏_(j<=i)(1 + e_j)·(x/(1+x))^i·v1`.
-    fn arrival(&self, i: u64, speed: &Rational) -> Real {
+    #[must_use]
+    pub fn arrival(&self, i: u64, speed: &Rational) -> Real {
         if let Some(x) = self.step.as_rational()
             && self.exact_size(x, i) <= MAX_EXACT_BITS
         {

@@ -15,6 +15,7 @@ mod progress;
 mod statements;
 mod table;
 mod table_check;
+mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use output::{print, write_file};
@@ -73,6 +74,8 @@ enum Command {
     },
     /// Print a table of certified numbers, or check somebody's
     Table(table::Flags),
+    /// Print what each collision of a scene does, blank and as an answer key
+    Worksheet(worksheet::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -198,6 +201,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
         Command::Eval(flags) => eval::run(&flags),
+        Command::Worksheet(flags) => worksheet::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),

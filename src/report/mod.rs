@@ -7,6 +7,7 @@ pub mod junit;
 pub mod markdown;
 pub mod table;
 pub mod text;
+pub mod worksheet;
 
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};

@@ -10,6 +10,7 @@ pub mod check;
 pub mod foreign;
 pub mod grid;
 pub mod shared;
+pub mod worksheet;
 
 use crate::chain::best::{self, Best};
 use crate::chain::{ChainError, Positive, Restitution, Restitutions, threshold, transfer};
