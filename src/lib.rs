@@ -18,6 +18,8 @@ pub mod claim;
 
 #[cfg(feature = "engine")]
 pub mod algebra;
+#[cfg(feature = "engine")]
+pub mod chain;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "engine")]
@@ -26,3 +28,7 @@ pub mod number;
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
+#[cfg(feature = "engine")]
+pub mod scene;
+#[cfg(feature = "engine")]
+pub mod table;

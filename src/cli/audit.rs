@@ -107,10 +107,10 @@ pub fn run(
     };
     let all = loaded.catalogue.claims().iter().map(|c| c.name.text.clone());
     let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
-    let progress = Progress::start(names.len());
+    let progress = Progress::start(names.len() as u64);
     let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
     for (done, name) in names.iter().enumerate() {
-        progress.now(done, name);
+        progress.now(done as u64, name);
         match loaded.judge(name, limits) {
             Ok(outcome) => {
                 if let Some(claim) = loaded.catalogue.get(name) {

@@ -1,15 +1,21 @@
 //! The command line: one file for each subcommand.
 //!
-//! Exit codes: 0 all as expected; 1 a verdict is not as expected; 2 bad input or usage; 3 a stated
-//! limit was reached.
+//! Exit codes: 0 all as expected; 1 a verdict or a check is not as expected; 2 bad input or usage; 3 a
+//! stated limit was reached; 130 interrupted.
 
 mod audit;
+mod eval;
 mod explain;
 mod fmt;
+mod interrupt;
 mod load;
 mod output;
+mod partial;
 mod progress;
 mod statements;
+mod table;
+mod table_check;
+mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use output::{print, write_file};
@@ -56,6 +62,8 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
+    /// Compute with one chain: energy transfer, thresholds, masses, velocities, best number of bodies
+    Eval(Box<eval::EvalFlags>),
     /// Print statements: name, hypotheses and goal, without judging them
     Print {
         /// Names of the built-in catalogue, claim files and folders; the whole catalogue if none is given
@@ -64,6 +72,10 @@ enum Command {
         #[arg(long, value_enum, default_value = "text")]
         format: PrintFormat,
     },
+    /// Print a table of certified numbers, or check somebody's
+    Table(table::Flags),
+    /// Print what each collision of a scene does, blank and as an answer key
+    Worksheet(worksheet::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -78,9 +90,9 @@ enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
-    /// Print help: `carom help language` describes the claim language
+    /// Print help: `carom help language` describes the claim language, `carom help scene` scene files
     Help {
-        /// A subcommand, or `language`
+        /// A subcommand, `language` or `scene`
         topic: Option<String>,
     },
 }
@@ -92,6 +104,13 @@ enum Format {
     Json,
     Markdown,
     Junit,
+}
+
+/// The forms of answers.
+#[derive(Clone, Copy, ValueEnum)]
+enum ValueFormat {
+    Text,
+    Json,
 }
 
 /// The forms of an argument.
@@ -181,6 +200,9 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Eval(flags) => eval::run(&flags),
+        Command::Worksheet(flags) => worksheet::run(&flags),
+        Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Completions { shell } => {
@@ -199,12 +221,13 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
     match topic {
         None => print(&command.render_long_help().to_string())?,
         Some("language") => print(crate::claim::LANGUAGE)?,
+        Some("scene") => print(&eval::scene_help())?,
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string())?,
             None => {
                 let topics: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_string()).collect();
                 return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are {}, language",
+                    "error: there is no help on {name}; topics are {}, language, scene",
                     topics.join(", ")
                 )));
             }

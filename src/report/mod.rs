@@ -1,10 +1,13 @@
-//! An audit as text, JSON, Markdown and JUnit, and one claim's argument.
+//! An audit as text, JSON, Markdown and JUnit, one claim's argument, and the answers to a scene.
 
+pub mod answers;
 pub mod argument;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod table;
 pub mod text;
+pub mod worksheet;
 
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};
