@@ -18,6 +18,8 @@ pub mod claim;
 
 #[cfg(feature = "engine")]
 pub mod algebra;
+#[cfg(feature = "engine")]
+pub mod chain;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "engine")]

@@ -1,0 +1,3 @@
+//! The physics of point bodies that collide on a line.
+
+pub mod replay;

@@ -1,0 +1,306 @@
+//! Replay: every collision of bodies on a line, in order, with exact times.
+//!
+//! Contract: [`replay`] follows point bodies or rods between optional walls ([`Line`]) from one collision to the
+//! next. While numbers are small it is exact throughout ([`exact`]): velocities, times, places, the order of
+//! collisions, and a ledger of energy and momentum that is checked at every collision. Where numbers outgrow
+//! [`Options::exact_bits`], enclosures take over ([`certified`]): count and order stay certain, values become
+//! enclosures. It ends
+//! - *complete*: no pair approaches, or the next collision is later than asked for;
+//! - *collapse*: infinitely many collisions before a finite time, proved ([`collapse`]);
+//! - *ambiguous*: three or more bodies touch and more than one pair of them approaches ([`contact`]);
+//! - *limit*: as many collisions, or as large numbers, as [`Options`] allow.
+//!
+//! **Bodies that touch.** They are treated as if the gap were too small to matter: a touching pair that
+//! approaches collides at once; one that separates, or moves together, does not. A cluster in which one pair
+//! approaches goes on at the same instant; one in which several do is ambiguous. Bodies never stick: with
+//! restitution 0 they move on together, touching.
+//!
+//! Source of the collision: Ricardo & Lee 2015, (1), (4)–(7).
+
+mod bounds;
+pub mod collapse;
+pub mod contact;
+pub mod exact;
+mod ledger;
+mod line;
+mod queue;
+mod surd;
+
+pub use collapse::Collapse;
+pub use contact::{ContactOutcome, ContactOutcomes};
+pub use ledger::LedgerFault;
+pub use line::{Body, Line, LineError, MAX_BODIES, Wall};
+pub use surd::Surd;
+
+use exact::{Bound, Run, Stop};
+use malachite::Rational;
+use malachite::base::num::basic::traits::Zero;
+
+/// The most collisions of one replay, unless told otherwise.
+pub const MAX_EVENTS: u64 = 1_000_000;
+
+/// Numbers of more bits end the exact part of a replay, unless told otherwise.
+pub const EXACT_BITS: u64 = 65_536;
+
+/// What a replay may do.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The most collisions; an instant that has begun is finished.
+    pub max_events: u64,
+    /// Stop before the first collision later than this.
+    pub until: Option<Rational>,
+    /// How many collisions to list; all are counted.
+    pub list: usize,
+    /// Numbers of more bits end the exact part; `None` for exact whatever it costs.
+    pub exact_bits: Option<u64>,
+    /// Whether to try all orders of an ambiguous contact.
+    pub orders: bool,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { max_events: MAX_EVENTS, until: None, list: 10_000, exact_bits: Some(EXACT_BITS), orders: false }
+    }
+}
+
+/// A number of a replay.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// This number.
+    Exact(Rational),
+    /// A number of a quadratic field.
+    Surd(Surd),
+    /// A number from the first to the second.
+    Within(Rational, Rational),
+}
+
+impl Value {
+    /// The number, where it is known and rational.
+    #[must_use]
+    pub fn rational(&self) -> Option<&Rational> {
+        match self {
+            Value::Exact(x) => Some(x),
+            Value::Surd(x) => x.rational(),
+            Value::Within(lo, hi) => (lo == hi).then_some(lo),
+        }
+    }
+
+    /// Rationals around the number, for exact ones at most `2^-bits` apart.
+    #[must_use]
+    pub fn enclose(&self, bits: u64) -> (Rational, Rational) {
+        match self {
+            Value::Exact(x) => (x.clone(), x.clone()),
+            Value::Surd(x) => x.enclose(bits),
+            Value::Within(lo, hi) => (lo.clone(), hi.clone()),
+        }
+    }
+}
+
+impl From<Surd> for Value {
+    fn from(x: Surd) -> Value {
+        match x.rational() {
+            Some(q) => Value::Exact(q.clone()),
+            None => Value::Surd(x),
+        }
+    }
+}
+
+/// One collision.
+#[derive(Clone, Debug)]
+pub struct Collision {
+    /// The pair, shown by its left point: body `pair` and body `pair + 1`; 0 and the number after the last body
+    /// are walls.
+    pub pair: usize,
+    /// When.
+    pub time: Value,
+    /// Where the two touch.
+    pub position: Value,
+    /// The velocities before, left and right.
+    pub before: [Value; 2],
+    /// The velocities after.
+    pub after: [Value; 2],
+    /// The energy that it cost.
+    pub lost: Value,
+}
+
+/// How a replay ended.
+#[derive(Clone, Debug)]
+pub enum Status {
+    /// Nothing more happens, or not before the time asked for.
+    Complete,
+    /// Infinitely many collisions before a finite time.
+    Collapse(Box<Collapse>),
+    /// A stated limit.
+    Limit(Limit),
+    /// A contact with more than one possible order.
+    Ambiguous(Contact),
+}
+
+/// The limits that can end a replay.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// [`Options::max_events`], and another collision is due.
+    Events {
+        /// The limit.
+        allowed: u64,
+    },
+    /// Enclosures of this precision leave open what comes next.
+    Precision {
+        /// The limit in bits.
+        bits: u64,
+    },
+}
+
+/// A contact of three or more bodies at one instant, more than one pair of them approaching.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// The points that touch, first and last; 0 and the number after the last body are walls.
+    pub bodies: (usize, usize),
+    /// The pairs that approach, each shown by its left point.
+    pub pairs: Vec<usize>,
+    /// The instant.
+    pub time: Rational,
+    /// The outcomes of all orders, where asked for.
+    pub outcomes: Option<ContactOutcomes>,
+}
+
+/// Energy before and after, and what was lost in between.
+#[derive(Clone, Debug)]
+pub struct Energy {
+    /// At the start.
+    pub initial: Value,
+    /// At the end.
+    pub last: Value,
+    /// The difference.
+    pub lost: Value,
+}
+
+/// What a replay found.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How it ended.
+    pub status: Status,
+    /// The number of collisions, before the collapse where there is one.
+    pub count: u64,
+    /// The first of them, as many as asked for.
+    pub events: Vec<Collision>,
+    /// The time that `positions` belong to: of the last collision, of the collapse or contact, or the one asked for.
+    pub time: Value,
+    /// The velocities of the bodies at the end; in a collapse those that they approach.
+    pub velocities: Vec<Value>,
+    /// The positions of the bodies at `time`.
+    pub positions: Vec<Value>,
+    /// The kinetic energy.
+    pub energy: Energy,
+    /// The momentum at the start and at the end; only walls change it.
+    pub momentum: (Value, Value),
+    /// Instants at which several separate pairs collide.
+    pub simultaneous: u64,
+    /// The most bits of a numerator or denominator of the state, after 0, 1, 2, 4, 8, … collisions.
+    pub growth: Vec<(u64, u64)>,
+    /// Up to which collision the run was exact; `None` if throughout.
+    pub exact_until: Option<u64>,
+}
+
+/// Replays the line.
+///
+/// ```
+/// use carom::chain::replay::{Body, Line, Options, Status, replay};
+/// use malachite::Rational;
+/// let body = |x: i32, v: i32| Body {
+///     mass: Rational::from(1),
+///     position: Rational::from(x),
+///     velocity: Rational::from(v),
+///     length: Rational::from(0),
+/// };
+/// let half = Rational::from_signeds(1, 2);
+/// let line = Line::new(&[body(0, 1), body(1, 0), body(2, 0)], &[half.clone(), half], None, None).unwrap();
+/// let outcome = replay(&line, &Options::default()).unwrap();
+/// assert!(matches!(outcome.status, Status::Complete));
+/// assert_eq!(outcome.count, 3);
+/// ```
+///
+/// # Errors
+/// [`LedgerFault`] where energy or momentum do not add up: a fault of this program.
+pub fn replay(line: &Line, options: &Options) -> Result<Outcome, LedgerFault> {
+    let mut run = Run::new(line);
+    let bound = Bound {
+        events: options.max_events,
+        until: options.until.as_ref(),
+        list: options.list,
+        bits: options.exact_bits,
+    };
+    let stop = run.go(&bound)?;
+    run.ledger.balance(line, &run.v)?;
+    let status = match stop {
+        Stop::Quiet | Stop::Until => Status::Complete,
+        Stop::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
+        Stop::Grown => Status::Limit(Limit::Precision { bits: options.exact_bits.unwrap_or(0) }),
+        Stop::Collapse(found) => Status::Collapse(found),
+        Stop::Ambiguous { cluster, pairs, time } => Status::Ambiguous(Contact {
+            bodies: (cluster.0 + line.first, cluster.1 + line.first),
+            pairs: pairs.iter().map(|p| p + line.first).collect(),
+            time,
+            outcomes: options.orders.then(|| contact::outcomes(line, &run.v, cluster.0, cluster.1)),
+        }),
+    };
+    Ok(conclude(line, run, status, options))
+}
+
+/// The state at the end of an exact run.
+fn conclude(line: &Line, run: Run, status: Status, options: &Options) -> Outcome {
+    let start: Vec<Rational> = line.points.iter().map(|p| p.velocity.clone()).collect();
+    let mut v = run.v.clone();
+    let mut joined = None;
+    let time = match (&status, &options.until) {
+        (Status::Collapse(found), _) => {
+            let points = found.bodies.0 - line.first..=found.bodies.1 - line.first;
+            for k in points.clone() {
+                v[k] = found.velocity.clone();
+            }
+            joined = Some(points);
+            Value::from(found.time.clone())
+        }
+        (Status::Ambiguous(contact), _) => Value::Exact(contact.time.clone()),
+        (Status::Complete, Some(until)) => Value::Exact(until.clone()),
+        _ => Value::Exact(run.time()),
+    };
+    let positions = line.body_points().map(|k| {
+        let offset = &line.points[k].offset;
+        match (&time, &status) {
+            (_, Status::Collapse(found)) if joined.as_ref().is_some_and(|j| j.contains(&k)) => {
+                let middle = found.middle() - line.first;
+                Value::from(found.position.plus(&(offset - &line.points[middle].offset)))
+            }
+            (Value::Surd(t), _) => Value::from(t.times(&run.v[k]).plus(&(&run.b[k] + offset))),
+            (t, _) => match t.rational() {
+                Some(t) => Value::Exact(&run.b[k] + &run.v[k] * t + offset),
+                None => Value::Exact(run.b[k].clone()),
+            },
+        }
+    });
+    let positions = positions.collect();
+    let initial = ledger::energy(line, &start);
+    let last = ledger::energy(line, &v);
+    let mut growth = run.growth;
+    if growth.last().is_none_or(|g| g.0 < run.count) {
+        growth.push((run.count, run.largest));
+    }
+    Outcome {
+        status,
+        count: run.count,
+        events: run.events,
+        time,
+        positions,
+        energy: Energy {
+            lost: Value::Exact(&initial - &last),
+            initial: Value::Exact(initial),
+            last: Value::Exact(last),
+        },
+        momentum: (Value::Exact(ledger::momentum(line, &start)), Value::Exact(ledger::momentum(line, &v))),
+        velocities: line.body_points().map(|k| Value::Exact(v[k].clone())).collect(),
+        simultaneous: run.simultaneous,
+        growth,
+        exact_until: None,
+    }
+}
