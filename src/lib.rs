@@ -28,3 +28,5 @@ pub mod number;
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
+#[cfg(feature = "cli")]
+pub mod scene;

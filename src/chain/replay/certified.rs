@@ -1,0 +1,478 @@
+//! The certified run: worldlines as enclosures, count and order still certain.
+//!
+//! **Why local certainty is enough.** A set of worldlines in which every corner is a collision that obeys the
+//! laws, and neighbours never cross, is *the* motion from its start: by induction over its collisions in the
+//! order of time. So the order of collisions far apart need not be decided, only what makes the worldlines
+//! consistent. For the collision of points `p`, `p+1` at `T`, and likewise on the left:
+//! - its time lies before the meeting of `p+1` and `p+2`, where these approach; and
+//! - `p+2` had its last corner before `T`; or else its gap to `p+1` is positive at both times for all worldlines
+//!   before and after both corners, hence, being linear, in between.
+//!
+//! Then the gap to `p+2` is positive up to `T` and the next meeting, computed from the new worldlines, is later
+//! than both corners by itself. Times that follow one another on one pair are never compared: a heavy body that
+//! sends a light one against a wall a million times needs the signs of velocities only.
+//!
+//! **Precision.** The run is repeated with more bits where a sign or an order stays open, up to
+//! [`MAX_BITS`]; a true tie of neighbouring times stays open for ever and ends as a limit.
+//!
+//! **Values.** What happened is kept as a [`History`]: runs of two pairs in turn with their length. Velocities
+//! and intercepts are products of transfer matrices; a run is one power. They are evaluated when asked for,
+//! with as many bits as the digits need, or exactly.
+
+use super::bounds::Bounds;
+use super::exact::Run;
+use super::line::Line;
+use super::queue::Queue;
+use super::{Collision, Value};
+use malachite::Rational;
+use std::cmp::Ordering;
+
+/// The most bits of an enclosure of the run.
+pub const MAX_BITS: u64 = 4096;
+
+/// The operations that follow a worldline.
+pub(super) trait Number: Clone {
+    fn of(x: &Rational, bits: u64) -> Self;
+    fn plus(&self, other: &Self, bits: u64) -> Self;
+    fn minus(&self, other: &Self, bits: u64) -> Self;
+    fn times(&self, other: &Self, bits: u64) -> Self;
+}
+
+/// A number known up to an enclosure.
+pub(super) trait Enclosure: Number {
+    fn over(&self, other: &Self, bits: u64) -> Self;
+    fn sign(&self) -> Option<Ordering>;
+    /// A double to order the heap by; it decides nothing.
+    fn guess(&self) -> f64;
+    fn value(&self) -> Option<Value>;
+}
+
+impl Number for Rational {
+    fn of(x: &Rational, _: u64) -> Rational {
+        x.clone()
+    }
+    fn plus(&self, other: &Rational, _: u64) -> Rational {
+        self + other
+    }
+    fn minus(&self, other: &Rational, _: u64) -> Rational {
+        self - other
+    }
+    fn times(&self, other: &Rational, _: u64) -> Rational {
+        self * other
+    }
+}
+
+impl Number for Bounds {
+    fn of(x: &Rational, _: u64) -> Bounds {
+        Bounds::of(x)
+    }
+    fn plus(&self, other: &Bounds, _: u64) -> Bounds {
+        Bounds::plus(*self, *other)
+    }
+    fn minus(&self, other: &Bounds, _: u64) -> Bounds {
+        Bounds::minus(*self, *other)
+    }
+    fn times(&self, other: &Bounds, _: u64) -> Bounds {
+        Bounds::times(*self, *other)
+    }
+}
+
+impl Enclosure for Bounds {
+    fn over(&self, other: &Bounds, _: u64) -> Bounds {
+        Bounds::over(*self, *other)
+    }
+    fn sign(&self) -> Option<Ordering> {
+        Bounds::sign(*self)
+    }
+    fn guess(&self) -> f64 {
+        self.lo
+    }
+    fn value(&self) -> Option<Value> {
+        Some(Value::Within(Rational::try_from(self.lo).ok()?, Rational::try_from(self.hi).ok()?))
+    }
+}
+
+/// Two pairs that collide in turn, `count` collisions in all, `first` first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Turns {
+    first: u32,
+    second: u32,
+    count: u64,
+}
+
+/// The order of collisions: 16 bytes for each break of a pattern.
+#[derive(Clone, Debug, Default)]
+pub(super) struct History {
+    turns: Vec<Turns>,
+}
+
+impl History {
+    fn push(&mut self, pair: usize) {
+        let pair = pair as u32;
+        if let Some(turns) = self.turns.last_mut() {
+            if turns.count == 1 && turns.first.abs_diff(pair) == 1 {
+                *turns = Turns { second: pair, count: 2, ..*turns };
+                return;
+            }
+            let next = if turns.count.is_multiple_of(2) { turns.first } else { turns.second };
+            if turns.count > 1 && next == pair {
+                turns.count += 1;
+                return;
+            }
+        }
+        self.turns.push(Turns { first: pair, second: pair, count: 1 });
+    }
+
+    /// The number of entries.
+    pub fn entries(&self) -> usize {
+        self.turns.len()
+    }
+
+    /// The last pair, and the history before it.
+    fn split_last(&self) -> Option<(usize, History)> {
+        let mut before = self.clone();
+        let turns = before.turns.last_mut()?;
+        let last = if turns.count.is_multiple_of(2) { turns.second } else { turns.first };
+        turns.count -= 1;
+        if turns.count == 0 {
+            before.turns.pop();
+        }
+        Some((last as usize, before))
+    }
+
+    /// Applies all collisions to numbers that change as velocities do.
+    fn apply<N: Number>(&self, line: &Line, state: &mut [N], bits: u64) {
+        for turns in &self.turns {
+            let (first, second) = (turns.first as usize, turns.second as usize);
+            if turns.count < 8 {
+                for i in 0..turns.count {
+                    collide(line, state, if i % 2 == 0 { first } else { second }, bits);
+                }
+                continue;
+            }
+            let low = first.min(second);
+            let round = product(&transfer(line, low, second, bits), &transfer(line, low, first, bits), bits);
+            let mut all = power(round, turns.count / 2, bits);
+            if turns.count % 2 == 1 {
+                all = product(&transfer(line, low, first, bits), &all, bits);
+            }
+            let old: Vec<N> = state[low..low + 3].to_vec();
+            for (i, row) in all.iter().enumerate() {
+                let terms: Vec<N> = row.iter().zip(&old).map(|(m, x)| m.times(x, bits)).collect();
+                state[low + i] = terms[0].plus(&terms[1], bits).plus(&terms[2], bits);
+            }
+        }
+    }
+}
+
+/// A transfer matrix on three neighbouring points.
+type Matrix<N> = [[N; 3]; 3];
+
+fn transfer<N: Number>(line: &Line, low: usize, pair: usize, bits: u64) -> Matrix<N> {
+    let unit = |i: usize, j: usize| N::of(&Rational::from(u8::from(i == j)), bits);
+    let mut m: Matrix<N> = std::array::from_fn(|i| std::array::from_fn(|j| unit(i, j)));
+    let (i, p) = (pair - low, &line.pairs[pair]);
+    m[i][i] = N::of(&(Rational::from(1) - &p.left), bits);
+    m[i][i + 1] = N::of(&p.left, bits);
+    m[i + 1][i] = N::of(&p.right, bits);
+    m[i + 1][i + 1] = N::of(&(Rational::from(1) - &p.right), bits);
+    m
+}
+
+fn product<N: Number>(a: &Matrix<N>, b: &Matrix<N>, bits: u64) -> Matrix<N> {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let first = a[i][0].times(&b[0][j], bits).plus(&a[i][1].times(&b[1][j], bits), bits);
+            first.plus(&a[i][2].times(&b[2][j], bits), bits)
+        })
+    })
+}
+
+/// A power, at least the first, by repeated squaring.
+fn power<N: Number>(mut base: Matrix<N>, mut exponent: u64, bits: u64) -> Matrix<N> {
+    let mut result: Option<Matrix<N>> = None;
+    loop {
+        if exponent % 2 == 1 {
+            result = Some(match result {
+                None => base.clone(),
+                Some(r) => product(&r, &base, bits),
+            });
+        }
+        exponent /= 2;
+        if exponent == 0 {
+            return result.unwrap_or(base);
+        }
+        base = product(&base, &base, bits);
+    }
+}
+
+fn collide<N: Number>(line: &Line, state: &mut [N], p: usize, bits: u64) {
+    let pair = &line.pairs[p];
+    let closing = state[p].minus(&state[p + 1], bits);
+    state[p] = state[p].minus(&N::of(&pair.left, bits).times(&closing, bits), bits);
+    state[p + 1] = state[p + 1].plus(&N::of(&pair.right, bits).times(&closing, bits), bits);
+}
+
+/// Why a certified run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// Nothing approaches any more.
+    Quiet,
+    /// The next collision is later than the time asked for.
+    Until,
+    /// As many collisions as allowed, and another is due.
+    Events,
+}
+
+/// A sign or an order that these enclosures leave open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Open;
+
+/// A worldline since its last corner, and the one before.
+#[derive(Clone)]
+struct Worldline<E> {
+    b: E,
+    v: E,
+    before: Option<(E, E)>,
+    /// The time of the last corner and of the one before that.
+    corner: Option<E>,
+    corner_before: Option<E>,
+    /// The pair of the last corner.
+    pair: usize,
+}
+
+/// The state of the run.
+pub(super) struct Certified<'a, E> {
+    line: &'a Line,
+    bits: u64,
+    shares: Vec<(E, E)>,
+    points: Vec<Worldline<E>>,
+    due: Vec<Option<E>>,
+    queue: Queue,
+    pub history: History,
+    pub count: u64,
+    pub events: Vec<Collision>,
+}
+
+impl<'a, E: Enclosure> Certified<'a, E> {
+    /// Goes on from where an exact run stopped.
+    pub fn new(run: &Run<'a>, bits: u64) -> Certified<'a, E> {
+        let line = run.line;
+        let points = run.b.iter().zip(&run.v).map(|(b, v)| Worldline {
+            b: E::of(b, bits),
+            v: E::of(v, bits),
+            before: None,
+            corner: None,
+            corner_before: None,
+            pair: usize::MAX,
+        });
+        let mut this = Certified {
+            line,
+            bits,
+            shares: line.pairs.iter().map(|p| (E::of(&p.left, bits), E::of(&p.right, bits))).collect(),
+            points: points.collect(),
+            due: vec![None; line.pairs.len()],
+            queue: Queue::new(line.pairs.len()),
+            history: History::default(),
+            count: run.count,
+            events: run.events.clone(),
+        };
+        for p in 0..line.pairs.len() {
+            let due = run.due_exactly(p).map(|t| E::of(&t, bits));
+            this.set_due(p, due);
+        }
+        this
+    }
+
+    fn set_due(&mut self, p: usize, due: Option<E>) {
+        self.due[p] = due;
+        let key = |q: usize| self.due[q].as_ref().map_or(f64::INFINITY, E::guess);
+        self.queue.set(p, self.due[p].is_some(), |a, b| key(a) < key(b));
+    }
+
+    fn order(&self, a: &E, b: &E) -> Option<Ordering> {
+        a.minus(b, self.bits).sign()
+    }
+
+    /// Runs until something ends it.
+    pub fn go(&mut self, events: u64, until: Option<&Rational>, list: usize) -> Result<End, Open> {
+        let until = until.map(|t| E::of(t, self.bits));
+        while let Some(first) = self.queue.first() {
+            let (p, time) = self.earliest_near(first)?;
+            if let Some(until) = &until {
+                match self.order(&time, until) {
+                    Some(Ordering::Greater) => {
+                        // The heap is ordered by guesses: all others must be late, too.
+                        for q in self.queue.present() {
+                            let due = self.due[q].as_ref().ok_or(Open)?;
+                            if self.order(due, until) != Some(Ordering::Greater) {
+                                return Err(Open);
+                            }
+                        }
+                        return Ok(End::Until);
+                    }
+                    Some(_) => {}
+                    None => return Err(Open),
+                }
+            }
+            if self.count >= events {
+                return Ok(End::Events);
+            }
+            self.collide(p, time, list)?;
+        }
+        Ok(End::Quiet)
+    }
+
+    /// From the pair that seems first, down to one that certainly meets before its neighbours do.
+    fn earliest_near(&self, mut p: usize) -> Result<(usize, E), Open> {
+        loop {
+            let time = self.due[p].as_ref().ok_or(Open)?;
+            let mut next = None;
+            for q in [p.checked_sub(1), Some(p + 1)].into_iter().flatten() {
+                if let Some(Some(other)) = self.due.get(q) {
+                    match self.order(time, other) {
+                        Some(Ordering::Less) => {}
+                        Some(Ordering::Greater) => next = Some(q),
+                        _ => return Err(Open),
+                    }
+                }
+            }
+            match next {
+                Some(q) => p = q,
+                None => return Ok((p, time.clone())),
+            }
+        }
+    }
+
+    fn collide(&mut self, p: usize, time: E, list: usize) -> Result<(), Open> {
+        let bits = self.bits;
+        let (left, right) = (self.points[p].clone(), self.points[p + 1].clone());
+        let change = |old: &Worldline<E>, share: &E, sign: Ordering| {
+            let step = |l: &E, r: &E, x: &E| {
+                let by = share.times(&l.minus(r, bits), bits);
+                if sign == Ordering::Less { x.minus(&by, bits) } else { x.plus(&by, bits) }
+            };
+            Worldline {
+                b: step(&left.b, &right.b, &old.b),
+                v: step(&left.v, &right.v, &old.v),
+                before: Some((old.b.clone(), old.v.clone())),
+                corner_before: old.corner.clone(),
+                corner: Some(time.clone()),
+                pair: p,
+            }
+        };
+        let new_left = change(&left, &self.shares[p].0, Ordering::Less);
+        let new_right = change(&right, &self.shares[p].1, Ordering::Greater);
+        if let Some(outer) = p.checked_sub(1) {
+            self.clear_of(outer, &self.points[outer], &left, &new_left, &time, Ordering::Less)?;
+        }
+        if let Some(outer) = self.points.get(p + 2) {
+            self.clear_of(p + 1, outer, &right, &new_right, &time, Ordering::Greater)?;
+        }
+        self.count += 1;
+        if self.events.len() < list {
+            self.list(p, &time, (&left, &right), (&new_left, &new_right))?;
+        }
+        self.points[p] = new_left;
+        self.points[p + 1] = new_right;
+        self.history.push(p);
+        self.set_due(p, None);
+        for q in [p.checked_sub(1), Some(p + 1)].into_iter().flatten() {
+            if q < self.due.len() {
+                let due = self.meeting(q)?;
+                self.set_due(q, due);
+            }
+        }
+        Ok(())
+    }
+
+    /// When a pair meets from its current worldlines, whose gap is known not to be negative.
+    fn meeting(&self, q: usize) -> Result<Option<E>, Open> {
+        let (l, r) = (&self.points[q], &self.points[q + 1]);
+        let closing = l.v.minus(&r.v, self.bits);
+        match closing.sign() {
+            None => Err(Open),
+            Some(Ordering::Greater) => Ok(Some(r.b.minus(&l.b, self.bits).over(&closing, self.bits))),
+            Some(_) => Ok(None),
+        }
+    }
+
+    /// The outer neighbour over the pair `q` is apart from the inner body around the time of its new corner.
+    fn clear_of(
+        &self,
+        q: usize,
+        outer: &Worldline<E>,
+        inner: &Worldline<E>,
+        inner_after: &Worldline<E>,
+        time: &E,
+        side: Ordering,
+    ) -> Result<(), Open> {
+        let Some(corner) = &outer.corner else { return Ok(()) };
+        if outer.pair == q || self.order(time, corner) == Some(Ordering::Greater) {
+            return Ok(());
+        }
+        if let Some(earlier) = &outer.corner_before
+            && self.order(time, earlier) != Some(Ordering::Greater)
+        {
+            return Err(Open);
+        }
+        let before = outer.before.as_ref().ok_or(Open)?;
+        for (b, v) in [(&outer.b, &outer.v), (&before.0, &before.1)] {
+            for inner in [inner, inner_after] {
+                let (gap, drift) = (b.minus(&inner.b, self.bits), v.minus(&inner.v, self.bits));
+                for at in [time, corner] {
+                    if gap.plus(&drift.times(at, self.bits), self.bits).sign() != Some(side) {
+                        return Err(Open);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn list(
+        &mut self,
+        p: usize,
+        time: &E,
+        before: (&Worldline<E>, &Worldline<E>),
+        after: (&Worldline<E>, &Worldline<E>),
+    ) -> Result<(), Open> {
+        let bits = self.bits;
+        let offset = E::of(&self.line.contact_offset(p), bits);
+        let position = before.0.b.plus(&before.0.v.times(time, bits), bits).plus(&offset, bits);
+        let value = |x: &E| x.value().ok_or(Open);
+        let loss = E::of(&self.line.loss_factor(p), bits);
+        let closing = before.0.v.minus(&before.1.v, bits);
+        self.events.push(Collision {
+            pair: p + self.line.first,
+            time: value(time)?,
+            position: value(&position)?,
+            before: [value(&before.0.v)?, value(&before.1.v)?],
+            after: [value(&after.0.v)?, value(&after.1.v)?],
+            lost: value(&loss.times(&closing.times(&closing, bits), bits))?,
+        });
+        Ok(())
+    }
+}
+
+/// Intercepts and velocities after a history, and the time of its last collision as gap and speed.
+pub(super) struct Evaluated<N> {
+    pub b: Vec<N>,
+    pub v: Vec<N>,
+    pub last: Option<(N, N)>,
+}
+
+/// Evaluates a history from where an exact run stopped.
+pub(super) fn evaluate<N: Number>(run: &Run, history: &History, bits: u64) -> Evaluated<N> {
+    let mut b: Vec<N> = run.b.iter().map(|x| N::of(x, bits)).collect();
+    let mut v: Vec<N> = run.v.iter().map(|x| N::of(x, bits)).collect();
+    let mut last = None;
+    if let Some((p, before)) = history.split_last() {
+        before.apply(run.line, &mut b, bits);
+        before.apply(run.line, &mut v, bits);
+        last = Some((b[p + 1].minus(&b[p], bits), v[p].minus(&v[p + 1], bits)));
+        collide(run.line, &mut b, p, bits);
+        collide(run.line, &mut v, p, bits);
+    }
+    Evaluated { b, v, last }
+}
