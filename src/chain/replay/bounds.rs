@@ -37,6 +37,10 @@ impl Bounds {
     }
 
     pub fn minus(self, other: Bounds) -> Bounds {
+        let points = self.lo == self.hi && other.lo == other.hi && self.lo.is_finite();
+        if points && self.lo == other.lo {
+            return Bounds { lo: 0.0, hi: 0.0 };
+        }
         Bounds::outward(self.lo - other.hi, self.hi - other.lo)
     }
 

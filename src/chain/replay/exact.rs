@@ -176,6 +176,12 @@ impl<'a> Run<'a> {
         (&self.b[p + 1] - &self.b[p], &self.v[p] - &self.v[p + 1])
     }
 
+    /// When the pair meets, if it approaches.
+    pub fn due_exactly(&self, p: usize) -> Option<Rational> {
+        let (gap, speed) = self.meeting(p);
+        (speed > Rational::ZERO).then(|| gap / speed)
+    }
+
     /// The time of the last collision.
     pub fn time(&self) -> Rational {
         match &self.last {

@@ -272,6 +272,17 @@ impl Line {
         }
     }
 
+    /// The energy lost in a collision of the pair, over the square of its closing speed.
+    pub(super) fn loss_factor(&self, pair: usize) -> Rational {
+        let e = &self.pairs[pair].restitution;
+        let mass = match (&self.points[pair].mass, &self.points[pair + 1].mass) {
+            (Some(l), Some(r)) => l * r / (l + r),
+            (Some(m), None) | (None, Some(m)) => m.clone(),
+            (None, None) => Rational::ZERO,
+        };
+        mass * (Rational::ONE - e * e) / Rational::TWO
+    }
+
     /// The points that are bodies.
     pub(super) fn body_points(&self) -> std::ops::Range<usize> {
         let from = 1 - self.first;

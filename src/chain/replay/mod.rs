@@ -18,6 +18,7 @@
 //! Source of the collision: Ricardo & Lee 2015, (1), (4)–(7).
 
 mod bounds;
+pub mod certified;
 pub mod collapse;
 pub mod contact;
 pub mod exact;
@@ -32,9 +33,11 @@ pub use ledger::LedgerFault;
 pub use line::{Body, Line, LineError, MAX_BODIES, Wall};
 pub use surd::Surd;
 
+use crate::number::interval::Interval;
+use bounds::Bounds;
+use certified::{Certified, Enclosure, End, Evaluated, History, MAX_BITS, evaluate};
 use exact::{Bound, Run, Stop};
 use malachite::Rational;
-use malachite::base::num::basic::traits::Zero;
 
 /// The most collisions of one replay, unless told otherwise.
 pub const MAX_EVENTS: u64 = 1_000_000;
@@ -55,11 +58,23 @@ pub struct Options {
     pub exact_bits: Option<u64>,
     /// Whether to try all orders of an ambiguous contact.
     pub orders: bool,
+    /// Significant digits that final values are enclosed to, where they are not exact.
+    pub digits: u64,
+    /// Whether to evaluate final values exactly, however long they are.
+    pub exact_values: bool,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { max_events: MAX_EVENTS, until: None, list: 10_000, exact_bits: Some(EXACT_BITS), orders: false }
+        Options {
+            max_events: MAX_EVENTS,
+            until: None,
+            list: 10_000,
+            exact_bits: Some(EXACT_BITS),
+            orders: false,
+            digits: 15,
+            exact_values: false,
+        }
     }
 }
 
@@ -198,8 +213,19 @@ pub struct Outcome {
     pub simultaneous: u64,
     /// The most bits of a numerator or denominator of the state, after 0, 1, 2, 4, 8, … collisions.
     pub growth: Vec<(u64, u64)>,
-    /// Up to which collision the run was exact; `None` if throughout.
-    pub exact_until: Option<u64>,
+    /// What was settled by enclosures; `None` where the run was exact throughout.
+    pub enclosed: Option<Enclosed>,
+}
+
+/// The part of a run in which enclosures stand for exact numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Enclosed {
+    /// The number of collisions before it.
+    pub after: u64,
+    /// The bits of the enclosures that settled count and order.
+    pub bits: u64,
+    /// The entries that the order takes as runs of two pairs in turn.
+    pub entries: usize,
 }
 
 /// Replays the line.
@@ -235,7 +261,7 @@ pub fn replay(line: &Line, options: &Options) -> Result<Outcome, LedgerFault> {
     let status = match stop {
         Stop::Quiet | Stop::Until => Status::Complete,
         Stop::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
-        Stop::Grown => Status::Limit(Limit::Precision { bits: options.exact_bits.unwrap_or(0) }),
+        Stop::Grown => return Ok(go_on(run, options)),
         Stop::Collapse(found) => Status::Collapse(found),
         Stop::Ambiguous { cluster, pairs, time } => Status::Ambiguous(Contact {
             bodies: (cluster.0 + line.first, cluster.1 + line.first),
@@ -244,11 +270,118 @@ pub fn replay(line: &Line, options: &Options) -> Result<Outcome, LedgerFault> {
             outcomes: options.orders.then(|| contact::outcomes(line, &run.v, cluster.0, cluster.1)),
         }),
     };
-    Ok(conclude(line, run, status, options))
+    Ok(conclude(run, status, options))
+}
+
+/// Goes on with enclosures where exact numbers have become too large.
+fn go_on(run: Run, options: &Options) -> Outcome {
+    if let Some(outcome) = enclosed::<Bounds>(&run, options, 53) {
+        return outcome;
+    }
+    let mut bits = 128;
+    while bits <= MAX_BITS {
+        if let Some(outcome) = enclosed::<Interval>(&run, options, bits) {
+            return outcome;
+        }
+        bits *= 2;
+    }
+    conclude(run, Status::Limit(Limit::Precision { bits: MAX_BITS }), options)
+}
+
+/// The rest of the run in enclosures of one precision; `None` where they leave something open.
+fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Outcome> {
+    let mut rest: Certified<E> = Certified::new(run, bits);
+    let end = rest.go(options.max_events, options.until.as_ref(), options.list).ok()?;
+    let status = match end {
+        End::Quiet | End::Until => Status::Complete,
+        End::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
+    };
+    let made = Made { count: rest.count, events: std::mem::take(&mut rest.events), bits };
+    Some(if options.exact_values {
+        let end = evaluate::<Rational>(run, &rest.history, 0);
+        values(run, &end, 0, status, options, (&rest.history, made))
+    } else {
+        let wanted = options.digits.saturating_mul(4).saturating_add(8);
+        let mut bits = wanted + 128;
+        loop {
+            let end = evaluate::<Interval>(run, &rest.history, bits);
+            let wide = |x: &Interval| x.accuracy() < wanted && !x.is_point();
+            if bits >= wanted + MAX_BITS || !end.v.iter().any(wide) {
+                break values(run, &end, bits, status, options, (&rest.history, made));
+            }
+            bits *= 2;
+        }
+    })
+}
+
+/// What a certified run leaves: its count, its list, its precision.
+struct Made {
+    count: u64,
+    events: Vec<Collision>,
+    bits: u64,
+}
+
+/// The state at the end of a certified run, from the evaluated history.
+fn values<N: Enclosure>(
+    run: &Run,
+    end: &Evaluated<N>,
+    bits: u64,
+    status: Status,
+    options: &Options,
+    (history, made): (&History, Made),
+) -> Outcome {
+    let line = run.line;
+    let value = |x: &N| x.value().unwrap_or_else(|| Value::Within(Rational::from(i64::MIN), Rational::from(i64::MAX)));
+    let number = |x: &Rational| N::of(x, bits);
+    let time = match (&status, &options.until, &end.last) {
+        (Status::Complete, Some(until), _) => number(until),
+        (_, _, Some((gap, speed))) => gap.over(speed, bits),
+        _ => number(&run.time()),
+    };
+    let place = |k: usize| {
+        let here = end.b[k].plus(&end.v[k].times(&time, bits), bits);
+        value(&here.plus(&number(&line.points[k].offset), bits))
+    };
+    let start: Vec<Rational> = line.points.iter().map(|p| p.velocity.clone()).collect();
+    let (energy, momentum) = (ledger::energy(line, &start), ledger::momentum(line, &start));
+    let sum = |term: &dyn Fn(&N, &N) -> N| {
+        let all = line.points.iter().zip(&end.v).filter_map(|(p, v)| p.mass.as_ref().map(|m| term(&number(m), v)));
+        all.fold(number(&Rational::from(0)), |a, b| a.plus(&b, bits))
+    };
+    let half = number(&Rational::from_signeds(1, 2));
+    let last = sum(&|m, v| m.times(&v.times(v, bits), bits).times(&half, bits));
+    let lost = number(&energy).minus(&last, bits);
+    let elastic = line.pairs.iter().all(|p| p.restitution == 1);
+    let walls = line.has_left_wall() || line.has_right_wall();
+    // What the laws give exactly needs no enclosure.
+    let energy = if elastic {
+        Energy {
+            initial: Value::Exact(energy.clone()),
+            last: Value::Exact(energy),
+            lost: Value::Exact(Rational::from(0)),
+        }
+    } else {
+        Energy { initial: Value::Exact(energy), last: value(&last), lost: value(&lost) }
+    };
+    let after = if walls { value(&sum(&|m, v| m.times(v, bits))) } else { Value::Exact(momentum.clone()) };
+    Outcome {
+        status,
+        count: made.count,
+        events: made.events,
+        time: value(&time),
+        velocities: line.body_points().map(|k| value(&end.v[k])).collect(),
+        positions: line.body_points().map(place).collect(),
+        energy,
+        momentum: (Value::Exact(momentum), after),
+        simultaneous: run.simultaneous,
+        growth: run.growth.clone(),
+        enclosed: Some(Enclosed { after: run.count, bits: made.bits, entries: history.entries() }),
+    }
 }
 
 /// The state at the end of an exact run.
-fn conclude(line: &Line, run: Run, status: Status, options: &Options) -> Outcome {
+fn conclude(run: Run, status: Status, options: &Options) -> Outcome {
+    let line = run.line;
     let start: Vec<Rational> = line.points.iter().map(|p| p.velocity.clone()).collect();
     let mut v = run.v.clone();
     let mut joined = None;
@@ -301,6 +434,6 @@ fn conclude(line: &Line, run: Run, status: Status, options: &Options) -> Outcome
         velocities: line.body_points().map(|k| Value::Exact(v[k].clone())).collect(),
         simultaneous: run.simultaneous,
         growth,
-        exact_until: None,
+        enclosed: None,
     }
 }
