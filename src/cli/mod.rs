@@ -7,6 +7,7 @@ mod audit;
 mod explain;
 mod fmt;
 mod load;
+mod replay;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use std::io::Write;
@@ -61,6 +62,8 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Replay collisions on a line exactly, one by one
+    Replay(Box<replay::ReplayArguments>),
     /// Print a completion script
     Completions {
         /// The shell
@@ -158,6 +161,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
+        Command::Replay(arguments) => replay::run(&arguments),
         Command::Completions { shell } => {
             let mut out = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);
@@ -177,7 +181,7 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
             Some(sub) => print(&sub.render_long_help().to_string()),
             None => {
                 return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are audit, explain, fmt, completions, language"
+                    "error: there is no help on {name}; topics are audit, explain, fmt, replay, completions, language"
                 )));
             }
         },

@@ -1,9 +1,10 @@
-//! An audit as text, JSON, Markdown and JUnit, and one claim's argument.
+//! An audit as text, JSON, Markdown and JUnit, and one claim's argument; a replay in words and pictures.
 
 pub mod argument;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod replay;
 pub mod text;
 
 use crate::claim::print::{self, Style};

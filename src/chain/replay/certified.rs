@@ -199,10 +199,11 @@ impl History {
                 continue;
             }
             let low = first.min(second);
-            let round = product(&transfer(line, low, second, bits), &transfer(line, low, first, bits), bits);
+            let step = |pair| -> Matrix<N> { transfer(line, low, pair, bits) };
+            let round = product(&step(second), &step(first), bits);
             let mut all = power(round, turns.count / 2, bits);
             if turns.count % 2 == 1 {
-                all = product(&transfer(line, low, first, bits), &all, bits);
+                all = product(&step(first), &all, bits);
             }
             let old: Vec<N> = state[low..low + 3].to_vec();
             for (i, row) in all.iter().enumerate() {

@@ -297,7 +297,7 @@ fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Out
         End::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
     };
     let made = Made { count: rest.count, events: std::mem::take(&mut rest.events), bits };
-    Some(if options.exact_values {
+    if options.exact_values {
         let end = evaluate::<Rational>(run, &rest.history, 0);
         values(run, &end, 0, status, options, (&rest.history, made))
     } else {
@@ -311,7 +311,7 @@ fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Out
             }
             bits *= 2;
         }
-    })
+    }
 }
 
 /// What a certified run leaves: its count, its list, its precision.
@@ -329,9 +329,9 @@ fn values<N: Enclosure>(
     status: Status,
     options: &Options,
     (history, made): (&History, Made),
-) -> Outcome {
+) -> Option<Outcome> {
     let line = run.line;
-    let value = |x: &N| x.value().unwrap_or_else(|| Value::Within(Rational::from(i64::MIN), Rational::from(i64::MAX)));
+    let value = |x: &N| x.value();
     let number = |x: &Rational| N::of(x, bits);
     let time = match (&status, &options.until, &end.last) {
         (Status::Complete, Some(until), _) => number(until),
@@ -361,22 +361,22 @@ fn values<N: Enclosure>(
             lost: Value::Exact(Rational::from(0)),
         }
     } else {
-        Energy { initial: Value::Exact(energy), last: value(&last), lost: value(&lost) }
+        Energy { initial: Value::Exact(energy), last: value(&last)?, lost: value(&lost)? }
     };
-    let after = if walls { value(&sum(&|m, v| m.times(v, bits))) } else { Value::Exact(momentum.clone()) };
-    Outcome {
+    let after = if walls { value(&sum(&|m, v| m.times(v, bits)))? } else { Value::Exact(momentum.clone()) };
+    Some(Outcome {
         status,
         count: made.count,
         events: made.events,
-        time: value(&time),
-        velocities: line.body_points().map(|k| value(&end.v[k])).collect(),
-        positions: line.body_points().map(place).collect(),
+        time: value(&time)?,
+        velocities: line.body_points().map(|k| value(&end.v[k])).collect::<Option<_>>()?,
+        positions: line.body_points().map(place).collect::<Option<_>>()?,
         energy,
         momentum: (Value::Exact(momentum), after),
         simultaneous: run.simultaneous,
         growth: run.growth.clone(),
         enclosed: Some(Enclosed { after: run.count, bits: made.bits, entries: history.entries() }),
-    }
+    })
 }
 
 /// The state at the end of an exact run.
