@@ -177,16 +177,22 @@ impl History {
         self.turns.len()
     }
 
+    /// The last pair.
+    pub fn last(&self) -> Option<usize> {
+        let turns = self.turns.last()?;
+        Some(if turns.count % 2 == 0 { turns.second } else { turns.first } as usize)
+    }
+
     /// The last pair, and the history before it.
     fn split_last(&self) -> Option<(usize, History)> {
+        let last = self.last()?;
         let mut before = self.clone();
         let turns = before.turns.last_mut()?;
-        let last = if turns.count % 2 == 0 { turns.second } else { turns.first };
         turns.count -= 1;
         if turns.count == 0 {
             before.turns.pop();
         }
-        Some((last as usize, before))
+        Some((last, before))
     }
 
     /// Applies all collisions to numbers that change as velocities do.

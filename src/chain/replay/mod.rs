@@ -42,8 +42,8 @@ use malachite::Rational;
 /// The most collisions of one replay, unless told otherwise.
 pub const MAX_EVENTS: u64 = 1_000_000;
 
-/// Numbers of more bits end the exact part of a replay, unless told otherwise.
-pub const EXACT_BITS: u64 = 65_536;
+/// Numbers of more bits end the exact part of a replay, unless told otherwise (bench `replay`, table `sizes`).
+pub const EXACT_BITS: u64 = 8192;
 
 /// What a replay may do.
 #[derive(Clone, Debug)]
@@ -333,12 +333,24 @@ fn values<N: Enclosure>(
     let line = run.line;
     let value = |x: &N| x.value();
     let number = |x: &Rational| N::of(x, bits);
+    let last_pair = history.last();
+    let at_last = !(matches!(status, Status::Complete) && options.until.is_some());
     let time = match (&status, &options.until, &end.last) {
         (Status::Complete, Some(until), _) => number(until),
         (_, _, Some((gap, speed))) => gap.over(speed, bits),
         _ => number(&run.time()),
     };
+    // Touching a wall is a place that is known.
+    let touching = |k: usize| {
+        let wall = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().find(|w| {
+            line.points.get(*w).is_some_and(|p| p.mass.is_none()) && last_pair == Some(k.min(*w))
+        })?;
+        Some(Value::Exact(&line.points[wall].position + &line.points[k].offset))
+    };
     let place = |k: usize| {
+        if let Some(known) = touching(k).filter(|_| at_last) {
+            return Some(known);
+        }
         let here = end.b[k].plus(&end.v[k].times(&time, bits), bits);
         value(&here.plus(&number(&line.points[k].offset), bits))
     };
