@@ -30,6 +30,7 @@ pub mod collision;
 pub mod optimum;
 pub mod pass;
 pub mod recollision;
+pub mod replay;
 pub mod threshold;
 pub mod transfer;
 pub mod uncertain;

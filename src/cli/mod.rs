@@ -12,6 +12,7 @@ mod load;
 mod output;
 mod partial;
 mod progress;
+mod replay;
 mod statements;
 mod table;
 mod table_check;
@@ -85,6 +86,8 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Replay collisions on a line exactly, one by one
+    Replay(Box<replay::ReplayArguments>),
     /// Print a completion script
     Completions {
         /// The shell
@@ -205,6 +208,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
+        Command::Replay(arguments) => replay::run(&arguments),
         Command::Completions { shell } => {
             let mut out = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);

@@ -1,10 +1,12 @@
-//! An audit as text, JSON, Markdown and JUnit, one claim's argument, and the answers to a scene.
+//! An audit as text, JSON, Markdown and JUnit, one claim's argument, the answers to a scene, and a replay in words
+//! and pictures.
 
 pub mod answers;
 pub mod argument;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod replay;
 pub mod table;
 pub mod text;
 pub mod worksheet;
