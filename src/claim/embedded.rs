@@ -8,12 +8,18 @@ use super::parse::parse;
 use super::syntax::Claim;
 use include_dir::{Dir, include_dir};
 
-static PROOFS: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs");
+/// The folders of claims in the order of reports: the paper, then beyond, then lemmas. What else lies in
+/// `proofs/` stays out of the program.
+static FOLDERS: [Dir; 3] = [
+    include_dir!("$CARGO_MANIFEST_DIR/proofs/ricardo-lee-2015"),
+    include_dir!("$CARGO_MANIFEST_DIR/proofs/beyond"),
+    include_dir!("$CARGO_MANIFEST_DIR/proofs/lemmas"),
+];
 
-/// A claim file: its path below `proofs/` and its text.
+/// A claim file: its name and its text.
 #[derive(Clone, Copy, Debug)]
 pub struct File {
-    /// The path.
+    /// The file's name.
     pub path: &'static str,
     /// The text.
     pub text: &'static str,
@@ -22,8 +28,7 @@ pub struct File {
 /// All claim files in the order of reports: the paper, then beyond, then lemmas, each by number.
 pub fn files() -> Vec<File> {
     let mut out = Vec::new();
-    for folder in ["ricardo-lee-2015", "beyond", "lemmas"] {
-        let Some(dir) = PROOFS.get_dir(folder) else { continue };
+    for dir in &FOLDERS {
         let mut list: Vec<File> = dir
             .files()
             .filter_map(|f| Some(File { path: f.path().to_str()?, text: f.contents_utf8()? }))
