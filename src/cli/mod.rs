@@ -24,7 +24,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Audits the algebra of one-dimensional chain collisions.
+/// Audits the algebra of one-dimensional chain collisions and computes with it exactly.
 #[derive(Parser)]
 #[command(name = "carom", version, disable_help_subcommand = true, arg_required_else_help = true)]
 struct Arguments {
