@@ -315,6 +315,7 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
         };
     }
     let goal = without_derivatives(engine, cx, &goal);
+    let about_limits = has_limit(&goal);
     let goal = without_limits(engine, cx, &goal);
     search.base.identities = std::rc::Rc::new(identities(engine, cx, &goal));
     let mut found = None;
@@ -334,6 +335,10 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
             Ok(false) => {
                 let mut list = Vec::new();
                 point.broken(goal, &mut list);
+                if list.is_empty() && about_limits {
+                    let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
+                    list.push(Broken { statement, left: "no limit".to_string(), right: String::new() });
+                }
                 list
             }
             Err(Missing::Undefined(text)) => {
@@ -507,16 +512,9 @@ fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
                     _ => return prop.clone(),
                 }
             }
-            // Nothing finite is the limit: 1/0 = the value has no value anywhere.
+            // No finite value is the limit: the statement is false everywhere.
             Ok(Some((Tends::Infinitely, _))) => {
-                let infinite = Expr {
-                    kind: ExprKind::Product(vec![
-                        (Factor::Times, literal(&Rational::from(1))),
-                        (Factor::Over, literal(&Rational::from(0))),
-                    ]),
-                    span: prop.span,
-                };
-                PropKind::Compare(vec![infinite, limit.value.clone()], vec![Relation::Equal])
+                PropKind::Not(Box::new(Prop { kind: PropKind::And(Vec::new()), span: prop.span }))
             }
             _ => return prop.clone(),
         },
