@@ -178,3 +178,20 @@ fn limits_have_one_value() {
         }
     }
 }
+
+/// The bounds on e rise at each n by a polynomial certificate alone: a power of x − y times positive
+/// coefficients.
+#[test]
+fn each_bound_is_above_the_one_before() {
+    for n in 1..=24 {
+        for (relation, verdict) in [(">=", Verdict::Proved), (">", Verdict::Refuted)] {
+            let source = format!(
+                "claim rise \"t\"\ngiven m1, m2 > 0\nlet S(k) = m1^(1/k) + m2^(1/k)\nlet L(k) = S(k + 1)^(k + 1)/S(k)^k - 1\n\
+                 prove L({n} + 1) {relation} L({n})\n"
+            );
+            let mut catalogue = Catalogue::new(parse(&source).expect("it parses")).expect("one claim");
+            let outcome = catalogue.audit("rise", &Limits::default()).expect("no fault");
+            assert_eq!(outcome.verdict, verdict, "n = {n}: {:?}", outcome.reason);
+        }
+    }
+}
