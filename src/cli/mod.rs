@@ -13,6 +13,7 @@ mod output;
 mod partial;
 mod progress;
 mod replay;
+mod report;
 mod statements;
 mod table;
 mod table_check;
@@ -77,6 +78,19 @@ enum Command {
     Table(table::Flags),
     /// Print what each collision of a scene does, blank and as an answer key
     Worksheet(worksheet::Flags),
+    /// Write an audit as a page to hand in: HTML that needs nothing else, Markdown, LaTeX
+    Report {
+        /// Claim files and folders; the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// The folder to write to
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// The title
+        #[arg(long)]
+        title: Option<String>,
+        #[command(flatten)]
+        limits: LimitFlags,
+    },
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -207,6 +221,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Worksheet(flags) => worksheet::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
+        Command::Report { paths, out, title, limits } => report::run(&paths, &out, title.as_deref(), &limits.limits()),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Replay(arguments) => replay::run(&arguments),
         Command::Completions { shell } => {

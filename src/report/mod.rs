@@ -3,9 +3,13 @@
 
 pub mod answers;
 pub mod argument;
+pub mod document;
+pub mod graph;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod mathml;
+pub mod page;
 pub mod replay;
 pub mod table;
 pub mod text;
