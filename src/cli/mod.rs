@@ -11,6 +11,8 @@ mod interrupt;
 mod load;
 mod output;
 mod partial;
+#[cfg(feature = "plot")]
+mod plot;
 mod progress;
 mod statements;
 mod table;
@@ -76,6 +78,9 @@ enum Command {
     Table(table::Flags),
     /// Print what each collision of a scene does, blank and as an answer key
     Worksheet(worksheet::Flags),
+    /// Draw a picture as SVG or PNG
+    #[cfg(feature = "plot")]
+    Plot(plot::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -202,6 +207,8 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
         Command::Eval(flags) => eval::run(&flags),
         Command::Worksheet(flags) => worksheet::run(&flags),
+        #[cfg(feature = "plot")]
+        Command::Plot(flags) => plot::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),

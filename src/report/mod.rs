@@ -5,6 +5,8 @@ pub mod argument;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+#[cfg(feature = "plot")]
+pub mod plot;
 pub mod table;
 pub mod text;
 pub mod worksheet;
