@@ -34,7 +34,7 @@ pub struct Flags {
     /// The file to write: .svg or .png
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
-    /// Pixels of a PNG for each point of the page, which has 640 by 440 points
+    /// Pixels of a PNG for each point of the page, which has 690 by 440 points
     #[arg(long, value_name = "S", default_value_t = 2.0)]
     scale: f32,
 }

@@ -1,13 +1,13 @@
 //! A frame with two scales, their ticks and labels, and a legend.
 
-use super::shape::{Anchor, BLACK, Colour, DASHES, PALE, PALETTE, Page, Shape};
+use super::shape::{Anchor, BLACK, Colour, DASHES, PALE, PALETTE, Page, Shape, WHITE};
 
 /// The size of the page.
-const WIDTH: f32 = 640.0;
+const WIDTH: f32 = 690.0;
 const HEIGHT: f32 = 440.0;
 /// The frame's distances from the page's edges.
 const LEFT: f32 = 78.0;
-const RIGHT: f32 = 130.0;
+const RIGHT: f32 = 180.0;
 const TOP: f32 = 44.0;
 const BOTTOM: f32 = 62.0;
 /// Sizes of letters.
@@ -136,6 +136,12 @@ impl Chart {
         let inside = |p: &&(f64, f64)| (-1e-6..=1.0 + 1e-6).contains(&self.y.share(p.1));
         let points: Vec<(f32, f32)> = points.iter().filter(inside).map(|p| self.at(p.0, p.1)).collect();
         self.page.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
+    }
+
+    /// A thin white line between two areas.
+    pub fn border(&mut self, points: &[(f64, f64)]) {
+        let points = points.iter().map(|p| self.at(p.0, p.1)).collect();
+        self.line(points, WHITE, 0.9);
     }
 
     /// A dot in the colour of a curve.

@@ -144,6 +144,9 @@ pub fn map(from: &Positive, to: &Positive) -> Result<Page, ChainError> {
         area.extend(points.iter().rev().map(|r| (at(r), 1.0)));
         let colour = viridis(n as f64 / (AREAS - 1) as f64);
         chart.area(&area, colour);
+        if n > 0 {
+            chart.border(&lower);
+        }
         chart.legend_area(colour, &if last { format!("{n} or more") } else { n.to_string() });
         lower = upper;
     }
