@@ -356,10 +356,8 @@ fn leading_place(x: &Interval) -> i64 {
 
 /// The ends of `x·10^places` in units of a common power of two.
 fn times_power_of_ten(x: &Interval, places: i64, digits: Digits) -> Option<(Integer, Integer, i64)> {
-    let count = digits.count();
-    // Enough for the result; more does not help where x itself is wider.
-    let magnitude = u64::try_from(x.top().saturating_add(places.saturating_mul(10) / 3)).unwrap_or(0).min(1 << 40);
-    let bits = (bits_of_digits(count).max(magnitude) + 40).min(x.accuracy().max(64).saturating_add(40));
+    // All that x tells is kept: how near it is to a rounding boundary is not known in advance.
+    let bits = x.accuracy().min(x.middle_bits().max(bits_of_digits(digits.count()))).max(64) + 40;
     let five = Interval::from_integer(5);
     let power = five.power(&Natural::from(places.unsigned_abs()), bits);
     let product = if places >= 0 { x.multiply(&power, bits) } else { x.divide(&power, bits) }.shifted(places);
