@@ -27,6 +27,7 @@
 
 pub mod best;
 pub mod collision;
+pub mod fast;
 pub mod optimum;
 pub mod pass;
 pub mod recollision;

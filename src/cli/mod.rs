@@ -11,6 +11,8 @@ mod interrupt;
 mod load;
 mod output;
 mod partial;
+#[cfg(feature = "plot")]
+mod plot;
 mod progress;
 mod replay;
 mod report;
@@ -91,6 +93,9 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
+    /// Draw a picture as SVG or PNG
+    #[cfg(feature = "plot")]
+    Plot(plot::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -219,6 +224,8 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
         Command::Eval(flags) => eval::run(&flags),
         Command::Worksheet(flags) => worksheet::run(&flags),
+        #[cfg(feature = "plot")]
+        Command::Plot(flags) => plot::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Report { paths, out, title, limits } => report::run(&paths, &out, title.as_deref(), &limits.limits()),

@@ -176,7 +176,7 @@ impl Decimal {
             return Decimal::of_rational(&exact, digits, rounding).ok();
         }
         let scaled = |places: i64| {
-            let (lo, hi, exponent) = times_power_of_ten(x, places)?;
+            let (lo, hi, exponent) = times_power_of_ten(x, places, digits)?;
             let lower = to_integer(&lo, exponent, rounding.mode());
             let upper = to_integer(&hi, exponent, rounding.mode());
             if lower != upper {
@@ -355,9 +355,9 @@ fn leading_place(x: &Interval) -> i64 {
 }
 
 /// The ends of `x·10^places` in units of a common power of two.
-fn times_power_of_ten(x: &Interval, places: i64) -> Option<(Integer, Integer, i64)> {
-    // As accurate as x itself: a value very near to a point where rounding jumps needs all of it.
-    let bits = x.accuracy().clamp(64, super::real::MAX_BITS) + 40;
+fn times_power_of_ten(x: &Interval, places: i64, digits: Digits) -> Option<(Integer, Integer, i64)> {
+    // All that x tells is kept: how near it is to a rounding boundary is not known in advance.
+    let bits = x.accuracy().min(x.middle_bits().max(bits_of_digits(digits.count()))).max(64) + 40;
     let five = Interval::from_integer(5);
     let power = five.power(&Natural::from(places.unsigned_abs()), bits);
     let product = if places >= 0 { x.multiply(&power, bits) } else { x.divide(&power, bits) }.shifted(places);

@@ -290,6 +290,12 @@ impl Interval {
         self.mid.significant_bits().saturating_sub(1 + self.radius.significant_bits())
     }
 
+    /// Bits of the middle.
+    #[must_use]
+    pub fn middle_bits(&self) -> u64 {
+        self.mid.significant_bits()
+    }
+
     /// The least `k` with all absolute values below `2^k`; `i64::MIN` for zero.
     #[must_use]
     pub fn top(&self) -> i64 {

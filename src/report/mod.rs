@@ -11,6 +11,8 @@ pub mod markdown;
 pub mod mathml;
 pub mod page;
 pub mod replay;
+#[cfg(feature = "plot")]
+pub mod plot;
 pub mod table;
 pub mod text;
 pub mod worksheet;
