@@ -67,9 +67,9 @@ impl Worldlines {
         let all = o.events.len() as u64 == o.count;
         let last = contacts.last().map_or(0.0, |c| c.0);
         let stop = if all { near(&o.time).max(last) } else { last };
-        // Some room to see who flies where.
+        // Some room to see who flies where, unless the picture was asked to end here.
         let end = match (&o.status, stop > 0.0) {
-            (Status::Complete, true) if all => stop * 1.15,
+            (Status::Complete, true) if all && stop <= last => stop * 1.15,
             (_, true) => stop,
             (_, false) => 1.0,
         };
@@ -134,7 +134,7 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame of the diagram around worldlines.
     pub fn around(lines: &Worldlines) -> Frame {
-        Frame { left: 78.0, top: 64.0, width: 742.0, height: 500.0, x: lines.range, t: (0.0, lines.end) }
+        Frame { left: 78.0, top: 64.0, width: 742.0, height: 500.0, x: lines.range, t: (0.0, lines.end * 1.04) }
     }
 
     /// Across the page.
