@@ -76,7 +76,7 @@ impl Worldlines {
         let mut mark = None;
         match &o.status {
             Status::Collapse(found) if all => {
-                let (t, x) = (near(&Value::from(found.time.clone())), near(&Value::from(found.position.clone())));
+                let (t, x) = (near(&found.time), near(&found.position));
                 mark = Some((t, x));
                 for point in found.bodies.0.max(1)..=found.bodies.1.min(n) {
                     bodies[point - 1].push((t, near(&o.positions[point - 1])));
@@ -181,7 +181,7 @@ pub(super) fn caption(replay: &Replay) -> String {
         Status::Complete => format!("{} collision{plural}", o.count),
         Status::Collapse(found) => format!(
             "infinitely many collisions before t = {} ({} drawn)",
-            decimal(&Value::from(found.time.clone()), 8),
+            decimal(&found.time, 8),
             o.events.len()
         ),
         Status::Limit(_) => format!("stopped at a limit after {} collisions", o.count),
