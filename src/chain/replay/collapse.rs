@@ -19,9 +19,11 @@
 //! of `λ`, rational or quadratic. `λ < 1` makes all speeds among the three tend to 0, so they come together: at
 //! the place of their centre of mass at `T`, or at the wall.
 
+use super::Value;
 use super::line::Line;
-use super::surd::{Surd, larger_root};
+use super::surd::larger_root;
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Sign;
 use malachite::base::num::basic::traits::{One, Zero};
 use std::cmp::Ordering;
 
@@ -32,34 +34,42 @@ pub struct Collapse {
     pub bodies: (usize, usize),
     /// The pairs that collide in turn, for ever, each shown by its left point; the next first.
     pub pattern: Vec<usize>,
-    /// The time of accumulation.
-    pub time: Surd,
-    /// The place, as position of the middle body.
-    pub position: Surd,
+    /// The time of accumulation: in the field of the eigenvalue for three points, else enclosed.
+    pub time: Value,
+    /// The place, as position of the second of the points.
+    pub position: Value,
     /// The velocity that all of them approach.
     pub velocity: Rational,
-    /// The trace of the product of the transfer matrices over the pattern, on approach and separation speed.
-    pub trace: Rational,
-    /// The determinant of that product.
-    pub determinant: Rational,
-    /// Its larger eigenvalue: the factor of all speeds over one round, in the limit.
-    pub eigenvalue: Surd,
+    /// The factor of all speeds over `rounds` rounds, in the limit: the largest eigenvalue.
+    pub factor: Value,
+    /// How many rounds of the pattern `factor` is for.
+    pub rounds: u32,
+    /// For three points, trace and determinant of the product of the transfer matrices over one round.
+    pub trace: Option<(Rational, Rational)>,
     /// Whether the eigenvalue is double: then times converge like 1/k, not geometrically.
     pub critical: bool,
     /// The worldline of their centre of mass (or the wall) in the coordinates of points: intercept, velocity.
-    centre: (Rational, Rational),
+    pub(super) centre: (Rational, Rational),
 }
 
 impl Collapse {
-    /// The point in the middle of the first three.
+    /// The point whose position `position` is.
     #[must_use]
-    pub fn middle(&self) -> usize {
+    pub fn second(&self) -> usize {
         self.bodies.0 + 1
     }
 
-    /// On which side of the place of the collapse a worldline `b + v·t` is at that time.
-    pub(super) fn reach(&self, b: &Rational, v: &Rational) -> Ordering {
-        self.time.times(&(v - &self.centre.1)).plus(&(b - &self.centre.0)).sign()
+    /// On which side of the place of the collapse a worldline `b + v·t` is at that time, where it is certain.
+    pub(super) fn reach(&self, b: &Rational, v: &Rational) -> Option<Ordering> {
+        let (slope, ahead) = (v - &self.centre.1, b - &self.centre.0);
+        match &self.time {
+            Value::Exact(t) => Some((t * slope + ahead).sign()),
+            Value::Surd(t) => Some(t.times(&slope).plus(&ahead).sign()),
+            Value::Within(lo, hi) => {
+                let (at, then) = ((lo * &slope + &ahead).sign(), (hi * slope + ahead).sign());
+                (at == then).then_some(at)
+            }
+        }
     }
 }
 
@@ -100,19 +110,19 @@ pub(super) fn of_three(line: &Line, b: &[Rational], v: &[Rational], middle: usiz
     Some(Collapse {
         bodies: (left + line.first, middle + 1 + line.first),
         pattern: vec![next + line.first, other + line.first],
-        time,
-        position,
+        time: Value::from(time),
+        position: Value::from(position),
         velocity: centre.1.clone(),
-        trace,
-        determinant,
-        eigenvalue,
+        factor: Value::from(eigenvalue),
+        rounds: 1,
+        trace: Some((trace, determinant)),
         critical,
         centre,
     })
 }
 
 /// Intercept and velocity of the centre of mass of some points, or of the wall among them.
-fn centre(
+pub(super) fn centre(
     line: &Line,
     b: &[Rational],
     v: &[Rational],

@@ -20,6 +20,7 @@
 
 use super::bounds::Bounds;
 use super::collapse::{self, Collapse};
+use super::pattern;
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
 use super::queue::Queue;
@@ -79,6 +80,8 @@ pub(super) struct Run<'a> {
     /// outside the three disturbed.
     streak: Vec<u32>,
     last_pair: Vec<usize>,
+    /// The pairs of the last collisions.
+    recent: Vec<usize>,
     pub ledger: Ledger,
     pub count: u64,
     pub events: Vec<Collision>,
@@ -108,6 +111,7 @@ impl<'a> Run<'a> {
             queue: Queue::new(line.pairs.len()),
             streak: vec![0; n],
             last_pair: vec![usize::MAX; n],
+            recent: Vec::new(),
             ledger: Ledger::default(),
             count: 0,
             events: Vec::new(),
@@ -167,6 +171,9 @@ impl<'a> Run<'a> {
                         return Ok(Stop::Collapse(Box::new(found)));
                     }
                 }
+            }
+            if let Some(found) = self.pattern(bound.until) {
+                return Ok(Stop::Collapse(Box::new(found)));
             }
         }
     }
@@ -307,6 +314,7 @@ impl<'a> Run<'a> {
         self.v[p + 1] = right;
         self.last = Some((gap, speed));
         self.count = number;
+        self.recent.push(p);
         for k in [p, p + 1] {
             self.near_b[k] = Bounds::of(&self.b[k]);
             self.near_v[k] = Bounds::of(&self.v[k]);
@@ -332,36 +340,42 @@ impl<'a> Run<'a> {
         if middle == 0 || middle + 1 >= self.line.points.len() {
             return None;
         }
-        let found = collapse::of_three(self.line, &self.b, &self.v, middle)?;
-        if until.is_some_and(|until| found.time.compare(until) == Ordering::Greater) {
-            return None;
-        }
-        self.undisturbed(&found, middle).then_some(found)
+        collapse::of_three(self.line, &self.b, &self.v, middle).filter(|found| self.undisturbed(found, until))
     }
 
-    /// Nothing outside the three meets any of them, or another, before the collapse.
-    fn undisturbed(&self, found: &Collapse, middle: usize) -> bool {
-        let (lo, hi) = found.time.enclose(64);
-        let near = Bounds { lo: Bounds::of(&lo).lo, hi: Bounds::of(&hi).hi };
-        let far = self.queue.present().filter(|q| *q + 2 < middle || *q > middle + 1);
-        let mut late = far.map(|q| match self.due[q].order(near) {
-            Some(order) => order == Ordering::Greater,
-            None => {
-                let (gap, speed) = self.meeting(q);
-                found.time.compare(&(gap / speed)) != Ordering::Greater
-            }
-        });
-        if !late.all(|l| l) {
+    /// A proved collapse by the pattern that the last collisions repeat; looked for now and then.
+    fn pattern(&mut self, until: Option<&Rational>) -> Option<Collapse> {
+        if self.recent.len() < 4 * pattern::MAX_ROUND {
+            return None;
+        }
+        let recent = std::mem::take(&mut self.recent);
+        let found = pattern::of_round(self.line, &self.b, &self.v, pattern::round(&recent)?);
+        found.filter(|found| self.undisturbed(found, until))
+    }
+
+    /// Nothing outside the points of a collapse meets any of them, or another, before it; and it is not later than
+    /// asked for.
+    fn undisturbed(&self, found: &Collapse, until: Option<&Rational>) -> bool {
+        let (from, to) = (found.bodies.0 - self.line.first, found.bodies.1 - self.line.first);
+        let not_after = |t: &Rational| found.time.compare(t).is_some_and(|order| order != Ordering::Greater);
+        if until.is_some_and(|until| !not_after(until)) {
             return false;
         }
-        // The outer bodies of the three are only ever pushed outward, so each stays on the inner side of the
+        let (lo, hi) = found.time.enclose(64);
+        let near = Bounds { lo: Bounds::of(&lo).lo, hi: Bounds::of(&hi).hi };
+        let mut far = self.queue.present().filter(|q| *q + 1 < from || *q > to);
+        let late = far.all(|q| match self.due[q].order(near) {
+            Some(order) => order == Ordering::Greater,
+            None => self.due_exactly(q).is_none_or(|t| not_after(&t)),
+        });
+        // The outer bodies of a collapse are only ever pushed outward, so each stays on the inner side of the
         // chord of its worldline; a neighbour on a straight line that ends outside has not met it.
         let apart = |outer: usize, side: Ordering| {
             let there = found.reach(&self.b[outer], &self.v[outer]);
-            there == Ordering::Equal || there == side
+            there == Some(Ordering::Equal) || there == Some(side)
         };
-        (middle < 2 || apart(middle - 2, Ordering::Less))
-            && (middle + 2 >= self.line.points.len() || apart(middle + 2, Ordering::Greater))
+        late && (from == 0 || apart(from - 1, Ordering::Less))
+            && (to + 1 >= self.line.points.len() || apart(to + 1, Ordering::Greater))
     }
 }
 

@@ -6,7 +6,7 @@
 //! [`Options::exact_bits`], enclosures take over ([`certified`]): count and order stay certain, values become
 //! enclosures. It ends
 //! - *complete*: no pair approaches, or the next collision is later than asked for;
-//! - *collapse*: infinitely many collisions before a finite time, proved ([`collapse`]);
+//! - *collapse*: infinitely many collisions before a finite time, proved ([`collapse`], [`pattern`]);
 //! - *ambiguous*: three or more bodies touch and more than one pair of them approaches ([`contact`]);
 //! - *limit*: as many collisions, or as large numbers, as [`Options`] allow.
 //!
@@ -24,6 +24,7 @@ pub mod contact;
 pub mod exact;
 mod ledger;
 mod line;
+pub mod pattern;
 mod queue;
 mod surd;
 
@@ -38,6 +39,7 @@ use bounds::Bounds;
 use certified::{Certified, Enclosure, End, Evaluated, History, MAX_BITS, evaluate};
 use exact::{Bound, Run, Stop};
 use malachite::Rational;
+use std::cmp::Ordering;
 
 /// The most collisions of one replay, unless told otherwise.
 pub const MAX_EVENTS: u64 = 1_000_000;
@@ -107,6 +109,40 @@ impl Value {
             Value::Exact(x) => (x.clone(), x.clone()),
             Value::Surd(x) => x.enclose(bits),
             Value::Within(lo, hi) => (lo.clone(), hi.clone()),
+        }
+    }
+}
+
+impl Value {
+    /// The sum with a rational.
+    fn plus(&self, x: &Rational) -> Value {
+        match self {
+            Value::Exact(y) => Value::Exact(x + y),
+            Value::Surd(y) => Value::from(y.plus(x)),
+            Value::Within(lo, hi) => Value::Within(lo + x, hi + x),
+        }
+    }
+
+    /// The product with a rational.
+    fn times(&self, x: &Rational) -> Value {
+        match self {
+            Value::Exact(y) => Value::Exact(x * y),
+            Value::Surd(y) => Value::from(y.times(x)),
+            Value::Within(lo, hi) if *x < 0 => Value::Within(hi * x, lo * x),
+            Value::Within(lo, hi) => Value::Within(lo * x, hi * x),
+        }
+    }
+
+    /// The order of the number and a rational, where it is certain.
+    #[must_use]
+    pub fn compare(&self, other: &Rational) -> Option<Ordering> {
+        match self {
+            Value::Exact(x) => Some(x.cmp(other)),
+            Value::Surd(x) => Some(x.compare(other)),
+            Value::Within(lo, hi) => {
+                let (low, high) = (lo.cmp(other), hi.cmp(other));
+                (low == high).then_some(low)
+            }
         }
     }
 }
@@ -405,7 +441,7 @@ fn conclude(run: Run, status: Status, options: &Options) -> Outcome {
                 v[k] = found.velocity.clone();
             }
             joined = Some(points);
-            Value::from(found.time.clone())
+            found.time.clone()
         }
         (Status::Ambiguous(contact), _) => Value::Exact(contact.time.clone()),
         (Status::Complete, Some(until)) => Value::Exact(until.clone()),
@@ -413,16 +449,12 @@ fn conclude(run: Run, status: Status, options: &Options) -> Outcome {
     };
     let positions = line.body_points().map(|k| {
         let offset = &line.points[k].offset;
-        match (&time, &status) {
-            (_, Status::Collapse(found)) if joined.as_ref().is_some_and(|j| j.contains(&k)) => {
-                let middle = found.middle() - line.first;
-                Value::from(found.position.plus(&(offset - &line.points[middle].offset)))
+        match &status {
+            Status::Collapse(found) if joined.as_ref().is_some_and(|j| j.contains(&k)) => {
+                let second = found.second() - line.first;
+                found.position.plus(&(offset - &line.points[second].offset))
             }
-            (Value::Surd(t), _) => Value::from(t.times(&run.v[k]).plus(&(&run.b[k] + offset))),
-            (t, _) => match t.rational() {
-                Some(t) => Value::Exact(&run.b[k] + &run.v[k] * t + offset),
-                None => Value::Exact(run.b[k].clone()),
-            },
+            _ => time.times(&run.v[k]).plus(&(&run.b[k] + offset)),
         }
     });
     let positions = positions.collect();

@@ -41,6 +41,7 @@ pub fn report(replay: &Replay) -> String {
         "bodies": bodies,
         "contacts": lines.contacts.iter().map(|c| c.0).collect::<Vec<_>>(),
         "end": lines.end,
+        "top": frame.t.1,
         "x": [frame.x.0, frame.x.1],
         "frame": [frame.left, frame.top, frame.width, frame.height],
         "walls": [lines.walls.0, lines.walls.1],

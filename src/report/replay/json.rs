@@ -6,7 +6,7 @@
 //! `ambiguous` where the run ended so.
 
 use super::{Numbers, Replay, decimal};
-use crate::chain::replay::{Collapse, Collision, Contact, Limit, Status, Surd, Value};
+use crate::chain::replay::{Collapse, Collision, Contact, Limit, Status, Value};
 use serde_json::{Map, Value as Json, json};
 
 /// The report.
@@ -73,18 +73,18 @@ fn collision(c: &Collision, numbers: Numbers) -> Json {
 }
 
 fn collapse(found: &Collapse, numbers: Numbers) -> Json {
-    let surd = |x: &Surd| numbers.write(&Value::from(x.clone()));
     let exact = |x: &malachite::Rational| numbers.write(&Value::Exact(x.clone()));
     json!({
-        "time": surd(&found.time),
-        "time_decimal": decimal(&Value::from(found.time.clone()), super::DEFAULT_DIGITS),
-        "position": surd(&found.position),
+        "time": numbers.write(&found.time),
+        "time_decimal": decimal(&found.time, super::DEFAULT_DIGITS),
+        "position": numbers.write(&found.position),
         "velocity": exact(&found.velocity),
         "bodies": [found.bodies.0, found.bodies.1],
         "pattern": found.pattern.iter().map(|p| json!([p, p + 1])).collect::<Vec<_>>(),
-        "trace": exact(&found.trace),
-        "determinant": exact(&found.determinant),
-        "eigenvalue": surd(&found.eigenvalue),
+        "trace": found.trace.as_ref().map(|t| exact(&t.0)),
+        "determinant": found.trace.as_ref().map(|t| exact(&t.1)),
+        "factor": numbers.write(&found.factor),
+        "rounds": found.rounds,
         "critical": found.critical,
         "convergence": if found.critical { "like 1/n" } else { "geometric" },
     })

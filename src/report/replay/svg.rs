@@ -67,16 +67,16 @@ impl Worldlines {
         let all = o.events.len() as u64 == o.count;
         let last = contacts.last().map_or(0.0, |c| c.0);
         let stop = if all { near(&o.time).max(last) } else { last };
-        // Some room to see who flies where.
+        // Some room to see who flies where, unless the picture was asked to end here.
         let end = match (&o.status, stop > 0.0) {
-            (Status::Complete, true) if all => stop * 1.15,
+            (Status::Complete, true) if all && stop <= last => stop * 1.15,
             (_, true) => stop,
             (_, false) => 1.0,
         };
         let mut mark = None;
         match &o.status {
             Status::Collapse(found) if all => {
-                let (t, x) = (near(&Value::from(found.time.clone())), near(&Value::from(found.position.clone())));
+                let (t, x) = (near(&found.time), near(&found.position));
                 mark = Some((t, x));
                 for point in found.bodies.0.max(1)..=found.bodies.1.min(n) {
                     bodies[point - 1].push((t, near(&o.positions[point - 1])));
@@ -134,7 +134,7 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame of the diagram around worldlines.
     pub fn around(lines: &Worldlines) -> Frame {
-        Frame { left: 78.0, top: 64.0, width: 742.0, height: 500.0, x: lines.range, t: (0.0, lines.end) }
+        Frame { left: 78.0, top: 64.0, width: 742.0, height: 500.0, x: lines.range, t: (0.0, lines.end * 1.04) }
     }
 
     /// Across the page.
@@ -181,7 +181,7 @@ pub(super) fn caption(replay: &Replay) -> String {
         Status::Complete => format!("{} collision{plural}", o.count),
         Status::Collapse(found) => format!(
             "infinitely many collisions before t = {} ({} drawn)",
-            decimal(&Value::from(found.time.clone()), 8),
+            decimal(&found.time, 8),
             o.events.len()
         ),
         Status::Limit(_) => format!("stopped at a limit after {} collisions", o.count),

@@ -1,7 +1,7 @@
 //! A replay as text.
 
-use super::{Numbers, Replay, decimal, name, pair};
-use crate::chain::replay::{Collapse, Contact, Limit, Status, Surd, Value};
+use super::{Replay, decimal, name, pair};
+use crate::chain::replay::{Collapse, Contact, Limit, Status, Value};
 use std::fmt::Write;
 
 /// The report.
@@ -103,29 +103,36 @@ fn verdict(replay: &Replay) -> String {
 }
 
 fn collapse(replay: &Replay, found: &Collapse) -> String {
-    let n = |x: &Surd| replay.numbers.write(&Value::from(x.clone()));
-    let near = |x: &Surd| {
-        let exact = n(x);
-        if x.rational().is_some() || replay.numbers != Numbers::Exact && !exact.contains("sqrt") {
-            return exact;
-        }
-        format!("{exact} ≈ {}", decimal(&Value::from(x.clone()), 12))
+    let n = |x: &Value| match x {
+        Value::Surd(_) => format!("{} ≈ {}", replay.numbers.write(x), decimal(x, 12)),
+        _ => replay.numbers.write(x),
     };
     let turn: Vec<String> = found.pattern.iter().map(|p| pair(replay.line, *p)).collect();
-    format!(
-        "collapse: infinitely many collisions before the time {}\n  {} collisions are listed or counted; from then on {} in turn, for ever (proved)\n  {} to {} come together at {} with velocity {}\n  over one round speeds are multiplied by a matrix of trace {} and determinant {}, larger eigenvalue {}{}",
-        near(&found.time),
+    let mut text = format!(
+        "collapse: infinitely many collisions before the time {}\n  after {} collisions, {} in turn, for ever (proved)\n  {} to {} come together at {} with velocity {}\n",
+        n(&found.time),
         replay.outcome.count,
-        turn.join(" and "),
+        turn.join(", "),
         name(replay.line, found.bodies.0),
         name(replay.line, found.bodies.1),
-        near(&found.position),
+        n(&found.position),
         replay.numbers.write(&Value::Exact(found.velocity.clone())),
-        found.trace,
-        found.determinant,
-        near(&found.eigenvalue),
-        if found.critical { ", a double one: times converge like 1/n" } else { "" },
-    )
+    );
+    match &found.trace {
+        Some((trace, determinant)) => {
+            let _ = write!(
+                text,
+                "  over one round speeds are multiplied by a matrix of trace {trace}, determinant {determinant}, larger eigenvalue {}",
+                n(&found.factor)
+            );
+        }
+        None => {
+            let rounds = if found.rounds == 1 { "one round".to_string() } else { format!("{} rounds", found.rounds) };
+            let _ = write!(text, "  over {rounds} speeds shrink by a factor near {}", n(&found.factor));
+        }
+    }
+    text.push_str(if found.critical { ", a double one: times converge like 1/n" } else { "" });
+    text
 }
 
 fn ambiguous(replay: &Replay, found: &Contact) -> String {
