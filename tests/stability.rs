@@ -32,8 +32,18 @@ fn near_one(k: i64) -> Rational {
 }
 
 const RATIOS: [&str; 12] = [
-    "1e-300", "1e300", "1e-9999", "1e9999", "1", "10", "1e-3", "1.000000000000001", "0.999999999999999", "531441",
-    "64", "4",
+    "1e-300",
+    "1e300",
+    "1e-9999",
+    "1e9999",
+    "1",
+    "10",
+    "1e-3",
+    "1.000000000000001",
+    "0.999999999999999",
+    "531441",
+    "64",
+    "4",
 ];
 
 fn coefficients() -> Vec<Rational> {
@@ -46,7 +56,12 @@ fn check_digits(x: &Real, what: &str) {
     let (short, long) = (enclosed(20), enclosed(60));
     let gap = short.decimal.value() - long.decimal.value();
     let unit = Rational::from(10).pow(short.decimal.exponent());
-    assert!(gap.clone() * Rational::from(2) <= unit && -gap * Rational::from(2) <= unit, "{what}: {} {}", short.decimal, long.decimal);
+    assert!(
+        gap.clone() * Rational::from(2) <= unit && -gap * Rational::from(2) <= unit,
+        "{what}: {} {}",
+        short.decimal,
+        long.decimal
+    );
     assert!(short.lower.value() <= long.lower.value() && long.upper.value() <= short.upper.value(), "{what}");
     assert!(long.lower.value() <= long.upper.value(), "{what}");
 }
@@ -87,7 +102,9 @@ fn equality_is_recognised_wherever_it_holds() {
 
 #[test]
 fn hairs_beside_the_threshold_are_seen() {
-    for (r, n) in [("4", 1), ("64", 2), ("531441", 3), ("10", 7), ("1e300", 4), ("1e-9999", 2), ("1.000000000000001", 3)] {
+    for (r, n) in
+        [("4", 1), ("64", 2), ("531441", 3), ("10", 7), ("1e300", 4), ("1e-9999", 2), ("1.000000000000001", 3)]
+    {
         let l = threshold(&ratio(r), n).unwrap();
         for k in [30u64, 300, 3000] {
             let hair = Rational::from(10).pow(-(k as i64));
@@ -132,7 +149,19 @@ fn best_numbers_of_any_size() {
 fn doubles_enclose_what_intervals_say() {
     let hairs = [1.0, 1.0 - f64::EPSILON / 2.0, 0.0, 5e-324, 0.1, 0.5, 0.9, 0.999_999_999_999_999];
     let sizes = [
-        1.0, 10.0, 0.1, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON / 2.0, 1e-300, 1e300, 5e-324, f64::MAX, 1e100, 3.0, 64.0, 1e-120,
+        1.0,
+        10.0,
+        0.1,
+        1.0 + f64::EPSILON,
+        1.0 - f64::EPSILON / 2.0,
+        1e-300,
+        1e300,
+        5e-324,
+        f64::MAX,
+        1e100,
+        3.0,
+        64.0,
+        1e-120,
     ];
     for c in hairs {
         for r in sizes {
@@ -147,7 +176,15 @@ fn doubles_enclose_what_intervals_say() {
             }
         }
     }
-    for (c, r, n) in [(f64::NAN, 1.0, 1), (0.5, f64::NAN, 1), (1.5, 2.0, 3), (0.5, -1.0, 2), (0.5, 0.0, 2), (0.5, 1.0, 0), (0.5, f64::INFINITY, 2)] {
+    for (c, r, n) in [
+        (f64::NAN, 1.0, 1),
+        (0.5, f64::NAN, 1),
+        (1.5, 2.0, 3),
+        (0.5, -1.0, 2),
+        (0.5, 0.0, 2),
+        (0.5, 1.0, 0),
+        (0.5, f64::INFINITY, 2),
+    ] {
         assert!(fast::eta(c, r, n).0.is_nan());
     }
 }
@@ -164,7 +201,9 @@ fn grids_enclose_every_cell() {
         for (i, c) in coefficients.iter().enumerate() {
             for (j, r) in ratios.iter().enumerate() {
                 let exact = |x: f64| Rational::try_from(x).unwrap();
-                let eta = transfer::optimal(&Positive::new(exact(*r)).unwrap(), &Restitutions::Same(e(exact(*c))), n - 1).unwrap();
+                let eta =
+                    transfer::optimal(&Positive::new(exact(*r)).unwrap(), &Restitutions::Same(e(exact(*c))), n - 1)
+                        .unwrap();
                 let (least, most) = eta.enclosure(200).to_f64_ends();
                 let (lo, hi) = (lower[i * ratios.len() + j], upper[i * ratios.len() + j]);
                 assert!(lo <= least && most <= hi, "e={c} r={r} N={n}: {lo} {hi} against {least} {most}");

@@ -14,6 +14,8 @@ mod partial;
 #[cfg(feature = "plot")]
 mod plot;
 mod progress;
+#[cfg(feature = "proptest")]
+mod properties;
 mod statements;
 mod table;
 mod table_check;
@@ -81,6 +83,9 @@ enum Command {
     /// Draw a picture as SVG or PNG
     #[cfg(feature = "plot")]
     Plot(plot::Flags),
+    /// Try the paper's claims on random exact chains
+    #[cfg(feature = "proptest")]
+    Test(properties::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -209,6 +214,8 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Worksheet(flags) => worksheet::run(&flags),
         #[cfg(feature = "plot")]
         Command::Plot(flags) => plot::run(&flags),
+        #[cfg(feature = "proptest")]
+        Command::Test(flags) => properties::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
