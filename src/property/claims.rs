@@ -18,6 +18,9 @@ use proptest::prelude::*;
 use proptest::strategy::BoxedStrategy;
 use std::cmp::Ordering;
 
+/// The most bits with which two numbers are compared.
+const MAX_BITS: u64 = 1 << 16;
+
 /// Which chains a property is tried on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Chains {
@@ -247,11 +250,14 @@ fn order_of(a: &Real, b: &Real) -> Result<Ordering, String> {
     if let (Some(a), Some(b)) = (a.as_rational(), b.as_rational()) {
         return Ok(a.cmp(b));
     }
-    let answer = a.settle(0, |x| {
-        let bits = x.accuracy().clamp(64, 1 << 30);
-        x.subtract(&b.enclosure(bits), bits).sign()
-    });
-    answer.map(|found| found.0).map_err(|e| said(e.into()))
+    let mut bits = 64;
+    while bits <= MAX_BITS {
+        if let Some(order) = a.enclosure(bits).subtract(&b.enclosure(bits), bits).sign() {
+            return Ok(order);
+        }
+        bits *= 2;
+    }
+    Err(format!("no order was found with {MAX_BITS} bits"))
 }
 
 fn product_formula(chain: &Chain) -> Result<(), String> {

@@ -49,7 +49,7 @@ fn assembled(first: Positive, last: Positive, inserted: Inserted, e: Restitution
 /// A chain with given masses and a coefficient for each collision, or one for all.
 pub fn chain() -> impl Strategy<Value = Chain> {
     let coefficients = prop_oneof![vec(restitution(), 1), vec(restitution(), BODIES + 1)];
-    (masses(), coefficients).prop_filter_map("a chain", |(masses, list)| {
+    (coefficients, masses()).prop_filter_map("a chain", |(list, masses)| {
         let [first, inserted @ .., last] = masses.as_slice() else { return None };
         let list: Vec<_> = list.into_iter().map(Range::point).collect();
         let coefficients = match list.as_slice() {
@@ -64,12 +64,13 @@ pub fn chain() -> impl Strategy<Value = Chain> {
 /// A chain with bodies of optimal mass; for half of them the ratio of neighbours is rational.
 pub fn optimal_chain() -> impl Strategy<Value = Chain> {
     let step = (1u32..=9, 1u32..=9).prop_map(|(p, q)| Rational::from_unsigneds(p, q));
-    let exact = (positive(), step, 1..=BODIES as u64, restitution()).prop_filter_map("a chain", |(last, x, n, e)| {
+    // What comes first shrinks first: then the masses are made simple for a simple restitution.
+    let exact = (restitution(), 1..=BODIES as u64, step, positive()).prop_filter_map("a chain", |(e, n, x, last)| {
         let first = Positive::new(last.value() * x.pow(n + 1)).ok()?;
         assembled(first, last, Inserted::Optimal(n), e)
     });
-    let any = (positive(), positive(), 1..=BODIES as u64, restitution())
-        .prop_filter_map("a chain", |(first, last, n, e)| assembled(first, last, Inserted::Optimal(n), e));
+    let any = (restitution(), 1..=BODIES as u64, positive(), positive())
+        .prop_filter_map("a chain", |(e, n, first, last)| assembled(first, last, Inserted::Optimal(n), e));
     prop_oneof![exact, any]
 }
 
