@@ -50,7 +50,6 @@ pub struct Property {
 
 impl Property {
     /// The chains that it is tried on.
-    #[must_use]
     pub fn strategy(&self) -> BoxedStrategy<Chain> {
         match self.chains {
             Chains::Given => strategies::chain().boxed(),
