@@ -10,9 +10,10 @@ use carom::number::decimal::{Decimal, Digits, Rounding};
 use carom::number::interval::Interval;
 use carom::number::rational::parse;
 use carom::number::real::{Level, Real};
-use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::arithmetic::traits::{Pow, UnsignedAbs};
 use malachite::base::num::basic::traits::One;
-use malachite::{Natural, Rational};
+use malachite::{Integer, Natural, Rational};
+use std::str::FromStr;
 
 fn q(text: &str) -> Rational {
     parse(text).unwrap()
@@ -40,15 +41,23 @@ fn coefficients() -> Vec<Rational> {
     vec![q("0"), q("1"), q("1/2"), near_one(15), near_one(300), q("1e-300")]
 }
 
+/// A decimal in units of a place far below it: its value itself may have 10^17 digits.
+fn in_units(x: &Decimal, exponent: i64) -> Integer {
+    let digits = Integer::from_str(x.digits()).unwrap() * Integer::from(10).pow((x.exponent() - exponent) as u64);
+    if x.is_negative() { -digits } else { digits }
+}
+
 /// Each digit that is printed at 20 digits is there at 60, where precision and route differ.
 fn check_digits(x: &Real, what: &str) {
     let enclosed = |digits| Decimal::with_enclosure(x, Digits::Significant(digits), Rounding::Nearest).unwrap().0;
     let (short, long) = (enclosed(20), enclosed(60));
-    let gap = short.decimal.value() - long.decimal.value();
-    let unit = Rational::from(10).pow(short.decimal.exponent());
-    assert!(gap.clone() * Rational::from(2) <= unit && -gap * Rational::from(2) <= unit, "{what}: {} {}", short.decimal, long.decimal);
-    assert!(short.lower.value() <= long.lower.value() && long.upper.value() <= short.upper.value(), "{what}");
-    assert!(long.lower.value() <= long.upper.value(), "{what}");
+    let unit = [&long.decimal, &long.lower, &long.upper, &short.decimal].map(Decimal::exponent).into_iter().min().unwrap();
+    let at = |d: &Decimal| in_units(d, unit);
+    let gap = at(&short.decimal) - at(&long.decimal);
+    let place = Integer::from(10).pow((short.decimal.exponent() - unit) as u64);
+    assert!(gap.unsigned_abs() * Natural::from(2u32) <= place.unsigned_abs(), "{what}: {} {}", short.decimal, long.decimal);
+    assert!(at(&short.lower) <= at(&long.lower) && at(&long.upper) <= at(&short.upper), "{what}");
+    assert!(at(&long.lower) <= at(&long.upper), "{what}");
 }
 
 #[test]
