@@ -10,8 +10,8 @@ use carom::number::decimal::{Decimal, Digits, Rounding, bits_of_digits};
 use carom::number::interval::Interval;
 use carom::number::rational::parse;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use malachite::base::num::arithmetic::traits::Pow;
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Pow;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -108,12 +108,16 @@ fn signs(c: &mut Criterion) {
         group.bench_function(format!("equality/n={n}"), |b| b.iter(|| helps(black_box(&equal), black_box(&r), n)));
         let near = Restitution::new(l + q("1e-30")).unwrap();
         assert_eq!(helps(&near, &r, n).unwrap().0, Helps::Yes);
-        group.bench_function(format!("1e-30 above, rational/n={n}"), |b| b.iter(|| helps(black_box(&near), black_box(&r), n)));
+        group.bench_function(format!("1e-30 above, rational/n={n}"), |b| {
+            b.iter(|| helps(black_box(&near), black_box(&r), n))
+        });
         let r = Positive::new(Rational::from(10)).unwrap();
         let cut = Decimal::of_real(&threshold(&r, n).unwrap(), Digits::Places(30), Rounding::Down).unwrap().0.value();
         let cut = Restitution::new(cut).unwrap();
         assert_eq!(helps(&cut, &r, n).unwrap().0, Helps::No);
-        group.bench_function(format!("1e-30 below, irrational/n={n}"), |b| b.iter(|| helps(black_box(&cut), black_box(&r), n)));
+        group.bench_function(format!("1e-30 below, irrational/n={n}"), |b| {
+            b.iter(|| helps(black_box(&cut), black_box(&r), n))
+        });
         let far = Restitution::new(q("1/10")).unwrap();
         group.bench_function(format!("far/n={n}"), |b| b.iter(|| helps(black_box(&far), black_box(&r), n)));
     }
@@ -122,11 +126,7 @@ fn signs(c: &mut Criterion) {
 
 fn best_numbers(c: &mut Criterion) {
     let mut group = c.benchmark_group("best-n");
-    for (name, r, e) in [
-        ("3", "10", "0.9"),
-        ("1e9", "1e10", "0.9999999999999999"),
-        ("1e100", "1e10", "1e-200"),
-    ] {
+    for (name, r, e) in [("3", "10", "0.9"), ("1e9", "1e10", "0.9999999999999999"), ("1e100", "1e10", "1e-200")] {
         let r = Positive::new(q(r)).unwrap();
         let e = if e.contains("e-") { Rational::from(1) - q(e) } else { q(e) };
         let e = Restitution::new(e).unwrap();
@@ -162,7 +162,9 @@ fn division(c: &mut Criterion) {
         let third = |p: i64| Interval::from_rational(&Rational::from_signeds(p, 3), bits);
         let (x, y) = (third(1).multiply(&third(7), bits), third(5).multiply(&third(11), bits));
         group.bench_function(format!("divide/{bits}"), |b| b.iter(|| x.divide(black_box(&y), bits)));
-        group.bench_function(format!("by reciprocal/{bits}"), |b| b.iter(|| x.multiply(&black_box(&y).reciprocal(bits), bits)));
+        group.bench_function(format!("by reciprocal/{bits}"), |b| {
+            b.iter(|| x.multiply(&black_box(&y).reciprocal(bits), bits))
+        });
     }
     group.finish();
 }
@@ -172,8 +174,9 @@ fn long_chains(c: &mut Criterion) {
     group.sample_size(10);
     for bodies in [100u64, 1_000, 10_000] {
         let mix = |k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 33) + 1;
-        let masses: Vec<Positive> =
-            (0..bodies).map(|k| Positive::new(Rational::from_unsigneds(mix(k), mix(k + 1 + bodies))).unwrap()).collect();
+        let masses: Vec<Positive> = (0..bodies)
+            .map(|k| Positive::new(Rational::from_unsigneds(mix(k), mix(k + 1 + bodies))).unwrap())
+            .collect();
         let e = (1..bodies).map(|k| {
             let (a, b) = (mix(3 * k), mix(5 * k));
             Restitution::new(Rational::from_unsigneds(a.min(b), a.max(b))).unwrap()

@@ -32,7 +32,7 @@ def rational(text):
 
 
 def root(r, k):
-    return arb(r).root(k) if k < 2**60 else (arb(r).log() / k).exp()
+    return arb(r).root(k) if k < 50 else (arb(r).log() / k).exp()
 
 
 def bits_for(r, n):

@@ -136,7 +136,8 @@ fn velocities_are_those_of_equations_22_to_24() {
     for (x, v1, e, n) in points() {
         // Masses of ratio x: the chain of the code has m1 = x^(n+1), m2 = 1.
         let m1 = (&x).pow(n + 1);
-        let chain = Optimum::new(positive(&m1), positive(&Rational::ONE), n, Restitutions::Same(restitution(&e))).unwrap();
+        let chain =
+            Optimum::new(positive(&m1), positive(&Rational::ONE), n, Restitutions::Same(restitution(&e))).unwrap();
         for i in 0..=n {
             let at = [("x", x.clone()), ("e", e.clone()), ("v1", v1.clone()), ("i", Rational::from(i))];
             check(&chain.velocity(i, &v1), &value(inner, &at), "velocity");
@@ -149,7 +150,8 @@ fn velocities_are_those_of_equations_22_to_24() {
     };
     for (x, v1, e, n) in points() {
         let m1 = (&x).pow(n + 1);
-        let chain = Optimum::new(positive(&m1), positive(&Rational::ONE), n, Restitutions::Same(restitution(&e))).unwrap();
+        let chain =
+            Optimum::new(positive(&m1), positive(&Rational::ONE), n, Restitutions::Same(restitution(&e))).unwrap();
         let at = [("x", x), ("e", e), ("v1", v1.clone()), ("n", Rational::from(n)), ("m1", m1), ("m2", Rational::ONE)];
         check(&chain.velocity(n + 1, &v1), &value(&text, &at), "last velocity");
     }
@@ -165,7 +167,8 @@ fn given_masses_follow_equation_13_and_one_collision_p_loss() {
         let list = Restitutions::Each(vec![restitution(&e1), restitution(&e2)]);
         let pass = Pass::from_rest(vec![positive(&m1), positive(&mu), positive(&m2)], list, Rational::from(3)).unwrap();
         check(&Real::rational(pass.transfer().unwrap()), &value(text, &at), "eta");
-        let at = [("m1", m1.clone()), ("m2", m2.clone()), ("e", e1.clone()), ("v1", Rational::from(3)), ("v2", -mu.clone())];
+        let at =
+            [("m1", m1.clone()), ("m2", m2.clone()), ("e", e1.clone()), ("v1", Rational::from(3)), ("v2", -mu.clone())];
         let code = collision::loss(&positive(&m1), &positive(&m2), &restitution(&e1), &Rational::from(3), &-mu);
         check(&Real::rational(code), &value(loss, &at), "loss");
         assert!(Rational::ZERO < m1);
