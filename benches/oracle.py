@@ -31,6 +31,13 @@ def rational(text):
     return fmpq(n * fmpz(10) ** k) if k >= 0 else fmpq(n, fmpz(10) ** -k)
 
 
+def decimal(text):
+    """A decimal as a ball: its value may have millions of digits."""
+    mantissa, _, exponent = text.partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    return arb(fmpz(whole + fraction)) * arb(10) ** fmpz(int(exponent or 0) - len(fraction))
+
+
 def root(r, k):
     return arb(r).root(k) if k < 50 else (arb(r).log() / k).exp()
 
@@ -106,16 +113,16 @@ class Tally:
 
 
 def within(lower, value, upper):
-    if value < arb(rational(lower)) or value > arb(rational(upper)):
+    if value < decimal(lower) or value > decimal(upper):
         return False
-    return True if value >= arb(rational(lower)) and value <= arb(rational(upper)) else None
+    return True if value >= decimal(lower) and value <= decimal(upper) else None
 
 
-def rounded(decimal, value):
-    mantissa, _, exponent = decimal.partition("e")
+def rounded(text, value):
+    mantissa, _, exponent = text.partition("e")
     places = len(mantissa.partition(".")[2]) - int(exponent or 0)
-    half = arb(rational(f"5e{-places - 1}"))
-    gap = abs(value - arb(rational(decimal)))
+    half = decimal(f"5e{-places - 1}")
+    gap = abs(value - decimal(text))
     return False if gap > half else True if gap <= half else None
 
 
