@@ -10,9 +10,14 @@ use carom::number::decimal::{Decimal, Digits, Rounding};
 use carom::number::interval::Interval;
 use carom::number::rational::parse;
 use carom::number::real::{Level, Real};
-use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::arithmetic::traits::{Pow, UnsignedAbs};
 use malachite::base::num::basic::traits::One;
-use malachite::{Natural, Rational};
+use malachite::{Integer, Natural, Rational};
+use std::str::FromStr;
+
+#[path = "../examples/stability.rs"]
+#[allow(dead_code)]
+mod page;
 
 fn q(text: &str) -> Rational {
     parse(text).unwrap()
@@ -50,20 +55,29 @@ fn coefficients() -> Vec<Rational> {
     vec![q("0"), q("1"), q("1/2"), near_one(15), near_one(300), q("1e-300")]
 }
 
+/// A decimal in units of a place far below it: its value itself may have 10^17 digits.
+fn in_units(x: &Decimal, exponent: i64) -> Integer {
+    let digits = Integer::from_str(x.digits()).unwrap() * Integer::from(10).pow((x.exponent() - exponent) as u64);
+    if x.is_negative() { -digits } else { digits }
+}
+
 /// Each digit that is printed at 20 digits is there at 60, where precision and route differ.
 fn check_digits(x: &Real, what: &str) {
     let enclosed = |digits| Decimal::with_enclosure(x, Digits::Significant(digits), Rounding::Nearest).unwrap().0;
     let (short, long) = (enclosed(20), enclosed(60));
-    let gap = short.decimal.value() - long.decimal.value();
-    let unit = Rational::from(10).pow(short.decimal.exponent());
+    let unit =
+        [&long.decimal, &long.lower, &long.upper, &short.decimal].map(Decimal::exponent).into_iter().min().unwrap();
+    let at = |d: &Decimal| in_units(d, unit);
+    let gap = at(&short.decimal) - at(&long.decimal);
+    let place = Integer::from(10).pow((short.decimal.exponent() - unit) as u64);
     assert!(
-        gap.clone() * Rational::from(2) <= unit && -gap * Rational::from(2) <= unit,
+        gap.unsigned_abs() * Natural::from(2u32) <= place.unsigned_abs(),
         "{what}: {} {}",
         short.decimal,
         long.decimal
     );
-    assert!(short.lower.value() <= long.lower.value() && long.upper.value() <= short.upper.value(), "{what}");
-    assert!(long.lower.value() <= long.upper.value(), "{what}");
+    assert!(at(&short.lower) <= at(&long.lower) && at(&long.upper) <= at(&short.upper), "{what}");
+    assert!(at(&long.lower) <= at(&long.upper), "{what}");
 }
 
 #[test]
@@ -226,4 +240,18 @@ fn limits_are_stated_and_errors() {
     let largest = transfer::optimal(&ratio("2"), &same, carom::chain::MAX_INSERTED).unwrap();
     check_digits(&largest, "eta of the longest chain");
     assert!(Interval::whole().sign().is_none());
+}
+
+/// The page's last column, and its rows, are those of the code; the doubles depend on the libm.
+#[test]
+fn the_stability_page_is_up_to_date() {
+    let columns = |page: &str| -> Vec<(String, String)> {
+        let cells = |line: &str| line.split(" | ").map(str::to_owned).collect::<Vec<_>>();
+        page.lines()
+            .filter(|line| line.starts_with("| "))
+            .map(|line| (cells(line)[..4].join(" "), cells(line).pop().unwrap()))
+            .collect()
+    };
+    let committed = include_str!("../docs/stability.md");
+    assert_eq!(columns(committed), columns(&page::page()));
 }
