@@ -24,6 +24,8 @@ pub mod chain;
 pub mod cli;
 #[cfg(feature = "engine")]
 pub mod number;
+#[cfg(feature = "proptest")]
+pub mod property;
 #[cfg(feature = "engine")]
 pub mod prove;
 #[cfg(feature = "cli")]

@@ -43,8 +43,21 @@ speed = "1"
 #[test]
 fn flags_and_scene_give_the_same() {
     let by_flags = json(&carom(&[
-        "eval", "--m1", "10", "--m2", "1", "-e", "9/10", "-n", "7", "--want", "eta,threshold", "--digits", "12",
-        "--format", "json",
+        "eval",
+        "--m1",
+        "10",
+        "--m2",
+        "1",
+        "-e",
+        "9/10",
+        "-n",
+        "7",
+        "--want",
+        "eta,threshold",
+        "--digits",
+        "12",
+        "--format",
+        "json",
     ]));
     let by_scene = json(&with_input(&["eval", "-", "--format", "json"], SCENE));
     assert_eq!(by_flags, by_scene);
@@ -59,8 +72,19 @@ fn flags_and_scene_give_the_same() {
 #[test]
 fn exact_results_stay_exact() {
     let out = json(&carom(&[
-        "eval", "--m1", "64", "--m2", "1", "-e", "44/81", "-n", "2", "--want",
-        "threshold,helps,best-n,masses,velocities,matrix,losses,recollides,eta", "--format", "json",
+        "eval",
+        "--m1",
+        "64",
+        "--m2",
+        "1",
+        "-e",
+        "44/81",
+        "-n",
+        "2",
+        "--want",
+        "threshold,helps,best-n,masses,velocities,matrix,losses,recollides,eta",
+        "--format",
+        "json",
     ]));
     assert_eq!(out["threshold"]["exact"], "44/81");
     assert_eq!(out["helps"], "exactly on the threshold");
@@ -78,7 +102,20 @@ fn exact_results_stay_exact() {
 fn only_what_is_wanted_is_computed() {
     let explain = |want: &str| {
         json(&carom(&[
-            "eval", "--m1", "10", "--m2", "1", "-e", "1/2", "-n", "7", "--want", want, "--format", "json", "--explain",
+            "eval",
+            "--m1",
+            "10",
+            "--m2",
+            "1",
+            "-e",
+            "1/2",
+            "-n",
+            "7",
+            "--want",
+            want,
+            "--format",
+            "json",
+            "--explain",
         ]))
     };
     let eta = explain("eta");
@@ -109,8 +146,19 @@ fn velocities_that_are_not_final_carry_a_warning() {
 #[test]
 fn measured_inputs_cover_the_box() {
     let out = json(&carom(&[
-        "eval", "--m1", "57.1 ± 0.1", "--m2", "[2, 3]", "-e", "[0.84, 0.90]", "-n", "1", "--want",
-        "eta,threshold,helps,best-n,masses,recollides", "--format", "json",
+        "eval",
+        "--m1",
+        "57.1 ± 0.1",
+        "--m2",
+        "[2, 3]",
+        "-e",
+        "[0.84, 0.90]",
+        "-n",
+        "1",
+        "--want",
+        "eta,threshold,helps,best-n,masses,recollides",
+        "--format",
+        "json",
     ]));
     assert!(out["eta"]["exact"].is_null() && out["eta"]["decimal"].is_null());
     assert_eq!(out["helps"], "yes");
@@ -159,7 +207,10 @@ fn bad_input_says_what_where_and_what_would_be_right() {
         let message = text(&out.stderr);
         let allowed = [Some(code), Some(3)];
         assert!(allowed.contains(&out.status.code()), "{scene}: {:?} {message}", out.status.code());
-        assert!(out.status.code() == Some(code) || scene.contains("1000000000000000000000000000000"), "{scene}: {message}");
+        assert!(
+            out.status.code() == Some(code) || scene.contains("1000000000000000000000000000000"),
+            "{scene}: {message}"
+        );
         for word in words {
             assert!(message.contains(word), "{scene}: {message}");
         }

@@ -3,6 +3,7 @@
 use carom::number::decimal::{Decimal, Digits, Rounding, outward};
 use carom::number::double::Double;
 use carom::number::interval::Interval;
+use carom::number::radical::Field;
 use carom::number::rational::exact_root;
 use carom::number::real::Real;
 use carom::number::root::{guess_ln, root};
@@ -324,5 +325,56 @@ proptest! {
                 prop_assert_eq!(found.upper.value(), Decimal::of_real(&x, longer, Rounding::Up).unwrap().0.value());
             }
         }
+    }
+}
+
+#[test]
+fn radical_fields_have_the_minimal_degree() {
+    let degree = |r: i64, k| Field::of_root(&Rational::from(r), k).unwrap().0.degree();
+    assert_eq!(degree(64, 6), 1);
+    assert_eq!(degree(64, 4), 2);
+    assert_eq!(degree(64, 5), 5);
+    assert_eq!(degree(1, 12), 1);
+    assert_eq!(degree(531_441, 30), 5);
+    assert_eq!(degree(12, 4), 4);
+    assert!(Field::of_root(&Rational::from(-2), 3).is_err() && Field::of_root(&Rational::from(2), 0).is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    #[test]
+    fn radical_elements_are_what_their_enclosures_say(p in 1u64..40, q in 1u64..6, k in 1u64..9, a in -4i64..5, b in 1i64..5, m in 0u64..6) {
+        let r = Rational::from_unsigneds(p, q);
+        let (field, t) = Field::of_root(&r, k).unwrap();
+        prop_assert_eq!(field.power(&t, k), field.rational(r.clone()));
+        // (a + b·t)^m by squarings and one factor at a time.
+        let sum = field.add(&field.rational(Rational::from(a)), &field.monomial(Rational::from(b), 1));
+        let power = field.power(&sum, m);
+        let slow = (0..m).fold(field.rational(Rational::ONE), |x, _| field.multiply(&x, &sum));
+        prop_assert!(field.subtract(&power, &slow).is_zero());
+        let value = root(&r, &Natural::from(k), 300).multiply_rational(&Rational::from(b), 300);
+        let value = value.add(&Interval::from_rational(&Rational::from(a), 300), 300).power(&Natural::from(m), 300);
+        prop_assert!(value.subtract(&field.real(&power).enclosure(300), 300).contains(&Rational::ZERO));
+        match value.sign() {
+            Some(sign) => prop_assert_eq!(field.sign(&power).unwrap().0, sign),
+            None => prop_assert!(power.is_zero()),
+        }
+    }
+
+    /// The sign of e − L_n by expansion in the field: an independent route to the chain's answer.
+    #[test]
+    fn thresholds_agree_with_the_radical_field(base in 2u64..30, power in 1u64..13, n in 1u64..5, e in 0u64..=81) {
+        let r = Rational::from(base).pow(power);
+        let (field, t) = Field::of_root(&r, n * (n + 1)).unwrap();
+        let one = field.rational(Rational::ONE);
+        let sum = |k| field.add(&one, &field.power(&t, k));
+        let e = Rational::from_unsigneds(e, 81);
+        let left = field.multiply(&field.rational(&e + Rational::ONE), &field.power(&sum(n + 1), n));
+        let gap = field.subtract(&left, &field.power(&sum(n), n + 1));
+        let ratio = carom::chain::Positive::new(r).unwrap();
+        let restitution = carom::chain::Restitution::new(e).unwrap();
+        let (order, _) = carom::chain::threshold::compare(&restitution, &ratio, &Natural::from(n)).unwrap();
+        prop_assert_eq!(field.sign(&gap).unwrap().0, order);
     }
 }

@@ -10,9 +10,14 @@ use carom::number::decimal::{Decimal, Digits, Rounding};
 use carom::number::interval::Interval;
 use carom::number::rational::parse;
 use carom::number::real::{Level, Real};
-use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::arithmetic::traits::{Pow, UnsignedAbs};
 use malachite::base::num::basic::traits::One;
-use malachite::{Natural, Rational};
+use malachite::{Integer, Natural, Rational};
+use std::str::FromStr;
+
+#[path = "../examples/stability.rs"]
+#[allow(dead_code)]
+mod page;
 
 fn q(text: &str) -> Rational {
     parse(text).unwrap()
@@ -32,23 +37,47 @@ fn near_one(k: i64) -> Rational {
 }
 
 const RATIOS: [&str; 12] = [
-    "1e-300", "1e300", "1e-9999", "1e9999", "1", "10", "1e-3", "1.000000000000001", "0.999999999999999", "531441",
-    "64", "4",
+    "1e-300",
+    "1e300",
+    "1e-9999",
+    "1e9999",
+    "1",
+    "10",
+    "1e-3",
+    "1.000000000000001",
+    "0.999999999999999",
+    "531441",
+    "64",
+    "4",
 ];
 
 fn coefficients() -> Vec<Rational> {
     vec![q("0"), q("1"), q("1/2"), near_one(15), near_one(300), q("1e-300")]
 }
 
+/// A decimal in units of a place far below it: its value itself may have 10^17 digits.
+fn in_units(x: &Decimal, exponent: i64) -> Integer {
+    let digits = Integer::from_str(x.digits()).unwrap() * Integer::from(10).pow((x.exponent() - exponent) as u64);
+    if x.is_negative() { -digits } else { digits }
+}
+
 /// Each digit that is printed at 20 digits is there at 60, where precision and route differ.
 fn check_digits(x: &Real, what: &str) {
     let enclosed = |digits| Decimal::with_enclosure(x, Digits::Significant(digits), Rounding::Nearest).unwrap().0;
     let (short, long) = (enclosed(20), enclosed(60));
-    let gap = short.decimal.value() - long.decimal.value();
-    let unit = Rational::from(10).pow(short.decimal.exponent());
-    assert!(gap.clone() * Rational::from(2) <= unit && -gap * Rational::from(2) <= unit, "{what}: {} {}", short.decimal, long.decimal);
-    assert!(short.lower.value() <= long.lower.value() && long.upper.value() <= short.upper.value(), "{what}");
-    assert!(long.lower.value() <= long.upper.value(), "{what}");
+    let unit =
+        [&long.decimal, &long.lower, &long.upper, &short.decimal].map(Decimal::exponent).into_iter().min().unwrap();
+    let at = |d: &Decimal| in_units(d, unit);
+    let gap = at(&short.decimal) - at(&long.decimal);
+    let place = Integer::from(10).pow((short.decimal.exponent() - unit) as u64);
+    assert!(
+        gap.unsigned_abs() * Natural::from(2u32) <= place.unsigned_abs(),
+        "{what}: {} {}",
+        short.decimal,
+        long.decimal
+    );
+    assert!(at(&short.lower) <= at(&long.lower) && at(&long.upper) <= at(&short.upper), "{what}");
+    assert!(at(&long.lower) <= at(&long.upper), "{what}");
 }
 
 #[test]
@@ -87,7 +116,9 @@ fn equality_is_recognised_wherever_it_holds() {
 
 #[test]
 fn hairs_beside_the_threshold_are_seen() {
-    for (r, n) in [("4", 1), ("64", 2), ("531441", 3), ("10", 7), ("1e300", 4), ("1e-9999", 2), ("1.000000000000001", 3)] {
+    for (r, n) in
+        [("4", 1), ("64", 2), ("531441", 3), ("10", 7), ("1e300", 4), ("1e-9999", 2), ("1.000000000000001", 3)]
+    {
         let l = threshold(&ratio(r), n).unwrap();
         for k in [30u64, 300, 3000] {
             let hair = Rational::from(10).pow(-(k as i64));
@@ -132,7 +163,19 @@ fn best_numbers_of_any_size() {
 fn doubles_enclose_what_intervals_say() {
     let hairs = [1.0, 1.0 - f64::EPSILON / 2.0, 0.0, 5e-324, 0.1, 0.5, 0.9, 0.999_999_999_999_999];
     let sizes = [
-        1.0, 10.0, 0.1, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON / 2.0, 1e-300, 1e300, 5e-324, f64::MAX, 1e100, 3.0, 64.0, 1e-120,
+        1.0,
+        10.0,
+        0.1,
+        1.0 + f64::EPSILON,
+        1.0 - f64::EPSILON / 2.0,
+        1e-300,
+        1e300,
+        5e-324,
+        f64::MAX,
+        1e100,
+        3.0,
+        64.0,
+        1e-120,
     ];
     for c in hairs {
         for r in sizes {
@@ -147,7 +190,15 @@ fn doubles_enclose_what_intervals_say() {
             }
         }
     }
-    for (c, r, n) in [(f64::NAN, 1.0, 1), (0.5, f64::NAN, 1), (1.5, 2.0, 3), (0.5, -1.0, 2), (0.5, 0.0, 2), (0.5, 1.0, 0), (0.5, f64::INFINITY, 2)] {
+    for (c, r, n) in [
+        (f64::NAN, 1.0, 1),
+        (0.5, f64::NAN, 1),
+        (1.5, 2.0, 3),
+        (0.5, -1.0, 2),
+        (0.5, 0.0, 2),
+        (0.5, 1.0, 0),
+        (0.5, f64::INFINITY, 2),
+    ] {
         assert!(fast::eta(c, r, n).0.is_nan());
     }
 }
@@ -164,7 +215,9 @@ fn grids_enclose_every_cell() {
         for (i, c) in coefficients.iter().enumerate() {
             for (j, r) in ratios.iter().enumerate() {
                 let exact = |x: f64| Rational::try_from(x).unwrap();
-                let eta = transfer::optimal(&Positive::new(exact(*r)).unwrap(), &Restitutions::Same(e(exact(*c))), n - 1).unwrap();
+                let eta =
+                    transfer::optimal(&Positive::new(exact(*r)).unwrap(), &Restitutions::Same(e(exact(*c))), n - 1)
+                        .unwrap();
                 let (least, most) = eta.enclosure(200).to_f64_ends();
                 let (lo, hi) = (lower[i * ratios.len() + j], upper[i * ratios.len() + j]);
                 assert!(lo <= least && most <= hi, "e={c} r={r} N={n}: {lo} {hi} against {least} {most}");
@@ -187,4 +240,18 @@ fn limits_are_stated_and_errors() {
     let largest = transfer::optimal(&ratio("2"), &same, carom::chain::MAX_INSERTED).unwrap();
     check_digits(&largest, "eta of the longest chain");
     assert!(Interval::whole().sign().is_none());
+}
+
+/// The page's last column, and its rows, are those of the code; the doubles depend on the libm.
+#[test]
+fn the_stability_page_is_up_to_date() {
+    let columns = |page: &str| -> Vec<(String, String)> {
+        let cells = |line: &str| line.split(" | ").map(str::to_owned).collect::<Vec<_>>();
+        page.lines()
+            .filter(|line| line.starts_with("| "))
+            .map(|line| (cells(line)[..4].join(" "), cells(line).pop().unwrap()))
+            .collect()
+    };
+    let committed = include_str!("../docs/stability.md");
+    assert_eq!(columns(committed), columns(&page::page()));
 }

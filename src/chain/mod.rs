@@ -47,6 +47,9 @@ pub const MAX_INSERTED: u64 = 1_000_000_000_000_000_000;
 /// The most bodies of which each one's value is listed.
 pub const MAX_LISTED: u64 = 1_000_000;
 
+/// The same with optimal masses and unequal coefficients, whose products are formed for each body.
+pub const MAX_LISTED_UNEQUAL: u64 = 2_000;
+
 /// The most bits of an exact power that is written down; a longer rational is enclosed instead.
 pub const MAX_EXACT_BITS: u64 = 1 << 20;
 

@@ -177,6 +177,14 @@ impl Optimum {
         e.saturating_add(exact_bits(x, count).saturating_mul(4))
     }
 
+    /// A bound of the bits of all velocities together, where they are exact; 0 where they are enclosed.
+    #[must_use]
+    pub fn listed_bits(&self) -> u64 {
+        let count = self.collisions();
+        let each = self.step.as_rational().map_or(0, |x| self.exact_size(x, count).min(MAX_EXACT_BITS));
+        each.saturating_mul(count)
+    }
+
     /// The velocity with which body `i` arrives at its collision with body `i + 1`, or leaves for `i = N`:
     /// `∏_(j<=i)(1 + e_j)·(x/(1+x))^i·v1`.
     #[must_use]

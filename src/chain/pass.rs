@@ -9,9 +9,14 @@
 //! `b` bits of input, where folding would be quadratic.
 
 use super::{ChainError, Positive, Restitution, Restitutions, collision};
+use crate::number::NumberError;
 use malachite::base::num::arithmetic::traits::Square;
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Natural, Rational};
+
+/// The most bits of all exact velocities together: they grow with the square of the number of bodies.
+pub const MAX_PASS_BITS: u64 = 1 << 31;
 
 /// A chain with exact masses, coefficients of restitution and velocities before the pass.
 #[derive(Clone, Debug)]
@@ -85,11 +90,27 @@ impl Pass {
         })
     }
 
+    /// About the bits of all exact velocities together.
+    fn size(&self) -> u64 {
+        let bits = |x: &Rational| x.numerator_ref().significant_bits() + x.denominator_ref().significant_bits();
+        let (mut each, mut all) = (0_u64, 0_u64);
+        for ((m1, m2, e), v) in self.pairs().zip(&self.velocities) {
+            each = each.saturating_add(2 * (bits(m1.value()) + bits(m2.value())) + bits(e.value()) + bits(v));
+            all = all.saturating_add(each);
+        }
+        all
+    }
+
     /// Every collision, in order.
     ///
     /// # Errors
-    /// [`ChainError::NoCollision`] where a body does not catch up with the next.
+    /// [`ChainError::NoCollision`] where a body does not catch up with the next; a limit above [`MAX_PASS_BITS`].
     pub fn collisions(&self) -> Result<Vec<Collision>, ChainError> {
+        let size = self.size();
+        if size > MAX_PASS_BITS {
+            let limit = "bits of all exact velocities";
+            return Err(NumberError::LimitReached { limit, allowed: MAX_PASS_BITS, needed: size.to_string() }.into());
+        }
         let mut list = Vec::with_capacity(self.masses.len());
         let mut rest = self.velocities.iter();
         let mut arriving = rest.next().cloned().unwrap_or(Rational::ZERO);
@@ -165,7 +186,7 @@ impl Pass {
 }
 
 /// The product of all, by halves.
-fn product(mut factors: Vec<Natural>) -> Natural {
+pub(super) fn product(mut factors: Vec<Natural>) -> Natural {
     while factors.len() > 1 {
         factors = factors
             .chunks(2)

@@ -4,7 +4,8 @@
 //! and nothing cancels. For given masses see [`super::pass::Pass::transfer`].
 
 use super::optimum::{exact_bits, factor_text, root_text};
-use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitution, Restitutions, limit_inserted};
+use super::pass::product;
+use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitutions, limit_inserted};
 use crate::number::double::Double;
 use crate::number::interval::Interval;
 use crate::number::rational::exact_root;
@@ -28,10 +29,10 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
     let r = r.value().clone();
     let gains = match restitutions.clone().for_inserted(n)? {
         Restitutions::Same(e) => Gains { base: e.plus_one().square(), count },
-        // A list has a machine word's worth of elements, and its product is exact.
         Restitutions::Each(list) => {
-            let product = list.iter().map(Restitution::plus_one).fold(Rational::ONE, |a, b| a * b);
-            Gains { base: product.square(), count: 1 }
+            let factors = list.iter().map(|e| e.plus_one().into_numerator_and_denominator());
+            let (above, below): (Vec<Natural>, Vec<Natural>) = factors.unzip();
+            Gains { base: Rational::from_naturals(product(above), product(below)).square(), count: 1 }
         }
     };
     let exact = exact_root(&r, count);

@@ -16,6 +16,8 @@ mod plot;
 mod progress;
 mod replay;
 mod report;
+#[cfg(feature = "proptest")]
+mod properties;
 mod statements;
 mod table;
 mod table_check;
@@ -96,6 +98,9 @@ enum Command {
     /// Draw a picture as SVG or PNG
     #[cfg(feature = "plot")]
     Plot(plot::Flags),
+    /// Try the paper's claims on random exact chains
+    #[cfg(feature = "proptest")]
+    Test(properties::Flags),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -226,6 +231,8 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Worksheet(flags) => worksheet::run(&flags),
         #[cfg(feature = "plot")]
         Command::Plot(flags) => plot::run(&flags),
+        #[cfg(feature = "proptest")]
+        Command::Test(flags) => properties::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Report { paths, out, title, limits } => report::run(&paths, &out, title.as_deref(), &limits.limits()),

@@ -41,6 +41,9 @@ pub struct Interval {
     exponent: i64,
 }
 
+/// By how many places a unit is refined at most to hold a small radius.
+const MAX_REFINEMENT: i64 = 4_096;
+
 /// The radius that says that nothing is known.
 const WHOLE: u64 = u64::MAX;
 
@@ -184,13 +187,13 @@ impl Interval {
         if bound.size == 0 {
             return self.clone();
         }
-        let mine = self.exponent;
-        let (mid, exponent, bound) = if by.exponent >= mine {
-            (self.mid.clone(), mine, bound.up(by.exponent.abs_diff(mine)))
-        } else {
-            (self.mid.clone(), mine, bound.down(mine.abs_diff(by.exponent)))
-        };
-        Interval::rounded(mid, bound.plus(Bound { size: self.radius, shift: 0 }), exponent, u64::MAX)
+        // A reach far below the unit asks for a finer one, up to a point.
+        let finest = by.top().saturating_sub(RADIUS_BITS as i64).max(self.exponent.saturating_sub(MAX_REFINEMENT));
+        let unit = self.exponent.min(finest);
+        let (mid, own) = self.in_units(unit);
+        let gap = by.exponent.abs_diff(unit);
+        let reach = if by.exponent >= unit { bound.up(gap) } else { bound.down(gap) };
+        Interval::rounded(mid, own.plus(reach), unit, u64::MAX)
     }
 
     fn checked(mid: Integer, radius: u64, exponent: i64) -> Interval {

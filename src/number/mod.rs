@@ -1,13 +1,14 @@
 //! Exact numbers, certified enclosures and correctly rounded decimals.
 //!
 //! From cheap to dear: [`double`] (double-double with a rigorous error bound), [`interval`] (dyadic
-//! enclosures at any precision), [`rational`] (exact). [`real`] chooses between them and
+//! enclosures at any precision), [`rational`] and [`radical`] (exact). [`real`] chooses between them and
 //! [`decimal`] prints the result.
 
 pub mod decimal;
 pub mod double;
 pub mod elementary;
 pub mod interval;
+pub mod radical;
 pub mod rational;
 pub mod real;
 pub mod root;

@@ -6,10 +6,10 @@ use super::quantity::Quantity;
 use super::{Chain, Inserted, Scene, Start};
 use crate::chain::best::{Best, best};
 use crate::chain::optimum::Optimum;
-use crate::chain::pass::Pass;
+use crate::chain::pass::{MAX_PASS_BITS, Pass};
 use crate::chain::threshold::{Helps, helps, threshold};
 use crate::chain::uncertain::{self, Range, Reals};
-use crate::chain::{ChainError, MAX_LISTED, Positive, Restitutions, collision, limit_inserted, recollision, transfer};
+use crate::chain::{ChainError, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted, recollision, transfer};
 use crate::number::decimal::{Decimal, Rounding, bits_of_digits};
 use crate::number::real::{Level, Real};
 use malachite::Rational;
@@ -57,6 +57,19 @@ pub enum Prepared {
     Given(Pass),
     /// Measured masses or coefficients.
     Measured,
+}
+
+/// Refuses to list the velocities of too many bodies.
+fn limit_listed(optimum: &Optimum) -> Result<(), ChainError> {
+    match optimum.restitutions() {
+        Restitutions::Same(_) => limit_inserted(optimum.collisions(), "listed bodies", MAX_LISTED)?,
+        Restitutions::Each(_) => {
+            let limit = "listed bodies with unequal coefficients";
+            limit_inserted(optimum.collisions(), limit, MAX_LISTED_UNEQUAL)?;
+        }
+    }
+    limit_inserted(optimum.listed_bits(), "bits of all exact velocities", MAX_PASS_BITS)?;
+    Ok(())
 }
 
 type Cell = OnceCell<Result<(Value, Level), ChainError>>;
@@ -344,7 +357,7 @@ impl<'a> Answers<'a> {
     fn velocities(&self) -> Result<(Value, Level), ChainError> {
         match self.prepared()? {
             Prepared::Optimal(optimum) => {
-                limit_inserted(optimum.collisions(), "listed bodies", MAX_LISTED)?;
+                limit_listed(optimum)?;
                 let speed = self.speed()?;
                 self.list((0..=optimum.collisions()).map(|i| optimum.velocity(i, &speed)))
             }
@@ -356,7 +369,7 @@ impl<'a> Answers<'a> {
     fn losses(&self) -> Result<(Value, Level), ChainError> {
         match self.prepared()? {
             Prepared::Optimal(optimum) => {
-                limit_inserted(optimum.collisions(), "listed bodies", MAX_LISTED)?;
+                limit_listed(optimum)?;
                 let speed = self.speed()?;
                 self.list((1..=optimum.collisions()).map(|i| optimum.loss(i, &speed)))
             }
@@ -383,6 +396,9 @@ impl<'a> Answers<'a> {
         };
         match self.prepared()? {
             Prepared::Optimal(optimum) => {
+                if let Restitutions::Each(_) = restitutions {
+                    limit_listed(optimum)?;
+                }
                 // With equal coefficients the same matrix serves every collision.
                 let count = match &restitutions {
                     Restitutions::Same(_) => 1,

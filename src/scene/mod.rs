@@ -135,6 +135,12 @@ impl Chain {
         &self.start
     }
 
+    /// The coefficients of restitution as they were given.
+    #[must_use]
+    pub fn coefficients(&self) -> &Coefficients {
+        &self.coefficients
+    }
+
     /// The coefficients at their lower and at their upper ends.
     #[must_use]
     pub fn restitutions(&self) -> (Restitutions, Restitutions) {

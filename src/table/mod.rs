@@ -269,7 +269,7 @@ impl Plan {
                 let wanted = if quantity == Quantity::Threshold { "is at least 1" } else { "is at least 0" };
                 return range("a number n of inserted bodies", low, wanted);
             }
-            if high > Rational::from(crate::chain::MAX_INSERTED) {
+            if high > crate::chain::MAX_INSERTED {
                 return range("a number n of inserted bodies", high, "is at most 10^18");
             }
             if !grid.is_integral() {

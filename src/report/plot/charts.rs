@@ -186,7 +186,9 @@ pub fn velocities(worksheet: &Worksheet, title: &str) -> Page {
     }
     let all = || arriving.iter().chain(&after).map(|p: &(f64, f64)| p.1);
     let (low, high) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
-    let margin = (high - low).max(f64::MIN_POSITIVE) * 0.08;
+    // Room above for the note.
+    let share = if worksheet.again { 0.16 } else { 0.08 };
+    let margin = (high - low).max(f64::MIN_POSITIVE) * share;
     let bottom = if low < 0.0 { low - margin } else { 0.0 };
     let x = Scale::whole(0.5, after.len() as f64 + 0.5, "body");
     let mut chart = Chart::new(title, x, Scale::even(bottom, high + margin, "velocity"), true);
