@@ -4,7 +4,7 @@
 //! of exact numbers, the most memory in use. `sizes`: the same state kept as intercepts and velocities, against
 //! positions that are brought up to date at every collision. `heavy`: 100^k : 1 and a wall.
 
-use carom::chain::replay::{Body, Line, Options, Wall, replay};
+use carom::chain::replay::{Body, Line, Options, Status, Wall, replay};
 use malachite::Rational;
 use malachite::base::num::logic::traits::SignificantBits;
 use std::time::Instant;
@@ -24,11 +24,11 @@ fn dilute(n: usize, seed: u64) -> Line {
     let mut at = Rational::from(0);
     let mut bodies = Vec::with_capacity(n);
     for _ in 0..n {
-        at += Rational::from_unsigneds(8 + random.below(9), 8);
+        at += Rational::from_unsigneds(997 + random.below(997), 997);
         bodies.push(Body {
             mass: Rational::from(1 + random.below(4)),
             position: at.clone(),
-            velocity: Rational::from_signeds(random.below(41) as i64 - 20, 10),
+            velocity: Rational::from_signeds(random.below(2001) as i64 - 1000, 1009),
             length: Rational::from(0),
         });
     }
@@ -73,8 +73,8 @@ fn lines() {
         }
         let time = started.elapsed().as_secs_f64() / rounds as f64;
         let outcome = outcome.expect("one round at least");
-        let sizes: Vec<String> =
-            outcome.growth.iter().filter(|g| g.0 >= n as u64).map(|g| g.1.to_string()).collect();
+        assert!(matches!(outcome.status, Status::Limit(_)), "{n} bodies stopped early: {:?}", outcome.status);
+        let sizes: Vec<String> = outcome.growth.iter().filter(|g| g.0 >= n as u64).map(|g| g.1.to_string()).collect();
         println!(
             "| {n} | {} | {time:.3} | {:.2} | {} | {} |",
             outcome.count,
@@ -162,8 +162,7 @@ fn heavies() {
         let started = Instant::now();
         let outcome = replay(&heavy(k), &options).expect("the ledger balances");
         let time = started.elapsed().as_secs_f64();
-        let (bits, entries) =
-            outcome.enclosed.map_or(("exact".to_string(), 0), |e| (e.bits.to_string(), e.entries));
+        let (bits, entries) = outcome.enclosed.map_or(("exact".to_string(), 0), |e| (e.bits.to_string(), e.entries));
         println!("| {k} | {} | {bits} | {time:.3} | {entries} |", outcome.count);
     }
     println!("\nExact final velocities of 100^k : 1, evaluated as a power of a product");
@@ -174,7 +173,8 @@ fn heavies() {
         let started = Instant::now();
         let outcome = replay(&heavy(k), &options).expect("the ledger balances");
         let time = started.elapsed().as_secs_f64();
-        let bits = outcome.velocities.iter().filter_map(|v| v.rational()).map(|q| q.denominator_ref().significant_bits());
+        let bits =
+            outcome.velocities.iter().filter_map(|v| v.rational()).map(|q| q.denominator_ref().significant_bits());
         let digits = bits.max().unwrap_or(0) as f64 * std::f64::consts::LOG10_2;
         println!("| {k} | {digits:.0} | {time:.3} |");
     }

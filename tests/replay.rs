@@ -343,7 +343,11 @@ fn equal_masses_meet_as_often_as_mcnamara_and_young_say() {
     let found = collapse(&found);
     assert!(found.time.rational().is_none() && found.factor.rational().is_none());
     let (lo, hi) = found.time.enclose(100);
-    assert!(lo < hi && found.time.compare(&lo) == Some(Ordering::Greater) && found.time.compare(&hi) == Some(Ordering::Less));
+    assert!(
+        lo < hi
+            && found.time.compare(&lo) == Some(Ordering::Greater)
+            && found.time.compare(&hi) == Some(Ordering::Less)
+    );
 }
 
 #[test]
@@ -448,21 +452,22 @@ fn equal_elastic_masses_exchange_velocities() {
 
 #[test]
 fn nearly_equal_masses_can_collide_more_often_than_equal_ones() {
-    // Knauf and Stepan: up to (n+1)n(n−1)/6 = 10 for four bodies, the first striking the others; equal ones at most 6.
+    // Knauf and Stepan: up to (n+1)n(n−1)/6 = 10 for four bodies; equal ones at most n(n−1)/2 = 6.
     let mut most = 0;
-    for seed in 0..3000 {
+    for seed in 0..1500 {
         let mut random = Random::new(seed);
-        let m: Vec<Rational> = (0..4)
-            .map(|_| q(1, 1) + q(random.below(2001) - 1000, 10i64.pow(4 + random.below(6) as u32)))
-            .collect();
-        let mut at = q(0, 1);
-        let places: Vec<Rational> = (0..4)
-            .map(|_| {
-                at += q(1 + random.below(1000), 1000);
-                at.clone()
-            })
-            .collect();
-        let speeds = [q(1, 1), q(0, 1), q(0, 1), q(0, 1)];
+        let tiny =
+            |random: &mut Random, most: u64| q(1 + random.below(1000), 1000 * 10i64.pow(random.below(most) as u32));
+        let size = 10i64.pow(1 + random.below(3) as u32);
+        let m: Vec<Rational> = (0..4).map(|_| q(1, 1) + q(random.below(2001) - 1000, 1000 * size)).collect();
+        let (mut at, mut speed) = (q(0, 1), q(5, 1));
+        let (mut places, mut speeds) = (Vec::new(), Vec::new());
+        for _ in 0..4 {
+            places.push(at.clone());
+            speeds.push(speed.clone());
+            at += tiny(&mut random, 4);
+            speed -= tiny(&mut random, 6);
+        }
         let outcome = run(&line(&m, &places, &speeds, &q(1, 1)));
         assert!(outcome.count <= 10, "seed {seed}: {}", outcome.count);
         most = most.max(outcome.count);
@@ -642,10 +647,7 @@ fn rods_collide_like_points_that_are_nearer() {
     assert_eq!(first.pair, 1);
     assert_eq!(*exact(&first.position), q(7, 4));
     let overlapping = [rods[0].clone(), Body { position: q(1, 2), ..rods[1].clone() }];
-    assert_eq!(
-        Line::new(&overlapping, &e[..1], None, None).err(),
-        Some(LineError::Order { body: 2, least: q(3, 4) })
-    );
+    assert_eq!(Line::new(&overlapping, &e[..1], None, None).err(), Some(LineError::Order { body: 2, least: q(3, 4) }));
 }
 
 #[test]
@@ -675,7 +677,7 @@ fn the_papers_velocities_are_final_exactly_where_it_is_proved() {
                 let links = inserted + 1;
                 // (21): masses in geometric progression, with a rational ratio.
                 let masses: Vec<Rational> = (0..=links).map(|i| (&x).pow((links - i) as u64)).collect();
-                let options = Options { max_events: 300, exact_bits: None, ..Options::default() };
+                let options = Options { max_events: 60, exact_bits: None, ..Options::default() };
                 let outcome = replay(&struck(&masses, &e), &options).expect("the ledger balances");
                 let one = q(1, 1);
                 let final_once = x <= e || &x * &e >= one;
@@ -711,7 +713,7 @@ fn the_papers_velocities_are_final_exactly_where_it_is_proved() {
 fn four_and_more_bodies_collapse_where_three_could_not() {
     // e above 7 − 4√3, so that no three equal bodies collapse alone.
     let (mut found_many, mut other) = (0, 0);
-    for seed in 0..30 {
+    for seed in 0..16 {
         let mut random = Random::new(seed);
         let count = 4 + random.below(3) as usize;
         let e = q(8 + random.below(5), 100);
@@ -723,10 +725,12 @@ fn four_and_more_bodies_collapse_where_three_could_not() {
             })
             .collect();
         // Squeezed from both sides.
-        let speeds: Vec<Rational> = (0..count).map(|i| q(2 * (count as i64) - 4 * i as i64 + random.below(3), 1)).collect();
+        let speeds: Vec<Rational> =
+            (0..count).map(|i| q(2 * (count as i64) - 4 * i as i64 + random.below(3), 1)).collect();
         let m = vec![q(1, 1); count];
         let scene = line(&m, &places, &speeds, &e);
-        let outcome = replay(&scene, &Options { max_events: 800, list: 0, exact_bits: None, ..Options::default() }).expect("the ledger balances");
+        let outcome = replay(&scene, &Options { max_events: 400, list: 0, exact_bits: None, ..Options::default() })
+            .expect("the ledger balances");
         let Status::Collapse(found) = &outcome.status else {
             other += 1;
             continue;
@@ -735,13 +739,8 @@ fn four_and_more_bodies_collapse_where_three_could_not() {
         assert!(found.trace.is_none());
         found_many += 1;
         // The naive simulator goes on by the pattern and stays before the enclosed time.
-        let mut naive = Naive {
-            x: places,
-            v: speeds,
-            m: m.into_iter().map(Some).collect(),
-            e: vec![e; count - 1],
-            now: q(0, 1),
-        };
+        let mut naive =
+            Naive { x: places, v: speeds, m: m.into_iter().map(Some).collect(), e: vec![e; count - 1], now: q(0, 1) };
         let mut done = 0;
         while done < outcome.count {
             let (wait, pairs) = naive.next().expect("something is due");
@@ -760,5 +759,5 @@ fn four_and_more_bodies_collapse_where_three_could_not() {
         assert!(&hi - &lo < n("1e-12"), "seed {seed}: time only within {}", &hi - &lo);
     }
     println!("{found_many} collapses of four and more, {other} others");
-    assert!(found_many > 5);
+    assert!(found_many > 3);
 }

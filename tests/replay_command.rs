@@ -56,10 +56,7 @@ fn json_has_the_shape_of_the_contract() {
         serde_json::json!({"time": "8/3", "pair": [2, 3], "before": ["3/5", "0"], "after": ["6/25", "9/25"]})
     );
     assert_eq!(value["final"], serde_json::json!(["38/125", "42/125", "9/25"]));
-    assert_eq!(
-        value["energy"],
-        serde_json::json!({"initial": "1/2", "final": "5233/31250", "lost": "5196/15625"})
-    );
+    assert_eq!(value["energy"], serde_json::json!({"initial": "1/2", "final": "5233/31250", "lost": "5196/15625"}));
     assert_eq!(value["momentum"], "1");
 }
 

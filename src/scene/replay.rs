@@ -163,7 +163,11 @@ fn number(value: &Spanned<DeValue>, key: &str, text: &str) -> Result<Rational, S
     let span = value.span();
     let parse = |digits: &str, inner: Range<usize>| {
         rational::parse(digits).map_err(|e| {
-            fault(inner, format!("{key}: {e}"), Some("write for instance \"3\", \"1/3\", \"0.25\" or \"2.5e-3\"".into()))
+            fault(
+                inner,
+                format!("{key}: {e}"),
+                Some("write for instance \"3\", \"1/3\", \"0.25\" or \"2.5e-3\"".into()),
+            )
         })
     };
     match value.get_ref() {

@@ -23,10 +23,7 @@ impl Bounds {
 
     /// The two neighbouring doubles around an exact number.
     pub fn of(x: &Rational) -> Bounds {
-        Bounds {
-            lo: f64::rounding_from(x, RoundingMode::Floor).0,
-            hi: f64::rounding_from(x, RoundingMode::Ceiling).0,
-        }
+        Bounds { lo: f64::rounding_from(x, RoundingMode::Floor).0, hi: f64::rounding_from(x, RoundingMode::Ceiling).0 }
     }
 
     fn outward(lo: f64, hi: f64) -> Bounds {

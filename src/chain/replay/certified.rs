@@ -423,8 +423,7 @@ impl<'a, E: Enclosure> Certified<'a, E> {
     fn collide(&mut self, p: usize, time: E, list: usize) -> Result<(), Open> {
         let bits = self.bits;
         let (left, right) = (self.points[p].clone(), self.points[p + 1].clone());
-        let (b, v) =
-            (self.rows[p].apply(&left.b, &right.b, bits), self.rows[p].apply(&left.v, &right.v, bits));
+        let (b, v) = (self.rows[p].apply(&left.b, &right.b, bits), self.rows[p].apply(&left.v, &right.v, bits));
         let corner = |old: &Worldline<E>, b: E, v: E| Worldline {
             b,
             v,

@@ -20,9 +20,9 @@
 
 use super::bounds::Bounds;
 use super::collapse::{self, Collapse};
-use super::pattern;
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
+use super::pattern;
 use super::queue::Queue;
 use super::{Collision, Value};
 use malachite::Rational;

@@ -190,12 +190,7 @@ impl Line {
             }
             lengths += &body.length;
             half_lengths.push(half);
-            points.push(Point {
-                mass: Some(body.mass.clone()),
-                position,
-                velocity: body.velocity.clone(),
-                offset,
-            });
+            points.push(Point { mass: Some(body.mass.clone()), position, velocity: body.velocity.clone(), offset });
         }
         if let Some(wall) = right {
             let wall = standing(wall, lengths.clone());

@@ -400,9 +400,10 @@ fn values<N: Enclosure>(
     };
     // Touching a wall is a place that is known.
     let touching = |k: usize| {
-        let wall = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().find(|w| {
-            line.points.get(*w).is_some_and(|p| p.mass.is_none()) && last_pair == Some(k.min(*w))
-        })?;
+        let wall = [k.checked_sub(1), Some(k + 1)]
+            .into_iter()
+            .flatten()
+            .find(|w| line.points.get(*w).is_some_and(|p| p.mass.is_none()) && last_pair == Some(k.min(*w)))?;
         Some(Value::Exact(&line.points[wall].position + &line.points[k].offset))
     };
     let place = |k: usize| {

@@ -9,9 +9,8 @@ use std::fmt::Write;
 /// The table.
 #[must_use]
 pub fn report(replay: &Replay) -> String {
-    let mut out = String::from(
-        "number,time,left,right,position,left_before,right_before,left_after,right_after,energy_lost\n",
-    );
+    let mut out =
+        String::from("number,time,left,right,position,left_before,right_before,left_after,right_after,energy_lost\n");
     for (i, c) in replay.outcome.events.iter().enumerate() {
         let _ = write!(out, "{},{},{},{}", i + 1, field(replay, &c.time), c.pair, c.pair + 1);
         for value in [&c.position, &c.before[0], &c.before[1], &c.after[0], &c.after[1], &c.lost] {

@@ -21,10 +21,7 @@ pub fn report(replay: &Replay) -> String {
     put("count", json!(o.count));
     put("collisions", o.events.iter().map(|c| collision(c, replay.numbers)).collect());
     put("final", json!(all(&o.velocities)));
-    put(
-        "energy",
-        json!({"initial": n(&o.energy.initial), "final": n(&o.energy.last), "lost": n(&o.energy.lost)}),
-    );
+    put("energy", json!({"initial": n(&o.energy.initial), "final": n(&o.energy.last), "lost": n(&o.energy.lost)}));
     put("momentum", json!(n(&o.momentum.1)));
     put("time", json!(n(&o.time)));
     put("positions", json!(all(&o.positions)));
