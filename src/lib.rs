@@ -28,5 +28,5 @@ pub mod number;
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
-#[cfg(feature = "cli")]
+#[cfg(feature = "engine")]
 pub mod scene;

@@ -1,9 +1,10 @@
 //! The best number of inserted bodies, `n* = #{n >= 1 : L_n <= e}` (B-best): `L_n` rises with `n`.
 //!
 //! **Method.** A guess, then two certified comparisons: `L_(n*) <= e < L_(n*+1)`. With `d = ln(r)/2`, (25) as a
-//! function of a real number `N` of collisions is greatest at `N = |d|/u`, `u·tanh u − ln cosh u = ln(2/(1+e))`; for
-//! a small right-hand side `c`, `u² = 2c·(1 + c + …)`. A guess that is off costs more comparisons, never a
-//! wrong answer: the two certified ones bracket `n*`, and the bracket is halved.
+//! function of a real number `N` of collisions is greatest at `N = |d|/u`, `u·tanh u − ln cosh u = ln(2/(1+e))`, and
+//! `n*` is about `N − 1/2`; for a small right-hand side `c`, `u²` is about `2c`. Beyond the digits of a double the guess
+//! is refined: `1 − L_n` is nearly `d²/(n(n+1))`. A guess that is off costs more comparisons, never a wrong
+//! answer: the certified ones bracket `n*`, and the bracket is halved.
 //!
 //! **Cost.** For a good guess three comparisons, of a squaring for each binary digit of `n*` each.
 
@@ -21,6 +22,9 @@ use std::cmp::Ordering;
 
 /// The most bits of `n*`.
 pub const MAX_COUNT_BITS: u64 = 2_048;
+
+/// Guesses of more bits than this need more than a double.
+const DOUBLE_BITS: u64 = 40;
 
 /// The number of inserted bodies that transfers most energy.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,10 +55,10 @@ pub fn best(r: &Positive, e: &Restitution) -> Result<(Best, Level), ChainError> 
     if equal || *e.value() == Rational::ZERO {
         return Ok((Best::Finite { count: Natural::ZERO, tie: false }, Level::Exact));
     }
-    let guess = guess(r.value(), e.value());
+    let guess = refined(r, e, guess(r.value(), e.value()));
     // A bracket: helps(low) and not helps(high), where 0 counts as helping.
     let (mut low, mut high) = (Natural::ZERO, None);
-    let mut probe = guess.clone();
+    let mut probe = guess;
     let mut reach = Natural::ONE;
     loop {
         if probe == 0u32 {
@@ -112,6 +116,20 @@ impl Search<'_> {
     }
 }
 
+/// A guess with about twice as many digits, where `n*` has more than a double can tell; may be wrong.
+fn refined(r: &Positive, e: &Restitution, guess: Natural) -> Natural {
+    let size = guess.significant_bits();
+    if size <= DOUBLE_BITS || size > MAX_COUNT_BITS {
+        return guess;
+    }
+    let missing = threshold::shortfall(r, &guess, size + 96);
+    let Some(missing) = missing.middle(size + 96).point().filter(|m| *m > Rational::ZERO) else { return guess };
+    // n(n + 1)·(1 − L_n) hardly depends on n.
+    let product = Rational::from(&guess * (&guess + Natural::ONE));
+    let wanted = product * missing / (Rational::ONE - e.value());
+    Natural::rounding_from(wanted, RoundingMode::Floor).0.floor_sqrt()
+}
+
 /// About `n*`; may be wrong.
 fn guess(r: &Rational, e: &Rational) -> Natural {
     let d = guess_ln(r).abs() / 2.0;
@@ -129,7 +147,7 @@ fn guess(r: &Rational, e: &Rational) -> Natural {
     }
     let c = -(-small).ln_1p();
     let u = guess_crossing(c);
-    let count = d / u;
+    let count = d / u - 0.5;
     if count.is_finite() && count >= 1.0 { Natural::rounding_from(count, RoundingMode::Floor).0 } else { Natural::ONE }
 }
 

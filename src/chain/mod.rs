@@ -27,12 +27,14 @@
 
 pub mod best;
 pub mod collision;
+pub mod fast;
 pub mod optimum;
 pub mod pass;
 pub mod recollision;
 pub mod replay;
 pub mod threshold;
 pub mod transfer;
+pub mod uncertain;
 
 use crate::number::NumberError;
 use malachite::Rational;
@@ -86,6 +88,13 @@ pub enum ChainError {
     },
     /// The energy transfer is defined for a moving first body and all others at rest.
     NotAtRest,
+    /// A quantity that is not computed for measured inputs.
+    Measured {
+        /// Which.
+        quantity: &'static str,
+    },
+    /// Velocities of all bodies with masses that are not given.
+    NeedsGivenMasses,
     /// The number itself.
     Number(NumberError),
 }
@@ -107,6 +116,12 @@ impl fmt::Display for ChainError {
             }
             Self::NotAtRest => {
                 write!(f, "eta is defined for a first body that moves and others that are at rest")
+            }
+            Self::Measured { quantity } => {
+                write!(f, "{quantity} is not computed for measured inputs: give exact masses and coefficients")
+            }
+            Self::NeedsGivenMasses => {
+                write!(f, "velocities for all bodies go with a list of inserted masses; optimal masses start from rest")
             }
             Self::Number(error) => write!(f, "{error}"),
         }
@@ -233,7 +248,7 @@ impl Restitutions {
 }
 
 /// Refuses a number of inserted bodies beyond a limit.
-fn limit_inserted(n: u64, limit: &'static str, allowed: u64) -> Result<(), NumberError> {
+pub(crate) fn limit_inserted(n: u64, limit: &'static str, allowed: u64) -> Result<(), NumberError> {
     if n > allowed {
         return Err(NumberError::LimitReached { limit, allowed, needed: n.to_string() });
     }

@@ -74,6 +74,38 @@ impl Optimum {
         self.inserted + 1
     }
 
+    /// The coefficients of restitution.
+    #[must_use]
+    pub fn restitutions(&self) -> &Restitutions {
+        &self.restitutions
+    }
+
+    /// The transfer matrix of a collision, counted from 0, (7): `[[x−e, 1+e], [x(1+e), 1−e·x]]/(x+1)`.
+    ///
+    /// Each entry `(c + s·x)/(1 + x)` has `s − c = ±(1 + e)`, so it is rational iff `x` is. `None` beyond the last collision.
+    #[must_use]
+    pub fn matrix(&self, collision: u64) -> Option<[[Real; 2]; 2]> {
+        let e = self.restitutions.at(collision).filter(|_| collision < self.collisions())?;
+        let (up, down, zero) = (e.plus_one(), -e.value(), Rational::ZERO);
+        let entry = |constant: &Rational, slope: &Rational| self.fraction(constant.clone(), slope.clone());
+        let one = Rational::ONE;
+        Some([[entry(&down, &one), entry(&up, &zero)], [entry(&zero, &up), entry(&one, &down)]])
+    }
+
+    /// `(constant + slope·x)/(1 + x)`, which is not constant: `constant` and `slope` differ.
+    fn fraction(&self, constant: Rational, slope: Rational) -> Real {
+        let step = self.step.clone();
+        if let Some(x) = step.as_rational() {
+            return Real::rational((constant + slope * x) / (x + Rational::ONE));
+        }
+        Real::enclosed(move |bits| {
+            let work = bits + 8;
+            let x = step.at(work);
+            let above = x.multiply_rational(&slope, work).add(&Interval::from_rational(&constant, work), work);
+            above.divide(&x.add(&Interval::from_integer(1), work), bits + 4)
+        })
+    }
+
     /// The ratio of neighbouring masses, `x`.
     #[must_use]
     pub fn step(&self) -> Real {

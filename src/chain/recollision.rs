@@ -31,13 +31,13 @@ pub fn of_velocities(velocities: &[Rational]) -> bool {
 ///
 /// # Errors
 /// A limit where a list of coefficients is too long, or where enclosures cannot tell.
-pub fn of_optimum(chain: &Optimum, restitutions: &Restitutions) -> Result<(bool, Level), ChainError> {
+pub fn of_optimum(chain: &Optimum) -> Result<(bool, Level), ChainError> {
     let count = chain.collisions();
     if count == 1 {
         return Ok((false, Level::Exact));
     }
     let x = chain.step();
-    match restitutions {
+    match chain.restitutions() {
         Restitutions::Same(e) => Ok(again(&x, e, e)?),
         Restitutions::Each(list) => {
             limit_inserted(count, "coefficients of restitution", MAX_LISTED)?;

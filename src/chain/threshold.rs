@@ -102,6 +102,12 @@ fn plus_one(r: &Rational, n: &Natural, bits: u64) -> Interval {
     half_sum(&next).divide(&half_sum(n), work).shifted(1)
 }
 
+/// `1 − L_n`, small for large `n`, with about `bits` bits.
+pub(super) fn shortfall(r: &Positive, n: &Natural, bits: u64) -> Interval {
+    let work = bits + 2 * n.significant_bits();
+    Interval::from_integer(2).subtract(&plus_one(r.value(), n, work), work)
+}
+
 /// `L_n + 1` in double-double.
 fn double(r: &Rational, n: u64) -> Option<Double> {
     let r = Double::from_rational(r);

@@ -4,6 +4,7 @@
 //! limit was reached.
 
 mod audit;
+mod eval;
 mod explain;
 mod fmt;
 mod load;
@@ -53,6 +54,8 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
+    /// Compute with one chain: energy transfer, thresholds, masses, velocities, best number of bodies
+    Eval(Box<eval::EvalFlags>),
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -69,9 +72,9 @@ enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
-    /// Print help: `carom help language` describes the claim language
+    /// Print help: `carom help language` describes the claim language, `carom help scene` scene files
     Help {
-        /// A subcommand, or `language`
+        /// A subcommand, `language` or `scene`
         topic: Option<String>,
     },
 }
@@ -83,6 +86,13 @@ enum Format {
     Json,
     Markdown,
     Junit,
+}
+
+/// The forms of answers.
+#[derive(Clone, Copy, ValueEnum)]
+enum ValueFormat {
+    Text,
+    Json,
 }
 
 /// The forms of an argument.
@@ -160,6 +170,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             audit::run(&paths, &only, format, output.as_deref(), &limits.limits())
         }
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Eval(flags) => eval::run(&flags),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Replay(arguments) => replay::run(&arguments),
         Command::Completions { shell } => {
@@ -177,11 +188,12 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
     match topic {
         None => print(&command.render_long_help().to_string()),
         Some("language") => print(crate::claim::LANGUAGE),
+        Some("scene") => print(&eval::scene_help()),
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string()),
             None => {
                 return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are audit, explain, fmt, replay, completions, language"
+                    "error: there is no help on {name}; topics are audit, eval, explain, fmt, replay, completions, language, scene"
                 )));
             }
         },

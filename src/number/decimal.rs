@@ -38,6 +38,25 @@ pub enum Digits {
     Places(u64),
 }
 
+impl Digits {
+    /// So many digits more.
+    #[must_use]
+    pub fn plus(self, more: u64) -> Digits {
+        match self {
+            Self::Significant(d) => Self::Significant(d.saturating_add(more)),
+            Self::Places(p) => Self::Places(p.saturating_add(more)),
+        }
+    }
+
+    /// How many.
+    #[must_use]
+    pub fn count(self) -> u64 {
+        match self {
+            Self::Significant(count) | Self::Places(count) => count,
+        }
+    }
+}
+
 /// The direction of rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
@@ -102,6 +121,20 @@ pub struct Extra {
     /// One unit of the last of them, as text; `0` where the value ends there.
     pub bound: String,
 }
+
+/// A decimal with an enclosure a few digits longer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Enclosed {
+    /// The correctly rounded value.
+    pub decimal: Decimal,
+    /// At most the value.
+    pub lower: Decimal,
+    /// At least the value.
+    pub upper: Decimal,
+}
+
+/// Digits of an enclosure beyond those of the decimal.
+const ENCLOSURE_DIGITS: u64 = 3;
 
 impl Decimal {
     /// A rational, correctly rounded.
@@ -175,8 +208,7 @@ impl Decimal {
         if let Some(exact) = x.as_rational() {
             return Ok((Decimal::of_rational(exact, digits, rounding)?, Level::Exact));
         }
-        let (Digits::Significant(count) | Digits::Places(count)) = digits;
-        x.settle(bits_of_digits(count) + 16, |enclosure| Decimal::of_interval(enclosure, digits, rounding))
+        x.settle(bits_of_digits(digits.count()) + 16, |enclosure| Decimal::of_interval(enclosure, digits, rounding))
     }
 
     /// The value to `digits` towards zero, and `further` digits more with their bound.
@@ -184,11 +216,7 @@ impl Decimal {
     /// # Errors
     /// As [`Decimal::of_real`].
     pub fn with_extra(x: &Real, digits: Digits, further: u64) -> Result<(Extra, Level), NumberError> {
-        let more = match digits {
-            Digits::Significant(d) => Digits::Significant(d.saturating_add(further)),
-            Digits::Places(p) => Digits::Places(p.saturating_add(further)),
-        };
-        let (long, level) = Decimal::of_real(x, more, Rounding::Zero)?;
+        let (long, level) = Decimal::of_real(x, digits.plus(further), Rounding::Zero)?;
         let exact = x.as_rational().is_some_and(|value| *value == long.value());
         let bound = if exact { "0".to_owned() } else { format!("1e{}", long.exponent) };
         let cut = usize::try_from(further).unwrap_or(usize::MAX);
@@ -197,6 +225,68 @@ impl Decimal {
         let exponent = long.exponent + i64::try_from(further).unwrap_or(i64::MAX);
         let kept = Decimal { negative: long.negative, digits: kept.to_owned(), exponent, plain: long.plain };
         Ok((Extra { kept, further: rest.to_owned(), bound }, level))
+    }
+
+    /// A real number, correctly rounded, with an enclosure that is three digits longer, and the level that
+    /// settled it. One conversion to text serves all.
+    ///
+    /// # Errors
+    /// As [`Decimal::of_real`].
+    pub fn with_enclosure(x: &Real, digits: Digits, rounding: Rounding) -> Result<(Enclosed, Level), NumberError> {
+        check(digits)?;
+        let more = digits.plus(ENCLOSURE_DIGITS);
+        if let Some(exact) = x.as_rational() {
+            let round = |digits, rounding| Decimal::of_rational(exact, digits, rounding);
+            let decimal = round(digits, rounding)?;
+            let (lower, upper) = (round(more, Rounding::Down)?, round(more, Rounding::Up)?);
+            return Ok((Enclosed { decimal, lower, upper }, Level::Exact));
+        }
+        let (mut short, level) = Decimal::of_real(x, more, Rounding::Zero)?;
+        if short.digits == "0" {
+            short.negative = x.sign()?.0 == Ordering::Less;
+        }
+        // The value lies strictly between this decimal and the next one away from zero: it is neither.
+        let long = short.away();
+        let cut = short.digits.len().saturating_sub(ENCLOSURE_DIGITS as usize);
+        let (kept, rest) = short.digits.split_at(cut);
+        let up = match rounding {
+            Rounding::Nearest => rest.as_bytes().first().is_some_and(|first| *first >= b'5') && rest.len() == 3,
+            Rounding::Away => true,
+            Rounding::Zero => false,
+            Rounding::Up => !short.negative,
+            Rounding::Down => short.negative,
+        };
+        let kept = if kept.is_empty() { "0" } else { kept };
+        let exponent = short.exponent + ENCLOSURE_DIGITS as i64;
+        let towards = Decimal { digits: kept.to_owned(), exponent, ..short.clone() };
+        let mut decimal = if up { towards.away() } else { towards };
+        if let Digits::Significant(count) = digits
+            && decimal.digits.len() as u64 > count
+        {
+            decimal.digits.pop();
+            decimal.exponent += 1;
+        }
+        let (lower, upper) = if short.negative { (long, short) } else { (short, long) };
+        let [decimal, lower, upper] = [decimal, lower, upper].map(Decimal::without_sign_of_zero);
+        Ok((Enclosed { decimal, lower, upper }, level))
+    }
+
+    fn without_sign_of_zero(mut self) -> Decimal {
+        self.negative &= self.digits.bytes().any(|b| b != b'0');
+        self
+    }
+
+    /// The next decimal away from zero with the same last place.
+    fn away(&self) -> Decimal {
+        let mut digits = self.digits.clone().into_bytes();
+        let nines = digits.iter().rev().take_while(|b| **b == b'9').count();
+        let stem = digits.len() - nines;
+        digits[stem..].fill(b'0');
+        match digits[..stem].last_mut() {
+            Some(last) => *last += 1,
+            None => digits.insert(0, b'1'),
+        }
+        Decimal { digits: digits.into_iter().map(char::from).collect(), ..self.clone() }
     }
 
     fn zero(digits: Digits) -> Decimal {
@@ -241,7 +331,7 @@ pub fn bits_of_digits(digits: u64) -> u64 {
 }
 
 fn check(digits: Digits) -> Result<(), NumberError> {
-    let (Digits::Significant(asked) | Digits::Places(asked)) = digits;
+    let asked = digits.count();
     if asked > MAX_DIGITS {
         return Err(NumberError::LimitReached { limit: "digits", allowed: MAX_DIGITS, needed: asked.to_string() });
     }
@@ -266,10 +356,8 @@ fn leading_place(x: &Interval) -> i64 {
 
 /// The ends of `x·10^places` in units of a common power of two.
 fn times_power_of_ten(x: &Interval, places: i64, digits: Digits) -> Option<(Integer, Integer, i64)> {
-    let (Digits::Significant(count) | Digits::Places(count)) = digits;
-    // Enough for the result; more does not help where x itself is wider.
-    let magnitude = u64::try_from(x.top().saturating_add(places.saturating_mul(10) / 3)).unwrap_or(0).min(1 << 40);
-    let bits = (bits_of_digits(count).max(magnitude) + 40).min(x.accuracy().max(64).saturating_add(40));
+    // All that x tells is kept: how near it is to a rounding boundary is not known in advance.
+    let bits = x.accuracy().min(x.middle_bits().max(bits_of_digits(digits.count()))).max(64) + 40;
     let five = Interval::from_integer(5);
     let power = five.power(&Natural::from(places.unsigned_abs()), bits);
     let product = if places >= 0 { x.multiply(&power, bits) } else { x.divide(&power, bits) }.shifted(places);

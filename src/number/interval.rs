@@ -290,6 +290,12 @@ impl Interval {
         self.mid.significant_bits().saturating_sub(1 + self.radius.significant_bits())
     }
 
+    /// Bits of the middle.
+    #[must_use]
+    pub fn middle_bits(&self) -> u64 {
+        self.mid.significant_bits()
+    }
+
     /// The least `k` with all absolute values below `2^k`; `i64::MIN` for zero.
     #[must_use]
     pub fn top(&self) -> i64 {
@@ -524,7 +530,7 @@ impl Interval {
         // |a/b − a'/b'| <= (|a − a'| + |a'/b'|·|b − b'|)/|b|, in units of 2^-extra.
         let from_divisor = Bound::of(&quotient).plus(Bound::UNIT).times(other.radius);
         let from_dividend = Bound { size: self.radius, shift: 0 }.up(extra);
-        let bound = from_dividend.plus(from_divisor).down(divisor_bits - 2).plus(Bound::UNIT);
+        let bound = from_dividend.plus(from_divisor).up(1).down(divisor_bits - 1).plus(Bound::UNIT);
         let exponent = self.exponent.saturating_sub(other.exponent);
         let exponent = exponent.saturating_sub(i64::try_from(extra).unwrap_or(i64::MAX));
         Interval::rounded(quotient, bound, exponent, bits)

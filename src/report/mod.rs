@@ -1,5 +1,7 @@
-//! An audit as text, JSON, Markdown and JUnit, and one claim's argument; a replay in words and pictures.
+//! An audit as text, JSON, Markdown and JUnit, one claim's argument, the answers to a scene, and a replay in words
+//! and pictures.
 
+pub mod answers;
 pub mod argument;
 pub mod json;
 pub mod junit;
