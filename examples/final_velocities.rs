@@ -9,7 +9,6 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 fn q(n: i64, d: i64) -> Rational {
@@ -104,7 +103,10 @@ fn against_gaps(x: &Rational, e: &Rational, second: i64, steps: i64) -> Vec<(Rat
 }
 
 fn table_of_gaps(x: &Rational, e: &Rational, steps: &[(Rational, Option<Rational>, String)]) {
-    println!("\nFour bodies, x = {x}, e = {e}: eta by (25) is {}. Last gap over middle gap:\n", decimal(&formula(x, e, 3), 9));
+    println!(
+        "\nFour bodies, x = {x}, e = {e}: eta by (25) is {}. Last gap over middle gap:\n",
+        decimal(&formula(x, e, 3), 9)
+    );
     println!("| last gap / middle gap | eta replayed | pairs |");
     println!("|---|---|---|");
     let mut i = 0;
@@ -135,15 +137,33 @@ fn picture(curves: &[Curve]) -> String {
     for k in -4i32..=4 {
         let x = across(f64::from(k).exp2());
         let text = if k < 0 { format!("1/{}", 1 << -k) } else { format!("{}", 1 << k) };
-        let _ = writeln!(out, "<path d=\"M{x:.1} {top}V{}\" stroke=\"#eee\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{text}</text>", top + height, top + height + 22.0);
+        let _ = writeln!(
+            out,
+            "<path d=\"M{x:.1} {top}V{}\" stroke=\"#eee\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{text}</text>",
+            top + height,
+            top + height + 22.0
+        );
     }
     let step = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5].into_iter().find(|s| (hi - lo) / s < 9.0).unwrap_or(1.0);
     let mut y = (lo / step).ceil() * step;
     while y <= hi {
-        let _ = writeln!(out, "<path d=\"M{left} {0:.1}H{1}\" stroke=\"#eee\"/><text x=\"{2}\" y=\"{3:.1}\" text-anchor=\"end\">{y:.2}</text>", down(y), left + width, left - 8.0, down(y) + 5.0);
+        let _ = writeln!(
+            out,
+            "<path d=\"M{left} {0:.1}H{1}\" stroke=\"#eee\"/><text x=\"{2}\" y=\"{3:.1}\" text-anchor=\"end\">{y:.2}</text>",
+            down(y),
+            left + width,
+            left - 8.0,
+            down(y) + 5.0
+        );
         y += step;
     }
-    let _ = writeln!(out, "<path d=\"M{left} {0:.1}H{1}\" stroke=\"#111\" stroke-dasharray=\"6 4\"/><text x=\"{2}\" y=\"{3:.1}\">(25)</text>", down(1.0), left + width, left + width + 8.0, down(1.0) + 5.0);
+    let _ = writeln!(
+        out,
+        "<path d=\"M{left} {0:.1}H{1}\" stroke=\"#111\" stroke-dasharray=\"6 4\"/>",
+        down(1.0),
+        left + width
+    );
+    let mut labels = vec![(down(1.0), "#111", "(25)".to_string())];
     let colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"];
     for (i, (name, _, points)) in curves.iter().enumerate() {
         let mut path = String::new();
@@ -153,10 +173,26 @@ fn picture(curves: &[Curve]) -> String {
             let _ = write!(path, "{}{:.2} {:.2}", if k == 0 || jump { "M" } else { "L" }, across(*g), down(*y));
         }
         let last = points.last().map_or(1.0, |p| p.1);
-        let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" stroke=\"{0}\" stroke-width=\"2.6\"/><text x=\"{1}\" y=\"{2:.1}\" fill=\"{0}\">{name}</text>", colours[i % 4], left + width + 8.0, down(last) + 5.0);
+        let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2.6\"/>", colours[i % 4]);
+        labels.push((down(last), colours[i % 4], name.clone()));
     }
-    let _ = writeln!(out, "<path d=\"M{left} {top}V{0}H{1}\" fill=\"none\" stroke=\"#333\"/>", top + height, left + width);
-    let _ = writeln!(out, "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">last gap / middle gap</text>", left + width / 2.0, top + height + 50.0);
+    // From the top down, none over another.
+    labels.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut free = f64::NEG_INFINITY;
+    for (y, colour, name) in labels {
+        let at = y.max(free);
+        free = at + 18.0;
+        let _ =
+            writeln!(out, "<text x=\"{}\" y=\"{:.1}\" fill=\"{colour}\">{name}</text>", left + width + 8.0, at + 5.0);
+    }
+    let _ =
+        writeln!(out, "<path d=\"M{left} {top}V{0}H{1}\" fill=\"none\" stroke=\"#333\"/>", top + height, left + width);
+    let _ = writeln!(
+        out,
+        "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">last gap / middle gap</text>",
+        left + width / 2.0,
+        top + height + 50.0
+    );
     out.push_str("</svg>\n");
     out
 }
@@ -165,7 +201,7 @@ fn main() {
     let folder = std::env::args().nth(1).unwrap_or_else(|| ".".to_string());
     witnesses();
     let mut curves: Vec<Curve> = Vec::new();
-    for (x, e) in [(q(1, 1), q(1, 5)), (q(1, 1), q(1, 4)), (q(1, 1), q(1, 2)), (q(3, 2), q(1, 4))] {
+    for (x, e) in [(q(1, 1), q(1, 5)), (q(1, 1), q(1, 4)), (q(1, 1), q(3, 10)), (q(3, 2), q(1, 4))] {
         let steps = against_gaps(&x, &e, 4, 400);
         table_of_gaps(&x, &e, &steps);
         let by = formula(&x, &e, 3);

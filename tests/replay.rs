@@ -343,7 +343,11 @@ fn equal_masses_meet_as_often_as_mcnamara_and_young_say() {
     let found = collapse(&found);
     assert!(found.time.rational().is_none() && found.factor.rational().is_none());
     let (lo, hi) = found.time.enclose(100);
-    assert!(lo < hi && found.time.compare(&lo) == Some(Ordering::Greater) && found.time.compare(&hi) == Some(Ordering::Less));
+    assert!(
+        lo < hi
+            && found.time.compare(&lo) == Some(Ordering::Greater)
+            && found.time.compare(&hi) == Some(Ordering::Less)
+    );
 }
 
 #[test]
@@ -352,9 +356,9 @@ fn elastic_triples_collide_at_most_as_often_as_the_angle_allows() {
     for (k, most) in (1..=10).zip([3u64, 4, 5, 5, 6, 6, 7, 7, 7, 8]) {
         let m = [q(k, 1), q(1, 1), q(k, 1)];
         let mut best = 0;
-        for step in 0..60 {
+        for step in 0..30 {
             // The first pair meets soon, slowly; the second approaches too, later.
-            let second = q(step, 1) / q(20, 1);
+            let second = q(step * step, 4);
             let places = [q(0, 1), q(1, 100), q(1000, 1)];
             let speeds = [q(1, 1), q(0, 1), -second];
             let outcome = run(&line(&m, &places, &speeds, &q(1, 1)));
@@ -371,10 +375,10 @@ fn full_transfer_at_the_masses_of_ee_and_lee() {
     let outcome = run(&struck(&[q(1, 1), q(1, 1), q(1, 1)], &q(1, 1)));
     assert_eq!(velocities(&outcome), [q(0, 1), q(0, 1), q(1, 1)]);
     assert_eq!(outcome.count, 2);
-    for (alpha, count) in [("0.2360679774", 4), ("0.2360679775", 4)] {
+    for (alpha, count) in [("0.2360679774", 5), ("0.2360679775", 4)] {
         let outcome = run(&struck(&[q(1, 1), n(alpha), q(1, 1)], &q(1, 1)));
         let last = velocities(&outcome)[2].clone();
-        assert!(outcome.count >= count - 1 && outcome.count <= count, "{}", outcome.count);
+        assert_eq!(outcome.count, count);
         assert!(last > n("0.9999999999") && last <= 1);
     }
 }
@@ -448,19 +452,22 @@ fn equal_elastic_masses_exchange_velocities() {
 
 #[test]
 fn nearly_equal_masses_can_collide_more_often_than_equal_ones() {
-    // Knauf and Stepan: up to (n+1)n(n−1)/6 = 10 for four bodies; equal ones at most 6.
+    // Knauf and Stepan: up to (n+1)n(n−1)/6 = 10 for four bodies; equal ones at most n(n−1)/2 = 6.
     let mut most = 0;
-    for seed in 0..4000 {
+    for seed in 0..1500 {
         let mut random = Random::new(seed);
-        let m: Vec<Rational> = (0..4).map(|_| q(1_000_000 + random.below(2001) - 1000, 1_000_000)).collect();
-        let mut at = q(0, 1);
-        let places: Vec<Rational> = (0..4)
-            .map(|_| {
-                at += q(1 + random.below(1000), 1000);
-                at.clone()
-            })
-            .collect();
-        let speeds: Vec<Rational> = (0..4).map(|i| q(3 - i, 1) + q(random.below(1000), 1000)).collect();
+        let tiny =
+            |random: &mut Random, most: u64| q(1 + random.below(1000), 1000 * 10i64.pow(random.below(most) as u32));
+        let size = 10i64.pow(1 + random.below(3) as u32);
+        let m: Vec<Rational> = (0..4).map(|_| q(1, 1) + q(random.below(2001) - 1000, 1000 * size)).collect();
+        let (mut at, mut speed) = (q(0, 1), q(5, 1));
+        let (mut places, mut speeds) = (Vec::new(), Vec::new());
+        for _ in 0..4 {
+            places.push(at.clone());
+            speeds.push(speed.clone());
+            at += tiny(&mut random, 4);
+            speed -= tiny(&mut random, 6);
+        }
         let outcome = run(&line(&m, &places, &speeds, &q(1, 1)));
         assert!(outcome.count <= 10, "seed {seed}: {}", outcome.count);
         most = most.max(outcome.count);
@@ -637,13 +644,10 @@ fn rods_collide_like_points_that_are_nearer() {
     assert_eq!(gap(&long, 1) - gap(&short, 1), q(5, 4));
     // The first contact is at the ends of the rods.
     let first = &long.events[0];
-    assert_eq!(first.pair, 2);
-    assert_eq!(*exact(&first.position), q(9, 4));
+    assert_eq!(first.pair, 1);
+    assert_eq!(*exact(&first.position), q(7, 4));
     let overlapping = [rods[0].clone(), Body { position: q(1, 2), ..rods[1].clone() }];
-    assert_eq!(
-        Line::new(&overlapping, &e[..1], None, None).err(),
-        Some(LineError::Order { body: 2, least: q(3, 4) })
-    );
+    assert_eq!(Line::new(&overlapping, &e[..1], None, None).err(), Some(LineError::Order { body: 2, least: q(3, 4) }));
 }
 
 #[test]
@@ -673,7 +677,8 @@ fn the_papers_velocities_are_final_exactly_where_it_is_proved() {
                 let links = inserted + 1;
                 // (21): masses in geometric progression, with a rational ratio.
                 let masses: Vec<Rational> = (0..=links).map(|i| (&x).pow((links - i) as u64)).collect();
-                let outcome = run(&struck(&masses, &e));
+                let options = Options { max_events: 60, exact_bits: None, ..Options::default() };
+                let outcome = replay(&struck(&masses, &e), &options).expect("the ledger balances");
                 let one = q(1, 1);
                 let final_once = x <= e || &x * &e >= one;
                 let share = (&one + &e) * &x / (&x + &one);
@@ -708,7 +713,7 @@ fn the_papers_velocities_are_final_exactly_where_it_is_proved() {
 fn four_and_more_bodies_collapse_where_three_could_not() {
     // e above 7 − 4√3, so that no three equal bodies collapse alone.
     let (mut found_many, mut other) = (0, 0);
-    for seed in 0..60 {
+    for seed in 0..16 {
         let mut random = Random::new(seed);
         let count = 4 + random.below(3) as usize;
         let e = q(8 + random.below(5), 100);
@@ -720,10 +725,12 @@ fn four_and_more_bodies_collapse_where_three_could_not() {
             })
             .collect();
         // Squeezed from both sides.
-        let speeds: Vec<Rational> = (0..count).map(|i| q(2 * (count as i64) - 4 * i as i64 + random.below(3), 1)).collect();
+        let speeds: Vec<Rational> =
+            (0..count).map(|i| q(2 * (count as i64) - 4 * i as i64 + random.below(3), 1)).collect();
         let m = vec![q(1, 1); count];
         let scene = line(&m, &places, &speeds, &e);
-        let outcome = replay(&scene, &Options { max_events: 1500, ..Options::default() }).expect("the ledger balances");
+        let outcome = replay(&scene, &Options { max_events: 400, list: 0, exact_bits: None, ..Options::default() })
+            .expect("the ledger balances");
         let Status::Collapse(found) = &outcome.status else {
             other += 1;
             continue;
@@ -732,13 +739,8 @@ fn four_and_more_bodies_collapse_where_three_could_not() {
         assert!(found.trace.is_none());
         found_many += 1;
         // The naive simulator goes on by the pattern and stays before the enclosed time.
-        let mut naive = Naive {
-            x: places,
-            v: speeds,
-            m: m.into_iter().map(Some).collect(),
-            e: vec![e; count - 1],
-            now: q(0, 1),
-        };
+        let mut naive =
+            Naive { x: places, v: speeds, m: m.into_iter().map(Some).collect(), e: vec![e; count - 1], now: q(0, 1) };
         let mut done = 0;
         while done < outcome.count {
             let (wait, pairs) = naive.next().expect("something is due");
@@ -757,5 +759,5 @@ fn four_and_more_bodies_collapse_where_three_could_not() {
         assert!(&hi - &lo < n("1e-12"), "seed {seed}: time only within {}", &hi - &lo);
     }
     println!("{found_many} collapses of four and more, {other} others");
-    assert!(found_many > 5);
+    assert!(found_many > 3);
 }

@@ -65,6 +65,9 @@ pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
         rational::parse(t).map_err(|e| Exit::usage(format!("error: --until {t}: {e}; write for instance 3/2 or 1.5")))
     });
     let until = until.transpose()?;
+    if until.as_ref().is_some_and(|t| *t < 0) {
+        return Err(Exit::usage("error: --until is negative; the scene begins at time 0"));
+    }
     let text = source(&arguments.scene)?;
     let scene = read(&text).map_err(|e| {
         let fault = Fault::Other { message: e.message, help: e.help };

@@ -1,12 +1,11 @@
 //! Scenes: a chain, what is asked of it, and the answers.
 //!
 //! [`read`] turns a TOML file into a [`Scene`]; [`answer`] computes what the scene wants and nothing else;
-//! [`quantity`] holds the table of what needs what; [`replay`](mod@replay) reads the scenes of `carom replay`.
+//! [`quantity`] holds the table of what needs what. [`replay`] reads the scenes of `carom replay`.
 
 pub mod answer;
 pub mod quantity;
 pub mod read;
-#[cfg(feature = "cli")]
 pub mod replay;
 
 use crate::chain::uncertain::Range;

@@ -15,7 +15,7 @@
 //! **Precision.** The run is repeated with more bits where a sign or an order stays open, up to
 //! [`MAX_BITS`]; a true tie of neighbouring times stays open for ever and ends as a limit.
 //!
-//! **Values.** What happened is kept as a [`History`]: runs of two pairs in turn with their length. Velocities
+//! **Values.** What happened is kept as a history: runs of two pairs in turn with their length. Velocities
 //! and intercepts are products of transfer matrices; a run is one power. They are evaluated when asked for,
 //! with as many bits as the digits need, or exactly.
 

@@ -20,9 +20,9 @@
 
 use super::bounds::Bounds;
 use super::collapse::{self, Collapse};
-use super::pattern;
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
+use super::pattern;
 use super::queue::Queue;
 use super::{Collision, Value};
 use malachite::Rational;
@@ -345,7 +345,7 @@ impl<'a> Run<'a> {
 
     /// A proved collapse by the pattern that the last collisions repeat; looked for now and then.
     fn pattern(&mut self, until: Option<&Rational>) -> Option<Collapse> {
-        if self.recent.len() < 4 * pattern::MAX_ROUND {
+        if self.recent.len() < pattern::ATTEMPT {
             return None;
         }
         let recent = std::mem::take(&mut self.recent);

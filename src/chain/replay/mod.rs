@@ -47,6 +47,9 @@ pub const MAX_EVENTS: u64 = 1_000_000;
 /// Numbers of more bits end the exact part of a replay, unless told otherwise (bench `replay`, table `sizes`).
 pub const EXACT_BITS: u64 = 8192;
 
+/// Exact final values of a run in enclosures are evaluated up to about so many bits.
+pub const MAX_VALUE_BITS: u64 = 1 << 24;
+
 /// What a replay may do.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -62,7 +65,7 @@ pub struct Options {
     pub orders: bool,
     /// Significant digits that final values are enclosed to, where they are not exact.
     pub digits: u64,
-    /// Whether to evaluate final values exactly, however long they are.
+    /// Whether to evaluate final values exactly where the run was enclosed, up to [`MAX_VALUE_BITS`].
     pub exact_values: bool,
 }
 
@@ -200,6 +203,13 @@ pub enum Limit {
         /// The limit in bits.
         bits: u64,
     },
+    /// Exact final values would need more than [`MAX_VALUE_BITS`]; they are enclosed instead.
+    Values {
+        /// The limit in bits.
+        allowed: u64,
+        /// About how many would be needed.
+        needed: u64,
+    },
 }
 
 /// A contact of three or more bodies at one instant, more than one pair of them approaching.
@@ -333,7 +343,12 @@ fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Out
         End::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
     };
     let made = Made { count: rest.count, events: std::mem::take(&mut rest.events), bits };
-    if options.exact_values {
+    // Sizes grow in proportion to the count.
+    let needed = run.largest.saturating_mul(rest.count.div_ceil(run.count.max(1)));
+    let too_long = options.exact_values && needed > MAX_VALUE_BITS;
+    let limit = Status::Limit(Limit::Values { allowed: MAX_VALUE_BITS, needed });
+    let status = if too_long && matches!(status, Status::Complete) { limit } else { status };
+    if options.exact_values && !too_long {
         let end = evaluate::<Rational>(run, &rest.history, 0);
         values(run, &end, 0, status, options, (&rest.history, made))
     } else {
@@ -342,8 +357,13 @@ fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Out
         loop {
             let end = evaluate::<Interval>(run, &rest.history, bits);
             let wide = |x: &Interval| x.accuracy() < wanted && !x.is_point();
-            if bits >= wanted + MAX_BITS || !end.v.iter().any(wide) {
-                break values(run, &end, bits, status, options, (&rest.history, made));
+            let last = bits >= wanted + MAX_BITS;
+            if last || !end.v.iter().any(wide) {
+                // A time may need more bits than the velocities.
+                let found = values(run, &end, bits, status.clone(), options, (&rest.history, made.clone()));
+                if last || found.is_some() {
+                    break found;
+                }
             }
             bits *= 2;
         }
@@ -351,6 +371,7 @@ fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Out
 }
 
 /// What a certified run leaves: its count, its list, its precision.
+#[derive(Clone)]
 struct Made {
     count: u64,
     events: Vec<Collision>,
@@ -370,9 +391,10 @@ fn values<N: Enclosure>(
     let value = |x: &N| x.value();
     let number = |x: &Rational| N::of(x, bits);
     let last_pair = history.last();
-    let at_last = !(matches!(status, Status::Complete) && options.until.is_some());
-    let time = match (&status, &options.until, &end.last) {
-        (Status::Complete, Some(until), _) => number(until),
+    let finished = matches!(status, Status::Complete | Status::Limit(Limit::Values { .. }));
+    let at_last = !(finished && options.until.is_some());
+    let time = match (finished, &options.until, &end.last) {
+        (true, Some(until), _) => number(until),
         (_, _, Some((gap, speed))) => gap.over(speed, bits),
         _ => number(&run.time()),
     };

@@ -10,7 +10,7 @@
 //! Both are linear: the first in `c`, which `A` multiplies, the second in `ω = β ∧ c`, which `Λ²A` multiplies. So it
 //! is enough to show that each of the two vectors stays in a cone on which its conditions hold:
 //!
-//! **Lemma** ([`certify_attraction`]). For vectors `r`, `l` with `l·r > 0` and `δ > 0` let `K` be the cone of all
+//! **Lemma.** For vectors `r`, `l` with `l·r > 0` and `δ > 0` let `K` be the cone of all
 //! `x = z·(r + ρ)`, `z > 0`, `l·ρ = 0`, `|ρ_j| ≤ δ`. On `r + ρ` a row `f` takes values within
 //! `f·r ± δ·Σ_j |f_j − (f·r/l·r)·l_j|`, since multiples of `l` do not change `f·ρ`. If by this bound the row
 //! `g = l·B/(l·r)` is at least `γ > 0`, and each row `B_j − r_j·g` at most `δ·γ` in size, then `B` maps `K` into
@@ -37,6 +37,9 @@ use malachite::base::rounding_modes::RoundingMode;
 
 /// The longest round of a pattern that is looked for.
 pub const MAX_ROUND: usize = 24;
+
+/// Patterns are looked for after so many collisions, again and again: a prime, so that every phase of a round comes.
+pub(super) const ATTEMPT: usize = 97;
 
 /// The most points of a pattern.
 pub const MAX_POINTS: usize = 8;

@@ -41,6 +41,7 @@ pub fn report(replay: &Replay) -> String {
             let (name, allowed) = match limit {
                 Limit::Events { allowed } => ("collisions", *allowed),
                 Limit::Precision { bits } => ("bits of an enclosure", *bits),
+                Limit::Values { allowed, .. } => ("bits of exact final values", *allowed),
             };
             put("limit", json!({"name": name, "allowed": allowed}));
         }

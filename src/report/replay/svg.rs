@@ -17,11 +17,14 @@ pub(super) fn colour(body: usize) -> &'static str {
     COLOURS[body % COLOURS.len()]
 }
 
+/// Beyond this, numbers are drawn at the edge: sums and products of what is drawn stay finite.
+const EDGE: f64 = 1e100;
+
 /// A double near the number.
 pub(super) fn near(value: &Value) -> f64 {
     let (lo, hi) = value.enclose(80);
     let middle = (lo + hi) / malachite::Rational::from(2);
-    f64::rounding_from(&middle, RoundingMode::Nearest).0
+    f64::rounding_from(&middle, RoundingMode::Nearest).0.clamp(-EDGE, EDGE)
 }
 
 /// The worldlines as corners `(t, x)`.
@@ -72,7 +75,8 @@ impl Worldlines {
             (Status::Complete, true) if all && stop <= last => stop * 1.15,
             (_, true) => stop,
             (_, false) => 1.0,
-        };
+        }
+        .max(1.0 / EDGE);
         let mut mark = None;
         match &o.status {
             Status::Collapse(found) if all => {
@@ -115,8 +119,10 @@ impl Worldlines {
         for x in [walls.0, walls.1].into_iter().flatten() {
             grow(x);
         }
-        let room = ((range.1 - range.0) * 0.06).max(1e-9 * range.1.abs()).max(f64::MIN_POSITIVE);
-        let range = if range.0 < range.1 { (range.0 - room, range.1 + room) } else { (range.0 - 1.0, range.1 + 1.0) };
+        let wide = range.1 - range.0;
+        let room = (wide * 0.06).max(1e-9 * range.1.abs());
+        let room = if wide > 1.0 / EDGE { room } else { 1.0f64.max(range.1.abs()) };
+        let range = (range.0 - room, range.1 + room);
         Worldlines { bodies, half, contacts, walls, mark, end, range }
     }
 }
@@ -179,11 +185,9 @@ pub(super) fn caption(replay: &Replay) -> String {
     let plural = if o.count == 1 { "" } else { "s" };
     let mut text = match &o.status {
         Status::Complete => format!("{} collision{plural}", o.count),
-        Status::Collapse(found) => format!(
-            "infinitely many collisions before t = {} ({} drawn)",
-            decimal(&found.time, 8),
-            o.events.len()
-        ),
+        Status::Collapse(found) => {
+            format!("infinitely many collisions before t = {} ({} drawn)", decimal(&found.time, 8), o.events.len())
+        }
         Status::Limit(_) => format!("stopped at a limit after {} collisions", o.count),
         Status::Ambiguous(found) => {
             format!("{} collision{plural}, then an ambiguous contact at t = {}", o.count, found.time)

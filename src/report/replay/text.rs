@@ -95,6 +95,10 @@ fn verdict(replay: &Replay) -> String {
         Status::Limit(Limit::Events { allowed }) => {
             format!("limit reached: {allowed} collisions allowed and another is due (--max-events raises it)")
         }
+        Status::Limit(Limit::Values { allowed, needed }) => format!(
+            "limit reached: {} collisions, all that there are; exact final values would need about {needed} bits, {allowed} allowed, so they are enclosed",
+            o.count
+        ),
         Status::Limit(Limit::Precision { bits }) => format!(
             "limit reached: after {} collisions, enclosures of {bits} bits leave open what comes next (--exact-bits keeps the run exact for longer)",
             o.count
