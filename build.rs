@@ -1,7 +1,7 @@
-//! Claim files are embedded: a new or removed one must be noticed.
+//! Claim files and Coq proofs are embedded: a new or removed one must be noticed.
 
 fn main() {
-    for folder in ["ricardo-lee-2015", "beyond", "lemmas"] {
+    for folder in ["ricardo-lee-2015", "beyond", "lemmas", "coq"] {
         println!("cargo:rerun-if-changed=proofs/{folder}");
     }
 }

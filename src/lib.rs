@@ -23,6 +23,8 @@ pub mod chain;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "engine")]
+pub mod export;
+#[cfg(feature = "engine")]
 pub mod number;
 #[cfg(feature = "proptest")]
 pub mod property;

@@ -16,6 +16,9 @@ static FOLDERS: [Dir; 3] = [
     include_dir!("$CARGO_MANIFEST_DIR/proofs/lemmas"),
 ];
 
+/// The Coq proofs: `carom export` finds in them where a claim is proved.
+static COQ: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs/coq");
+
 /// A claim file: its name and its text.
 #[derive(Clone, Copy, Debug)]
 pub struct File {
@@ -37,6 +40,18 @@ pub fn files() -> Vec<File> {
         list.sort_by_key(|f| natural(f.path));
         out.extend(list);
     }
+    out
+}
+
+/// The Coq files, without the folder and the ending in their paths.
+pub fn coq_files() -> Vec<File> {
+    let mut out: Vec<File> = COQ
+        .files()
+        .filter_map(|f| {
+            Some(File { path: f.path().file_name()?.to_str()?.strip_suffix(".v")?, text: f.contents_utf8()? })
+        })
+        .collect();
+    out.sort_by_key(|f| f.path);
     out
 }
 

@@ -6,6 +6,7 @@
 mod audit;
 mod eval;
 mod explain;
+mod export;
 mod fmt;
 mod interrupt;
 mod load;
@@ -14,10 +15,10 @@ mod partial;
 #[cfg(feature = "plot")]
 mod plot;
 mod progress;
-mod replay;
-mod report;
 #[cfg(feature = "proptest")]
 mod properties;
+mod replay;
+mod report;
 mod statements;
 mod table;
 mod table_check;
@@ -101,6 +102,23 @@ enum Command {
     /// Try the paper's claims on random exact chains
     #[cfg(feature = "proptest")]
     Test(properties::Flags),
+    /// Print statements for other provers: for Coq, or for SMT solvers
+    Export {
+        /// The language
+        #[arg(value_enum)]
+        language: Language,
+        /// The claims; all that can be said in the language if none is given
+        ids: Vec<String>,
+        /// Claim files and folders; the built-in catalogue if none is given
+        #[arg(long, value_name = "PATH", num_args = 1..)]
+        from: Vec<PathBuf>,
+        /// For Coq: theorems with the places of their proofs in proofs/coq, instead of definitions
+        #[arg(long)]
+        theorems: bool,
+        /// Say of each claim whether it can be exported, and why not
+        #[arg(long, conflicts_with = "theorems")]
+        list: bool,
+    },
     /// Rewrite claim files in the one style
     Fmt {
         /// Claim files and folders
@@ -138,6 +156,15 @@ enum Format {
 enum ValueFormat {
     Text,
     Json,
+}
+
+/// The languages of other provers.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Language {
+    /// Coq, over its real numbers
+    Coq,
+    /// SMT-LIB 2 in the logic QF_NRA: the negation, to be found unsatisfiable
+    Smt2,
 }
 
 /// The forms of an argument.
@@ -236,6 +263,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
         Command::Report { paths, out, title, limits } => report::run(&paths, &out, title.as_deref(), &limits.limits()),
+        Command::Export { language, ids, from, theorems, list } => export::run(language, &ids, &from, theorems, list),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Replay(arguments) => replay::run(&arguments),
         Command::Completions { shell } => {

@@ -10,9 +10,9 @@ pub mod junit;
 pub mod markdown;
 pub mod mathml;
 pub mod page;
-pub mod replay;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod replay;
 pub mod table;
 pub mod text;
 pub mod worksheet;
