@@ -172,6 +172,47 @@ Proof.
   assert (r := restitution_pos (ln w / 2)). repeat split; try lra; try pos; try (apply Rgt_not_eq; lra).
 Qed.
 
+(** The slope of the left side of the equation for the parameter. *)
+Lemma slope : forall t, is_derive (fun t => t * tanh t - ln (cosh t)) t (t * sech t ^ 2).
+Proof.
+  intro t. assert (ct := cosh_pos t).
+  unfold tanh, sech. auto_derive.
+  + repeat split; try lra.
+  + unfold sinh, cosh in *. assert (p := exp_pos t). assert (q := exp_pos (- t)).
+    assert (pq : exp t * exp (- t) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+    field_simplify_eq; [| lra]. nra.
+Qed.
+
+Theorem b_power_range : statements.b_power_range.
+Proof.
+  start. assert (lw : 0 < ln w) by (rewrite <- ln_1; apply ln_increasing; lra).
+  assert (s := tangent_strict 1 1 w ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  set (u := ln w / 2) in *. assert (c := cosh_pos u).
+  assert (th : 0 < 1 + tanh u).
+  { assert (k := weight w ltac:(lra)). fold u in k. assert (0 < w / (1 + w)) by pos. lra. }
+  assert (v : 2 * cosh u / exp (u * tanh u) = exp (ln (2 * cosh u) - u * tanh u)).
+  { unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by lra. reflexivity. }
+  assert (b : (1 + w) * Rpower (1 / (1 * w)) (w / (1 + w)) = exp (ln (2 * cosh u) - u * tanh u)).
+  { rewrite weight by lra. fold u. unfold Rpower. rewrite Rmult_1_l. unfold Rdiv at 2. rewrite Rmult_1_l.
+    rewrite ln_Rinv by lra. rewrite <- (exp_ln (1 + w)) at 1 by lra. rewrite <- exp_plus. f_equal.
+    rewrite step_log by lra. fold u. replace (ln w) with (2 * u) by (unfold u; field). field. }
+  split; [split |].
+  - rewrite v. assert (1 < exp (ln (2 * cosh u) - u * tanh u)); [| lra]. rewrite <- exp_0. apply exp_increasing.
+    assert (up : u < ln (2 * cosh u)).
+    { rewrite <- (ln_exp u) at 1. apply ln_increasing; [apply exp_pos |]. unfold cosh. assert (p := exp_pos (- u)). lra. }
+    assert (tu : tanh u < 1).
+    { assert (k := weight w ltac:(lra)). fold u in k. assert (w / (1 + w) < 1 / 1) by (apply quotient_lt_iff; lra). lra. }
+    assert (u * tanh u < u * 1) by (apply Rmult_lt_compat_l; [unfold u; lra | exact tu]). lra.
+  - rewrite v, <- b. lra.
+  - assert (ct := cosh_pos t). split; [apply slope | unfold sech; pos].
+Qed.
+
+Theorem b_power_range_defined : statements.b_power_range_defined.
+Proof.
+  start. assert (ct := cosh_pos t). assert (e := exp_pos (ln w / 2 * tanh (ln w / 2))).
+  repeat split; try lra. exists (t * sech t ^ 2). apply slope.
+Qed.
+
 (** ** Falling balls *)
 
 Lemma near_two : is_lim (fun x => 2 * x / (x + 1)) p_infty 2.

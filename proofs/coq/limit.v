@@ -194,3 +194,53 @@ Qed.
 
 Theorem b_limit_inelastic_defined : statements.b_limit_inelastic_defined.
 Proof. values. Qed.
+
+(** ** How many bodies help *)
+
+Theorem b_best_elastic : statements.b_best_elastic.
+Proof.
+  start. fold (amount m1 m2 n). fold (amount m1 m2 (n + 1)). assert (a := amount_pos m1 m2 n). split; intro h.
+  - assert (d := amount_doubles_strict m1 m2 H H0 n H1 h).
+    assert (q : amount m1 m2 (n + 1) / amount m1 m2 n < 2 / 1) by (apply quotient_lt_iff; lra). lra.
+  - rewrite (amount_equal m1 m2 H h (n + 1)), (amount_equal m1 m2 H h n) by lia. rewrite pow_add, pow_1.
+    assert (0 < 2 ^ n) by pos. field. lra.
+Qed.
+
+Theorem b_best_elastic_defined : statements.b_best_elastic_defined.
+Proof. values. Qed.
+
+(** Twice the elastic share lies below the quotient of neighbouring amounts. *)
+Lemma share_below : forall r m2 n, r > 0 -> m2 > 0 -> (n >= 1)%nat ->
+  2 * (4 * Rpower r (1 / INR n) / (1 + Rpower r (1 / INR n)) ^ 2) ^ n
+    <= amount (r * m2) m2 (n + 1) / amount (r * m2) m2 n.
+Proof.
+  intros r m2 k H0 H hk. assert (h1 : r * m2 > 0) by pos.
+  assert (pa := amount_pos (r * m2) m2 k). assert (pb := amount_pos (r * m2) m2 (k + 1)).
+  assert (low := amount_least (r * m2) m2 h1 H (k + 1) ltac:(lia)).
+  assert (share := elastic_share r m2 k H0 H hk). destruct (elastic_lower r k H0 hk) as [_ hi].
+  rewrite <- share in hi |- *. clear share. rewrite pow_add, pow_1 in low.
+  set (A := amount (r * m2) m2 k) in *. set (B := amount (r * m2) m2 (k + 1)) in *.
+  set (eta := 4 ^ k * (r * m2) * m2 / A ^ 2) in *.
+  assert (he : 0 < eta) by (unfold eta; pos). assert (q : 0 < B / A) by pos.
+  apply (square_le_iff (2 * eta) (B / A) ltac:(lra) ltac:(lra)).
+  apply Rle_trans with (4 * eta).
+  - replace ((2 * eta) ^ 2) with (4 * eta * eta) by ring. rewrite <- (Rmult_1_r (4 * eta)) at 2.
+    apply Rmult_le_compat_l; lra.
+  - unfold eta. replace ((B / A) ^ 2) with (B ^ 2 / A ^ 2) by (field; lra).
+    replace (4 * (4 ^ k * (r * m2) * m2 / A ^ 2)) with (4 ^ k * 4 * (r * m2) * m2 / A ^ 2) by (field; lra).
+    apply quotient_le; [pos | pos |]. apply Rmult_le_compat_r; [left; pos | exact low].
+Qed.
+
+Theorem b_best_finite : statements.b_best_finite.
+Proof.
+  start. fold (amount (r * m2) m2 n). fold (amount (r * m2) m2 (n + 1)).
+  assert (hr : r > 0) by lra. assert (low := share_below r m2 n hr H H2).
+  destruct (elastic_bound r n hr H2) as (_ & big & _). specialize (big H0).
+  assert (i := INR_pos n H2).
+  assert (room : (r - 1) ^ 2 / INR n < (1 - e) / 2).
+  { apply quotient_lt_iff; [exact i | lra |]. lra. }
+  lra.
+Qed.
+
+Theorem b_best_finite_defined : statements.b_best_finite_defined.
+Proof. start. assert (0 < r) by lra. repeat split; pos. Qed.

@@ -373,6 +373,24 @@ Qed.
 Theorem lemma_chain_defined : statements.lemma_chain_defined.
 Proof. start. repeat split; pos; auto. Qed.
 
+Theorem lemma_chain_last : statements.lemma_chain_last.
+Proof.
+  start. assert (h := chain_tangent_strict mu r (r / (1 + r)) H H0 eq_refl j j (le_n j) H1). unfold linked in h.
+  rewrite <- Rpower_mult, Rpower_pow by pos. rewrite Rmult_assoc. exact h.
+Qed.
+
+Theorem lemma_chain_last_defined : statements.lemma_chain_last_defined.
+Proof. start. repeat split; pos; auto. Qed.
+
+Theorem lemma_chain_strict : statements.lemma_chain_strict.
+Proof.
+  start. assert (h := chain_tangent_strict mu r (r / (1 + r)) H H0 eq_refl (j + k) j ltac:(lia) H1). unfold linked in h.
+  rewrite <- Rpower_mult, Rpower_pow by pos. rewrite Rmult_assoc. exact h.
+Qed.
+
+Theorem lemma_chain_strict_defined : statements.lemma_chain_strict_defined.
+Proof. start. repeat split; pos; auto. Qed.
+
 Theorem b_global : statements.b_global.
 Proof.
   start. assert (pe : 0 < product_over 0 n (fun i => (1 + e i) ^ 2)).
@@ -387,4 +405,24 @@ Theorem b_global_defined : statements.b_global_defined.
 Proof.
   start. assert (a := H 0%nat). assert (b := H (n + 1)%nat). repeat split; try pos.
   apply Rgt_not_eq. exact (linked_pos mu n H).
+Qed.
+
+Theorem b_global_unique : statements.b_global_unique.
+Proof.
+  start. assert (pe : 0 < product_over 0 (j + k) (fun i => (1 + e i) ^ 2)).
+  { apply product_over_pos. intro i. specialize (H0 i). pos. }
+  assert (pm : 0 < product_over 1 (j + k) mu) by (apply product_over_pos; intro; apply H).
+  assert (a := H 0%nat). assert (b := H (j + k + 1)%nat).
+  assert (strict := chain_bound_strict mu (j + k) H j ltac:(lia) H1).
+  rewrite double_power.
+  destruct (best_share (product_over 0 (j + k) (fun i => (1 + e i) ^ 2) * mu 0%nat * mu (j + k + 1)%nat)
+    (product_over 1 (j + k) mu) ((Rpower (mu 0%nat) (1 / INR (j + k + 1)) + Rpower (mu (j + k + 1)%nat) (1 / INR (j + k + 1)))
+      ^ (j + k + 1)) (linked mu (j + k))) as [le eq]; try pos; try lra.
+  destruct le as [le | le]; [exact le |]. apply eq in le. lra.
+Qed.
+
+Theorem b_global_unique_defined : statements.b_global_unique_defined.
+Proof.
+  start. assert (a := H 0%nat). assert (b := H (j + k + 1)%nat). repeat split; try pos.
+  apply Rgt_not_eq. exact (linked_pos mu (j + k) H).
 Qed.

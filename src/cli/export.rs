@@ -50,7 +50,7 @@ pub fn run(language: Language, ids: &[String], from: &[PathBuf], theorems: bool,
                 None => out.push_str(&format!("{name}: yes\n")),
             }
         }
-        print(&out);
+        print(&out)?;
         return Ok(0);
     }
     let lines: Vec<String> =
@@ -58,7 +58,7 @@ pub fn run(language: Language, ids: &[String], from: &[PathBuf], theorems: bool,
     if !ids.is_empty() && !lines.is_empty() {
         return Err(Exit { code: 3, message: format!("limit reached: {}", lines.join("\n")) });
     }
-    print(&text);
+    print(&text)?;
     if !lines.is_empty() {
         eprintln!("left out: {} of {} claims; `carom export --list` gives the reasons", lines.len(), claims.len());
     }
