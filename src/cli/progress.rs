@@ -3,7 +3,8 @@
 //! A thread of its own draws, so that one long step shows the time going by as well as many short
 //! ones. Where standard error is no terminal, there is no thread and nothing is drawn.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt::Write;
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,7 +17,7 @@ const QUIET: Duration = Duration::from_millis(500);
 const TICK: Duration = Duration::from_millis(100);
 
 const NAMED: &str = "{bar:30} {pos}/{len} {elapsed} {wide_msg}";
-const COUNTED: &str = "{bar:30} {human_pos}/{human_len} {per_sec}, {eta} left";
+const COUNTED: &str = "{bar:30} {human_pos}/{human_len} {rate}, {eta} left";
 
 /// What the bar shows.
 #[derive(Default)]
@@ -54,6 +55,10 @@ impl Progress {
             let (sender, stop) = channel::<()>();
             let bar = move || {
                 let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+                let style = style.with_key("rate", |state: &ProgressState, out: &mut dyn Write| {
+                    // Writing to a text cannot fail.
+                    let _ = write!(out, "{:.0}/s", state.per_sec());
+                });
                 let bar = ProgressBar::with_draw_target(Some(total), target).with_style(style).with_position(from);
                 // The rate is that of this run.
                 bar.reset_eta();

@@ -76,6 +76,7 @@ enum Want {
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Round {
     /// To the nearest, ties to the even digit
+    #[value(alias = "nearest")]
     NearestEven,
     /// Never below the value
     Up,

@@ -1,12 +1,12 @@
 //! `carom table --check`: somebody's table beside the certified values.
 
-use super::output::write_file;
+use super::output::Output;
 use super::{Exit, print};
 use crate::chain::{Positive, Restitution};
 use crate::number::decimal::Rounding;
 use crate::number::rational;
 use crate::report::counted;
-use crate::report::table::{Column, Entry, Form, Head, Writer};
+use crate::report::table::{Column, Entry, Form, Head, LATEX_ROWS, Writer};
 use crate::table::check::{Agreement, judge};
 use crate::table::foreign::{Fields, Foreign, Role};
 use crate::table::grid::Grid;
@@ -44,18 +44,17 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
     let places = Places::of(&table, given).map_err(|e| fail(&e))?;
     let mut out: Vec<u8> = Vec::new();
     let mut writer = Writer::new(form, head(&places, rounding));
-    let mut tally = Tally::default();
-    // To a file as a whole, to standard output row by row.
-    let flush = |out: &mut Vec<u8>, last: bool| -> Result<(), Exit> {
-        match output {
-            Some(path) if last => write_file(path, &String::from_utf8_lossy(out)),
-            Some(_) => Ok(()),
-            None => {
-                print(&String::from_utf8_lossy(out))?;
-                out.clear();
-                Ok(())
+    let (mut tally, mut rows) = (Tally::default(), 0);
+    let mut target = output.map(Output::file).transpose()?;
+    let mut flush = |out: &mut Vec<u8>| -> Result<(), Exit> {
+        match &mut target {
+            Some(file) => {
+                file.write_all(out).map_err(|e| Exit::usage(format!("error: cannot write the report: {e}")))?;
             }
+            None => print(&String::from_utf8_lossy(out))?,
         }
+        out.clear();
+        Ok(())
     };
     let unwritten = |e: std::io::Error| Exit::usage(format!("error: cannot write: {e}"));
     writer.begin(&mut out).map_err(unwritten)?;
@@ -66,9 +65,14 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
                 Failure::Limit(e) => Exit { code: 3, message: format!("error: {shown}: line {}: {e}", row.line) },
             })?;
             writer.row(entries, &mut out).map_err(unwritten)?;
+            rows += 1;
+            if form == Form::Latex && rows > LATEX_ROWS {
+                let message = format!("limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed");
+                return Err(Exit { code: 3, message });
+            }
         }
         if out.len() > 1 << 16 {
-            flush(&mut out, false)?;
+            flush(&mut out)?;
         }
     }
     writer.end(&mut out).map_err(unwritten)?;
@@ -84,13 +88,16 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
     if form == Form::Text {
         writeln!(out, "\n{summary}").map_err(unwritten)?;
     }
-    flush(&mut out, true)?;
+    flush(&mut out)?;
     if form != Form::Text || output.is_some() {
         // The last line of a report for machines must stay machine-readable.
         let _ = writeln!(anstream::stderr(), "{summary}");
     }
     if cells == 0 {
         return Err(fail(&"there is no cell to check"));
+    }
+    if let Some(file) = target {
+        file.finish()?;
     }
     Ok(u8::from(tally.rounded + tally.wrong > 0))
 }
@@ -100,7 +107,7 @@ fn head(places: &Places, rounding: Rounding) -> Head {
         places.values.iter().map(|(_, quantity)| ("formula", quantity.formula().to_owned())).collect();
     facts.push(("rounding", format!("to as many places as are written, {}", rounding.rule())));
     facts.push(("program", format!("carom {}", env!("CARGO_PKG_VERSION"))));
-    let numbers = [("line", "\\text{line}"), ("ratio", "m_1/m_2"), ("e", "e"), ("n", "n")];
+    let numbers = [("line", "\\mathrm{line}"), ("ratio", "m_1/m_2"), ("e", "e"), ("n", "n")];
     let mut columns: Vec<Column> = numbers.iter().map(|(name, latex)| Column::number(name, latex)).collect();
     columns.push(Column::words("quantity"));
     columns.push(Column { numeric: true, ..Column::words("written") });

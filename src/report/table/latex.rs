@@ -16,7 +16,9 @@ pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
 
 pub fn rows(head: &Head, rows: &[Vec<Entry>], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\\begingroup\n\\sisetup{{round-mode = none, round-pad = false}}")?;
-    writeln!(out, "% ${}$", head.latex)?;
+    if !head.latex.is_empty() {
+        writeln!(out, "% ${}$", head.latex)?;
+    }
     write!(out, "\\begin{{tabular}}{{@{{}}")?;
     let mut aligned = Vec::new();
     for (place, column) in head.columns.iter().enumerate() {

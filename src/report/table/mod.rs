@@ -1,8 +1,8 @@
 //! Tables as text, CSV, JSON, Markdown and LaTeX, written row by row.
 //!
 //! Contract: [`Writer::begin`], then [`Writer::row`] for each row, then [`Writer::end`]; what is written
-//! then is a whole table. Text and LaTeX look at the first rows to choose the widths of columns and hold no
-//! more than [`BLOCK`] rows; the other forms hold none.
+//! then is a whole table. Text holds the first thousand rows to choose the widths of its columns, and LaTeX all of
+//! [`LATEX_ROWS`] at most; the other forms hold none.
 
 mod csv;
 mod json;
