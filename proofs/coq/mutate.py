@@ -123,7 +123,7 @@ def main():
         if not proofs or (args.module and path.stem != args.module):
             continue
         header = "\n".join(re.findall(r"^From .*\.$", text, re.M))
-        header += f"\nFrom Carom Require Import {path.stem} statements.\nFrom Carom Require Import {path.stem}.\n"
+        header += f"\nFrom Carom Require Import {path.stem}.\n"
         jobs = [(name, what, changed, script) for name, script in proofs if not name.endswith("_defined")
                 for what, changed in chosen(mutants(defined[name]))]
         work += sessions(path.stem, header, jobs, {name: (defined[name], script) for name, script in proofs})

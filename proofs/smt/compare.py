@@ -80,7 +80,7 @@ def main():
             bad += answer not in (expected, "unknown")
             unknown += answer == "unknown"
         print(f"| {name} | {expected} | " + " | ".join(f"{a} ({t:.1f} s)" for a, t in row) + " |")
-    print(f"\n{len(work)} of {len(listed.splitlines())} claims fit QF_NRA; {len(pairs)} answers, "
+    print(f"\n{len(every)} of {len(listed.splitlines())} claims fit QF_NRA; {len(pairs)} answers, "
           f"{unknown} unknown, {bad} that contradict")
     return 1 if bad else 0
 
