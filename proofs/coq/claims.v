@@ -1099,6 +1099,50 @@ Theorem b_best_after_defined :
   INR (N + j) <> 0.
 Proof. exact many.b_best_after_defined. Qed.
 
+Theorem b_best_elastic :
+  forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
+  forall (n : nat), (n >= 1)%nat ->
+  let S := fun (k : nat) => Rpower m1 (1 / INR k) + Rpower m2 (1 / INR k) in
+  let L := S (n + 1)%nat ^ (n + 1) / S n ^ n - 1 in
+  (m1 <> m2 -> L < 1) /\
+  (m1 = m2 -> L = 1).
+Proof. exact limit.b_best_elastic. Qed.
+
+Theorem b_best_elastic_defined :
+  forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
+  forall (n : nat), (n >= 1)%nat ->
+  Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
+  m1 > 0 /\
+  INR (n + 1) <> 0 /\
+  m2 > 0 /\
+  INR n <> 0.
+Proof. exact limit.b_best_elastic_defined. Qed.
+
+Theorem b_best_finite :
+  forall (m2 : R), m2 > 0 ->
+  forall (r : R), r >= 1 ->
+  forall (e : R), 0 <= e < 1 ->
+  forall (n : nat), (n >= 1)%nat ->
+  let m1 := r * m2 in
+  let S := fun (k : nat) => Rpower m1 (1 / INR k) + Rpower m2 (1 / INR k) in
+  let L := S (n + 1)%nat ^ (n + 1) / S n ^ n - 1 in
+  INR n * (1 - e) > 2 * (r - 1) ^ 2 ->
+  e < L.
+Proof. exact limit.b_best_finite. Qed.
+
+Theorem b_best_finite_defined :
+  forall (m2 : R), m2 > 0 ->
+  forall (r : R), r >= 1 ->
+  forall (e : R), 0 <= e < 1 ->
+  forall (n : nat), (n >= 1)%nat ->
+  INR n * (1 - e) > 2 * (r - 1) ^ 2 ->
+  Rpower (r * m2) (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
+  r * m2 > 0 /\
+  INR (n + 1) <> 0 /\
+  m2 > 0 /\
+  INR n <> 0.
+Proof. exact limit.b_best_finite_defined. Qed.
+
 Theorem b_budget :
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
@@ -1187,6 +1231,35 @@ Theorem b_global_defined :
   INR (n + 1) <> 0 /\
   mu (n + 1)%nat > 0.
 Proof. exact many.b_global_defined. Qed.
+
+Theorem b_global_unique :
+  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (j k : nat),
+  let n := (j + k)%nat in
+  let N := (n + 1)%nat in
+  let m1 := mu 0%nat in
+  let m2 := mu (n + 1)%nat in
+  forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
+  let eta := product_over 0 n (fun i : nat => (1 + e i) ^ 2) * m1 * m2 *
+      product_over 1 n (fun i : nat => mu i) ^ 2 / product_over 0 n (fun i : nat => mu i + mu (i +
+      1)%nat) ^ 2 in
+  let best := product_over 0 n (fun i : nat => (1 + e i) ^ 2) * m1 * m2 / (Rpower m1 (1 / INR N) +
+      Rpower m2 (1 / INR N)) ^ (2 * N) in
+  mu (j + 1)%nat <> mu j * Rpower (m2 / m1) (1 / INR N) ->
+  eta < best.
+Proof. exact many.b_global_unique. Qed.
+
+Theorem b_global_unique_defined :
+  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (j k : nat),
+  forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
+  mu (j + 1)%nat <> mu j * Rpower (mu ((j + k) + 1)%nat / mu 0%nat) (1 / INR ((j + k) + 1)) ->
+  product_over 0 (j + k) (fun i : nat => mu i + mu (i + 1)%nat) <> 0 /\
+  Rpower (mu 0%nat) (1 / INR ((j + k) + 1)) + Rpower (mu ((j + k) + 1)%nat) (1 / INR ((j + k) + 1)) <> 0 /\
+  mu 0%nat > 0 /\
+  INR ((j + k) + 1) <> 0 /\
+  mu ((j + k) + 1)%nat > 0.
+Proof. exact many.b_global_unique_defined. Qed.
 
 Theorem b_grow :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -1371,6 +1444,25 @@ Theorem b_power_attained_defined :
   m2 / (m2 * Rpower w N) > 0.
 Proof. exact closed.b_power_attained_defined. Qed.
 
+Theorem b_power_range :
+  forall (w : R), w > 1 ->
+  forall (t : R), t > 0 ->
+  let u := ln w / 2 in
+  let e := 2 * cosh u / exp (u * tanh u) - 1 in
+  (0 < e /\ e < 1) /\
+  is_derive (fun t : R => t * tanh t - ln (cosh t)) t (t * sech t ^ 2) /\
+  t * sech t ^ 2 > 0.
+Proof. exact closed.b_power_range. Qed.
+
+Theorem b_power_range_defined :
+  forall (w : R), w > 1 ->
+  forall (t : R), t > 0 ->
+  exp ((ln w / 2) * tanh (ln w / 2)) <> 0 /\
+  w > 0 /\
+  ex_derive (fun t : R => t * tanh t - ln (cosh t)) t /\
+  cosh t > 0.
+Proof. exact closed.b_power_range_defined. Qed.
+
 Theorem b_superball :
   forall (x : R), x > 0 ->
   forall (e e_f : R), 0 <= e <= 1 -> 0 <= e_f <= 1 ->
@@ -1429,6 +1521,48 @@ Theorem lemma_chain_defined :
   r > 0 /\
   mu (n + 1)%nat > 0.
 Proof. exact many.lemma_chain_defined. Qed.
+
+Theorem lemma_chain_last :
+  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (r : R), r > 0 ->
+  forall (j : nat),
+  let p := r / (1 + r) in
+  mu (j + 1)%nat <> mu j * r -> product_over 0 j (fun i : nat => mu i + mu (i + 1)%nat) *
+      Rpower (mu 0%nat) p * Rpower r (p * INR (j + 1)) >
+      product_over 0 j (fun i : nat => mu i) * (1 + r) ^ (j + 1) * Rpower (mu (j + 1)%nat) p.
+Proof. exact many.lemma_chain_last. Qed.
+
+Theorem lemma_chain_last_defined :
+  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (r : R), r > 0 ->
+  forall (j : nat),
+  mu 0%nat > 0 /\
+  1 + r <> 0 /\
+  r > 0 /\
+  mu (j + 1)%nat > 0.
+Proof. exact many.lemma_chain_last_defined. Qed.
+
+Theorem lemma_chain_strict :
+  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (r : R), r > 0 ->
+  forall (j k : nat),
+  let p := r / (1 + r) in
+  mu (j + 1)%nat <> mu j * r ->
+  product_over 0 (j + k) (fun i : nat => mu i + mu (i + 1)%nat) * Rpower (mu 0%nat) p * Rpower r (p * INR (j +
+      k + 1)) > product_over 0 (j + k) (fun i : nat => mu i) * (1 + r) ^ (j + k + 1) * Rpower (mu (j + k +
+      1)%nat) p.
+Proof. exact many.lemma_chain_strict. Qed.
+
+Theorem lemma_chain_strict_defined :
+  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (r : R), r > 0 ->
+  forall (j k : nat),
+  mu (j + 1)%nat <> mu j * r ->
+  mu 0%nat > 0 /\
+  1 + r <> 0 /\
+  r > 0 /\
+  mu (j + k + 1)%nat > 0.
+Proof. exact many.lemma_chain_strict_defined. Qed.
 
 Theorem lemma_elastic_bound :
   forall (r : R), r > 0 ->

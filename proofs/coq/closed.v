@@ -180,7 +180,8 @@ Proof.
   + repeat split; try lra.
   + unfold sinh, cosh in *. assert (p := exp_pos t). assert (q := exp_pos (- t)).
     assert (pq : exp t * exp (- t) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
-    field_simplify_eq; [| lra]. nra.
+    field_simplify_eq; [| repeat split; lra].
+    replace (16 * exp t * exp (- t) * t) with (16 * (exp t * exp (- t)) * t) by ring. rewrite pq. ring.
 Qed.
 
 Theorem b_power_range : statements.b_power_range.
@@ -210,7 +211,7 @@ Qed.
 Theorem b_power_range_defined : statements.b_power_range_defined.
 Proof.
   start. assert (ct := cosh_pos t). assert (e := exp_pos (ln w / 2 * tanh (ln w / 2))).
-  repeat split; try lra. exists (t * sech t ^ 2). apply slope.
+  repeat split; try lra; try (apply Rgt_not_eq; exact e). exists (t * sech t ^ 2). apply slope.
 Qed.
 
 (** ** Falling balls *)
