@@ -161,7 +161,7 @@ proptest! {
             Ok(())
         };
         check(a, &x)?;
-        check(a.add(b), &(&x + &y))?;
+        check(a.plus(b), &(&x + &y))?;
         check(a.subtract(b), &(&x - &y))?;
         check(a.subtract(a), &Rational::ZERO)?;
         check(a.multiply(b), &(&x * &y))?;

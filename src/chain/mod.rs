@@ -78,10 +78,8 @@ pub enum ChainError {
     NoCollision {
         /// Its number, from 1.
         collision: usize,
-        /// The velocity of the body behind, when it should strike.
-        behind: Rational,
-        /// The velocity of the body in front.
-        front: Rational,
+        /// The velocities of the body behind, when it should strike, and of the body in front.
+        velocities: Box<(Rational, Rational)>,
     },
     /// One coefficient of restitution for all collisions is needed here.
     UnequalRestitutions {
@@ -109,9 +107,10 @@ impl fmt::Display for ChainError {
                 write!(f, "a coefficient of restitution must lie from 0 to 1, not {value}")
             }
             Self::Count { of, given, needed } => write!(f, "{needed} {of} are needed, {given} are given"),
-            Self::NoCollision { collision, behind, front } => write!(
+            Self::NoCollision { collision, velocities } => write!(
                 f,
-                "collision {collision} does not take place: the body behind arrives at {behind}, the one in front moves at {front}"
+                "collision {collision} does not take place: the body behind arrives at {}, the one in front moves at {}",
+                velocities.0, velocities.1
             ),
             Self::UnequalRestitutions { quantity } => {
                 write!(f, "{quantity} is defined for one coefficient of restitution at all collisions")

@@ -116,7 +116,8 @@ impl Pass {
         let mut arriving = rest.next().cloned().unwrap_or(Rational::ZERO);
         for (i, ((m1, m2, e), front)) in self.pairs().zip(rest).enumerate() {
             if arriving <= *front {
-                return Err(ChainError::NoCollision { collision: i + 1, behind: arriving, front: front.clone() });
+                let velocities = Box::new((arriving, front.clone()));
+                return Err(ChainError::NoCollision { collision: i + 1, velocities });
             }
             let after = collision::velocities_after(m1, m2, e, &arriving, front);
             let loss = collision::loss(m1, m2, e, &arriving, front);

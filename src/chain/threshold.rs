@@ -113,7 +113,7 @@ fn double(r: &Rational, n: u64) -> Option<Double> {
     let r = Double::from_rational(r);
     let one = Double::exact(1.0);
     let half = Double::exact(0.5);
-    let half_sum = |k: u64| r.root(k).add(one).multiply(half).power(k);
+    let half_sum = |k: u64| r.root(k).plus(one).multiply(half).power(k);
     Some(half_sum(n.checked_add(1)?).divide(half_sum(n)).multiply(Double::exact(2.0)))
 }
 

@@ -85,7 +85,7 @@ impl Gains {
 fn quick(r: &Rational, gains: &Gains, count: u64) -> Double {
     let t = Double::from_rational(r).root(count);
     let one = Double::exact(1.0);
-    let sum = t.add(one);
+    let sum = t.plus(one);
     let base = Double::from_rational(&gains.base);
     // One power for all where the base is the same: nothing overflows on the way.
     if gains.count == count {

@@ -132,7 +132,7 @@ impl Range<Rational> {
         let parts = ["±", "+-", "+/-"].iter().find_map(|sign| text.split_once(sign));
         let Some((centre, reach)) = parts else { return Ok(Range::point(numeral(text)?)) };
         let (centre, reach) = (numeral(centre)?, numeral(reach)?);
-        if reach < Rational::from(0) {
+        if reach < 0 {
             return Err(RangeError::NegativeUncertainty);
         }
         Ok(Range { lo: &centre - &reach, hi: centre + reach })
@@ -306,6 +306,9 @@ pub fn greatest_transfer(
     Ok(product)
 }
 
+/// A slope: the ratio of the masses at the ends, and the number of links between them.
+type Slope = (Rational, usize);
+
 /// The order of the slopes of two lines through a common point: `(ln p)/i` against `(ln q)/j`.
 fn compare_slopes((p, i): (&Rational, usize), (q, j): (&Rational, usize)) -> Ordering {
     p.pow(j as u64).cmp(&q.pow(i as u64))
@@ -347,8 +350,8 @@ fn level_start(masses: &[Range<Positive>]) -> Option<Knot> {
 /// The next point where the string from a knot turns, or its end.
 fn next_knot(masses: &[Range<Positive>], at: usize, mass: &Rational) -> Knot {
     // The least and greatest slopes so far, as ratios of masses over a number of links.
-    let (mut low, mut high): (Option<(Rational, usize)>, Option<(Rational, usize)>) = (None, None);
-    let knot = |(ratio, links): &(Rational, usize)| (at + links, mass * ratio);
+    let (mut low, mut high): (Option<Slope>, Option<Slope>) = (None, None);
+    let knot = |(ratio, links): &Slope| (at + links, mass * ratio);
     for (k, wall) in masses.iter().enumerate().skip(at + 1) {
         let links = k - at;
         let (lo, hi) = (wall.lo.value() / mass, wall.hi.value() / mass);

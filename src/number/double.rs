@@ -172,7 +172,7 @@ impl Double {
 
     /// All sums.
     #[must_use]
-    pub fn add(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         let (sum, error) = two_sum(self.hi, other.hi);
         let (low_sum, low_error) = two_sum(self.lo, other.lo);
         let (v, rest) = two_sum(sum, error + low_sum);
@@ -185,7 +185,7 @@ impl Double {
     /// All differences.
     #[must_use]
     pub fn subtract(self, other: Self) -> Self {
-        self.add(other.negated())
+        self.plus(other.negated())
     }
 
     /// All products.
@@ -291,7 +291,7 @@ impl Double {
             // q is exactly or nearly zero: its whole size is the correction's bound.
             t.widened(2.0 * t.hi * size / count * ROUND_UP * ROUND_UP + TINY)
         } else {
-            t.add(step)
+            t.plus(step)
         };
         result.widened(tail)
     }

@@ -24,7 +24,7 @@ const GUESS_BITS: u64 = 28;
 /// `r^(1/k)` with about `bits` bits; the whole line for `r <= 0` or `k = 0`.
 #[must_use]
 pub fn root(r: &Rational, k: &Natural, bits: u64) -> Interval {
-    if *r <= Rational::from(0) || *k == Natural::from(0u32) {
+    if *r <= 0 || *k == 0 {
         return Interval::whole();
     }
     if *k == Natural::ONE {

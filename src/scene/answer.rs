@@ -9,7 +9,10 @@ use crate::chain::optimum::Optimum;
 use crate::chain::pass::{MAX_PASS_BITS, Pass};
 use crate::chain::threshold::{Helps, helps, threshold};
 use crate::chain::uncertain::{self, Range, Reals};
-use crate::chain::{ChainError, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted, recollision, transfer};
+use crate::chain::{
+    ChainError, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted, recollision,
+    transfer,
+};
 use crate::number::decimal::{Decimal, Rounding, bits_of_digits};
 use crate::number::real::{Level, Real};
 use malachite::Rational;
