@@ -75,7 +75,7 @@ impl<'a> Factors<'a> {
                 return None;
             }
             let t = Double::from_rational(r).root(count);
-            let sum = t.add(Double::exact(1.0));
+            let sum = t.plus(Double::exact(1.0));
             Some(t.divide(sum.multiply(sum)).power(count))
         })?;
         if self.of_e.is_empty() && es.saturating_mul(ns) <= KEPT {
