@@ -129,6 +129,30 @@ fn every_cell_is_the_correct_rounding_of_an_independent_enclosure() {
 }
 
 #[test]
+fn rows_cover_the_grid_once_with_the_last_axis_running_fastest() {
+    let table = plan(Quantity::Eta, "3,5", Some("0,1/2,1"), Some("0:3:1"), Digits::Significant(3), Rounding::Nearest);
+    assert_eq!(table.rows(), 24);
+    let mut expected = Vec::new();
+    for ratio in ["3", "5"] {
+        for e in ["0", "1/2", "1"] {
+            for n in ["0", "1", "2", "3"] {
+                expected.push(vec![ratio.to_owned(), e.to_owned(), n.to_owned()]);
+            }
+        }
+    }
+    assert_eq!((0..24).map(|row| table.labels(row)).collect::<Vec<_>>(), expected);
+    for (row, labels) in expected.iter().enumerate() {
+        let place = table.place(row as u64).expect("in range");
+        assert_eq!(place.ratio.value(), &q(&labels[0]));
+        assert_eq!(place.e.map(|e| e.value().clone()), Some(q(&labels[1])));
+        assert_eq!(place.n.map(Rational::from), Some(q(&labels[2])));
+    }
+    assert_eq!(table.place(24), None);
+    let table = plan(Quantity::Threshold, "3,5", None, Some("1,2"), Digits::Significant(3), Rounding::Nearest);
+    assert_eq!((0..4).map(|row| table.labels(row).join(" ")).collect::<Vec<_>>(), ["3 1", "3 2", "5 1", "5 2"]);
+}
+
+#[test]
 fn the_best_number_is_where_the_greatest_share_is() {
     let table =
         plan(Quantity::BestN, "2,10,1/100,64", Some("0.5,0.9,44/81"), None, Digits::Significant(6), Rounding::Nearest);
