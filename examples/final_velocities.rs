@@ -128,7 +128,8 @@ fn picture(curves: &[Curve]) -> String {
     let (left, top, width, height) = (80.0, 60.0, 640.0, 400.0);
     let all = curves.iter().flat_map(|c| c.2.iter().map(|p| p.1));
     let (lo, hi) = all.fold((1.0f64, 1.0f64), |(lo, hi), y| (lo.min(y), hi.max(y)));
-    let (lo, hi) = (lo - 0.05 * (hi - lo), hi + 0.05 * (hi - lo));
+    // Room below for the names of curves that end on (25).
+    let (lo, hi) = (lo - 0.2 * (hi - lo), hi + 0.05 * (hi - lo));
     let across = |g: f64| left + (g.log2() + 4.0) / 8.0 * width;
     let down = |y: f64| top + height - (y - lo) / (hi - lo) * height;
     let mut out = String::from(

@@ -4,8 +4,8 @@
 //! `v` of each worldline, no positions and no clock. A collision of neighbours multiplies `(v_l, v_r)` by the
 //! transfer matrix `M`. It multiplies the intercepts by the same matrix: both bodies are at the same place `x`
 //! at the time `t`, `M` fixes `(1, 1)`, so `x·(1,1) − t·M·v = M·(x·(1,1) − t·v)`. Times never enter the state,
-//! only quotients of it leave: numbers grow with the masses and restitutions on a body's causal past, not with
-//! the numerators of velocity differences in each time.
+//! only quotients of it leave; a collision touches two bodies, and numbers grow with the masses and restitutions
+//! on a body's causal past.
 //!
 //! **Events.** A pair that approaches meets at `t = (b_r − b_l)/(v_l − v_r)`. A heap holds one entry a pair,
 //! ordered by enclosures of `t`; where two overlap, cross-multiplied exact fractions decide.

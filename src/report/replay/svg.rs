@@ -163,7 +163,7 @@ pub(super) fn ticks(lo: f64, hi: f64) -> Vec<(f64, String)> {
     let power = 10f64.powf(raw.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * power).find(|s| *s >= raw).unwrap_or(raw);
     let places = usize::try_from((-step.log10().floor()) as i64).unwrap_or(0).min(12);
-    let large = step >= 1e6 || step < 1e-6;
+    let large = !(1e-6..1e6).contains(&step);
     let mut found = Vec::new();
     let mut k = (lo / step).ceil();
     while k * step <= hi + step * 1e-9 && found.len() < 20 {
