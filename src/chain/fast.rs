@@ -13,7 +13,7 @@
 //! `3u²` (the counts are those of [`crate::number::double`]). A power by `k` products multiplies a relative error
 //! by at most its exponent and adds `9u²` in each, doubled by each squaring after it: at most `9u²·2p` for a `p`-th
 //! power. Let `E = 2^-101 > 16u²`:
-//! - `t^N` is within `N·E` (of exact `t`), so `ρ` is within `1.1·(N + 2)·E`, and `ρ/N` within `4E`.
+//! - `t^N` is within `N·E` (of exact `t`), so `ρ` is within `1.1·(N + 2)·E + 2u·|ρ|`, and `ρ/N` within `4E + 2u·|ρ|/N`.
 //! - the correction `t·ρ/N` is made of doubles, which costs `8u·|ρ|/N`; the root is within `6E + (8u·|ρ| + 2ρ²)/N`.
 //! - `1 + t`, `q`: another `3E` and `E` (the relative error of `1 + t` is at most that of `t`). The `2N`-th power has
 //!   `2N` times as much and `2N·2E` of its own, the product with `r` another `E`: in all less than
@@ -155,9 +155,9 @@ fn quick(e: f64, r: f64, collisions: u64) -> Option<(f64, f64)> {
     if !(SMALL..=LARGE).contains(&guess) {
         return None;
     }
-    let power = exact(guess).power(collisions).over(exact(r));
-    // Exact: the power over r is near 1.
-    let rho = (power.high - 1.0) + power.low;
+    let power = exact(guess).power(collisions);
+    // The difference is exact where the power is near r, and where it is not, ρ is refused.
+    let rho = ((power.high - r) + power.low) / r;
     if rho.abs() > NEAR || rho.is_nan() {
         return None;
     }
