@@ -60,8 +60,7 @@ def main():
     for digits in (10, 100, 1_000, 10_000, 100_000):
         x, _ = place(digits, 1)
         out.append(f'<path d="M{x:.1f} {TOP}v{down}" stroke="#ddd"/>')
-        raised = f'10<tspan dy="-6" font-size="10">−{digits}</tspan>'
-        out.append(text(x, HEIGHT - BOTTOM + 22, raised, 'text-anchor="middle"'))
+        out.append(text(x, HEIGHT - BOTTOM + 22, f"1e−{digits}", 'text-anchor="middle"'))
     out.append(text(LEFT + across / 2, HEIGHT - 14, "relative error (logarithmic in the number of right digits)", 'text-anchor="middle"'))
     out.append(text(0, 0, "seconds", f'text-anchor="middle" transform="translate(20 {TOP + down / 2}) rotate(-90)"'))
     for quantity, colour in COLOURS.items():

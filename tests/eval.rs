@@ -261,3 +261,20 @@ fn the_scene_page_holds_the_schema() {
     let known: Vec<&String> = schema["properties"]["chain"]["properties"].as_object().unwrap().keys().collect();
     assert_eq!(known, ["first", "last", "inserted", "restitution", "speed", "velocities"]);
 }
+
+#[test]
+fn many_digits_are_printed_in_full() {
+    let ask = |flags: &[&str]| {
+        let out = carom(&[&["eval", "--m1", "10", "--m2", "1", "-e", "9/10", "-n", "7"], flags].concat());
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        text(&out.stdout).split_whitespace().nth(1).unwrap().to_owned()
+    };
+    let long = ask(&["--digits", "100000"]);
+    assert_eq!(long.len(), 100_002);
+    assert!(long.starts_with("0.37313751177373857462122227887322515231335858138925"));
+    // To nearest: within a unit of the last place of the longer one.
+    assert_eq!(long[..69_000], ask(&["--digits", "70000"])[..69_000]);
+    assert_eq!(ask(&["--places", "100000"]), long);
+    let tiny = carom(&["eval", "--m1", "1", "--m2", "1", "-e", "0", "-n", "200000", "--places", "70000"]);
+    assert!(text(&tiny.stdout).split_whitespace().nth(1).unwrap().bytes().skip(2).all(|b| b == b'0'));
+}

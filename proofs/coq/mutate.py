@@ -73,12 +73,16 @@ def statements(text, opening):
 
 def run(folder, module, header, jobs):
     """The jobs whose proof goes through."""
-    source = ["Set Default Timeout 60.", header]
+    # Loading takes as long as it takes; a step of a proof does not.
+    source = [header, "Set Default Timeout 60."]
     for number, (_, _, text, script) in enumerate(jobs):
         source.append(f"Definition m_{number} : Prop :=\n{text}.\nGoal m_{number}.\n{script}\nSave s_{number}.\n"
                       f"Abort.\nCheck s_{number}.")
-    out = subprocess.run(["coqtop", "-w", "none", "-q", "-color", "off", "-Q", ".", "Carom"], cwd=folder, text=True,
-                         input="\n".join(source) + "\nQuit.\n", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+    session = subprocess.run(["coqtop", "-w", "none", "-q", "-color", "off", "-Q", ".", "Carom"], cwd=folder, text=True,
+                         input="\n".join(source) + "\nQuit.\n", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    if session.returncode < 0:
+        sys.exit(f"{module}: the session was ended by signal {-session.returncode}, perhaps for want of memory")
+    out = session.stdout
     done = {int(n) for n in re.findall(r"s_(\d+)\s*:\s*m_\1\b", out)}
     # The statements as they are must go through, or the session shows nothing.
     for number, (name, what, _, _) in enumerate(jobs):

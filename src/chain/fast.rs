@@ -5,22 +5,23 @@
 //! 2^-50; elsewhere the enclosure comes from intervals, and for arguments that are no chain it is NaN.
 //!
 //! **Method.** A guess `t` of `r^(1/N)` from libm; `ρ = t^N/r − 1` in double-double; then
-//! `r^(1/N) = t·(1 + ρ)^(−1/N) = t·(1 − ρ/N + θ)`, `|θ| <= 2ρ²/N` for `|ρ| <= 1/16` ([`crate::number::root`]). With
-//! `q = (1 + e)/(1 + t)`, eta is `q^(2N)·r`. A wrong guess makes `ρ` large, and then intervals decide.
+//! `r^(1/N) = t·(1 + ε)`, `1 + ε = (1 + ρ)^(−1/N)`, so `ε = −ρ/N + θ`, `|θ| <= 2ρ²/N` ([`crate::number::root`]). Let
+//! `eta_0 = ((1+e)/(1+t))^(2N)·r` be eta's formula at the guess. With `s = t/(1+t)`,
+//! `eta = eta_0·(1 + ε·s)^(−2N) = eta_0·(1 + 2ρ·s + κ)`: the exponent `−2N·ln(1 + ε·s)` is `2ρ·s` within `4ρ² + 2ρ²/N`, and
+//! `e^z − 1 − z` is below `z²`, `|z| <= 2.1·|ρ|`; so `|κ| <= 11ρ²`. For `r > 1`, `eta_0 = ((1+e)·s)^(2N)/r` and the factor
+//! `(1 + ε)^(2N)·(1 + ε·s)^(−2N)` is `1 − 2ρ·(1 − s)` within as much twice. The two powers do not wait for each other. A
+//! wrong guess makes `ρ` large, and then intervals decide.
 //!
 //! **Why the bounds hold.** `u = 2^-53`, all results within 2^±800. A pair `(h, l)`, `|l| <= u|h|`, stands for `h + l`.
-//! A product of pairs is within `9u²` of the exact one and a quotient within `16u²`, a sum of positive pairs within
-//! `3u²` (the counts are those of [`crate::number::double`]). A power by `k` products multiplies a relative error
-//! by at most its exponent and adds `9u²` in each, doubled by each squaring after it: at most `9u²·2p` for a `p`-th
-//! power. Let `E = 2^-101 > 16u²`:
-//! - `t^N` is within `N·E` (of exact `t`), so `ρ` is within `1.1·(N + 2)·E`, and `ρ/N` within `4E`.
-//! - the correction `t·ρ/N` is made of doubles, which costs `8u·|ρ|/N`; the root is within `6E + (8u·|ρ| + 2ρ²)/N`.
-//! - `1 + t`, `q`: another `3E` and `E` (the relative error of `1 + t` is at most that of `t`). The `2N`-th power has
-//!   `2N` times as much and `2N·2E` of its own, the product with `r` another `E`: in all less than
-//!   `2N·16E + 16u·|ρ| + 4ρ²`.
+//! A product of pairs is within `9u²` of the exact one and a quotient within `16u²`, `1 + t` and `1 + e` are exact (the
+//! counts are those of [`crate::number::double`]). A power by products multiplies a relative error by its exponent `p`
+//! and adds at most `9u²·2p` of its own. Let `E = 2^-101 >= 16u²`:
+//! - `t^N` is within `2N·E`, so `ρ` is within `2.1·N·E + 3u·|ρ|`, and the correction within three times that.
+//! - the base of the other power is within `2E`, its `2N`-th power within `8N·E`, the product or quotient by `r` adds `E`.
+//! - adding the correction rounds it by `4u·|ρ|`.
 //!
-//! For `N <= 2^16` and `|ρ| <= 2^-36` this is below `2^-80 + 2^-85 + 2^-70`; [`SLACK`] is `2^-64`, which is far below
-//! the two roundings that make the ends doubles.
+//! In all less than `16N·E + 16u·|ρ| + 22ρ²`, for `N <= 2^16` and `|ρ| <= 2^-36` below `2^-81 + 2^-85 + 2^-67`. [`SLACK`] is
+//! `2^-64`, which is far below the two roundings that make the ends doubles.
 
 use super::{Positive, Restitution, Restitutions, transfer};
 use malachite::Rational;
@@ -98,21 +99,21 @@ impl Pair {
         let rest = ((self.high - p.high) - p.low) + (self.low - q * other.low);
         fast_sum(q, rest / other.high)
     }
+}
 
-    /// The power with an exponent of at least 1.
-    #[inline(always)]
-    fn power(self, exponent: u64) -> Pair {
-        let mut result = self;
-        let mut mask = (1_u64 << exponent.ilog2()) >> 1;
-        while mask != 0 {
-            result = result.square();
-            if exponent & mask != 0 {
-                result = result.times(self);
-            }
-            mask >>= 1;
+/// Two powers with the same exponent, at least 1; side by side they keep the processor busy.
+#[inline(always)]
+fn powers(a: Pair, b: Pair, exponent: u64) -> (Pair, Pair) {
+    let (mut x, mut y) = (a, b);
+    let mut mask = (1_u64 << exponent.ilog2()) >> 1;
+    while mask != 0 {
+        (x, y) = (x.square(), y.square());
+        if exponent & mask != 0 {
+            (x, y) = (x.times(a), y.times(b));
         }
-        result
+        mask >>= 1;
     }
+    (x, y)
 }
 
 /// Encloses eta for optimal masses: restitution `e`, mass ratio `r = m1/m2`, `collisions = n + 1`.
@@ -155,26 +156,24 @@ fn quick(e: f64, r: f64, collisions: u64) -> Option<(f64, f64)> {
     if !(SMALL..=LARGE).contains(&guess) {
         return None;
     }
-    let power = exact(guess).power(collisions).over(exact(r));
-    // Exact: the power over r is near 1.
-    let rho = (power.high - 1.0) + power.low;
+    let (big, small) = if guess >= 1.0 { (guess, 1.0) } else { (1.0, guess) };
+    let sum = fast_sum(big, small);
+    let up = fast_sum(1.0, e);
+    // For r > 1 as (q·t)^(2N)/r, so that nothing overflows on the way.
+    let above = r > 1.0;
+    let base = if above { up.times_double(guess) } else { up }.over(sum);
+    let (power, root) = powers(exact(guess), base, collisions);
+    // The difference is exact where the power is near r, and where it is not, ρ is refused.
+    let rho = ((power.high - r) + power.low) / r;
     if rho.abs() > NEAR || rho.is_nan() {
         return None;
     }
-    // 1 + t, with the correction −t·ρ/N below an ulp of t; its own rounding is u times as large.
-    let correction = -guess * (rho / count);
-    let (big, small) = if guess >= 1.0 { (guess, 1.0) } else { (1.0, guess) };
-    let sum = fast_sum(big, small);
-    let sum = fast_sum(sum.high, sum.low + correction);
-    let up = fast_sum(1.0, e);
-    let q = up.over(sum);
-    // q^(2N)·r; for r >= 1 as (q·t)^(2N)/r, so that nothing overflows on the way.
-    let found = if r > 1.0 {
-        let root = fast_sum(guess, correction);
-        q.times(root).power(2 * collisions).over(exact(r))
+    let (found, correction) = if above {
+        (root.square().over(exact(r)), -2.0 * rho / sum.high)
     } else {
-        q.power(2 * collisions).times_double(r)
+        (root.square().times_double(r), 2.0 * rho * (guess / sum.high))
     };
+    let found = fast_sum(found.high, found.low + found.high * correction);
     if !(SMALL..=2.0).contains(&found.high) {
         return None;
     }

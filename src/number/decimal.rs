@@ -220,7 +220,7 @@ impl Decimal {
         let exact = x.as_rational().is_some_and(|value| *value == long.value());
         let bound = if exact { "0".to_owned() } else { format!("1e{}", long.exponent) };
         let cut = usize::try_from(further).unwrap_or(usize::MAX);
-        let padded = format!("{:0>width$}", long.digits, width = cut + 1);
+        let padded = format!("{}{}", "0".repeat((cut + 1).saturating_sub(long.digits.len())), long.digits);
         let (kept, rest) = padded.split_at(padded.len() - cut);
         let exponent = long.exponent + i64::try_from(further).unwrap_or(i64::MAX);
         let kept = Decimal { negative: long.negative, digits: kept.to_owned(), exponent, plain: long.plain };
@@ -459,7 +459,8 @@ impl fmt::Display for Decimal {
             let (whole, fraction) = self.digits.split_at(self.digits.len() - after);
             write!(f, "{whole}.{fraction}")
         } else {
-            write!(f, "0.{:0>after$}", self.digits)
+            // By hand: format widths end at 65535.
+            write!(f, "0.{}{}", "0".repeat(after - self.digits.len()), self.digits)
         }
     }
 }
