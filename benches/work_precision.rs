@@ -4,6 +4,7 @@
 //!
 //! The error of a certified method is the relative width that it states; that of an uncertified one is
 //! what it misses by, measured against an enclosure of 400 bits (the worst of ten cells).
+#![allow(clippy::unwrap_used)] // a bench stops where its own input is wrong
 
 use carom::chain::best::best;
 use carom::chain::threshold::threshold;

@@ -1,4 +1,5 @@
 //! `carom eval` as a user meets it.
+#![allow(clippy::unwrap_used)] // a test stops where it fails
 
 use serde_json::Value;
 use std::io::Write;

@@ -20,7 +20,7 @@
 //! - the base of the other power is within `2E`, its `2N`-th power within `8N·E`, the product or quotient by `r` adds `E`.
 //! - adding the correction rounds it by `4u·|ρ|`.
 //!
-//! In all less than `16N·E + 16u·|ρ| + 22ρ²`, for `N <= 2^16` and `|ρ| <= 2^-36` below `2^-81 + 2^-85 + 2^-67`. [`SLACK`] is
+//! In all less than `16N·E + 16u·|ρ| + 22ρ²`, for `N <= 2^16` and `|ρ| <= 2^-36` below `2^-81 + 2^-85 + 2^-67`. `SLACK` is
 //! `2^-64`, which is far below the two roundings that make the ends doubles.
 
 use super::{Positive, Restitution, Restitutions, transfer};

@@ -6,8 +6,8 @@
 //! infinite, and [`Double::ends`] answers `None`: the caller then climbs to a dearer level.
 //!
 //! **Why the bounds hold.** `u = 2^-53`; every double operation is rounded to nearest (IEEE 754), so
-//! `fl(x∘y) = (x∘y)(1+δ)`, `|δ| <= u`, as long as nothing overflows or underflows. [`two_sum`] and
-//! [`two_product`] are error-free (Knuth; Dekker). A pair is normalised: `|lo| <= u·|hi|`.
+//! `fl(x∘y) = (x∘y)(1+δ)`, `|δ| <= u`, as long as nothing overflows or underflows. `two_sum` and
+//! `two_product` are error-free (Knuth; Dekker). A pair is normalised: `|lo| <= u·|hi|`.
 //! - *Sum.* `hi`s and `lo`s are added without error; two roundings follow, of sizes at most
 //!   `u·(2u + O(u²))·S` and `u·(2u + O(u²))·S`, `S = |a.hi| + |b.hi|`: together below `2^-103·S`.
 //! - *Product.* Dropped `a.lo·b.lo`: `u²`. Roundings of the two mixed products: `u²` each; of their
@@ -16,7 +16,7 @@
 //! - *Quotient.* Two steps of long division; the remainder that is left is computed with its own
 //!   bound and divided by the least divisor: nothing is assumed about the quotient.
 //! - *Underflow.* A product of small parts may lose up to `2^-1074` several times; with every
-//!   non-zero result kept in `[2^-480, 2^480]`, the addition of [`TINY`] covers it.
+//!   non-zero result kept in `[2^-480, 2^480]`, the addition of `TINY` covers it.
 //! - Radii are computed in doubles and enlarged by `1 + 2^-49`, more than the at most six roundings
 //!   and the factor `1 + u` between `|hi|` and `|hi + lo|` can take away.
 //!
