@@ -99,7 +99,7 @@ fn identifier(name: &str) -> String {
 fn at_least(e: &Expr, least: u8) -> String {
     // A fraction groups by itself.
     let fraction = matches!(&e.kind, ExprKind::Product(list) if list.iter().any(|f| f.0 == Factor::Over));
-    if level(e) >= least || fraction && least <= 3 { expr(e) } else { fenced(&expr(e)) }
+    if level(e) >= least || fraction && least <= 4 { expr(e) } else { fenced(&expr(e)) }
 }
 
 fn expr(e: &Expr) -> String {
