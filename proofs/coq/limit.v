@@ -142,28 +142,37 @@ Qed.
 Theorem b_limit_defined : statements.b_limit_defined.
 Proof. values. Qed.
 
+(** Twice the elastic share lies below the quotient of neighbouring amounts. *)
+Lemma share_below : forall r m2 n, r > 0 -> m2 > 0 -> (n >= 1)%nat ->
+  2 * (4 * Rpower r (1 / INR n) / (1 + Rpower r (1 / INR n)) ^ 2) ^ n
+    <= amount (r * m2) m2 (n + 1) / amount (r * m2) m2 n.
+Proof.
+  intros r m2 k H0 H hk. assert (h1 : r * m2 > 0) by pos.
+  assert (pa := amount_pos (r * m2) m2 k). assert (pb := amount_pos (r * m2) m2 (k + 1)).
+  assert (low := amount_least (r * m2) m2 h1 H (k + 1) ltac:(lia)).
+  assert (share := elastic_share r m2 k H0 H hk). destruct (elastic_lower r k H0 hk) as [_ hi].
+  rewrite <- share in hi |- *. clear share. rewrite pow_add, pow_1 in low.
+  set (A := amount (r * m2) m2 k) in *. set (B := amount (r * m2) m2 (k + 1)) in *.
+  set (eta := 4 ^ k * (r * m2) * m2 / A ^ 2) in *.
+  assert (he : 0 < eta) by (unfold eta; pos). assert (q : 0 < B / A) by pos.
+  apply (square_le_iff (2 * eta) (B / A) ltac:(lra) ltac:(lra)).
+  apply Rle_trans with (4 * eta).
+  - replace ((2 * eta) ^ 2) with (4 * eta * eta) by ring. rewrite <- (Rmult_1_r (4 * eta)) at 2.
+    apply Rmult_le_compat_l; lra.
+  - unfold eta. replace ((B / A) ^ 2) with (B ^ 2 / A ^ 2) by (field; lra).
+    replace (4 * (4 ^ k * (r * m2) * m2 / A ^ 2)) with (4 ^ k * 4 * (r * m2) * m2 / A ^ 2) by (field; lra).
+    apply quotient_le; [pos | pos |]. apply Rmult_le_compat_r; [left; pos | exact low].
+Qed.
+
 Theorem b_grow_limit : statements.b_grow_limit.
 Proof.
   start. set (c := (r - 1) ^ 2 + (1 / r - 1) ^ 2).
   apply squeeze with (fun n => 1 - 2 * c / INR n) (fun _ => 1).
   - intros k hk. fold (amount (r * m2) m2 k). fold (amount (r * m2) m2 (k + 1)).
-    assert (h1 : r * m2 > 0) by pos.
-    assert (pa := amount_pos (r * m2) m2 k). assert (pb := amount_pos (r * m2) m2 (k + 1)).
-    assert (up := amount_doubles (r * m2) m2 h1 H k hk).
-    assert (low := amount_least (r * m2) m2 h1 H (k + 1) ltac:(lia)).
-    assert (share := elastic_share r m2 k H0 H hk). destruct (elastic_lower r k H0 hk) as [lo hi]. fold c in lo.
-    rewrite <- share in lo, hi. clear share. rewrite pow_add, pow_1 in low.
+    assert (pa := amount_pos (r * m2) m2 k).
+    assert (up := amount_doubles (r * m2) m2 ltac:(pos) H k hk).
+    assert (low := share_below r m2 k H0 H hk). destruct (elastic_lower r k H0 hk) as [lo _]. fold c in lo.
     set (A := amount (r * m2) m2 k) in *. set (B := amount (r * m2) m2 (k + 1)) in *.
-    set (eta := 4 ^ k * (r * m2) * m2 / A ^ 2) in *.
-    assert (he : 0 < eta) by (unfold eta; pos).
-    assert (sq : (2 * eta) ^ 2 <= (B / A) ^ 2).
-    { apply Rle_trans with (4 * eta).
-      - replace ((2 * eta) ^ 2) with (4 * eta * eta) by ring. rewrite <- (Rmult_1_r (4 * eta)) at 2.
-        apply Rmult_le_compat_l; lra.
-      - unfold eta. replace ((B / A) ^ 2) with (B ^ 2 / A ^ 2) by (field; lra).
-        replace (4 * (4 ^ k * (r * m2) * m2 / A ^ 2)) with (4 ^ k * 4 * (r * m2) * m2 / A ^ 2) by (field; lra).
-        apply quotient_le; [pos | pos |]. apply Rmult_le_compat_r; [left; pos | exact low]. }
-    assert (q : 0 < B / A) by pos. apply (proj1 (square_le_iff (2 * eta) (B / A) ltac:(lra) ltac:(lra))) in sq.
     assert (top : B / A <= 2).
     { replace 2 with (2 * A / A) by (field; lra). apply quotient_le; [lra | lra |]. apply Rmult_le_compat_r; lra. }
     assert (i := INR_pos k hk). replace (2 * c / INR k) with (2 * (c / INR k)) by (field; lra). lra.
@@ -208,28 +217,6 @@ Qed.
 
 Theorem b_best_elastic_defined : statements.b_best_elastic_defined.
 Proof. values. Qed.
-
-(** Twice the elastic share lies below the quotient of neighbouring amounts. *)
-Lemma share_below : forall r m2 n, r > 0 -> m2 > 0 -> (n >= 1)%nat ->
-  2 * (4 * Rpower r (1 / INR n) / (1 + Rpower r (1 / INR n)) ^ 2) ^ n
-    <= amount (r * m2) m2 (n + 1) / amount (r * m2) m2 n.
-Proof.
-  intros r m2 k H0 H hk. assert (h1 : r * m2 > 0) by pos.
-  assert (pa := amount_pos (r * m2) m2 k). assert (pb := amount_pos (r * m2) m2 (k + 1)).
-  assert (low := amount_least (r * m2) m2 h1 H (k + 1) ltac:(lia)).
-  assert (share := elastic_share r m2 k H0 H hk). destruct (elastic_lower r k H0 hk) as [_ hi].
-  rewrite <- share in hi |- *. clear share. rewrite pow_add, pow_1 in low.
-  set (A := amount (r * m2) m2 k) in *. set (B := amount (r * m2) m2 (k + 1)) in *.
-  set (eta := 4 ^ k * (r * m2) * m2 / A ^ 2) in *.
-  assert (he : 0 < eta) by (unfold eta; pos). assert (q : 0 < B / A) by pos.
-  apply (square_le_iff (2 * eta) (B / A) ltac:(lra) ltac:(lra)).
-  apply Rle_trans with (4 * eta).
-  - replace ((2 * eta) ^ 2) with (4 * eta * eta) by ring. rewrite <- (Rmult_1_r (4 * eta)) at 2.
-    apply Rmult_le_compat_l; lra.
-  - unfold eta. replace ((B / A) ^ 2) with (B ^ 2 / A ^ 2) by (field; lra).
-    replace (4 * (4 ^ k * (r * m2) * m2 / A ^ 2)) with (4 ^ k * 4 * (r * m2) * m2 / A ^ 2) by (field; lra).
-    apply quotient_le; [pos | pos |]. apply Rmult_le_compat_r; [left; pos | exact low].
-Qed.
 
 Theorem b_best_finite : statements.b_best_finite.
 Proof.

@@ -93,13 +93,13 @@ fn failure(place: &str, error: &ChainError) -> Exit {
 /// Reads a scene file.
 pub fn load_scene(path: &Path) -> Result<Scene, Exit> {
     let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let mut bytes = Vec::new();
-    let limit = read::MAX_BYTES as u64 + 1;
-    if path.as_os_str() == "-" {
-        std::io::stdin().lock().take(limit).read_to_end(&mut bytes).map_err(fail)?;
+    let bytes = if path.as_os_str() == "-" {
+        let mut bytes = Vec::new();
+        std::io::stdin().lock().take(read::MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
+        bytes
     } else {
-        std::fs::File::open(path).and_then(|f| f.take(limit).read_to_end(&mut bytes)).map_err(fail)?;
-    }
+        load::bounded(path, read::MAX_BYTES).map_err(fail)?
+    };
     let text = String::from_utf8(bytes)
         .map_err(|_| Exit::usage(format!("error: {}: this is not UTF-8 text", path.display())))?;
     read::scene(&text).map_err(|SceneFault { diagnostic, limit }| Exit {

@@ -19,25 +19,13 @@ pub fn run(language: Language, ids: &[String], from: &[PathBuf], theorems: bool,
     let mut refusals: Vec<(&Claim, Unsupported)> = Vec::new();
     let text = match language {
         Language::Coq => {
-            let mut statements = Vec::new();
-            for claim in &claims {
-                match coq::statement(claim) {
-                    Ok(statement) => statements.push(statement),
-                    Err(reason) => refusals.push((*claim, reason)),
-                }
-            }
+            let statements = said(&claims, &mut refusals, coq::statement);
             let proved: BTreeMap<String, String> =
                 embedded::coq_files().iter().flat_map(|f| coq::proofs_in(f.path, f.text)).collect();
             if theorems { coq::theorems(&statements, &proved) } else { coq::definitions(&statements) }
         }
         Language::Smt2 => {
-            let mut scripts = Vec::new();
-            for claim in &claims {
-                match smt2::script(claim) {
-                    Ok(script) => scripts.push(script),
-                    Err(reason) => refusals.push((*claim, reason)),
-                }
-            }
+            let scripts = said(&claims, &mut refusals, smt2::script);
             scripts.join("\n")
         }
     };
@@ -63,4 +51,20 @@ pub fn run(language: Language, ids: &[String], from: &[PathBuf], theorems: bool,
         eprintln!("left out: {} of {} claims; `carom export --list` gives the reasons", lines.len(), claims.len());
     }
     Ok(0)
+}
+
+/// What the claims are in another language; those that cannot be said go to the refusals.
+fn said<'a, T>(
+    claims: &[&'a Claim],
+    refusals: &mut Vec<(&'a Claim, Unsupported)>,
+    say: impl Fn(&Claim) -> Result<T, Unsupported>,
+) -> Vec<T> {
+    let mut out = Vec::new();
+    for claim in claims {
+        match say(claim) {
+            Ok(text) => out.push(text),
+            Err(reason) => refusals.push((*claim, reason)),
+        }
+    }
+    out
 }

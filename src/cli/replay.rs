@@ -7,7 +7,6 @@ use crate::claim::syntax::Span;
 use crate::number::rational;
 use crate::report::replay::{self as report, Numbers, Replay};
 use crate::scene::replay::{MAX_BYTES, read};
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The forms of a replay.
@@ -118,11 +117,7 @@ pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
 /// The text of the scene file.
 fn source(path: &Path) -> Result<String, Exit> {
     let fail = |e: &dyn std::fmt::Display| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let mut bytes = Vec::new();
-    // Of an endless file no more than is needed to see that it is too long.
-    std::fs::File::open(path)
-        .and_then(|file| file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes))
-        .map_err(|e| fail(&e))?;
+    let bytes = load::bounded(path, MAX_BYTES).map_err(|e| fail(&e))?;
     if bytes.len() > MAX_BYTES {
         let message = format!("error: {}: limit reached: at most {MAX_BYTES} bytes in a scene", path.display());
         return Err(Exit { code: 3, message });

@@ -8,6 +8,7 @@ use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -181,32 +182,27 @@ fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> En
 
 /// The facts (by number) of those assumptions that the search consulted but does not need: without any
 /// one of them the statement is shown all the same.
-fn idle_assumptions(done: &Engine, statement: &Statement, limits: &Limits) -> Vec<std::ops::Range<usize>> {
-    let mut engine = engine(done.cited, limits);
-    let mut cx = Context::default();
+fn idle_assumptions(
+    done: &Engine,
+    statement: &Statement,
+    assumed: &[Range<usize>],
+    limits: &Limits,
+) -> Vec<Range<usize>> {
     let mut idle = Vec::new();
-    let domains = engine.declare(&mut cx, &statement.bindings).map(|()| cx.facts.len());
-    let Ok(mut next) = domains else { return idle };
-    for place in 0..statement.assumptions.len() {
-        let (label, prop) = &statement.assumptions[place];
-        if engine.assume(&mut cx, prop, label.clone(), Origin::Hypothesis).is_err() {
-            return idle;
-        }
-        let range = next..cx.facts.len();
-        next = cx.facts.len();
+    for (place, range) in assumed.iter().enumerate() {
         if range.clone().all(|fact| done.used & source(fact) == 0) {
             continue;
         }
         let mut without = statement.clone();
         without.assumptions.remove(place);
-        let mut engine = self::engine(done.cited, limits);
+        let mut engine = engine(done.cited, limits);
         // As much work as the proof took, and a little more.
         engine.steps = 2 * (limits.steps - done.steps.min(limits.steps)) + 1_000;
         let mut cx = Context::default();
-        if hypotheses(&mut engine, &mut cx, &without).is_ok()
+        if hypotheses(&mut engine, &mut cx, &without, &mut Vec::new()).is_ok()
             && engine.follow(&mut cx, &without.goal, &without.proof).is_ok()
         {
-            idle.push(range);
+            idle.push(range.clone());
         }
     }
     idle
@@ -220,7 +216,8 @@ fn judge(
 ) -> Result<Outcome, Fault> {
     let mut engine = engine(cited, limits);
     let mut cx = Context::default();
-    let mut result = hypotheses(&mut engine, &mut cx, statement);
+    let mut assumed = Vec::new();
+    let mut result = hypotheses(&mut engine, &mut cx, statement, &mut assumed);
     let hypotheses_count = cx.facts.len();
     if let Err(Failure::Fault(diagnose)) = result {
         return Err(Fault::Text(diagnose));
@@ -260,7 +257,7 @@ fn judge(
         Ok(()) => {
             outcome.verdict = Verdict::Proved;
             outcome.method = main_rule(&engine.rules).to_string();
-            let idle = idle_assumptions(&engine, statement, limits);
+            let idle = idle_assumptions(&engine, statement, &assumed, limits);
             for (place, fact) in hypotheses_facts.iter().enumerate().take(hypotheses_count) {
                 let text = describe(fact, statement);
                 if text.is_empty() {
@@ -307,13 +304,21 @@ fn judge(
     Ok(outcome)
 }
 
-fn hypotheses(engine: &mut Engine, cx: &mut Context, statement: &Statement) -> Result<(), Failure> {
+/// Takes the hypotheses into the context, and says which facts (by number) each assumption became.
+fn hypotheses(
+    engine: &mut Engine,
+    cx: &mut Context,
+    statement: &Statement,
+    assumed: &mut Vec<Range<usize>>,
+) -> Result<(), Failure> {
     for sequence in &statement.sequences {
         cx.sequences.insert(sequence.name.clone(), Rc::new(sequence.clone()));
     }
     engine.declare(cx, &statement.bindings)?;
     for (label, prop) in &statement.assumptions {
+        let first = cx.facts.len();
         engine.assume(cx, prop, label.clone(), Origin::Hypothesis)?;
+        assumed.push(first..cx.facts.len());
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Which claim cites which, drawn from left to right.
 
 use super::Entry;
-use super::mathml::escape;
+use super::markup::escape;
 use std::collections::BTreeMap;
 
 const WIDTH: usize = 190;

@@ -3,24 +3,9 @@
 //! Contract: the result is a `<math>` element whose text is escaped; parentheses stand where precedence needs
 //! them, fractions and roots group by themselves.
 
+use super::markup::escape;
 use crate::claim::print::{Style, level, prop_level};
 use crate::claim::syntax::*;
-
-/// Text inside an element.
-pub fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c => out.push(c),
-        }
-    }
-    out
-}
 
 /// A proposition on a line of its own.
 pub fn statement(p: &Prop) -> String {

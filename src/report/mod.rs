@@ -8,6 +8,7 @@ pub mod graph;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod markup;
 pub mod mathml;
 pub mod page;
 #[cfg(feature = "plot")]

@@ -4,8 +4,8 @@
 //! Headings, tables with header cells and a skip link make it readable by keyboard and ear; colours are not the
 //! only sign of a verdict; a print style keeps sections together.
 
-use super::mathml::{self, escape};
-use super::{Audit, Entry, counted, graph, reading, summary};
+use super::markup::escape;
+use super::{Audit, Entry, counted, graph, mathml, reading, summary};
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::Reading;
 use crate::prove::outcome::{Point, Verdict};

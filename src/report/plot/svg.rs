@@ -2,6 +2,7 @@
 
 use super::letters::{Letters, Piece, plain};
 use super::shape::{BLACK, Colour, Page, Shape, WHITE};
+use crate::report::markup::escape;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -93,8 +94,4 @@ fn outline(pieces: &[Piece]) -> String {
         Piece::Close => "Z".to_owned(),
     };
     pieces.iter().map(text).collect()
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

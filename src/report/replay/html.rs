@@ -3,8 +3,9 @@
 //! The page needs nothing from elsewhere. Its motion is drawn from doubles; the numbers in its table are those of
 //! the replay.
 
-use super::svg::{Frame, Worldlines, caption, colour, draw, escape};
+use super::svg::{Frame, Worldlines, caption, colour, draw};
 use super::{Replay, pair};
+use crate::report::markup::escape;
 use serde_json::json;
 use std::fmt::Write;
 

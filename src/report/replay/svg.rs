@@ -5,6 +5,7 @@
 
 use super::{Replay, decimal};
 use crate::chain::replay::{Status, Value};
+use crate::report::markup::escape;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 use std::fmt::Write;
@@ -172,11 +173,6 @@ pub(super) fn ticks(lo: f64, hi: f64) -> Vec<(f64, String)> {
         k += 1.0;
     }
     found
-}
-
-/// The text with what XML reserves written out.
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// One line on how the replay ended.
