@@ -7,6 +7,7 @@
 //!
 //! Variables are plain numbers; a caller that has names passes a naming function where text is made.
 
+pub mod diagonal;
 mod division;
 pub mod factor;
 pub mod form;

@@ -11,7 +11,7 @@ use super::{Limit, LimitReached, Var};
 use std::cmp::Ordering;
 
 /// The largest total degree of a monomial.
-pub const MAX_DEGREE: u32 = 1_000;
+pub const MAX_DEGREE: u32 = 50_000;
 
 /// A product of powers of variables.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]

@@ -8,12 +8,24 @@ use super::parse::parse;
 use super::syntax::Claim;
 use include_dir::{Dir, include_dir};
 
-static PROOFS: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs");
+/// The folders of claims in the order of reports: the paper, then beyond, then lemmas. What else lies in
+/// `proofs/` stays out of the program.
+static FOLDERS: [Dir; 3] = [
+    include_dir!("$CARGO_MANIFEST_DIR/proofs/ricardo-lee-2015"),
+    include_dir!("$CARGO_MANIFEST_DIR/proofs/beyond"),
+    include_dir!("$CARGO_MANIFEST_DIR/proofs/lemmas"),
+];
 
-/// A claim file: its path below `proofs/` and its text.
+/// The Coq proofs: `carom export` finds in them where a claim is proved.
+static COQ: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs/coq");
+
+/// The certificates of the proved claims: `carom check` without paths checks them.
+static CERTIFICATES: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs/certificates");
+
+/// A claim file: its name and its text.
 #[derive(Clone, Copy, Debug)]
 pub struct File {
-    /// The path.
+    /// The file's name.
     pub path: &'static str,
     /// The text.
     pub text: &'static str,
@@ -22,8 +34,7 @@ pub struct File {
 /// All claim files in the order of reports: the paper, then beyond, then lemmas, each by number.
 pub fn files() -> Vec<File> {
     let mut out = Vec::new();
-    for folder in ["ricardo-lee-2015", "beyond", "lemmas"] {
-        let Some(dir) = PROOFS.get_dir(folder) else { continue };
+    for dir in &FOLDERS {
         let mut list: Vec<File> = dir
             .files()
             .filter_map(|f| Some(File { path: f.path().to_str()?, text: f.contents_utf8()? }))
@@ -37,13 +48,24 @@ pub fn files() -> Vec<File> {
 
 /// The certificates that come with the program: name of the claim, text.
 pub fn certificates() -> Vec<(String, &'static str)> {
-    let Some(dir) = PROOFS.get_dir("certificates") else { return Vec::new() };
-    let mut out: Vec<(String, &'static str)> = dir
+    let mut out: Vec<(String, &'static str)> = CERTIFICATES
         .files()
         .filter_map(|f| Some((f.path().to_str()?.strip_suffix(".cert")?, f.contents_utf8()?)))
         .map(|(path, text)| (stem(path).to_string(), text))
         .collect();
     out.sort();
+    out
+}
+
+/// The Coq files, without the folder and the ending in their paths.
+pub fn coq_files() -> Vec<File> {
+    let mut out: Vec<File> = COQ
+        .files()
+        .filter_map(|f| {
+            Some(File { path: f.path().file_name()?.to_str()?.strip_suffix(".v")?, text: f.contents_utf8()? })
+        })
+        .collect();
+    out.sort_by_key(|f| f.path);
     out
 }
 

@@ -36,8 +36,8 @@ pub fn statement(claim: &Claim, style: Style) -> Vec<String> {
     out
 }
 
-// Precedence of expressions: sum 1, signed product 2, product 3, power 4, atom 5.
-fn level(e: &Expr) -> u8 {
+/// Precedence of expressions: sum 1, signed product 2, product 3, power 4, atom 5.
+pub fn level(e: &Expr) -> u8 {
     match &e.kind {
         ExprKind::Sum(_) => 1,
         ExprKind::Negate(_) => 2,
@@ -47,9 +47,9 @@ fn level(e: &Expr) -> u8 {
     }
 }
 
-// Precedence of propositions: equivalence 1, implication 2, or 3, and 4, not 5, atom 6. Quantifiers
-// reach as far to the right as they can, so they bind like an equivalence.
-fn prop_level(p: &Prop) -> u8 {
+/// Precedence of propositions: equivalence 1, implication 2, or 3, and 4, not 5, atom 6. Quantifiers
+/// reach as far to the right as they can, so they bind like an equivalence.
+pub fn prop_level(p: &Prop) -> u8 {
     match &p.kind {
         PropKind::Equivalent(_) | PropKind::Exists(..) | PropKind::ForAll(..) => 1,
         PropKind::Implies(..) => 2,
@@ -225,7 +225,8 @@ impl Style {
         }
     }
 
-    fn relation(self, relation: Relation) -> &'static str {
+    /// The sign of a relation.
+    pub fn relation(self, relation: Relation) -> &'static str {
         match (self, relation) {
             (_, Relation::Equal) => "=",
             (_, Relation::Less) => "<",

@@ -109,12 +109,31 @@ pub fn run(
             return Err(exit);
         }
     };
+    let (mut audit, messages) = judge_all(&mut loaded, only, limits);
+    if let Some(folder) = certificates {
+        write_certificates(&loaded.catalogue, &mut audit.entries, folder)?;
+    }
+    write(&audit, format, output)?;
+    if !messages.is_empty() {
+        return Err(Exit::usage(messages.join("\n")));
+    }
+    Ok(code(&audit))
+}
+
+/// Judges the built-in catalogue or the given files as a whole.
+pub fn all(paths: &[PathBuf], limits: &Limits) -> Result<Audit, Exit> {
+    let (audit, messages) = judge_all(&mut load(paths, &[])?, &[], limits);
+    if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
+}
+
+/// The audit, and what to print of the claims that could not be judged.
+fn judge_all(loaded: &mut Loaded, only: &[String], limits: &Limits) -> (Audit, Vec<String>) {
     let all = loaded.catalogue.claims().iter().map(|c| c.name.text.clone());
     let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
-    let progress = Progress::start(names.len());
+    let progress = Progress::start(names.len() as u64);
     let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
     for (done, name) in names.iter().enumerate() {
-        progress.now(done, name);
+        progress.now(done as u64, name);
         match loaded.judge(name, limits) {
             Ok(outcome) => {
                 if let Some(claim) = loaded.catalogue.get(name) {
@@ -128,24 +147,21 @@ pub fn run(
         }
     }
     progress.finish();
-    if let Some(folder) = certificates {
-        write_certificates(&loaded.catalogue, &mut entries, folder)?;
-    }
-    let audit = Audit { entries, problems, judged: loaded.catalogue.work() };
-    write(&audit, format, output)?;
-    if !messages.is_empty() {
-        return Err(Exit::usage(messages.join("\n")));
-    }
+    (Audit { entries, problems, judged: loaded.catalogue.work() }, messages)
+}
+
+/// The exit code: 0 all as expected, 3 where only limits stand in the way, else 1.
+pub fn code(audit: &Audit) -> u8 {
     let unexpected: Vec<&Entry> = audit.entries.iter().filter(|e| !e.as_expected()).collect();
     let limit = |e: &&Entry| {
         e.outcome.verdict == Verdict::Undecided
             && e.outcome.reason.as_deref().is_some_and(|r| r.contains("limit reached"))
     };
-    Ok(match unexpected.len() {
+    match unexpected.len() {
         0 => 0,
         _ if unexpected.iter().all(limit) => 3,
         _ => 1,
-    })
+    }
 }
 
 /// Writes a certificate for each claim that was proved, and says for which none was found.

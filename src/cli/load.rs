@@ -74,12 +74,16 @@ fn folder(
     Ok(())
 }
 
+/// A file's bytes, at most one more than `limit`: enough to see that an endless one is too long.
+pub fn bounded(path: &Path, limit: usize) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)?.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 /// The bytes of a claim file; of an endless one no more than is needed to see that it is too long.
 pub fn read(path: &Path) -> Result<Vec<u8>, Exit> {
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .and_then(|file| file.take(FILE_LIMIT as u64 + 1).read_to_end(&mut bytes))
-        .map_err(|e| cannot_read(path, &e))?;
+    let bytes = bounded(path, FILE_LIMIT).map_err(|e| cannot_read(path, &e))?;
     if bytes.len() > FILE_LIMIT {
         let message = format!("error: {}: limit reached: at most {FILE_LIMIT} bytes in a claim file", path.display());
         return Err(Exit::usage(message));

@@ -1,16 +1,29 @@
 //! The command line: one file for each subcommand.
 //!
-//! Exit codes: 0 all as expected; 1 a verdict is not as expected; 2 bad input or usage; 3 a stated
-//! limit was reached.
+//! Exit codes: 0 all as expected; 1 a verdict or a check is not as expected; 2 bad input or usage; 3 a
+//! stated limit was reached; 130 interrupted.
 
 mod audit;
 mod check;
+mod eval;
 mod explain;
+mod export;
 mod fmt;
+mod interrupt;
 mod load;
 mod output;
+mod partial;
+#[cfg(feature = "plot")]
+mod plot;
 mod progress;
+#[cfg(feature = "proptest")]
+mod properties;
+mod replay;
+mod report;
 mod statements;
+mod table;
+mod table_check;
+mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use output::{print, write_file};
@@ -18,7 +31,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Audits the algebra of one-dimensional chain collisions.
+/// Audits the algebra of one-dimensional chain collisions and computes with it exactly.
 #[derive(Parser)]
 #[command(name = "carom", version, disable_help_subcommand = true, arg_required_else_help = true)]
 struct Arguments {
@@ -71,6 +84,8 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
+    /// Compute with one chain: energy transfer, thresholds, masses, velocities, best number of bodies
+    Eval(Box<eval::EvalFlags>),
     /// Print statements: name, hypotheses and goal, without judging them
     Print {
         /// Names of the built-in catalogue, claim files and folders; the whole catalogue if none is given
@@ -78,6 +93,46 @@ enum Command {
         /// How to write them
         #[arg(long, value_enum, default_value = "text")]
         format: PrintFormat,
+    },
+    /// Print a table of certified numbers, or check somebody's
+    Table(table::Flags),
+    /// Print what each collision of a scene does, blank and as an answer key
+    Worksheet(worksheet::Flags),
+    /// Write an audit as a page to hand in: HTML that needs nothing else, Markdown, LaTeX
+    Report {
+        /// Claim files and folders; the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// The folder to write to
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// The title
+        #[arg(long)]
+        title: Option<String>,
+        #[command(flatten)]
+        limits: LimitFlags,
+    },
+    /// Draw a picture as SVG or PNG
+    #[cfg(feature = "plot")]
+    Plot(plot::Flags),
+    /// Try the paper's claims on random exact chains
+    #[cfg(feature = "proptest")]
+    Test(properties::Flags),
+    /// Print statements for other provers: for Coq, or for SMT solvers
+    Export {
+        /// The language
+        #[arg(value_enum)]
+        language: Language,
+        /// The claims; all that can be said in the language if none is given
+        ids: Vec<String>,
+        /// Claim files and folders; the built-in catalogue if none is given
+        #[arg(long, value_name = "PATH", num_args = 1..)]
+        from: Vec<PathBuf>,
+        /// For Coq: theorems with the places of their proofs in proofs/coq, instead of definitions
+        #[arg(long)]
+        theorems: bool,
+        /// Say of each claim whether it can be exported, and why not
+        #[arg(long, conflicts_with = "theorems")]
+        list: bool,
     },
     /// Rewrite claim files in the one style
     Fmt {
@@ -88,14 +143,16 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Replay collisions on a line exactly, one by one
+    Replay(Box<replay::ReplayArguments>),
     /// Print a completion script
     Completions {
         /// The shell
         shell: clap_complete::Shell,
     },
-    /// Print help: `carom help language` describes the claim language
+    /// Print help: `carom help language` describes the claim language, `carom help scene` scene files
     Help {
-        /// A subcommand, or `language`
+        /// A subcommand, `language` or `scene`
         topic: Option<String>,
     },
 }
@@ -107,6 +164,22 @@ enum Format {
     Json,
     Markdown,
     Junit,
+}
+
+/// The forms of answers.
+#[derive(Clone, Copy, ValueEnum)]
+enum ValueFormat {
+    Text,
+    Json,
+}
+
+/// The languages of other provers.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Language {
+    /// Coq, over its real numbers
+    Coq,
+    /// SMT-LIB 2 in the logic QF_NRA: the negation, to be found unsatisfiable
+    Smt2,
 }
 
 /// The forms of an argument.
@@ -197,8 +270,18 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         }
         Command::Check { paths, claims, quiet } => check::run(&paths, &claims, quiet),
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Eval(flags) => eval::run(&flags),
+        Command::Worksheet(flags) => worksheet::run(&flags),
+        #[cfg(feature = "plot")]
+        Command::Plot(flags) => plot::run(&flags),
+        #[cfg(feature = "proptest")]
+        Command::Test(flags) => properties::run(&flags),
+        Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
+        Command::Report { paths, out, title, limits } => report::run(&paths, &out, title.as_deref(), &limits.limits()),
+        Command::Export { language, ids, from, theorems, list } => export::run(language, &ids, &from, theorems, list),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
+        Command::Replay(arguments) => replay::run(&arguments),
         Command::Completions { shell } => {
             let mut out = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);
@@ -215,12 +298,13 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
     match topic {
         None => print(&command.render_long_help().to_string())?,
         Some("language") => print(crate::claim::LANGUAGE)?,
+        Some("scene") => print(&eval::scene_help())?,
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string())?,
             None => {
                 let topics: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_string()).collect();
                 return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are {}, language",
+                    "error: there is no help on {name}; topics are {}, language, scene",
                     topics.join(", ")
                 )));
             }

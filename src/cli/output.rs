@@ -101,8 +101,13 @@ fn followed(path: &Path) -> Result<PathBuf, Exit> {
 
 /// Writes a file as a whole.
 pub fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
+    write_bytes(path, text.as_bytes())
+}
+
+/// Writes a file as a whole.
+pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Exit> {
     let mut output = Output::file(path)?;
-    output.write_all(text.as_bytes()).map_err(|e| cannot(path, e))?;
+    output.write_all(bytes).map_err(|e| cannot(path, e))?;
     output.finish()
 }
 

@@ -3,7 +3,8 @@
 //! A thread of its own draws, so that one long step shows the time going by as well as many short
 //! ones. Where standard error is no terminal, there is no thread and nothing is drawn.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt::Write;
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -14,6 +15,9 @@ use std::time::Duration;
 const QUIET: Duration = Duration::from_millis(500);
 /// How often the bar is drawn.
 const TICK: Duration = Duration::from_millis(100);
+
+const NAMED: &str = "{bar:30} {pos}/{len} {elapsed} {wide_msg}";
+const COUNTED: &str = "{bar:30} {human_pos}/{human_len} {rate}, {eta} left";
 
 /// What the bar shows.
 #[derive(Default)]
@@ -29,27 +33,47 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Begins to wait; `total` is how many steps there will be.
-    pub fn start(total: usize) -> Progress {
-        let terminal = std::io::stderr().is_terminal();
-        Progress::on(total as u64, terminal.then(ProgressDrawTarget::stderr))
+    /// Begins to wait; `total` is how many steps there will be, each with a name.
+    pub fn start(total: u64) -> Progress {
+        Progress::on(total, 0, NAMED, ProgressDrawTarget::stderr)
     }
 
-    fn on(total: u64, target: Option<ProgressDrawTarget>) -> Progress {
+    /// The same for many short steps, of which the rate and the time left are shown; some are done already.
+    pub fn rows(done: u64, total: u64) -> Progress {
+        Progress::on(total, done, COUNTED, ProgressDrawTarget::stderr)
+    }
+
+    fn on(total: u64, done: u64, template: &'static str, target: fn() -> ProgressDrawTarget) -> Progress {
+        let terminal = std::io::stderr().is_terminal();
+        Progress::draw_on(total, done, template, terminal.then(target))
+    }
+
+    fn draw_on(total: u64, from: u64, template: &'static str, target: Option<ProgressDrawTarget>) -> Progress {
         let state = Arc::new(Mutex::new(State::default()));
         let shared = state.clone();
         let thread = target.map(|target| {
             let (sender, stop) = channel::<()>();
-            (sender, std::thread::spawn(move || draw(total, target, &shared, |wait| stop.recv_timeout(wait))))
+            let bar = move || {
+                let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+                let style = style.with_key("rate", |state: &ProgressState, out: &mut dyn Write| {
+                    // Writing to a text cannot fail.
+                    let _ = write!(out, "{:.0}/s", state.per_sec());
+                });
+                let bar = ProgressBar::with_draw_target(Some(total), target).with_style(style).with_position(from);
+                // The rate is that of this run.
+                bar.reset_eta();
+                bar
+            };
+            (sender, std::thread::spawn(move || draw(bar, &shared, |wait| stop.recv_timeout(wait))))
         });
         Progress { state, thread }
     }
 
     /// Says how many steps are done and what the present one is.
-    pub fn now(&self, done: usize, what: &str) {
+    pub fn now(&self, done: u64, what: &str) {
         if self.thread.is_some() {
             let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-            state.done = done as u64;
+            state.done = done;
             what.clone_into(&mut state.what);
         }
     }
@@ -69,17 +93,14 @@ impl Drop for Progress {
 }
 
 fn draw(
-    total: u64,
-    target: ProgressDrawTarget,
+    bar: impl FnOnce() -> ProgressBar,
     state: &Mutex<State>,
     wait: impl Fn(Duration) -> Result<(), RecvTimeoutError>,
 ) {
     if wait(QUIET) != Err(RecvTimeoutError::Timeout) {
         return;
     }
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} {wide_msg}");
-    let bar = ProgressBar::with_draw_target(Some(total), target)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = bar();
     loop {
         {
             let state = state.lock().unwrap_or_else(PoisonError::into_inner);
@@ -138,11 +159,11 @@ mod tests {
     fn one_slow_step_shows_a_bar_after_half_a_second_and_a_fast_one_shows_none() {
         let terminal = Recorder::default();
         let target = || Some(ProgressDrawTarget::term_like_with_hz(Box::new(terminal.clone()), 50));
-        let progress = Progress::on(1, target());
+        let progress = Progress::draw_on(1, 0, NAMED, target());
         progress.now(0, "fast");
         progress.finish();
         assert_eq!(*terminal.0.lock().expect("not poisoned"), "");
-        let progress = Progress::on(1, target());
+        let progress = Progress::draw_on(1, 0, NAMED, target());
         progress.now(0, "slow-claim");
         std::thread::sleep(Duration::from_millis(250));
         assert_eq!(*terminal.0.lock().expect("not poisoned"), "", "too early");

@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn known_values_lie_inside() {
         contains(&exp(&q("1"), &q("1")).expect("e"), "2.7182818284590452353602874713526624977572470936999");
-        contains(&exp(&q("-5/2"), &q("-5/2")).expect("e"), "0.0820849986238987951695286744671598078098041403");
+        contains(&exp(&q("-5/2"), &q("-5/2")).expect("e"), "0.0820849986238987951695286744671598078378041210");
         contains(&exp(&q("100"), &q("100")).expect("e"), "26881171418161354484126255515800135873611118.77374192");
         contains(&ln(&q("2"), &q("2")).expect("ln"), "0.6931471805599453094172321214581765680755001343602552");
         contains(&ln(&q("10"), &q("10")).expect("ln"), "2.3025850929940456840179914546843642076011014886287729");
@@ -161,7 +161,10 @@ mod tests {
         #[test]
         fn exponential_and_logarithm_undo_each_other(n in -40_000i64..40_000, d in 1i64..2_000) {
             let x = Rational::from_signeds(n, d);
-            let (low, high) = exp(&x, &x).expect("moderate");
+            let Some((low, high)) = exp(&x, &x) else {
+                prop_assert!(x > LARGEST || x < -LARGEST, "{x} is within the limit");
+                return Ok(());
+            };
             prop_assert!(low <= high && low > 0);
             let back = ln(&low, &high).expect("positive");
             prop_assert!(back.0 <= x && x <= back.1);

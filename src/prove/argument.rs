@@ -7,6 +7,7 @@
 use super::assume::negation;
 use super::comparison::{Plain, Reduced};
 use super::context::*;
+use super::sign::SEARCHED_DEGREE;
 use super::translate::{Condition, Value, text_of};
 use crate::algebra::form::Form;
 use crate::algebra::{Polynomial, Var};
@@ -338,6 +339,9 @@ impl Engine<'_> {
             let plain = Plain::of(self, cx, &[atom])?;
             let Some(goal) = plain.goals.first().cloned() else { continue };
             let equations: Vec<&Polynomial> = plain.equations.iter().collect();
+            if goal.degree() > SEARCHED_DEGREE || equations.iter().any(|p| p.degree() > SEARCHED_DEGREE) {
+                continue;
+            }
             if reduces_to_zero(&plain, goal, &equations, &mut 300) {
                 self.used |= plain.sources;
                 return Ok(true);

@@ -288,6 +288,9 @@ impl Engine<'_> {
         }
         let plain = Plain::of(self, cx, &[atom])?;
         let Some(goal) = plain.goals.first() else { return Ok(false) };
+        if goal.degree() > super::sign::SEARCHED_DEGREE {
+            return Ok(false);
+        }
         let Ok(factors) = factor::factor(goal) else { return Ok(false) };
         if factors.factors.len() < 2 && factors.factors.iter().all(|f| f.1 == 1) {
             return Ok(false);

@@ -8,6 +8,7 @@ use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -184,12 +185,7 @@ fn undecided(claim: &Claim, reason: String) -> Outcome {
     }
 }
 
-fn judge(
-    claim: &Claim,
-    statement: &Statement,
-    cited: &BTreeMap<String, Rc<Statement>>,
-    limits: &Limits,
-) -> Result<Outcome, Fault> {
+fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> Engine<'c> {
     let mut engine = Engine {
         ring: Default::default(),
         log: Vec::new(),
@@ -205,8 +201,47 @@ fn judge(
     engine.ring.degree_limit = limits.degree;
     engine.ring.terms_limit = limits.terms;
     engine.ring.bits_limit = limits.digits;
+    engine
+}
+
+/// The facts (by number) of those assumptions that the search consulted but does not need: without any
+/// one of them the statement is shown all the same.
+fn idle_assumptions(
+    done: &Engine,
+    statement: &Statement,
+    assumed: &[Range<usize>],
+    limits: &Limits,
+) -> Vec<Range<usize>> {
+    let mut idle = Vec::new();
+    for (place, range) in assumed.iter().enumerate() {
+        if range.clone().all(|fact| done.used & source(fact) == 0) {
+            continue;
+        }
+        let mut without = statement.clone();
+        without.assumptions.remove(place);
+        let mut engine = engine(done.cited, limits);
+        // As much work as the proof took, and a little more.
+        engine.steps = 2 * (limits.steps - done.steps.min(limits.steps)) + 1_000;
+        let mut cx = Context::default();
+        if hypotheses(&mut engine, &mut cx, &without, &mut Vec::new()).is_ok()
+            && engine.follow(&mut cx, &without.goal, &without.proof).is_ok()
+        {
+            idle.push(range.clone());
+        }
+    }
+    idle
+}
+
+fn judge(
+    claim: &Claim,
+    statement: &Statement,
+    cited: &BTreeMap<String, Rc<Statement>>,
+    limits: &Limits,
+) -> Result<Outcome, Fault> {
+    let mut engine = engine(cited, limits);
     let mut cx = Context::default();
-    let mut result = hypotheses(&mut engine, &mut cx, statement);
+    let mut assumed = Vec::new();
+    let mut result = hypotheses(&mut engine, &mut cx, statement, &mut assumed);
     let hypotheses_count = cx.facts.len();
     if let Err(Failure::Fault(diagnose)) = result {
         return Err(Fault::Text(diagnose));
@@ -222,6 +257,15 @@ fn judge(
     engine.used = 0;
     if result.is_ok() {
         result = engine.attempt(|engine| engine.follow(&mut proving, &statement.goal, &statement.proof));
+        let guided = !statement.proof.steps.is_empty() || statement.proof.close.is_some();
+        if guided && matches!(result, Err(Failure::NotShown(_) | Failure::Undefined(_))) {
+            // The argument leads nowhere; the statement may be plain all the same.
+            let mut alone = cx.clone();
+            let found = engine.attempt(|engine| engine.show_goal(&mut alone, &statement.goal));
+            if found.is_ok() {
+                result = found;
+            }
+        }
     }
     if let Err(Failure::Fault(diagnose)) = result {
         return Err(Fault::Text(diagnose));
@@ -237,12 +281,14 @@ fn judge(
         Ok(()) => {
             outcome.verdict = Verdict::Proved;
             outcome.method = main_rule(&engine.rules).to_string();
+            let idle = idle_assumptions(&engine, statement, &assumed, limits);
             for (place, fact) in hypotheses_facts.iter().enumerate().take(hypotheses_count) {
                 let text = describe(fact, statement);
                 if text.is_empty() {
                     continue;
                 }
-                if engine.used & source(place) != 0 { outcome.used.push(text) } else { outcome.unused.push(text) }
+                let used = engine.used & source(place) != 0 && !idle.iter().any(|range| range.contains(&place));
+                if used { outcome.used.push(text) } else { outcome.unused.push(text) }
             }
             outcome.argument = engine.log.clone();
         }
@@ -282,13 +328,21 @@ fn judge(
     Ok(outcome)
 }
 
-fn hypotheses(engine: &mut Engine, cx: &mut Context, statement: &Statement) -> Result<(), Failure> {
+/// Takes the hypotheses into the context, and says which facts (by number) each assumption became.
+fn hypotheses(
+    engine: &mut Engine,
+    cx: &mut Context,
+    statement: &Statement,
+    assumed: &mut Vec<Range<usize>>,
+) -> Result<(), Failure> {
     for sequence in &statement.sequences {
         cx.sequences.insert(sequence.name.clone(), Rc::new(sequence.clone()));
     }
     engine.declare(cx, &statement.bindings)?;
     for (label, prop) in &statement.assumptions {
+        let first = cx.facts.len();
         engine.assume(cx, prop, label.clone(), Origin::Hypothesis)?;
+        assumed.push(first..cx.facts.len());
     }
     Ok(())
 }

@@ -181,7 +181,8 @@ impl Engine<'_> {
             let (a_signs, b_signs) = (self.signs(cx, &a)?, self.signs(cx, &b)?);
             if a_signs == Signs::POSITIVE && b_signs == Signs::POSITIVE {
                 let small = self.difference(cx, &a, &b)?;
-                if small != Form::atom(*atom) {
+                // The same sum again, perhaps with another coefficient, is as small as it gets.
+                if small.powers != Form::atom(*atom).powers {
                     return self.reduced(cx, &small, relation);
                 }
             }

@@ -14,7 +14,8 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use std::cell::RefCell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::rc::Rc;
 
 /// Bits kept of the ends of intervals.
 pub const PRECISION: u64 = 192;
@@ -49,6 +50,11 @@ pub struct Assignment {
     pub values: HashMap<String, Rational>,
     /// Families: the values that members take in turn.
     pub families: HashMap<String, Vec<Rational>>,
+    /// Families that are geometric: the ratio of a member to the one before it; the first of the
+    /// family's values is member 0.
+    pub ratios: HashMap<String, Rational>,
+    /// Pairs of expressions, as printed, that are known to be equal wherever both have values.
+    pub identities: Rc<HashSet<(String, String)>>,
     /// Sequences.
     pub sequences: BTreeMap<String, Sequence>,
     /// Index ranges of families: first and last.
@@ -462,7 +468,11 @@ impl Assignment {
                 {
                     return Err(Missing::Undefined(format!("{text}({index}) lies outside the range of {text}")));
                 }
-                if let Some(list) = self.families.get(text) {
+                if let (Some(list), Some(ratio)) = (self.families.get(text), self.ratios.get(text)) {
+                    let value = list.first().ok_or(Missing::Unknown)? * ratio.pow(index);
+                    self.seen.borrow_mut().insert((name.text.clone(), index), value.clone());
+                    Number::Exact(value)
+                } else if let Some(list) = self.families.get(text) {
                     let place = usize::try_from(index).unwrap_or(0) % list.len().max(1);
                     let value = list.get(place).cloned().ok_or(Missing::Unknown)?;
                     self.seen.borrow_mut().insert((name.text.clone(), index), value.clone());
@@ -499,8 +509,13 @@ impl Assignment {
             PropKind::Compare(sides, relations) => {
                 let values: Vec<Value> = sides.iter().map(|e| self.value(e)).collect::<Result<_>>()?;
                 let mut unknown = false;
-                for (pair, relation) in values.windows(2).zip(relations) {
+                for (place, (pair, relation)) in values.windows(2).zip(relations).enumerate() {
                     match (&pair[0], &pair[1]) {
+                        (Value::Scalar(_), Value::Scalar(_)) if self.identical(&sides[place], &sides[place + 1]) => {
+                            if !matches!(relation, Relation::Equal | Relation::LessEqual | Relation::GreaterEqual) {
+                                return Ok(false);
+                            }
+                        }
                         (Value::Scalar(a), Value::Scalar(b)) => match holds(a, *relation, b) {
                             Some(false) => return Ok(false),
                             Some(true) => {}
@@ -564,6 +579,11 @@ impl Assignment {
         }
     }
 
+    fn identical(&self, a: &Expr, b: &Expr) -> bool {
+        !self.identities.is_empty()
+            && self.identities.contains(&(crate::claim::print::expr(a), crate::claim::print::expr(b)))
+    }
+
     /// `for all k natural: P` where every family is constant and k stands in indices only: then P does
     /// not depend on k, and one value decides.
     fn for_all_indices(&self, bindings: &[Binding], body: &Prop) -> Result<bool> {
@@ -572,12 +592,47 @@ impl Assignment {
         };
         let constant = self.families.values().all(|list| list.iter().all(|q| *q == list[0]));
         let [(name, None)] = names.as_slice() else { return Err(Missing::Unknown) };
+        if !self.ratios.is_empty() && constraints.is_empty() {
+            return self.for_all_powers(body, &name.text);
+        }
         if !constant || !constraints.is_empty() || !self.only_index(body, &name.text) || !self.ranges.is_empty() {
             return Err(Missing::Unknown);
         }
         let mut inner = self.clone();
         inner.values.insert(name.text.clone(), Rational::ZERO);
         inner.truth(body)
+    }
+
+    /// `for all k natural: A = B` where families are geometric and both sides are products of powers
+    /// of members with indices k + c: then A = a·ρ^k and B = b·σ^k, equal for all k if for 0 and 1.
+    fn for_all_powers(&self, body: &Prop, name: &str) -> Result<bool> {
+        fn shifted(e: &Expr) -> bool {
+            match &e.kind {
+                ExprKind::Name(_) | ExprKind::Number(_) => true,
+                ExprKind::Sum(list) => list.iter().all(|(sign, a)| *sign == Sign::Plus && shifted(a)),
+                _ => false,
+            }
+        }
+        fn monomial(point: &Assignment, e: &Expr, index: &str) -> bool {
+            match &e.kind {
+                ExprKind::Name(n) => n != index,
+                ExprKind::Number(_) => true,
+                ExprKind::Apply(f, list) => point.families.contains_key(&f.text) && list.iter().all(shifted),
+                ExprKind::Product(list) => list.iter().all(|(_, a)| monomial(point, a, index)),
+                ExprKind::Power(a, b) => monomial(point, a, index) && matches!(b.kind, ExprKind::Number(_)),
+                _ => false,
+            }
+        }
+        let PropKind::Compare(sides, relations) = &body.kind else { return Err(Missing::Unknown) };
+        let fine = relations.iter().all(|r| *r == Relation::Equal) && sides.iter().all(|e| monomial(self, e, name));
+        for k in [0, 1] {
+            let mut inner = self.clone();
+            inner.values.insert(name.to_string(), Rational::from(k));
+            if !inner.truth(body)? {
+                return Ok(false);
+            }
+        }
+        if fine { Ok(true) } else { Err(Missing::Unknown) }
     }
 
     fn only_index(&self, prop: &Prop, name: &str) -> bool {

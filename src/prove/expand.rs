@@ -119,7 +119,8 @@ impl Substitution {
         self.map.insert(name.to_string(), Replacement::Family(other.to_string()));
     }
 
-    fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
+    /// Puts a definition in place of a name or of its applications.
+    pub fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
         names_in(&value, &mut self.mentioned);
         self.map.insert(name.to_string(), Replacement::Definition(parameters, value));
     }

@@ -10,15 +10,18 @@ use super::expand::Statement;
 use super::outcome::{Broken, Point, Witness};
 use super::series::Tends;
 use crate::claim::parse::parse_prop;
+use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Pow;
+use std::collections::HashSet;
 use std::time::Instant;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
-    "1", "2", "1/2", "0", "3", "4", "1/4", "-1", "1/3", "9", "8", "64", "3/2", "3/4", "1/8", "9/10", "16", "1/9", "-2",
-    "1/10", "27", "1/64", "10", "81", "99/100", "100", "729",
+    "1", "2", "1/2", "0", "3", "4", "1/4", "-1", "-1/2", "1/3", "9", "8", "64", "3/2", "3/4", "1/8", "9/10", "16",
+    "1/9", "-2", "1/10", "27", "1/64", "10", "81", "99/100", "100", "729",
 ];
 
 /// How many points are tried.
@@ -33,6 +36,8 @@ struct Search {
     values: Vec<Vec<Rational>>,
     families: Vec<(String, bool, Vec<Prop>)>,
     determined: Vec<(String, Expr)>,
+    /// Whether families are geometric where their domains allow it, or run through listed values.
+    geometric: bool,
     hypotheses: Vec<Prop>,
     base: Assignment,
 }
@@ -44,6 +49,7 @@ impl Search {
             values: Vec::new(),
             families: Vec::new(),
             determined: Vec::new(),
+            geometric: false,
             hypotheses: Vec::new(),
             base: Assignment::default(),
         };
@@ -91,6 +97,7 @@ impl Search {
 
     /// Candidate values for each variable, those kept that its own constant bounds allow.
     fn candidates(&mut self) {
+        self.values.clear();
         let reals: Vec<Rational> = REALS.iter().filter_map(|t| rational::parse(t).ok()).collect();
         for (name, natural) in &self.names {
             let all: Vec<Rational> = if *natural { (0..8).map(Rational::from).collect() } else { reals.clone() };
@@ -198,6 +205,22 @@ impl Search {
                 (0..values.len().min(5)).map(|k| values[(rank + k * rank) % values.len()].clone()).collect();
             point.families.insert(name.clone(), list);
         }
+        if self.geometric {
+            for (i, (name, _, domain)) in self.families.iter().enumerate() {
+                let rank = ranks[offset + i];
+                let ratio = Rational::from_signeds([2, 1, 3][rank % 3], [1, 2, 1][rank % 3]);
+                let first = self.values[offset + i][rank].clone();
+                let allowed = (0..24i64).all(|k| {
+                    let mut alone = Assignment::default();
+                    alone.values.insert(name.clone(), &first * (&ratio).pow(k));
+                    domain.iter().all(|h| alone.truth(h) == Ok(true))
+                });
+                if allowed {
+                    point.families.insert(name.clone(), vec![first]);
+                    point.ratios.insert(name.clone(), ratio);
+                }
+            }
+        }
         for (name, value) in &self.determined {
             match point.number(value) {
                 Ok(super::evaluate::Number::Exact(q)) => {
@@ -292,11 +315,14 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
         };
     }
     let goal = without_derivatives(engine, cx, &goal);
+    let about_limits = has_limit(&goal);
     let goal = without_limits(engine, cx, &goal);
+    search.base.identities = std::rc::Rc::new(identities(engine, cx, &goal));
     let mut found = None;
     // Limits that depend on the other variables are found point by point.
     let mut limits_left = if has_limit(&goal) { LIMITS } else { 0 };
-    search.run(engine.deadline, &mut |point| {
+    let deadline = engine.deadline;
+    let mut visit = |point: &Assignment| {
         point.seen.borrow_mut().clear();
         let there = if limits_left > 0 {
             limits_left -= 1;
@@ -309,6 +335,10 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
             Ok(false) => {
                 let mut list = Vec::new();
                 point.broken(goal, &mut list);
+                if list.is_empty() && about_limits {
+                    let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
+                    list.push(Broken { statement, left: "no limit".to_string(), right: String::new() });
+                }
                 list
             }
             Err(Missing::Undefined(text)) => {
@@ -318,7 +348,11 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
         };
         found = Some(Witness { point: as_point(statement, point), broken });
         true
-    });
+    };
+    if !search.run(deadline, &mut visit) && !search.families.is_empty() {
+        search.geometric = true;
+        search.run(deadline, &mut visit);
+    }
     found
 }
 
@@ -394,6 +428,34 @@ fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
     Prop { kind, span: prop.span }
 }
 
+/// The comparisons in a proposition whose two sides have one form: intervals cannot tell that they are
+/// equal.
+fn identities(engine: &mut Engine, cx: &Context, prop: &Prop) -> HashSet<(String, String)> {
+    let mut found = HashSet::new();
+    let mut open = vec![prop];
+    while let Some(prop) = open.pop() {
+        match &prop.kind {
+            PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => open.extend(list),
+            PropKind::Not(p) => open.push(p),
+            PropKind::Implies(p, q) => open.extend([&**p, &**q]),
+            PropKind::Compare(sides, _) => {
+                for pair in sides.windows(2) {
+                    let mut cx = cx.clone();
+                    let mut conditions = Vec::new();
+                    let mut form = |e| engine.scalar(&mut cx, e, &mut conditions);
+                    let (Ok(a), Ok(b)) = (form(&pair[0]), form(&pair[1])) else { continue };
+                    let same = engine.ring.sub(&a, &b).is_ok_and(|d| d.is_zero());
+                    if same && engine.show_conditions(&mut cx, conditions).is_ok() {
+                        found.insert((print::expr(&pair[0]), print::expr(&pair[1])));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
 fn has_limit(prop: &Prop) -> bool {
     match &prop.kind {
         PropKind::And(list) => list.iter().any(has_limit),
@@ -450,16 +512,9 @@ fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
                     _ => return prop.clone(),
                 }
             }
-            // Nothing finite is the limit: 1/0 = the value has no value anywhere.
+            // No finite value is the limit: the statement is false everywhere.
             Ok(Some((Tends::Infinitely, _))) => {
-                let infinite = Expr {
-                    kind: ExprKind::Product(vec![
-                        (Factor::Times, literal(&Rational::from(1))),
-                        (Factor::Over, literal(&Rational::from(0))),
-                    ]),
-                    span: prop.span,
-                };
-                PropKind::Compare(vec![infinite, limit.value.clone()], vec![Relation::Equal])
+                PropKind::Not(Box::new(Prop { kind: PropKind::And(Vec::new()), span: prop.span }))
             }
             _ => return prop.clone(),
         },

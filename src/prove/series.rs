@@ -9,6 +9,8 @@
 //! those of the formal operations. exp(c/t^k + …) with c < 0 vanishes faster than every power of t.
 //! So the value tends, as t falls to 0, to the coefficient of t^0 where there is no pole. Coefficients
 //! are forms: that one is zero is decided by their normal form, that one is positive by the prover.
+//! A coefficient may hold powers of ln n, which grow slower than every power of n: times a positive
+//! power of t they vanish. Where a sign, or the limit itself, would depend on ln n, there is no answer.
 //!
 //! Cost: a fixed number of coefficients ([`TERMS`]), each a form in the other variables and their
 //! logarithms.
@@ -17,7 +19,7 @@ use super::context::*;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form};
 use crate::claim::syntax::Relation;
 use malachite::Rational;
-use malachite::base::num::basic::traits::One;
+use malachite::base::num::basic::traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Failure>;
 
@@ -82,10 +84,18 @@ impl Engine<'_> {
         if series.end() <= 0 {
             return Ok(None);
         }
+        if series.terms.first().is_some_and(|c| series.order <= 0 && self.depends(c, variable)) {
+            return Ok(None);
+        }
         if series.order < 0 {
             return Ok(self.not_zero(cx, &series.terms[0])?.then_some(Tends::Infinitely));
         }
         Ok(Some(Tends::To(series.at(0))))
+    }
+
+    /// Whether a coefficient holds ln n.
+    fn depends(&self, coefficient: &Form, n: AtomId) -> bool {
+        self.ring.mentions(coefficient, &|a| a == n)
     }
 
     fn not_zero(&mut self, cx: &mut Context, form: &Form) -> Result<bool> {
@@ -100,8 +110,8 @@ impl Engine<'_> {
         self.tick()?;
         let mut product = Series::constant(Form::number(form.coefficient.clone()));
         let mut log: Option<Series> = None;
-        // The product of (t^k)^E over the factors whose exponent E is no integer: Σ k·E.
-        let mut shift = Vec::new();
+        // The power of t from factors that are no series by themselves: √n, n^(1/n).
+        let mut shift = Rational::ZERO;
         for (atom, exponent) in form.powers.clone() {
             let factor = Form { coefficient: Rational::ONE, powers: vec![(atom, exponent.clone())] };
             if !self.ring.mentions(&factor, &|a| a == n) {
@@ -114,16 +124,14 @@ impl Engine<'_> {
                     let base = if i64::try_from(q).is_ok() {
                         base
                     } else {
-                        shift.push(Form::number(q * Rational::from(base.order)));
+                        shift += q * Rational::from(base.order);
                         Series { order: 0, terms: base.terms }
                     };
-                    let Some(power) = self.series_power(cx, &base, q)? else { return Ok(None) };
+                    let Some(power) = self.series_power(cx, &base, q, n)? else { return Ok(None) };
                     product = self.series_product(&product, &power)?;
                 }
                 Exponent::Symbolic(symbolic) => {
-                    shift.push(self.ring.mul(symbolic, &Form::integer(base.order))?);
-                    let unshifted = Series { order: 0, terms: base.terms };
-                    let Some(log_base) = self.series_logarithm(cx, &unshifted)? else { return Ok(None) };
+                    let Some(log_base) = self.series_logarithm(cx, &base, n)? else { return Ok(None) };
                     let Some(times) = self.series_of(cx, symbolic, n)? else { return Ok(None) };
                     let summand = self.series_product(&log_base, &times)?;
                     log = Some(match log {
@@ -133,15 +141,35 @@ impl Engine<'_> {
                 }
             }
         }
-        if let Some(log) = log {
-            let Some(power) = self.series_exponential(cx, &log)? else { return Ok(None) };
+        if let Some(mut log) = log {
+            shift -= self.take_logarithm(&mut log, n)?;
+            let Some(power) = self.series_exponential(cx, &log, n)? else { return Ok(None) };
             product = self.series_product(&product, &power)?;
         }
-        match self.ring.add(&shift)?.as_number().map(i64::try_from) {
-            Some(Ok(k)) if k.abs() <= SHIFT => product.order += k,
+        match i64::try_from(&shift) {
+            Ok(k) if k.abs() <= SHIFT => product.order += k,
             _ => return Ok(None),
         }
         Ok(Some(product))
+    }
+
+    /// Takes the summand k·ln n out of the constant term and returns k: exp(k·ln n) = t^(−k).
+    fn take_logarithm(&mut self, s: &mut Series, n: AtomId) -> Result<Rational> {
+        let growing = Form::atom(self.ring.intern(Atom::Logarithm(n)));
+        let place = usize::try_from(-s.order).ok().filter(|place| *place < s.terms.len());
+        let Some(place) = place else { return Ok(Rational::ZERO) };
+        let mut k = Rational::ZERO;
+        let mut rest = Vec::new();
+        for summand in self.ring.summands(&s.terms[place])? {
+            if summand.powers == growing.powers {
+                k += summand.coefficient;
+            } else {
+                rest.push(summand);
+            }
+        }
+        s.terms[place] = self.ring.add(&rest)?;
+        *s = s.clone().stripped();
+        Ok(k)
     }
 
     fn series_of_atom(&mut self, cx: &mut Context, atom: AtomId, n: AtomId) -> Result<Option<Series>> {
@@ -165,7 +193,7 @@ impl Engine<'_> {
             }
             Atom::Logarithm(inner) => {
                 let Some(series) = self.series_of_atom(cx, *inner, n)? else { return Ok(None) };
-                self.series_logarithm(cx, &series)
+                self.series_logarithm(cx, &series, n)
             }
             _ => Ok(None),
         }
@@ -218,14 +246,20 @@ impl Engine<'_> {
         self.series_sum(&sum)
     }
 
-    fn series_logarithm(&mut self, cx: &mut Context, s: &Series) -> Result<Option<Series>> {
+    fn series_logarithm(&mut self, cx: &mut Context, s: &Series, n: AtomId) -> Result<Option<Series>> {
         let Some(lead) = s.terms.first().cloned() else { return Ok(None) };
-        if s.order != 0 || !self.shown_positive(cx, &lead)? {
+        if self.depends(&lead, n) || !self.shown_positive(cx, &lead)? {
             return Ok(None);
         }
         let mut conditions = Vec::new();
-        let constant = self.logarithm(cx, &lead, "a leading coefficient", &mut conditions)?;
+        let mut constant = self.logarithm(cx, &lead, "a leading coefficient", &mut conditions)?;
         self.show_conditions(cx, conditions)?;
+        if s.order != 0 {
+            // ln(t^k) = −k·ln n.
+            let growing = Form::atom(self.ring.intern(Atom::Logarithm(n)));
+            let growing = self.ring.mul(&growing, &Form::integer(-s.order))?;
+            constant = self.ring.add(&[constant, growing])?;
+        }
         let u = self.series_rest(s, &lead)?;
         let mut coefficients = vec![Rational::from(0)];
         for k in 1..i64::try_from(TERMS).unwrap_or(1) {
@@ -235,8 +269,8 @@ impl Engine<'_> {
         Ok(Some(self.series_sum(&[Series::constant(constant), rest])?))
     }
 
-    fn series_exponential(&mut self, cx: &mut Context, s: &Series) -> Result<Option<Series>> {
-        if s.end() <= 0 {
+    fn series_exponential(&mut self, cx: &mut Context, s: &Series, n: AtomId) -> Result<Option<Series>> {
+        if s.end() <= 0 || (s.order..=0).any(|k| self.depends(&s.at(k), n)) {
             return Ok(None);
         }
         if s.order < 0 {
@@ -262,7 +296,7 @@ impl Engine<'_> {
         Ok(Some(self.series_product(&Series::constant(constant), &power)?))
     }
 
-    fn series_power(&mut self, cx: &mut Context, s: &Series, q: &Rational) -> Result<Option<Series>> {
+    fn series_power(&mut self, cx: &mut Context, s: &Series, q: &Rational, n: AtomId) -> Result<Option<Series>> {
         if let Ok(k @ 1..=SHIFT) = i64::try_from(q) {
             let mut power = s.clone();
             for _ in 1..k {
@@ -273,6 +307,9 @@ impl Engine<'_> {
         let Some(lead) = s.terms.first().cloned() else { return Ok(None) };
         let Ok(order) = i64::try_from(&(q * Rational::from(s.order))) else { return Ok(None) };
         let whole = i64::try_from(q).is_ok();
+        if self.depends(&lead, n) {
+            return Ok(None);
+        }
         let fine = if whole { self.not_zero(cx, &lead)? } else { self.shown_positive(cx, &lead)? };
         if !fine || order.abs() > SHIFT {
             return Ok(None);

@@ -10,10 +10,14 @@
 use super::comparison::Plain;
 use super::context::*;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form};
-use crate::algebra::{factor, positivity};
+use crate::algebra::{Polynomial, Var, diagonal, factor, positivity};
 use crate::claim::syntax::{Constraint, Relation};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
+
+/// The highest degree of polynomials that are factored, divided or combined; above it only the sign that
+/// shows at once counts.
+pub const SEARCHED_DEGREE: u32 = 1_000;
 
 type Result<T> = std::result::Result<T, Failure>;
 
@@ -146,6 +150,13 @@ impl Engine<'_> {
         }
         let problem = Plain::of(self, cx, &[atom])?;
         let Some(goal) = problem.goals.first().cloned() else { return Ok(signs) };
+        let seen = problem.on_the_diagonal(self, &goal)?;
+        signs = signs.and(seen);
+        // What vanishes on the diagonal, and has one sign beside it, has no more to show.
+        if seen != Signs::ANY || goal.degree() > SEARCHED_DEGREE {
+            self.used |= problem.sources;
+            return Ok(signs);
+        }
         // Factors, each judged by its own terms.
         if goal.term_count() <= 200
             && let Ok(factors) = factor::factor(&goal)
@@ -250,7 +261,7 @@ pub fn power_signs(base: Signs, exponent: &Exponent) -> Signs {
 
 impl Plain {
     /// The sign of a polynomial from the signs of its terms.
-    pub fn signs_by_terms(&self, poly: &crate::algebra::polynomial::Polynomial) -> Signs {
+    pub fn signs_by_terms(&self, poly: &Polynomial) -> Signs {
         let mut signs = Signs::ZERO;
         for (monomial, c) in poly.terms() {
             let mut term = Signs::of_number(c);
@@ -263,11 +274,29 @@ impl Plain {
         signs
     }
 
+    /// The sign of a homogeneous polynomial in two positive variables that vanishes where they are
+    /// equal.
+    fn on_the_diagonal(&self, engine: &mut Engine, poly: &Polynomial) -> Result<Signs> {
+        let Some(found) = diagonal::diagonal(poly) else { return Ok(Signs::ANY) };
+        let sign_of = |v: Var| self.signs.get(v as usize).copied().unwrap_or(Signs::ANY);
+        if sign_of(found.x) != Signs::POSITIVE || found.y.is_some_and(|y| sign_of(y) != Signs::POSITIVE) {
+            return Ok(Signs::ANY);
+        }
+        let other = found.y.map_or_else(Polynomial::one, Polynomial::variable);
+        let difference = Polynomial::variable(found.x).sub(&other);
+        let mut factor = self.signs_by_terms(&difference);
+        if !decided(factor) {
+            factor = factor.and(self.searched(engine, &difference)?);
+        }
+        let power = power_signs(factor, &Exponent::integer(i64::from(found.multiplicity)));
+        Ok(power.times(if found.positive { Signs::POSITIVE } else { Signs::NEGATIVE }))
+    }
+
     /// Whether the polynomial is seen to be positive, and negative, at sampled points where the
     /// constraints hold with room to spare. In floating point: a hint which search to skip.
-    fn guess_signs(&self, poly: &crate::algebra::polynomial::Polynomial) -> (bool, bool) {
+    fn guess_signs(&self, poly: &Polynomial) -> (bool, bool) {
         type Terms = Vec<(Vec<(usize, i32)>, f64)>;
-        let terms = |p: &crate::algebra::polynomial::Polynomial| -> Terms {
+        let terms = |p: &Polynomial| -> Terms {
             p.terms()
                 .map(|(m, c)| {
                     let powers =
@@ -318,7 +347,7 @@ impl Plain {
     }
 
     /// The sign of a polynomial from certificates under the constraints.
-    pub fn searched(&self, engine: &mut Engine, poly: &crate::algebra::polynomial::Polynomial) -> Result<Signs> {
+    pub fn searched(&self, engine: &mut Engine, poly: &Polynomial) -> Result<Signs> {
         engine.tick()?;
         let limits = positivity::Limits::default();
         let mut signs = Signs::ANY;

@@ -153,7 +153,7 @@ pub fn markdown(entry: &Entry) -> String {
 }
 
 /// Text that LaTeX shows as it stands, whatever the fonts.
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
         match c {

@@ -1,10 +1,22 @@
-//! An audit as text, JSON, Markdown and JUnit, and one claim's argument.
+//! An audit as text, JSON, Markdown and JUnit, one claim's argument, the answers to a scene, and a replay in words
+//! and pictures.
 
+pub mod answers;
 pub mod argument;
+pub mod document;
+pub mod graph;
 pub mod json;
 pub mod junit;
 pub mod markdown;
+pub mod markup;
+pub mod mathml;
+pub mod page;
+#[cfg(feature = "plot")]
+pub mod plot;
+pub mod replay;
+pub mod table;
 pub mod text;
+pub mod worksheet;
 
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};

@@ -1,0 +1,278 @@
+//! The optimal inserted masses, and what a pass along them does: (20)–(24).
+//!
+//! `mu_i = m1^((N−i)/N)·m2^(i/N)`, so that neighbours have the mass ratio `x = r^(1/N)` everywhere. Which of the
+//! results are rational is told by the lemma in [`super`].
+
+use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitutions, limit_inserted};
+use crate::number::interval::Interval;
+use crate::number::rational::exact_root;
+use crate::number::real::Real;
+use crate::number::root::root;
+use malachite::base::num::arithmetic::traits::{Gcd, Pow, Square};
+use malachite::base::num::basic::traits::{One, Two, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Natural, Rational};
+
+/// A chain whose `n` inserted bodies have the optimal masses.
+#[derive(Clone, Debug)]
+pub struct Optimum {
+    first: Positive,
+    last: Positive,
+    inserted: u64,
+    restitutions: Restitutions,
+    step: Step,
+}
+
+/// `x = r^(1/N)`.
+#[derive(Clone, Debug)]
+enum Step {
+    Rational(Rational),
+    /// Irrational: `r` and `N`.
+    Root(Rational, Natural),
+}
+
+impl Step {
+    fn at(&self, bits: u64) -> Interval {
+        match self {
+            Self::Rational(x) => Interval::from_rational(x, bits),
+            Self::Root(r, count) => root(r, count, bits),
+        }
+    }
+
+    fn as_rational(&self) -> Option<&Rational> {
+        match self {
+            Self::Rational(x) => Some(x),
+            Self::Root(..) => None,
+        }
+    }
+}
+
+impl Optimum {
+    /// A chain from the first to the last mass.
+    ///
+    /// # Errors
+    /// [`ChainError::Count`] for a list of coefficients of the wrong length; a limit above [`MAX_INSERTED`].
+    pub fn new(
+        first: Positive,
+        last: Positive,
+        inserted: u64,
+        restitutions: Restitutions,
+    ) -> Result<Optimum, ChainError> {
+        limit_inserted(inserted, "inserted bodies", MAX_INSERTED)?;
+        let restitutions = restitutions.for_inserted(inserted)?;
+        let ratio = first.over(&last);
+        let step = match exact_root(ratio.value(), inserted + 1) {
+            Some(x) => Step::Rational(x),
+            None => Step::Root(ratio.value().clone(), Natural::from(inserted + 1)),
+        };
+        Ok(Optimum { first, last, inserted, restitutions, step })
+    }
+
+    /// `N`, the number of collisions.
+    #[must_use]
+    pub fn collisions(&self) -> u64 {
+        self.inserted + 1
+    }
+
+    /// The coefficients of restitution.
+    #[must_use]
+    pub fn restitutions(&self) -> &Restitutions {
+        &self.restitutions
+    }
+
+    /// The transfer matrix of a collision, counted from 0, (7): `[[x−e, 1+e], [x(1+e), 1−e·x]]/(x+1)`.
+    ///
+    /// Each entry `(c + s·x)/(1 + x)` has `s − c = ±(1 + e)`, so it is rational iff `x` is. `None` beyond the last collision.
+    #[must_use]
+    pub fn matrix(&self, collision: u64) -> Option<[[Real; 2]; 2]> {
+        let e = self.restitutions.at(collision).filter(|_| collision < self.collisions())?;
+        let (up, down, zero) = (e.plus_one(), -e.value(), Rational::ZERO);
+        let entry = |constant: &Rational, slope: &Rational| self.fraction(constant.clone(), slope.clone());
+        let one = Rational::ONE;
+        Some([[entry(&down, &one), entry(&up, &zero)], [entry(&zero, &up), entry(&one, &down)]])
+    }
+
+    /// `(constant + slope·x)/(1 + x)`, which is not constant: `constant` and `slope` differ.
+    fn fraction(&self, constant: Rational, slope: Rational) -> Real {
+        let step = self.step.clone();
+        if let Some(x) = step.as_rational() {
+            return Real::rational((constant + slope * x) / (x + Rational::ONE));
+        }
+        Real::enclosed(move |bits| {
+            let work = bits + 8;
+            let x = step.at(work);
+            let above = x.multiply_rational(&slope, work).add(&Interval::from_rational(&constant, work), work);
+            above.divide(&x.add(&Interval::from_integer(1), work), bits + 4)
+        })
+    }
+
+    /// The ratio of neighbouring masses, `x`.
+    #[must_use]
+    pub fn step(&self) -> Real {
+        match &self.step {
+            Step::Rational(x) => Real::rational(x.clone()),
+            Step::Root(r, _) => {
+                let (step, text) = (self.step.clone(), root_text(r, 1, self.collisions()));
+                Real::enclosed(move |bits| step.at(bits)).with_radical(text)
+            }
+        }
+    }
+
+    /// The mass of body `i`: 0 is the first one, `N` the last.
+    #[must_use]
+    pub fn mass(&self, i: u64) -> Real {
+        let count = self.collisions();
+        let i = i.min(count);
+        // r^(−i/N) in lowest terms of the exponent.
+        let common = i.gcd(count).max(1);
+        let (power, degree) = (i / common, count / common);
+        let ratio = self.last.over(&self.first);
+        let m1 = self.first.value().clone();
+        if let Some(t) = exact_root(ratio.value(), degree)
+            && exact_bits(&t, power) <= MAX_EXACT_BITS
+        {
+            return Real::rational(m1 * t.pow(power));
+        }
+        let text = format!("{}*{}", factor_text(&m1), root_text(ratio.value(), power, degree));
+        Real::enclosed(move |bits| {
+            let work = bits + power.significant_bits() + 8;
+            let t = root(ratio.value(), &Natural::from(degree), work);
+            t.power(&Natural::from(power), work).multiply_rational(&m1, bits + 4)
+        })
+        .with_radical(text)
+    }
+
+    /// `1 + e` of collision `i` (from 1) for each `i` up to `count`, multiplied.
+    fn gain(&self, count: u64) -> impl Fn(u64) -> Interval + Send + Sync + 'static {
+        let restitutions = self.restitutions.clone();
+        move |bits| match &restitutions {
+            Restitutions::Same(e) => Interval::from_rational(&e.plus_one(), bits + count.significant_bits() + 4)
+                .power(&Natural::from(count), bits),
+            Restitutions::Each(list) => {
+                let work = bits + count.significant_bits() + 4;
+                let count = usize::try_from(count).unwrap_or(usize::MAX);
+                list.iter()
+                    .take(count)
+                    .fold(Interval::from_integer(1), |product, e| product.multiply_rational(&e.plus_one(), work))
+            }
+        }
+    }
+
+    fn exact_gain(&self, count: u64) -> Rational {
+        match &self.restitutions {
+            Restitutions::Same(e) => e.plus_one().pow(count),
+            Restitutions::Each(list) => {
+                let count = usize::try_from(count).unwrap_or(usize::MAX);
+                list.iter().take(count).fold(Rational::ONE, |product, e| product * e.plus_one())
+            }
+        }
+    }
+
+    /// The largest size of an exact result of `count` collisions, in bits.
+    fn exact_size(&self, x: &Rational, count: u64) -> u64 {
+        let e = match &self.restitutions {
+            Restitutions::Same(e) => exact_bits(&e.plus_one(), count),
+            Restitutions::Each(list) => list.iter().map(|e| exact_bits(&e.plus_one(), 1)).sum(),
+        };
+        e.saturating_add(exact_bits(x, count).saturating_mul(4))
+    }
+
+    /// A bound of the bits of all velocities together, where they are exact; 0 where they are enclosed.
+    #[must_use]
+    pub fn listed_bits(&self) -> u64 {
+        let count = self.collisions();
+        let each = self.step.as_rational().map_or(0, |x| self.exact_size(x, count).min(MAX_EXACT_BITS));
+        each.saturating_mul(count)
+    }
+
+    /// The velocity with which body `i` arrives at its collision with body `i + 1`, or leaves for `i = N`:
+    /// `∏_(j<=i)(1 + e_j)·(x/(1+x))^i·v1`.
+    #[must_use]
+    pub fn arrival(&self, i: u64, speed: &Rational) -> Real {
+        if let Some(x) = self.step.as_rational()
+            && self.exact_size(x, i) <= MAX_EXACT_BITS
+        {
+            let share = x / (x + Rational::ONE);
+            return Real::rational(self.exact_gain(i) * share.pow(i) * speed);
+        }
+        let (step, gain, speed) = (self.step.clone(), self.gain(i), speed.clone());
+        Real::enclosed(move |bits| {
+            let work = bits + i.significant_bits() + 8;
+            let x = step.at(work);
+            let share = x.divide(&x.add(&Interval::from_integer(1), work), work);
+            share.power(&Natural::from(i), work).multiply(&gain(work), work).multiply_rational(&speed, bits + 4)
+        })
+    }
+
+    /// The velocity of body `i` after the pass, (22)–(24), for a first body of velocity `speed`.
+    #[must_use]
+    pub fn velocity(&self, i: u64, speed: &Rational) -> Real {
+        let i = i.min(self.collisions());
+        let arrival = self.arrival(i, speed);
+        let Some(e) = self.restitutions.at(i).filter(|_| i < self.collisions()) else {
+            return arrival;
+        };
+        if *speed == Rational::ZERO {
+            return Real::rational(Rational::ZERO);
+        }
+        // Left with (x − e)/(x + 1) of it.
+        let e = e.value().clone();
+        if let (Some(x), Some(v)) = (self.step.as_rational(), arrival.as_rational()) {
+            return Real::rational(v * (x - e) / (x + Rational::ONE));
+        }
+        if self.step.as_rational() == Some(&e) {
+            return Real::rational(Rational::ZERO);
+        }
+        let step = self.step.clone();
+        Real::enclosed(move |bits| {
+            let x = step.at(bits + 8);
+            let below = x.add(&Interval::from_integer(1), bits + 8);
+            let above = x.subtract(&Interval::from_rational(&e, bits + 8), bits + 8);
+            arrival.enclosure(bits + 8).multiply(&above.divide(&below, bits + 8), bits + 4)
+        })
+    }
+
+    /// The kinetic energy lost in collision `i` (from 1 to `N`), for a first body of velocity `speed`:
+    /// `m1·x^(1−i)·(1 − e_i²)·w²/(2(1 + x))`, `w` the velocity with which body `i − 1` arrives.
+    #[must_use]
+    pub fn loss(&self, i: u64, speed: &Rational) -> Real {
+        let i = i.clamp(1, self.collisions());
+        let share = match self.restitutions.at(i - 1) {
+            Some(e) => Rational::ONE - e.value().square(),
+            None => Rational::ZERO,
+        };
+        if share == Rational::ZERO || *speed == Rational::ZERO {
+            return Real::rational(Rational::ZERO);
+        }
+        let arrival = self.arrival(i - 1, speed);
+        let mass = self.mass(i - 1);
+        if let (Some(x), Some(w), Some(m)) = (self.step.as_rational(), arrival.as_rational(), mass.as_rational()) {
+            return Real::rational(m * share * w.square() / (Rational::TWO * (x + Rational::ONE)));
+        }
+        let step = self.step.clone();
+        Real::enclosed(move |bits| {
+            let work = bits + 8;
+            let below = step.at(work).add(&Interval::from_integer(1), work);
+            let energy = arrival.enclosure(work).square(work).multiply(&mass.enclosure(work), work).shifted(-1);
+            energy.divide(&below, work).multiply_rational(&share, bits + 4)
+        })
+    }
+}
+
+/// An upper bound of the bits of `x^count`.
+pub(super) fn exact_bits(x: &Rational, count: u64) -> u64 {
+    let size = x.numerator_ref().significant_bits().max(x.denominator_ref().significant_bits());
+    // One costs nothing.
+    if *x == Rational::ONE { 1 } else { size.saturating_mul(count) }
+}
+
+/// A rational as a factor in a formula.
+pub(super) fn factor_text(x: &Rational) -> String {
+    if *x.denominator_ref() == Natural::ONE { x.to_string() } else { format!("({x})") }
+}
+
+/// `r^(power/degree)` as text.
+pub(super) fn root_text(r: &Rational, power: u64, degree: u64) -> String {
+    let base = factor_text(r);
+    if degree == 1 { format!("{base}^{power}") } else { format!("{base}^({power}/{degree})") }
+}

@@ -1,0 +1,202 @@
+//! One pass along a chain of given masses, in exact arithmetic: velocities, losses, energy transfer.
+//!
+//! Collision `i` (from 1) is that of body `i − 1` with body `i`; each body strikes the next one once. These are
+//! the velocities *after the pass*: neighbours that still approach each other will meet again
+//! ([`super::recollision`]), and then they are not final.
+//!
+//! **Cost.** All velocities: a few operations for each body on numbers that grow with the body's place. The
+//! last body's velocity alone, from rest: a product tree with one reduction at the end, `O(M(b) log n)` for
+//! `b` bits of input, where folding would be quadratic.
+
+use super::{ChainError, Positive, Restitution, Restitutions, collision};
+use crate::number::NumberError;
+use malachite::base::num::arithmetic::traits::Square;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Natural, Rational};
+
+/// The most bits of all exact velocities together: they grow with the square of the number of bodies.
+pub const MAX_PASS_BITS: u64 = 1 << 31;
+
+/// A chain with exact masses, coefficients of restitution and velocities before the pass.
+#[derive(Clone, Debug)]
+pub struct Pass {
+    masses: Vec<Positive>,
+    restitutions: Restitutions,
+    velocities: Vec<Rational>,
+}
+
+/// What one collision does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Collision {
+    /// The velocities of the two bodies before it.
+    pub before: (Rational, Rational),
+    /// The velocities after it.
+    pub after: (Rational, Rational),
+    /// The kinetic energy lost.
+    pub loss: Rational,
+}
+
+impl Pass {
+    /// A chain of at least two bodies, with a velocity for each one before the pass.
+    ///
+    /// # Errors
+    /// [`ChainError::Count`] where the numbers of masses, coefficients and velocities do not fit.
+    pub fn new(
+        masses: Vec<Positive>,
+        restitutions: Restitutions,
+        velocities: Vec<Rational>,
+    ) -> Result<Pass, ChainError> {
+        let bodies = masses.len() as u64;
+        let Some(inserted) = bodies.checked_sub(2) else {
+            return Err(ChainError::Count { of: "masses", given: bodies, needed: 2 });
+        };
+        let restitutions = restitutions.for_inserted(inserted)?;
+        if velocities.len() != masses.len() {
+            return Err(ChainError::Count { of: "velocities", given: velocities.len() as u64, needed: bodies });
+        }
+        Ok(Pass { masses, restitutions, velocities })
+    }
+
+    /// A chain whose first body moves with `speed` and whose others are at rest.
+    ///
+    /// # Errors
+    /// As [`Pass::new`].
+    pub fn from_rest(masses: Vec<Positive>, restitutions: Restitutions, speed: Rational) -> Result<Pass, ChainError> {
+        let mut velocities = vec![Rational::ZERO; masses.len()];
+        if let Some(first) = velocities.first_mut() {
+            *first = speed;
+        }
+        Pass::new(masses, restitutions, velocities)
+    }
+
+    /// The masses.
+    #[must_use]
+    pub fn masses(&self) -> &[Positive] {
+        &self.masses
+    }
+
+    /// The velocities before the pass.
+    #[must_use]
+    pub fn velocities_before(&self) -> &[Rational] {
+        &self.velocities
+    }
+
+    /// The pairs of neighbours with their coefficients of restitution, in order.
+    fn pairs(&self) -> impl Iterator<Item = (&Positive, &Positive, &Restitution)> {
+        self.masses.windows(2).enumerate().filter_map(|(i, pair)| match pair {
+            [m1, m2] => Some((m1, m2, self.restitutions.at(i as u64)?)),
+            _ => None,
+        })
+    }
+
+    /// About the bits of all exact velocities together.
+    fn size(&self) -> u64 {
+        let bits = |x: &Rational| x.numerator_ref().significant_bits() + x.denominator_ref().significant_bits();
+        let (mut each, mut all) = (0_u64, 0_u64);
+        for ((m1, m2, e), v) in self.pairs().zip(&self.velocities) {
+            each = each.saturating_add(2 * (bits(m1.value()) + bits(m2.value())) + bits(e.value()) + bits(v));
+            all = all.saturating_add(each);
+        }
+        all
+    }
+
+    /// Every collision, in order.
+    ///
+    /// # Errors
+    /// [`ChainError::NoCollision`] where a body does not catch up with the next; a limit above [`MAX_PASS_BITS`].
+    pub fn collisions(&self) -> Result<Vec<Collision>, ChainError> {
+        let size = self.size();
+        if size > MAX_PASS_BITS {
+            let limit = "bits of all exact velocities";
+            return Err(NumberError::LimitReached { limit, allowed: MAX_PASS_BITS, needed: size.to_string() }.into());
+        }
+        let mut list = Vec::with_capacity(self.masses.len());
+        let mut rest = self.velocities.iter();
+        let mut arriving = rest.next().cloned().unwrap_or(Rational::ZERO);
+        for (i, ((m1, m2, e), front)) in self.pairs().zip(rest).enumerate() {
+            if arriving <= *front {
+                let velocities = Box::new((arriving, front.clone()));
+                return Err(ChainError::NoCollision { collision: i + 1, velocities });
+            }
+            let after = collision::velocities_after(m1, m2, e, &arriving, front);
+            let loss = collision::loss(m1, m2, e, &arriving, front);
+            let next = after.1.clone();
+            list.push(Collision { before: (arriving, front.clone()), after, loss });
+            arriving = next;
+        }
+        Ok(list)
+    }
+
+    /// The velocity of each body after the pass; (22)–(24) for optimal masses.
+    ///
+    /// # Errors
+    /// As [`Pass::collisions`].
+    pub fn velocities_after(&self) -> Result<Vec<Rational>, ChainError> {
+        let collisions = self.collisions()?;
+        let last = collisions.last().map(|c| c.after.1.clone());
+        Ok(collisions.into_iter().map(|c| c.after.0).chain(last).collect())
+    }
+
+    /// The kinetic energy lost in each collision.
+    ///
+    /// # Errors
+    /// As [`Pass::collisions`].
+    pub fn losses(&self) -> Result<Vec<Rational>, ChainError> {
+        Ok(self.collisions()?.into_iter().map(|c| c.loss).collect())
+    }
+
+    /// Whether all bodies but the first are at rest and the first one moves towards them.
+    fn starts_from_rest(&self) -> bool {
+        match self.velocities.split_first() {
+            Some((first, rest)) => *first > Rational::ZERO && rest.iter().all(|v| *v == Rational::ZERO),
+            None => false,
+        }
+    }
+
+    /// The last body's velocity after the pass, with the others at rest before: `∏ m_i(1+e_i)/(m_i+m_(i+1))·v1`.
+    ///
+    /// # Errors
+    /// [`ChainError::NotAtRest`].
+    pub fn last_velocity(&self) -> Result<Rational, ChainError> {
+        match self.velocities.first() {
+            Some(speed) if self.starts_from_rest() => Ok(self.gain() * speed),
+            _ => Err(ChainError::NotAtRest),
+        }
+    }
+
+    /// The last body's velocity over the first one's, from rest.
+    fn gain(&self) -> Rational {
+        let factors = self.pairs().map(|(m1, m2, e)| m1.value() * e.plus_one() / (m1.value() + m2.value()));
+        let (above, below): (Vec<Natural>, Vec<Natural>) = factors.map(|f| f.into_numerator_and_denominator()).unzip();
+        Rational::from_naturals(product(above), product(below))
+    }
+
+    /// The energy transfer: the last body's kinetic energy over the first one's before, (13) and (16).
+    ///
+    /// # Errors
+    /// [`ChainError::NotAtRest`].
+    pub fn transfer(&self) -> Result<Rational, ChainError> {
+        match (self.masses.first(), self.masses.last()) {
+            (Some(first), Some(last)) if self.starts_from_rest() => {
+                Ok(self.gain().square() * last.value() / first.value())
+            }
+            _ => Err(ChainError::NotAtRest),
+        }
+    }
+}
+
+/// The product of all, by halves.
+pub(super) fn product(mut factors: Vec<Natural>) -> Natural {
+    while factors.len() > 1 {
+        factors = factors
+            .chunks(2)
+            .map(|pair| match pair {
+                [a, b] => a * b,
+                [a, ..] => a.clone(),
+                [] => Natural::ONE,
+            })
+            .collect();
+    }
+    factors.pop().unwrap_or(Natural::ONE)
+}

@@ -1,0 +1,385 @@
+//! The exact run: rational worldlines, times compared by enclosures first.
+//!
+//! **State.** A body moves on `x = b + v·t` until it collides; the state is the intercept `b` and the velocity
+//! `v` of each worldline, no positions and no clock. A collision of neighbours multiplies `(v_l, v_r)` by the
+//! transfer matrix `M`. It multiplies the intercepts by the same matrix: both bodies are at the same place `x`
+//! at the time `t`, `M` fixes `(1, 1)`, so `x·(1,1) − t·M·v = M·(x·(1,1) − t·v)`. Times never enter the state,
+//! only quotients of it leave; a collision touches two bodies, and numbers grow with the masses and restitutions
+//! on a body's causal past.
+//!
+//! **Events.** A pair that approaches meets at `t = (b_r − b_l)/(v_l − v_r)`. A heap holds one entry a pair,
+//! ordered by enclosures of `t`; where two overlap, cross-multiplied exact fractions decide.
+//!
+//! **Instants.** All pairs that meet at the least time are taken together. Two of them within one cluster of
+//! touching bodies leave the order, and with it the outcome, undetermined: the run stops as ambiguous. Otherwise
+//! their collisions are independent. A pair that touches and approaches after that (a neighbour was hit while
+//! they touched) meets at the same instant, by the same rule: as with gaps that are too small to matter.
+//!
+//! **Cost.** `O(log n)` comparisons of doubles and a fixed number of exact operations a collision, those of the
+//! ledger included. Memory: the state, the heap, the listed collisions.
+
+use super::bounds::Bounds;
+use super::collapse::{self, Collapse};
+use super::ledger::{Ledger, LedgerFault};
+use super::line::Line;
+use super::pattern;
+use super::queue::Queue;
+use super::{Collision, Value};
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::NegAssign;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::logic::traits::SignificantBits;
+use std::cmp::Ordering;
+
+/// Why the exact run ended.
+#[derive(Clone, Debug)]
+pub(super) enum Stop {
+    /// Nothing approaches any more.
+    Quiet,
+    /// The next collision is later than the time asked for.
+    Until,
+    /// As many collisions as allowed, and another is due.
+    Events,
+    /// Numbers of more bits than allowed.
+    Grown,
+    /// Pairs of touching bodies that would collide at one instant.
+    Ambiguous {
+        /// The cluster of points, first and last.
+        cluster: (usize, usize),
+        /// The pairs that approach.
+        pairs: Vec<usize>,
+        /// The instant.
+        time: Rational,
+    },
+    /// Infinitely many collisions before a finite time, proved.
+    Collapse(Box<Collapse>),
+}
+
+/// What the run may do.
+#[derive(Clone, Debug)]
+pub(super) struct Bound<'a> {
+    pub events: u64,
+    pub until: Option<&'a Rational>,
+    pub list: usize,
+    pub bits: Option<u64>,
+}
+
+/// The state of the run.
+#[derive(Clone)]
+pub(super) struct Run<'a> {
+    pub line: &'a Line,
+    /// Intercepts of the worldlines.
+    pub b: Vec<Rational>,
+    /// Velocities.
+    pub v: Vec<Rational>,
+    near_b: Vec<Bounds>,
+    near_v: Vec<Bounds>,
+    due: Vec<Bounds>,
+    queue: Queue,
+    /// For the point in the middle of three: collisions in a row, its left and right pair in turn, that nothing
+    /// outside the three disturbed.
+    streak: Vec<u32>,
+    last_pair: Vec<usize>,
+    /// The pairs of the last collisions.
+    recent: Vec<usize>,
+    pub ledger: Ledger,
+    pub count: u64,
+    pub events: Vec<Collision>,
+    /// Instants with more than one collision of separate pairs.
+    pub simultaneous: u64,
+    /// The most bits of a numerator or denominator, after each doubling of the count.
+    pub growth: Vec<(u64, u64)>,
+    pub largest: u64,
+    /// The pair and worldlines of the last collision, which give its time.
+    last: Option<(Rational, Rational)>,
+}
+
+impl<'a> Run<'a> {
+    /// The state at time 0, with what is due.
+    pub fn new(line: &'a Line) -> Run<'a> {
+        let n = line.points.len();
+        let b: Vec<Rational> = line.points.iter().map(|p| p.position.clone()).collect();
+        let v: Vec<Rational> = line.points.iter().map(|p| p.velocity.clone()).collect();
+        let largest = b.iter().chain(&v).map(bits).max().unwrap_or(0);
+        let mut run = Run {
+            line,
+            near_b: b.iter().map(Bounds::of).collect(),
+            near_v: v.iter().map(Bounds::of).collect(),
+            b,
+            v,
+            due: vec![Bounds::WHOLE; line.pairs.len()],
+            queue: Queue::new(line.pairs.len()),
+            streak: vec![0; n],
+            last_pair: vec![usize::MAX; n],
+            recent: Vec::new(),
+            ledger: Ledger::default(),
+            count: 0,
+            events: Vec::new(),
+            simultaneous: 0,
+            growth: vec![(0, largest)],
+            largest,
+            last: None,
+        };
+        for p in 0..line.pairs.len() {
+            run.predict(p);
+        }
+        run
+    }
+
+    /// Replays until something ends it.
+    pub fn go(&mut self, bound: &Bound) -> Result<Stop, LedgerFault> {
+        let mut together = Vec::new();
+        loop {
+            let Some(first) = self.queue.first() else { return Ok(Stop::Quiet) };
+            if let Some(until) = bound.until
+                && self.later_than(first, until)
+            {
+                return Ok(Stop::Until);
+            }
+            if self.count >= bound.events {
+                return Ok(Stop::Events);
+            }
+            if bound.bits.is_some_and(|most| self.largest > most) {
+                return Ok(Stop::Grown);
+            }
+            self.take_instant(first, &mut together);
+            if let Some(stop) = self.ambiguity(&together) {
+                return Ok(stop);
+            }
+            self.simultaneous += u64::from(together.len() > 1);
+            // What is about to change leaves the heap first: an order must not change under it.
+            for p in &together {
+                for q in p.saturating_sub(1)..=(p + 1).min(self.line.pairs.len() - 1) {
+                    self.place(q, false);
+                }
+            }
+            // An instant is finished even where it passes the limit: its collisions belong together.
+            for p in &together {
+                self.collide(*p, bound)?;
+            }
+            for p in &together {
+                for q in p.saturating_sub(1)..=(p + 1).min(self.line.pairs.len() - 1) {
+                    self.predict(q);
+                }
+            }
+            for p in &together {
+                for middle in [*p, p + 1] {
+                    if self.streak[middle] >= 4
+                        && self.streak[middle].is_power_of_two()
+                        && let Some(found) = self.collapse_at(middle, bound.until)
+                    {
+                        return Ok(Stop::Collapse(Box::new(found)));
+                    }
+                }
+            }
+            if let Some(found) = self.pattern(bound.until) {
+                return Ok(Stop::Collapse(Box::new(found)));
+            }
+        }
+    }
+
+    /// When the pair meets: a gap over a speed, both positive or the gap zero.
+    fn meeting(&self, p: usize) -> (Rational, Rational) {
+        (&self.b[p + 1] - &self.b[p], &self.v[p] - &self.v[p + 1])
+    }
+
+    /// When the pair meets, if it approaches.
+    pub fn due_exactly(&self, p: usize) -> Option<Rational> {
+        let (gap, speed) = self.meeting(p);
+        (speed > Rational::ZERO).then(|| gap / speed)
+    }
+
+    /// The time of the last collision.
+    pub fn time(&self) -> Rational {
+        match &self.last {
+            Some((gap, speed)) => gap / speed,
+            None => Rational::ZERO,
+        }
+    }
+
+    /// Which of two pairs meets first.
+    fn order(&self, p: usize, q: usize) -> Ordering {
+        if p == q {
+            return Ordering::Equal;
+        }
+        self.due[p].order(self.due[q]).unwrap_or_else(|| {
+            let ((gap_p, speed_p), (gap_q, speed_q)) = (self.meeting(p), self.meeting(q));
+            (gap_p * speed_q).cmp(&(gap_q * speed_p))
+        })
+    }
+
+    fn later_than(&self, p: usize, until: &Rational) -> bool {
+        let near = self.due[p].order(Bounds::of(until));
+        near.unwrap_or_else(|| {
+            let (gap, speed) = self.meeting(p);
+            gap.cmp(&(speed * until))
+        }) == Ordering::Greater
+    }
+
+    /// Puts the pair's next meeting into the heap, or takes it out.
+    fn predict(&mut self, p: usize) {
+        let speed = self.near_v[p].minus(self.near_v[p + 1]);
+        let approaching = match speed.sign() {
+            Some(sign) => sign == Ordering::Greater,
+            None => self.v[p] > self.v[p + 1],
+        };
+        if approaching {
+            let near = self.near_b[p + 1].minus(self.near_b[p]).over(speed);
+            // Far from the origin the difference of enclosures may be wide: then from exact differences.
+            self.due[p] = if near.hi - near.lo <= near.hi.abs() * 1e-9 {
+                near
+            } else {
+                let (gap, speed) = self.meeting(p);
+                Bounds::of(&gap).over(Bounds::of(&speed))
+            };
+        }
+        self.place(p, approaching);
+    }
+
+    fn place(&mut self, p: usize, present: bool) {
+        let mut queue = std::mem::replace(&mut self.queue, Queue::new(0));
+        queue.set(p, present, |a, b| match self.order(a, b) {
+            Ordering::Equal => a < b,
+            order => order == Ordering::Less,
+        });
+        self.queue = queue;
+    }
+
+    /// All pairs that meet when the first does, in order from the left, out of the heap.
+    fn take_instant(&mut self, first: usize, together: &mut Vec<usize>) {
+        together.clear();
+        while let Some(p) = self.queue.first()
+            && self.order(p, first) == Ordering::Equal
+        {
+            together.push(p);
+            self.place(p, false);
+        }
+        together.sort_unstable();
+    }
+
+    /// Two approaching pairs in one cluster of touching bodies.
+    fn ambiguity(&self, together: &[usize]) -> Option<Stop> {
+        let clash = together.windows(2).find(|w| (w[0] + 1..w[1]).all(|r| self.touch(r, w[0])))?;
+        let from = clash[0];
+        let mut cluster = (from, from + 1);
+        while cluster.0 > 0 && (together.contains(&(cluster.0 - 1)) || self.touch(cluster.0 - 1, from)) {
+            cluster.0 -= 1;
+        }
+        while cluster.1 < self.line.pairs.len() && (together.contains(&cluster.1) || self.touch(cluster.1, from)) {
+            cluster.1 += 1;
+        }
+        let pairs = together.iter().copied().filter(|p| (cluster.0..cluster.1).contains(p)).collect();
+        let (gap, speed) = self.meeting(from);
+        Some(Stop::Ambiguous { cluster, pairs, time: gap / speed })
+    }
+
+    /// Whether the two points of pair `r` are at one place when pair `p` meets.
+    fn touch(&self, r: usize, p: usize) -> bool {
+        let ahead = self.near_b[r + 1].minus(self.near_b[r]);
+        let drift = self.near_v[r + 1].minus(self.near_v[r]);
+        if ahead.plus(drift.times(self.due[p])).sign().is_some_and(Ordering::is_ne) {
+            return false;
+        }
+        let (gap, speed) = self.meeting(p);
+        (&self.b[r + 1] - &self.b[r]) * speed + (&self.v[r + 1] - &self.v[r]) * gap == Rational::ZERO
+    }
+
+    fn collide(&mut self, p: usize, bound: &Bound) -> Result<(), LedgerFault> {
+        let line = self.line;
+        let pair = &line.pairs[p];
+        let (gap, speed) = self.meeting(p);
+        let left = &self.v[p] - &pair.left * &speed;
+        let right = &self.v[p + 1] + &pair.right * &speed;
+        let number = self.count + 1;
+        let sides = (&line.points[p], &line.points[p + 1]);
+        let lost = self.ledger.book(sides, pair, (&self.v[p], &self.v[p + 1]), (&left, &right), number)?;
+        if self.events.len() < bound.list {
+            let time = &gap / &speed;
+            let position = &self.b[p] + &self.v[p] * &time;
+            self.events.push(Collision {
+                pair: p + line.first,
+                position: Value::Exact(position + line.contact_offset(p)),
+                time: Value::Exact(time),
+                before: [Value::Exact(self.v[p].clone()), Value::Exact(self.v[p + 1].clone())],
+                after: [Value::Exact(left.clone()), Value::Exact(right.clone())],
+                lost: Value::Exact(lost),
+            });
+        }
+        let mut back = gap.clone();
+        back.neg_assign();
+        // The intercepts change as the velocities do: by b_l − b_r in place of v_l − v_r.
+        self.b[p] -= &pair.left * &back;
+        self.b[p + 1] += &pair.right * back;
+        self.v[p] = left;
+        self.v[p + 1] = right;
+        self.last = Some((gap, speed));
+        self.count = number;
+        self.recent.push(p);
+        for k in [p, p + 1] {
+            self.near_b[k] = Bounds::of(&self.b[k]);
+            self.near_v[k] = Bounds::of(&self.v[k]);
+            self.largest = self.largest.max(bits(&self.b[k])).max(bits(&self.v[k]));
+            let in_turn = self.streak[k] > 0 && self.last_pair[k] != p;
+            self.streak[k] = if in_turn { self.streak[k] + 1 } else { 1 };
+            self.last_pair[k] = p;
+        }
+        if p > 0 {
+            self.streak[p - 1] = 0;
+        }
+        if let Some(outer) = self.streak.get_mut(p + 2) {
+            *outer = 0;
+        }
+        if number.is_power_of_two() {
+            self.growth.push((number, self.largest));
+        }
+        Ok(())
+    }
+
+    /// A proved collapse around a point that nothing else reaches in time.
+    fn collapse_at(&self, middle: usize, until: Option<&Rational>) -> Option<Collapse> {
+        if middle == 0 || middle + 1 >= self.line.points.len() {
+            return None;
+        }
+        collapse::of_three(self.line, &self.b, &self.v, middle).filter(|found| self.undisturbed(found, until))
+    }
+
+    /// A proved collapse by the pattern that the last collisions repeat; looked for now and then.
+    fn pattern(&mut self, until: Option<&Rational>) -> Option<Collapse> {
+        if self.recent.len() < pattern::ATTEMPT {
+            return None;
+        }
+        let recent = std::mem::take(&mut self.recent);
+        let found = pattern::of_round(self.line, &self.b, &self.v, pattern::round(&recent)?);
+        found.filter(|found| self.undisturbed(found, until))
+    }
+
+    /// Nothing outside the points of a collapse meets any of them, or another, before it; and it is not later than
+    /// asked for.
+    fn undisturbed(&self, found: &Collapse, until: Option<&Rational>) -> bool {
+        let (from, to) = (found.bodies.0 - self.line.first, found.bodies.1 - self.line.first);
+        let not_after = |t: &Rational| found.time.compare(t).is_some_and(|order| order != Ordering::Greater);
+        if until.is_some_and(|until| !not_after(until)) {
+            return false;
+        }
+        let (lo, hi) = found.time.enclose(64);
+        let near = Bounds { lo: Bounds::of(&lo).lo, hi: Bounds::of(&hi).hi };
+        let mut far = self.queue.present().filter(|q| *q + 1 < from || *q > to);
+        let late = far.all(|q| match self.due[q].order(near) {
+            Some(order) => order == Ordering::Greater,
+            None => self.due_exactly(q).is_none_or(|t| not_after(&t)),
+        });
+        // The outer bodies of a collapse are only ever pushed outward, so each stays on the inner side of the
+        // chord of its worldline; a neighbour on a straight line that ends outside has not met it.
+        let apart = |outer: usize, side: Ordering| {
+            let there = found.reach(&self.b[outer], &self.v[outer]);
+            there == Some(Ordering::Equal) || there == Some(side)
+        };
+        late && (from == 0 || apart(from - 1, Ordering::Less))
+            && (to + 1 >= self.line.points.len() || apart(to + 1, Ordering::Greater))
+    }
+}
+
+/// The bits of the larger of numerator and denominator.
+pub(super) fn bits(x: &Rational) -> u64 {
+    x.numerator_ref().significant_bits().max(x.denominator_ref().significant_bits())
+}

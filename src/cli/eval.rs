@@ -1,0 +1,339 @@
+//! `carom eval`: one chain, by flags or by a scene file, or a stream of chains.
+
+use super::{Exit, ValueFormat, load, print};
+use crate::chain::best::{Best, best};
+use crate::chain::threshold::{helps, threshold};
+use crate::chain::uncertain::{Range, RangeError};
+use crate::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
+use crate::number::NumberError;
+use crate::number::decimal::{Decimal, Digits, Rounding};
+use crate::number::rational::{NumeralError, parse};
+use crate::number::real::Real;
+use crate::report::answers;
+use crate::scene::answer::Answers;
+use crate::scene::quantity::Quantity;
+use crate::scene::read::{self, DEFAULT_DIGITS, ROUNDINGS, SceneFault};
+use crate::scene::{Chain, Coefficients, Inserted, Scene, Start};
+use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// The longest line of a batch.
+const MAX_LINE: usize = 1 << 16;
+
+/// The flags of `carom eval`.
+#[derive(clap::Args)]
+pub struct EvalFlags {
+    /// A scene file (see `carom help scene`); flags override what it says on digits and wants
+    scene: Option<PathBuf>,
+    /// Mass of the first body: 10, 3/4, 0.5, 2e-3, or measured: "57.1 ± 0.1", "[57, 58]"
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
+    m1: Option<String>,
+    /// Mass of the last body
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
+    m2: Option<String>,
+    /// Coefficient of restitution, or one for each collision: 9/10,4/5
+    #[arg(short = 'e', long = "restitution", value_name = "E[,E…]", allow_hyphen_values = true)]
+    e: Option<String>,
+    /// Number of inserted bodies
+    #[arg(short, value_name = "N", allow_hyphen_values = true)]
+    n: Option<String>,
+    /// Inserted masses: optimal, or a list of n masses
+    #[arg(long, value_name = "optimal|M,M…", allow_hyphen_values = true)]
+    masses: Option<String>,
+    /// Velocity of the first body
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    speed: Option<String>,
+    /// What to compute: eta, threshold, helps, masses, velocities, best-n, matrix, losses, recollides
+    #[arg(long, value_name = "LIST")]
+    want: Option<String>,
+    /// Significant digits of each decimal
+    #[arg(long, value_name = "D", conflicts_with = "places")]
+    digits: Option<u64>,
+    /// Digits after the point
+    #[arg(long, value_name = "P")]
+    places: Option<u64>,
+    /// Direction of rounding: nearest (ties to even), up, down, zero, away
+    #[arg(long, value_name = "MODE")]
+    round: Option<String>,
+    /// The form of the answers
+    #[arg(long, value_enum, default_value = "text")]
+    format: ValueFormat,
+    /// List what was computed, what was skipped, and the level that settled each answer
+    #[arg(long)]
+    explain: bool,
+    /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed"])]
+    batch: Option<PathBuf>,
+}
+
+/// Runs the subcommand.
+pub fn run(flags: &EvalFlags) -> Result<u8, Exit> {
+    if let Some(batch) = &flags.batch {
+        return run_batch(flags, batch);
+    }
+    let scene = match &flags.scene {
+        Some(path) => from_file(flags, path)?,
+        None => from_flags(flags)?,
+    };
+    let found = Answers::new(&scene);
+    let report = match flags.format {
+        ValueFormat::Text => answers::text(&scene, &found, flags.explain),
+        ValueFormat::Json => answers::json(&scene, &found, flags.explain),
+    };
+    print(&report.map_err(|(quantity, error)| failure(quantity.name(), &error))?)?;
+    Ok(0)
+}
+
+/// The failure of a quantity, with the exit code that it deserves.
+fn failure(place: &str, error: &ChainError) -> Exit {
+    let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
+    Exit { code: if limit { 3 } else { 2 }, message: format!("error: {place}: {error}") }
+}
+
+/// Reads a scene file.
+pub fn load_scene(path: &Path) -> Result<Scene, Exit> {
+    let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
+    let bytes = if path.as_os_str() == "-" {
+        let mut bytes = Vec::new();
+        std::io::stdin().lock().take(read::MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
+        bytes
+    } else {
+        load::bounded(path, read::MAX_BYTES).map_err(fail)?
+    };
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Exit::usage(format!("error: {}: this is not UTF-8 text", path.display())))?;
+    read::scene(&text).map_err(|SceneFault { diagnostic, limit }| Exit {
+        code: if limit { 3 } else { 2 },
+        message: diagnostic.render(&path.display().to_string(), &text, load::colour()),
+    })
+}
+
+fn from_file(flags: &EvalFlags, path: &Path) -> Result<Scene, Exit> {
+    let given = [
+        ("--m1", &flags.m1),
+        ("--m2", &flags.m2),
+        ("-e", &flags.e),
+        ("-n", &flags.n),
+        ("--masses", &flags.masses),
+        ("--speed", &flags.speed),
+    ];
+    if let Some((name, _)) = given.iter().find(|(_, value)| value.is_some()) {
+        return Err(Exit::usage(format!("error: {name} goes with flags alone; the scene file describes the chain")));
+    }
+    let mut scene = load_scene(path)?;
+    if let Some(want) = &flags.want {
+        scene.want = wants(want)?;
+    }
+    if flags.digits.is_some() || flags.places.is_some() {
+        scene.digits = digits(flags);
+    }
+    if flags.round.is_some() {
+        scene.rounding = rounding(flags)?;
+    }
+    Ok(scene)
+}
+
+fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
+    let missing =
+        |name: &str| Exit::usage(format!("error: {name} is missing: give a scene file, or --m1, --m2, -e and -n"));
+    let first = mass("--m1", flags.m1.as_ref().ok_or_else(|| missing("--m1"))?)?;
+    let last = mass("--m2", flags.m2.as_ref().ok_or_else(|| missing("--m2"))?)?;
+    let list = elements(flags.e.as_ref().ok_or_else(|| missing("-e"))?);
+    let coefficients = match list.as_slice() {
+        [one] => Coefficients::Same(coefficient("-e", one)?),
+        list => Coefficients::Each(list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>()?),
+    };
+    let count = flags.n.as_ref().map(|n| natural("-n", n)).transpose()?;
+    let inserted = match flags.masses.as_deref() {
+        None | Some("optimal") => Inserted::Optimal(count.ok_or_else(|| missing("-n"))?),
+        Some(masses) => {
+            let list = elements(masses).iter().map(|m| mass("--masses", m)).collect::<Result<Vec<_>, _>>()?;
+            if let Some(count) = count
+                && count != list.len() as u64
+            {
+                return Err(Exit::usage(format!("error: -n {count} does not fit {} masses", list.len())));
+            }
+            Inserted::Given(list)
+        }
+    };
+    let start = match &flags.speed {
+        None => Start::unit(),
+        Some(speed) => Start::Speed(parse(speed).map_err(|e| bad("--speed", &RangeError::Numeral(e)))?),
+    };
+    let chain = Chain::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
+    let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
+    Ok(Scene { want, digits: digits(flags), rounding: rounding(flags)?, chain })
+}
+
+/// The elements of a list; commas in brackets belong to ranges.
+fn elements(text: &str) -> Vec<&str> {
+    let mut depth = 0_i32;
+    text.split(|c: char| {
+        depth += i32::from(c == '[') - i32::from(c == ']');
+        c == ',' && depth <= 0
+    })
+    .map(str::trim)
+    .collect()
+}
+
+fn wants(text: &str) -> Result<Vec<Quantity>, Exit> {
+    text.split(',')
+        .map(str::trim)
+        .filter(|name| !name.is_empty())
+        .map(|name| Quantity::of_name(name).map_err(|message| Exit::usage(format!("error: --want: {message}"))))
+        .collect()
+}
+
+fn digits(flags: &EvalFlags) -> Digits {
+    match flags.places {
+        Some(places) => Digits::Places(places),
+        None => Digits::Significant(flags.digits.unwrap_or(DEFAULT_DIGITS)),
+    }
+}
+
+fn rounding(flags: &EvalFlags) -> Result<Rounding, Exit> {
+    let Some(name) = &flags.round else { return Ok(Rounding::Nearest) };
+    ROUNDINGS.iter().find(|(known, _)| known == name).map(|(_, rounding)| *rounding).ok_or_else(|| {
+        Exit::usage(format!("error: --round: no direction is called {name}; there are nearest, up, down, zero, away"))
+    })
+}
+
+fn bad(flag: &str, error: &RangeError) -> Exit {
+    let limit = matches!(
+        error,
+        RangeError::Numeral(NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })
+    );
+    Exit { code: if limit { 3 } else { 2 }, message: format!("error: {flag}: {error}") }
+}
+
+fn mass(flag: &str, text: &str) -> Result<Range<Positive>, Exit> {
+    Range::read(text).map_err(|e| bad(flag, &e))?.map(Positive::new).map_err(|e| failure(flag, &e))
+}
+
+fn coefficient(flag: &str, text: &str) -> Result<Range<Restitution>, Exit> {
+    Range::read(text).map_err(|e| bad(flag, &e))?.map(Restitution::new).map_err(|e| failure(flag, &e))
+}
+
+fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
+    if text.is_empty() || !text.bytes().all(|b| b.is_ascii_digit()) {
+        return Err(Exit::usage(format!("error: {flag}: a natural number was expected, not {text:?}")));
+    }
+    text.parse().map_err(|_| Exit {
+        code: 3,
+        message: format!("error: {flag}: limit reached: inserted bodies: {} allowed", crate::chain::MAX_INSERTED),
+    })
+}
+
+/// Answers a stream of chains, a line each; memory stays flat.
+fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
+    let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
+    let streamed = [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN];
+    if let Some(other) = want.iter().find(|q| !streamed.contains(q)) {
+        return Err(Exit::usage(format!(
+            "error: --batch answers eta, threshold, helps and best-n, not {}",
+            other.name()
+        )));
+    }
+    let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
+    let mut input: Box<dyn BufRead> = if path.as_os_str() == "-" {
+        Box::new(BufReader::new(std::io::stdin()))
+    } else {
+        Box::new(BufReader::with_capacity(1 << 16, std::fs::File::open(path).map_err(fail)?))
+    };
+    let batch = Batch { want, digits: digits(flags), rounding: rounding(flags)? };
+    let mut out = BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
+    let mut header = batch.header();
+    let mut line = String::new();
+    let mut number = 0_u64;
+    loop {
+        line.clear();
+        if (&mut input).take(MAX_LINE as u64).read_line(&mut line).map_err(fail)? == 0 {
+            break;
+        }
+        number += 1;
+        let text = line.trim();
+        if line.len() >= MAX_LINE {
+            let message = format!("error: {}:{number}: limit reached: {MAX_LINE} bytes in a line", path.display());
+            return Err(Exit { code: 3, message });
+        }
+        if text.is_empty() || text.starts_with('#') || (number == 1 && text.replace(' ', "") == "m1,m2,e,n") {
+            continue;
+        }
+        let answer = batch.answer(text).map_err(|exit| Exit {
+            message: exit.message.replacen("error: ", &format!("error: {}:{number}: ", path.display()), 1),
+            ..exit
+        });
+        // What was answered so far stays, also when a line is wrong.
+        let written = out.write_all(std::mem::take(&mut header).as_bytes());
+        let answer = answer?;
+        if written.and_then(|()| out.write_all(answer.as_bytes())).is_err() {
+            // The reader has gone away.
+            return Ok(0);
+        }
+    }
+    let _ = out.write_all(header.as_bytes()).and_then(|()| out.flush());
+    Ok(0)
+}
+
+/// What a batch asks of each line.
+struct Batch {
+    want: Vec<Quantity>,
+    digits: Digits,
+    rounding: Rounding,
+}
+
+impl Batch {
+    fn header(&self) -> String {
+        let mut columns = vec!["m1,m2,e,n"];
+        columns.extend(self.want.iter().map(|q| match q {
+            Quantity::Eta => "eta,eta_lower,eta_upper",
+            Quantity::Threshold => "threshold,threshold_lower,threshold_upper",
+            Quantity::Helps => "helps",
+            _ => "best-n,tie",
+        }));
+        columns.join(",") + "\n"
+    }
+
+    fn answer(&self, line: &str) -> Result<String, Exit> {
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        let [m1, m2, e, n] = fields.as_slice() else {
+            return Err(Exit::usage(format!("error: four fields m1,m2,e,n were expected, not {}", fields.len())));
+        };
+        let number = |name: &str, text: &str| parse(text).map_err(|error| bad(name, &RangeError::Numeral(error)));
+        let positive = |name: &str, text: &str| Positive::new(number(name, text)?).map_err(|e| failure(name, &e));
+        let r = positive("m1", m1)?.over(&positive("m2", m2)?);
+        let e = Restitution::new(number("e", e)?).map_err(|error| failure("e", &error))?;
+        let n = natural("n", n)?;
+        let mut out = line.to_owned();
+        for quantity in &self.want {
+            let text = self.quantity(*quantity, &r, &e, n).map_err(|error| failure(quantity.name(), &error))?;
+            out.push(',');
+            out.push_str(&text);
+        }
+        out.push('\n');
+        Ok(out)
+    }
+
+    fn quantity(&self, quantity: Quantity, r: &Positive, e: &Restitution, n: u64) -> Result<String, ChainError> {
+        match quantity {
+            Quantity::Eta => self.decimals(&transfer::optimal(r, &Restitutions::Same(e.clone()), n)?),
+            Quantity::Threshold => self.decimals(&threshold(r, n)?),
+            Quantity::Helps => Ok(helps(e, r, n)?.0.text().to_owned()),
+            _ => Ok(match best(r, e)?.0 {
+                Best::Finite { count, tie } => format!("{count},{tie}"),
+                Best::Infinite => "infinite,false".to_owned(),
+                Best::Any => "any,false".to_owned(),
+            }),
+        }
+    }
+
+    fn decimals(&self, x: &Real) -> Result<String, ChainError> {
+        let (found, _) = Decimal::with_enclosure(x, self.digits, self.rounding)?;
+        Ok(format!("{},{},{}", found.decimal, found.lower, found.upper))
+    }
+}
+
+/// The page of `carom help scene`.
+pub fn scene_help() -> String {
+    format!("{}\nJSON schema for editors:\n\n{}", include_str!("scene.txt"), read::SCHEMA)
+}

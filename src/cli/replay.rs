@@ -1,0 +1,126 @@
+//! `carom replay`
+
+use super::{Exit, load, print, write_file};
+use crate::chain::replay::{Options, Status, replay};
+use crate::claim::diagnostic::{Diagnostic, Fault};
+use crate::claim::syntax::Span;
+use crate::number::rational;
+use crate::report::replay::{self as report, Numbers, Replay};
+use crate::scene::replay::{MAX_BYTES, read};
+use std::path::{Path, PathBuf};
+
+/// The forms of a replay.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum ReplayFormat {
+    /// Tables to read
+    Text,
+    /// The contract for programs
+    Json,
+    /// One line for each collision
+    Csv,
+    /// A space–time diagram, time upward
+    Svg,
+    /// A page that moves, in one file
+    Html,
+}
+
+/// The arguments of `carom replay`.
+#[derive(clap::Args)]
+pub struct ReplayArguments {
+    /// The scene, a TOML file
+    scene: PathBuf,
+    /// The form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    format: ReplayFormat,
+    /// Stop before the first collision later than this time
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<String>,
+    /// The most collisions
+    #[arg(long, value_name = "N", default_value_t = crate::chain::replay::MAX_EVENTS)]
+    max_events: u64,
+    /// How many collisions to list [default: 40 in text, 2000 in pictures, 10000 elsewhere]
+    #[arg(long, value_name = "N")]
+    list: Option<usize>,
+    /// Write all numbers exactly, however long; final values of an enclosed run are evaluated exactly
+    #[arg(long, conflicts_with = "digits")]
+    exact: bool,
+    /// Write decimals of so many significant digits, all right
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    digits: Option<u64>,
+    /// Numbers of more bits are enclosed from then on
+    #[arg(long, value_name = "BITS", default_value_t = crate::chain::replay::EXACT_BITS)]
+    exact_bits: u64,
+    /// Try all orders of an ambiguous contact
+    #[arg(long)]
+    orders: bool,
+    /// Write the report to a file
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
+    let until = arguments.until.as_deref().map(|t| {
+        rational::parse(t).map_err(|e| Exit::usage(format!("error: --until {t}: {e}; write for instance 3/2 or 1.5")))
+    });
+    let until = until.transpose()?;
+    if until.as_ref().is_some_and(|t| *t < 0) {
+        return Err(Exit::usage("error: --until is negative; the scene begins at time 0"));
+    }
+    let text = source(&arguments.scene)?;
+    let scene = read(&text).map_err(|e| {
+        let fault = Fault::Other { message: e.message, help: e.help };
+        let span = Span { start: e.span.start, end: e.span.end };
+        Exit::usage(Diagnostic::new(fault, span).render(&arguments.scene.display().to_string(), &text, load::colour()))
+    })?;
+    let format = arguments.format;
+    let list = arguments.list.unwrap_or(match format {
+        ReplayFormat::Text => 40,
+        ReplayFormat::Json | ReplayFormat::Csv => 10_000,
+        ReplayFormat::Svg | ReplayFormat::Html => 2000,
+    });
+    let options = Options {
+        max_events: arguments.max_events,
+        until,
+        list,
+        exact_bits: Some(arguments.exact_bits),
+        orders: arguments.orders,
+        digits: arguments.digits.unwrap_or(report::DEFAULT_DIGITS),
+        exact_values: arguments.exact,
+    };
+    let outcome = replay(&scene.line, &options).map_err(|e| Exit {
+        code: 101,
+        message: format!("the ledger of {} does not balance (collision {:?}); please report this", e.law, e.collision),
+    })?;
+    let numbers = match (arguments.digits, format) {
+        (Some(digits), _) => Numbers::Decimal(digits),
+        (None, ReplayFormat::Text | ReplayFormat::Svg | ReplayFormat::Html) if !arguments.exact => {
+            Numbers::Short(24, 12)
+        }
+        (None, _) => Numbers::Exact,
+    };
+    let replay = Replay { title: scene.title.as_deref(), line: &scene.line, outcome: &outcome, numbers };
+    let text = match format {
+        ReplayFormat::Text => report::text::report(&replay),
+        ReplayFormat::Json => report::json::report(&replay),
+        ReplayFormat::Csv => report::csv::report(&replay),
+        ReplayFormat::Svg => report::svg::report(&replay),
+        ReplayFormat::Html => report::html::report(&replay),
+    };
+    match &arguments.output {
+        Some(path) => write_file(path, &text)?,
+        None => print(&text)?,
+    }
+    Ok(if matches!(outcome.status, Status::Limit(_)) { 3 } else { 0 })
+}
+
+/// The text of the scene file.
+fn source(path: &Path) -> Result<String, Exit> {
+    let fail = |e: &dyn std::fmt::Display| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
+    let bytes = load::bounded(path, MAX_BYTES).map_err(|e| fail(&e))?;
+    if bytes.len() > MAX_BYTES {
+        let message = format!("error: {}: limit reached: at most {MAX_BYTES} bytes in a scene", path.display());
+        return Err(Exit { code: 3, message });
+    }
+    String::from_utf8(bytes).map_err(|_| fail(&"it is not UTF-8 text; save the scene as UTF-8"))
+}

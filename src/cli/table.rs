@@ -1,0 +1,311 @@
+//! `carom table`
+
+use super::interrupt::{INTERRUPTED, Interrupt};
+use super::output::Output;
+use super::partial::{self, Partial, Target};
+use super::progress::Progress;
+use super::{Exit, table_check};
+use crate::chain::best::Best;
+use crate::number::decimal::{Digits, Rounding};
+use crate::number::interval::Interval;
+use crate::report::table::{Form, Head, LATEX_ROWS, Writer, entries};
+use crate::table::grid::Grid;
+use crate::table::shared::Factors;
+use crate::table::{Found, Plan, Printing, Quantity, Row, TableError, Value};
+use malachite::Integer;
+use serde_json::json;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Flags {
+    /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
+    #[arg(long, value_name = "GRID", required_unless_present = "check")]
+    ratio: Option<String>,
+    /// Coefficients of restitution, for eta and best-n
+    #[arg(short, long = "restitution", value_name = "GRID")]
+    e: Option<String>,
+    /// Numbers of inserted bodies, for eta and threshold
+    #[arg(short, long = "inserted", value_name = "GRID")]
+    n: Option<String>,
+    /// The quantity
+    #[arg(long, value_enum, default_value = "eta")]
+    want: Want,
+    /// Significant digits
+    #[arg(long, value_name = "D", default_value_t = 6, conflicts_with = "places")]
+    digits: u64,
+    /// Digits after the point, instead of significant ones
+    #[arg(long, value_name = "P")]
+    places: Option<u64>,
+    /// The direction of rounding
+    #[arg(long, value_enum, default_value = "nearest-even")]
+    round: Round,
+    /// Show so many further digits beside the value, with a bound
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    extra: u64,
+    /// The form of the table
+    #[arg(long, value_enum, default_value = "text")]
+    format: Form,
+    /// Write the table to a file; with CSV, what an interrupted run leaves is FILE.partial
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Store the exact enclosure of every cell in a file, one JSON object a line
+    #[arg(long, value_name = "FILE", conflicts_with = "check")]
+    certificate: Option<PathBuf>,
+    /// Go on with FILE.partial
+    #[arg(long, requires = "output", conflicts_with = "check")]
+    resume: bool,
+    /// Compare somebody's table, cell by cell, with the certified values; exit 1 if a cell is wrong
+    #[arg(long, value_name = "FILE.csv")]
+    check: Option<PathBuf>,
+}
+
+/// The quantities.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Want {
+    /// The share of the energy handed on, (25)
+    Eta,
+    /// The least restitution with which the n-th body helps, (19)
+    Threshold,
+    /// The best number of inserted bodies
+    BestN,
+}
+
+/// The directions of rounding.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Round {
+    /// To the nearest, ties to the even digit
+    #[value(alias = "nearest")]
+    NearestEven,
+    /// Never below the value
+    Up,
+    /// Never above the value
+    Down,
+    /// Towards zero
+    Zero,
+    /// Away from zero
+    Away,
+}
+
+impl Round {
+    fn rounding(self) -> Rounding {
+        match self {
+            Round::NearestEven => Rounding::Nearest,
+            Round::Up => Rounding::Up,
+            Round::Down => Rounding::Down,
+            Round::Zero => Rounding::Zero,
+            Round::Away => Rounding::Away,
+        }
+    }
+}
+
+/// A grid of the command line.
+pub fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
+    text.map(|text| Grid::parse(text).map_err(|e| Exit::usage(format!("error: {flag} {text}: {e}")))).transpose()
+}
+
+fn exit(error: &TableError) -> Exit {
+    Exit { code: if error.is_limit() { 3 } else { 2 }, message: format!("error: {error}") }
+}
+
+/// Runs the command.
+pub fn run(flags: &Flags) -> Result<u8, Exit> {
+    let ratio = grid("--ratio", flags.ratio.as_deref())?;
+    let e = grid("-e", flags.e.as_deref())?;
+    let n = grid("-n", flags.n.as_deref())?;
+    let rounding = flags.round.rounding();
+    if let Some(path) = &flags.check {
+        let given = table_check::Given { ratio, e, n };
+        return table_check::run(path, &given, rounding, flags.format, flags.output.as_deref());
+    }
+    let quantity = match flags.want {
+        Want::Eta => Quantity::Eta,
+        Want::Threshold => Quantity::Threshold,
+        Want::BestN => Quantity::BestN,
+    };
+    let digits = flags.places.map_or(Digits::Significant(flags.digits), Digits::Places);
+    let printing = Printing { digits, rounding, extra: flags.extra };
+    let Some(ratio) = ratio else { return Err(Exit::usage("error: give a grid of mass ratios: --ratio GRID")) };
+    let plan = Plan::new(quantity, ratio, e, n, printing).map_err(|e| exit(&e))?;
+    if flags.format == Form::Latex && plan.rows() > LATEX_ROWS {
+        let message =
+            format!("limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed, {} asked for", plan.rows());
+        return Err(Exit { code: 3, message });
+    }
+    if flags.resume && flags.format != Form::Csv {
+        return Err(Exit::usage("error: --resume goes on with CSV: add --format csv"));
+    }
+    let writer = Writer::new(flags.format, Head::of(&plan));
+    match &flags.output {
+        None => standard(&plan, writer, flags.certificate.as_deref()),
+        Some(path) => file(&plan, writer, path, flags),
+    }
+}
+
+/// Writes to standard output; a reader that goes away ends the work.
+fn standard(plan: &Plan, writer: Writer, certificate: Option<&Path>) -> Result<u8, Exit> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    let mut certificate = certificate.map(whole).transpose()?;
+    let end = write(plan, writer, 0, &mut out, certificate.as_mut());
+    match end.and_then(|end| out.flush().map(|()| end).map_err(Stop::Write)) {
+        Ok(End::Complete) => certificate.map_or(Ok(()), Target::finish).map(|()| 0),
+        Ok(End::Interrupted(_)) => Ok(INTERRUPTED),
+        Err(Stop::Write(e)) if e.kind() == io::ErrorKind::BrokenPipe => Ok(0),
+        Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write the table: {e}"))),
+        Err(Stop::Table(e)) => Err(exit(&e)),
+    }
+}
+
+fn whole(path: &Path) -> Result<Target, Exit> {
+    Ok(Target::Whole(BufWriter::new(Output::file(path)?)))
+}
+
+/// The first line of a file of enclosures.
+fn certificate_head(plan: &Plan) -> String {
+    let facts: serde_json::Map<String, serde_json::Value> =
+        Head::of(plan).facts.into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
+    format!("{}\n", json!({ "certificate": "table", "want": plan.quantity().name(), "head": facts }))
+}
+
+/// Writes to a file, which is complete or as it was.
+fn file(plan: &Plan, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
+    let grows = |path: &Path| flags.format == Form::Csv && partial::can_grow(path);
+    let (head, heading) = (writer.csv_head(), certificate_head(plan));
+    let mut from = 0;
+    if flags.resume {
+        let unable =
+            |path: &Path| Exit::usage(format!("error: {} is no regular file, it cannot be resumed", path.display()));
+        if !grows(path) {
+            return Err(unable(path));
+        }
+        from = partial::lines(path, &head)?.unwrap_or(0);
+        if let Some(certificate) = &flags.certificate {
+            if !grows(certificate) {
+                return Err(unable(certificate));
+            }
+            from = from.min(partial::lines(certificate, &heading)?.unwrap_or(0));
+        }
+        from = from.min(plan.rows());
+    }
+    let open = |path: &Path, head: &str| -> Result<Target, Exit> {
+        if !grows(path) {
+            whole(path)
+        } else if from > 0 {
+            Partial::resume(path, head, from).map(Target::Grows)
+        } else {
+            Partial::begin(path).map(Target::Grows)
+        }
+    };
+    let mut out = open(path, &head)?;
+    let mut certificate = match &flags.certificate {
+        Some(path) => Some(open(path, &heading)?),
+        None => None,
+    };
+    let result = write(plan, writer, from, &mut out, certificate.as_mut());
+    match result {
+        Ok(End::Complete) => {
+            if let Some(certificate) = certificate {
+                certificate.finish()?;
+            }
+            out.finish().map(|()| 0)
+        }
+        Ok(End::Interrupted(rows)) => {
+            let mut message = "interrupted: nothing is left behind".to_owned();
+            for target in certificate.into_iter().chain([out]) {
+                if let Target::Grows(partial) = target {
+                    let left = partial.leave()?;
+                    message = format!("interrupted after {rows} rows; --resume goes on with {}", left.display());
+                }
+            }
+            Err(Exit { code: INTERRUPTED, message })
+        }
+        Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write {}: {e}", path.display()))),
+        Err(Stop::Table(e)) => Err(exit(&e)),
+    }
+}
+
+/// How the work ended.
+enum End {
+    Complete,
+    /// After so many rows.
+    Interrupted(u64),
+}
+
+/// Why the work stopped.
+enum Stop {
+    Write(io::Error),
+    Table(TableError),
+}
+
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Stop {
+        Stop::Write(error)
+    }
+}
+
+impl From<TableError> for Stop {
+    fn from(error: TableError) -> Stop {
+        Stop::Table(error)
+    }
+}
+
+/// Computes and writes the rows from one on.
+fn write(
+    plan: &Plan,
+    mut writer: Writer,
+    from: u64,
+    out: &mut dyn Write,
+    mut certificate: Option<&mut Target>,
+) -> Result<End, Stop> {
+    if from == 0 {
+        writer.begin(out)?;
+        if let Some(certificate) = certificate.as_deref_mut() {
+            certificate.write_all(certificate_head(plan).as_bytes())?;
+        }
+    }
+    writer.resume(from);
+    let interrupt = Interrupt::listen();
+    let progress = Progress::rows(from, plan.rows());
+    let mut factors = Factors::new(plan);
+    for row in from..plan.rows() {
+        if interrupt.asked() {
+            return Ok(End::Interrupted(row));
+        }
+        progress.now(row, "");
+        let found = factors.value(row)?;
+        let best = match &found {
+            Found::Open(Value::Count(best)) => Some(best.clone()),
+            _ => None,
+        };
+        let (line, enclosure) = plan.row(row, found)?;
+        if let Some(certificate) = certificate.as_deref_mut() {
+            writeln!(certificate, "{}", proof(plan, row, &line, best.as_ref(), enclosure.as_ref()))?;
+        }
+        writer.row(entries(plan, line), out)?;
+    }
+    writer.end(out)?;
+    out.flush()?;
+    Ok(End::Complete)
+}
+
+/// A row with all that is needed to check it: exact inputs, what is printed, and an enclosure, or the exact
+/// value, of which every element is printed so.
+fn proof(plan: &Plan, row: u64, line: &Row, best: Option<&Best>, enclosure: Option<&Interval>) -> String {
+    let place = plan.place(row);
+    let end = |end: Option<(Integer, i64)>| {
+        end.map(|(mantissa, exponent)| json!({ "mantissa": mantissa.to_string(), "exponent": exponent }))
+    };
+    let value = json!({
+        "row": row,
+        "ratio": place.as_ref().map(|p| p.ratio.value().to_string()),
+        "e": place.as_ref().and_then(|p| p.e.as_ref()).map(|e| e.value().to_string()),
+        "n": place.as_ref().and_then(|p| p.n).map(|n| n.to_string()),
+        "printed": line.value,
+        "exact": line.exact,
+        "lower": enclosure.and_then(|x| end(x.lower())),
+        "upper": enclosure.and_then(|x| end(x.upper())),
+        "tie": best.map(|b| matches!(b, Best::Finite { tie: true, .. })),
+    });
+    value.to_string()
+}

@@ -1,0 +1,27 @@
+//! Statements in the languages of other provers: what they prove is then what the audit says.
+//!
+//! Contract: an exported statement is equivalent to the claim's, hypotheses included, or the export
+//! is refused with the reason. A printer over the syntax tree, no reasoning.
+
+pub mod coq;
+mod kinds;
+mod positive;
+pub mod smt2;
+mod values;
+
+use crate::claim::syntax::Span;
+
+/// Why a claim cannot be said in the other language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unsupported {
+    /// The construct, and what is missing for it.
+    pub reason: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+type Result<T> = std::result::Result<T, Unsupported>;
+
+fn unsupported<T>(span: Span, reason: impl Into<String>) -> Result<T> {
+    Err(Unsupported { reason: reason.into(), span })
+}

@@ -1,0 +1,123 @@
+//! Text as outlines of the font DejaVu Sans.
+
+use super::shape::Anchor;
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
+
+/// The font.
+pub struct Letters {
+    face: Option<Face<'static>>,
+}
+
+/// A letter in its place: the outline times `scale`, moved to `x`, `y` (downwards) from the text's point.
+#[derive(Clone, Copy, Debug)]
+pub struct Letter {
+    /// Which.
+    pub glyph: GlyphId,
+    /// To the right.
+    pub x: f32,
+    /// Down.
+    pub y: f32,
+    /// Points for each unit of the font.
+    pub scale: f32,
+}
+
+/// A piece of an outline, in units of the font, `y` upwards.
+#[derive(Clone, Copy, Debug)]
+pub enum Piece {
+    /// Go there.
+    Move(f32, f32),
+    /// A straight line.
+    Line(f32, f32),
+    /// A quadratic curve: the control point, the end.
+    Quad(f32, f32, f32, f32),
+    /// A cubic curve: two control points, the end.
+    Cubic(f32, f32, f32, f32, f32, f32),
+    /// Back to the beginning.
+    Close,
+}
+
+impl Letters {
+    /// The embedded font.
+    #[must_use]
+    pub fn new() -> Letters {
+        Letters { face: Face::parse(dejavu::sans::regular(), 0).ok() }
+    }
+
+    /// The letters of a text with their places.
+    #[must_use]
+    pub fn set(&self, text: &str, size: f32, anchor: Anchor) -> Vec<Letter> {
+        let Some(face) = &self.face else { return Vec::new() };
+        let unit = size / f32::from(face.units_per_em());
+        let mut out = Vec::new();
+        let (mut x, mut level) = (0.0, 0i8);
+        let mut rest = text.chars().peekable();
+        while let Some(c) = rest.next() {
+            match (c, rest.peek()) {
+                ('_' | '^', Some('{')) => {
+                    rest.next();
+                    level = if c == '_' { -1 } else { 1 };
+                }
+                ('}', _) if level != 0 => level = 0,
+                (c, _) => {
+                    let Some(glyph) = face.glyph_index(c) else { continue };
+                    let (scale, y) = match level {
+                        -1 => (unit * 0.7, size * 0.2),
+                        1 => (unit * 0.7, size * -0.36),
+                        _ => (unit, 0.0),
+                    };
+                    out.push(Letter { glyph, x, y, scale });
+                    x += f32::from(face.glyph_hor_advance(glyph).unwrap_or(0)) * scale;
+                }
+            }
+        }
+        let back = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => x / 2.0,
+            Anchor::End => x,
+        };
+        out.iter_mut().for_each(|letter| letter.x -= back);
+        out
+    }
+
+    /// The outline of a letter.
+    #[must_use]
+    pub fn outline(&self, glyph: GlyphId) -> Vec<Piece> {
+        let mut pen = Pen(Vec::new());
+        if let Some(face) = &self.face {
+            face.outline_glyph(glyph, &mut pen);
+        }
+        pen.0
+    }
+}
+
+impl Default for Letters {
+    fn default() -> Letters {
+        Letters::new()
+    }
+}
+
+/// A text without its marks for lowering and raising.
+#[must_use]
+pub fn plain(text: &str) -> String {
+    text.replace("_{", "").replace("^{", "").replace('}', "")
+}
+
+struct Pen(Vec<Piece>);
+
+impl OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.0.push(Piece::Move(x, y));
+    }
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.0.push(Piece::Line(x, y));
+    }
+    fn quad_to(&mut self, a: f32, b: f32, x: f32, y: f32) {
+        self.0.push(Piece::Quad(a, b, x, y));
+    }
+    fn curve_to(&mut self, a: f32, b: f32, c: f32, d: f32, x: f32, y: f32) {
+        self.0.push(Piece::Cubic(a, b, c, d, x, y));
+    }
+    fn close(&mut self) {
+        self.0.push(Piece::Close);
+    }
+}

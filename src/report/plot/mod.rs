@@ -1,0 +1,16 @@
+//! Pictures as SVG and PNG.
+//!
+//! [`shape`] holds what is drawn, [`svg`] and [`png`] write it, [`letters`] sets text in the outlines of one
+//! font so that both look the same everywhere, [`axes`] draws a frame with scales, and [`charts`] has a
+//! function for each picture.
+//!
+//! A picture is drawn from enclosures, but a point of a curve is a point of a curve: what must be certain is in
+//! tables. Colours are those of Okabe and Ito, which colour-blind readers tell apart; curves differ in their
+//! dashes as well, for print without colours.
+
+pub mod axes;
+pub mod charts;
+pub mod letters;
+pub mod png;
+pub mod shape;
+pub mod svg;

@@ -1,0 +1,98 @@
+//! Shapes on a page; lengths in points, `y` downwards.
+
+/// A colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Colour(pub u8, pub u8, pub u8);
+
+/// Ink.
+pub const BLACK: Colour = Colour(0, 0, 0);
+/// Fine lines behind the curves.
+pub const PALE: Colour = Colour(0xdd, 0xdd, 0xdd);
+/// Paper.
+pub const WHITE: Colour = Colour(0xff, 0xff, 0xff);
+
+/// The palette of Okabe and Ito without its yellow, which is too pale for lines on paper.
+pub const PALETTE: [Colour; 7] = [
+    Colour(0x00, 0x72, 0xb2),
+    Colour(0xd5, 0x5e, 0x00),
+    Colour(0x00, 0x9e, 0x73),
+    Colour(0xcc, 0x79, 0xa7),
+    Colour(0x00, 0x00, 0x00),
+    Colour(0xe6, 0x9f, 0x00),
+    Colour(0x56, 0xb4, 0xe9),
+];
+
+/// Dashes that go with the colours; empty for a full line.
+pub const DASHES: [&[f32]; 7] =
+    [&[], &[7.0, 3.0], &[2.0, 2.5], &[9.0, 3.0, 2.0, 3.0], &[4.0, 2.0], &[12.0, 4.0], &[1.0, 3.0]];
+
+/// Where a text stands relative to its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// It begins there.
+    Start,
+    /// It is centred there.
+    Middle,
+    /// It ends there.
+    End,
+}
+
+/// Something that is drawn.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// An open line through points.
+    Line {
+        /// The points.
+        points: Vec<(f32, f32)>,
+        /// The colour.
+        colour: Colour,
+        /// The width.
+        width: f32,
+        /// Lengths of dashes and gaps; empty for a full line.
+        dash: &'static [f32],
+    },
+    /// A filled area.
+    Area {
+        /// Its corners.
+        points: Vec<(f32, f32)>,
+        /// The colour.
+        colour: Colour,
+    },
+    /// A disc, or a ring.
+    Dot {
+        /// The centre.
+        at: (f32, f32),
+        /// The radius.
+        radius: f32,
+        /// The colour.
+        colour: Colour,
+        /// A disc if so, else a ring filled with white.
+        full: bool,
+    },
+    /// A text; `_{…}` and `^{…}` lower and raise.
+    Text {
+        /// The point on the line on which the letters stand.
+        at: (f32, f32),
+        /// The text.
+        text: String,
+        /// The height of the letters' square.
+        size: f32,
+        /// Where it stands.
+        anchor: Anchor,
+        /// Whether it is written upwards.
+        upwards: bool,
+    },
+}
+
+/// A page of shapes, the later ones above.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// Its width.
+    pub width: f32,
+    /// Its height.
+    pub height: f32,
+    /// What it shows, for readers who cannot see it.
+    pub title: String,
+    /// The shapes.
+    pub shapes: Vec<Shape>,
+}

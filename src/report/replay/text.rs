@@ -1,0 +1,170 @@
+//! A replay as text.
+
+use super::{Replay, decimal, name, pair};
+use crate::chain::replay::{Collapse, Contact, Limit, Status, Value};
+use std::fmt::Write;
+
+/// The report.
+#[must_use]
+pub fn report(replay: &Replay) -> String {
+    let o = replay.outcome;
+    let n = |v: &Value| replay.numbers.write(v);
+    let mut out = String::new();
+    if let Some(title) = replay.title {
+        let _ = writeln!(out, "{title}\n");
+    }
+    collisions(replay, &mut out);
+    let _ = writeln!(out, "{}", verdict(replay));
+    if o.simultaneous > 0 {
+        let _ = writeln!(out, "Instants with collisions of several separate pairs: {}", o.simultaneous);
+    }
+    if let Some(part) = o.enclosed {
+        let _ = writeln!(
+            out,
+            "Exact for the first {} collisions, then enclosed with {} bits: count and order are certain.",
+            part.after, part.bits
+        );
+    }
+    let _ = writeln!(out, "\nAt time {}:", n(&o.time));
+    let mut rows = vec![["body", "mass", "position", "velocity"].map(String::from).to_vec()];
+    const SHOWN: usize = 100;
+    for (i, (x, v)) in o.positions.iter().zip(&o.velocities).enumerate().take(SHOWN) {
+        let mass = replay.line.mass(i + 1).map(ToString::to_string).unwrap_or_default();
+        rows.push(vec![(i + 1).to_string(), mass, n(x), n(v)]);
+    }
+    table(&rows, &mut out);
+    if o.positions.len() > SHOWN {
+        let _ = writeln!(out, "  … {} more (--format json lists all)", o.positions.len() - SHOWN);
+    }
+    let e = &o.energy;
+    let _ = writeln!(out, "\nEnergy    {} before, {} after, {} lost", n(&e.initial), n(&e.last), n(&e.lost));
+    let _ = writeln!(out, "Momentum  {} before, {} after", n(&o.momentum.0), n(&o.momentum.1));
+    if let Some((_, largest)) = o.growth.last() {
+        let _ = writeln!(out, "Largest numerator or denominator of an exact state: {largest} bits");
+    }
+    out
+}
+
+fn collisions(replay: &Replay, out: &mut String) {
+    let o = replay.outcome;
+    if o.events.is_empty() {
+        return;
+    }
+    let n = |v: &Value| replay.numbers.write(v);
+    let head = ["no.", "time", "pair", "place", "before", "", "after", "", "energy lost"];
+    let mut rows = vec![head.map(String::from).to_vec()];
+    for (i, c) in o.events.iter().enumerate() {
+        rows.push(vec![
+            (i + 1).to_string(),
+            n(&c.time),
+            pair(replay.line, c.pair),
+            n(&c.position),
+            n(&c.before[0]),
+            n(&c.before[1]),
+            n(&c.after[0]),
+            n(&c.after[1]),
+            n(&c.lost),
+        ]);
+    }
+    table(&rows, out);
+    let more = o.count - (o.events.len() as u64).min(o.count);
+    if more > 0 {
+        let _ = writeln!(out, "  … {more} more (--list N lists more)");
+    }
+    out.push('\n');
+}
+
+/// Columns, each as wide as its widest cell.
+fn table(rows: &[Vec<String>], out: &mut String) {
+    let columns = rows.first().map_or(0, Vec::len);
+    let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    for row in rows {
+        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, w)| format!("{cell:<w$}")).collect();
+        let _ = writeln!(out, "  {}", cells.join("  ").trim_end());
+    }
+}
+
+fn verdict(replay: &Replay) -> String {
+    let o = replay.outcome;
+    let plural = if o.count == 1 { "" } else { "s" };
+    match &o.status {
+        Status::Complete => format!("complete: {} collision{plural}", o.count),
+        Status::Collapse(found) => collapse(replay, found),
+        Status::Ambiguous(found) => ambiguous(replay, found),
+        Status::Limit(Limit::Events { allowed }) => {
+            format!("limit reached: {allowed} collisions allowed and another is due (--max-events raises it)")
+        }
+        Status::Limit(Limit::Values { allowed, needed }) => format!(
+            "limit reached: {} collisions, all that there are; exact final values would need about {needed} bits, {allowed} allowed, so they are enclosed",
+            o.count
+        ),
+        Status::Limit(Limit::Precision { bits }) => format!(
+            "limit reached: after {} collisions, enclosures of {bits} bits leave open what comes next (--exact-bits keeps the run exact for longer)",
+            o.count
+        ),
+    }
+}
+
+fn collapse(replay: &Replay, found: &Collapse) -> String {
+    let n = |x: &Value| match x {
+        Value::Surd(_) => format!("{} ≈ {}", replay.numbers.write(x), decimal(x, 12)),
+        _ => replay.numbers.write(x),
+    };
+    let turn: Vec<String> = found.pattern.iter().map(|p| pair(replay.line, *p)).collect();
+    let mut text = format!(
+        "collapse: infinitely many collisions before the time {}\n  after {} collisions, {} in turn, for ever (proved)\n  {} to {} come together at {} with velocity {}\n",
+        n(&found.time),
+        replay.outcome.count,
+        turn.join(", "),
+        name(replay.line, found.bodies.0),
+        name(replay.line, found.bodies.1),
+        n(&found.position),
+        replay.numbers.write(&Value::Exact(found.velocity.clone())),
+    );
+    match &found.trace {
+        Some((trace, determinant)) => {
+            let _ = write!(
+                text,
+                "  over one round speeds are multiplied by a matrix of trace {trace}, determinant {determinant}, larger eigenvalue {}",
+                n(&found.factor)
+            );
+        }
+        None => {
+            let rounds = if found.rounds == 1 { "one round".to_string() } else { format!("{} rounds", found.rounds) };
+            let _ = write!(text, "  over {rounds} speeds shrink by a factor near {}", n(&found.factor));
+        }
+    }
+    text.push_str(if found.critical { ", a double one: times converge like 1/n" } else { "" });
+    text
+}
+
+fn ambiguous(replay: &Replay, found: &Contact) -> String {
+    let pairs: Vec<String> = found.pairs.iter().map(|p| pair(replay.line, *p)).collect();
+    let mut text = format!(
+        "ambiguous: after {} collisions, {} to {} touch at time {} and {} approach at once: the order decides the outcome",
+        replay.outcome.count,
+        name(replay.line, found.bodies.0),
+        name(replay.line, found.bodies.1),
+        found.time,
+        pairs.join(", "),
+    );
+    match &found.outcomes {
+        None => text.push_str("\n  --orders shows what each order leads to"),
+        Some(all) => {
+            for one in &all.outcomes {
+                let order: Vec<String> = one.order.iter().map(|p| pair(replay.line, *p)).collect();
+                let v: Vec<String> =
+                    one.velocities.iter().map(|v| replay.numbers.write(&Value::Exact(v.clone()))).collect();
+                let _ = write!(text, "\n  {}: velocities {}", order.join(", "), v.join(", "));
+            }
+            if all.outcomes.len() == 1 && !all.cut {
+                text.push_str("\n  all orders lead to the same velocities");
+            }
+            if all.cut {
+                text.push_str("\n  limit reached: some orders were not followed to their end");
+            }
+        }
+    }
+    text
+}

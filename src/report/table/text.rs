@@ -1,0 +1,42 @@
+//! Aligned columns: numbers to the right, words to the left.
+
+use super::{Entry, Head};
+use std::io::{self, Write};
+
+pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
+    for (name, text) in &head.facts {
+        writeln!(out, "{name}: {text}")?;
+    }
+    writeln!(out)
+}
+
+/// Small digits stand after a bar.
+fn shown(entry: &Entry) -> String {
+    let (kept, small, exponent) = entry.parts();
+    let bar = if small.is_empty() { "" } else { "|" };
+    let e = if exponent.is_empty() { "" } else { "e" };
+    format!("{kept}{bar}{small}{e}{exponent}")
+}
+
+pub fn widths(head: &Head, rows: &[Vec<Entry>]) -> Vec<usize> {
+    let width = |(place, column): (usize, &super::Column)| {
+        let entries = rows.iter().filter_map(|row| Some(shown(row.get(place)?).chars().count()));
+        entries.max().unwrap_or(0).max(column.name.chars().count())
+    };
+    head.columns.iter().enumerate().map(width).collect()
+}
+
+pub fn heading(head: &Head, widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
+    let names: Vec<Entry> = head.columns.iter().map(|c| Entry::Plain(c.name.clone())).collect();
+    row(head, &names, widths, out)?;
+    let rules: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
+    writeln!(out, "{}", rules.join("  "))
+}
+
+pub fn row(head: &Head, row: &[Entry], widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
+    let cells = row.iter().zip(&head.columns).zip(widths).map(|((entry, column), width)| {
+        let text = shown(entry);
+        if column.numeric { format!("{text:>width$}") } else { format!("{text:<width$}") }
+    });
+    writeln!(out, "{}", cells.collect::<Vec<_>>().join("  ").trim_end())
+}

@@ -1,0 +1,97 @@
+//! What can be asked of a chain, and what each answer needs.
+
+use crate::claim::diagnostic::nearest;
+
+/// A quantity; a closed set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Quantity {
+    /// The chain with its masses, ready for the pass; not asked for by name.
+    Pass,
+    /// The energy transfer.
+    Eta,
+    /// `L_n`.
+    Threshold,
+    /// Whether the `n`-th body helps.
+    Helps,
+    /// All masses.
+    Masses,
+    /// All velocities after the pass.
+    Velocities,
+    /// The best number of inserted bodies.
+    BestN,
+    /// The transfer matrix of each collision.
+    Matrix,
+    /// The kinetic energy lost in each collision.
+    Losses,
+    /// Whether bodies meet again after the pass.
+    Recollides,
+}
+
+impl Quantity {
+    /// All of them, in the order of evaluation: each after what it needs, [`Quantity::Velocities`] apart.
+    pub const ALL: [Quantity; 10] = [
+        Self::Pass,
+        Self::Eta,
+        Self::Threshold,
+        Self::Helps,
+        Self::Masses,
+        Self::Velocities,
+        Self::BestN,
+        Self::Matrix,
+        Self::Losses,
+        Self::Recollides,
+    ];
+
+    /// What must be known first. This table drives the evaluation and `--explain`.
+    #[must_use]
+    pub const fn needs(self) -> &'static [Quantity] {
+        match self {
+            Self::Pass | Self::Eta | Self::Threshold | Self::Helps | Self::BestN => &[],
+            Self::Masses | Self::Matrix | Self::Losses | Self::Recollides => &[Self::Pass],
+            // Every output that calls velocities final must know whether they are.
+            Self::Velocities => &[Self::Pass, Self::Recollides],
+        }
+    }
+
+    /// The name in scenes, flags and reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Eta => "eta",
+            Self::Threshold => "threshold",
+            Self::Helps => "helps",
+            Self::Masses => "masses",
+            Self::Velocities => "velocities",
+            Self::BestN => "best-n",
+            Self::Matrix => "matrix",
+            Self::Losses => "losses",
+            Self::Recollides => "recollides",
+        }
+    }
+
+    /// The names that can be asked for.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        Self::ALL.into_iter().filter(|q| *q != Self::Pass).map(Self::name)
+    }
+
+    /// The quantity of a name.
+    ///
+    /// # Errors
+    /// The message: what is wrong and what would be right.
+    pub fn of_name(name: &str) -> Result<Quantity, String> {
+        let found = Self::ALL.into_iter().find(|q| *q != Self::Pass && q.name() == name);
+        found.ok_or_else(|| match nearest(name, Self::names()) {
+            Some(near) => format!("no quantity is called {name:?}; did you mean {near:?}?"),
+            None => {
+                let names: Vec<&str> = Self::names().collect();
+                format!("no quantity is called {name:?}; there are {}", names.join(", "))
+            }
+        })
+    }
+
+    /// A position among [`Quantity::ALL`].
+    pub(super) fn index(self) -> usize {
+        self as usize
+    }
+}

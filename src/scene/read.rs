@@ -1,0 +1,264 @@
+//! Scene files: TOML with exact numbers.
+//!
+//! Numbers are integers or strings that [`crate::number::rational`] reads exactly; a mass or a coefficient may
+//! also be measured, `"57.1 ± 0.1"` or `"[0.84, 0.90]"`. A TOML float is refused, since it is not exact. Unknown
+//! keys are refused with the nearest known one.
+
+use super::quantity::Quantity;
+use super::{Chain, Coefficients, Inserted, Scene, Start};
+use crate::chain::uncertain::{Range, RangeError};
+use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution};
+use crate::claim::diagnostic::{Diagnostic, Fault, nearest};
+use crate::claim::syntax::Span;
+use crate::number::decimal::{Digits, Rounding};
+use crate::number::rational::{NumeralError, parse};
+use malachite::Rational;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The most bytes of a scene file.
+pub const MAX_BYTES: usize = 64 << 20;
+
+/// Digits of a decimal where a scene does not say.
+pub const DEFAULT_DIGITS: u64 = 15;
+
+/// The JSON schema of scene files, for editors.
+pub const SCHEMA: &str = include_str!("schema.json");
+
+const SCENE_KEYS: [&str; 5] = ["want", "digits", "places", "rounding", "chain"];
+const CHAIN_KEYS: [&str; 6] = ["first", "last", "inserted", "restitution", "speed", "velocities"];
+
+type Value<'a> = Spanned<DeValue<'a>>;
+
+/// A fault of a scene, and whether it is a stated limit.
+#[derive(Clone, Debug)]
+pub struct SceneFault {
+    /// What is wrong, and where.
+    pub diagnostic: Diagnostic,
+    /// Whether a limit was reached.
+    pub limit: bool,
+}
+
+fn fault(span: std::ops::Range<usize>, message: impl Into<String>, help: Option<String>) -> SceneFault {
+    let fault = Fault::Other { message: message.into(), help };
+    SceneFault { diagnostic: Diagnostic::new(fault, Span { start: span.start, end: span.end }), limit: false }
+}
+
+fn of_chain(span: std::ops::Range<usize>, error: &ChainError) -> SceneFault {
+    let mut fault = fault(span, error.to_string(), None);
+    fault.limit = matches!(error, ChainError::Number(crate::number::NumberError::LimitReached { .. }));
+    fault
+}
+
+fn of_range(span: std::ops::Range<usize>, error: &RangeError) -> SceneFault {
+    let limit = matches!(
+        error,
+        RangeError::Numeral(NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })
+    );
+    let help = (!limit)
+        .then(|| "write a number such as \"9/10\" or \"0.9\", or a measured one such as \"0.9 ± 0.01\"".to_owned());
+    SceneFault { limit, ..fault(span, error.to_string(), help) }
+}
+
+/// Reads a scene.
+///
+/// ```
+/// let text = "want = [\"eta\"]\n[chain]\nfirst = 10\nlast = 1\ninserted = 7\nrestitution = \"9/10\"\n";
+/// assert_eq!(carom::scene::read::scene(text).unwrap().chain.count(), 7);
+/// assert!(carom::scene::read::scene(&text.replace("\"9/10\"", "0.9")).is_err());
+/// ```
+///
+/// # Errors
+/// The first fault, with its place.
+pub fn scene(text: &str) -> Result<Scene, SceneFault> {
+    if text.len() > MAX_BYTES {
+        let message = format!("limit reached: at most {MAX_BYTES} bytes in a scene file");
+        return Err(SceneFault { limit: true, ..fault(0..0, message, None) });
+    }
+    let document = DeTable::parse(text)
+        .map_err(|e| fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), None))?;
+    let table = document.get_ref();
+    known_keys(table, &SCENE_KEYS)?;
+    let want = match find(table, "want") {
+        None => vec![Quantity::Eta],
+        Some(value) => list(value, "want", quantity)?,
+    };
+    let digits = match (find(table, "digits"), find(table, "places")) {
+        (Some(_), Some(places)) => {
+            return Err(fault(
+                places.span(),
+                "digits and places exclude each other",
+                Some("keep one of them".to_owned()),
+            ));
+        }
+        (None, Some(places)) => Digits::Places(natural(places, "places")?),
+        (Some(digits), None) => Digits::Significant(natural(digits, "digits")?),
+        (None, None) => Digits::Significant(DEFAULT_DIGITS),
+    };
+    let rounding = find(table, "rounding").map(direction).transpose()?.unwrap_or_default();
+    let Some(chain) = find(table, "chain") else {
+        let help = "add [chain] with first, last, inserted and restitution".to_owned();
+        return Err(fault(0..0, "the scene has no table [chain]", Some(help)));
+    };
+    Ok(Scene { want, digits, rounding, chain: read_chain(chain)? })
+}
+
+fn read_chain(value: &Value<'_>) -> Result<Chain, SceneFault> {
+    let Some(table) = value.get_ref().as_table() else {
+        return Err(fault(
+            value.span(),
+            "chain must be a table",
+            Some("write [chain] on a line of its own".to_owned()),
+        ));
+    };
+    known_keys(table, &CHAIN_KEYS)?;
+    let needed = |key: &'static str, example: &str| {
+        find(table, key)
+            .ok_or_else(|| fault(value.span(), format!("[chain] has no {key}"), Some(format!("add {key} = {example}"))))
+    };
+    let first = mass(needed("first", "\"10\"")?)?;
+    let last = mass(needed("last", "\"1\"")?)?;
+    let inserted = match find(table, "inserted") {
+        None => Inserted::Optimal(0),
+        Some(value) if value.get_ref().is_array() => Inserted::Given(list(value, "inserted", mass)?),
+        Some(value) => Inserted::Optimal(natural(value, "inserted")?),
+    };
+    let restitution = needed("restitution", "\"9/10\"")?;
+    let coefficients = if restitution.get_ref().is_array() {
+        Coefficients::Each(list(restitution, "restitution", coefficient)?)
+    } else {
+        Coefficients::Same(coefficient(restitution)?)
+    };
+    let start = match (find(table, "speed"), find(table, "velocities")) {
+        (Some(_), Some(velocities)) => {
+            return Err(fault(
+                velocities.span(),
+                "speed and velocities exclude each other",
+                Some("keep one of them".to_owned()),
+            ));
+        }
+        (None, Some(velocities)) => Start::Velocities(list(velocities, "velocities", number)?),
+        (Some(speed), None) => Start::Speed(number(speed)?),
+        (None, None) => Start::unit(),
+    };
+    // Counts that do not fit are shown at the list that is checked.
+    let place = find(table, "velocities").or(find(table, "restitution")).map_or(value.span(), Spanned::span);
+    Chain::new(first, last, inserted, coefficients, start).map_err(|error| {
+        let place = match &error {
+            ChainError::Count { of: "coefficients of restitution", .. } => restitution.span(),
+            ChainError::Number(_) => find(table, "inserted").map_or(place.clone(), Spanned::span),
+            _ => place.clone(),
+        };
+        of_chain(place, &error)
+    })
+}
+
+fn find<'a, 'i>(table: &'a DeTable<'i>, key: &str) -> Option<&'a Value<'i>> {
+    table.iter().find(|(k, _)| k.get_ref().as_ref() == key).map(|(_, v)| v)
+}
+
+fn known_keys(table: &DeTable<'_>, known: &[&str]) -> Result<(), SceneFault> {
+    for (key, _) in table {
+        let name = key.get_ref().as_ref();
+        if !known.contains(&name) {
+            let help = match nearest(name, known.iter().copied()) {
+                Some(near) => format!("did you mean {near}?"),
+                None => format!("known keys here are {}", known.join(", ")),
+            };
+            return Err(fault(key.span(), format!("unknown key {name}"), Some(help)));
+        }
+    }
+    Ok(())
+}
+
+fn list<T>(
+    value: &Value<'_>,
+    key: &str,
+    item: impl Fn(&Value<'_>) -> Result<T, SceneFault>,
+) -> Result<Vec<T>, SceneFault> {
+    let Some(array) = value.get_ref().as_array() else {
+        return Err(fault(
+            value.span(),
+            format!("{key} must be a list"),
+            Some(format!("write {key} = [\"…\", \"…\"]")),
+        ));
+    };
+    if array.len() as u64 > MAX_LISTED + 2 {
+        let message = format!("limit reached: at most {MAX_LISTED} elements in {key}");
+        return Err(SceneFault { limit: true, ..fault(value.span(), message, None) });
+    }
+    array.iter().map(item).collect()
+}
+
+/// The text of a number: a string, or an integer.
+fn numeral<'a>(value: &'a Value<'_>) -> Result<&'a str, SceneFault> {
+    match value.get_ref() {
+        DeValue::String(text) => Ok(text.as_ref()),
+        DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str()),
+        DeValue::Integer(_) => Err(fault(value.span(), "write the integer in base ten", None)),
+        DeValue::Float(float) => {
+            let help = format!("write the number that is meant as a string, \"{}\"", float.as_str());
+            Err(fault(value.span(), "a TOML float is not exact", Some(help)))
+        }
+        other => Err(fault(
+            value.span(),
+            format!("a number was expected, not a {}", other.type_str()),
+            Some("write an integer or a string such as \"9/10\"".to_owned()),
+        )),
+    }
+}
+
+fn measured(value: &Value<'_>) -> Result<Range<Rational>, SceneFault> {
+    Range::read(numeral(value)?).map_err(|error| of_range(value.span(), &error))
+}
+
+fn mass(value: &Value<'_>) -> Result<Range<Positive>, SceneFault> {
+    measured(value)?.map(Positive::new).map_err(|error| of_chain(value.span(), &error))
+}
+
+fn coefficient(value: &Value<'_>) -> Result<Range<Restitution>, SceneFault> {
+    measured(value)?.map(Restitution::new).map_err(|error| of_chain(value.span(), &error))
+}
+
+fn number(value: &Value<'_>) -> Result<Rational, SceneFault> {
+    parse(numeral(value)?).map_err(|error| of_range(value.span(), &RangeError::Numeral(error)))
+}
+
+fn natural(value: &Value<'_>, key: &str) -> Result<u64, SceneFault> {
+    let text = numeral(value)?;
+    if !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()) {
+        return text.parse().map_err(|_| SceneFault {
+            limit: true,
+            ..fault(value.span(), format!("limit reached: {key} = {text} is too large"), None)
+        });
+    }
+    Err(fault(value.span(), format!("{key} must be a natural number, not {text}"), None))
+}
+
+fn quantity(value: &Value<'_>) -> Result<Quantity, SceneFault> {
+    let Some(name) = value.get_ref().as_str() else {
+        return Err(fault(
+            value.span(),
+            "the name of a quantity was expected",
+            Some("write it as a string, \"eta\"".to_owned()),
+        ));
+    };
+    Quantity::of_name(name).map_err(|message| fault(value.span(), message, None))
+}
+
+/// The names of the directions of rounding.
+pub const ROUNDINGS: [(&str, Rounding); 5] = [
+    ("nearest", Rounding::Nearest),
+    ("up", Rounding::Up),
+    ("down", Rounding::Down),
+    ("zero", Rounding::Zero),
+    ("away", Rounding::Away),
+];
+
+fn direction(value: &Value<'_>) -> Result<Rounding, SceneFault> {
+    let name = value.get_ref().as_str().unwrap_or("");
+    ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, r)| *r).ok_or_else(|| {
+        fault(value.span(), "no such direction of rounding", Some("write nearest, up, down, zero or away".to_owned()))
+    })
+}

@@ -1,0 +1,327 @@
+//! The chain's numbers: laws, known values, and the statements of `proofs/` evaluated beside the code.
+#![allow(clippy::unwrap_used)] // a test stops where it fails
+
+use carom::chain::best::{Best, best};
+use carom::chain::optimum::Optimum;
+use carom::chain::pass::Pass;
+use carom::chain::threshold::{Helps, compare, helps, threshold};
+use carom::chain::uncertain::{Range, greatest_transfer, least_transfer};
+use carom::chain::{Positive, Restitution, Restitutions, collision, recollision, transfer};
+use carom::number::decimal::{Decimal, Digits, Rounding};
+use carom::number::rational::parse;
+use carom::number::real::Real;
+use malachite::base::num::arithmetic::traits::{Pow, Reciprocal, Square};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Natural, Rational};
+use proptest::prelude::*;
+use std::cmp::Ordering;
+
+fn q(text: &str) -> Rational {
+    parse(text).unwrap()
+}
+
+fn mass(text: &str) -> Positive {
+    Positive::new(q(text)).unwrap()
+}
+
+fn e(text: &str) -> Restitution {
+    Restitution::new(q(text)).unwrap()
+}
+
+fn digits(x: &Real, count: u64) -> String {
+    Decimal::of_real(x, Digits::Significant(count), Rounding::Nearest).unwrap().0.to_string()
+}
+
+fn positives() -> impl Strategy<Value = Rational> {
+    prop_oneof![
+        (1u64..30, 1u64..30).prop_map(|(p, q)| Rational::from_unsigneds(p, q)),
+        (1u64..1 << 30, 1u64..1 << 30).prop_map(|(p, q)| Rational::from_unsigneds(p, q)),
+        (1u64..9, -300i64..300).prop_map(|(p, k)| Rational::from(p) * Rational::from(10).pow(k)),
+    ]
+}
+
+fn restitutions() -> impl Strategy<Value = Rational> {
+    prop_oneof![
+        Just(Rational::ZERO),
+        Just(Rational::ONE),
+        (0u64..=20).prop_map(|p| Rational::from_unsigneds(p, 20)),
+        (0u64..=1 << 40).prop_map(|p| Rational::from_unsigneds(p, 1 << 40)),
+        (1i64..300).prop_map(|k| Rational::ONE - Rational::from(10).pow(-k)),
+    ]
+}
+
+/// Whether a real number can be this rational: equal if it is exact, enclosed at 200 bits otherwise.
+fn agrees(x: &Real, value: &Rational) -> bool {
+    match x.as_rational() {
+        Some(exact) => exact == value,
+        None => x.enclosure(200).contains(value),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+
+    #[test]
+    fn eta_is_symmetric_and_bounded(r in positives(), c in restitutions(), n in 0u64..40) {
+        let c = Restitutions::Same(Restitution::new(c).unwrap());
+        let here = transfer::optimal(&Positive::new(r.clone()).unwrap(), &c, n).unwrap();
+        let mirror = transfer::optimal(&Positive::new(r.reciprocal()).unwrap(), &c, n).unwrap();
+        prop_assert_eq!(digits(&here, 25), digits(&mirror, 25));
+        let top = Real::enclosed(move |bits| here.enclosure(bits));
+        prop_assert!(top.enclosure(128).to_f64_ends().0 <= 1.0);
+    }
+
+    /// The definition: masses of constant ratio, an ordinary pass along them.
+    #[test]
+    fn perfect_powers_agree_with_the_pass(p in 1u64..9, d in 1u64..9, c in restitutions(), n in 0u64..6, m1 in positives(), speed in positives()) {
+        let x = Rational::from_unsigneds(p, d);
+        let masses: Vec<Positive> =
+            (0..=n + 1).map(|i| Positive::new(&m1 / (&x).pow(i)).unwrap()).collect();
+        let common = Restitution::new(c.clone()).unwrap();
+        let same = Restitutions::Same(common.clone());
+        let pass = Pass::from_rest(masses.clone(), same.clone(), speed.clone()).unwrap();
+        let r = masses[0].over(&masses[n as usize + 1]);
+        let eta = transfer::optimal(&r, &same, n).unwrap();
+        prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap()));
+        let optimum = Optimum::new(masses[0].clone(), masses[n as usize + 1].clone(), n, same).unwrap();
+        let velocities = pass.velocities_after().unwrap();
+        for i in 0..=n + 1 {
+            prop_assert!(optimum.mass(i).as_rational() == Some(masses[i as usize].value()));
+            prop_assert!(optimum.velocity(i, &speed).as_rational() == Some(&velocities[i as usize]));
+        }
+        let losses = pass.losses().unwrap();
+        for i in 1..=n + 1 {
+            prop_assert!(optimum.loss(i, &speed).as_rational() == Some(&losses[i as usize - 1]));
+            let matrix = optimum.matrix(i - 1).unwrap();
+            let plain = collision::matrix(&masses[i as usize - 1], &masses[i as usize], &common);
+            for (a, b) in matrix.iter().flatten().zip(plain.iter().flatten()) {
+                prop_assert_eq!(a.as_rational(), Some(b));
+            }
+        }
+        prop_assert_eq!(pass.last_velocity().unwrap(), velocities.last().unwrap().clone());
+        prop_assert_eq!(recollision::of_optimum(&optimum).unwrap().0, recollision::of_velocities(&velocities));
+        prop_assert_eq!(recollision::of_velocities(&velocities), n > 0 && x > c && &x * &c < 1);
+    }
+
+    #[test]
+    fn unequal_coefficients_agree_with_the_pass(p in 1u64..9, d in 1u64..9, c in prop::collection::vec(restitutions(), 1..6)) {
+        let x = Rational::from_unsigneds(p, d);
+        let n = c.len() as u64 - 1;
+        let masses: Vec<Positive> = (0..=n + 1).map(|i| Positive::new(x.clone().reciprocal().pow(i)).unwrap()).collect();
+        let list = Restitutions::Each(c.into_iter().map(|e| Restitution::new(e).unwrap()).collect());
+        let pass = Pass::from_rest(masses.clone(), list.clone(), Rational::ONE).unwrap();
+        let (first, last) = (masses[0].clone(), masses[n as usize + 1].clone());
+        let eta = transfer::optimal(&first.over(&last), &list, n).unwrap();
+        prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap()));
+        let optimum = Optimum::new(first, last, n, list).unwrap();
+        let velocities = pass.velocities_after().unwrap();
+        for (i, v) in velocities.iter().enumerate() {
+            let found = optimum.velocity(i as u64, &Rational::ONE);
+            prop_assert_eq!(found.as_rational(), Some(v));
+        }
+        prop_assert_eq!(recollision::of_optimum(&optimum).unwrap().0, recollision::of_velocities(&velocities));
+    }
+
+    /// Irrational roots: numbers that the formulas tie together agree in every digit.
+    #[test]
+    fn irrational_chains_keep_their_identities(r in positives(), m1 in positives(), c in restitutions(), n in 1u64..9) {
+        let common = Restitution::new(c.clone()).unwrap();
+        let (first, r) = (Positive::new(m1).unwrap(), Positive::new(r).unwrap());
+        let last = Positive::new(first.value() / r.value()).unwrap();
+        let optimum = Optimum::new(first.clone(), last.clone(), n, Restitutions::Same(common)).unwrap();
+        let velocity: Vec<Real> = (0..=n + 1).map(|i| optimum.velocity(i, &Rational::ONE)).collect();
+        let mass: Vec<Real> = (0..=n + 1).map(|i| optimum.mass(i)).collect();
+        let bits = 1200;
+        // B-budget: momentum, and kinetic energy with all losses.
+        let mut momentum = carom::number::interval::Interval::from_integer(0);
+        let mut energy = momentum.clone();
+        for (m, v) in mass.iter().zip(&velocity) {
+            let (m, v) = (m.enclosure(bits), v.enclosure(bits));
+            momentum = momentum.add(&m.multiply(&v, bits), bits);
+            energy = energy.add(&m.multiply(&v.square(bits), bits).shifted(-1), bits);
+        }
+        for i in 1..=n + 1 {
+            energy = energy.add(&optimum.loss(i, &Rational::ONE).enclosure(bits), bits);
+        }
+        prop_assert!(momentum.contains(first.value()));
+        prop_assert!(energy.contains(&(first.value() / Rational::from(2))));
+        prop_assert!(momentum.accuracy() > 900 && energy.accuracy() > 900);
+        // The last body carries eta of the energy.
+        let eta = transfer::optimal(&r, optimum.restitutions(), n).unwrap();
+        let carried = velocity[n as usize + 1].enclosure(bits).square(bits).divide(&optimum.step().enclosure(bits).power(&Natural::from(n + 1), bits), bits);
+        let gap = carried.subtract(&eta.enclosure(bits), bits);
+        prop_assert!(gap.contains(&Rational::ZERO));
+    }
+
+    #[test]
+    fn signs_agree_with_enclosures_and_with_gain(r in positives(), c in restitutions(), n in 1u64..14) {
+        let common = Restitution::new(c.clone()).unwrap();
+        let r = Positive::new(r).unwrap();
+        let (answer, _) = helps(&common, &r, n).unwrap();
+        let l = threshold(&r, n).unwrap();
+        let below = l.enclosure(3000).subtract(&carom::number::interval::Interval::from_rational(&c, 3000), 3000);
+        match (answer, below.sign()) {
+            (Helps::Yes, sign) => prop_assert_eq!(sign, Some(Ordering::Less)),
+            (Helps::No, sign) => prop_assert_eq!(sign, Some(Ordering::Greater)),
+            (Helps::OnTheThreshold, _) => prop_assert_eq!(l.as_rational(), Some(&c)),
+        }
+        // eq 19 read as a comparison of two transfers.
+        let same = Restitutions::Same(common);
+        let with = transfer::optimal(&r, &same, n).unwrap().enclosure(3000);
+        let without = transfer::optimal(&r, &same, n - 1).unwrap().enclosure(3000);
+        let gain = with.subtract(&without, 3000).sign();
+        match answer {
+            Helps::Yes => prop_assert_eq!(gain, Some(Ordering::Greater)),
+            Helps::No => prop_assert_eq!(gain, Some(Ordering::Less)),
+            Helps::OnTheThreshold => prop_assert!(gain.is_none() || gain == Some(Ordering::Equal)),
+        }
+    }
+
+    #[test]
+    fn best_number_is_bracketed(r in positives(), c in restitutions()) {
+        let (r, c) = (Positive::new(r).unwrap(), Restitution::new(c).unwrap());
+        match best(&r, &c).unwrap().0 {
+            Best::Finite { count, tie } => {
+                let next = &count + Natural::ONE;
+                prop_assert_eq!(compare(&c, &r, &next).unwrap().0, Ordering::Less);
+                if count > 0u32 {
+                    let here = compare(&c, &r, &count).unwrap().0;
+                    prop_assert_eq!(here, if tie { Ordering::Equal } else { Ordering::Greater });
+                }
+            }
+            Best::Infinite => prop_assert!(*c.value() == 1 && *r.value() != 1),
+            Best::Any => prop_assert!(*c.value() == 1 && *r.value() == 1),
+        }
+    }
+
+    /// Equality and its neighbours at every distance, for perfect powers.
+    #[test]
+    fn thresholds_are_told_from_their_neighbours(p in 2u64..40, d in 1u64..40, n in 1u64..8, k in 1i64..400) {
+        prop_assume!(p != d);
+        let t = Rational::from_unsigneds(p, d);
+        let r = Positive::new(t.pow(n * (n + 1))).unwrap();
+        let l = threshold(&r, n).unwrap().as_rational().cloned().unwrap();
+        let at = |c: Rational| helps(&Restitution::new(c).unwrap(), &r, n).unwrap().0;
+        prop_assert_eq!(at(l.clone()), Helps::OnTheThreshold);
+        let step = Rational::from(10).pow(-k);
+        if &l + &step <= 1 {
+            prop_assert_eq!(at(&l + &step), Helps::Yes);
+        }
+        if l >= step {
+            prop_assert_eq!(at(&l - &step), Helps::No);
+        }
+        let (found, _) = best(&r, &Restitution::new(l).unwrap()).unwrap();
+        prop_assert_eq!(found, Best::Finite { count: Natural::from(n), tie: true });
+    }
+
+    /// An irrational threshold cut off after k digits is told from the cut on both sides.
+    #[test]
+    fn cut_thresholds_are_told_apart(r in 2u64..1000, n in 1u64..8, k in 1u64..300) {
+        let r = Positive::new(Rational::from(r)).unwrap();
+        let l = threshold(&r, n).unwrap();
+        prop_assume!(l.as_rational().is_none());
+        let side = |rounding| Decimal::of_real(&l, Digits::Places(k), rounding).unwrap().0.value();
+        let at = |c: Rational| helps(&Restitution::new(c).unwrap(), &r, n).unwrap().0;
+        prop_assert_eq!(at(side(Rounding::Down)), Helps::No);
+        prop_assert_eq!(at(side(Rounding::Up)), Helps::Yes);
+    }
+
+    /// Every chain of the box lies between the bounds; the vertices and the taut string attain them.
+    #[test]
+    fn measured_masses_are_covered(ends in prop::collection::vec((1u64..40, 0u64..30, 0u64..=8), 2..7), low in 0u64..10, width in 0u64..10) {
+        let range = |(lo, width, _): &(u64, u64, u64)| {
+            Range::new(Rational::from(*lo), Rational::from(lo + width)).unwrap().map(Positive::new).unwrap()
+        };
+        let masses: Vec<Range<Positive>> = ends.iter().map(range).collect();
+        let coefficient = |p: u64| Restitutions::Same(Restitution::new(Rational::from_unsigneds(p, 20)).unwrap());
+        let (lower, upper) = (coefficient(low), coefficient(low + width));
+        let least = least_transfer(&masses, &lower).unwrap();
+        let greatest = greatest_transfer(&masses, &upper, 200).unwrap();
+        // A point of the box, and all its vertices.
+        let point: Vec<Positive> = ends
+            .iter()
+            .map(|(lo, width, part)| Positive::new(Rational::from(*lo) + Rational::from_unsigneds(width * part, 8)).unwrap())
+            .collect();
+        let eta = |masses: Vec<Positive>, c: &Restitutions| Pass::from_rest(masses, c.clone(), Rational::ONE).unwrap().transfer().unwrap();
+        prop_assert!(least <= eta(point.clone(), &lower));
+        let top = greatest.ends().unwrap().1.point().unwrap();
+        prop_assert!(eta(point, &upper) <= top);
+        let vertex = |bits: usize| -> Vec<Positive> {
+            masses.iter().enumerate().map(|(i, m)| if bits >> i & 1 == 1 { m.hi().clone() } else { m.lo().clone() }).collect()
+        };
+        let vertices: Vec<Rational> = (0..1 << masses.len()).map(|bits| eta(vertex(bits), &lower)).collect();
+        prop_assert_eq!(vertices.iter().min().unwrap(), &least);
+    }
+
+    /// The greatest transfer is attained: coordinate-wise improvement never exceeds it and comes close to it.
+    #[test]
+    fn the_taut_string_is_attained(ends in prop::collection::vec((1u32..40, 0u32..30), 3..6)) {
+        let masses: Vec<Range<Positive>> = ends
+            .iter()
+            .map(|(lo, width)| Range::new(Rational::from(*lo), Rational::from(lo + width)).unwrap().map(Positive::new).unwrap())
+            .collect();
+        let one = Restitutions::Same(Restitution::new(Rational::ONE).unwrap());
+        let (bound, _) = greatest_transfer(&masses, &one, 100).unwrap().to_f64_ends();
+        // The best mass between fixed neighbours is their geometric mean, or the nearest wall.
+        let mut m: Vec<f64> = ends.iter().map(|(lo, width)| f64::from(*lo) + f64::from(*width) / 2.0).collect();
+        for _ in 0..4000 {
+            for i in 0..m.len() {
+                let best = match (i.checked_sub(1).map(|j| m[j]), m.get(i + 1)) {
+                    (Some(a), Some(b)) => (a * b).sqrt(),
+                    (Some(a), None) => a,
+                    (None, Some(b)) => *b,
+                    (None, None) => m[i],
+                };
+                m[i] = best.clamp(f64::from(ends[i].0), f64::from(ends[i].0 + ends[i].1));
+            }
+        }
+        let eta: f64 = m.windows(2).map(|p| 4.0 * p[0] * p[1] / (p[0] + p[1]).powi(2)).product();
+        prop_assert!(eta <= bound * (1.0 + 1e-12) && eta >= bound * (1.0 - 1e-6), "{eta} {bound}");
+    }
+
+    #[test]
+    fn one_collision_keeps_its_laws(a in positives(), b in positives(), c in restitutions(), v in positives()) {
+        let (m1, m2) = (Positive::new(a.clone()).unwrap(), Positive::new(b.clone()).unwrap());
+        let common = Restitution::new(c.clone()).unwrap();
+        let (w1, w2) = collision::velocities_after(&m1, &m2, &common, &v, &Rational::ZERO);
+        prop_assert_eq!(&a * &w1 + &b * &w2, &a * &v);
+        prop_assert_eq!(collision::restitution(&v, &Rational::ZERO, &w1, &w2), Some(c.clone()));
+        let [[p, _], [r, _]] = collision::matrix(&m1, &m2, &common);
+        prop_assert_eq!((&w1, &w2), (&(p * &v), &(r * &v)));
+        let energy = |m: &Positive, v: &Rational| collision::kinetic_energy(m, v);
+        let lost = energy(&m1, &v) - energy(&m1, &w1) - energy(&m2, &w2);
+        prop_assert_eq!(&lost, &collision::loss(&m1, &m2, &common, &v, &Rational::ZERO));
+        let share = energy(&m2, &w2) / energy(&m1, &v);
+        prop_assert_eq!(&share, &collision::transfer(&m1, &m2, &common));
+        prop_assert_eq!(share, (w2 / v).square() * b / a);
+    }
+}
+
+#[test]
+fn known_values() {
+    // python-flint: arb, 50 digits.
+    let eta = transfer::optimal(&mass("10"), &Restitutions::Same(e("9/10")), 7).unwrap();
+    assert_eq!(digits(&eta, 45), "0.373137511773738574621222278873225152313358581");
+    assert_eq!(threshold(&mass("64"), 2).unwrap().as_rational(), Some(&q("44/81")));
+    assert_eq!(digits(&threshold(&mass("64"), 3).unwrap(), 40), "0.7185870119269027481097727051447860932561");
+    assert_eq!(best(&mass("64"), &e("44/81")).unwrap().0, Best::Finite { count: Natural::from(2u32), tie: true });
+    assert_eq!(best(&mass("10"), &e("9/10")).unwrap().0, Best::Finite { count: Natural::from(3u32), tie: false });
+}
+
+#[test]
+fn rational_and_irrational_results_are_told_apart() {
+    for n in 1..8u64 {
+        for base in 2..6u64 {
+            for k in 1..60u64 {
+                let r = Positive::new(Rational::from(base).pow(k)).unwrap();
+                let l = threshold(&r, n).unwrap();
+                // Perfect powers of 2, 3 and 5; 4 is one of 2.
+                let power = if base == 4 { 2 * k } else { k };
+                assert_eq!(l.as_rational().is_some(), power.is_multiple_of(n * (n + 1)), "{base}^{k}, n = {n}");
+                if let Some(exact) = l.as_rational() {
+                    assert!(agrees(&l, exact));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! `carom eval` as a user meets it.
+#![allow(clippy::unwrap_used)] // a test stops where it fails
+
+use serde_json::Value;
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+fn carom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).stdin(Stdio::null()).output().unwrap()
+}
+
+fn with_input(arguments: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn json(out: &Output) -> Value {
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    serde_json::from_slice(&out.stdout).unwrap()
+}
+
+const SCENE: &str = r#"
+want = ["eta", "threshold"]
+digits = 12
+[chain]
+first = "10"
+last = "1"
+inserted = 7
+restitution = "9/10"
+speed = "1"
+"#;
+
+#[test]
+fn flags_and_scene_give_the_same() {
+    let by_flags = json(&carom(&[
+        "eval",
+        "--m1",
+        "10",
+        "--m2",
+        "1",
+        "-e",
+        "9/10",
+        "-n",
+        "7",
+        "--want",
+        "eta,threshold",
+        "--digits",
+        "12",
+        "--format",
+        "json",
+    ]));
+    let by_scene = json(&with_input(&["eval", "-", "--format", "json"], SCENE));
+    assert_eq!(by_flags, by_scene);
+    assert_eq!(by_flags["eta"]["decimal"], "0.373137511774");
+    assert_eq!(by_flags["eta"]["digits"], 12);
+    assert!(by_flags["eta"]["exact"].is_null());
+    assert_eq!(by_flags["eta"]["enclosure"][0], "0.373137511773738");
+    assert_eq!(by_flags["eta"]["enclosure"][1], "0.373137511773739");
+    assert!(by_flags["computed"].is_null());
+}
+
+#[test]
+fn exact_results_stay_exact() {
+    let out = json(&carom(&[
+        "eval",
+        "--m1",
+        "64",
+        "--m2",
+        "1",
+        "-e",
+        "44/81",
+        "-n",
+        "2",
+        "--want",
+        "threshold,helps,best-n,masses,velocities,matrix,losses,recollides,eta",
+        "--format",
+        "json",
+    ]));
+    assert_eq!(out["threshold"]["exact"], "44/81");
+    assert_eq!(out["helps"], "exactly on the threshold");
+    assert_eq!(out["best-n"]["exact"], "2");
+    assert_eq!(out["best-n"]["tie"], true);
+    let masses: Vec<&str> = out["masses"].as_array().unwrap().iter().map(|m| m["exact"].as_str().unwrap()).collect();
+    assert_eq!(masses, ["64", "16", "4", "1"]);
+    assert_eq!(out["recollides"], false);
+    assert_eq!(out["velocities"].as_array().unwrap().len(), 4);
+    assert_eq!(out["losses"].as_array().unwrap().len(), 3);
+    assert_eq!(out["matrix"][0][0][1]["exact"], "25/81");
+}
+
+#[test]
+fn only_what_is_wanted_is_computed() {
+    let explain = |want: &str| {
+        json(&carom(&[
+            "eval",
+            "--m1",
+            "10",
+            "--m2",
+            "1",
+            "-e",
+            "1/2",
+            "-n",
+            "7",
+            "--want",
+            want,
+            "--format",
+            "json",
+            "--explain",
+        ]))
+    };
+    let eta = explain("eta");
+    assert_eq!(eta["computed"], serde_json::json!(["eta"]));
+    let skipped = eta["skipped"].as_array().unwrap();
+    assert!(skipped.contains(&"velocities".into()) && skipped.contains(&"masses".into()));
+    assert_eq!(eta["level"], "double");
+    let helps = explain("helps");
+    assert_eq!(helps["computed"], serde_json::json!(["helps"]));
+    assert_eq!(helps["levels"]["helps"], "double");
+    let nothing = explain("");
+    assert_eq!(nothing["computed"], serde_json::json!([]));
+    assert!(nothing["level"].is_null());
+    assert_eq!(explain("velocities")["computed"], serde_json::json!(["pass", "velocities", "recollides"]));
+}
+
+#[test]
+fn velocities_that_are_not_final_carry_a_warning() {
+    let ask = |e: &str| {
+        carom(&["eval", "--m1", "4", "--m2", "1", "-e", e, "-n", "1", "--want", "velocities", "--format", "json"])
+    };
+    assert!(text(&ask("1/4").stdout).contains("not final"));
+    assert!(!text(&ask("1/2").stdout).contains("not final"));
+    let plain = carom(&["eval", "--m1", "4", "--m2", "1", "-e", "1/4", "--masses", "2", "--want", "velocities"]);
+    assert!(text(&plain.stdout).contains("not final"));
+}
+
+#[test]
+fn measured_inputs_cover_the_box() {
+    let out = json(&carom(&[
+        "eval",
+        "--m1",
+        "57.1 ± 0.1",
+        "--m2",
+        "[2, 3]",
+        "-e",
+        "[0.84, 0.90]",
+        "-n",
+        "1",
+        "--want",
+        "eta,threshold,helps,best-n,masses,recollides",
+        "--format",
+        "json",
+    ]));
+    assert!(out["eta"]["exact"].is_null() && out["eta"]["decimal"].is_null());
+    assert_eq!(out["helps"], "yes");
+    assert_eq!(out["masses"][2]["enclosure"][1], "3.00000000000000000");
+    let depends = carom(&["eval", "--m1", "64", "--m2", "1", "-e", "44/81 ± 0.001", "-n", "2", "--want", "helps"]);
+    assert!(text(&depends.stdout).contains("depends"));
+    let given = json(&carom(&[
+        "eval", "--m1", "[9, 11]", "--m2", "1", "-e", "1/2", "--masses", "[2, 4]", "--want", "eta", "--format", "json",
+    ]));
+    assert!(given["eta"]["enclosure"][0].is_string());
+}
+
+#[test]
+fn rounding_follows_the_flag() {
+    let eta = |mode: &str| {
+        let out = carom(&["eval", "--m1", "1", "--m2", "1", "-e", "0.5", "-n", "0", "--round", mode, "--places", "3"]);
+        text(&out.stdout).split_whitespace().nth(1).unwrap().to_owned()
+    };
+    // eta = 9/16 = 0.5625: a tie at three places.
+    assert_eq!(eta("nearest"), "0.562");
+    assert_eq!(eta("up"), "0.563");
+    assert_eq!(eta("down"), "0.562");
+    assert_eq!(eta("zero"), "0.562");
+    assert_eq!(eta("away"), "0.563");
+}
+
+#[test]
+fn bad_input_says_what_where_and_what_would_be_right() {
+    let cases: [(&str, i32, &[&str]); 13] = [
+        ("want = [\"eta\"]\n", 2, &["[chain]"]),
+        ("wnat = []\n[chain]\n", 2, &["unknown key wnat", "want", ":1:1"]),
+        ("[chain]\nfirst = 0.1\nlast = 1\nrestitution = 1\n", 2, &["not exact", "\"0.1\"", ":2:9"]),
+        ("[chain]\nfirst = 1\nlast = 1\nrestitution = \"3/2\"\n", 2, &["0 to 1", ":4:15"]),
+        ("[chain]\nfirst = 0\nlast = 1\nrestitution = 1\n", 2, &["above 0"]),
+        ("[chain]\nfirst = \"1.2(3)\"\nlast = 1\nrestitution = 1\n", 2, &["uncertainty"]),
+        ("[chain]\nfirst = \"[2, 1]\"\nlast = 1\nrestitution = 1\n", 2, &["lower end"]),
+        ("[chain]\nfirst = \"1e99999\"\nlast = 1\nrestitution = 1\n", 3, &["10000"]),
+        ("[chain]\nfirst = 2\nlast = 1\nrestitution = [1, 1]\n", 2, &["1 coefficients"]),
+        ("want = [\"eat\"]\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 2, &["eta"]),
+        ("digits = 100000000\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 3, &["limit reached"]),
+        ("[chain]\nfirst = 2\nlast = 1\ninserted = 1000000000000000000000000000000\nrestitution = 1\n", 2, &["-:"]),
+        ("[chain\n", 2, &["TOML"]),
+    ];
+    for (scene, code, words) in cases {
+        let out = with_input(&["eval", "-"], scene);
+        let message = text(&out.stderr);
+        let allowed = [Some(code), Some(3)];
+        assert!(allowed.contains(&out.status.code()), "{scene}: {:?} {message}", out.status.code());
+        assert!(
+            out.status.code() == Some(code) || scene.contains("1000000000000000000000000000000"),
+            "{scene}: {message}"
+        );
+        for word in words {
+            assert!(message.contains(word), "{scene}: {message}");
+        }
+        assert!(out.stdout.is_empty(), "{scene}");
+    }
+}
+
+#[test]
+fn flags_are_checked_as_well() {
+    let cases: [(&[&str], i32, &str); 8] = [
+        (&["--m2", "1", "-e", "1", "-n", "1"], 2, "--m1 is missing"),
+        (&["--m1", "-3", "--m2", "1", "-e", "1", "-n", "1"], 2, "above 0"),
+        (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "x"], 2, "natural number"),
+        (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "0", "--want", "threshold"], 2, "n >= 1"),
+        (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "99999999999999999999999999"], 3, "limit reached"),
+        (&["--m1", "2", "--m2", "1", "-e", "1,1/2", "-n", "1", "--want", "helps"], 2, "one coefficient"),
+        (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "2000000", "--want", "masses"], 3, "listed bodies"),
+        (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--digits", "100000000"], 3, "limit reached"),
+    ];
+    for (flags, code, word) in cases {
+        let arguments: Vec<&str> = std::iter::once("eval").chain(flags.iter().copied()).collect();
+        let out = carom(&arguments);
+        let message = text(&out.stderr);
+        assert_eq!(out.status.code(), Some(code), "{flags:?}: {message}");
+        assert!(message.contains(word), "{flags:?}: {message}");
+    }
+}
+
+#[test]
+fn batches_answer_line_by_line() {
+    let input = "m1,m2,e,n\n# a comment\n10,1,9/10,7\n64,1,44/81,2\n";
+    let out = with_input(&["eval", "--batch", "-", "--want", "eta,helps,best-n", "--digits", "6"], input);
+    assert_eq!(out.status.code(), Some(0));
+    let lines: Vec<String> = text(&out.stdout).lines().map(str::to_owned).collect();
+    assert_eq!(lines[0], "m1,m2,e,n,eta,eta_lower,eta_upper,helps,best-n,tie");
+    assert_eq!(lines[1], "10,1,9/10,7,0.373138,0.373137511,0.373137512,no,3,false");
+    assert!(lines[2].ends_with("exactly on the threshold,2,true"));
+    let wrong = with_input(&["eval", "--batch", "-"], "1,1,1,1\n1,1,2,1\n");
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(text(&wrong.stderr).contains("-:2: e:"), "{}", text(&wrong.stderr));
+}
+
+#[test]
+fn the_scene_page_holds_the_schema() {
+    let out = carom(&["help", "scene"]);
+    let page = text(&out.stdout);
+    let schema: Value = serde_json::from_str(&page[page.find('{').unwrap()..]).unwrap();
+    let known: Vec<&String> = schema["properties"]["chain"]["properties"].as_object().unwrap().keys().collect();
+    assert_eq!(known, ["first", "last", "inserted", "restitution", "speed", "velocities"]);
+}
+
+#[test]
+fn many_digits_are_printed_in_full() {
+    let ask = |flags: &[&str]| {
+        let out = carom(&[&["eval", "--m1", "10", "--m2", "1", "-e", "9/10", "-n", "7"], flags].concat());
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        text(&out.stdout).split_whitespace().nth(1).unwrap().to_owned()
+    };
+    let long = ask(&["--digits", "100000"]);
+    assert_eq!(long.len(), 100_002);
+    assert!(long.starts_with("0.37313751177373857462122227887322515231335858138925"));
+    // To nearest: within a unit of the last place of the longer one.
+    assert_eq!(long[..69_000], ask(&["--digits", "70000"])[..69_000]);
+    assert_eq!(ask(&["--places", "100000"]), long);
+    let tiny = carom(&["eval", "--m1", "1", "--m2", "1", "-e", "0", "-n", "200000", "--places", "70000"]);
+    assert!(text(&tiny.stdout).split_whitespace().nth(1).unwrap().bytes().skip(2).all(|b| b == b'0'));
+}

@@ -1,0 +1,232 @@
+//! Exported statements: the committed Coq files are those of the claims, and every one is proved.
+
+use carom::claim::embedded;
+use carom::claim::parse::parse;
+use carom::claim::syntax::{Claim, Expectation};
+use carom::export::coq::{self, BY_HAND, Statement};
+use carom::export::smt2;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+fn catalogue() -> Vec<Claim> {
+    embedded::claims(&[]).expect("the catalogue parses").expect("all claims")
+}
+
+fn statements() -> (Vec<Statement>, Vec<(String, String)>) {
+    let (mut said, mut refused) = (Vec::new(), Vec::new());
+    for claim in catalogue() {
+        match coq::statement(&claim) {
+            Ok(statement) => said.push(statement),
+            Err(refusal) => refused.push((claim.name.text, refusal.reason)),
+        }
+    }
+    (said, refused)
+}
+
+fn proved() -> BTreeMap<String, String> {
+    embedded::coq_files().iter().flat_map(|f| coq::proofs_in(f.path, f.text)).collect()
+}
+
+fn committed(path: &str) -> String {
+    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("the file is there")
+}
+
+#[test]
+fn the_committed_coq_statements_are_those_of_the_claims() {
+    let (said, _) = statements();
+    let hint = "run proofs/coq/regenerate";
+    assert!(committed("proofs/coq/statements.v") == coq::definitions(&said), "statements.v: {hint}");
+    let claims = committed("proofs/coq/claims.v");
+    let generated = claims.split(BY_HAND).next().expect("a part before the mark");
+    assert!(claims.contains(BY_HAND), "claims.v has lost its part by hand");
+    assert!(generated.trim_end() == coq::theorems(&said, &proved()).trim_end(), "claims.v: {hint}");
+}
+
+#[test]
+fn every_claim_but_the_one_that_coq_cannot_say_is_proved_there() {
+    let (said, refused) = statements();
+    let reason = "a family on a part of the natural numbers".to_string();
+    assert_eq!(refused, [("eq20-extracted".to_string(), reason)]);
+    let proved = proved();
+    for (name, _) in said.iter().flat_map(Statement::propositions) {
+        assert!(proved.contains_key(&name), "{name} has no proof");
+    }
+    assert_eq!(proved.len(), said.iter().map(|s| s.propositions().len()).sum::<usize>(), "a proof of no statement");
+}
+
+#[test]
+fn no_proof_is_left_open() {
+    for file in embedded::coq_files() {
+        for word in ["Admitted", "admit.", "Axiom ", "Parameter ", "Conjecture ", "give_up"] {
+            assert!(!file.text.contains(word), "{}.v holds {word}", file.path);
+        }
+    }
+}
+
+/// The table of docs/claims.md; the catalogue's test holds the prover's verdicts to the expected ones.
+fn table() -> String {
+    let mut out = String::from(
+        "# The claims, by whom they are checked\n\n\
+         Written by `CAROM_WRITE=1 cargo test --test export`. *prover*: `carom audit`. *Coq*: the file of\n\
+         `proofs/coq` with the proof; what it proves stands in full in `proofs/coq/claims.v`. Of a claim that\n\
+         is refuted, Coq proves the negation. *SMT*: whether it fits QF_NRA, so that Z3 and cvc5 can be asked\n\
+         (`proofs/smt/compare.py`).\n\n\
+         | claim | what it says | prover | Coq | SMT |\n|---|---|---|---|---|\n",
+    );
+    let proved = proved();
+    for claim in catalogue() {
+        let verdict = match claim.expect {
+            Expectation::Proved => "proved",
+            Expectation::Refuted => "refuted",
+            Expectation::Undecided => "undecided",
+        };
+        let coq = match (proved.get(&coq::identifier(&claim.name.text)), coq::statement(&claim)) {
+            (Some(file), _) => format!("{verdict}, {file}.v"),
+            (None, Err(refusal)) => format!("– ({})", refusal.reason),
+            (None, Ok(_)) => "–".to_string(),
+        };
+        let smt = if smt2::script(&claim).is_ok() { "yes" } else { "–" };
+        out.push_str(&format!("| {} | {} | {verdict} | {coq} | {smt} |\n", claim.name.text, claim.title));
+    }
+    out
+}
+
+#[test]
+fn the_table_in_the_docs_is_current() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/claims.md");
+    let table = table();
+    if std::env::var_os("CAROM_WRITE").is_some() {
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
+        std::fs::write(&path, &table).expect("the file is written");
+    }
+    assert!(std::fs::read_to_string(&path).unwrap_or_default() == table, "run CAROM_WRITE=1 cargo test --test export");
+}
+
+fn one(text: &str) -> Claim {
+    parse(text).expect("the claim parses").remove(0)
+}
+
+fn full(body: &str) -> String {
+    let text = coq::statement(&one(&format!("claim c \"t\"\n{body}\n"))).expect("it can be said").full;
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn refusal(body: &str) -> String {
+    coq::statement(&one(&format!("claim c \"t\"\n{body}\n"))).expect_err("it cannot be said").reason
+}
+
+#[test]
+fn powers_are_those_of_the_claim() {
+    assert_eq!(
+        full("given x > 0; n natural\nprove x^n*x^(2*n) = x^(3*n)"),
+        "forall (x : R), x > 0 -> forall (n : nat), x ^ n * x ^ (2 * n) = x ^ (3 * n)"
+    );
+    // A difference of naturals is no natural by its form: the truncated one of nat must not appear.
+    assert_eq!(
+        full("given x > 0; n natural\nprove x^(n - 1) = x^n/x"),
+        "forall (x : R), x > 0 -> forall (n : nat), Rpower x (INR n - 1) = x ^ n / x"
+    );
+    assert_eq!(
+        full("given x > 0\nprove x^(-2) = 1/x^2 and -x^2 = -(x^2)"),
+        "forall (x : R), x > 0 -> / x ^ 2 = 1 / x ^ 2 /\\ - x ^ 2 = - x ^ 2"
+    );
+    assert_eq!(
+        full("given x, y > 0\nprove x/(y/x) = x*x/y and x - (y - x) = 2*x - y and 0.5*x^0.5 = sqrt(x)/2"),
+        "forall (x y : R), x > 0 -> y > 0 -> x / (y / x) = x * x / y /\\ x - (y - x) = 2 * x - y /\\ \
+         (1 / 2) * Rpower x (1 / 2) = sqrt x / 2"
+    );
+}
+
+#[test]
+fn names_do_not_capture_words_of_coq() {
+    assert_eq!((coq::identifier("nat"), coq::identifier("eq10-roots")), ("nat_".into(), "eq10_roots".into()));
+    let text = full("given R, fun, Rpower, exists_, INR > 0\nprove R*fun*Rpower*INR = INR*Rpower*fun*R");
+    assert!(text.starts_with("forall (R_ fun_ Rpower_ exists_ INR_ : R)"), "{text}");
+    // Two names that would meet stay apart.
+    let text = full("given R_, R > 0\nprove R_ = R_ and R = R");
+    assert!(text.starts_with("forall (R_ R__ : R)") && text.ends_with("R_ = R_ /\\ R__ = R__"), "{text}");
+}
+
+#[test]
+fn definitions_that_depend_on_the_variable_go_into_derivatives_and_limits() {
+    let text = full("given x, a > 0\nlet y = a*x\nprove derivative(y^2, x) = 2*a*y");
+    assert!(text.ends_with("is_derive (fun x : R => (a * x) ^ 2) x (2 * a * y)"), "{text}");
+    let text = full("given n natural >= 1; a > 0\nlet y = a/n\nprove limit of y as n -> infinity is 0");
+    assert!(text.ends_with("is_lim_seq (fun n : nat => a / INR n) 0"), "{text}");
+    let text = full("given x, y > 0\nprove derivative(x^2*y, x) > 0");
+    assert!(text.ends_with("Derive (fun x : R => x ^ 2 * y) x > 0"), "{text}");
+}
+
+#[test]
+fn a_hypothesis_that_divides_says_that_its_divisor_is_not_0() {
+    let text = full("given x, y real\nassume q: x/y = 1\nprove x = y");
+    assert_eq!(text, "forall (x y : R), y <> 0 -> x / y = 1 -> x = y");
+    let statement = coq::statement(&one("claim c \"t\"\ngiven x, y > 0\nprove sqrt(x)/y = x^(1/2)/y\n")).expect("said");
+    let defined = statement.defined.expect("there are conditions");
+    for condition in ["y <> 0", "0 <= x", "x > 0"] {
+        assert!(defined.contains(condition), "{defined}");
+    }
+}
+
+#[test]
+fn what_coq_would_read_otherwise_is_refused() {
+    assert_eq!(
+        refusal("given f(k) > 0; n natural\nprove sum(i = 0..n - 1, f(i)) >= 0"),
+        "an expression that is not natural by its form"
+    );
+    assert_eq!(
+        refusal("given f(k) > 0; n natural >= 1\nprove f(n - 1) > 0"),
+        "an index that is not natural by its form"
+    );
+    assert_eq!(refusal("given f(k) > 0 for k in 1..3\nprove f(1) > 0"), "a family on a part of the natural numbers");
+    assert_eq!(
+        refusal("given n natural >= 1\nassume small: n <= 3\nprove limit of 1/n as n -> infinity is 0"),
+        "a limit by a variable that a hypothesis restricts"
+    );
+    assert_eq!(
+        refusal("given x in [0, 1]\nprove limit of 1/(1 + x) as x -> infinity is 0"),
+        "a limit by a variable that a hypothesis restricts"
+    );
+    assert_eq!(refusal("given x, y > 0\nprove derivative(x*y, x, y) = 1"), "a derivative by several variables");
+}
+
+#[test]
+fn smt_scripts_are_well_formed_and_say_the_hypotheses() {
+    let mut count = 0;
+    for claim in catalogue() {
+        let Ok(script) = smt2::script(&claim) else { continue };
+        count += 1;
+        let open = script.lines().filter(|l| !l.starts_with(';')).flat_map(str::chars);
+        let depth = open.fold(0i64, |d, c| d + i64::from(c == '(') - i64::from(c == ')'));
+        assert_eq!(depth, 0, "{}", claim.name.text);
+        assert!(script.ends_with("(check-sat)\n"), "{}", claim.name.text);
+    }
+    assert!(count >= 44, "{count} claims fit QF_NRA");
+    let script =
+        smt2::script(&one("claim c \"t\"\ngiven x > 0; y real\nassume q: x/y > 1\nprove x > y\n")).expect("fits");
+    for line in [
+        "(assert (> |x| 0))",
+        "(assert (not (= |y| 0)))",
+        "(assert (> (* |x| |y|) (* |y| |y|)))",
+        "(assert (not (> |x| |y|)))",
+    ] {
+        assert!(script.contains(line), "{line} is missing in\n{script}");
+    }
+}
+
+#[test]
+fn a_named_claim_that_cannot_be_said_is_a_stated_limit() {
+    let run =
+        |arguments: &[&str]| Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("it starts");
+    let out = run(&["export", "coq", "eq20-extracted"]);
+    assert_eq!(out.status.code(), Some(3));
+    assert!(out.stdout.is_empty());
+    assert_eq!(run(&["export", "coq", "no-such-claim"]).status.code(), Some(2));
+    assert_eq!(run(&["export", "prolog"]).status.code(), Some(2));
+    let out = run(&["export", "coq", "eq13"]);
+    assert_eq!(out.status.code(), Some(0));
+    assert!(String::from_utf8_lossy(&out.stdout).contains("Definition eq13 : Prop :="));
+    let out = run(&["export", "smt2", "--list"]);
+    assert!(String::from_utf8_lossy(&out.stdout).contains("eq22: no, a sequence"));
+}

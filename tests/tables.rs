@@ -1,0 +1,457 @@
+//! Tables: every digit against an independent computation, every form, somebody's table judged, and runs
+//! that are interrupted and resumed.
+
+use carom::number::decimal::{Decimal, Digits, Rounding};
+use carom::number::rational::parse;
+use carom::table::grid::Grid;
+use carom::table::shared::Factors;
+use carom::table::{Found, Plan, Printing, Quantity};
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::{Abs, Pow};
+use proptest::prelude::*;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+fn carom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("the program starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn q(text: &str) -> Rational {
+    parse(text).expect("a number")
+}
+
+/// Rational bounds of `r^(1/k)`, by halving: nothing of the program's roots is used.
+fn root(r: &Rational, k: u64, steps: u32) -> (Rational, Rational) {
+    let one = Rational::from(1);
+    let (mut low, mut high) = (Rational::from(0), if *r > one { r.clone() } else { one });
+    for _ in 0..steps {
+        let middle = (&low + &high) / Rational::from(2);
+        if (&middle).pow(k) <= *r { low = middle } else { high = middle }
+    }
+    (low, high)
+}
+
+/// Rational bounds of (25).
+fn eta(r: &Rational, e: &Rational, n: u64) -> (Rational, Rational) {
+    let (low, high) = root(r, n + 1, 100);
+    let gain = (Rational::from(1) + e).pow(2 * (n + 1)) * r;
+    let at = |t: Rational| &gain / (Rational::from(1) + t).pow(2 * (n + 1));
+    (at(high), at(low))
+}
+
+/// Rational bounds of (19).
+fn threshold(r: &Rational, n: u64) -> (Rational, Rational) {
+    let (a, b) = (root(r, n + 1, 100), root(r, n, 100));
+    let one = || Rational::from(1);
+    let at = |a: Rational, b: Rational| (one() + a).pow(n + 1) / (one() + b).pow(n) - one();
+    (at(a.0, b.1), at(a.1, b.0))
+}
+
+fn plan(quantity: Quantity, ratio: &str, e: Option<&str>, n: Option<&str>, digits: Digits, rounding: Rounding) -> Plan {
+    let grid = |text: &str| Grid::parse(text).expect(text);
+    Plan::new(quantity, grid(ratio), e.map(grid), n.map(grid), Printing { digits, rounding, extra: 0 }).expect("a plan")
+}
+
+/// Checks each row against bounds: the printed decimal is a correct rounding of both.
+fn check(plan: &Plan, bounds: impl Fn(u64) -> (Rational, Rational)) {
+    let mut factors = Factors::new(plan);
+    for row in 0..plan.rows() {
+        let found = factors.value(row).expect("no limit");
+        let (line, enclosure) = plan.row(row, found).expect("no limit");
+        let (low, high) = bounds(row);
+        let (printed, enclosure) = (q(&line.value), enclosure.expect("a number has one"));
+        let Printing { digits, rounding, .. } = plan.printing();
+        let unit = match digits {
+            Digits::Places(p) => Rational::from(10).pow(-i64::try_from(p).expect("small")),
+            Digits::Significant(d) => {
+                // One unit of the last of d digits of the value, from the printed text itself.
+                let (mantissa, exponent) = line.value.split_once('e').unwrap_or((&line.value, "0"));
+                let places = mantissa.split_once('.').map_or(0, |m| m.1.len() as i64);
+                let digits = mantissa.trim_start_matches(['0', '.']).replace('.', "").len() as u64;
+                assert_eq!(digits, d, "{}", line.value);
+                Rational::from(10).pow(exponent.parse::<i64>().expect("a number") - places)
+            }
+        };
+        for end in [&low, &high] {
+            let error = &printed - end;
+            let slack = (&high - &low) * Rational::from(2);
+            let right = match rounding {
+                Rounding::Nearest => (&error).abs() <= &unit / Rational::from(2) + slack,
+                Rounding::Up | Rounding::Away => error >= -&slack && error < &unit + slack,
+                Rounding::Down | Rounding::Zero => error <= slack && error > -&unit - slack,
+            };
+            assert!(right, "{}: {} is not {rounding:?} of {end}", plan.in_words(row), line.value);
+        }
+        let (lower, upper) = (end(enclosure.lower()), end(enclosure.upper()));
+        assert!(lower <= high && low <= upper, "{}: the enclosure misses", plan.in_words(row));
+        if let Some(exact) = &line.exact {
+            assert!(low <= q(exact) && q(exact) <= high, "{}: {exact}", plan.in_words(row));
+            assert_eq!(Decimal::of_rational(&q(exact), digits, rounding).expect("no limit").to_string(), line.value);
+        } else {
+            for end in [lower, upper] {
+                assert_eq!(Decimal::of_rational(&end, digits, rounding).expect("no limit").to_string(), line.value);
+            }
+        }
+    }
+}
+
+fn end(end: Option<(malachite::Integer, i64)>) -> Rational {
+    let (mantissa, exponent) = end.expect("bounded");
+    Rational::from(mantissa) * Rational::from(2).pow(exponent)
+}
+
+#[test]
+fn every_cell_is_the_correct_rounding_of_an_independent_enclosure() {
+    let (ratio, e, n) = ("1/7,1,64,10,1e6,3.7", "0,0.35,0.9,1", "0:4:1");
+    // The oracle is slow: once for each value.
+    let table = plan(Quantity::Eta, ratio, Some(e), Some(n), Digits::Places(1), Rounding::Nearest);
+    let shares: Vec<_> = (0..table.rows())
+        .filter_map(|row| table.place(row))
+        .map(|p| eta(p.ratio.value(), p.e.as_ref().expect("given").value(), p.n.expect("given")))
+        .collect();
+    let table = plan(Quantity::Threshold, ratio, None, Some("1:5:1"), Digits::Places(1), Rounding::Nearest);
+    let bounds: Vec<_> = (0..table.rows())
+        .filter_map(|row| table.place(row))
+        .map(|p| threshold(p.ratio.value(), p.n.expect("given")))
+        .collect();
+    for rounding in Rounding::ALL {
+        for digits in [Digits::Significant(1), Digits::Significant(6), Digits::Significant(17), Digits::Places(9)] {
+            let table = plan(Quantity::Eta, ratio, Some(e), Some(n), digits, rounding);
+            check(&table, |row| shares[row as usize].clone());
+            let table = plan(Quantity::Threshold, ratio, None, Some("1:5:1"), digits, rounding);
+            check(&table, |row| bounds[row as usize].clone());
+        }
+    }
+}
+
+#[test]
+fn rows_cover_the_grid_once_with_the_last_axis_running_fastest() {
+    let table = plan(Quantity::Eta, "3,5", Some("0,1/2,1"), Some("0:3:1"), Digits::Significant(3), Rounding::Nearest);
+    assert_eq!(table.rows(), 24);
+    let mut expected = Vec::new();
+    for ratio in ["3", "5"] {
+        for e in ["0", "1/2", "1"] {
+            for n in ["0", "1", "2", "3"] {
+                expected.push(vec![ratio.to_owned(), e.to_owned(), n.to_owned()]);
+            }
+        }
+    }
+    assert_eq!((0..24).map(|row| table.labels(row)).collect::<Vec<_>>(), expected);
+    for (row, labels) in expected.iter().enumerate() {
+        let place = table.place(row as u64).expect("in range");
+        assert_eq!(place.ratio.value(), &q(&labels[0]));
+        assert_eq!(place.e.map(|e| e.value().clone()), Some(q(&labels[1])));
+        assert_eq!(place.n.map(Rational::from), Some(q(&labels[2])));
+    }
+    assert_eq!(table.place(24), None);
+    let table = plan(Quantity::Threshold, "3,5", None, Some("1,2"), Digits::Significant(3), Rounding::Nearest);
+    assert_eq!((0..4).map(|row| table.labels(row).join(" ")).collect::<Vec<_>>(), ["3 1", "3 2", "5 1", "5 2"]);
+}
+
+#[test]
+fn the_best_number_is_where_the_greatest_share_is() {
+    let table =
+        plan(Quantity::BestN, "2,10,1/100,64", Some("0.5,0.9,44/81"), None, Digits::Significant(6), Rounding::Nearest);
+    for row in 0..table.rows() {
+        let place = table.place(row).expect("in range");
+        let (line, _) = table.row(row, Found::Open(table.value(row).expect("no limit"))).expect("no limit");
+        let best: u64 = line.value.parse().expect("finite");
+        let share = |n| eta(place.ratio.value(), place.e.as_ref().expect("given").value(), n);
+        for other in 0..best + 3 {
+            assert!(share(best).1 >= share(other).0, "{}: {other} beats {best}", table.in_words(row));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+    #[test]
+    fn shared_work_changes_no_row(
+        p in 1u32..5000, r in 1u32..5000, e in 0u32..=100, n in 0u64..12, digits in 1u64..30, direction in 0usize..5
+    ) {
+        let ratio = format!("{p}/{r},{r},1e-200,1e250");
+        let e = format!("{e}/100,1/3");
+        let n = format!("{n},1,{}", n * 7);
+        let table = plan(Quantity::Eta, &ratio, Some(&e), Some(&n), Digits::Significant(digits), Rounding::ALL[direction]);
+        let mut factors = Factors::new(&table);
+        for row in 0..table.rows() {
+            let shared = table.row(row, factors.value(row).expect("no limit")).expect("no limit").0;
+            let alone = table.row(row, Found::Open(table.value(row).expect("no limit"))).expect("no limit").0;
+            prop_assert_eq!(shared, alone);
+        }
+    }
+}
+
+const SMALL: [&str; 7] = ["table", "--ratio", "64,2", "-e", "0.9", "-n", "1,2"];
+
+fn small(more: &[&str]) -> String {
+    let out = carom(&[&SMALL[..], more].concat());
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    text(&out.stdout)
+}
+
+#[test]
+fn every_form_has_head_rows_and_the_certified_value() {
+    for (form, signs) in [
+        ("text", ["equation: (25)", "to nearest, ties to even", "carom 0.", "0.127123"]),
+        ("csv", ["# equation: (25)", "ratio,e,n,eta,exact", "# program: carom", "64,0.9,1,0.127123,"]),
+        ("json", ["\"equation\":\"(25)", "\"eta\":\"0.127123\"", "\"count\":4", "\"exact\":"]),
+        ("markdown", ["- equation:", "| ratio | e | n | eta | exact |", "| --: |", "| 64 | 0.9 | 1 | 0.127123 |"]),
+        ("latex", ["\\toprule", "S[table-format=1.6]", "round-mode = none", "64 & 0.9 & 1 & 0.127123 &"]),
+    ] {
+        let shown = small(&["--format", form]);
+        for sign in signs {
+            assert!(shown.contains(sign), "{form}: {sign}: {shown}");
+        }
+    }
+    let value: serde_json::Value = serde_json::from_str(&small(&["--format", "json"])).expect("JSON");
+    assert_eq!(value["rows"].as_array().map(Vec::len), Some(4));
+}
+
+#[test]
+fn directions_places_and_further_digits() {
+    let cell = |more: &[&str]| {
+        let shown = small(&[&["--format", "csv"], more].concat());
+        shown.lines().nth_back(2).expect("a row").split(',').skip(3).map(str::to_owned).collect::<Vec<_>>()
+    };
+    // 64 : 1, e = 9/10, n = 2: (19/10)^6·64/5^6, exactly 0.192699928576
+    assert_eq!(cell(&["--digits", "12"]), ["0.192699928576", "47045881/244140625"]);
+    assert_eq!(cell(&["--places", "3"])[0], "0.193");
+    assert_eq!(cell(&["--places", "3", "--round", "down"])[0], "0.192");
+    assert_eq!(cell(&["--digits", "2", "--round", "away"])[0], "0.20");
+    assert_eq!(cell(&["--digits", "2", "--round", "zero"])[0], "0.19");
+    assert_eq!(cell(&["--digits", "4", "--extra", "3"])[2..], ["0.1926999", "1e-7"]);
+    assert_eq!(cell(&["--digits", "4", "--extra", "8"])[2..], ["0.192699928576", "0"]);
+    let shown = small(&["--digits", "4", "--extra", "3", "--format", "latex"]);
+    assert!(shown.contains("0.1926{\\scriptsize 999}"), "{shown}");
+}
+
+#[test]
+fn a_value_next_to_a_decimal_is_rounded_without_a_search_for_ever() {
+    // (1.58)^6 = 15.557597153344, and the value lies 10^-83 of itself below it.
+    let started = std::time::Instant::now();
+    for (round, value) in [("away", "1.5557597153344000e-249"), ("zero", "1.5557597153343999e-249")] {
+        let out = carom(&["table", "--ratio", "1e250", "-e", "0.58", "-n", "2", "--digits", "17", "--round", round]);
+        assert!(text(&out.stdout).contains(value), "{}", text(&out.stdout));
+    }
+    assert!(started.elapsed().as_secs() < 5);
+}
+
+#[test]
+fn bad_tables_are_refused_with_what_would_be_right() {
+    for (arguments, sign) in [
+        (&["--ratio", "1"][..], "depends on e"),
+        (&["--ratio", "1", "-e", "1"], "depends on n"),
+        (&["--ratio", "1", "-e", "1", "-n", "1", "--want", "threshold"], "does not depend on e"),
+        (&["--ratio", "0,1", "-e", "1", "-n", "1"], "above 0"),
+        (&["--ratio", "1", "-e", "0:2:0.5", "-n", "1"], "from 0 to 1"),
+        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "integers"),
+        (&["--ratio", "1", "-n", "0", "--want", "threshold"], "at least 1"),
+        (&["--ratio", "1:2", "-e", "1", "-n", "1"], "three parts"),
+        (&["--ratio", "1", "-e", "1", "-n", "1", "--resume", "--output", "x.txt"], "--format csv"),
+        (&["--ratio", "1", "-e", "1", "-n", "1", "--digits", "0"], "digit"),
+        (&["--check", "/no/such.csv"], "cannot read"),
+        (&[], "--ratio"),
+    ] {
+        let out = carom(&[&["table"], arguments].concat());
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains(sign), "{arguments:?}: {}", text(&out.stderr));
+        assert!(!text(&out.stdout).contains("0."), "{arguments:?}: {}", text(&out.stdout));
+    }
+    let out = carom(&["table", "--ratio", "2", "-e", "1", "-n", "1", "--digits", "100000000"]);
+    assert_eq!(out.status.code(), Some(3), "{}", text(&out.stderr));
+}
+
+fn checked(content: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("table.csv");
+    std::fs::write(&path, content).expect("written");
+    let out = carom(&[&["table", "--check", &path.display().to_string()], more].concat());
+    (out.status.code(), text(&out.stdout), text(&out.stderr))
+}
+
+#[test]
+fn somebodys_table_is_judged_cell_by_cell() {
+    let (code, shown, _) =
+        checked("ratio,e,n,eta\n64,0.9,2,0.1927\n64,0.9,2,0.193\n64,9/10,2,47045881/244140625\n", &[]);
+    assert_eq!(code, Some(0), "{shown}");
+    assert!(shown.contains("3 cells: 3 right"), "{shown}");
+    let content =
+        "m1;m2;e;n;eta;threshold;remark\n64;1;0,9;2;0,1926;0,5432;cut off\n64;1;0,9;2;0,1937;;\n64;1;0,9;2;x;44/81;\n";
+    let (code, shown, _) = checked(content, &[]);
+    assert_eq!(code, Some(1));
+    for sign in [
+        "not rounded as asked: it is the value rounded down",
+        "wrong from significant digit 3 on",
+        "not a number",
+        "0.1927",
+        "5 cells: 2 right, 1 not rounded as asked, 2 wrong; 1 empty",
+    ] {
+        assert!(shown.contains(sign), "{sign}: {shown}");
+    }
+    let (code, shown, _) = checked("n,eta\n2,0.1926\n", &["--ratio", "64", "-e", "0.9", "--round", "down"]);
+    assert_eq!(code, Some(0), "{shown}");
+    let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,5\n64,1,inf\n", &[]);
+    assert_eq!(code, Some(0), "{shown}");
+    let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,6\n", &["--format", "json"]);
+    assert_eq!(code, Some(1));
+    let value: serde_json::Value = serde_json::from_str(&shown).expect("JSON");
+    assert_eq!(value["rows"][0]["certified"], "5");
+}
+
+#[test]
+fn what_the_program_writes_it_finds_right() {
+    for want in [&["--want", "threshold", "-n", "1,2,3"][..], &["--want", "eta", "-n", "0:3:1", "-e", "0.25:1:0.25"]] {
+        for round in ["nearest-even", "up", "zero"] {
+            let more = ["table", "--ratio", "1/9:100:x3", "--format", "csv", "--digits", "9", "--round", round];
+            let table = text(&carom(&[&more, want].concat()).stdout);
+            let (code, shown, _) = checked(&table, &["--round", round]);
+            assert_eq!(code, Some(0), "{shown}");
+            // One digit changed somewhere is always found.
+            let changed = table.rsplitn(2, "0.").collect::<Vec<_>>();
+            let (rest, before) = (changed[0], changed[1]);
+            let digit = rest.as_bytes()[4];
+            let other = char::from(if digit == b'9' { b'1' } else { digit + 1 });
+            let (code, _, _) = checked(&format!("{before}0.{}{other}{}", &rest[..4], &rest[5..]), &["--round", round]);
+            assert_eq!(code, Some(1));
+        }
+    }
+}
+
+#[test]
+fn tables_that_cannot_be_checked_say_why() {
+    for (content, sign) in [
+        ("", "no heading"),
+        ("ratio,e,n\n1,1,1\n", "no column to check"),
+        ("ratio,n,eta\n1,1,1\n", "no column e"),
+        ("ratio,e,n,eta\n1,2,1,1\n", "line 2"),
+        ("ratio,e,n,eta\nx,1,1,1\n", "\"x\" is no number"),
+        ("m1,m2,e,n,eta\n1,0,1,1,1\n", "m2 is 0"),
+        ("ratio,e,n,eta\n1,1,1\n", "3 fields"),
+        ("ratio,e,n,eta\n", "no cell"),
+    ] {
+        let (code, _, said) = checked(content, &[]);
+        assert_eq!(code, Some(2), "{content}: {said}");
+        assert!(said.contains(sign), "{content}: {said}");
+    }
+}
+
+#[test]
+fn certificates_hold_an_enclosure_of_every_cell() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("cells.jsonl");
+    small(&["--certificate", &path.display().to_string()]);
+    let lines: Vec<serde_json::Value> = std::fs::read_to_string(&path)
+        .expect("written")
+        .lines()
+        .map(|l| serde_json::from_str(l).expect("JSON"))
+        .collect();
+    assert_eq!((lines.len(), &lines[0]["certificate"]), (5, &"table".into()));
+    for line in &lines[1..] {
+        let get = |key: &str| q(line[key].as_str().expect(key));
+        let end = |key: &str| {
+            let mantissa = q(line[key]["mantissa"].as_str().expect(key));
+            mantissa * Rational::from(2).pow(line[key]["exponent"].as_i64().expect(key))
+        };
+        let n: u64 = line["n"].as_str().expect("n").parse().expect("a number");
+        let (low, high) = eta(&get("ratio"), &get("e"), n);
+        assert!(end("lower") <= high && low <= end("upper"), "{line}");
+        for end in [end("lower"), end("upper")] {
+            let decimal = Decimal::of_rational(&end, Digits::Significant(6), Rounding::Nearest).expect("no limit");
+            assert_eq!(decimal.to_string(), line["printed"], "{line}");
+        }
+    }
+}
+
+fn csv(folder: &Path, more: &[&str]) -> Vec<String> {
+    let path = folder.join("table.csv").display().to_string();
+    let base = ["table", "--ratio", "1:12:1", "-e", "0:1:0.05", "-n", "0:40:1", "--format", "csv", "--output", &path];
+    base.iter().chain(more).map(|s| s.to_string()).collect()
+}
+
+fn run(arguments: &[String]) -> Output {
+    carom(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+#[test]
+fn a_run_that_was_cut_off_is_resumed_to_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (path, partial) = (folder.path().join("table.csv"), folder.path().join("table.csv.partial"));
+    let certificate = folder.path().join("cells.jsonl");
+    let grown = folder.path().join("cells.jsonl.partial");
+    let arguments = csv(folder.path(), &["--certificate", &certificate.display().to_string()]);
+    assert_eq!(run(&arguments).status.code(), Some(0));
+    assert!(!partial.exists() && !grown.exists());
+    let (whole, cells) = (std::fs::read(&path).expect("there"), std::fs::read(&certificate).expect("there"));
+    let resume = [&arguments[..], &["--resume".to_owned()]].concat();
+    // Cut inside a line, at different places of the two files; the last one inside the head.
+    for (at, other) in [(whole.len() / 2, cells.len() / 3), (whole.len() / 3, cells.len() - 5), (40, 10)] {
+        std::fs::write(&partial, &whole[..at]).expect("written");
+        std::fs::write(&grown, &cells[..other]).expect("written");
+        let out = run(&resume);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        assert!(std::fs::read(&path).expect("there") == whole && std::fs::read(&certificate).expect("there") == cells);
+        assert!(!partial.exists() && !grown.exists());
+    }
+    std::fs::write(&partial, b"# another table\n1,2,3\n").expect("written");
+    std::fs::write(&grown, &cells[..cells.len() / 3]).expect("written");
+    let out = run(&resume);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("other settings"), "{}", text(&out.stderr));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_whole_rows_or_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (path, partial) = (folder.path().join("table.csv"), folder.path().join("table.csv.partial"));
+    let long = ["table", "--ratio", "1:100000:1", "-e", "0:1:0.01", "-n", "0:40:1"];
+    let interrupted = |more: &[&str]| {
+        let child = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(long)
+            .args(more)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("it starts");
+        std::thread::sleep(std::time::Duration::from_millis(700));
+        let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill is there");
+        assert!(kill.success());
+        child.wait_with_output().expect("it ends")
+    };
+    let out = interrupted(&["--format", "csv", "--output", &path.display().to_string()]);
+    assert_eq!(out.status.code(), Some(130), "{}", text(&out.stderr));
+    assert!(text(&out.stderr).contains("--resume"), "{}", text(&out.stderr));
+    assert!(!path.exists());
+    let left = std::fs::read_to_string(&partial).expect("it is left");
+    assert!(left.ends_with('\n') && left.lines().count() > 10);
+    let whole = text(
+        &carom(&[&["table", "--ratio", "1:3:1", "-e", "0:1:0.01", "-n", "0:40:1", "--format", "csv"][..]].concat())
+            .stdout,
+    );
+    let lines = left.lines().count().min(whole.lines().count());
+    assert!(left.lines().take(lines).eq(whole.lines().take(lines)), "the rows that are left are right");
+    let other = folder.path().join("table.md");
+    let out = interrupted(&["--format", "markdown", "--output", &other.display().to_string()]);
+    assert_eq!(out.status.code(), Some(130));
+    assert!(text(&out.stderr).contains("nothing is left behind"), "{}", text(&out.stderr));
+    let names: Vec<_> = std::fs::read_dir(folder.path()).expect("there").flatten().map(|e| e.file_name()).collect();
+    assert_eq!(names, ["table.csv.partial"]);
+}
+
+#[test]
+fn a_reader_of_a_table_may_go_away() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(["table", "--ratio", "1:100000:1", "-e", "0:1:0.01", "-n", "0:40:1", "--format", "csv"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    drop(child.stdout.take());
+    let out = child.wait_with_output().expect("it ends");
+    assert_eq!((text(&out.stderr), out.status.code()), (String::new(), Some(0)));
+}

@@ -1,0 +1,272 @@
+//! Examples, worksheets, pictures and random chains, as a teacher meets them.
+
+use carom::number::rational::parse;
+use malachite::Rational;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn carom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("the program starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn good(arguments: &[&str]) -> String {
+    let out = carom(arguments);
+    assert_eq!(out.status.code(), Some(0), "{arguments:?}: {}", text(&out.stderr));
+    text(&out.stdout)
+}
+
+fn scene(name: &str) -> String {
+    format!("examples/scenes/{name}.toml")
+}
+
+fn exact(name: &str) -> serde_json::Value {
+    serde_json::from_str(&good(&["eval", &scene(name), "--format", "json"])).expect("JSON")
+}
+
+#[test]
+fn every_example_runs_and_is_listed() {
+    let list = include_str!("../examples/README.md");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("there").flatten() {
+        let path = entry.path();
+        let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+        assert!(list.contains(&format!("`scenes/{name}`")), "{name} is listed");
+        good(&["eval", &path.display().to_string()]);
+        count += 1;
+    }
+    assert_eq!(count, list.matches("| `scenes/").count(), "everything listed is there");
+    for line in list.lines().filter(|l| l.starts_with("carom table") && !l.contains("--check")) {
+        let command = line.split('#').next().expect("a command");
+        good(&command.split_whitespace().skip(1).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn the_examples_show_what_they_say() {
+    let value = exact("stacked-balls-16-times");
+    let velocities: Vec<&str> =
+        value["velocities"].as_array().expect("a list").iter().filter_map(|v| v["exact"].as_str()).collect();
+    assert_eq!(velocities, ["1", "1", "1", "5"]);
+    assert_eq!(value["eta"]["exact"], "5/8", "in this frame; the others keep the rest");
+    assert_eq!(exact("on-the-threshold")["helps"], "exactly on the threshold");
+    assert_eq!(exact("on-the-threshold")["threshold"]["exact"], "44/81");
+    assert_eq!(exact("measured-restitution")["helps"], "depends");
+    assert!(good(&["eval", &scene("car-chain")]).contains("meet again"));
+    let eta = exact("elastic-limit")["eta"]["decimal"].as_str().expect("a decimal").to_owned();
+    assert!(eta.starts_with("0.99"), "{eta}");
+}
+
+/// The numbers of a line of a worksheet.
+fn numbers(line: &str) -> Vec<Rational> {
+    line.split_whitespace().filter_map(|w| parse(w).ok()).collect()
+}
+
+#[test]
+fn the_answer_key_obeys_the_laws() {
+    for name in ["equal-masses", "car-chain", "stacked-balls-16-times"] {
+        let key = good(&["worksheet", &scene(name), "--sheet", "key", "--exact", "--places", "9"]);
+        let tolerance = parse("2e-8").expect("a number");
+        let near = |a: &Rational, b: &Rational, scale: &Rational| {
+            let d = a - b;
+            let d = if d < 0u32 { -d } else { d };
+            d <= &tolerance * (Rational::from(1) + if *scale < 0u32 { -scale } else { scale.clone() })
+        };
+        let lines: Vec<Vec<Rational>> = key.lines().map(numbers).filter(|n| n.len() == 11).collect();
+        assert!(lines.len() >= 6, "{key}");
+        for (pair, total) in lines.chunks(2).zip(key.lines().filter(|l| l.trim_start().starts_with("total"))) {
+            for row in pair {
+                let [_, m, v, w, dv, p, q, dp, k, l, dk] = &row[..] else { panic!("eleven columns") };
+                assert!(near(dv, &(w - v), w) && near(p, &(m * v), p) && near(q, &(m * w), q), "{key}");
+                assert!(near(dp, &(q - p), q) && near(dk, &(l - k), l), "{key}");
+                let half = parse("1/2").expect("a number");
+                assert!(near(k, &(m * v * v * &half), k) && near(l, &(m * w * w * &half), l), "{key}");
+            }
+            let total = numbers(total);
+            assert_eq!((&total[0], &total[2]), (&total[1], &Rational::from(0)), "momentum stays: {key}");
+            for (place, column) in [(0, 5), (3, 8), (4, 9), (5, 10)] {
+                let sum = &pair[0][column] + &pair[1][column];
+                assert!(near(&total[place], &sum, &sum), "{name} column {column}: {key}");
+            }
+            assert!(total[5] <= 0u32);
+        }
+    }
+}
+
+#[test]
+fn a_blank_sheet_gives_nothing_away_and_every_form_is_whole() {
+    let blank = good(&["worksheet", &scene("car-chain"), "--sheet", "blank"]);
+    assert!(blank.contains("1500") && blank.contains("_______"), "{blank}");
+    let key = good(&["worksheet", &scene("car-chain"), "--sheet", "key"]);
+    for number in key.split_whitespace().filter(|w| w.contains('.') && w.len() > 4 && parse(w).is_ok()) {
+        assert!(!blank.contains(number), "{number}: {blank}");
+    }
+    assert!(key.contains("meet again"), "{key}");
+    let both = good(&["worksheet", &scene("car-chain"), "--format", "markdown"]);
+    assert_eq!(both.matches("| total |").count(), 6, "{both}");
+    let latex = good(&["worksheet", &scene("stacked-balls"), "--format", "latex", "--sheet", "key"]);
+    assert_eq!(latex.matches("\\toprule").count(), 3);
+    let out = carom(&["worksheet", &scene("elastic-limit")]);
+    assert_eq!(out.status.code(), Some(3), "1001 collisions: {}", text(&out.stderr));
+    let out = carom(&["worksheet", &scene("measured-restitution")]);
+    assert_eq!(out.status.code(), Some(2));
+    // Irrational masses: to any number of digits.
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("root.toml");
+    std::fs::write(&path, "[chain]\nfirst = \"2\"\nlast = \"1\"\ninserted = 1\nrestitution = \"1/2\"\n")
+        .expect("written");
+    let shown = good(&["worksheet", &path.display().to_string(), "--digits", "30"]);
+    assert!(shown.contains("1.41421356237309504880168872421"), "{shown}");
+}
+
+/// A picture's file.
+fn drawn(folder: &Path, arguments: &[&str], end: &str) -> Vec<u8> {
+    let path = folder.join(format!("picture.{end}"));
+    let _ = std::fs::remove_file(&path);
+    good(&[&["plot"], arguments, &["-o", &path.display().to_string()]].concat());
+    std::fs::read(&path).expect("written")
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn every_picture_is_drawn_in_both_forms() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cradle = scene("equal-masses");
+    for arguments in [
+        &["eta-x", "-n", "0,1,5"][..],
+        &["eta-n", "--ratio", "100", "-e", "0.5,0.9,1"],
+        &["threshold"],
+        &["map", "--ratio", "1/100,100"],
+        &["velocities", &cradle],
+    ] {
+        let svg = text(&drawn(folder.path(), arguments, "svg"));
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{arguments:?}");
+        assert!(svg.contains("<title>") && svg.matches("aria-label").count() > 8, "axes have labels: {arguments:?}");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{arguments:?}");
+        let png = drawn(folder.path(), arguments, "png");
+        assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+        // The size stands in the header: 690 by 440 points, two pixels each.
+        assert_eq!((&png[16..20], &png[20..24]), (&1380u32.to_be_bytes()[..], &880u32.to_be_bytes()[..]));
+    }
+    // n* = 6 for 100 : 1 at 0.9 (the published value) is what the legend says.
+    let svg = text(&drawn(folder.path(), &["eta-n", "-e", "0.9"], "svg"));
+    assert!(svg.contains("e = 0.9, n* = 6"), "n* is marked");
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn pictures_that_cannot_be_drawn_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    for (arguments, code, sign) in [
+        (vec!["eta-x", "-o", "PICTURE.gif"], 2, ".svg or .png"),
+        (vec!["eta-x", "--ratio", "10,1", "-o", "PICTURE.svg"], 2, "smaller one first"),
+        (vec!["eta-x", "-n", "0,1,2,3,4,5,6,7", "-o", "PICTURE.svg"], 2, "at most 7 curves"),
+        (vec!["eta-n", "--ratio", "1,2", "-o", "PICTURE.svg"], 2, "one mass ratio"),
+        (vec!["velocities", "-o", "PICTURE.svg"], 2, "scene file"),
+        (vec!["map", "-e", "1", "-o", "PICTURE.svg"], 2, "no place"),
+        (vec!["map", "--scale", "1000", "-o", "PICTURE.png"], 3, "limit reached"),
+        (vec!["map", "--scale", "NaN", "-o", "PICTURE.png"], 3, "limit reached"),
+    ] {
+        let arguments: Vec<String> =
+            arguments.iter().map(|a| if a.starts_with("PICTURE") { path(a) } else { (*a).to_owned() }).collect();
+        let out = carom(&[&["plot"], &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..]].concat());
+        assert_eq!(out.status.code(), Some(code), "{arguments:?}");
+        assert!(text(&out.stderr).contains(sign), "{arguments:?}: {}", text(&out.stderr));
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 0, "nothing is left behind");
+}
+
+#[cfg(feature = "proptest")]
+mod random {
+    use super::*;
+    use carom::property::claims::{Chains, PROPERTIES, Property};
+    use carom::property::strategies::{chain, masses, near_threshold, restitution};
+    use carom::property::{Outcome, check, scene};
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_claims_hold_and_the_seed_decides() {
+        let run = |more: &[&str]| good(&[&["test", "--cases", "60", "--seed", "5"], more].concat());
+        let shown = run(&[]);
+        assert!(shown.starts_with("seed 5, 60 random chains"), "{shown}");
+        assert_eq!(shown.matches("  held ").count(), PROPERTIES.len() - 1, "{shown}");
+        assert!(shown.contains("all as expected") && shown.contains("as expected: the catalogue refutes"), "{shown}");
+        // The same seed, alone or with the others, gives the same counterexample.
+        let alone = run(&["--only", "p-final"]);
+        let part = |t: &str| t.split("  failed ").nth(1).map(|t| t.split("as expected").next().map(str::to_owned));
+        assert_eq!(part(&shown), part(&alone));
+        assert!(good(&["test", "--cases", "1", "--only", "eq16"]).starts_with("seed "));
+        let out = carom(&["test", "--only", "eq17x"]);
+        assert_eq!(out.status.code(), Some(2));
+        assert!(text(&out.stderr).contains("did you mean"), "{}", text(&out.stderr));
+    }
+
+    #[test]
+    fn names_of_properties_are_claims_and_expectations_are_the_catalogues() {
+        let claims = carom::claim::embedded::claims(&[]).expect("it parses").expect("all");
+        for property in PROPERTIES {
+            let claim = claims.iter().find(|c| c.name.text == property.id).expect(property.id);
+            let refuted = claim.expect == carom::claim::syntax::Expectation::Refuted;
+            assert_eq!(property.refuted, refuted, "{}", property.id);
+        }
+    }
+
+    #[test]
+    fn a_counterexample_is_simple_and_eval_reads_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let save = folder.path().display().to_string();
+        good(&["test", "--only", "p-final", "--seed", "3", "--save", &save]);
+        let path: PathBuf = folder.path().join("counterexample-p-final.toml");
+        let saved = std::fs::read_to_string(&path).expect("saved");
+        assert!(saved.contains("# Found by carom test --only p-final --seed 3"), "{saved}");
+        for line in ["first = \"1\"", "inserted = 1", "last = \"1\"", "restitution = \"0\""] {
+            assert!(saved.contains(line), "{saved}");
+        }
+        assert!(good(&["eval", &path.display().to_string()]).contains("meet again"));
+    }
+
+    #[test]
+    fn a_false_property_is_found_out() {
+        fn first_is_lighter(chain: &carom::scene::Chain) -> Result<(), String> {
+            if chain.first().lo() <= chain.last().lo() { Ok(()) } else { Err("the first is heavier".to_owned()) }
+        }
+        let property = Property {
+            id: "false",
+            statement: "the first mass is never greater than the last",
+            chains: Chains::Given,
+            refuted: false,
+            want: &["eta"],
+            test: first_is_lighter,
+        };
+        let Outcome::Failed { chain, reason } = check(&property, 200, 1) else { panic!("it is false") };
+        assert_eq!(reason, "the first is heavier");
+        assert!(chain.first().lo() > chain.last().lo());
+        assert_eq!(check(&property, 200, 1), Outcome::Failed { chain, reason });
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        #[test]
+        fn written_chains_read_back(chain in prop_oneof![chain().boxed(), near_threshold().boxed()]) {
+            let text = scene::write(&chain, &["a remark\nof two lines".to_owned()], &["eta"]);
+            let read = carom::scene::read::scene(&text).expect("it reads");
+            prop_assert_eq!(read.chain, chain, "{}", text);
+        }
+
+        #[test]
+        fn strategies_stay_in_their_ranges(m in masses(), e in restitution()) {
+            prop_assert!((2..=7).contains(&m.len()));
+            prop_assert!(m.iter().all(|m| *m.value() > 0u32));
+            prop_assert!(*e.value() >= 0u32 && *e.value() <= 1u32);
+        }
+    }
+}
