@@ -1,10 +1,12 @@
 //! Exported statements: the committed Coq files are those of the claims, and every one is proved.
 
+use carom::certificate::text::{digest, read};
 use carom::claim::embedded;
 use carom::claim::parse::parse;
 use carom::claim::syntax::{Claim, Expectation};
 use carom::export::coq::{self, BY_HAND, Statement};
 use carom::export::smt2;
+use carom::kernel::{self, Accepted, Verdict};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
@@ -64,6 +66,47 @@ fn no_proof_is_left_open() {
     }
 }
 
+/// The digest of what the kernel reads of a claim.
+fn digest_of(claim: &Claim) -> String {
+    digest(&kernel::statement::Statement::of(claim).expect("a statement").text())
+}
+
+/// The claims whose certificates the kernel accepts; whether they rest on the mean inequality.
+fn accepted() -> BTreeMap<String, bool> {
+    let deep = std::thread::Builder::new().stack_size(256 << 20);
+    let run = || {
+        let texts: BTreeMap<String, &str> = embedded::certificates().into_iter().collect();
+        let mut accepted: BTreeMap<String, Accepted> = BTreeMap::new();
+        let mut waiting: Vec<Claim> = catalogue().into_iter().filter(|c| texts.contains_key(&c.name.text)).collect();
+        while let Some(place) = waiting.iter().position(|c| {
+            c.using.iter().all(|n| accepted.contains_key(&n.text) || !texts.contains_key(&n.text))
+        }) {
+            let claim = waiting.remove(place);
+            let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
+            let certificate = read(texts[&claim.name.text]).expect("a certificate");
+            assert_eq!(certificate.statement, digest_of(&claim), "{}", claim.name.text);
+            if let Verdict::Accepted(shown) = kernel::check(&claim, &certificate, &cited) {
+                accepted.insert(claim.name.text.clone(), *shown);
+            }
+        }
+        accepted.iter().map(|(name, shown)| (name.clone(), shown.rests_on().contains(kernel::analysis::LEMMA))).collect()
+    };
+    deep.spawn(run).expect("a thread").join().expect("the kernel answers")
+}
+
+#[test]
+fn certificates_coq_statements_and_the_table_are_bound_by_digest() {
+    let (statements, table) = (committed("proofs/coq/statements.v"), committed("docs/claims.md"));
+    for claim in catalogue() {
+        let (name, digest) = (&claim.name.text, digest_of(&claim));
+        if coq::statement(&claim).is_ok() {
+            let beside = format!("(* statement sha256 {digest} *)\nDefinition {} :", coq::identifier(name));
+            assert!(statements.contains(&beside), "{name}");
+        }
+        assert!(table.lines().any(|l| l.starts_with(&format!("| {name} |")) && l.contains(&digest[..12])), "{name}");
+    }
+}
+
 /// The table of docs/claims.md; the catalogue's test holds the prover's verdicts to the expected ones.
 fn table() -> String {
     let mut out = String::from(
@@ -71,9 +114,12 @@ fn table() -> String {
          Written by `CAROM_WRITE=1 cargo test --test export`. *prover*: `carom audit`. *Coq*: the file of\n\
          `proofs/coq` with the proof; what it proves stands in full in `proofs/coq/claims.v`. Of a claim that\n\
          is refuted, Coq proves the negation. *SMT*: whether it fits QF_NRA, so that Z3 and cvc5 can be asked\n\
-         (`proofs/smt/compare.py`).\n\n\
-         | claim | what it says | prover | Coq | SMT |\n|---|---|---|---|---|\n",
+         (`proofs/smt/compare.py`). *kernel*: `carom check` accepts the certificate in `proofs/certificates`;\n\
+         *mean*: it rests on the weighted mean inequality. *statement*: the first digits of the SHA-256 of what\n\
+         the kernel reads; the whole stands in the certificate and beside the Coq statement.\n\n\
+         | claim | what it says | prover | kernel | Coq | SMT | statement |\n|---|---|---|---|---|---|---|\n",
     );
+    let accepted = accepted();
     let proved = proved();
     for claim in catalogue() {
         let verdict = match claim.expect {
@@ -87,7 +133,16 @@ fn table() -> String {
             (None, Ok(_)) => "–".to_string(),
         };
         let smt = if smt2::script(&claim).is_ok() { "yes" } else { "–" };
-        out.push_str(&format!("| {} | {} | {verdict} | {coq} | {smt} |\n", claim.name.text, claim.title));
+        let kernel = match accepted.get(&claim.name.text) {
+            Some(true) => "accepted, mean",
+            Some(false) => "accepted",
+            None => "–",
+        };
+        let (name, title, digest) = (&claim.name.text, &claim.title, digest_of(&claim));
+        out.push_str(&format!(
+            "| {name} | {title} | {verdict} | {kernel} | {coq} | {smt} | {} |\n",
+            digest.get(..12).expect("64 digits")
+        ));
     }
     out
 }

@@ -48,6 +48,7 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
         counter: 0,
         tries: 0,
         splits: 0,
+        within_powers: false,
     };
     let goal = certifier.checker.statement().goal.clone();
     certifier.begin(&statement)?;
@@ -146,6 +147,8 @@ pub struct Certifier {
     counter: usize,
     tries: usize,
     splits: usize,
+    /// Whether powers of facts are being tried: not within one another.
+    within_powers: bool,
 }
 
 /// What a failed attempt goes back to.
@@ -265,7 +268,7 @@ impl Certifier {
         for (variable, _) in self.checker.variables.clone() {
             if let Ok(f) = self.checker.scalar(&name(&variable)) {
                 for poly in f.factors.keys() {
-                    self.settle(poly, 1)?;
+                    let _ = self.settle(poly, 1);
                 }
             }
         }
@@ -491,6 +494,15 @@ impl Certifier {
         if self.attempt(|c| c.transitive(goal, a, relation, b)).is_ok() {
             return Ok(());
         }
+        const ORDER: [Relation; 4] = [Relation::Less, Relation::LessEqual, Relation::Greater, Relation::GreaterEqual];
+        if !self.within_powers && ORDER.contains(&relation) {
+            self.within_powers = true;
+            let result = self.attempt(|c| c.by_powers(goal, &ORDER));
+            self.within_powers = false;
+            if result.is_ok() {
+                return Ok(());
+            }
+        }
         if self.splits < 3 {
             self.splits += 1;
             let result = self.attempt(|c| c.by_contradiction(goal)).or_else(|_| self.attempt(|c| c.by_facts(goal)));
@@ -512,6 +524,35 @@ impl Certifier {
                 && !Signs::of_number(number).within(Signs::of(relation))
             {
                 return Some(label);
+            }
+        }
+        self.opposite_signs()
+    }
+
+    /// A false comparison of numbers from an equation whose sides are known to differ, by the signs noted.
+    fn opposite_signs(&mut self) -> Option<String> {
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, fact) in list.into_iter().rev() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Ok((difference, _)) = self.checker.difference(&fact) else { continue };
+            let Ok(signs) = self.checker.signs_of(&difference) else { continue };
+            if !(signs.within(Signs::NOT_ZERO) && signs.within(Signs::ZERO)) {
+                continue;
+            }
+            let apart = compare(a.clone(), Relation::NotEqual, b.clone());
+            let found = self.attempt(|c| {
+                let other = c.take(Rule::Sign, &[], Some(apart))?;
+                let minus = expr(ExprKind::Negate(Box::new(numeral(1))));
+                let terms = vec![
+                    Term { facts: vec![label], factor: numeral(1) },
+                    Term { facts: vec![other], factor: minus },
+                ];
+                c.combination(compare(numeral(0), Relation::NotEqual, numeral(0)), None, terms)
+            });
+            if let Ok(found) = found {
+                return Some(found);
             }
         }
         None
@@ -913,6 +954,15 @@ impl Certifier {
             return self.suppose(&label, &shown);
         }
         let cited = self.checker.cited_statement(source).ok_or_else(|| format!("no certificate of {source}"))?;
+        // A variable without a value keeps its name; an obtained name stands for its value.
+        let mut with = with;
+        for (variable, index) in cited.bindings.iter().flat_map(|b| &b.names) {
+            let value = self.put_expr(&name(&variable.text))?;
+            let given = with.iter().any(|w| w.0.text == variable.text);
+            if index.is_none() && !given && !matches!(&value.kind, ExprKind::Name(n) if *n == variable.text) {
+                with.push((variable.clone(), value));
+            }
+        }
         let mut map = Substitution::default();
         for (variable, value) in &with {
             let family = cited.bindings.iter().any(|b| b.names.iter().any(|n| n.0.text == variable.text && n.1.is_some()));
@@ -994,7 +1044,7 @@ impl Certifier {
             self.show(&compare(e.clone(), Relation::Greater, numeral(0)))?;
             let f = self.checker.scalar(e).map_err(|f| format!("{f:?}"))?;
             for poly in f.factors.keys() {
-                self.settle(poly, 2)?;
+                let _ = self.settle(poly, 2);
             }
         }
         for e in [p, &rest] {
@@ -1004,7 +1054,7 @@ impl Certifier {
             }
         }
         let apart = compare(a.clone(), Relation::NotEqual, b.clone());
-        let strict = self.attempt(|c| c.show(&apart)).is_ok() || self.attempt(|c| c.apart(&apart)).is_ok();
+        let strict = self.attempt(|c| c.comparison(a, Relation::NotEqual, b)).is_ok() || self.attempt(|c| c.by_powers(&apart, &[Relation::NotEqual])).is_ok();
         let power = |x: &Expr, e: &Expr| expr(ExprKind::Power(Box::new(x.clone()), Box::new(e.clone())));
         let times = |x: Expr, y: Expr| expr(ExprKind::Product(vec![(Factor::Times, x), (Factor::Times, y)]));
         let left = times(power(a, &rest), power(b, p));
@@ -1027,32 +1077,38 @@ impl Certifier {
         Err("the mean inequality".to_string())
     }
 
-    /// Two values differ because others do, of which they are made by powers.
-    fn apart(&mut self, goal: &Prop) -> Result<(), Fail> {
+    /// A comparison of values that are powers of others, from a fact that compares those.
+    fn by_powers(&mut self, goal: &Prop, wanted: &[Relation]) -> Result<(), Fail> {
+        let PropKind::Compare(goal_sides, goal_relations) = &goal.kind else { return Err("no comparison".to_string()) };
+        let goal_relation = goal_relations[0];
         let list: Vec<(String, std::rc::Rc<Prop>)> =
             self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
         for (label, fact) in list.iter().rev() {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([x, y], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let ([x, y], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            if !wanted.contains(relation) {
+                continue;
+            }
             let Ok(f) = self.checker.scalar(x) else { continue };
             for exponent in self.exponents_of(&f) {
                 let done = self.attempt(|c| {
-                    c.show(&compare(exponent.clone(), Relation::Greater, numeral(0)))?;
+                    // Not every exponent is positive; that has to be seen at once.
+                    c.comparison(&exponent, Relation::Greater, &numeral(0))?;
                     let power = |e: &Expr| expr(ExprKind::Power(Box::new(e.clone()), Box::new(exponent.clone())));
                     let (a, b) = (power(x), power(y));
                     c.prepare(&[&a, &b])?;
-                    let shown = compare(a, Relation::NotEqual, b);
+                    let shown = compare(a, *relation, b);
                     let with = vec![(Name { text: "exponent".to_string(), span: Span::default() }, exponent.clone())];
                     let new = c.with(Rule::Monotone, std::slice::from_ref(label), Some(shown.clone()), with)?;
                     c.suppose(&new, &shown)?;
-                    c.show(goal)
+                    c.comparison(&goal_sides[0], goal_relation, &goal_sides[1])
                 });
                 if done.is_ok() {
                     return Ok(());
                 }
             }
         }
-        Err("not shown to differ".to_string())
+        Err("no power of a fact helps".to_string())
     }
 
     /// (a+b)^(1−p) (c+d)^p ≥ a^(1−p) c^p + b^(1−p) d^p: the mean of a/(a+b) and c/(c+d), that of b/(a+b)

@@ -32,7 +32,7 @@ impl Certifier {
         if list.is_empty() {
             return Ok(());
         }
-        for _ in 0..8 {
+        for _ in 0..16 {
             let mut pending: Vec<(Expr, Fraction)> = Vec::new();
             for e in &list {
                 let Ok(log) = self.checker.log(e) else { continue };
@@ -83,7 +83,8 @@ impl Certifier {
             rest = parts.get(&0).cloned().unwrap_or_default();
         }
         if rest.terms().next().is_some() {
-            return Err("an exponential of what is not a logarithm".to_string());
+            let exponent = Fraction::of(&rest).times(&Fraction::of(&bottom).power(-1).map_err(say)?);
+            out.push((natural_base(), simplified(&exponent)?));
         }
         Ok(out)
     }
@@ -103,7 +104,10 @@ impl Certifier {
             decomposed.push(parts);
         }
         for (base, exponents) in &wanted {
-            self.generate(base, exponents)?;
+            if self.generate(base, exponents)? {
+                // Powers are written otherwise now, and so are the bases that hold them.
+                return Ok(());
+            }
         }
         for ((e, _), parts) in pending.iter().zip(&decomposed) {
             let mut factors = Vec::new();
@@ -122,38 +126,44 @@ impl Certifier {
         Ok(())
     }
 
-    /// Sees to it that the generators of a base suffice for these exponents.
-    fn generate(&mut self, base: &Poly, exponents: &[Fraction]) -> Result<(), Fail> {
+    /// Sees to it that the generators of a base suffice for these exponents; says whether some were given
+    /// up for finer ones.
+    fn generate(&mut self, base: &Poly, exponents: &[Fraction]) -> Result<bool, Fail> {
         if exponents.iter().all(|e| self.written(base, e).is_ok()) {
-            return Ok(());
+            return Ok(false);
         }
         let is_atom = base.single_atom().is_some();
         let one = Fraction::integer(1);
-        let mut all = vec![];
-        // The base itself counts where it is an atom: it occurs by itself.
-        if base.atoms().next().is_some() {
-            all.push(one.clone());
-        }
+        // The base itself counts: it occurs by itself; the number e does not.
+        let natural = *base == natural_base();
+        let mut all = if natural { Vec::new() } else { vec![one.clone()] };
         all.extend(self.generators.iter().filter(|g| g.base == *base).map(|g| g.exponent.clone()));
         all.extend(exponents.iter().cloned());
         all.dedup();
-        let basis = match choose(&all, is_atom)? {
-            Some(basis) => basis,
-            None => {
+        let number = base.atoms().next().is_none();
+        let basis = match choose(&all, is_atom || natural)? {
+            // A number stays as it is written: it cannot be a power of something else.
+            Some(basis) if natural || !number || basis.contains(&one) => basis,
+            _ => {
                 // Without the base itself, where it is a sum.
                 choose(all.get(1..).unwrap_or_default(), true)?.ok_or("no generators for these exponents")?
             }
         };
-        let base_expr = self.poly_expr(base)?;
+        let base_expr = self.poly_expr(base).map_err(|e| format!("base: {e}"))?;
         let mut fresh = Vec::new();
         for exponent in &basis {
-            if *exponent == one && base.atoms().next().is_some() {
+            if *exponent == one && !natural {
                 continue;
             }
             if self.generators.iter().any(|g| g.base == *base && g.exponent == *exponent) {
                 continue;
             }
-            let power = expr(ExprKind::Power(Box::new(base_expr.clone()), Box::new(self.fraction_expr(exponent)?)));
+            let exponent_expr = self.fraction_expr(exponent)?;
+            let power = if natural {
+                expr(ExprKind::Apply(Name { text: "exp".to_string(), span: Span::default() }, vec![exponent_expr]))
+            } else {
+                expr(ExprKind::Power(Box::new(base_expr.clone()), Box::new(exponent_expr)))
+            };
             self.take(Rule::Power, &[], Some(compare(power.clone(), Relation::Equal, power.clone())))?;
             let value = self.checker.scalar(&power).map_err(say)?;
             let atom = value.factors.keys().next().and_then(Poly::single_atom).ok_or("no atom")?;
@@ -170,13 +180,17 @@ impl Certifier {
             let label = self.take(Rule::Logarithm, &[], Some(prop))?;
             self.take(Rule::Replace, &[label], None)?;
             self.introduced.clear();
+            // What is known of the variable is written down again in what it is now written in.
+            if let Some(Atom::Variable(variable)) = base.single_atom().and_then(|a| self.checker.atom(a)).cloned() {
+                self.note_again(&variable);
+            }
         }
         if !dropped.is_empty() {
             // What was written in generators that are given up is written in the new ones.
             self.introduced.clear();
             for old in &dropped {
                 self.exponentials.retain(|x| !x.1.same(&old.expr));
-                let factors = self.written(base, &old.exponent)?;
+                let factors = self.written(base, &old.exponent).map_err(|e| format!("dropped: {e}"))?;
                 self.take(Rule::Power, &[], Some(compare(old.expr.clone(), Relation::Equal, product_of(&factors))))?;
             }
             for (e, parts) in self.entries.clone() {
@@ -191,7 +205,7 @@ impl Certifier {
                 let _ = self.take(Rule::Power, &[], Some(compare(e, Relation::Equal, product_of(&factors))));
             }
         }
-        Ok(())
+        Ok(!dropped.is_empty() || (is_atom && !basis.contains(&one)))
     }
 
     /// The exponents of the generators of a variable, and the differences of two of them.
@@ -225,7 +239,7 @@ impl Certifier {
         let mut list: Vec<(Fraction, Expr)> =
             self.generators.iter().filter(|g| g.base == *base).map(|g| (g.exponent.clone(), g.expr.clone())).collect();
         let replaced = base.single_atom().is_some_and(|a| self.checker.resolved(a) != Fraction::atom(a));
-        if !replaced {
+        if !replaced && *base != natural_base() {
             list.push((Fraction::integer(1), self.poly_expr(base)?));
         }
         let basis: Vec<Fraction> = list.iter().map(|l| l.0.clone()).collect();
@@ -250,6 +264,11 @@ impl Certifier {
         }
         Err("a power that the generators do not give".to_string())
     }
+}
+
+/// Stands for the base e of exponentials: no polynomial that is positive has no terms.
+fn natural_base() -> Poly {
+    Poly::default()
 }
 
 fn say(failure: crate::kernel::Failure) -> Fail {

@@ -94,7 +94,8 @@ impl Certifier {
             .map(|f| f.0.clone())
             .collect();
         for poly in &open {
-            self.settle(poly, 3)?;
+            // The search may have found finer powers, in which this polynomial is no longer written.
+            let _ = self.settle(poly, 3);
             if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
                 return Ok(());
             }
@@ -378,9 +379,12 @@ impl Certifier {
         let mut label = label.to_string();
         let mut prop = prop.clone();
         if changed {
-            let shown = compare(self.fraction_expr(&whole)?, relation, numeral(0));
+            // Not where finer powers were introduced on the way, in which the factors are no longer written.
+            let shown = self.fraction_expr(&whole).map(|whole| compare(whole, relation, numeral(0)));
             let term = Term { facts: vec![label.clone()], factor: numeral(1) };
-            if let Ok(new) = self.combination(shown.clone(), None, vec![term]) {
+            if let Ok(shown) = shown
+                && let Ok(new) = self.combination(shown.clone(), None, vec![term])
+            {
                 label = new;
                 prop = shown;
             }
@@ -492,9 +496,26 @@ impl Certifier {
         Ok(())
     }
 
+    /// Has the kernel note once more the simple facts that mention a variable.
+    pub fn note_again(&mut self, variable: &str) {
+        let list: Vec<(String, std::rc::Rc<Prop>)> =
+            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        for (label, fact) in list {
+            let mut names = BTreeSet::new();
+            crate::kernel::statement::names_in_prop(&fact, &mut names);
+            if names.contains(variable) && matches!(fact.kind, PropKind::Compare(..)) {
+                let _ = self.take(Rule::Note, &[label], None);
+            }
+        }
+    }
+
     /// Splits members off sums, products and sequences, so that equal ones are written alike.
     pub fn unfold_all(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
-        for _ in 0..40 {
+        self.unfold_within(exprs, 40)
+    }
+
+    fn unfold_within(&mut self, exprs: &[&Expr], depth: usize) -> Result<(), Fail> {
+        for _ in 0..depth {
             let mut atoms = BTreeSet::new();
             for e in exprs {
                 if let Ok(crate::kernel::translate::Value::Scalar(f)) = self.checker.value(e, 300) {
@@ -504,9 +525,11 @@ impl Certifier {
             let mut changed = false;
             for atom in atoms {
                 if let Some((left, right)) = self.unfolding(atom)? {
-                    let prop = compare(left, Relation::Equal, right);
+                    let prop = compare(left, Relation::Equal, right.clone());
                     let done = self.attempt(|c| {
                         let label = c.take(Rule::Unfold, &[], Some(prop))?;
+                        // What is replaced is not looked at again: the right side has to be unfolded first.
+                        c.unfold_within(&[&right], depth - 1)?;
                         c.take(Rule::Replace, &[label], None)
                     });
                     changed |= done.is_ok();

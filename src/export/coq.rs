@@ -17,6 +17,7 @@ use super::values::{Collector, Condition, Guard, Need, integer_exponent};
 use super::{Result, Unsupported, unsupported};
 use crate::claim::syntax::*;
 use crate::number::rational;
+use crate::{certificate, kernel};
 use crate::prove::expand::{self, Substitution};
 use malachite::base::num::basic::traits::One;
 use std::collections::BTreeMap;
@@ -94,6 +95,9 @@ pub struct Statement {
     pub full: String,
     /// That every expression has a value under the hypotheses; `None` if that is plain.
     pub defined: Option<String>,
+    /// SHA-256 of the claim's statement as the kernel of certificates reads it, in hexadecimal digits: one
+    /// digest stands in the certificate, beside the Coq statement and in the table of claims.
+    pub digest: String,
 }
 
 /// A claim's name as an identifier of Coq that is none of the words of statements.
@@ -201,7 +205,10 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         laid_out(&bare)
     });
     let full = if refuted { format!("  ~ (\n{})", laid_out(&full)) } else { laid_out(&full) };
-    Ok(Statement { name: identifier(&claim.name.text), full, defined })
+    let read = kernel::statement::Statement::of(claim)
+        .map_err(|_| Unsupported { reason: "limit reached: size".to_string(), span: claim.name.span })?;
+    let digest = certificate::text::digest(&read.text());
+    Ok(Statement { name: identifier(&claim.name.text), full, defined, digest })
 }
 
 /// Drops every `let` that nothing after it mentions: derivatives and limits have theirs put in place.
@@ -939,8 +946,11 @@ pub fn definitions(statements: &[Statement]) -> String {
         "(** What the claim files state, as propositions to be proved. Written by `carom export coq`:\n    \
          change the claim files, not this one. *)\n\nFrom Carom Require Import vocabulary.\n",
     );
-    for (name, text) in statements.iter().flat_map(Statement::propositions) {
-        out.push_str(&format!("\nDefinition {name} : Prop :=\n{text}.\n"));
+    for statement in statements {
+        out.push_str(&format!("\n(* statement sha256 {} *)", statement.digest));
+        for (name, text) in statement.propositions() {
+            out.push_str(&format!("\nDefinition {name} : Prop :=\n{text}.\n"));
+        }
     }
     out
 }
@@ -959,9 +969,12 @@ pub fn theorems(statements: &[Statement], proved: &BTreeMap<String, String>) -> 
     modules.sort_unstable();
     modules.dedup();
     out.push_str(&format!("From Carom Require Import vocabulary.\nFrom Carom Require {}.\n", modules.join(" ")));
-    for (name, text) in statements.iter().flat_map(Statement::propositions) {
-        if let Some(module) = proved.get(&name) {
-            out.push_str(&format!("\nTheorem {name} :\n{text}.\nProof. exact {module}.{name}. Qed.\n"));
+    for statement in statements.iter().filter(|s| proved.contains_key(&s.name)) {
+        out.push_str(&format!("\n(* statement sha256 {} *)", statement.digest));
+        for (name, text) in statement.propositions() {
+            if let Some(module) = proved.get(&name) {
+                out.push_str(&format!("\nTheorem {name} :\n{text}.\nProof. exact {module}.{name}. Qed.\n"));
+            }
         }
     }
     out

@@ -317,8 +317,17 @@ impl Checker {
     }
 
     /// A variable is free to grow if every hypothesis and supposition about it is a lower bound by a
-    /// numeral.
+    /// numeral, and no family or sequence depends on it: their members then stay as they are.
     fn unbounded(&self, variable: &str) -> Result<(), Failure> {
+        for u in &self.statement.sequences {
+            let mut names = BTreeSet::new();
+            super::statement::names_in(&u.step, &mut names);
+            names.remove(&u.index);
+            super::statement::names_in(&u.initial, &mut names);
+            if names.contains(variable) {
+                return rejected(&format!("the sequence {} depends on {variable}", u.name));
+            }
+        }
         let opened = self.blocks.iter().flat_map(|b| match &b.goal.kind {
             PropKind::ForAll(bindings, _) => bindings.clone(),
             _ => Vec::new(),

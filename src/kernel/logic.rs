@@ -338,6 +338,9 @@ impl Checker {
         let ([(variable, None)], true, None) = (binding.names.as_slice(), binding.natural, &binding.indices) else {
             return rejected("induction is on one natural variable");
         };
+        if self.is_declared(&variable.text) {
+            return rejected(&format!("the name {} is in use", variable.text));
+        }
         let base = match binding.constraints.as_slice() {
             [] => numeral(0),
             [Constraint::Relation(Relation::GreaterEqual, bound)] => {

@@ -190,6 +190,17 @@ impl Checker {
         for binding in &statement.bindings {
             checker.declare(binding)?;
         }
+        // A sequence speaks of what the claim declares, never of a variable that a block introduces later.
+        for u in &statement.sequences {
+            let mut names = BTreeSet::new();
+            statement::names_in(&u.step, &mut names);
+            names.remove(&u.index);
+            statement::names_in(&u.initial, &mut names);
+            let known = |n: &String| checker.is_declared(n) || translate::FUNCTIONS.contains(&n.as_str());
+            if let Some(free) = names.iter().find(|n| !known(n)) {
+                return rejected(&format!("{free} in the sequence {} is not declared", u.name));
+            }
+        }
         let domains = statement.bindings.iter().flat_map(statement::domain);
         for prop in domains.chain(statement.assumptions.iter().cloned()) {
             let label = format!("h{}", checker.facts.len() + 1);

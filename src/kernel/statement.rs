@@ -154,6 +154,9 @@ pub struct Substitution {
     map: HashMap<String, Replacement>,
     /// Names that occur in replacements: no bound name may be one of them.
     mentioned: BTreeSet<String>,
+    /// Names that occur in values put in for variables. What is put in under `derivative` or `limit` must
+    /// not bring in the variable that moves there; a definition may, for it is only written out.
+    put_in: BTreeSet<String>,
 }
 
 /// Room left: for depth, and for nodes.
@@ -180,6 +183,7 @@ impl Substitution {
     /// Replaces a name by a value.
     pub fn replace(&mut self, name: &str, value: &Expr) {
         names_in(value, &mut self.mentioned);
+        names_in(value, &mut self.put_in);
         self.map.insert(name.to_string(), Replacement::Value(value.clone()));
     }
 
@@ -206,6 +210,15 @@ impl Substitution {
             }
         }
         Ok(inner)
+    }
+
+    /// Refuses a value for a variable that moves in a derivative or limit, and values that mention it:
+    /// `for all y: derivative(x*y, x) = y` says nothing of y = x.
+    fn moves(&self, variable: &str) -> Result<(), Failure> {
+        if self.map.contains_key(variable) || self.put_in.contains(variable) {
+            return rejected(&format!("a value is put in that takes the place of {variable} or mentions it, which moves"));
+        }
+        Ok(())
     }
 
     /// The expression with the names replaced.
@@ -273,8 +286,8 @@ impl Substitution {
                 ProductOver(index, body)
             }
             Derivative(body, by) => {
-                if let Some(name) = by.iter().find(|n| self.map.contains_key(&n.text)) {
-                    return rejected(&format!("a value is put for {}, by which is differentiated", name.text));
+                for name in by {
+                    self.moves(&name.text)?;
                 }
                 Derivative(Box::new(self.expr_in(body, room)?), by.clone())
             }
@@ -353,9 +366,7 @@ impl Substitution {
                 }))
             }
             PropKind::Limit(l) => {
-                if self.map.contains_key(&l.variable.text) {
-                    return rejected(&format!("a value is put for {}, which grows", l.variable.text));
-                }
+                self.moves(&l.variable.text)?;
                 PropKind::Limit(Box::new(crate::claim::syntax::Limit {
                     of: self.expr_in(&l.of, room)?,
                     variable: l.variable.clone(),

@@ -31,6 +31,9 @@ pub enum Atom {
     Exponential(Fraction),
 }
 
+/// The functions that the kernel knows.
+pub const FUNCTIONS: [&str; 10] = ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cosh", "sinh", "sech", "tanh"];
+
 /// A number, or a matrix of them.
 pub enum Value {
     /// A number.
