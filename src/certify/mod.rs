@@ -65,9 +65,31 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
 }
 
 /// The certificate without steps that are not needed, its labels in order.
+///
+/// Steps are tried from the last to the first, so what stands before a step is still as it was found: the
+/// kernel's state there is kept (of a few hundred places), and only what follows is checked again.
 fn pruned(claim: &Claim, certificate: Certificate, cited: &[&Accepted]) -> Certificate {
-    let accepted = |c: &Certificate| matches!(crate::kernel::check(claim, c, cited), crate::kernel::Verdict::Accepted(_));
+    const STATES: usize = 300;
     let mut best = certificate;
+    let Ok(mut checker) = Checker::new(claim, cited) else { return best };
+    let stride = best.steps.len() / STATES + 1;
+    let mut states = Vec::new();
+    for (place, step) in best.steps.iter().enumerate() {
+        if place % stride == 0 {
+            states.push(checker.clone());
+        }
+        checker.work = Work::default();
+        if checker.step(step).is_err() {
+            return best;
+        }
+    }
+    let accepted = |c: &Certificate, at: usize| {
+        let Some(mut checker) = states.get(at / stride).cloned() else { return false };
+        c.steps.iter().skip(at / stride * stride).all(|step| {
+            checker.work = Work::default();
+            checker.step(step).is_ok()
+        }) && checker.finish().is_ok()
+    };
     let mut at = best.steps.len();
     while at > 0 {
         at -= 1;
@@ -91,7 +113,7 @@ fn pruned(claim: &Claim, certificate: Certificate, cited: &[&Accepted]) -> Certi
         }
         let mut shorter = best.clone();
         shorter.steps.drain(at..end);
-        if accepted(&shorter) {
+        if accepted(&shorter, at) {
             best = shorter;
         }
     }
@@ -260,8 +282,9 @@ impl Certifier {
         exprs_in(&own.goal, &mut exprs);
         exprs_in_proof(&statement.proof, &mut exprs);
         self.prepare(&exprs.iter().collect::<Vec<_>>())?;
-        let list: Vec<(String, Prop)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), (*f.prop).clone())).collect();
+        // The domains and hypotheses, not the powers that were introduced beside them.
+        let given = self.checker.facts.iter().filter(|f| f.label.starts_with('h'));
+        let list: Vec<(String, Prop)> = given.map(|f| (f.label.clone(), (*f.prop).clone())).collect();
         for (label, prop) in &list {
             self.suppose(label, prop)?;
         }
