@@ -170,6 +170,20 @@ impl Interval {
         Interval::from_dyadic(mid, exponent)
     }
 
+    /// All reals between two positive doubles, `lo <= hi`; exactly them where they agree to about 20 bits.
+    #[must_use]
+    pub fn between_f64(lo: f64, hi: f64) -> Interval {
+        let (least, most) = (Interval::from_f64(lo), Interval::from_f64(hi));
+        let exponent = least.exponent.min(most.exponent).saturating_sub(1);
+        let places = |x: &Interval| x.exponent.saturating_sub(exponent).saturating_sub(1).unsigned_abs();
+        if least.is_whole() || most.is_whole() || places(&least).max(places(&most)) > 4_096 {
+            return Interval::whole();
+        }
+        let (a, b) = (least.mid << places(&least), most.mid << places(&most));
+        let radius = Bound::of(&(&b - &a));
+        Interval::rounded(a + b, radius, exponent, u64::MAX)
+    }
+
     /// A rational to `bits` bits; exact where it is dyadic and short enough.
     #[must_use]
     pub fn from_rational(x: &Rational, bits: u64) -> Interval {
