@@ -255,7 +255,7 @@ pub fn grid(restitutions: &Factors, ratios: &Factors, lower: &mut [f64], upper: 
 /// Encloses the product of two numbers from 0 to 1 that are given by their ends.
 #[must_use]
 #[inline]
-pub fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+pub fn times(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     (step_down(a.0 * b.0), step_up(a.1 * b.1))
 }
 

@@ -25,6 +25,9 @@ use std::str::FromStr;
 /// The most digits of one decimal.
 pub const MAX_DIGITS: u64 = 10_000_000;
 
+/// Rationals of more bits than this are rounded from their leading digits, where those settle it.
+const LONG_BITS: u64 = 8_192;
+
 /// Leading places from here to [`PLAIN_TO`] are written without an exponent.
 const PLAIN_FROM: i64 = -6;
 const PLAIN_TO: i64 = 20;
@@ -145,6 +148,16 @@ impl Decimal {
         check(digits)?;
         if *x == Rational::ZERO {
             return Ok(Decimal::zero(digits));
+        }
+        let size = x.numerator_ref().significant_bits().max(x.denominator_ref().significant_bits());
+        let bits = bits_of_digits(digits.count()) + 64;
+        if size > bits.saturating_mul(8).saturating_add(LONG_BITS) {
+            // Far longer than the decimal: its leading digits settle all but what is next to a tie.
+            let near = Interval::from_rational(x, bits);
+            let found = if near.is_point() { None } else { Decimal::of_interval(&near, digits, rounding) };
+            if let Some(found) = found {
+                return Ok(found);
+            }
         }
         let numerator = Integer::from_sign_and_abs_ref(*x > Rational::ZERO, x.numerator_ref());
         let denominator = Integer::from(x.denominator_ref());

@@ -25,7 +25,8 @@ fn all<'a>(scene: &Scene, answers: &'a Answers<'_>) -> Result<Found<'a>, (Quanti
 
 /// A warning where velocities are asked for that are not final.
 fn warning(answers: &Answers<'_>, scene: &Scene) -> Option<String> {
-    if !scene.want.contains(&Quantity::Velocities) {
+    let of_pass = [Quantity::Velocities, Quantity::LastVelocity];
+    if !scene.want.iter().any(|q| of_pass.contains(q)) {
         return None;
     }
     match answers.get(Quantity::Recollides) {

@@ -13,13 +13,14 @@ use crate::chain::uncertain::meeting::{self, Meeting};
 use crate::chain::uncertain::optimum::Measured;
 use crate::chain::uncertain::{self, Range, Reals, cells};
 use crate::chain::{
-    ChainError, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted, recollision,
-    transfer,
+    ChainError, MAX_EXACT_BITS, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted,
+    recollision, transfer,
 };
 use crate::number::decimal::{Decimal, Rounding, bits_of_digits};
 use crate::number::real::{Level, Real};
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::logic::traits::SignificantBits;
 use std::cell::OnceCell;
 
 /// A number that is ready to be printed.
@@ -63,6 +64,11 @@ pub enum Prepared {
     Given(Pass),
     /// Measured masses or coefficients.
     Measured,
+}
+
+/// Whether an exact number is written down beside its decimal.
+fn is_short(x: &Rational) -> bool {
+    x.numerator_ref().significant_bits() + x.denominator_ref().significant_bits() <= MAX_EXACT_BITS
 }
 
 /// Refuses to list the velocities of too many bodies.
@@ -140,6 +146,7 @@ impl<'a> Answers<'a> {
             Quantity::Helps => self.helps(),
             Quantity::Masses => self.masses(),
             Quantity::Velocities => self.velocities(),
+            Quantity::LastVelocity => self.last_velocity(),
             Quantity::BestN => self.best(),
             Quantity::Matrix => self.matrices(),
             Quantity::Losses => self.losses(),
@@ -227,7 +234,7 @@ impl<'a> Answers<'a> {
     fn number(&self, x: &Real) -> Result<(Number, Level), ChainError> {
         let (found, level) = Decimal::with_enclosure(x, self.scene.digits, self.scene.rounding)?;
         let number = Number {
-            exact: x.as_rational().cloned(),
+            exact: x.as_rational().filter(|x| is_short(x)).cloned(),
             radical: x.radical().map(str::to_owned),
             enclosure: (found.lower.to_string(), found.upper.to_string()),
             decimal: Some(found.decimal.to_string()),
@@ -393,6 +400,29 @@ impl<'a> Answers<'a> {
         }
     }
 
+    /// The velocity of the last body alone: from rest a product, found without those of the others.
+    fn last_velocity(&self) -> Result<(Value, Level), ChainError> {
+        let (number, level) = match self.prepared()? {
+            Prepared::Optimal(optimum) => self.number(&optimum.arrival(optimum.collisions(), &self.speed()?))?,
+            Prepared::Given(pass) => match pass.last_velocity() {
+                Ok(velocity) => self.number(&Real::rational(velocity))?,
+                Err(_) => match pass.velocities_after()?.pop() {
+                    Some(velocity) => self.number(&Real::rational(velocity))?,
+                    None => return Err(ChainError::NotAtRest),
+                },
+            },
+            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+                (Inserted::Optimal(n), _) => self.between(&self.measured(*n)?.velocity(*n + 1)?)?,
+                (Inserted::Given(_), None) => self.between(&self.given()?.last_velocity()?)?,
+                (Inserted::Given(_), Some(before)) => match self.follow(before)?.velocities.pop() {
+                    Some(range) => self.between(&range)?,
+                    None => return Err(ChainError::NotAtRest),
+                },
+            },
+        };
+        Ok((Value::Number(number), level))
+    }
+
     /// The pass over the box of measured inputs, others than the first body moving before.
     fn follow(&self, before: &[Rational]) -> Result<cells::Moving, ChainError> {
         cells::follow(&self.chain().masses().unwrap_or_default(), self.chain().coefficients(), before)
@@ -491,10 +521,7 @@ impl<'a> Answers<'a> {
                 let (again, level) = recollision::of_optimum(optimum)?;
                 Ok((Value::Recollides(Meeting::of(again)), level))
             }
-            Prepared::Given(pass) => {
-                let again = recollision::of_velocities(&pass.velocities_after()?);
-                Ok((Value::Recollides(Meeting::of(again)), Level::Exact))
-            }
+            Prepared::Given(pass) => Ok((Value::Recollides(Meeting::of(pass.recollides()?)), Level::Exact)),
             Prepared::Measured => match (chain.inserted(), self.moving_all()) {
                 (Inserted::Optimal(n), _) => {
                     self.moving()?;

@@ -2,7 +2,7 @@
 //!
 //! **Why.** With `N = n + 1` and `t = r^(1/N)`, (25) is `((1+e)²/4)^N · (4t/(1+t)²)^N`. A table of `|r|·|e|·|n|` cells
 //! needs `|e|·|n| + |r|·|n|` powers and one certified product a cell. Both factors are double-doubles with rigorous bounds
-//! from 0 to 1. A cell first takes the product of their ends as doubles ([`fast::product`]) and its decimal in machine
+//! from 0 to 1. A cell first takes the product of their ends as doubles ([`fast::times`]) and its decimal in machine
 //! words ([`Decimal::of_doubles`]); where that does not settle the digits asked for, the product in double-double; where
 //! that does not, and where the value is rational, the cell is computed by itself.
 //!
@@ -88,7 +88,7 @@ impl<'a> Factors<'a> {
         let (of_e, of_ratio) = self.factors(row)?;
         let Printing { digits, rounding, .. } = self.plan.printing;
         if self.doubles {
-            let product = fast::product(of_e.ends()?, of_ratio.ends()?);
+            let product = fast::times(of_e.ends()?, of_ratio.ends()?);
             if let Some(decimal) = Decimal::of_doubles(product.0, product.1, digits, rounding) {
                 return Some(Found::Quick(decimal, product));
             }

@@ -108,12 +108,20 @@ impl Given {
             let greatest = self.greatest_kept(k, mass, front, (e.lo().value(), e.hi().value()))?;
             list.push(reals(least * &self.speed, greatest * &self.speed));
         }
+        list.push(self.last_velocity()?);
+        Ok(list)
+    }
+
+    /// Bounds of the velocity of the last body after the pass.
+    ///
+    /// # Errors
+    /// A limit of [`super::peak`].
+    pub fn last_velocity(&self) -> Result<Reals, ChainError> {
         let last = self.masses.len().saturating_sub(1);
         let least = self.least.last().map_or(Rational::ZERO, |[low, high]| low.min(high).clone());
         let least = least * self.gain(last, Side::Below) * &self.speed;
         let greatest = self.arrival(last)? * self.gain(last, Side::Above) * &self.speed;
-        list.push(reals(least, greatest));
-        Ok(list)
+        Ok(reals(least, greatest))
     }
 
     /// The greatest `P_k`.

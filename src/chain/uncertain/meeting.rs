@@ -119,8 +119,10 @@ pub fn of_optimal(
     Ok((Meeting::Unsettled, level))
 }
 
-/// Whether two bodies meet again: masses `a`, `m` and that of the body in front of both, `b`.
-fn meet(a: &Rational, m: &Rational, b: &Rational, e: &Rational, f: &Rational) -> bool {
+/// Whether two bodies meet again, the others at rest before: masses `a`, `m` and that of the body in front of both, `b`; `e` the
+/// coefficient of their collision and `f` that of the next one.
+#[must_use]
+pub fn meet(a: &Rational, m: &Rational, b: &Rational, e: &Rational, f: &Rational) -> bool {
     e * (a + m) * (b + m) < (e + Rational::ONE) * (f + Rational::ONE) * a * b
 }
 
