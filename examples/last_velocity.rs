@@ -52,7 +52,8 @@ fn main() {
     for bodies in arguments {
         let pass = chain(bodies.parse().unwrap());
         let started = Instant::now();
-        let velocity = if all { pass.velocities_after().unwrap().pop().unwrap() } else { pass.last_velocity().unwrap() };
+        let velocity =
+            if all { pass.velocities_after().unwrap().pop().unwrap() } else { pass.last_velocity().unwrap() };
         let spent = started.elapsed().as_secs_f64();
         let (above, below) = (velocity.numerator_ref(), velocity.denominator_ref());
         let (p, q) = (above % &modulus, below % &modulus);

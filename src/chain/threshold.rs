@@ -8,6 +8,7 @@ use super::{MAX_INSERTED, Positive, Restitution, limit_inserted};
 use crate::number::NumberError;
 use crate::number::double::Double;
 use crate::number::interval::Interval;
+use crate::number::parallel::both;
 use crate::number::rational::exact_root;
 use crate::number::real::{FIRST_BITS, Level, MAX_BITS, Real};
 use crate::number::root::{guess_ln, root};
@@ -99,7 +100,8 @@ fn plus_one(r: &Rational, n: &Natural, bits: u64) -> Interval {
     let work = bits + next.significant_bits() + 12;
     let one = Interval::from_integer(1);
     let half_sum = |k: &Natural| root(r, k, work).add(&one, work).shifted(-1).power(k, work);
-    half_sum(&next).divide(&half_sum(n), work).shifted(1)
+    let (above, below) = both(work, || half_sum(&next), || half_sum(n));
+    above.divide(&below, work).shifted(1)
 }
 
 /// `1 − L_n`, small for large `n`, with about `bits` bits.

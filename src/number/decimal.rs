@@ -28,6 +28,13 @@ pub const MAX_DIGITS: u64 = 10_000_000;
 /// Rationals of more bits than this are rounded from their leading digits, where those settle it.
 const LONG_BITS: u64 = 8_192;
 
+/// From so many digits on, digits are made by [`super::digits`] (bench `numbers`, group `digits`).
+const LONG_DIGITS: u64 = 2_000;
+
+/// Digits beyond those asked for that tell how to round, and the unit of the last digit asked for in theirs.
+const FURTHER: u64 = 9;
+const FURTHER_UNIT: u64 = 1_000_000_000;
+
 /// Leading places from here to [`PLAIN_TO`] are written without an exponent.
 const PLAIN_FROM: i64 = -6;
 const PLAIN_TO: i64 = 20;
@@ -137,7 +144,7 @@ pub struct Enclosed {
 }
 
 /// Digits of an enclosure beyond those of the decimal.
-const ENCLOSURE_DIGITS: u64 = 3;
+const ENCLOSURE_DIGITS: u8 = 3;
 
 impl Decimal {
     /// A rational, correctly rounded.
@@ -187,6 +194,11 @@ impl Decimal {
         };
         if let Some(exact) = x.point() {
             return Decimal::of_rational(&exact, digits, rounding).ok();
+        }
+        if sign != Ordering::Equal
+            && let Some(found) = of_long(x, sign, digits, rounding)
+        {
+            return Some(found);
         }
         let scaled = |places: i64| {
             let (lo, hi, exponent) = times_power_of_ten(x, places, digits)?;
@@ -294,7 +306,7 @@ impl Decimal {
     /// As [`Decimal::of_real`].
     pub fn with_enclosure(x: &Real, digits: Digits, rounding: Rounding) -> Result<(Enclosed, Level), NumberError> {
         check(digits)?;
-        let more = digits.plus(ENCLOSURE_DIGITS);
+        let more = digits.plus(ENCLOSURE_DIGITS.into());
         if let Some(exact) = x.as_rational() {
             let round = |digits, rounding| Decimal::of_rational(exact, digits, rounding);
             let decimal = round(digits, rounding)?;
@@ -307,7 +319,7 @@ impl Decimal {
         }
         // The value lies strictly between this decimal and the next one away from zero: it is neither.
         let long = short.away();
-        let cut = short.digits.len().saturating_sub(ENCLOSURE_DIGITS as usize);
+        let cut = short.digits.len().saturating_sub(usize::from(ENCLOSURE_DIGITS));
         let (kept, rest) = short.digits.split_at(cut);
         let up = match rounding {
             Rounding::Nearest => rest.as_bytes().first().is_some_and(|first| *first >= b'5') && rest.len() == 3,
@@ -317,11 +329,11 @@ impl Decimal {
             Rounding::Down => short.negative,
         };
         let kept = if kept.is_empty() { "0" } else { kept };
-        let exponent = short.exponent + ENCLOSURE_DIGITS as i64;
+        let exponent = short.exponent + i64::from(ENCLOSURE_DIGITS);
         let towards = Decimal { digits: kept.to_owned(), exponent, ..short.clone() };
         let mut decimal = if up { towards.away() } else { towards };
         if let Digits::Significant(count) = digits
-            && decimal.digits.len() as u64 > count
+            && u64::try_from(decimal.digits.len()).is_ok_and(|length| length > count)
         {
             decimal.digits.pop();
             decimal.exponent += 1;
@@ -426,8 +438,69 @@ fn leading_place(x: &Interval) -> i64 {
     // log10(2)·10^18 = 301029995663981195.2…
     let whole = i128::from(top) * 301_029_995_663_981_195;
     let unit = 1_000_000_000_000_000_000_i128;
+    // The cast saturates; the result is an estimate that is corrected where it is used.
     let part = if part.is_finite() { (part * 1e18) as i128 } else { 0 };
     i64::try_from((whole + part).div_euclid(unit)).unwrap_or(0)
+}
+
+/// The common rounding of all elements of an enclosure to many digits; `None` where the general way must tell.
+///
+/// `y = |x|·10^-(leading + 1)`, from 0.1 to 1, is written down to [`FURTHER`] digits more than asked for, cut off; those tell
+/// whether the width of the enclosure, in their last place, reaches across a point where rounding jumps.
+fn of_long(x: &Interval, sign: Ordering, digits: Digits, rounding: Rounding) -> Option<Decimal> {
+    let leading = leading_place(x);
+    let wanted = match digits {
+        Digits::Significant(count) => i64::try_from(count).ok()?,
+        Digits::Places(places) => i64::try_from(places).ok()?.checked_add(leading)?.checked_add(1)?,
+    };
+    let count = u64::try_from(wanted).ok().filter(|count| *count >= LONG_DIGITS)?;
+    let shift = -leading.checked_add(1)?;
+    let scaled = if shift == 0 {
+        let ((lo, exponent), (hi, _)) = (x.lower()?, x.upper()?);
+        (lo, hi, exponent)
+    } else {
+        times_power_of_ten(x, shift, digits)?
+    };
+    let (lo, hi, exponent) = scaled;
+    let (near, far) = if sign == Ordering::Less {
+        (hi.unsigned_abs(), lo.unsigned_abs())
+    } else {
+        (lo.unsigned_abs(), hi.unsigned_abs())
+    };
+    let bits = u64::try_from(exponent.checked_neg()?).ok()?;
+    if far.significant_bits() > bits || far <= near {
+        return None;
+    }
+    let all = count + FURTHER;
+    // The width in units of the last digit: (far − near)·10^all/2^bits, at most 2^(its bits + log2(10)·all − bits).
+    let gap = (far - &near).significant_bits() + bits_of_digits(all);
+    let units =
+        1_u64.checked_shl(u32::try_from(gap.saturating_sub(bits)).ok()?).filter(|units| *units < FURTHER_UNIT / 4)?;
+    let text = super::digits::of_fraction(&near, bits, all)?;
+    let (kept, rest) = text.split_at_checked(usize::try_from(count).ok()?)?;
+    let rest: u64 = rest.parse().ok()?;
+    // The value lies between `rest` and `rest + units + 1` units, or at one of them.
+    let (least, most) = (rest, rest + units + 1);
+    let half = FURTHER_UNIT / 2;
+    let away = match rounding {
+        Rounding::Nearest => (least > half).then_some(true).or((most < half).then_some(false))?,
+        Rounding::Up => sign == Ordering::Greater,
+        Rounding::Down => sign == Ordering::Less,
+        Rounding::Away => true,
+        Rounding::Zero => false,
+    };
+    if least == 0 || most >= FURTHER_UNIT || kept.starts_with('0') {
+        return None;
+    }
+    let plain = matches!(digits, Digits::Places(_));
+    let negative = sign == Ordering::Less;
+    let cut = Decimal { negative, digits: kept.to_owned(), exponent: leading + 1 - wanted, plain };
+    let mut found = if away { cut.away() } else { cut };
+    if !plain && found.digits.len() > kept.len() {
+        found.digits.pop();
+        found.exponent += 1;
+    }
+    Some(found)
 }
 
 /// The ends of `x·10^places` in units of a common power of two.

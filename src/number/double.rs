@@ -293,7 +293,7 @@ impl Double {
         if k == 0 {
             return part;
         }
-        // Below 2^53 and so exact, as no rational has more bits.
+        // The cast is exact: below 2^53, as no rational has more bits.
         part.plus(Self::LN_2.multiply(Self::exact(k as f64)))
     }
 

@@ -27,7 +27,7 @@ pub const MAX_EXPONENT: i64 = 1 << 61;
 const MAX_WRITTEN: u64 = 1 << 20;
 
 /// The most bits of a radius.
-const RADIUS_BITS: u64 = 32;
+const RADIUS_BITS: u32 = 32;
 
 /// Denominators longer than the precision by so much are cut to it.
 const LONG_BITS: u64 = 1_024;
@@ -63,7 +63,7 @@ impl Bound {
 
     /// At least `|x|`, with 32 bits.
     fn of(x: &Integer) -> Bound {
-        let shift = x.significant_bits().saturating_sub(RADIUS_BITS);
+        let shift = x.significant_bits().saturating_sub(RADIUS_BITS.into());
         let top = x.unsigned_abs_ref() >> shift;
         let top = u64::saturating_from(&top);
         Bound { size: top + u64::from(shift > 0), shift }
@@ -210,7 +210,7 @@ impl Interval {
             return self.clone();
         }
         // A reach far below the unit asks for a finer one, up to a point.
-        let finest = by.top().saturating_sub(RADIUS_BITS as i64).max(self.exponent.saturating_sub(MAX_REFINEMENT));
+        let finest = by.top().saturating_sub(i64::from(RADIUS_BITS)).max(self.exponent.saturating_sub(MAX_REFINEMENT));
         let unit = self.exponent.min(finest);
         let (mid, own) = self.in_units(unit);
         let gap = by.exponent.abs_diff(unit);
@@ -231,7 +231,7 @@ impl Interval {
     /// `mid ± bound` in units of `2^exponent`, cut down to `bits` bits and a short radius.
     fn rounded(mut mid: Integer, bound: Bound, exponent: i64, bits: u64) -> Interval {
         let for_middle = mid.significant_bits().saturating_sub(bits.max(2));
-        let for_radius = bound.bits().saturating_sub(RADIUS_BITS - 2);
+        let for_radius = bound.bits().saturating_sub((RADIUS_BITS - 2).into());
         let shift = for_middle.max(for_radius);
         if shift == 0 {
             return Interval::checked(mid, bound.units(), exponent);

@@ -4,6 +4,7 @@
 //! [`quantity`] holds the table of what needs what. [`replay`] reads the scenes of `carom replay`.
 
 pub mod answer;
+mod keys;
 pub mod quantity;
 pub mod read;
 pub mod replay;
