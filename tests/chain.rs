@@ -243,6 +243,55 @@ proptest! {
     }
 }
 
+/// The series in double-double and the intervals agree on the sign of e − L_n, next to the threshold, and the logarithm
+/// that it rests on is enclosed.
+#[test]
+fn large_numbers_of_bodies_are_settled_in_doubles() {
+    for (r, e) in
+        [("10", "0.9999999999999999"), ("1/7", "0.99999999999"), ("1.0000001", "0.9999999999999999999999999999")]
+    {
+        let (r, e) = (mass(r), self::e(e));
+        let Best::Finite { count, tie: false } = best(&r, &e).unwrap().0 else { panic!("{r:?}") };
+        for (n, wanted) in [(count.clone(), Ordering::Greater), (&count + Natural::ONE, Ordering::Less)] {
+            let (order, level) = compare(&e, &r, &n).unwrap();
+            assert_eq!((order, level), (wanted, carom::number::real::Level::Double), "{n}");
+            // By intervals: 1 − L_n against 1 − e.
+            let l = threshold(&r, u64::try_from(&n).unwrap()).unwrap().enclosure(300);
+            let gap = carom::number::interval::Interval::from_rational(e.value(), 300).subtract(&l, 300);
+            assert_eq!(gap.sign(), Some(wanted), "{n}");
+        }
+    }
+    for x in ["2", "10", "1e300", "1e-300", "4/3", "2/3", "1.0000000000000000000000001", "0.99999", "7/5"] {
+        let (lo, hi) = carom::number::elementary::ln(&q(x), &q(x)).unwrap();
+        let found = carom::number::double::Double::ln(&q(x)).to_interval().unwrap();
+        assert!(found.accuracy() > 88, "{x}");
+        let ends = found.ends().unwrap();
+        assert!(ends.0.point().unwrap() <= lo && hi <= ends.1.point().unwrap(), "{x}");
+    }
+}
+
+/// With the last step merged, eta at many bits is the one by the plain formula.
+#[test]
+fn eta_at_many_bits_agrees_with_the_plain_formula() {
+    for (r, c, n) in
+        [("10", "9/10", 7), ("1/3", "1", 1), ("1e-40", "1/7", 4), ("1e200", "0.999", 30), ("1.0000001", "4/5", 100)]
+    {
+        let eta = transfer::optimal(&mass(r), &Restitutions::Same(e(c)), n).unwrap();
+        for bits in [5_000_u64, 12_345, 120_000] {
+            let found = eta.enclosure(bits);
+            assert!(found.accuracy() + 40 >= bits, "{r} {bits} {}", found.accuracy());
+            let work = bits + 100;
+            let t = carom::number::root::root(&q(r), &Natural::from(n + 1), work);
+            let sum = t.add(&carom::number::interval::Interval::from_integer(1), work);
+            let gain = e(c).plus_one().square();
+            let base = t.multiply_rational(&gain, work).divide(&sum.square(work), work);
+            let plain = base.power(&Natural::from(n + 1), work);
+            let gap = found.subtract(&plain, work);
+            assert!(gap.contains(&Rational::ZERO), "{r} {bits}");
+        }
+    }
+}
+
 #[test]
 fn known_values() {
     // python-flint: arb, 50 digits.

@@ -288,6 +288,31 @@ fn check_rounding(
     Ok(())
 }
 
+/// Long decimals, made by halves, are those of exact division, in all directions and beside points where rounding jumps.
+#[test]
+fn long_decimals_are_those_of_exact_rationals() {
+    let seventh = Rational::from_unsigneds(1u32, 7u32);
+    let ten = |k: i64| Rational::from(10).pow(k);
+    let values = [
+        seventh.clone(),
+        -&seventh * ten(-5),
+        &seventh * ten(40),
+        Rational::from_unsigneds(1u32, 3u32) - ten(-2_100),
+        Rational::from_unsigneds(1u32, 2u32) + ten(-2_500) * &seventh,
+        Rational::ONE - ten(-2_300) * &seventh,
+        ten(-30) + ten(-2_032) * &seventh,
+    ];
+    for x in values {
+        for digits in [Digits::Significant(2_000), Digits::Significant(3_001), Digits::Places(2_500)] {
+            for rounding in Rounding::ALL {
+                let near = Interval::from_rational(&x, 12_000);
+                let exact = Decimal::of_rational(&x, digits, rounding).unwrap();
+                assert_eq!(Decimal::of_interval(&near, digits, rounding), Some(exact), "{digits:?} {rounding:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn ties_are_recognised_exactly() {
     let round = |text: &str, rounding| {

@@ -62,6 +62,13 @@ impl Meeting {
 /// How often all lower bounds are raised in the search for masses with which no bodies meet.
 pub const ROUNDS: usize = 200;
 
+/// An end of the range of a coefficient.
+type End = fn(&Range<Restitution>) -> &Restitution;
+
+/// The ends of the coefficients with even and with odd numbers at which bodies are tried that do not meet.
+const PATTERNS: [[End; 2]; 4] =
+    [[Range::hi, Range::hi], [Range::lo, Range::lo], [Range::hi, Range::lo], [Range::lo, Range::hi]];
+
 /// Bits of the lower bounds.
 const BITS: u64 = 96;
 
@@ -110,8 +117,8 @@ pub fn of_optimal(
     if certain {
         return Ok((Meeting::Always, level));
     }
-    for end in [Range::<Restitution>::hi, Range::<Restitution>::lo] {
-        let each = Restitutions::Each(list.iter().map(|e| end(e).clone()).collect());
+    for ends in PATTERNS {
+        let each = Restitutions::Each(list.iter().enumerate().map(|(k, e)| ends[k % 2](e).clone()).collect());
         if !of_optimum(&chain(&far, each.for_inserted(n)?)?)?.0 {
             return Ok((Meeting::Depends, level));
         }
@@ -130,7 +137,7 @@ pub fn meet(a: &Rational, m: &Rational, b: &Rational, e: &Rational, f: &Rational
 #[must_use]
 pub fn of_given(masses: &[Range<Positive>], coefficients: &Coefficients) -> Meeting {
     let shared = coefficients.shared().is_some();
-    let at = |k: usize, end: fn(&Range<Restitution>) -> &Restitution| coefficients.at(k).map(|e| end(e).value());
+    let at = |k: usize, end: End| coefficients.at(k).map(|e| end(e).value());
     let triples = || masses.windows(3).zip(1_usize..);
     let possible = triples().any(|(masses, k)| {
         let ([a, m, b], Some(e)) = (masses, at(k - 1, Range::lo)) else { return false };
@@ -167,21 +174,23 @@ pub fn of_given(masses: &[Range<Positive>], coefficients: &Coefficients) -> Meet
             break;
         }
     }
-    let apart = |ends: fn(&Range<Restitution>) -> &Restitution| {
-        let slack = Rational::ONE + Rational::power_of_2(-16_i64);
-        let point: Vec<Rational> =
-            lows.iter()
-                .zip(masses)
-                .map(|(low, range)| {
-                    if low == range.lo().value() { low.clone() } else { (low * &slack).min(range.hi().value().clone()) }
-                })
-                .collect();
-        point.windows(3).zip(1_usize..).all(|(masses, k)| match (masses, at(k - 1, ends), at(k, ends)) {
-            ([a, m, b], Some(e), Some(f)) => !meet(a, m, b, e, f),
-            _ => true,
+    let slack = Rational::ONE + Rational::power_of_2(-16_i64);
+    let raised = |low: &Rational, range: &Range<Positive>| {
+        if low == range.lo().value() { low.clone() } else { (low * &slack).min(range.hi().value().clone()) }
+    };
+    let point: Vec<Rational> = lows.iter().zip(masses).map(|(low, range)| raised(low, range)).collect();
+    let apart = |ends: &[End; 2]| {
+        point.windows(3).zip(1_usize..).all(|(masses, k)| {
+            let (e, f) = (at(k - 1, ends[(k - 1) % 2]), at(k, ends[k % 2]));
+            match (masses, e, f) {
+                ([a, m, b], Some(e), Some(f)) => !meet(a, m, b, e, f),
+                _ => true,
+            }
         })
     };
-    if apart(Range::hi) || apart(Range::lo) { Meeting::Depends } else { Meeting::Unsettled }
+    // A shared coefficient takes the patterns with one end.
+    let patterns = PATTERNS.iter().take(if shared { 2 } else { PATTERNS.len() });
+    if patterns.into_iter().any(apart) { Meeting::Depends } else { Meeting::Unsettled }
 }
 
 /// A little less than the mass with which a body no longer meets the one behind it; may be wrong.
