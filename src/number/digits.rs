@@ -15,6 +15,7 @@
 //!
 //! **Cost.** `O(M(n) log n)`, half of what a division with remainder at every level would take at least.
 
+use super::parallel::both;
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{ModPowerOf2, Pow, Square};
 use malachite::base::num::logic::traits::SignificantBits;
@@ -24,30 +25,44 @@ use std::collections::BTreeMap;
 const GUARD: u64 = 64;
 
 /// So many digits at most are taken in machine words (bench `numbers`, group `digits`).
-const LEAF: u64 = 19 * 20;
+const LEAF: u64 = 19 * 60;
 
 /// Digits in a machine word.
 const WORD: u64 = 19;
 
+/// A thread is started where a half has this many times the bits that are worth one.
+const SPLIT: u64 = 8;
+
 /// What follows a leaf's digits must be below this, of `2^64`.
 const NEARLY_ONE: u64 = u64::MAX - (1 << 20);
 
-/// Powers of five, each found once.
-struct Powers(BTreeMap<u64, Natural>);
+/// The power of five for each length that is cut in two.
+type Powers = BTreeMap<u64, Natural>;
 
-impl Powers {
-    fn of(&mut self, exponent: u64) -> &Natural {
-        if !self.0.contains_key(&exponent) {
-            let found = if exponent < LEAF {
-                Natural::from(5u32).pow(exponent)
-            } else {
-                let half = self.of(exponent / 2).square();
-                if exponent.is_multiple_of(2) { half } else { half * Natural::from(5u32) }
-            };
-            self.0.insert(exponent, found);
-        }
-        &self.0[&exponent]
+/// The digits of the first half; whole words.
+fn first_half(n: u64) -> u64 {
+    (n / 2).div_ceil(WORD) * WORD
+}
+
+/// Finds the powers for a number of `n` digits, each from a shorter one.
+fn prepare(n: u64, powers: &mut Powers) {
+    let first = first_half(n);
+    if n <= LEAF || powers.contains_key(&first) {
+        return;
     }
+    prepare(first, powers);
+    prepare(n - first, powers);
+    let five = Natural::from(5u32);
+    // The half of the first half is there, unless that is a leaf.
+    let found = match powers.get(&first_half(first)) {
+        // It may be longer than a half by some digits.
+        Some(half) => match first.checked_sub(2 * first_half(first)) {
+            Some(more) => half.square() * five.pow(more),
+            None => half.square() / five.pow(2 * first_half(first) - first),
+        },
+        None => five.pow(first),
+    };
+    powers.insert(first, found);
 }
 
 /// Bits that hold every number of so many digits, and [`GUARD`] more.
@@ -62,28 +77,37 @@ pub fn of_fraction(fraction: &Natural, bits: u64, n: u64) -> Option<String> {
     if fraction.significant_bits() > bits {
         return None;
     }
-    let mut out = Vec::with_capacity(usize::try_from(n).ok()?);
     let wanted = bits_for(n);
     let cut = if bits > wanted { fraction >> (bits - wanted) } else { fraction << (wanted - bits) };
-    append(cut, wanted, n, &mut Powers(BTreeMap::new()), &mut out)?;
-    String::from_utf8(out).ok()
+    let mut powers = Powers::new();
+    prepare(n, &mut powers);
+    String::from_utf8(digits(cut, wanted, n, &powers)?).ok()
 }
 
-/// Appends the first `n` digits of `fraction·2^-bits`.
-fn append(fraction: Natural, bits: u64, n: u64, powers: &mut Powers, out: &mut Vec<u8>) -> Option<()> {
+/// The first `n` digits of `fraction·2^-bits`.
+fn digits(fraction: Natural, bits: u64, n: u64, powers: &Powers) -> Option<Vec<u8>> {
     if n <= LEAF {
-        return leaf(&fraction, bits, n, out);
+        let mut out = Vec::with_capacity(usize::try_from(n).ok()?);
+        leaf(&fraction, bits, n, &mut out)?;
+        return Some(out);
     }
-    // Whole words in the first half.
-    let first = (n / 2).div_ceil(WORD) * WORD;
-    let needed = bits_for(first);
-    append(&fraction >> bits.saturating_sub(needed), needed.min(bits), first, powers, out)?;
-    // The fractional part of 10^first·v: 5^first·fraction in units of 2^-(bits − first).
+    let first = first_half(n);
+    let power = powers.get(&first)?;
     let unit = bits.checked_sub(first)?;
-    let rest = (fraction * powers.of(first)).mod_power_of_2(unit);
-    let needed = bits_for(n - first);
-    let cut = unit.saturating_sub(needed);
-    append(rest >> cut, unit - cut, n - first, powers, out)
+    let begin = || {
+        let needed = bits_for(first).min(bits);
+        digits(&fraction >> (bits - needed), needed, first, powers)
+    };
+    let end = || {
+        // The fractional part of 10^first·v: 5^first·fraction in units of 2^-(bits − first).
+        let rest = (&fraction * power).mod_power_of_2(unit);
+        let cut = unit.saturating_sub(bits_for(n - first));
+        digits(rest >> cut, unit - cut, n - first, powers)
+    };
+    let (begin, end) = both(bits / SPLIT, begin, end);
+    let mut out = begin?;
+    out.extend(end?);
+    Some(out)
 }
 
 /// Appends digits by products with powers of ten in a machine word.
@@ -129,7 +153,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
         #[test]
-        fn digits_are_those_of_one_division(words in prop::collection::vec(any::<u64>(), 1..120), n in 1u64..2_500) {
+        fn digits_are_those_of_one_division(words in prop::collection::vec(any::<u64>(), 1..400), n in 1u64..9_000) {
             let bits = 64 * words.len() as u64;
             let fraction = Natural::from_limbs_asc(&words);
             if let Some(found) = of_fraction(&fraction, bits, n) {
@@ -143,8 +167,8 @@ mod tests {
     #[test]
     fn decimals_and_their_neighbours_are_cut_or_refused() {
         // 10^-k and what lies a hair below it, to lengths around the cuts.
-        for n in [1, 19, 20, 380, 381, 400, 799, 2_000] {
-            for k in [1, 10, 190, 379, 380, 381, 399, 400, 1_000] {
+        for n in [1, 19, 20, 1_140, 1_141, 1_160, 2_280, 2_300, 2_400] {
+            for k in [1, 10, 190, 569, 570, 571, 1_139, 1_140, 1_141, 1_160, 2_000] {
                 let bits = 8_000;
                 let unit = Natural::power_of_2(bits) / Natural::from(10u32).pow(k);
                 for fraction in [&unit + Natural::from(1u32), unit.clone(), &unit - Natural::from(1u32)] {

@@ -43,7 +43,8 @@ impl Interval {
         match self.sign() {
             Some(Ordering::Greater) => {
                 let guess = Interval::from_integer(1).divide(&self.round(64), 64).middle(60);
-                inverse_root(&|y, bits| y.multiply(self, bits), guess, &Natural::ONE, bits)
+                // Early steps need few digits of the number.
+                inverse_root(&|y, bits| y.multiply(&self.round(bits + 8), bits), guess, &Natural::ONE, bits)
             }
             Some(Ordering::Less) => self.negated().reciprocal(bits).negated(),
             _ => Interval::whole(),
