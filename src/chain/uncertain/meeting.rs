@@ -155,16 +155,16 @@ pub fn of_given(masses: &[Range<Positive>], coefficients: &Coefficients) -> Meet
     let mut lows: Vec<Rational> = masses.iter().map(|m| m.lo().value().clone()).collect();
     for _ in 0..ROUNDS {
         let mut changed = false;
-        for k in 1..masses.len().saturating_sub(1) {
+        for (k, range) in masses.iter().enumerate().take(masses.len().saturating_sub(1)).skip(1) {
             let (Some((e, f)), [a, m, b]) = (least(k), &lows[k - 1..=k + 1]) else { continue };
             let Some(raised) = needed(a, b, e, f).filter(|raised| raised > m && meet(a, raised, b, e, f)) else {
                 // No mass that is found helps; with this one they may meet for all.
-                if meet(a, masses[k].hi().value(), b, e, f) {
+                if meet(a, range.hi().value(), b, e, f) {
                     return Meeting::Always;
                 }
                 continue;
             };
-            if raised > *masses[k].hi().value() {
+            if raised > *range.hi().value() {
                 return Meeting::Always;
             }
             changed |= raised > m * (Rational::ONE + Rational::power_of_2(-20_i64));
