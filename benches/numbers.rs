@@ -6,13 +6,19 @@
 use carom::chain::best::{Best, best};
 use carom::chain::pass::Pass;
 use carom::chain::threshold::{Helps, helps, threshold};
+use carom::chain::uncertain::given::Given;
+use carom::chain::uncertain::{Coefficients, Range};
 use carom::chain::{Positive, Restitution, Restitutions, fast, transfer};
 use carom::number::decimal::{Decimal, Digits, Rounding, bits_of_digits};
 use carom::number::interval::Interval;
 use carom::number::rational::parse;
+use carom::table::grid::Grid;
+use carom::table::shared::Factors;
+use carom::table::{Plan, Printing, Quantity};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::basic::traits::One;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -170,6 +176,45 @@ fn division(c: &mut Criterion) {
     group.finish();
 }
 
+/// Rows of a table, as `carom table` makes them.
+fn table_rows(c: &mut Criterion) {
+    let grid = |text: &str| Grid::parse(text).unwrap();
+    let printing = Printing { digits: Digits::Significant(6), rounding: Rounding::Nearest, extra: 0 };
+    let axes = (grid("1.5:100:0.5"), Some(grid("0:1:0.01")), Some(grid("7")));
+    let plan = Plan::new(Quantity::Eta, axes.0, axes.1, axes.2, printing).unwrap();
+    let mut group = c.benchmark_group("table");
+    group.throughput(Throughput::Elements(plan.rows())).sample_size(10);
+    group.bench_function("rows, 6 digits", |b| {
+        b.iter(|| {
+            let mut factors = Factors::new(&plan);
+            for row in 0..plan.rows() {
+                let found = factors.value(row).unwrap();
+                black_box(plan.labelled(row, factors.labels(row), found).unwrap());
+            }
+        })
+    });
+    group.finish();
+}
+
+/// Enclosures over a box of measured masses.
+fn measured(c: &mut Criterion) {
+    let mut group = c.benchmark_group("measured");
+    group.sample_size(10);
+    for bodies in [5u64, 50, 200] {
+        let mass = |k: u64| {
+            let lo = Rational::from(1_000 - k + (k * 7_919) % 13);
+            let hi = &lo + Rational::ONE;
+            Range::new(Positive::new(lo).unwrap(), Positive::new(hi).unwrap()).unwrap()
+        };
+        let masses: Vec<_> = (0..bodies).map(mass).collect();
+        let e = Coefficients::Same(Range::point(Restitution::new(q("9/10")).unwrap()));
+        group.bench_function(format!("velocities/{bodies}"), |b| {
+            b.iter(|| Given::new(masses.clone(), e.clone(), Rational::ONE, 80).unwrap().velocities())
+        });
+    }
+    group.finish();
+}
+
 fn long_chains(c: &mut Criterion) {
     let mut group = c.benchmark_group("last velocity");
     group.sample_size(10);
@@ -184,6 +229,9 @@ fn long_chains(c: &mut Criterion) {
         });
         let pass = Pass::from_rest(masses, Restitutions::Each(e.collect()), Rational::from(1)).unwrap();
         group.bench_function(format!("{bodies}"), |b| b.iter(|| pass.last_velocity()));
+        if bodies == 1_000 {
+            group.bench_function(format!("of all/{bodies}"), |b| b.iter(|| pass.velocities_after()));
+        }
     }
     group.finish();
 }
@@ -191,6 +239,6 @@ fn long_chains(c: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2)).without_plots();
-    targets = scattered, grid, signs, best_numbers, digits, division, long_chains
+    targets = scattered, grid, signs, best_numbers, digits, division, long_chains, table_rows, measured
 }
 criterion_main!(benches);

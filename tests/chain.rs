@@ -5,7 +5,6 @@ use carom::chain::best::{Best, best};
 use carom::chain::optimum::Optimum;
 use carom::chain::pass::Pass;
 use carom::chain::threshold::{Helps, compare, helps, threshold};
-use carom::chain::uncertain::{Range, greatest_transfer, least_transfer};
 use carom::chain::{Positive, Restitution, Restitutions, collision, recollision, transfer};
 use carom::number::decimal::{Decimal, Digits, Rounding};
 use carom::number::rational::parse;
@@ -226,59 +225,6 @@ proptest! {
         prop_assert_eq!(at(side(Rounding::Up)), Helps::Yes);
     }
 
-    /// Every chain of the box lies between the bounds; the vertices and the taut string attain them.
-    #[test]
-    fn measured_masses_are_covered(ends in prop::collection::vec((1u64..40, 0u64..30, 0u64..=8), 2..7), low in 0u64..10, width in 0u64..10) {
-        let range = |(lo, width, _): &(u64, u64, u64)| {
-            Range::new(Rational::from(*lo), Rational::from(lo + width)).unwrap().map(Positive::new).unwrap()
-        };
-        let masses: Vec<Range<Positive>> = ends.iter().map(range).collect();
-        let coefficient = |p: u64| Restitutions::Same(Restitution::new(Rational::from_unsigneds(p, 20)).unwrap());
-        let (lower, upper) = (coefficient(low), coefficient(low + width));
-        let least = least_transfer(&masses, &lower).unwrap();
-        let greatest = greatest_transfer(&masses, &upper, 200).unwrap();
-        // A point of the box, and all its vertices.
-        let point: Vec<Positive> = ends
-            .iter()
-            .map(|(lo, width, part)| Positive::new(Rational::from(*lo) + Rational::from_unsigneds(width * part, 8)).unwrap())
-            .collect();
-        let eta = |masses: Vec<Positive>, c: &Restitutions| Pass::from_rest(masses, c.clone(), Rational::ONE).unwrap().transfer().unwrap();
-        prop_assert!(least <= eta(point.clone(), &lower));
-        let top = greatest.ends().unwrap().1.point().unwrap();
-        prop_assert!(eta(point, &upper) <= top);
-        let vertex = |bits: usize| -> Vec<Positive> {
-            masses.iter().enumerate().map(|(i, m)| if bits >> i & 1 == 1 { m.hi().clone() } else { m.lo().clone() }).collect()
-        };
-        let vertices: Vec<Rational> = (0..1 << masses.len()).map(|bits| eta(vertex(bits), &lower)).collect();
-        prop_assert_eq!(vertices.iter().min().unwrap(), &least);
-    }
-
-    /// The greatest transfer is attained: coordinate-wise improvement never exceeds it and comes close to it.
-    #[test]
-    fn the_taut_string_is_attained(ends in prop::collection::vec((1u32..40, 0u32..30), 3..6)) {
-        let masses: Vec<Range<Positive>> = ends
-            .iter()
-            .map(|(lo, width)| Range::new(Rational::from(*lo), Rational::from(lo + width)).unwrap().map(Positive::new).unwrap())
-            .collect();
-        let one = Restitutions::Same(Restitution::new(Rational::ONE).unwrap());
-        let (bound, _) = greatest_transfer(&masses, &one, 100).unwrap().to_f64_ends();
-        // The best mass between fixed neighbours is their geometric mean, or the nearest wall.
-        let mut m: Vec<f64> = ends.iter().map(|(lo, width)| f64::from(*lo) + f64::from(*width) / 2.0).collect();
-        for _ in 0..4000 {
-            for i in 0..m.len() {
-                let best = match (i.checked_sub(1).map(|j| m[j]), m.get(i + 1)) {
-                    (Some(a), Some(b)) => (a * b).sqrt(),
-                    (Some(a), None) => a,
-                    (None, Some(b)) => *b,
-                    (None, None) => m[i],
-                };
-                m[i] = best.clamp(f64::from(ends[i].0), f64::from(ends[i].0 + ends[i].1));
-            }
-        }
-        let eta: f64 = m.windows(2).map(|p| 4.0 * p[0] * p[1] / (p[0] + p[1]).powi(2)).product();
-        prop_assert!(eta <= bound * (1.0 + 1e-12) && eta >= bound * (1.0 - 1e-6), "{eta} {bound}");
-    }
-
     #[test]
     fn one_collision_keeps_its_laws(a in positives(), b in positives(), c in restitutions(), v in positives()) {
         let (m1, m2) = (Positive::new(a.clone()).unwrap(), Positive::new(b.clone()).unwrap());
@@ -294,6 +240,55 @@ proptest! {
         let share = energy(&m2, &w2) / energy(&m1, &v);
         prop_assert_eq!(&share, &collision::transfer(&m1, &m2, &common));
         prop_assert_eq!(share, (w2 / v).square() * b / a);
+    }
+}
+
+/// The series in double-double and the intervals agree on the sign of e − L_n, next to the threshold, and the logarithm
+/// that it rests on is enclosed.
+#[test]
+fn large_numbers_of_bodies_are_settled_in_doubles() {
+    for (r, e) in
+        [("10", "0.9999999999999999"), ("1/7", "0.99999999999"), ("1.0000001", "0.9999999999999999999999999999")]
+    {
+        let (r, e) = (mass(r), self::e(e));
+        let Best::Finite { count, tie: false } = best(&r, &e).unwrap().0 else { panic!("{r:?}") };
+        for (n, wanted) in [(count.clone(), Ordering::Greater), (&count + Natural::ONE, Ordering::Less)] {
+            let (order, level) = compare(&e, &r, &n).unwrap();
+            assert_eq!((order, level), (wanted, carom::number::real::Level::Double), "{n}");
+            // By intervals: 1 − L_n against 1 − e.
+            let l = threshold(&r, u64::try_from(&n).unwrap()).unwrap().enclosure(300);
+            let gap = carom::number::interval::Interval::from_rational(e.value(), 300).subtract(&l, 300);
+            assert_eq!(gap.sign(), Some(wanted), "{n}");
+        }
+    }
+    for x in ["2", "10", "1e300", "1e-300", "4/3", "2/3", "1.0000000000000000000000001", "0.99999", "7/5"] {
+        let (lo, hi) = carom::number::elementary::ln(&q(x), &q(x)).unwrap();
+        let found = carom::number::double::Double::ln(&q(x)).to_interval().unwrap();
+        assert!(found.accuracy() > 88, "{x}");
+        let ends = found.ends().unwrap();
+        assert!(ends.0.point().unwrap() <= lo && hi <= ends.1.point().unwrap(), "{x}");
+    }
+}
+
+/// With the last step merged, eta at many bits is the one by the plain formula.
+#[test]
+fn eta_at_many_bits_agrees_with_the_plain_formula() {
+    for (r, c, n) in
+        [("10", "9/10", 7), ("1/3", "1", 1), ("1e-40", "1/7", 4), ("1e200", "0.999", 30), ("1.0000001", "4/5", 100)]
+    {
+        let eta = transfer::optimal(&mass(r), &Restitutions::Same(e(c)), n).unwrap();
+        for bits in [5_000_u64, 12_345, 120_000] {
+            let found = eta.enclosure(bits);
+            assert!(found.accuracy() + 40 >= bits, "{r} {bits} {}", found.accuracy());
+            let work = bits + 100;
+            let t = carom::number::root::root(&q(r), &Natural::from(n + 1), work);
+            let sum = t.add(&carom::number::interval::Interval::from_integer(1), work);
+            let gain = e(c).plus_one().square();
+            let base = t.multiply_rational(&gain, work).divide(&sum.square(work), work);
+            let plain = base.power(&Natural::from(n + 1), work);
+            let gap = found.subtract(&plain, work);
+            assert!(gap.contains(&Rational::ZERO), "{r} {bits}");
+        }
     }
 }
 

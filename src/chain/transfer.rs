@@ -8,13 +8,18 @@ use super::pass::product;
 use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitutions, limit_inserted};
 use crate::number::double::Double;
 use crate::number::interval::Interval;
+use crate::number::parallel::both;
 use crate::number::rational::exact_root;
 use crate::number::real::Real;
 use crate::number::root::root;
-use malachite::base::num::arithmetic::traits::{Pow, Square};
+use malachite::base::num::arithmetic::traits::{Pow, Reciprocal, Square};
 use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Natural, Rational};
+
+/// From so many bits on, and up to so many collisions, [`merged`] is quicker (bench `numbers`, group `digits`).
+const MERGED_BITS: u64 = 5_000;
+const MERGED_COUNT: u64 = 1 << 16;
 
 /// Exact powers of `1 + e` up to so many bits enter as short factors; longer ones are enclosed.
 const SHORT_BITS: u64 = 4_096;
@@ -55,6 +60,9 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
     let degree = Natural::from(count);
     let both = Natural::from(2 * count);
     let enclose = move |bits: u64| {
+        if bits >= MERGED_BITS && count <= MERGED_COUNT {
+            return merged(&r, &gains, count, bits);
+        }
         let work = bits + count.significant_bits() + 12;
         let t = root(&r, &degree, work);
         let sum = t.add(&Interval::from_integer(1), work);
@@ -62,6 +70,35 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
         gains.multiply(&below, work).multiply_rational(&r, bits + 4)
     };
     Ok(Real::enclosed(enclose).with_quick(move || quick.to_interval()).with_radical(text))
+}
+
+/// eta at many bits, the last Newton step of the root merged with the formula.
+///
+/// For `r >= 1` (else for `1/r`, which has the same eta) and `v = 1/(1 + t)`: `eta = g·r·v^(2N)`, `g` the gains, and `(1 − v)^N = r·v^N`.
+/// From a point `v` of half the digits, with `f = (1 − v)^N − r·v^N` and `ρ = f/(r·v^N)`, [`super::fast`] shows
+/// `eta = g·r·v^(2N)·(1 + 2ρ·(1 − v) + κ)`, `|κ| <= 11ρ²` for `|ρ| <= 2^-36`: that is `g·(r·v^(2N) + 2f·(1 − v)·v^N)` and a rest. At full length
+/// there are two powers, which begin with operands of half the length and do not wait for each other, and one square;
+/// no root and no division.
+fn merged(r: &Rational, gains: &Gains, count: u64, bits: u64) -> Interval {
+    let r = if *r < Rational::ONE { r.reciprocal() } else { r.clone() };
+    let size = count.significant_bits();
+    let work = bits + 2 * size + 16;
+    let half = work / 2 + 2 * size + 48;
+    let one = Interval::from_integer(1);
+    let degree = Natural::from(count);
+    let v = root(&r, &degree, half).add(&one, half).reciprocal(half).middle(half);
+    let rest = one.subtract(&v, u64::MAX);
+    let (a, b) = both(work, || rest.power(&degree, work), || v.power(&degree, work));
+    let scaled = b.multiply_rational(&r, work);
+    let f = a.subtract(&scaled, work);
+    let rho = f.divide(&scaled.round(64), 64);
+    if rho.is_whole() || rho.top() > -36 {
+        return Interval::whole();
+    }
+    let correction = f.multiply(&rest, half).multiply(&b, half).shifted(1);
+    let main = b.square(work).multiply_rational(&r, work);
+    let tail = main.round(64).multiply(&rho.square(64), 64).multiply(&Interval::from_integer(11), 64);
+    gains.multiply(&main.add(&correction, work).widened(&tail), bits + 4)
 }
 
 /// `base^count`: the product of all `(1 + e_i)²`.

@@ -25,6 +25,16 @@ use std::str::FromStr;
 /// The most digits of one decimal.
 pub const MAX_DIGITS: u64 = 10_000_000;
 
+/// Rationals of more bits than this are rounded from their leading digits, where those settle it.
+const LONG_BITS: u64 = 8_192;
+
+/// From so many digits on, digits are made by [`super::digits`] (bench `numbers`, group `digits`).
+const LONG_DIGITS: u64 = 2_000;
+
+/// Digits beyond those asked for that tell how to round, and the unit of the last digit asked for in theirs.
+const FURTHER: u64 = 9;
+const FURTHER_UNIT: u64 = 1_000_000_000;
+
 /// Leading places from here to [`PLAIN_TO`] are written without an exponent.
 const PLAIN_FROM: i64 = -6;
 const PLAIN_TO: i64 = 20;
@@ -134,7 +144,7 @@ pub struct Enclosed {
 }
 
 /// Digits of an enclosure beyond those of the decimal.
-const ENCLOSURE_DIGITS: u64 = 3;
+const ENCLOSURE_DIGITS: u8 = 3;
 
 impl Decimal {
     /// A rational, correctly rounded.
@@ -145,6 +155,16 @@ impl Decimal {
         check(digits)?;
         if *x == Rational::ZERO {
             return Ok(Decimal::zero(digits));
+        }
+        let size = x.numerator_ref().significant_bits().max(x.denominator_ref().significant_bits());
+        let bits = bits_of_digits(digits.count()) + 64;
+        if size > bits.saturating_mul(8).saturating_add(LONG_BITS) {
+            // Far longer than the decimal: its leading digits settle all but what is next to a tie.
+            let near = Interval::from_rational(x, bits);
+            let found = if near.is_point() { None } else { Decimal::of_interval(&near, digits, rounding) };
+            if let Some(found) = found {
+                return Ok(found);
+            }
         }
         let numerator = Integer::from_sign_and_abs_ref(*x > Rational::ZERO, x.numerator_ref());
         let denominator = Integer::from(x.denominator_ref());
@@ -175,6 +195,11 @@ impl Decimal {
         if let Some(exact) = x.point() {
             return Decimal::of_rational(&exact, digits, rounding).ok();
         }
+        if sign != Ordering::Equal
+            && let Some(found) = of_long(x, sign, digits, rounding)
+        {
+            return Some(found);
+        }
         let scaled = |places: i64| {
             let (lo, hi, exponent) = times_power_of_ten(x, places, digits)?;
             let lower = to_integer(&lo, exponent, rounding.mode());
@@ -197,6 +222,53 @@ impl Decimal {
             return (value == 0).then(|| Decimal::zero(digits));
         }
         place_and_round(sign, digits, leading_place(x), scaled)
+    }
+
+    /// The common rounding of all reals between two positive doubles, in machine words; `None` where they do not share
+    /// one, where a tie is among them, and where words are too short.
+    ///
+    /// Right for a number between the doubles that is neither a decimal of so many digits nor a tie: both ends have the
+    /// same whole number of halves of the last place, and the lower one is not itself such a number of halves.
+    #[must_use]
+    pub fn of_doubles(lo: f64, hi: f64, digits: Digits, rounding: Rounding) -> Option<Decimal> {
+        if !(WORD_LEAST..=WORD_MOST).contains(&lo) || !(WORD_LEAST..=WORD_MOST).contains(&hi) {
+            return None;
+        }
+        let (places, least) = match digits {
+            Digits::Places(places) => (i64::try_from(places).ok()?, 1_u128),
+            Digits::Significant(count) => {
+                // The leading place, give or take one: the number of digits is checked below.
+                let leading = -i64::try_from(SCALES.iter().position(|scale| lo >= *scale)?).ok()?;
+                let count = i64::try_from(count).ok()?;
+                (count - 1 - leading, power_of_ten(count - 1)?)
+            }
+        };
+        let power = power_of_ten(places)?;
+        // Twice x·10^places: its whole part, and whether it is whole.
+        let halves = |x: f64| {
+            let bits = x.to_bits();
+            let mantissa = u128::from(bits & ((1 << 52) - 1) | 1 << 52);
+            // At most 2^127 by the limits of both factors; x = mantissa·2^-shift.
+            let shift = u32::try_from(1075 - i64::try_from(bits >> 52).ok()?).ok()?;
+            let scaled = mantissa.checked_mul(power)?.checked_mul(2)?;
+            Some((scaled >> shift, scaled & ((1 << shift) - 1) == 0))
+        };
+        let ((below, whole), (above, _)) = (halves(lo)?, halves(hi)?);
+        if below != above || whole {
+            return None;
+        }
+        let floor = below / 2;
+        let value = match rounding {
+            Rounding::Nearest => floor + below % 2,
+            Rounding::Down | Rounding::Zero => floor,
+            Rounding::Up | Rounding::Away => floor + 1,
+        };
+        let fits = match digits {
+            Digits::Places(_) => value > 0,
+            Digits::Significant(_) => floor >= least && value < 10 * least,
+        };
+        let plain = matches!(digits, Digits::Places(_));
+        fits.then(|| Decimal { negative: false, digits: value.to_string(), exponent: -places, plain })
     }
 
     /// A real number, correctly rounded, and the level that settled it.
@@ -234,7 +306,7 @@ impl Decimal {
     /// As [`Decimal::of_real`].
     pub fn with_enclosure(x: &Real, digits: Digits, rounding: Rounding) -> Result<(Enclosed, Level), NumberError> {
         check(digits)?;
-        let more = digits.plus(ENCLOSURE_DIGITS);
+        let more = digits.plus(ENCLOSURE_DIGITS.into());
         if let Some(exact) = x.as_rational() {
             let round = |digits, rounding| Decimal::of_rational(exact, digits, rounding);
             let decimal = round(digits, rounding)?;
@@ -247,7 +319,7 @@ impl Decimal {
         }
         // The value lies strictly between this decimal and the next one away from zero: it is neither.
         let long = short.away();
-        let cut = short.digits.len().saturating_sub(ENCLOSURE_DIGITS as usize);
+        let cut = short.digits.len().saturating_sub(usize::from(ENCLOSURE_DIGITS));
         let (kept, rest) = short.digits.split_at(cut);
         let up = match rounding {
             Rounding::Nearest => rest.as_bytes().first().is_some_and(|first| *first >= b'5') && rest.len() == 3,
@@ -257,11 +329,11 @@ impl Decimal {
             Rounding::Down => short.negative,
         };
         let kept = if kept.is_empty() { "0" } else { kept };
-        let exponent = short.exponent + ENCLOSURE_DIGITS as i64;
+        let exponent = short.exponent + i64::from(ENCLOSURE_DIGITS);
         let towards = Decimal { digits: kept.to_owned(), exponent, ..short.clone() };
         let mut decimal = if up { towards.away() } else { towards };
         if let Digits::Significant(count) = digits
-            && decimal.digits.len() as u64 > count
+            && u64::try_from(decimal.digits.len()).is_ok_and(|length| length > count)
         {
             decimal.digits.pop();
             decimal.exponent += 1;
@@ -324,6 +396,22 @@ impl Decimal {
     }
 }
 
+/// The doubles that [`Decimal::of_doubles`] takes: with `10^MAX_PLACES` they make numbers of at most 127 bits.
+const WORD_LEAST: f64 = f64::from_bits((1023 - 70) << 52);
+const WORD_MOST: f64 = 1.0;
+const MAX_PLACES: i64 = 21;
+
+/// About `10^-k`.
+const SCALES: [f64; 22] = [
+    1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17,
+    1e-18, 1e-19, 1e-20, 1e-21,
+];
+
+/// `10^k`, for `k` from 0 to [`MAX_PLACES`].
+fn power_of_ten(k: i64) -> Option<u128> {
+    (0..=MAX_PLACES).contains(&k).then(|| 10_u128.pow(u32::try_from(k).unwrap_or(0)))
+}
+
 /// Bits that hold so many decimal digits.
 #[must_use]
 pub fn bits_of_digits(digits: u64) -> u64 {
@@ -350,8 +438,69 @@ fn leading_place(x: &Interval) -> i64 {
     // log10(2)·10^18 = 301029995663981195.2…
     let whole = i128::from(top) * 301_029_995_663_981_195;
     let unit = 1_000_000_000_000_000_000_i128;
+    // The cast saturates; the result is an estimate that is corrected where it is used.
     let part = if part.is_finite() { (part * 1e18) as i128 } else { 0 };
     i64::try_from((whole + part).div_euclid(unit)).unwrap_or(0)
+}
+
+/// The common rounding of all elements of an enclosure to many digits; `None` where the general way must tell.
+///
+/// `y = |x|·10^-(leading + 1)`, from 0.1 to 1, is written down to [`FURTHER`] digits more than asked for, cut off; those tell
+/// whether the width of the enclosure, in their last place, reaches across a point where rounding jumps.
+fn of_long(x: &Interval, sign: Ordering, digits: Digits, rounding: Rounding) -> Option<Decimal> {
+    let leading = leading_place(x);
+    let wanted = match digits {
+        Digits::Significant(count) => i64::try_from(count).ok()?,
+        Digits::Places(places) => i64::try_from(places).ok()?.checked_add(leading)?.checked_add(1)?,
+    };
+    let count = u64::try_from(wanted).ok().filter(|count| *count >= LONG_DIGITS)?;
+    let shift = -leading.checked_add(1)?;
+    let scaled = if shift == 0 {
+        let ((lo, exponent), (hi, _)) = (x.lower()?, x.upper()?);
+        (lo, hi, exponent)
+    } else {
+        times_power_of_ten(x, shift, digits)?
+    };
+    let (lo, hi, exponent) = scaled;
+    let (near, far) = if sign == Ordering::Less {
+        (hi.unsigned_abs(), lo.unsigned_abs())
+    } else {
+        (lo.unsigned_abs(), hi.unsigned_abs())
+    };
+    let bits = u64::try_from(exponent.checked_neg()?).ok()?;
+    if far.significant_bits() > bits || far <= near {
+        return None;
+    }
+    let all = count + FURTHER;
+    // The width in units of the last digit: (far − near)·10^all/2^bits, at most 2^(its bits + log2(10)·all − bits).
+    let gap = (far - &near).significant_bits() + bits_of_digits(all);
+    let units =
+        1_u64.checked_shl(u32::try_from(gap.saturating_sub(bits)).ok()?).filter(|units| *units < FURTHER_UNIT / 4)?;
+    let text = super::digits::of_fraction(&near, bits, all)?;
+    let (kept, rest) = text.split_at_checked(usize::try_from(count).ok()?)?;
+    let rest: u64 = rest.parse().ok()?;
+    // The value lies between `rest` and `rest + units + 1` units, or at one of them.
+    let (least, most) = (rest, rest + units + 1);
+    let half = FURTHER_UNIT / 2;
+    let away = match rounding {
+        Rounding::Nearest => (least > half).then_some(true).or((most < half).then_some(false))?,
+        Rounding::Up => sign == Ordering::Greater,
+        Rounding::Down => sign == Ordering::Less,
+        Rounding::Away => true,
+        Rounding::Zero => false,
+    };
+    if least == 0 || most >= FURTHER_UNIT || kept.starts_with('0') {
+        return None;
+    }
+    let plain = matches!(digits, Digits::Places(_));
+    let negative = sign == Ordering::Less;
+    let cut = Decimal { negative, digits: kept.to_owned(), exponent: leading + 1 - wanted, plain };
+    let mut found = if away { cut.away() } else { cut };
+    if !plain && found.digits.len() > kept.len() {
+        found.digits.pop();
+        found.exponent += 1;
+    }
+    Some(found)
 }
 
 /// The ends of `x·10^places` in units of a common power of two.

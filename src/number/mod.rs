@@ -5,9 +5,11 @@
 //! [`decimal`] prints the result.
 
 pub mod decimal;
+pub mod digits;
 pub mod double;
 pub mod elementary;
 pub mod interval;
+pub mod parallel;
 pub mod radical;
 pub mod rational;
 pub mod real;

@@ -141,7 +141,7 @@ impl Field {
 
     /// An enclosure by Horner's rule.
     fn enclosure(&self, a: &Element, bits: u64) -> Interval {
-        let bits = bits + self.degree.ilog2() as u64 + 16;
+        let bits = bits + u64::from(self.degree.ilog2()) + 16;
         let t = root(&self.power, &Natural::from(self.degree), bits);
         a.coefficients.iter().rev().fold(Interval::from_integer(0), |sum, c| {
             sum.multiply(&t, bits).add(&Interval::from_rational(c, bits), bits)

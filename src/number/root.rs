@@ -8,6 +8,8 @@
 //! `|θ| <= (1/k)(1/k + 1)/2·(15/16)^(−3)·ρ² <= 2ρ²/k`: an enclosure, and at once a Newton step that doubles the
 //! digits. No division takes part but that by `k` (and by the short numbers of `s`).
 //!
+//! Casts between integers and doubles, which round or saturate, occur in guesses only.
+//!
 //! **Cost.** Precision doubles from step to step, so all of them together cost about twice the last:
 //! a squaring for each binary digit of `k`.
 
@@ -41,7 +43,8 @@ impl Interval {
         match self.sign() {
             Some(Ordering::Greater) => {
                 let guess = Interval::from_integer(1).divide(&self.round(64), 64).middle(60);
-                inverse_root(&|y, bits| y.multiply(self, bits), guess, &Natural::ONE, bits)
+                // Early steps need few digits of the number.
+                inverse_root(&|y, bits| y.multiply(&self.round(bits + 8), bits), guess, &Natural::ONE, bits)
             }
             Some(Ordering::Less) => self.negated().reciprocal(bits).negated(),
             _ => Interval::whole(),

@@ -5,10 +5,10 @@
 //! keys are refused with the nearest known one.
 
 use super::quantity::Quantity;
-use super::{Chain, Coefficients, Inserted, Scene, Start};
+use super::{Chain, Coefficients, Inserted, Scene, Start, keys};
 use crate::chain::uncertain::{Range, RangeError};
 use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution};
-use crate::claim::diagnostic::{Diagnostic, Fault, nearest};
+use crate::claim::diagnostic::{Diagnostic, Fault};
 use crate::claim::syntax::Span;
 use crate::number::decimal::{Digits, Rounding};
 use crate::number::rational::{NumeralError, parse};
@@ -79,7 +79,7 @@ pub fn scene(text: &str) -> Result<Scene, SceneFault> {
     let document = DeTable::parse(text)
         .map_err(|e| fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), None))?;
     let table = document.get_ref();
-    known_keys(table, &SCENE_KEYS)?;
+    known_keys(table, &SCENE_KEYS, "the scene")?;
     let want = match find(table, "want") {
         None => vec![Quantity::Eta],
         Some(value) => list(value, "want", quantity)?,
@@ -112,7 +112,7 @@ fn read_chain(value: &Value<'_>) -> Result<Chain, SceneFault> {
             Some("write [chain] on a line of its own".to_owned()),
         ));
     };
-    known_keys(table, &CHAIN_KEYS)?;
+    known_keys(table, &CHAIN_KEYS, "[chain]")?;
     let needed = |key: &'static str, example: &str| {
         find(table, key)
             .ok_or_else(|| fault(value.span(), format!("[chain] has no {key}"), Some(format!("add {key} = {example}"))))
@@ -158,18 +158,8 @@ fn find<'a, 'i>(table: &'a DeTable<'i>, key: &str) -> Option<&'a Value<'i>> {
     table.iter().find(|(k, _)| k.get_ref().as_ref() == key).map(|(_, v)| v)
 }
 
-fn known_keys(table: &DeTable<'_>, known: &[&str]) -> Result<(), SceneFault> {
-    for (key, _) in table {
-        let name = key.get_ref().as_ref();
-        if !known.contains(&name) {
-            let help = match nearest(name, known.iter().copied()) {
-                Some(near) => format!("did you mean {near}?"),
-                None => format!("known keys here are {}", known.join(", ")),
-            };
-            return Err(fault(key.span(), format!("unknown key {name}"), Some(help)));
-        }
-    }
-    Ok(())
+fn known_keys(table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), SceneFault> {
+    keys::known(table, known, place).map_err(|unknown| fault(unknown.span, unknown.message, Some(unknown.help)))
 }
 
 fn list<T>(

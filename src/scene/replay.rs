@@ -21,8 +21,8 @@
 //! Limits: [`MAX_BYTES`] bytes, those of numerals ([`crate::number::rational`]) and of
 //! [`crate::chain::replay::MAX_BODIES`] bodies.
 
+use super::keys;
 use crate::chain::replay::{Body, Line, LineError, Wall};
-use crate::claim::diagnostic::nearest;
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
@@ -73,7 +73,7 @@ pub fn read(text: &str) -> Result<Scene, SceneError> {
     })?;
     let whole = 0..text.len().min(1);
     let table = Table { text, table: root.get_ref(), span: whole.clone() };
-    table.only(&["title", "restitution", "body", "wall"], "a scene")?;
+    table.only(&["title", "restitution", "body", "wall"], "the scene")?;
     let title = table.get("title").map(|v| match v.get_ref() {
         DeValue::String(s) => Ok(s.to_string()),
         _ => Err(fault(v.span(), "the title is not a text".to_string(), Some("write title = \"…\"".to_string()))),
@@ -133,18 +133,9 @@ impl<'a> Table<'a> {
         self.table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, v)| v)
     }
 
-    fn only(&self, known: &[&str], what: &str) -> Result<(), SceneError> {
-        for (key, _) in self.table {
-            let name = key.get_ref().as_ref();
-            if !known.contains(&name) {
-                let help = match nearest(name, known.iter().copied()) {
-                    Some(near) => format!("did you mean {near}?"),
-                    None => format!("known are: {}", known.join(", ")),
-                };
-                return Err(fault(key.span(), format!("{what} has no key {name:?}"), Some(help)));
-            }
-        }
-        Ok(())
+    fn only(&self, known: &[&str], place: &str) -> Result<(), SceneError> {
+        keys::known(self.table, known, place)
+            .map_err(|unknown| fault(unknown.span, unknown.message, Some(unknown.help)))
     }
 
     fn number(&self, key: &str, otherwise: Option<Rational>) -> Result<Rational, SceneError> {
@@ -210,7 +201,7 @@ fn bodies(root: &Table) -> Result<(Vec<Body>, Vec<Range<usize>>), SceneError> {
     let (mut bodies, mut spans) = (Vec::with_capacity(list.len()), Vec::with_capacity(list.len()));
     for value in list {
         let table = Table::of(value, root.text, "a body")?;
-        table.only(&["mass", "position", "velocity", "length"], "a body")?;
+        table.only(&["mass", "position", "velocity", "length"], "[[body]]")?;
         bodies.push(Body {
             mass: table.number("mass", None)?,
             position: table.number("position", None)?,
@@ -246,7 +237,7 @@ type Walls = (Option<Wall>, Option<Wall>, Range<usize>);
 fn walls(root: &Table) -> Result<Walls, SceneError> {
     let Some(value) = root.get("wall") else { return Ok((None, None, root.span.clone())) };
     let table = Table::of(value, root.text, "wall")?;
-    table.only(&["left", "right", "restitution"], "the wall")?;
+    table.only(&["left", "right", "restitution"], "[wall]")?;
     let place = |key: &str| table.get(key).map(|v| number(v, key, root.text)).transpose();
     let (left, right) = (place("left")?, place("right")?);
     if left.is_none() && right.is_none() {

@@ -1,0 +1,18 @@
+//! Two long computations side by side.
+
+/// Operands of fewer bits than this are not worth a thread (bench `numbers`, group `digits`).
+pub const MIN_BITS: u64 = 100_000;
+
+/// Both results; on two threads where the operands have at least [`MIN_BITS`] bits and the system gives a thread.
+pub fn both<A: Send, B: Send>(bits: u64, one: impl Fn() -> A + Sync, other: impl Fn() -> B) -> (A, B) {
+    if bits < MIN_BITS {
+        return (one(), other());
+    }
+    std::thread::scope(|scope| {
+        let started = std::thread::Builder::new().spawn_scoped(scope, &one);
+        let second = other();
+        // Where there is no thread, or it failed, the work is done here.
+        let first = started.ok().and_then(|thread| thread.join().ok());
+        (first.unwrap_or_else(&one), second)
+    })
+}
