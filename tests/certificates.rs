@@ -305,3 +305,41 @@ proptest::proptest! {
         let _ = read(&format!("{}{noise}{}", &good[..place], &good[end..]));
     }
 }
+
+/// What the kernel says of a false claim with a certificate that tries to slip it through.
+fn slipped(claim: &str, steps: &str) -> String {
+    let claim = carom::claim::parse::parse(claim).unwrap().remove(0);
+    let zeros = "0".repeat(64);
+    let text = format!("carom-certificate 1\nclaim {}\nstatement sha256 {zeros}\n{steps}qed\n", claim.name.text);
+    match check(&claim, &read(&text).unwrap(), &[]) {
+        Verdict::Rejected { step, reason, .. } => format!("{step}: {reason}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_moving_variable_is_not_put_in_for_one_that_stands_still() {
+    let reason = slipped(
+        "claim a \"The derivative of x^2 is x\"\ngiven x > 0\nprove derivative(x*x, x) = x\n",
+        "1 let: for all z real > 0: derivative(x*z, x) = z\n2 sign: derivative(x*z, x) = z\nend\n\
+         3 instance from 1: derivative(x*x, x) = x\n| with z = x\n",
+    );
+    assert!(reason.starts_with("3: ") && reason.contains("moves"), "{reason}");
+    let reason = slipped(
+        "claim a \"n/n tends to 0\"\ngiven n natural >= 1\nprove limit of n/n as n -> infinity is 0\n",
+        "1 let: for all z real > 0: limit of z/n as n -> infinity is 0\n\
+         2 limit: limit of z/n as n -> infinity is 0\nend\n\
+         3 sign: n > 0\n4 instance from 1: limit of n/n as n -> infinity is 0\n| with z = n\n",
+    );
+    assert!(reason.starts_with("4: ") && reason.contains("moves"), "{reason}");
+}
+
+#[test]
+fn a_sequence_that_depends_on_the_variable_has_no_limit_by_degrees() {
+    let reason = slipped(
+        "claim a \"A sequence that moves\"\ngiven x > 0\ndefine u by u(0) = x, u(k + 1) = u(k)\n\
+         prove limit of u(3) as x -> infinity is u(3)\n",
+        "1 limit: limit of u(3) as x -> infinity is u(3)\n",
+    );
+    assert!(reason.starts_with("1: ") && reason.contains("depends on x"), "{reason}");
+}

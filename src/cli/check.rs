@@ -7,7 +7,7 @@ use crate::claim::diagnostic::Diagnostic;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::kernel::{self, Accepted, Verdict};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -142,6 +142,8 @@ fn parsed(origin: &str, text: &str) -> Result<Certificate, Exit> {
 /// Judges a certificate, those of the claims that it cites first.
 fn judge(name: &str, claims: &[Claim], found: &BTreeMap<String, Found>, outcomes: &mut BTreeMap<String, Outcome>) {
     let mut stack = vec![name.to_string()];
+    // What was begun and has no outcome waits for the top of the stack: claims that cite each other end there.
+    let mut begun = BTreeSet::new();
     while let Some(top) = stack.last().cloned() {
         if outcomes.contains_key(&top) {
             stack.pop();
@@ -157,8 +159,9 @@ fn judge(name: &str, claims: &[Claim], found: &BTreeMap<String, Found>, outcomes
             .using
             .iter()
             .map(|n| n.text.clone())
-            .filter(|n| !outcomes.contains_key(n) && !stack.contains(n) && found.contains_key(n))
+            .filter(|n| !outcomes.contains_key(n) && !begun.contains(n) && found.contains_key(n))
             .collect();
+        begun.insert(top.clone());
         if !open.is_empty() {
             stack.extend(open);
             continue;

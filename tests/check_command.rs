@@ -1,0 +1,102 @@
+//! `carom check` as a user meets it.
+#![allow(clippy::unwrap_used)]
+
+use carom::claim::embedded;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn carom(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom")).args(args).env("NO_COLOR", "1").output().unwrap()
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+#[test]
+fn the_certificates_that_come_with_the_program_are_accepted_one_by_one() {
+    let all = embedded::certificates();
+    let output = carom(&["check", "--quiet"]);
+    let printed = out(&output);
+    assert_eq!(output.status.code(), Some(0), "{printed}");
+    for (name, _) in &all {
+        assert!(printed.lines().any(|l| l.split_whitespace().take(2).eq(["accepted", name])), "{name}: {printed}");
+    }
+    assert!(printed.ends_with(&format!("{0} of {0} certificates accepted\n", all.len())), "{printed}");
+}
+
+#[test]
+fn a_certificate_is_printed_with_its_statement_and_what_it_rests_on() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in embedded::certificates() {
+        std::fs::write(folder.path().join(format!("{name}.cert")), text).unwrap();
+    }
+    // The certificates of what it cites are found beside it.
+    let output = carom(&["check", text(&folder.path().join("b-global.cert"))]);
+    let printed = out(&output);
+    assert_eq!(output.status.code(), Some(0), "{printed}");
+    assert!(printed.starts_with("accepted  b-global  (rests on lemma-chain, lemma-tangent, the weighted mean"), "{printed}");
+    assert!(printed.contains("\n    prove "), "{printed}");
+    assert!(printed.ends_with("1 of 1 certificates accepted\n"), "{printed}");
+}
+
+#[test]
+fn a_damaged_certificate_is_rejected_with_its_first_bad_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("eq13.cert");
+    let (_, good) = embedded::certificates().into_iter().find(|c| c.0 == "eq13").unwrap();
+    for (from, to, code, said) in [
+        ("(1 + e1)^2*(1 + e2)^2*m1", "(1 + e1)^2*(1 + e2)*m1", 1, "rejected  eq13"),
+        ("sha256 0", "sha256 1", 1, "the digest is that of another statement"),
+        ("claim eq13", "claim eq14", 1, "rejected  eq14"),
+        ("claim eq13", "claim nobody", 1, "there is no claim of this name"),
+        ("\nqed", "", 2, "qed"),
+        ("1 sign", "1 guess", 2, "eq13.cert:4: there is no rule called `guess`"),
+        ("carom-certificate 1", "carom-certificate 9", 2, "version 1"),
+    ] {
+        let damaged = good.replacen(from, to, 1);
+        assert_ne!(damaged, good, "{from}");
+        std::fs::write(&path, damaged).unwrap();
+        let output = carom(&["check", "--quiet", text(&path)]);
+        let all = out(&output) + &err(&output);
+        assert_eq!(output.status.code(), Some(code), "{to}: {all}");
+        assert!(all.contains(said), "{to}: {all}");
+    }
+}
+
+#[test]
+fn certificates_of_ones_own_claims_are_written_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let claims = folder.path().join("mine.claim");
+    std::fs::write(&claims, "claim half \"Half\"\ngiven x > 0\nprove x/(2*x) = 1/2 and x + 1/x >= 2\n").unwrap();
+    let certificates = folder.path().join("certificates");
+    let output = carom(&["audit", text(&claims), "--certificates", text(&certificates)]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert!(err(&output).contains("1 of 1 proved claims have a certificate"), "{}", err(&output));
+    let output = carom(&["check", text(&certificates), "--claims", text(&claims)]);
+    assert_eq!(output.status.code(), Some(0), "{}{}", out(&output), err(&output));
+    // Beside the catalogue it is of no claim.
+    assert_eq!(carom(&["check", text(&certificates)]).status.code(), Some(1));
+}
+
+#[test]
+fn what_is_no_certificate_is_one_clear_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = carom(&["check", text(folder.path())]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("no .cert files"), "{}", err(&output));
+    let path = folder.path().join("x.cert");
+    std::fs::write(&path, [0xff, 0xfe]).unwrap();
+    let output = carom(&["check", text(&path)]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("not UTF-8"), "{}", err(&output));
+    assert_eq!(carom(&["check", text(&folder.path().join("absent.cert"))]).status.code(), Some(2));
+}
