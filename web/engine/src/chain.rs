@@ -1,0 +1,132 @@
+//! Everything that is known of a chain, each quantity with its own answer or its own refusal.
+
+use crate::reasons;
+use crate::request::{Fault, Request};
+use carom::number::decimal::{Digits, Rounding};
+use carom::report::answers;
+use carom::scene::answer::Answers;
+use carom::scene::quantity::Quantity;
+use carom::scene::{Chain, Inserted, Scene};
+use malachite::Rational;
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+use serde_json::{Map, Value, json};
+
+/// The most bodies whose masses and velocities the page lists.
+const MAX_LISTED: u64 = 200;
+
+/// The answers to all questions about a chain.
+pub fn eval(request: &Request) -> Result<Value, Fault> {
+    let chain = request.chain()?;
+    let digits = Digits::Significant(request.digits("digits")?);
+    let mut scene = Scene { want: Vec::new(), digits, rounding: Rounding::Nearest, chain };
+    let mut found = Map::new();
+    {
+        let held = scene.clone();
+        let answers = Answers::new(&held);
+        for quantity in asked(&scene.chain) {
+            scene.want = vec![quantity];
+            found.insert(quantity.name().to_owned(), one(&scene, &answers, quantity));
+        }
+    }
+    let chain = &scene.chain;
+    Ok(json!({
+        "answers": found,
+        "why": reasons::behind(chain),
+        "n": chain.count().to_string(),
+        "collisions": (chain.count() + 1).to_string(),
+        "optimal": matches!(chain.inserted(), Inserted::Optimal(_)),
+        "measured": !chain.is_exact(),
+        "places": places(chain),
+    }))
+}
+
+/// What is asked: thresholds begin with the first inserted body, and long lists are not for a page.
+fn asked(chain: &Chain) -> Vec<Quantity> {
+    let lists = [Quantity::Masses, Quantity::Velocities, Quantity::Losses];
+    let threshold = [Quantity::Threshold, Quantity::Helps];
+    [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN, Quantity::Recollides]
+        .into_iter()
+        .chain(lists)
+        .filter(|q| chain.count() > 0 || !threshold.contains(q))
+        .filter(|q| chain.count() <= MAX_LISTED || !lists.contains(q))
+        .collect()
+}
+
+/// The answer to a scene that wants one quantity.
+fn one(scene: &Scene, answers: &Answers<'_>, quantity: Quantity) -> Value {
+    match answers::json(scene, answers, true) {
+        Ok(text) => {
+            let all: Value = serde_json::from_str(&text).unwrap_or_default();
+            let entry = |key: &str| all.get(key).cloned().unwrap_or_default();
+            json!({ "value": entry(quantity.name()), "level": entry("level") })
+        }
+        Err((_, error)) => json!({ "error": Fault::chain(None, &error).to_json() }),
+    }
+}
+
+/// Doubles near the inputs: where the sliders stand.
+fn places(chain: &Chain) -> Value {
+    let near = |x: &Rational| f64::rounding_from(x, RoundingMode::Nearest).0;
+    let middle = |lo: &Rational, hi: &Rational| near(&((lo + hi) / Rational::from(2)));
+    json!({
+        "m1": middle(chain.first().lo().value(), chain.first().hi().value()),
+        "m2": middle(chain.last().lo().value(), chain.last().hi().value()),
+        "e": chain.common_restitution("e").ok().map(|e| middle(e.lo().value(), e.hi().value())),
+        "n": chain.count() as f64,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    fn eval(m1: &str, m2: &str, e: &str, n: &str, masses: &str) -> Value {
+        let request = json!({"m1": m1, "m2": m2, "e": e, "n": n, "masses": masses, "digits": "15"});
+        serde_json::from_str(&crate::eval(&request.to_string())).expect("JSON")
+    }
+
+    #[test]
+    fn a_chain_on_the_threshold_is_recognised_exactly() {
+        let found = eval("64", "1", "44/81", "2", "");
+        let answers = &found["answers"];
+        assert_eq!(answers["eta"]["value"]["exact"], "15625000000/282429536481");
+        assert_eq!(answers["threshold"]["value"]["exact"], "44/81");
+        assert_eq!(answers["helps"]["value"], "exactly on the threshold");
+        assert_eq!(answers["best-n"]["value"]["tie"], true);
+        assert_eq!(answers["masses"]["value"][1]["exact"], "16");
+    }
+
+    #[test]
+    fn one_quantity_without_an_answer_takes_no_other_with_it() {
+        let found = eval("10", "1", "1/2, 3/4", "1", "");
+        assert!(found["answers"]["threshold"]["value"]["decimal"].is_string());
+        assert!(found["answers"]["best-n"]["error"]["message"].is_string());
+        assert!(found["answers"]["eta"]["value"]["decimal"].is_string());
+        assert!(eval("10", "1", "1/2", "0", "")["answers"].get("threshold").is_none());
+    }
+
+    #[test]
+    fn a_fault_names_its_field() {
+        for (field, found) in [
+            ("m1", eval("ten", "1", "1", "1", "")),
+            ("m2", eval("1", "0", "1", "1", "")),
+            ("e", eval("1", "1", "1.5", "1", "")),
+            ("e", eval("1", "1", "1, 1, 1", "1", "")),
+            ("n", eval("1", "1", "1", "-1", "")),
+            ("masses", eval("1", "1", "1", "", "2, x")),
+        ] {
+            assert_eq!(found["error"]["field"], field, "{found}");
+        }
+    }
+
+    #[test]
+    fn no_request_makes_the_engine_panic() {
+        for text in ["", "[]", "{}", "{\"m1\": 1}", "{\"m1\": \"\u{202e}1\"}", "\u{0}"] {
+            for call in [crate::eval, crate::replay, crate::table, crate::plot, crate::audit, crate::claim] {
+                let answer: Value = serde_json::from_str(&call(text)).expect("JSON");
+                assert!(answer.is_object());
+            }
+        }
+    }
+}
