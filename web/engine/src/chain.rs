@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 const MAX_LISTED: u64 = 200;
 
 /// The answers to all questions about a chain.
-pub fn eval(request: &Request) -> Result<Value, Fault> {
+pub fn answers(request: &Request) -> Result<Value, Fault> {
     let chain = request.chain()?;
     let digits = Digits::Significant(request.digits("digits")?);
     let mut scene = Scene { want: Vec::new(), digits, rounding: Rounding::Nearest, chain };
@@ -82,8 +82,9 @@ mod tests {
     use serde_json::{Value, json};
 
     fn eval(m1: &str, m2: &str, e: &str, n: &str, masses: &str) -> Value {
-        let request = json!({"m1": m1, "m2": m2, "e": e, "n": n, "masses": masses, "digits": "15"});
-        serde_json::from_str(&crate::eval(&request.to_string())).expect("JSON")
+        let request = json!({"m1": m1, "m2": m2, "e": e, "n": n, "masses": masses, "digits": "15",
+            "inserted": if masses.is_empty() { "optimal" } else { "given" }});
+        serde_json::from_str(&crate::answers(&request.to_string())).expect("JSON")
     }
 
     #[test]
@@ -123,7 +124,7 @@ mod tests {
     #[test]
     fn no_request_makes_the_engine_panic() {
         for text in ["", "[]", "{}", "{\"m1\": 1}", "{\"m1\": \"\u{202e}1\"}", "\u{0}"] {
-            for call in [crate::eval, crate::replay, crate::table, crate::plot, crate::audit, crate::claim] {
+            for call in [crate::answers, crate::replay, crate::table, crate::plot, crate::audit, crate::claim] {
                 let answer: Value = serde_json::from_str(&call(text)).expect("JSON");
                 assert!(answer.is_object());
             }

@@ -27,11 +27,11 @@ fn answer(text: &str, work: impl FnOnce(&Request) -> Result<Value, Fault>) -> St
     found.unwrap_or_else(|fault| json!({ "error": fault.to_json() })).to_string()
 }
 
-/// Everything that is known of a chain: `{m1, m2, e, n, masses, digits}` as they were typed.
+/// Everything that is known of a chain: `{m1, m2, e, n, inserted, masses, digits}` as they were typed.
 #[must_use]
 #[wasm_bindgen]
-pub fn eval(request: &str) -> String {
-    answer(request, chain::eval)
+pub fn answers(request: &str) -> String {
+    answer(request, chain::answers)
 }
 
 /// The collisions of a chain, one by one, and the worldlines to draw.

@@ -47,10 +47,11 @@ mod tests {
     #[test]
     fn every_reason_is_a_claim_of_the_catalogue() {
         let names: Vec<&str> = embedded::files().iter().map(|f| embedded::stem(f.path)).collect();
-        let chains = ["", "2", "2, 3", "2, 3, 4"];
-        for (n, masses) in (0..5).flat_map(|n| chains.map(|m| (n, m))) {
-            for e in ["1/2", "1/2, 1/2, 1/2"] {
-                let request = json!({"m1": "4", "m2": "1", "n": n.to_string(), "masses": masses, "e": e}).to_string();
+        for (inserted, masses) in [("optimal", ""), ("given", "2"), ("given", "2, 3"), ("given", "2, 3, 4")] {
+            for (n, e) in (0..5).flat_map(|n| [(n, "1/2"), (n, "1/2, 1/2, 1/2")]) {
+                let request = json!({"m1": "4", "m2": "1", "n": n.to_string(), "inserted": inserted, "masses": masses,
+                    "e": e})
+                .to_string();
                 let Ok(chain) = Request::read(&request).and_then(|r| r.chain()) else { continue };
                 for (result, list) in behind(&chain).as_object().expect("an object") {
                     for name in list.as_array().expect("a list") {

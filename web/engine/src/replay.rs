@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(found["again"], false);
         assert!(found["rounded"].is_null());
         let request = json!({"m1": "64", "m2": "1", "e": "1/5", "n": "2", "digits": "12"});
-        let pass: Value = serde_json::from_str(&crate::eval(&request.to_string())).expect("JSON");
+        let pass: Value = serde_json::from_str(&crate::answers(&request.to_string())).expect("JSON");
         for i in 0..4 {
             let exact = &pass["answers"]["velocities"]["value"][i]["exact"];
             assert_eq!(&found["final"][i]["text"], exact, "{found}");

@@ -110,7 +110,8 @@ impl Request {
         }
     }
 
-    /// The chain that the fields `m1`, `m2`, `e`, `n` and `masses` describe.
+    /// The chain of the fields `m1`, `m2` and `e`, with `n` inserted bodies of optimal mass, or, where `inserted` is
+    /// `given`, with those of `masses`.
     pub fn chain(&self) -> Result<Chain, Fault> {
         let first = mass("m1", self.text("m1")?)?;
         let last = mass("m2", self.text("m2")?)?;
@@ -118,9 +119,12 @@ impl Request {
             [one] => Coefficients::Same(coefficient(one)?),
             list => Coefficients::Each(list.iter().map(|e| coefficient(e)).collect::<Result<_, _>>()?),
         };
-        let inserted = match self.text("masses")? {
-            "" => Inserted::Optimal(self.natural("n")?),
-            list => Inserted::Given(elements(list).iter().map(|m| mass("masses", m)).collect::<Result<_, _>>()?),
+        let inserted = match self.text("inserted")? {
+            "given" => {
+                let list = elements(self.text("masses")?);
+                Inserted::Given(list.iter().map(|m| mass("masses", m)).collect::<Result<_, _>>()?)
+            }
+            _ => Inserted::Optimal(self.natural("n")?),
         };
         Chain::new(first, last, inserted, coefficients, Start::unit()).map_err(|error| {
             let field = match &error {
