@@ -129,7 +129,7 @@ const HELPS = { yes: "it hands on more than one body fewer would", no: "one body
   "exactly on the threshold": "e = L exactly: with or without it, the same" };
 
 function card(quantity) {
-  const { value, error } = answers.answers[quantity];
+  const { value, error, mathml: formula } = answers.answers[quantity];
   const [sign, words] = title(quantity);
   const head = make("div", { class: "card-head" }, make("h2", {}, make("span", { class: "sign" }, sign), " ", make("small", {}, words)),
     whyButton(words, answers.why[quantity]));
@@ -138,7 +138,7 @@ function card(quantity) {
   else if (quantity === "best-n") body = best(value);
   else if (quantity === "helps") {
     body = make("div", { class: "number" }, make("p", { class: "decimal" }, value), make("p", { class: "hint" }, HELPS[value] ?? ""));
-  } else body = number(value);
+  } else body = number(value, { formula });
   const section = make("section", { class: `card quantity ${quantity}` }, head, body);
   section.dataset.quantity = quantity;
   return section;
@@ -149,10 +149,12 @@ function showBodies() {
   const card = $("bodies-card");
   card.hidden = !masses;
   if (!masses) return;
-  $("bodies-why").replaceChildren(
-    whyButton("the masses", answers.why.masses), " ", whyButton("the velocities", answers.why.velocities), " ", whyButton("the losses", answers.why.losses));
   const again = replay?.again;
-  const head = ["Body", "Mass", "Velocity after the pass", again ? "Velocity in the end" : null, "Energy lost to the next"];
+  const { why } = answers;
+  const head = [["Body"], ["Mass ", whyButton("the masses", why.masses)],
+    ["Velocity after the pass ", whyButton("the velocities", why.velocities)],
+    again ? ["Velocity in the end ", whyButton("bodies meet again", why.recollides)] : null,
+    ["Energy lost to the next ", whyButton("the energy lost", why.losses)]];
   const rows = (masses.value ?? []).map((mass, i) => make("tr", {},
     make("th", { scope: "row" }, `${i + 1}`),
     make("td", {}, cell(mass)),
@@ -160,7 +162,7 @@ function showBodies() {
     again ? make("td", {}, replay.final[i] ? written(replay.final[i]) : "–") : null,
     make("td", {}, losses?.value?.[i] ? cell(losses.value[i]) : "–")));
   $("bodies").replaceChildren(
-    make("thead", {}, make("tr", {}, head.filter(Boolean).map((text) => make("th", { scope: "col" }, text)))),
+    make("thead", {}, make("tr", {}, head.filter(Boolean).map((parts) => make("th", { scope: "col" }, parts)))),
     make("tbody", {}, rows));
   const refused = [masses, velocities, losses].map((a) => a?.error).filter(Boolean).map(sentence);
   const rounded = again && replay.rounded ? `Velocities in the end: of the replay, with masses of ${replay.rounded} digits.` : "";

@@ -2,13 +2,11 @@
 
 /** The compiled engine, shared by all workers. */
 const compiled = (async () => {
-  const response = fetch("engine_bg.wasm");
-  try {
-    return await WebAssembly.compileStreaming(response.then((r) => r.clone()));
-  } catch {
-    // A server that does not name the type of the file.
-    return WebAssembly.compile(await (await response).arrayBuffer());
-  }
+  const response = await fetch("engine_bg.wasm");
+  if (!response.ok) throw new Error(`engine_bg.wasm: ${response.status}`);
+  // Not every server names the type of the file.
+  const typed = response.headers.get("Content-Type")?.startsWith("application/wasm");
+  return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 })();
 
 /** A job that still runs after so many milliseconds is ended when a newer one comes. */

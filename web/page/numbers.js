@@ -1,6 +1,6 @@
 // Certified numbers as the engine gives them: decimals, fractions, radicals, enclosures. Nothing is computed here.
 
-import { fraction, make } from "./dom.js";
+import { fraction, make, mathml } from "./dom.js";
 
 /** The longest fraction that is typeset, the longest text that is shown at once. */
 const TYPESET = 36;
@@ -41,8 +41,10 @@ export function number(value, options = {}) {
   if (value.decimal !== null && value.decimal !== undefined) {
     const whole = value.exact !== null && value.exact === value.decimal;
     box.append(make("p", { class: "decimal" }, ...grouped(value.decimal)));
-    const exact = exactForm(value);
-    if (exact) box.append(make("p", { class: "exact-line" }, make("span", { class: "equals" }, "= "), exact));
+    const typeset = options.formula ? mathml(options.formula) : null;
+    const exact = typeset ?? exactForm(value);
+    if (typeset) box.append(make("div", { class: "formula scroll", role: "group", "aria-label": value.radical, tabIndex: 0 }, typeset));
+    else if (exact) box.append(make("p", { class: "exact-line" }, make("span", { class: "equals" }, "= "), exact));
     box.append(make("p", { class: "hint" }, whole ? "exact"
       : value.exact !== null ? `exact above, rounded to ${value.digits} digits`
       : `irrational; all ${value.digits} digits certified`));
@@ -51,14 +53,14 @@ export function number(value, options = {}) {
     box.append(make("p", { class: "decimal between" }, "from ", make("span", {}, lo), " to ", make("span", {}, hi)));
     box.append(make("p", { class: "hint" }, "every value that the measured inputs allow lies between these two"));
   }
-  if (options.plain) box.lastChild.remove();
   return box;
 }
 
-/** A number in a cell: as short as it can be. */
+/** A number in a cell: exact where that is short, else in decimals with what is exact behind them. */
 export function cell(value) {
   if (value.decimal === null || value.decimal === undefined) return make("span", {}, `${value.enclosure[0]} … ${value.enclosure[1]}`);
-  const exact = value.exact !== null && value.exact !== value.decimal && value.exact.length <= 16 ? fraction(value.exact) : null;
+  const exact = value.exact !== null && value.exact.length <= 16 ? fraction(value.exact) : null;
+  if (exact && !value.exact.includes("/")) return exact;
   return make("span", { title: value.exact ?? value.radical ?? undefined },
     make("span", { class: "digits" }, value.decimal.replace("-", "−")), exact ? make("span", { class: "exact" }, " = ", exact) : null);
 }

@@ -9,7 +9,12 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
-    bindgen.input_path(module).out_name("engine").typescript(false).remove_name_section(true).remove_producers_section(true);
+    bindgen
+        .input_path(module)
+        .out_name("engine")
+        .typescript(false)
+        .remove_name_section(true)
+        .remove_producers_section(true);
     let written = bindgen.web(true).and_then(|b| b.generate(folder));
     match written {
         Ok(()) => ExitCode::SUCCESS,

@@ -2,8 +2,10 @@
 
 use crate::reasons;
 use crate::request::{Fault, Request};
+use carom::claim::parse::parse_prop;
 use carom::number::decimal::{Digits, Rounding};
 use carom::report::answers;
+use carom::report::mathml::statement;
 use carom::scene::answer::Answers;
 use carom::scene::quantity::Quantity;
 use carom::scene::{Chain, Inserted, Scene};
@@ -14,6 +16,9 @@ use serde_json::{Map, Value, json};
 
 /// The most bodies whose masses and velocities the page lists.
 const MAX_LISTED: u64 = 200;
+
+/// The longest closed form that is typeset.
+const MAX_TYPESET: usize = 200;
 
 /// The answers to all questions about a chain.
 pub fn answers(request: &Request) -> Result<Value, Fault> {
@@ -59,10 +64,23 @@ fn one(scene: &Scene, answers: &Answers<'_>, quantity: Quantity) -> Value {
         Ok(text) => {
             let all: Value = serde_json::from_str(&text).unwrap_or_default();
             let entry = |key: &str| all.get(key).cloned().unwrap_or_default();
-            json!({ "value": entry(quantity.name()), "level": entry("level") })
+            let value = entry(quantity.name());
+            let formula = formula(quantity, scene.chain.count(), &value);
+            json!({ "value": value, "level": entry("level"), "mathml": formula })
         }
         Err((_, error)) => json!({ "error": Fault::chain(None, &error).to_json() }),
     }
+}
+
+/// The equation of an irrational answer, typeset: its closed form is written as the claim language writes it.
+fn formula(quantity: Quantity, n: u64, value: &Value) -> Option<String> {
+    let radical = value.get("radical")?.as_str()?;
+    let name = match quantity {
+        Quantity::Eta => "eta".to_owned(),
+        Quantity::Threshold => format!("L_{n}"),
+        _ => return None,
+    };
+    (radical.len() <= MAX_TYPESET).then(|| parse_prop(&format!("{name} = {radical}")).ok())?.as_ref().map(statement)
 }
 
 /// Doubles near the inputs: where the sliders stand.
@@ -96,6 +114,15 @@ mod tests {
         assert_eq!(answers["helps"]["value"], "exactly on the threshold");
         assert_eq!(answers["best-n"]["value"]["tie"], true);
         assert_eq!(answers["masses"]["value"][1]["exact"], "16");
+    }
+
+    #[test]
+    fn irrational_answers_have_a_typeset_equation() {
+        let found = eval("10", "1", "9/10", "7", "");
+        for (quantity, sign) in [("eta", "<mi>η</mi>"), ("threshold", "<msub><mi>L</mi><mn>7</mn></msub>")] {
+            let formula = found["answers"][quantity]["mathml"].as_str().expect("a formula");
+            assert!(formula.contains(sign) && formula.contains("<msup>"), "{formula}");
+        }
     }
 
     #[test]

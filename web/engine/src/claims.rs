@@ -50,9 +50,8 @@ pub fn audit(request: &Request) -> Result<Value, Fault> {
 /// Judges one claim of the catalogue.
 pub fn claim(request: &Request) -> Result<Value, Fault> {
     let id = request.text("id")?;
-    let broken = |faults: Vec<Diagnostic>| {
-        Fault::new(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
-    };
+    let broken =
+        |faults: Vec<Diagnostic>| Fault::new(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"));
     let unknown = || Fault::at("id", format!("no claim is called {id:?}"));
     let claims = embedded::claims(&[id.to_owned()]).map_err(broken)?.ok_or_else(unknown)?;
     let mut catalogue = Catalogue::new(claims).map_err(|list| broken(list.into_iter().map(|f| f.1).collect()))?;

@@ -6,7 +6,7 @@
 
 use crate::request::{Fault, Request};
 use carom::chain::recollision::WARNING;
-use carom::chain::replay::{self, Body, Line, Limit, Options, Status, Value as Exact};
+use carom::chain::replay::{self, Body, Limit, Line, Options, Status, Value as Exact};
 use carom::number::decimal::{Digits, Rounding};
 use carom::number::rational;
 use carom::report::replay::svg::{self, Worldlines};
@@ -48,8 +48,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     };
     let outcome = replay::replay(&line, &options)
         .map_err(|fault| Fault::new(format!("the ledger of {} does not balance; please report this", fault.law)))?;
-    let replay =
-        Replay { title: None, line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
+    let replay = Replay { title: None, line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
     let lines = Worldlines::new(&replay);
     let pass = chain.count() + 1;
     let events: Vec<Value> = outcome
@@ -153,9 +152,8 @@ fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
         bodies.push(Body { mass: mass.clone(), position: &place + &half, velocity, length: length.clone() });
         place += length + Rational::ONE;
     }
-    let pairs: Vec<Rational> = (0..masses.len() as u64 - 1)
-        .filter_map(|i| restitutions.at(i).map(|e| e.value().clone()))
-        .collect();
+    let pairs: Vec<Rational> =
+        (0..masses.len() as u64 - 1).filter_map(|i| restitutions.at(i).map(|e| e.value().clone())).collect();
     Line::new(&bodies, &pairs, None, None).map_err(|error| Fault::new(error.to_string()))
 }
 

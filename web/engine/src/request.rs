@@ -93,9 +93,8 @@ impl Request {
             let found = if text.is_empty() { "nothing".to_owned() } else { shown(text) };
             return Err(Fault::at(field, format!("a whole number such as 3 was expected, not {found}")));
         }
-        text.parse().map_err(|_| {
-            Fault::at(field, format!("limit reached: {} at most", carom::chain::MAX_INSERTED)).limit()
-        })
+        text.parse()
+            .map_err(|_| Fault::at(field, format!("limit reached: {} at most", carom::chain::MAX_INSERTED)).limit())
     }
 
     /// A number of digits that the page is willing to show.
