@@ -168,12 +168,12 @@ mod tests {
 
     #[test]
     fn the_velocities_of_the_replay_are_those_of_the_pass() {
-        // x = 4, e = 1/5: no body is struck twice.
-        let found = replay("64", "1/5", "2");
+        // x = 4, e = 1/2, x·e >= 1: no body is struck twice.
+        let found = replay("64", "1/2", "2");
         assert_eq!(found["count"], 3);
         assert_eq!(found["again"], false);
         assert!(found["rounded"].is_null());
-        let request = json!({"m1": "64", "m2": "1", "e": "1/5", "n": "2", "digits": "12"});
+        let request = json!({"m1": "64", "m2": "1", "e": "1/2", "n": "2", "digits": "12"});
         let pass: Value = serde_json::from_str(&crate::answers(&request.to_string())).expect("JSON");
         for i in 0..4 {
             let exact = &pass["answers"]["velocities"]["value"][i]["exact"];
