@@ -14,7 +14,7 @@ const EXAMPLES = [
   ["Exactly on the threshold", { m1: "64", m2: "1", e: "44/81", n: "2" }],
   ["Elastic, masses 64 to 1", { m1: "64", m2: "1", e: "1", n: "5" }],
   ["Bodies that meet again", { m1: "2", m2: "1", e: "1/2", n: "2" }],
-  ["Final after one pass", { m1: "64", m2: "1", e: "1/5", n: "2" }],
+  ["Final after one pass", { m1: "64", m2: "1", e: "1/2", n: "2" }],
   ["Measured restitution", { m1: "57.1 ± 0.1", m2: "1", e: "[0.88, 0.92]", n: "3" }],
   ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
   ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
@@ -57,6 +57,7 @@ function showEach() {
   const each = $("each").checked;
   $("e-label").textContent = each ? "Restitutions e₁, e₂, …" : "Restitution e";
   $("e-slider").hidden = each;
+  $("e").closest(".field").classList.toggle("list", each);
   const list = each ? elements($("e").value) : [];
   const box = $("each-sliders");
   box.hidden = !each || list.length > MOST_SLIDERS;
@@ -166,7 +167,7 @@ function showBodies() {
     make("tbody", {}, rows));
   const refused = [masses, velocities, losses].map((a) => a?.error).filter(Boolean).map(sentence);
   const rounded = again && replay.rounded ? `Velocities in the end: of the replay, with masses of ${replay.rounded} digits.` : "";
-  $("bodies-note").textContent = [...new Set(refused), rounded].filter(Boolean).join(" ");
+  $("bodies-note").textContent = [...new Set(refused.map((text) => `${text}.`)), rounded].filter(Boolean).join(" ");
 }
 
 function showAgain() {

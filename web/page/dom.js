@@ -50,7 +50,9 @@ export function fraction(text) {
   const sign = text.startsWith("-") ? [element("mo", "−")] : [];
   const [above, below] = text.replace("-", "").split("/");
   const number = below ? element("mfrac", element("mn", above), element("mn", below)) : element("mn", above);
-  return element("math", element("mrow", ...sign, number));
+  const math = element("math", element("mrow", ...sign, number));
+  math.setAttribute("displaystyle", "true");
+  return math;
 }
 
 /** Offers a text as a file. */

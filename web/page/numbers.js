@@ -40,13 +40,14 @@ export function number(value, options = {}) {
   const box = make("div", { class: "number" });
   if (value.decimal !== null && value.decimal !== undefined) {
     const whole = value.exact !== null && value.exact === value.decimal;
-    box.append(make("p", { class: "decimal" }, ...grouped(value.decimal)));
+    const many = value.decimal.length > 60;
+    box.append(make("p", { class: many ? "decimal many" : "decimal", tabIndex: many ? 0 : undefined }, ...grouped(value.decimal)));
     const typeset = options.formula ? mathml(options.formula) : null;
     const exact = typeset ?? exactForm(value);
     if (typeset) box.append(make("div", { class: "formula scroll", role: "group", "aria-label": value.radical, tabIndex: 0 }, typeset));
     else if (exact) box.append(make("p", { class: "exact-line" }, make("span", { class: "equals" }, "= "), exact));
     box.append(make("p", { class: "hint" }, whole ? "exact"
-      : value.exact !== null ? `exact above, rounded to ${value.digits} digits`
+      : value.exact !== null ? `exact; the decimal is rounded to ${value.digits} digits`
       : `irrational; all ${value.digits} digits certified`));
   } else {
     const [lo, hi] = value.enclosure;

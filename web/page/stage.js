@@ -159,12 +159,9 @@ export function show(replay) {
   const before = data;
   data = replay;
   $("event").dataset.past = "";
-  for (const id of ["play", "back", "forward", "time", "view-all", "view-pass"]) $(id).disabled = !replay;
+  for (const part of ["stage", "player", "event", "views"]) $(part).toggleAttribute("hidden", !replay);
   if (!replay) {
     setPlaying(false);
-    $("stage").replaceChildren();
-    $("stage").setAttribute("viewBox", `0 0 ${WIDTH} 40`);
-    $("event").replaceChildren();
     return;
   }
   now = playing && before ? (now / (before.drawn.end || 1)) * data.drawn.end : 0;

@@ -9,10 +9,14 @@ const listeners = [];
 /** The value of a key, or another where there is none. */
 export const get = (key, otherwise) => (state.has(key) ? state.get(key) : otherwise);
 
-const write = later(() => {
+function writeNow() {
   const text = state.toString();
   if (text !== read().toString()) history.replaceState(null, "", text ? `#${text}` : location.pathname);
-}, 200);
+}
+
+// Browsers refuse addresses that change too often.
+const write = later(writeNow, 200);
+addEventListener("pagehide", writeNow);
 
 /** Keeps values; those that are as at the beginning are left out of the link. */
 export function keep(values, beginning = {}) {
