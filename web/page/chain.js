@@ -152,16 +152,17 @@ function showBodies() {
   if (!masses) return;
   const again = replay?.again;
   const { why } = answers;
+  const closed = $("closed").checked;
   const head = [["Body"], ["Mass ", whyButton("the masses", why.masses)],
     ["Velocity after the pass ", whyButton("the velocities", why.velocities)],
     again ? ["Velocity in the end ", whyButton("bodies meet again", why.recollides)] : null,
     ["Energy lost to the next ", whyButton("the energy lost", why.losses)]];
   const rows = (masses.value ?? []).map((mass, i) => make("tr", {},
     make("th", { scope: "row" }, `${i + 1}`),
-    make("td", {}, cell(mass)),
-    make("td", {}, velocities?.value ? cell(velocities.value[i]) : "–"),
+    make("td", {}, cell(mass, closed)),
+    make("td", {}, velocities?.value ? cell(velocities.value[i], closed) : "–"),
     again ? make("td", {}, replay.final[i] ? written(replay.final[i]) : "–") : null,
-    make("td", {}, losses?.value?.[i] ? cell(losses.value[i]) : "–")));
+    make("td", {}, losses?.value?.[i] ? cell(losses.value[i], closed) : "–")));
   $("bodies").replaceChildren(
     make("thead", {}, make("tr", {}, head.filter(Boolean).map((parts) => make("th", { scope: "col" }, parts)))),
     make("tbody", {}, rows));
@@ -189,12 +190,12 @@ function showAgain() {
 function showCollisions() {
   $("collisions-card").hidden = !replay;
   if (!replay) return;
-  const head = ["No.", "Bodies", "Time", "Velocities before", "", "after", "", "Energy lost"];
+  const head = [["No."], ["Bodies"], ["Time"], ["Velocities before", 2], ["Velocities after", 2], ["Energy lost"]];
   const rows = replay.events.slice(0, 300).map((c, i) => make("tr", { class: c.of_the_pass ? "" : "later" },
     make("td", {}, String(i + 1)), make("td", {}, c.pair),
     [c.time, c.before[0], c.before[1], c.after[0], c.after[1], c.lost].map((x) => make("td", {}, written(x)))));
   $("collisions").replaceChildren(
-    make("thead", {}, make("tr", {}, head.map((text) => make("th", { scope: "col" }, text)))), make("tbody", {}, rows));
+    make("thead", {}, make("tr", {}, head.map(([text, colSpan]) => make("th", { scope: "col", colSpan }, text)))), make("tbody", {}, rows));
 }
 
 async function askReplay(request) {
@@ -335,6 +336,7 @@ export function start() {
     ask();
   });
   form.addEventListener("submit", (event) => event.preventDefault());
+  $("closed").addEventListener("change", () => answers && showBodies());
   $("picture").addEventListener("change", () => { state.keep({ picture: $("picture").value }, BEGINNING); paint(); });
   $("picture-save").addEventListener("click", () => save(pictureText, `carom-${$("picture").value}.svg`, "image/svg+xml"));
   $("copy-link").addEventListener("click", () => copy(state.link(), "Link"));

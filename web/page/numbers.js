@@ -57,13 +57,14 @@ export function number(value, options = {}) {
   return box;
 }
 
-/** A number in a cell: exact where that is short, else in decimals with what is exact behind them. */
-export function cell(value) {
+/** A number in a cell: a whole number alone, else the decimal with a short fraction, or with its closed form below. */
+export function cell(value, closed = false) {
   if (value.decimal === null || value.decimal === undefined) return make("span", {}, `${value.enclosure[0]} … ${value.enclosure[1]}`);
   const exact = value.exact !== null && value.exact.length <= 16 ? fraction(value.exact) : null;
   if (exact && !value.exact.includes("/")) return exact;
-  return make("span", { title: value.exact ?? value.radical ?? undefined },
-    make("span", { class: "digits" }, value.decimal.replace("-", "−")), exact ? make("span", { class: "exact" }, " = ", exact) : null);
+  const form = exact ?? (closed ? exactForm(value) : null);
+  return make("span", {}, make("span", { class: "digits" }, value.decimal.replace("-", "−")),
+    form ? make(exact ? "span" : "div", { class: "exact" }, " = ", form) : null);
 }
 
 /** A number of the replay: `text` is exact or a decimal of certified digits. */

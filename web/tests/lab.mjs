@@ -67,6 +67,10 @@ test("typing gives exact answers, and the threshold is recognised", async () => 
     await shows(page, "#bodies td", "16");
     await page.waitForTimeout(800);
     await shoot(page, "exact");
+    await page.fill("#n", "3");
+    await page.check("#closed");
+    await shows(page, "#bodies td div.exact", "^(");
+    await shoot(page, "closed");
   });
 });
 

@@ -118,7 +118,8 @@ mod tests {
 
     #[test]
     fn all_forms_have_all_rows() {
-        for (form, line) in [("csv", "\n2,0.5,1,0.298052,"), ("latex", "\\begin{"), ("markdown", "|"), ("json", "\"eta\"")]
+        for (form, line) in
+            [("csv", "\n2,0.5,1,0.298052,"), ("latex", "\\begin{"), ("markdown", "|"), ("json", "\"eta\"")]
         {
             let found = table(&[("format", form)]);
             assert_eq!(found["rows"], 18);
