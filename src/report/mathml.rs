@@ -12,6 +12,11 @@ pub fn statement(p: &Prop) -> String {
     math(&prop(p))
 }
 
+/// An expression on a line of its own.
+pub fn expression(e: &Expr) -> String {
+    math(&expr(e))
+}
+
 /// A hypothesis or definition.
 pub fn item(item: &Item) -> String {
     math(&match item {

@@ -159,8 +159,8 @@ function showBodies() {
     ["Energy lost to the next ", whyButton("the energy lost", why.losses)]];
   const rows = (masses.value ?? []).map((mass, i) => make("tr", {},
     make("th", { scope: "row" }, `${i + 1}`),
-    make("td", {}, cell(mass, closed)),
-    make("td", {}, velocities?.value ? cell(velocities.value[i], closed) : "–"),
+    make("td", {}, cell(mass, closed, masses.mathml?.[i])),
+    make("td", {}, velocities?.value ? cell(velocities.value[i], closed, velocities.mathml?.[i]) : "–"),
     again ? make("td", {}, replay.final[i] ? written(replay.final[i]) : "–") : null,
     make("td", {}, losses?.value?.[i] ? cell(losses.value[i], closed) : "–")));
   $("bodies").replaceChildren(

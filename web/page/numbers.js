@@ -58,11 +58,12 @@ export function number(value, options = {}) {
 }
 
 /** A number in a cell: a whole number alone, else the decimal with a short fraction, or with its closed form below. */
-export function cell(value, closed = false) {
+export function cell(value, closed = false, formula = null) {
   if (value.decimal === null || value.decimal === undefined) return make("span", {}, `${value.enclosure[0]} … ${value.enclosure[1]}`);
   const exact = value.exact !== null && value.exact.length <= 16 ? fraction(value.exact) : null;
   if (exact && !value.exact.includes("/")) return exact;
-  const form = exact ?? (closed ? exactForm(value) : null);
+  const form = exact ?? (closed ? (formula && mathml(formula)) || exactForm(value) : null);
+  if (form?.localName === "math") form.removeAttribute("display");
   return make("span", {}, make("span", { class: "digits" }, value.decimal.replace("-", "−")),
     form ? make(exact ? "span" : "div", { class: "exact" }, " = ", form) : null);
 }

@@ -3,9 +3,10 @@
 use crate::reasons;
 use crate::request::{Fault, Request};
 use carom::claim::parse::parse_prop;
+use carom::claim::syntax::PropKind;
 use carom::number::decimal::{Digits, Rounding};
 use carom::report::answers;
-use carom::report::mathml::statement;
+use carom::report::mathml::{expression, statement};
 use carom::scene::answer::Answers;
 use carom::scene::quantity::Quantity;
 use carom::scene::{Chain, Inserted, Scene};
@@ -72,15 +73,29 @@ fn one(scene: &Scene, answers: &Answers<'_>, quantity: Quantity) -> Value {
     }
 }
 
-/// The equation of an irrational answer, typeset: its closed form is written as the claim language writes it.
-fn formula(quantity: Quantity, n: u64, value: &Value) -> Option<String> {
-    let radical = value.get("radical")?.as_str()?;
+/// The closed forms of irrational answers, typeset: the engine writes them as the claim language does. A single
+/// answer is an equation, a list has an expression or null for each entry.
+fn formula(quantity: Quantity, n: u64, value: &Value) -> Value {
     let name = match quantity {
-        Quantity::Eta => "eta".to_owned(),
         Quantity::Threshold => format!("L_{n}"),
-        _ => return None,
+        quantity => quantity.name().to_owned(),
     };
-    (radical.len() <= MAX_TYPESET).then(|| parse_prop(&format!("{name} = {radical}")).ok())?.as_ref().map(statement)
+    let equation = |number: &Value| {
+        let radical = number.get("radical")?.as_str().filter(|text| text.len() <= MAX_TYPESET)?;
+        parse_prop(&format!("{name} = {radical}")).ok()
+    };
+    match (quantity, value) {
+        (Quantity::Eta | Quantity::Threshold, number) => equation(number).as_ref().map(statement).into(),
+        (Quantity::Masses | Quantity::Velocities, Value::Array(list)) => list
+            .iter()
+            .map(|number| match equation(number)?.kind {
+                PropKind::Compare(sides, _) => sides.get(1).map(expression),
+                _ => None,
+            })
+            .map(Value::from)
+            .collect(),
+        _ => Value::Null,
+    }
 }
 
 /// Doubles near the inputs: where the sliders stand.
@@ -97,6 +112,8 @@ fn places(chain: &Chain) -> Value {
 
 #[cfg(test)]
 mod tests {
+    use super::{PropKind, parse_prop};
+    use carom::claim::syntax::{Expr, ExprKind, Factor, Sign};
     use serde_json::{Value, json};
 
     fn eval(m1: &str, m2: &str, e: &str, n: &str, masses: &str) -> Value {
@@ -123,6 +140,47 @@ mod tests {
             let formula = found["answers"][quantity]["mathml"].as_str().expect("a formula");
             assert!(formula.contains(sign) && formula.contains("<msup>"), "{formula}");
         }
+        let velocities = &found["answers"]["velocities"]["mathml"];
+        assert!((0..9).all(|i| velocities[i].as_str().is_some_and(|f| f.starts_with("<math"))), "{velocities}");
+        assert!(found["answers"]["masses"]["mathml"][0].is_null());
+    }
+
+    /// The value of an expression without names, in doubles: independent of the engine's enclosures.
+    fn value(e: &Expr) -> f64 {
+        match &e.kind {
+            ExprKind::Number(text) => text.parse().expect("a number"),
+            ExprKind::Negate(a) => -value(a),
+            ExprKind::Sum(list) => list.iter().map(|(s, a)| if *s == Sign::Plus { value(a) } else { -value(a) }).sum(),
+            ExprKind::Product(list) => {
+                list.iter().map(|(f, a)| if *f == Factor::Times { value(a) } else { 1.0 / value(a) }).product()
+            }
+            ExprKind::Power(a, b) => value(a).powf(value(b)),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn closed_forms_are_the_numbers_that_they_stand_beside() {
+        let mut seen = 0;
+        for m1 in ["10", "1/3", "7.5"] {
+            for (e, n) in [("9/10", "7"), ("0", "3"), ("1", "2"), ("9/10, 1/2, 0", "2"), ("1/7", "1")] {
+                let found = eval(m1, "2", e, n, "");
+                for quantity in ["eta", "threshold", "masses", "velocities"] {
+                    let answer = &found["answers"][quantity]["value"];
+                    let list = answer.as_array().cloned().unwrap_or_else(|| vec![answer.clone()]);
+                    for number in list.iter().filter(|x| x["exact"].is_null()) {
+                        let Some(text) = number["radical"].as_str() else { panic!("{quantity} {e}: {number}") };
+                        let prop = parse_prop(&format!("0 = {text}")).expect("the language's own form");
+                        let PropKind::Compare(sides, _) = &prop.kind else { panic!("{text}") };
+                        let decimal: f64 = number["decimal"].as_str().and_then(|d| d.parse().ok()).expect("a decimal");
+                        let error = (value(&sides[1]) / decimal - 1.0).abs();
+                        assert!(error < 1e-12, "{quantity}, m1 = {m1}, e = {e}: {text} is not {decimal}");
+                        seen += 1;
+                    }
+                }
+            }
+        }
+        assert!(seen > 100, "{seen}");
     }
 
     #[test]
