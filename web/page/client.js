@@ -1,13 +1,6 @@
 // Jobs for the engine, each client with a worker of its own: the newest question wins, and a long one can be stopped.
 
-/** The compiled engine, shared by all workers. */
-const compiled = (async () => {
-  const response = await fetch("engine_bg.wasm");
-  if (!response.ok) throw new Error(`engine_bg.wasm: ${response.status}`);
-  // Not every server names the type of the file.
-  const typed = response.headers.get("Content-Type")?.startsWith("application/wasm");
-  return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-})();
+import { compiled } from "./compiled.js";
 
 /** A job that still runs after so many milliseconds is ended when a newer one comes. */
 const PATIENCE = 250;
