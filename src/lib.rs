@@ -34,7 +34,7 @@ pub mod number;
 pub mod property;
 #[cfg(feature = "engine")]
 pub mod prove;
-#[cfg(feature = "cli")]
+#[cfg(feature = "report")]
 pub mod report;
 #[cfg(feature = "engine")]
 pub mod scene;

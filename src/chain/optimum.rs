@@ -209,8 +209,13 @@ impl Optimum {
     pub fn velocity(&self, i: u64, speed: &Rational) -> Real {
         let i = i.min(self.collisions());
         let arrival = self.arrival(i, speed);
+        let text = self.velocity_text(i, speed);
+        let closed = |x: Real| match text {
+            Some(text) => x.with_radical(text),
+            None => x,
+        };
         let Some(e) = self.restitutions.at(i).filter(|_| i < self.collisions()) else {
-            return arrival;
+            return closed(arrival);
         };
         if *speed == Rational::ZERO {
             return Real::rational(Rational::ZERO);
@@ -224,12 +229,46 @@ impl Optimum {
             return Real::rational(Rational::ZERO);
         }
         let step = self.step.clone();
-        Real::enclosed(move |bits| {
+        closed(Real::enclosed(move |bits| {
             let x = step.at(bits + 8);
             let below = x.add(&Interval::from_integer(1), bits + 8);
             let above = x.subtract(&Interval::from_rational(&e, bits + 8), bits + 8);
             arrival.enclosure(bits + 8).multiply(&above.divide(&below, bits + 8), bits + 4)
-        })
+        }))
+    }
+
+    /// The closed form of a velocity where `x` is irrational, `(x − e)/(x + 1)·∏(1 + e_j)·(x/(x + 1))^i·v1`, the first
+    /// factor for all bodies but the last; `None` where it would be long.
+    fn velocity_text(&self, i: u64, speed: &Rational) -> Option<String> {
+        let Step::Root(r, _) = &self.step else { return None };
+        let x = root_text(r, 1, self.collisions());
+        let mut factors = Vec::new();
+        if let Some(e) = self.restitutions.at(i).filter(|_| i < self.collisions()) {
+            factors.push(match *e.value() == Rational::ZERO {
+                true => format!("{x}/({x} + 1)"),
+                false => format!("({x} - {})/({x} + 1)", e.value()),
+            });
+        }
+        match &self.restitutions {
+            _ if i == 0 => {}
+            Restitutions::Same(e) if *e.value() == Rational::ZERO => factors.push(format!("({x}/({x} + 1))^{i}")),
+            Restitutions::Same(e) => factors.push(format!("({}*{x}/({x} + 1))^{i}", factor_text(&e.plus_one()))),
+            Restitutions::Each(list) => {
+                let size: u64 = list.iter().map(|e| exact_bits(&e.plus_one(), 1)).sum();
+                if size > MAX_TEXT_BITS {
+                    return None;
+                }
+                let gain = self.exact_gain(i);
+                if gain != Rational::ONE {
+                    factors.push(factor_text(&gain));
+                }
+                factors.push(format!("({x}/({x} + 1))^{i}"));
+            }
+        }
+        if *speed != Rational::ONE {
+            factors.push(if *speed > Rational::ZERO { factor_text(speed) } else { format!("({speed})") });
+        }
+        Some(factors.join("*"))
     }
 
     /// The kinetic energy lost in collision `i` (from 1 to `N`), for a first body of velocity `speed`:
@@ -258,6 +297,9 @@ impl Optimum {
         })
     }
 }
+
+/// The most bits of a product that a closed form writes out.
+const MAX_TEXT_BITS: u64 = 400;
 
 /// An upper bound of the bits of `x^count`.
 pub(super) fn exact_bits(x: &Rational, count: u64) -> u64 {

@@ -1,7 +1,7 @@
 //! The claim language: reading, checking and printing claim files.
 mod check;
 pub mod diagnostic;
-#[cfg(feature = "cli")]
+#[cfg(feature = "report")]
 pub mod embedded;
 pub mod format;
 pub mod lex;

@@ -12,7 +12,7 @@ use crate::number::real::Real;
 use crate::report::answers;
 use crate::scene::answer::Answers;
 use crate::scene::quantity::Quantity;
-use crate::scene::read::{self, DEFAULT_DIGITS, ROUNDINGS, SceneFault};
+use crate::scene::read::{self, DEFAULT_DIGITS, ROUNDINGS, SceneFault, elements};
 use crate::scene::{Chain, Coefficients, Inserted, Scene, Start};
 use std::io::{BufRead, BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -163,17 +163,6 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
     let chain = Chain::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
     let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
     Ok(Scene { want, digits: digits(flags), rounding: rounding(flags)?, chain })
-}
-
-/// The elements of a list; commas in brackets belong to ranges.
-fn elements(text: &str) -> Vec<&str> {
-    let mut depth = 0_i32;
-    text.split(|c: char| {
-        depth += i32::from(c == '[') - i32::from(c == ']');
-        c == ',' && depth <= 0
-    })
-    .map(str::trim)
-    .collect()
 }
 
 fn wants(text: &str) -> Result<Vec<Quantity>, Exit> {

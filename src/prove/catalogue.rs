@@ -1,5 +1,6 @@
 //! Claims judged: each once, those that it cites first, no others.
 
+use super::Instant;
 use super::context::{Context, Engine, Failure, Origin, source};
 use super::expand::Statement;
 use super::outcome::{Fault, Line, Outcome, Verdict};
@@ -10,7 +11,7 @@ use crate::claim::syntax::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Bounds on the work for one claim; each is reported by name when it is reached.
 #[derive(Clone, Debug)]

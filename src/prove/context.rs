@@ -7,6 +7,7 @@
 //!
 //! A fact that divides by something, or takes a root, is understood to say that it is defined.
 
+use super::Instant;
 use super::expand::Sequence;
 use crate::algebra::Polynomial;
 use crate::algebra::form::{AtomId, Form, Ring};
@@ -15,7 +16,6 @@ use crate::claim::syntax::{Binding, Diagnose, Expr, Prop, Relation};
 use crate::prove::outcome::Line;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
-use std::time::Instant;
 
 /// A set of possible signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@
 //! certainly false there or has no value. Points are tried in order of simplicity, so the first is
 //! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
 
+use super::Instant;
 use super::context::{Context, Engine};
 use super::evaluate::{Assignment, Missing};
 use super::expand::Statement;
@@ -16,7 +17,6 @@ use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use std::collections::HashSet;
-use std::time::Instant;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[

@@ -12,6 +12,11 @@ pub fn statement(p: &Prop) -> String {
     math(&prop(p))
 }
 
+/// An expression on a line of its own.
+pub fn expression(e: &Expr) -> String {
+    math(&expr(e))
+}
+
 /// A hypothesis or definition.
 pub fn item(item: &Item) -> String {
     math(&match item {
@@ -122,7 +127,7 @@ fn expr(e: &Expr) -> String {
                 ExprKind::Number(_) | ExprKind::Name(_) => expr(base),
                 _ => fenced(&expr(base)),
             };
-            format!("<msup>{base}{}</msup>", expr(exponent))
+            format!("<msup>{base}{}</msup>", raised(exponent))
         }
         ExprKind::SumOver(index, body) => over("∑", index, body),
         ExprKind::ProductOver(index, body) => over("∏", index, body),
@@ -139,6 +144,19 @@ fn expr(e: &Expr) -> String {
             let rows: String = rows.iter().map(|r| format!("<mtr>{}</mtr>", cells(r))).collect();
             fenced(&format!("<mtable>{rows}</mtable>"))
         }
+    }
+}
+
+/// An exponent: a quotient stands on one line, since a fraction would tear the line above it apart.
+fn raised(e: &Expr) -> String {
+    match &e.kind {
+        ExprKind::Product(list) => match list.as_slice() {
+            [(Factor::Times, above), (Factor::Over, below)] => {
+                row(&[at_least(above, 4), operator("/"), at_least(below, 4)])
+            }
+            _ => expr(e),
+        },
+        _ => expr(e),
     }
 }
 
@@ -259,6 +277,7 @@ mod tests {
         }
         assert!(!shown("a*(b/c) = 1").contains("<mo>(</mo><mfrac>"));
         assert!(shown("a*(b + c) = 1").contains("<mo>(</mo>"));
+        assert!(shown("a^(1/(n + 1)) = 1").contains("<mn>1</mn><mo>/</mo><mrow><mo>(</mo>"));
     }
 
     #[test]

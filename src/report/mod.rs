@@ -6,12 +6,13 @@ pub mod argument;
 pub mod document;
 pub mod graph;
 pub mod json;
+#[cfg(feature = "cli")]
 pub mod junit;
 pub mod markdown;
 pub mod markup;
 pub mod mathml;
 pub mod page;
-#[cfg(feature = "plot")]
+#[cfg(feature = "svg")]
 pub mod plot;
 pub mod replay;
 pub mod table;

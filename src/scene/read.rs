@@ -246,6 +246,17 @@ pub const ROUNDINGS: [(&str, Rounding); 5] = [
     ("away", Rounding::Away),
 ];
 
+/// The elements of a list written on one line, such as `9/10, [0.84, 0.90]`; commas in brackets belong to ranges.
+pub fn elements(text: &str) -> Vec<&str> {
+    let mut depth = 0_i32;
+    text.split(|c: char| {
+        depth += i32::from(c == '[') - i32::from(c == ']');
+        c == ',' && depth <= 0
+    })
+    .map(str::trim)
+    .collect()
+}
+
 fn direction(value: &Value<'_>) -> Result<Rounding, SceneFault> {
     let name = value.get_ref().as_str().unwrap_or("");
     ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, r)| *r).ok_or_else(|| {

@@ -11,6 +11,7 @@
 pub mod axes;
 pub mod charts;
 pub mod letters;
+#[cfg(feature = "plot")]
 pub mod png;
 pub mod shape;
 pub mod svg;

@@ -28,8 +28,8 @@ pub(super) fn near(value: &Value) -> f64 {
     f64::rounding_from(&middle, RoundingMode::Nearest).0.clamp(-EDGE, EDGE)
 }
 
-/// The worldlines as corners `(t, x)`.
-pub(super) struct Worldlines {
+/// The worldlines as corners `(t, x)`, in doubles: for drawing only.
+pub struct Worldlines {
     /// One list of corners for each body, first and last at the ends of the picture.
     pub bodies: Vec<Vec<(f64, f64)>>,
     /// Half the length of each body.
@@ -48,6 +48,7 @@ pub(super) struct Worldlines {
 
 impl Worldlines {
     /// Follows the listed collisions.
+    #[must_use]
     pub fn new(replay: &Replay) -> Worldlines {
         let (line, o) = (replay.line, replay.outcome);
         let exact = |x: &malachite::Rational| near(&Value::Exact(x.clone()));

@@ -1,0 +1,26 @@
+//! `bindings ENGINE.wasm FOLDER` writes `engine.js` and `engine_bg.wasm`: the module and its JavaScript side.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [module, folder] = arguments.as_slice() else {
+        eprintln!("usage: bindings ENGINE.wasm FOLDER");
+        return ExitCode::from(2);
+    };
+    let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
+    bindgen
+        .input_path(module)
+        .out_name("engine")
+        .typescript(false)
+        .remove_name_section(true)
+        .remove_producers_section(true);
+    let written = bindgen.web(true).and_then(|b| b.generate(folder));
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}

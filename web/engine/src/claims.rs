@@ -1,0 +1,218 @@
+//! Claims and what is thought of them.
+
+use crate::request::{Fault, Request};
+use carom::claim::diagnostic::{self, Diagnostic};
+use carom::claim::parse::parse;
+use carom::claim::print::Style;
+use carom::claim::syntax::{Claim, Expectation};
+use carom::claim::{LANGUAGE, embedded};
+use carom::prove::catalogue::{Catalogue, Limits};
+use carom::prove::outcome::{self, Point};
+use carom::report::{self, Entry, mathml};
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// The longest text that the page's editor sends.
+const MAX_TEXT: usize = 200_000;
+/// The most faults that are shown.
+const SHOWN: usize = 20;
+/// The longest time for one claim, in seconds.
+const SECONDS: u64 = 10;
+
+/// Judges the claims of a text.
+pub fn audit(request: &Request) -> Result<Value, Fault> {
+    let text = request.long_text("text");
+    if text.len() > MAX_TEXT {
+        return Err(Fault::at("text", format!("limit reached: {MAX_TEXT} bytes of claims on this page")).limit());
+    }
+    let claims = match parse(text) {
+        Ok(claims) => claims,
+        Err(faults) => return Ok(json!({ "claims": [], "faults": shown(&faults, text) })),
+    };
+    let mut catalogue = match Catalogue::new(claims) {
+        Ok(catalogue) => catalogue,
+        Err(faults) => {
+            let faults: Vec<Diagnostic> = faults.into_iter().map(|f| f.1).collect();
+            return Ok(json!({ "claims": [], "faults": shown(&faults, text) }));
+        }
+    };
+    let names: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
+    let (mut claims, mut faults) = (Vec::new(), Vec::new());
+    for name in names {
+        match judge(&mut catalogue, &name)? {
+            Ok(entry) => claims.push(described(&entry, Some(text))),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    Ok(json!({ "claims": claims, "faults": shown(&faults, text) }))
+}
+
+/// Judges one claim of the catalogue.
+pub fn claim(request: &Request) -> Result<Value, Fault> {
+    let id = request.text("id")?;
+    let broken =
+        |faults: Vec<Diagnostic>| Fault::new(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"));
+    let unknown = || Fault::at("id", format!("no claim is called {id:?}"));
+    let claims = embedded::claims(&[id.to_owned()]).map_err(broken)?.ok_or_else(unknown)?;
+    let mut catalogue = Catalogue::new(claims).map_err(|list| broken(list.into_iter().map(|f| f.1).collect()))?;
+    let entry = judge(&mut catalogue, id)?.map_err(|fault| Fault::new(fault.message()))?;
+    let file = embedded::files().into_iter().find(|f| embedded::stem(f.path) == id);
+    Ok(json!({ "claim": described(&entry, None), "text": file.map(|f| f.text) }))
+}
+
+/// The catalogue: names, titles and sections.
+pub fn catalogue(_: &Request) -> Result<Value, Fault> {
+    let mut list = Vec::new();
+    for file in embedded::files() {
+        for claim in parse(file.text).unwrap_or_default() {
+            list.push(json!({
+                "id": claim.name.text,
+                "number": claim.number,
+                "title": claim.title,
+                "section": claim.section,
+                "reading": report::reading(&claim),
+            }));
+        }
+    }
+    Ok(json!({ "claims": list, "language": LANGUAGE }))
+}
+
+/// The entry of a claim, or the fault of a claim that makes no sense.
+fn judge(catalogue: &mut Catalogue, name: &str) -> Result<Result<Entry, Diagnostic>, Fault> {
+    let limits = Limits { time: Duration::from_secs(SECONDS), ..Limits::default() };
+    let outcome = catalogue.audit(name, &limits);
+    let Some(claim) = catalogue.get(name).cloned() else {
+        return Err(Fault::new(format!("no claim is called {name:?}")));
+    };
+    Ok(match outcome {
+        Ok(outcome) => Ok(Entry { claim, outcome }),
+        Err(outcome::Fault::Contradictory { hypotheses }) => Err(Diagnostic::new(
+            diagnostic::Fault::Other {
+                message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
+                help: Some("such a claim would be true of nothing; mend the hypotheses".to_owned()),
+            },
+            claim.name.span,
+        )),
+        Err(outcome::Fault::Text(d)) => {
+            Err(Diagnostic::new(diagnostic::Fault::Other { message: d.message, help: d.help }, d.span))
+        }
+    })
+}
+
+/// The first faults, each with its place in UTF-16 units, as an editor in a browser counts, and with its caret.
+fn shown(faults: &[Diagnostic], text: &str) -> Value {
+    let units = |end: usize| {
+        let end = (0..=end.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0);
+        text[..end].encode_utf16().count()
+    };
+    let one = |fault: &Diagnostic| {
+        let (line, column) = fault.place(text);
+        let start = units(fault.span.start);
+        json!({
+            "message": fault.message(),
+            "help": fault.help(),
+            "start": start,
+            "end": units(fault.span.end).max(start),
+            "line": line,
+            "column": column,
+            "rendered": fault.render("your text", text, false),
+        })
+    };
+    json!({
+        "list": faults.iter().take(SHOWN).map(one).collect::<Vec<_>>(),
+        "more": faults.len().saturating_sub(SHOWN),
+    })
+}
+
+fn point(point: &Point) -> Value {
+    point.values.iter().map(|(name, value)| json!([Style::Unicode.name(name), value])).collect()
+}
+
+fn described(entry: &Entry, text: Option<&str>) -> Value {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
+    let expected = match claim.expect {
+        Expectation::Proved => "proved",
+        Expectation::Refuted => "refuted",
+        Expectation::Undecided => "undecided",
+    };
+    json!({
+        "id": claim.name.text,
+        "title": claim.title,
+        "number": claim.number,
+        "source": claim.source,
+        "section": claim.section,
+        "reading": report::reading(claim),
+        "line": text.map(|text| Diagnostic::new(diagnostic::Fault::Empty, claim.name.span).place(text).0),
+        "verdict": outcome.verdict.name(),
+        "expected": expected,
+        "as_expected": entry.as_expected(),
+        "method": outcome.method,
+        "statement": entry.goal(Style::Unicode),
+        "mathml": mathml::statement(&claim.goal),
+        "hypotheses": hypotheses(claim),
+        "argument": outcome.argument.iter().map(|l| json!([l.depth, l.rule, l.text])).collect::<Vec<_>>(),
+        "used": outcome.used,
+        "unused": outcome.unused,
+        "sample": outcome.sample.as_ref().map(point),
+        "witness": outcome.witness.as_ref().map(|w| json!({
+            "point": point(&w.point),
+            "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
+        })),
+        "reason": outcome.reason,
+        "notes": claim.notes,
+        "using": claim.using.iter().map(|n| n.text.clone()).collect::<Vec<_>>(),
+    })
+}
+
+fn hypotheses(claim: &Claim) -> Vec<Value> {
+    claim.items.iter().map(|item| json!({ "text": Style::Unicode.item(item), "mathml": mathml::item(item) })).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    fn audit(text: &str) -> Value {
+        serde_json::from_str(&crate::audit(&json!({ "text": text }).to_string())).expect("JSON")
+    }
+
+    #[test]
+    fn a_refuted_claim_shows_its_counterexample() {
+        let found = audit("claim mine \"Mine\"\ngiven m > 0\nprove m^2 = m\n");
+        let claim = &found["claims"][0];
+        assert_eq!(claim["verdict"], "refuted");
+        assert_eq!(claim["witness"]["point"][0][0], "m");
+        assert_eq!(claim["line"], 1);
+    }
+
+    #[test]
+    fn places_are_counted_as_an_editor_counts() {
+        // The sign 𝜇 takes four bytes and two units.
+        let found = audit("claim mine \"𝜇\"\ngiven m > 0\nprove m = k\n");
+        let fault = &found["faults"]["list"][0];
+        let start = fault["start"].as_u64().expect("a number") as usize;
+        let units: Vec<u16> = "claim mine \"𝜇\"\ngiven m > 0\nprove m = k\n".encode_utf16().collect();
+        assert_eq!(char::from_u32(units[start].into()), Some('k'));
+        assert!(fault["rendered"].as_str().is_some_and(|r| r.contains('^')));
+    }
+
+    #[test]
+    fn markup_in_a_title_stays_text() {
+        let found = audit("claim mine \"<img src=x onerror=alert(1)>\"\nprove 1 < 2\n");
+        assert_eq!(found["claims"][0]["title"], "<img src=x onerror=alert(1)>");
+        assert!(!found["claims"][0]["mathml"].as_str().expect("text").contains("<img"));
+    }
+
+    #[test]
+    fn the_catalogue_is_all_there_and_each_claim_is_as_expected() {
+        let all: Value = serde_json::from_str(&crate::catalogue("{}")).expect("JSON");
+        let list = all["claims"].as_array().expect("a list");
+        assert!(list.len() >= 90);
+        for id in ["eq25", "p-final", "eq19"] {
+            let found: Value = serde_json::from_str(&crate::claim(&json!({ "id": id }).to_string())).expect("JSON");
+            assert_eq!(found["claim"]["as_expected"], true);
+            assert!(found["claim"]["mathml"].as_str().expect("text").starts_with("<math"));
+        }
+        assert!(crate::claim("{\"id\": \"nothing\"}").contains("error"));
+    }
+}

@@ -1,0 +1,199 @@
+//! The collisions of a chain, one by one.
+//!
+//! The bodies are rods that stand one unit apart, the first one moving. Rods behave as points do: their lengths,
+//! chosen for the eye, shift when collisions happen and change no velocity. Inserted masses that are irrational are
+//! replaced by decimals of [`MASS_DIGITS`] digits, and the answer says so.
+
+use crate::request::{Fault, Request};
+use carom::chain::recollision::WARNING;
+use carom::chain::replay::{self, Body, Limit, Line, Options, Status, Value as Exact};
+use carom::number::decimal::{Digits, Rounding};
+use carom::number::rational;
+use carom::report::replay::svg::{self, Worldlines};
+use carom::report::replay::{Numbers, Replay, decimal, pair};
+use carom::scene::answer::{Answers, Number, Value as Answer};
+use carom::scene::quantity::Quantity;
+use carom::scene::{Chain, Scene};
+use malachite::Rational;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+use serde_json::{Value, json};
+
+/// The most inserted bodies that are drawn.
+const MAX_DRAWN: u64 = 40;
+/// The most collisions that are listed.
+const MAX_EVENTS: u64 = 1_000;
+/// Digits of an irrational mass in the replay.
+const MASS_DIGITS: u64 = 12;
+/// Texts of exact numbers that are longer are decimals instead, with so many digits.
+const SHORT: (usize, u64) = (24, 12);
+
+/// Replays the chain.
+pub fn replay(request: &Request) -> Result<Value, Fault> {
+    let chain = request.chain()?;
+    if !chain.is_exact() {
+        return Err(Fault::new("measured values are not replayed: the replay is exact").help("type single numbers"));
+    }
+    if chain.count() > MAX_DRAWN {
+        let message = format!("limit reached: {MAX_DRAWN} inserted bodies are drawn at most");
+        return Err(Fault::new(message).limit().help("the numbers above hold for all of them"));
+    }
+    let (masses, rounded) = masses(&chain)?;
+    let line = line(&chain, &masses)?;
+    let options = Options {
+        max_events: MAX_EVENTS,
+        list: usize::try_from(MAX_EVENTS).unwrap_or(usize::MAX),
+        ..Options::default()
+    };
+    let outcome = replay::replay(&line, &options)
+        .map_err(|fault| Fault::new(format!("the ledger of {} does not balance; please report this", fault.law)))?;
+    let replay = Replay { title: None, line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
+    let lines = Worldlines::new(&replay);
+    let pass = chain.count() + 1;
+    let events: Vec<Value> = outcome
+        .events
+        .iter()
+        .enumerate()
+        .map(|(i, c)| {
+            json!({
+                "pair": pair(&line, c.pair),
+                "left": c.pair,
+                "time": written(&c.time),
+                "before": [written(&c.before[0]), written(&c.before[1])],
+                "after": [written(&c.after[0]), written(&c.after[1])],
+                "lost": written(&c.lost),
+                "of_the_pass": (i as u64) < pass,
+                "drawn_time": lines.contacts.get(i).map(|c| c.0),
+            })
+        })
+        .collect();
+    Ok(json!({
+        "events": events,
+        "count": outcome.count,
+        "pass": pass,
+        "again": outcome.count > pass,
+        "warning": WARNING,
+        "end": end(&outcome.status),
+        "exact": outcome.enclosed.is_none(),
+        "rounded": rounded.then_some(MASS_DIGITS),
+        "final": outcome.velocities.iter().map(written).collect::<Vec<_>>(),
+        "lost": written(&outcome.energy.lost),
+        "masses": masses.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "drawn": {
+            "worldlines": lines.bodies,
+            "half": lines.half,
+            "end": lines.end,
+            "range": [lines.range.0, lines.range.1],
+        },
+        "svg": svg::report(&replay),
+    }))
+}
+
+/// A number as text, and whether that is exact.
+fn written(x: &Exact) -> Value {
+    let exact = Numbers::Exact.write(x);
+    let is_exact = !matches!(x, Exact::Within(..)) && exact.chars().count() <= SHORT.0;
+    json!({ "text": if is_exact { exact } else { decimal(x, SHORT.1) }, "exact": is_exact })
+}
+
+fn end(status: &Status) -> String {
+    match status {
+        Status::Complete => "no more collisions".to_owned(),
+        Status::Collapse(found) => format!(
+            "infinitely many collisions before the time {}: the bodies {} to {} come together",
+            decimal(&found.time, SHORT.1),
+            found.bodies.0,
+            found.bodies.1
+        ),
+        Status::Limit(Limit::Events { allowed }) => format!("limit reached: {allowed} collisions, and more are due"),
+        Status::Limit(_) => "limit reached: the numbers have become too long".to_owned(),
+        Status::Ambiguous(found) => format!(
+            "the bodies {} to {} touch at one instant; what follows depends on the order of their collisions",
+            found.bodies.0, found.bodies.1
+        ),
+    }
+}
+
+/// The masses of a chain as rationals, and whether one of them had to be rounded.
+fn masses(chain: &Chain) -> Result<(Vec<Rational>, bool), Fault> {
+    let scene = Scene {
+        want: vec![Quantity::Masses],
+        digits: Digits::Significant(MASS_DIGITS),
+        rounding: Rounding::Nearest,
+        chain: chain.clone(),
+    };
+    let answers = Answers::new(&scene);
+    let (answer, _) = answers.get(Quantity::Masses).map_err(|error| Fault::chain(None, &error))?;
+    let Answer::List(numbers) = answer else { return Err(Fault::new("the masses are not known")) };
+    let rounded = numbers.iter().any(|n| n.exact.is_none());
+    let mass = |number: &Number| match (&number.exact, &number.decimal) {
+        (Some(exact), _) => Some(exact.clone()),
+        (None, Some(decimal)) => rational::parse(decimal).ok(),
+        _ => None,
+    };
+    let list: Option<Vec<Rational>> = numbers.iter().map(mass).collect();
+    Ok((list.ok_or_else(|| Fault::new("the masses are not known"))?, rounded))
+}
+
+/// The bodies on their line: one unit of free way before each, lengths as the cube roots of masses.
+fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
+    let near = |m: &Rational| f64::rounding_from(m, RoundingMode::Nearest).0;
+    let heaviest = masses.iter().map(near).fold(f64::MIN_POSITIVE, f64::max);
+    let restitutions = chain.restitutions().0;
+    let mut bodies = Vec::with_capacity(masses.len());
+    let mut place = Rational::ZERO;
+    for (i, mass) in masses.iter().enumerate() {
+        // From 1/8 to 1, in steps of 1/64.
+        let steps = (64.0 * (near(mass) / heaviest).cbrt()).round().clamp(8.0, 64.0);
+        let length = Rational::from_unsigneds(steps as u64, 64);
+        let half = &length / Rational::from(2);
+        let velocity = if i == 0 { Rational::ONE } else { Rational::ZERO };
+        bodies.push(Body { mass: mass.clone(), position: &place + &half, velocity, length: length.clone() });
+        place += length + Rational::ONE;
+    }
+    let pairs: Vec<Rational> =
+        (0..masses.len() as u64 - 1).filter_map(|i| restitutions.at(i).map(|e| e.value().clone())).collect();
+    Line::new(&bodies, &pairs, None, None).map_err(|error| Fault::new(error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    fn replay(m1: &str, e: &str, n: &str) -> Value {
+        let request = json!({"m1": m1, "m2": "1", "e": e, "n": n});
+        serde_json::from_str(&crate::replay(&request.to_string())).expect("JSON")
+    }
+
+    #[test]
+    fn the_velocities_of_the_replay_are_those_of_the_pass() {
+        // x = 4, e = 1/2, x·e >= 1: no body is struck twice.
+        let found = replay("64", "1/2", "2");
+        assert_eq!(found["count"], 3);
+        assert_eq!(found["again"], false);
+        assert!(found["rounded"].is_null());
+        let request = json!({"m1": "64", "m2": "1", "e": "1/2", "n": "2", "digits": "12"});
+        let pass: Value = serde_json::from_str(&crate::answers(&request.to_string())).expect("JSON");
+        for i in 0..4 {
+            let exact = &pass["answers"]["velocities"]["value"][i]["exact"];
+            assert_eq!(&found["final"][i]["text"], exact, "{found}");
+        }
+    }
+
+    #[test]
+    fn bodies_that_meet_again_are_seen() {
+        let found = replay("2", "1/2", "0");
+        assert_eq!(found["again"], false);
+        // e < x < 1/e with x = 2^(1/2).
+        let found = replay("2", "1/2", "1");
+        assert_eq!(found["again"], true);
+        assert_eq!(found["rounded"], 12);
+    }
+
+    #[test]
+    fn limits_are_said() {
+        assert_eq!(replay("2", "1/2", "41")["error"]["limit"], true);
+        assert!(replay("2 ± 0.1", "1/2", "1")["error"]["help"].is_string());
+    }
+}

@@ -1,0 +1,348 @@
+// The room of the chain: inputs, answers, replay, pictures.
+
+import { Client, clientWith } from "./client.js";
+import { $, announce, later, make, save, sentence, showFault } from "./dom.js";
+import { cell, number, written } from "./numbers.js";
+import { COUNT, MASS, RESTITUTION, attach, move } from "./sliders.js";
+import * as stage from "./stage.js";
+import * as state from "./state.js";
+import { whyButton } from "./why.js";
+
+const BEGINNING = { m1: "10", m2: "1", e: "9/10", n: "7", inserted: "optimal", masses: "", digits: "15", picture: "eta-n" };
+const EXAMPLES = [
+  ["Ten to one, seven bodies between", { m1: "10", m2: "1", e: "9/10", n: "7" }],
+  ["Exactly on the threshold", { m1: "64", m2: "1", e: "44/81", n: "2" }],
+  ["Elastic, masses 64 to 1", { m1: "64", m2: "1", e: "1", n: "5" }],
+  ["Bodies that meet again", { m1: "2", m2: "1", e: "1/2", n: "2" }],
+  ["Final after one pass", { m1: "64", m2: "1", e: "1/2", n: "2" }],
+  ["Measured restitution", { m1: "57.1 ± 0.1", m2: "1", e: "[0.88, 0.92]", n: "3" }],
+  ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
+  ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
+];
+/** Collisions that get a slider each. */
+const MOST_SLIDERS = 12;
+
+const engine = clientWith($("chain-busy"));
+const replayer = new Client();
+const painter = new Client();
+const form = $("chain-form");
+let answers = null;
+let replay = null;
+let pictureUrl = null;
+let pictureText = "";
+
+/** The elements of a list; commas in brackets belong to ranges. */
+function elements(text) {
+  const list = [""];
+  let depth = 0;
+  for (const c of text) {
+    depth += (c === "[") - (c === "]");
+    if (c === "," && depth <= 0) list.push("");
+    else list[list.length - 1] += c;
+  }
+  return list.map((element) => element.trim());
+}
+
+const fields = () => ({
+  m1: $("m1").value,
+  m2: $("m2").value,
+  e: $("e").value,
+  n: $("n").value,
+  inserted: $("given").checked ? "given" : "optimal",
+  masses: $("masses").value,
+  digits: $("digits").value,
+});
+
+function showEach() {
+  const each = $("each").checked;
+  $("e-label").textContent = each ? "Restitutions e₁, e₂, …" : "Restitution e";
+  $("e-slider").hidden = each;
+  $("e").closest(".field").classList.toggle("list", each);
+  const list = each ? elements($("e").value) : [];
+  const box = $("each-sliders");
+  box.hidden = !each || list.length > MOST_SLIDERS;
+  if (box.hidden) return;
+  if (box.children.length !== list.length) {
+    box.replaceChildren(...list.map((_, i) => {
+      const slider = make("input", { type: "range", min: "0", max: "1000", "aria-label": `Restitution of collision ${i + 1}, slider` });
+      slider.addEventListener("input", () => {
+        const now = elements($("e").value);
+        now[i] = RESTITUTION.text(Number(slider.value));
+        $("e").value = now.join(", ");
+        ask();
+      });
+      return make("label", {}, `e${i + 1}`, slider);
+    }));
+  }
+  [...box.querySelectorAll("input")].forEach((slider, i) => {
+    const [above, below = "1"] = list[i].split("/");
+    const near = Number(above) / Number(below);
+    if (Number.isFinite(near) && !slider.matches(":active")) slider.value = String(RESTITUTION.position(near));
+  });
+}
+
+/** As many coefficients as collisions: the last one is repeated, or the list is cut. */
+function fit() {
+  if (!$("each").checked) return;
+  const count = $("given").checked ? elements($("masses").value).filter(Boolean).length : Number($("n").value);
+  if (!Number.isInteger(count) || count < 0 || count > 200) return;
+  const list = elements($("e").value).filter(Boolean);
+  if (!list.length) return;
+  while (list.length < count + 1) list.push(list[list.length - 1]);
+  $("e").value = list.slice(0, count + 1).join(", ");
+}
+
+function restore() {
+  for (const key of ["m1", "m2", "e", "n", "digits"]) $(key).value = state.get(key, BEGINNING[key]);
+  $("masses").value = state.get("masses", "");
+  $("given").checked = state.get("inserted", "optimal") === "given";
+  $("each").checked = elements($("e").value).length > 1;
+  $("picture").value = state.get("picture", BEGINNING.picture);
+  if (!$("picture").value) $("picture").value = BEGINNING.picture;
+  layout();
+}
+
+function layout() {
+  $("masses-field").hidden = !$("given").checked;
+  form.querySelector('[data-field="n"]').hidden = $("given").checked;
+  showEach();
+}
+
+const title = (quantity) => ({
+  eta: ["η", "share of the energy that the last body gets"],
+  threshold: [make("span", {}, "L", make("sub", {}, answers.n)), `least restitution with which body ${answers.n} helps`],
+  helps: ["Help", `does the ${answers.n === "1" ? "inserted" : "last inserted"} body help?`],
+  "best-n": ["n*", "best number of inserted bodies"],
+})[quantity];
+
+function best(value) {
+  const [low, high] = value.enclosure;
+  const word = { infinite: "∞", any: "any number" };
+  const shown = value.exact ? word[value.exact] ?? value.exact : `from ${word[low] ?? low} to ${word[high] ?? high}`;
+  const note = value.tie ? "one body fewer hands on exactly as much"
+    : value.exact === "infinite" ? "every further body helps"
+    : value.exact === "any" ? "equal masses and e = 1: everything is handed on with any number"
+    : value.exact ? "exact" : "depends on the measured inputs";
+  return make("div", { class: "number" }, make("p", { class: "decimal" }, shown), make("p", { class: "hint" }, note));
+}
+
+const HELPS = { yes: "it hands on more than one body fewer would", no: "one body fewer would hand on more", depends: "depends on the measured inputs",
+  "exactly on the threshold": "e = L exactly: with or without it, the same" };
+
+function card(quantity) {
+  const { value, error, mathml: formula } = answers.answers[quantity];
+  const [sign, words] = title(quantity);
+  const head = make("div", { class: "card-head" }, make("h2", {}, make("span", { class: "sign" }, sign), " ", make("small", {}, words)),
+    whyButton(words, answers.why[quantity]));
+  let body;
+  if (error) body = make("p", { class: "refusal" }, sentence(error));
+  else if (quantity === "best-n") body = best(value);
+  else if (quantity === "helps") {
+    body = make("div", { class: "number" }, make("p", { class: "decimal" }, value), make("p", { class: "hint" }, HELPS[value] ?? ""));
+  } else body = number(value, { formula });
+  const section = make("section", { class: `card quantity ${quantity}` }, head, body);
+  section.dataset.quantity = quantity;
+  return section;
+}
+
+function showBodies() {
+  const { masses, velocities, losses } = answers.answers;
+  const card = $("bodies-card");
+  card.hidden = !masses;
+  if (!masses) return;
+  const again = replay?.again;
+  const { why } = answers;
+  const closed = $("closed").checked;
+  const head = [["Body"], ["Mass ", whyButton("the masses", why.masses)],
+    ["Velocity after the pass ", whyButton("the velocities", why.velocities)],
+    again ? ["Velocity in the end ", whyButton("bodies meet again", why.recollides)] : null,
+    ["Energy lost to the next ", whyButton("the energy lost", why.losses)]];
+  const rows = (masses.value ?? []).map((mass, i) => make("tr", {},
+    make("th", { scope: "row" }, `${i + 1}`),
+    make("td", {}, cell(mass, closed, masses.mathml?.[i])),
+    make("td", {}, velocities?.value ? cell(velocities.value[i], closed, velocities.mathml?.[i]) : "–"),
+    again ? make("td", {}, replay.final[i] ? written(replay.final[i]) : "–") : null,
+    make("td", {}, losses?.value?.[i] ? cell(losses.value[i], closed) : "–")));
+  $("bodies").replaceChildren(
+    make("thead", {}, make("tr", {}, head.filter(Boolean).map((parts) => make("th", { scope: "col" }, parts)))),
+    make("tbody", {}, rows));
+  const refused = [masses, velocities, losses].map((a) => a?.error).filter(Boolean).map(sentence);
+  const rounded = again && replay.rounded ? `Velocities in the end: of the replay, with masses of ${replay.rounded} digits.` : "";
+  $("bodies-note").textContent = [...new Set(refused.map((text) => `${text}.`)), rounded].filter(Boolean).join(" ");
+}
+
+function showAgain() {
+  const { recollides } = answers.answers;
+  const depends = recollides?.value === "depends";
+  const box = $("again");
+  box.hidden = !(recollides?.value === true || depends);
+  if (box.hidden) return;
+  box.replaceChildren(
+    make("strong", {}, depends ? "Bodies may meet again after the pass. " : "Bodies meet again after the pass. "),
+    depends ? "It depends on the measured inputs whether the velocities below are final. "
+      : "The velocities after the pass are not final, and neither are those of the paper's (22)–(24). ",
+    whyButton("bodies meet again", answers.why.recollides));
+  if (replay && !replay.error) {
+    box.append(" ", make("button", { type: "button", class: "small", onclick: stage.showAll }, "Play all collisions"));
+  }
+}
+
+function showCollisions() {
+  $("collisions-card").hidden = !replay;
+  if (!replay) return;
+  const head = [["No."], ["Bodies"], ["Time"], ["Velocities before", 2], ["Velocities after", 2], ["Energy lost"]];
+  const rows = replay.events.slice(0, 300).map((c, i) => make("tr", { class: c.of_the_pass ? "" : "later" },
+    make("td", {}, String(i + 1)), make("td", {}, c.pair),
+    [c.time, c.before[0], c.before[1], c.after[0], c.after[1], c.lost].map((x) => make("td", {}, written(x)))));
+  $("collisions").replaceChildren(
+    make("thead", {}, make("tr", {}, head.map(([text, colSpan]) => make("th", { scope: "col", colSpan }, text)))), make("tbody", {}, rows));
+}
+
+async function askReplay(request) {
+  const found = await replayer.ask("replay", request);
+  if (!found) return;
+  replay = found.error ? null : found;
+  stage.show(replay);
+  const notes = [];
+  if (found.error) notes.push(`No replay: ${sentence(found.error)}.`);
+  else {
+    notes.push(`In the end: ${found.end}.`);
+    if (found.rounded) notes.push(`The inserted masses are irrational; the replay takes them with ${found.rounded} digits and is exact for those.`);
+    if (!found.exact) notes.push("Numbers that became too long are enclosed; count and order of the collisions are certain.");
+    notes.push("The bodies are rods one unit apart; their lengths, chosen for the eye, change no velocity.");
+  }
+  $("replay-note").textContent = notes.join(" ");
+  if (answers) {
+    showAgain();
+    showBodies();
+  }
+  showCollisions();
+  if ($("picture").value === "space-time") paint();
+}
+
+const ALTS = {
+  "eta-n": "The share of the energy against the number of inserted bodies, for several restitutions, the best number marked",
+  "eta-x": "The share of the energy against the mass ratio, for several numbers of bodies",
+  threshold: "The least restitution with which the n-th body helps, against the mass ratio",
+  map: "A map of restitution and mass ratio, coloured by the best number of inserted bodies",
+  velocities: "The velocities of the bodies before they strike and after the pass",
+  "space-time": "Space-time diagram of the replay: place to the right, time upward",
+};
+let painted = "";
+
+const paint = later(async () => {
+  const picture = $("picture").value;
+  let found;
+  if (picture === "space-time") {
+    found = replay ? { svg: replay.svg } : { error: { message: "there is no replay to draw" } };
+    painted = "";
+  } else {
+    const request = picture === "map" ? { ...BEGINNING, picture } : { ...fields(), picture };
+    const key = JSON.stringify(request);
+    if (key === painted) return;
+    $("figure").classList.add("waiting");
+    found = await painter.ask("plot", request);
+    if (!found) return;
+    painted = key;
+  }
+  $("figure").classList.remove("waiting");
+  $("picture-note").textContent = found.error ? `No picture: ${sentence(found.error)}.` : "";
+  $("picture-image").hidden = $("picture-save").disabled = Boolean(found.error);
+  if (found.error) return;
+  if (pictureUrl) URL.revokeObjectURL(pictureUrl);
+  pictureText = found.svg;
+  // As an image, a picture can neither run scripts nor fetch anything.
+  pictureUrl = URL.createObjectURL(new Blob([found.svg], { type: "image/svg+xml" }));
+  $("picture-image").src = pictureUrl;
+  $("picture-image").alt = ALTS[picture];
+}, 120);
+
+async function ask() {
+  const request = fields();
+  state.keep({ ...request, masses: $("given").checked ? request.masses : "", picture: $("picture").value }, BEGINNING);
+  showEach();
+  const found = await engine.ask("answers", request);
+  if (!found) return;
+  showFault(form, $("chain-error"), found.error);
+  document.querySelector(".results").classList.toggle("stale", Boolean(found.error));
+  if (found.error) {
+    announce(sentence(found.error));
+    return;
+  }
+  answers = found;
+  const cards = ["eta", "threshold", "helps", "best-n"].filter((quantity) => found.answers[quantity]).map(card);
+  $("quantities").replaceChildren(...cards);
+  move($("m1-slider"), MASS, found.places.m1);
+  move($("m2-slider"), MASS, found.places.m2);
+  move($("e-slider"), RESTITUTION, found.places.e);
+  move($("n-slider"), COUNT, found.places.n);
+  showAgain();
+  showBodies();
+  document.documentElement.dataset.firstAnswer ??= performance.now().toFixed(0);
+  const eta = found.answers.eta.value;
+  announce(`eta ${eta?.decimal ?? eta?.enclosure?.join(" to ") ?? "unknown"}, best number ${found.answers["best-n"]?.value?.exact ?? "unknown"}`
+    + (found.answers.recollides?.value === true ? ", bodies meet again after the pass" : ""));
+  askReplay(request);
+  paint();
+}
+
+const command = () => {
+  const quote = (text) => (/^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+  const { m1, m2, e, n, inserted: kind, masses, digits } = fields();
+  const inserted = kind === "given" ? `--masses ${quote(masses)}` : `-n ${quote(n)}`;
+  return `carom eval --m1 ${quote(m1)} --m2 ${quote(m2)} -e ${quote(e)} ${inserted} --digits ${quote(digits)} --want eta,threshold,helps,best-n,masses,velocities`;
+};
+
+async function copy(text, what) {
+  try {
+    await navigator.clipboard.writeText(text);
+    $("copied").textContent = `${what} copied.`;
+  } catch {
+    $("copied").textContent = text;
+  }
+}
+
+export function start() {
+  $("preset").append(...EXAMPLES.map(([name], i) => make("option", { value: String(i) }, name)));
+  $("preset").addEventListener("change", () => {
+    const example = EXAMPLES[Number($("preset").value)]?.[1];
+    if (!example) return;
+    for (const key of ["m1", "m2", "e", "n"]) $(key).value = example[key] ?? BEGINNING[key];
+    $("masses").value = example.masses ?? "";
+    $("given").checked = Boolean(example.masses);
+    $("each").checked = elements($("e").value).length > 1;
+    layout();
+    ask();
+  });
+  attach($("m1-slider"), $("m1"), MASS, ask);
+  attach($("m2-slider"), $("m2"), MASS, ask);
+  attach($("e-slider"), $("e"), RESTITUTION, ask);
+  attach($("n-slider"), $("n"), COUNT, () => { fit(); ask(); });
+  for (const id of ["m1", "m2", "e", "digits"]) $(id).addEventListener("input", ask);
+  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); ask(); });
+  $("each").addEventListener("change", () => {
+    if ($("each").checked) fit();
+    else $("e").value = elements($("e").value)[0];
+    layout();
+    ask();
+  });
+  $("given").addEventListener("change", () => {
+    const list = answers?.answers.masses?.value;
+    if ($("given").checked && !$("masses").value && list) {
+      $("masses").value = list.slice(1, -1).map((m) => (m.exact?.length <= 16 ? m.exact : m.decimal ?? m.enclosure[0])).join(", ");
+    }
+    fit();
+    layout();
+    ask();
+  });
+  form.addEventListener("submit", (event) => event.preventDefault());
+  $("closed").addEventListener("change", () => answers && showBodies());
+  $("picture").addEventListener("change", () => { state.keep({ picture: $("picture").value }, BEGINNING); paint(); });
+  $("picture-save").addEventListener("click", () => save(pictureText, `carom-${$("picture").value}.svg`, "image/svg+xml"));
+  $("copy-link").addEventListener("click", () => copy(state.link(), "Link"));
+  $("copy-command").addEventListener("click", () => copy(command(), "Command"));
+  state.onRestore(() => { restore(); ask(); });
+  stage.show(null);
+  restore();
+  return ask();
+}

@@ -1,0 +1,49 @@
+// "Why?": the claims of the catalogue behind a result, in a dialog.
+
+import { claimView } from "./claim-view.js";
+import { Client } from "./client.js";
+import { $, make, sentence } from "./dom.js";
+
+const client = new Client();
+const known = new Map();
+let names = [];
+
+async function show(id) {
+  for (const button of $("why-tabs").children) button.setAttribute("aria-pressed", String(button.dataset.id === id));
+  const body = $("why-body");
+  if (!known.has(id)) {
+    body.replaceChildren(make("p", { class: "hint" }, `Judging ${id}…`));
+    const answer = await client.ask("claim", { id });
+    if (!answer) return;
+    if (answer.error) {
+      body.replaceChildren(make("p", { class: "notice error-box" }, sentence(answer.error)));
+      return;
+    }
+    known.set(id, answer);
+  }
+  const { claim, text } = known.get(id);
+  body.replaceChildren(claimView(claim, (cited) => open("Why?", [...new Set([...names, cited])], cited)));
+  if (text) body.append(make("details", {}, make("summary", {}, "The claim file"), make("pre", { class: "language" }, text)));
+  body.scrollTop = 0;
+}
+
+/** Opens the dialog on some claims. */
+export function open(title, ids, first = ids[0]) {
+  names = ids;
+  $("why-title").textContent = title;
+  $("why-tabs").replaceChildren(...ids.map((id) => {
+    const button = make("button", { type: "button", onclick: () => show(id), "aria-pressed": "false" }, id);
+    button.dataset.id = id;
+    return button;
+  }));
+  $("why-tabs").hidden = ids.length < 2;
+  if (!$("why").open) $("why").showModal();
+  show(first);
+}
+
+/** A button beside a result. */
+export const whyButton = (of, ids) =>
+  make("button", { type: "button", class: "why", "aria-label": `Why? ${of}`, onclick: () => open(`Why? ${of}`, ids) }, "why?");
+
+$("why-close").addEventListener("click", () => $("why").close());
+$("why").addEventListener("click", (event) => { if (event.target === $("why")) $("why").close(); });

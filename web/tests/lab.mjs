@@ -1,0 +1,398 @@
+// The lab in a real browser: what a visitor does, and that nothing complains. A picture of each state goes to web/shots.
+
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, readdirSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { test } from "node:test";
+import { browser, listen, serve } from "./browser.mjs";
+
+const SHOTS = new URL("../shots/", import.meta.url).pathname;
+const DIST = new URL("../dist/", import.meta.url).pathname;
+/** Bytes of all files, compressed by gzip. */
+const MOST_BYTES = 2_000_000;
+/** Milliseconds from the start of the page to its first answer; a machine that does other work may be slower. */
+const FIRST_ANSWER = Number(process.env.FIRST_ANSWER_MS ?? 1000);
+
+mkdirSync(SHOTS, { recursive: true });
+
+/** A fresh browser on a fresh page of the lab; the page must not complain. */
+async function visit(fragment, work, options = {}) {
+  const server = await serve();
+  const { context, close } = await browser(options);
+  try {
+    const { page, complaints } = await listen(context);
+    await page.goto(server.url + fragment);
+    await work(page, { server, context });
+    assert.deepEqual(complaints, []);
+  } finally {
+    await close();
+    await server.close();
+  }
+}
+
+const answered = (page) => page.waitForFunction(() => document.documentElement.dataset.firstAnswer, null, { timeout: 30_000 });
+const shoot = (page, name, fullPage = true) => page.screenshot({ path: `${SHOTS}${name}.png`, fullPage });
+const eta = (page) => page.textContent(".quantity.eta .decimal");
+const shows = (page, selector, text) => page.waitForFunction(
+  ([s, t]) => [...document.querySelectorAll(s)].some((node) => node.textContent.includes(t)), [selector, text], { timeout: 30_000 });
+
+test("the files are at most 2 MB when compressed", () => {
+  const bytes = readdirSync(DIST).reduce((all, file) => all + gzipSync(readFileSync(DIST + file), { level: 9 }).length, 0);
+  console.log(`  ${bytes} bytes`);
+  assert.ok(bytes <= MOST_BYTES, `${bytes} bytes`);
+});
+
+test("the first answer comes within a second", async () => {
+  const times = [];
+  for (let i = 0; i < 3; i++) {
+    await visit("", async (page) => {
+      await answered(page);
+      times.push(Number(await page.evaluate(() => document.documentElement.dataset.firstAnswer)));
+      assert.equal(await eta(page), "0.373137511773739");
+    });
+  }
+  console.log(`  ${times.join(", ")} ms`);
+  assert.ok(Math.min(...times) <= FIRST_ANSWER, `${times} ms`);
+});
+
+test("typing gives exact answers, and the threshold is recognised", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    for (const [id, text] of [["m1", "64"], ["e", "44/81"], ["n", "2"]]) await page.fill(`#${id}`, text);
+    await shows(page, ".quantity.eta", "0.05532353377");
+    await shows(page, ".quantity.eta math", "15625000000282429536481");
+    await shows(page, ".quantity.threshold math", "4481");
+    await shows(page, ".quantity.helps .decimal", "exactly on the threshold");
+    await shows(page, ".quantity.best-n", "one body fewer hands on exactly as much");
+    await shows(page, "#bodies td", "16");
+    await page.waitForTimeout(800);
+    await shoot(page, "exact");
+    await page.fill("#n", "3");
+    await page.check("#closed");
+    await page.waitForFunction(() => document.querySelectorAll("#bodies td div.exact math").length >= 6);
+    await shoot(page, "closed");
+  });
+});
+
+test("dragging a slider changes number and answer", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    const before = await eta(page);
+    const box = await page.locator("#e-slider").boundingBox();
+    await page.mouse.move(box.x + box.width * 0.9, box.y + box.height / 2);
+    await page.mouse.down();
+    for (let i = 9; i >= 4; i--) await page.mouse.move(box.x + (box.width * i) / 10, box.y + box.height / 2, { steps: 4 });
+    await page.mouse.up();
+    const e = await page.inputValue("#e");
+    assert.match(e, /^0\.[34]\d*$/);
+    await page.waitForFunction((old) => document.querySelector(".quantity.eta .decimal").textContent !== old, before);
+    // A reload keeps what was dragged to.
+    await page.waitForFunction((text) => location.hash.includes(`e=${text}`), e);
+    await page.reload();
+    await answered(page);
+    assert.equal(await page.inputValue("#e"), e);
+    await page.focus("#n-slider");
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await page.inputValue("#n"), "8");
+  });
+});
+
+test("an invalid input is one clear error and freezes nothing", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.fill("#m1", "ten");
+    await shows(page, "#m1-error", "ten");
+    const errors = () => page.$$eval(".error, .error-box", (list) => list.filter((n) => !n.hidden && n.textContent).length);
+    assert.equal(await errors(), 1);
+    assert.equal(await page.getAttribute("#m1", "aria-invalid"), "true");
+    await shoot(page, "invalid", false);
+    await page.fill("#m1", "10");
+    await shows(page, ".quantity.eta .decimal", "0.37313");
+    await page.waitForFunction(() => !document.querySelector("#m1-error").textContent);
+    await page.fill("#e", "1.5");
+    await shows(page, "#e-error", "3/2");
+    await page.fill("#e", "1");
+    await page.fill("#n", "99999999999999999999");
+    await shows(page, "#n-error", "limit reached");
+    assert.equal(await errors(), 1);
+  });
+});
+
+test("long work can be stopped, and newer input ends it", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.fill("#digits", "5000");
+    await page.fill("#n", "200");
+    await page.waitForSelector("#chain-busy:not([hidden])", { timeout: 10_000 });
+    // The page answers while the engine works.
+    const start = Date.now();
+    await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+    assert.ok(Date.now() - start < 1000);
+    await shoot(page, "busy", false);
+    await page.click("#chain-busy button");
+    await shows(page, "#chain-error", "stopped");
+    await page.fill("#n", "3");
+    await page.fill("#digits", "15");
+    await shows(page, ".quantity.best-n", "3");
+    await page.waitForSelector("#chain-error", { state: "hidden" });
+  });
+});
+
+test("the chain moves from collision to collision", async () => {
+  await visit("#m1=2&e=1%2F2&n=2", async (page) => {
+    await answered(page);
+    await shows(page, "#again", "Bodies meet again after the pass");
+    await page.click("#forward");
+    await shows(page, "#event", "1 of");
+    await page.click("#forward");
+    await shows(page, "#event", "Bodies 2–3");
+    await page.click("#back");
+    await shows(page, "#event", "Bodies 1–2");
+    const before = await page.getAttribute("#stage g:nth-of-type(1)", "transform");
+    await page.click("#play");
+    await page.waitForFunction((old) => document.querySelector("#stage g").getAttribute("transform") !== old, before);
+    await page.click("#play");
+    assert.equal(await page.textContent("#play"), "Play");
+    await page.click("#view-all");
+    for (let i = 0; i < 4; i++) await page.click("#forward");
+    await shows(page, "#event", "they meet again");
+    await page.click("#collisions-card summary");
+    await page.waitForTimeout(600);
+    await shoot(page, "again");
+  });
+});
+
+test("who wants no motion gets steps", async () => {
+  await visit("#m1=64&e=1%2F2&n=2", async (page) => {
+    await answered(page);
+    await page.waitForSelector("#stage g");
+    await page.click("#play");
+    await page.waitForTimeout(500);
+    const places = new Set();
+    for (let i = 0; i < 8; i++) {
+      places.add(await page.getAttribute("#stage g:nth-of-type(1)", "transform"));
+      await page.waitForTimeout(50);
+    }
+    assert.equal(places.size, 1, "nothing moves between two steps");
+    await shows(page, "#event", "1 of 3");
+  }, { reducedMotion: "reduce" });
+});
+
+test("why? shows the equation, its verdict and its argument", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.click(".quantity.eta .why");
+    await shows(page, "#why-body .badge", "proved");
+    await shows(page, "#why-body h3", "(25)");
+    assert.ok(await page.locator("#why-body .formula math mfrac").count() > 0);
+    assert.ok(await page.locator("#why-body .argument li").count() > 0);
+    await shoot(page, "why", false);
+    await page.click("#why-tabs button:nth-child(2)");
+    await shows(page, "#why-body h3", "No chain does better");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#why", { state: "hidden" });
+  });
+});
+
+test("all pictures are drawn and saved", async () => {
+  await visit("#m1=100&e=0.95&n=4", async (page) => {
+    await answered(page);
+    for (const picture of ["eta-x", "threshold", "map", "velocities", "space-time", "eta-n"]) {
+      const old = await page.getAttribute("#picture-image", "src");
+      await page.selectOption("#picture", picture);
+      await page.waitForFunction((before) => {
+        const image = document.getElementById("picture-image");
+        return image.getAttribute("src") !== before && image.complete && image.naturalWidth > 0;
+      }, old, { timeout: 60_000 });
+      assert.notEqual(await page.getAttribute("#picture-image", "alt"), "");
+      await page.locator("#figure").screenshot({ path: `${SHOTS}picture-${picture}.png` });
+    }
+    const [file] = await Promise.all([page.waitForEvent("download"), page.click("#picture-save")]);
+    assert.match(readFileSync(await file.path(), "utf8"), /<svg/);
+  });
+});
+
+test("restitutions for each collision, masses of one's own, measured values", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.fill("#n", "2");
+    await page.check("#each");
+    assert.equal(await page.inputValue("#e"), "9/10, 9/10, 9/10");
+    assert.equal(await page.locator("#each-sliders input").count(), 3);
+    await page.focus("#each-sliders label:nth-child(2) input");
+    await page.keyboard.press("ArrowLeft");
+    assert.equal(await page.inputValue("#e"), "9/10, 0.899, 9/10");
+    await shows(page, ".quantity.best-n", "one coefficient of restitution");
+    await page.check("#given");
+    await page.fill("#masses", "5, 5/2");
+    await shows(page, "#bodies td", "5/2".replace("/", ""));
+    await page.waitForTimeout(600);
+    await shoot(page, "own");
+    await page.selectOption("#preset", { label: "Measured restitution" });
+    await shows(page, ".quantity.eta .decimal", "from");
+    await shows(page, "#replay-note", "measured values are not replayed");
+    await page.waitForTimeout(600);
+    await shoot(page, "measured");
+  });
+});
+
+test("tables are shown and saved, and a wrong grid is one error", async () => {
+  await visit("#room=table", async (page) => {
+    await shows(page, "#table-note", "60 rows");
+    await page.fill("#t-ratio", "1,10");
+    await shows(page, "#table-note", "30 rows");
+    await shoot(page, "table");
+    const [csv] = await Promise.all([page.waitForEvent("download"), page.click('[data-form="csv"]')]);
+    assert.equal(csv.suggestedFilename(), "carom-eta.csv");
+    const lines = readFileSync(await csv.path(), "utf8").trim().split("\n").filter((line) => !line.startsWith("#"));
+    assert.equal(lines.length, 31);
+    assert.ok(lines.includes("10,0.9,3,0.478433,"), lines.join("\n"));
+    const [latex] = await Promise.all([page.waitForEvent("download"), page.click('[data-form="latex"]')]);
+    assert.match(readFileSync(await latex.path(), "utf8"), /\\begin\{tabular\}|\\begin\{table\}/);
+    await page.fill("#t-e", "0.5:1");
+    await shows(page, "#t-e-error", "a run has three parts");
+    assert.equal(await page.isDisabled('[data-form="csv"]'), true);
+    await page.fill("#t-e", "1");
+    await page.fill("#t-ratio", "1:100000:1");
+    await shows(page, "#table-error", "limit reached");
+  });
+});
+
+test("the editor marks an error, refutes with a counterexample, proves what is true", async () => {
+  await visit("#room=claims", async (page) => {
+    await shows(page, "#verdicts .badge", "refuted");
+    await shows(page, "#verdicts .counterexample", "e = 1/2");
+    await shows(page, "#verdicts .witness", "9/16");
+    await page.waitForFunction(() => document.querySelectorAll("#catalogue li").length >= 90);
+    await shoot(page, "refuted", false);
+    await page.selectOption("#example", { label: "A name that nothing declares (error)" });
+    await shows(page, "#faults .fault", "nothing declares the name w3");
+    await shows(page, "#faults .caret", "^");
+    assert.equal(await page.textContent("#mirror mark"), "w3");
+    await shoot(page, "fault", false);
+    await page.click("#faults button");
+    assert.equal(await page.evaluate(() => getSelection().toString() || document.activeElement.value.slice(
+      document.activeElement.selectionStart, document.activeElement.selectionEnd)), "w3");
+    await page.keyboard.type("w2");
+    await shows(page, "#verdicts .badge", "proved");
+    assert.equal(await page.locator("#faults .fault").count(), 0);
+    await page.fill("#filter", "superball");
+    await page.waitForFunction(() => document.querySelectorAll("#catalogue li").length === 0
+      || [...document.querySelectorAll("#catalogue li")].every((n) => n.textContent.includes("superball")));
+    await page.fill("#filter", "b-grow");
+    await page.click("#catalogue li button");
+    await shows(page, "#why-body .badge", "proved");
+  });
+});
+
+test("markup in a claim stays text", async () => {
+  const evil = "<img src=x onerror=\"document.title='broken'\"><script>document.title='broken'</script>";
+  const title = "<img src=x onerror=document.title=1><script>document.title=2</script>";
+  await visit("#room=claims", async (page) => {
+    await page.fill("#claim-text", `claim evil "${title}"\nnote "${title}"\nsource "${title}"\ngiven m > 0\nprove m^2 = m\n`);
+    await shows(page, "#verdicts h3", title);
+    await shows(page, "#verdicts .note", title);
+    await page.fill("#claim-text", `claim evil "x"\n${evil}`);
+    await shows(page, "#faults .fault", "Error");
+    assert.equal(await page.locator("#verdicts img, #verdicts script, #faults img, #faults script, #mirror img").count(), 0);
+    assert.equal(await page.title(), "Carom lab");
+  });
+  // The same by a link, into every field.
+  const all = ["m1", "m2", "e", "n", "digits", "picture", "room", "t.ratio", "t.want", "claim"];
+  const fragment = all.map((key) => `${key}=${encodeURIComponent(evil)}`).join("&");
+  await visit(`#${fragment}`, async (page) => {
+    await shows(page, ".error", "img");
+    assert.equal(await page.title(), "Carom lab");
+  });
+});
+
+test("a link restores the state", async () => {
+  await visit("#m1=3&m2=2&e=4%2F5&n=4&digits=20&picture=threshold", async (page, { server }) => {
+    await answered(page);
+    await page.fill("#n", "6");
+    await page.click("#copy-link");
+    await shows(page, "#copied", "copied");
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    const before = await eta(page);
+    await page.goto("about:blank");
+    await page.goto(link);
+    await answered(page);
+    assert.equal(await eta(page), before);
+    for (const [id, value] of [["m1", "3"], ["m2", "2"], ["e", "4/5"], ["n", "6"], ["digits", "20"], ["picture", "threshold"]]) {
+      assert.equal(await page.inputValue(`#${id}`), value);
+    }
+    await page.click("#tab-claims");
+    await page.fill("#claim-text", 'claim two "Two"\nprove 1 + 1 = 2\n');
+    await shows(page, "#verdicts .badge", "proved");
+    await page.waitForFunction(() => location.hash.includes("two"));
+    const claims = page.url();
+    await page.goto("about:blank");
+    await page.goto(claims);
+    await shows(page, "#verdicts h3", "Two");
+    assert.ok(claims.startsWith(server.url));
+  });
+});
+
+test("offline the lab works after a reload", async () => {
+  await visit("", async (page, { server, context }) => {
+    await answered(page);
+    await page.waitForFunction(() => document.documentElement.dataset.offline === "ready", null, { timeout: 30_000 });
+    await server.close();
+    await context.setOffline(true);
+    await page.goto(`${server.url}?from=elsewhere#m1=64&e=44%2F81&n=2`);
+    await answered(page);
+    await shows(page, ".quantity.helps .decimal", "exactly on the threshold");
+    await page.click("#tab-claims");
+    await shows(page, "#verdicts .badge", "refuted");
+    await page.reload();
+    await shows(page, "#verdicts .badge", "refuted");
+    const caches = await page.evaluate(() => caches.keys());
+    assert.equal(caches.length, 1);
+    assert.match(caches[0], /^carom-lab-[0-9a-f]{16}$/);
+  });
+});
+
+for (const [name, options] of [["phone", { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true, deviceScaleFactor: 2 }],
+  ["dark", { colorScheme: "dark" }]]) {
+  test(`the lab on a screen that is: ${name}`, async () => {
+    await visit("#m1=2&e=1%2F2&n=3", async (page) => {
+      await answered(page);
+      await page.waitForTimeout(1500);
+      const wide = () => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.equal(await wide(), 0, "nothing is wider than the screen");
+      await shoot(page, name);
+      await page.click(".quantity.eta .why");
+      await shows(page, "#why-body .badge", "proved");
+      await shoot(page, `${name}-why`, false);
+      await page.click("#why-close");
+      await page.click("#tab-table");
+      await shows(page, "#table-note", "rows");
+      assert.equal(await wide(), 0);
+      await shoot(page, `${name}-table`, false);
+      await page.click("#tab-claims");
+      await shows(page, "#verdicts .badge", "refuted");
+      assert.equal(await wide(), 0);
+      await shoot(page, `${name}-claims`);
+    }, options);
+  });
+}
+
+test("everything has a name, and the keyboard reaches it", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, textarea, [role=img], img")]
+      .filter((node) => !node.closest("[hidden]"))
+      .filter((node) => !(node.getAttribute("aria-label") || node.labels?.length || node.textContent.trim() || node.alt !== undefined && node.hasAttribute("alt")))
+      .map((node) => node.outerHTML));
+    assert.deepEqual(nameless, []);
+    const levels = await page.$$eval("#panel-chain h1, #panel-chain h2, #panel-chain h3, header h1", (list) => list.map((n) => Number(n.tagName[1])));
+    assert.equal(levels[0], 1);
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.className), "skip");
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("ArrowRight");
+    await shows(page, "#table-note", "rows");
+    assert.equal(await page.getAttribute("#tab-table", "aria-selected"), "true");
+    await page.waitForFunction(() => document.querySelector("#announcer").textContent.includes("best number 3"));
+  });
+});
