@@ -194,7 +194,10 @@ fn chain(run: &Run, bodies: usize) -> Pass {
 }
 
 fn long_chains(run: &Run) {
-    let parts = |v: &Rational| (v.numerator_ref() % prime(), v.denominator_ref() % prime());
+    let parts = |v: &Rational| {
+        let up = v.numerator_ref() % prime();
+        (if *v < 0 { prime() - up } else { up }, v.denominator_ref() % prime())
+    };
     let all = |list: Vec<Rational>| {
         let sum: Natural = (1u64..).zip(&list).map(|(i, v)| (parts(v), i)).fold(Natural::from(0u32), |sum, ((p, q), i)| {
             sum + Natural::from(i) * (p + Natural::from(3u32) * q)

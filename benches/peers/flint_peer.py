@@ -178,7 +178,7 @@ def j4_qqbar(work):
         def sign():
             a, b = (field(r) ** field(fmpq(1, k)) for k in (n + 1, n))
             difference = field(e + 1) * (1 + b) ** n - (1 + a) ** (n + 1)
-            return int(fmpz(str(difference.sgn())))
+            return 0 if difference.is_zero() else 1 if difference.sgn().is_one() else -1
 
         yield case, sign, str
 
@@ -208,19 +208,6 @@ def parts(v):
 
 
 def j6(work):
-    for bodies in BODIES:
-        rows = peer.chain(work, bodies, fmpz)
-
-        def last():
-            # m(1+e)/(m+m') with m = a/b, m' = c/d, e = p/q is a·d·(p+q) over (a·d + b·c)·q: one reduction at the end.
-            up, down = [], []
-            for (a, b, _, _), (c, d, p, q) in zip(rows, rows[1:]):
-                ad = a * d
-                up.append(ad * (p + q))
-                down.append((ad + b * c) * q)
-            return fmpq(product(up), product(down))
-
-        yield f"last/{bodies}", last, parts
     chain = peer.chain(work, 1_000)
     masses = [fmpq(a, b) for a, b, _, _ in chain]
     restitutions = [fmpq(c, d) for _, _, c, d in chain]
@@ -234,6 +221,19 @@ def j6(work):
         return out + [v]
 
     yield "all/1000", everyone, lambda vs: peer.all_answer([(int(v.p), int(v.q)) for v in vs])
+    for bodies in BODIES:
+        rows = peer.chain(work, bodies, fmpz)
+
+        def last():
+            # m(1+e)/(m+m') with m = a/b, m' = c/d, e = p/q is a·d·(p+q) over (a·d + b·c)·q: one reduction at the end.
+            up, down = [], []
+            for (a, b, _, _), (c, d, p, q) in zip(rows, rows[1:]):
+                ad = a * d
+                up.append(ad * (p + q))
+                down.append((ad + b * c) * q)
+            return fmpq(product(up), product(down))
+
+        yield f"last/{bodies}", last, parts
 
 
 def j7(work):

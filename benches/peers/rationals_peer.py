@@ -35,6 +35,7 @@ def parts(v):
 
 def last(integer, rational):
     def job(work):
+        yield from everyone(work, rational)
         for bodies in BODIES:
             rows = peer.chain(work, bodies, integer)
 
@@ -43,7 +44,6 @@ def last(integer, rational):
                 return rational(product(up), product(down))
 
             yield f"last/{bodies}", compute, parts
-        yield from everyone(work, rational)
 
     return job
 
