@@ -14,7 +14,7 @@ use carom::number::rational;
 use carom::number::real::Real;
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::outcome::Verdict;
-use malachite::base::num::arithmetic::traits::{Pow, PowerOf2};
+use malachite::base::num::arithmetic::traits::PowerOf2;
 use malachite::base::num::basic::traits::One;
 use malachite::{Natural, Rational};
 use std::fs;
