@@ -5,7 +5,6 @@ use carom::chain::best::{Best, best};
 use carom::chain::optimum::Optimum;
 use carom::chain::pass::Pass;
 use carom::chain::threshold::{Helps, compare, helps, threshold};
-use carom::chain::uncertain::{Range, greatest_transfer, least_transfer};
 use carom::chain::{Positive, Restitution, Restitutions, collision, recollision, transfer};
 use carom::number::decimal::{Decimal, Digits, Rounding};
 use carom::number::rational::parse;
@@ -224,59 +223,6 @@ proptest! {
         let at = |c: Rational| helps(&Restitution::new(c).unwrap(), &r, n).unwrap().0;
         prop_assert_eq!(at(side(Rounding::Down)), Helps::No);
         prop_assert_eq!(at(side(Rounding::Up)), Helps::Yes);
-    }
-
-    /// Every chain of the box lies between the bounds; the vertices and the taut string attain them.
-    #[test]
-    fn measured_masses_are_covered(ends in prop::collection::vec((1u64..40, 0u64..30, 0u64..=8), 2..7), low in 0u64..10, width in 0u64..10) {
-        let range = |(lo, width, _): &(u64, u64, u64)| {
-            Range::new(Rational::from(*lo), Rational::from(lo + width)).unwrap().map(Positive::new).unwrap()
-        };
-        let masses: Vec<Range<Positive>> = ends.iter().map(range).collect();
-        let coefficient = |p: u64| Restitutions::Same(Restitution::new(Rational::from_unsigneds(p, 20)).unwrap());
-        let (lower, upper) = (coefficient(low), coefficient(low + width));
-        let least = least_transfer(&masses, &lower).unwrap();
-        let greatest = greatest_transfer(&masses, &upper, 200).unwrap();
-        // A point of the box, and all its vertices.
-        let point: Vec<Positive> = ends
-            .iter()
-            .map(|(lo, width, part)| Positive::new(Rational::from(*lo) + Rational::from_unsigneds(width * part, 8)).unwrap())
-            .collect();
-        let eta = |masses: Vec<Positive>, c: &Restitutions| Pass::from_rest(masses, c.clone(), Rational::ONE).unwrap().transfer().unwrap();
-        prop_assert!(least <= eta(point.clone(), &lower));
-        let top = greatest.ends().unwrap().1.point().unwrap();
-        prop_assert!(eta(point, &upper) <= top);
-        let vertex = |bits: usize| -> Vec<Positive> {
-            masses.iter().enumerate().map(|(i, m)| if bits >> i & 1 == 1 { m.hi().clone() } else { m.lo().clone() }).collect()
-        };
-        let vertices: Vec<Rational> = (0..1 << masses.len()).map(|bits| eta(vertex(bits), &lower)).collect();
-        prop_assert_eq!(vertices.iter().min().unwrap(), &least);
-    }
-
-    /// The greatest transfer is attained: coordinate-wise improvement never exceeds it and comes close to it.
-    #[test]
-    fn the_taut_string_is_attained(ends in prop::collection::vec((1u32..40, 0u32..30), 3..6)) {
-        let masses: Vec<Range<Positive>> = ends
-            .iter()
-            .map(|(lo, width)| Range::new(Rational::from(*lo), Rational::from(lo + width)).unwrap().map(Positive::new).unwrap())
-            .collect();
-        let one = Restitutions::Same(Restitution::new(Rational::ONE).unwrap());
-        let (bound, _) = greatest_transfer(&masses, &one, 100).unwrap().to_f64_ends();
-        // The best mass between fixed neighbours is their geometric mean, or the nearest wall.
-        let mut m: Vec<f64> = ends.iter().map(|(lo, width)| f64::from(*lo) + f64::from(*width) / 2.0).collect();
-        for _ in 0..4000 {
-            for i in 0..m.len() {
-                let best = match (i.checked_sub(1).map(|j| m[j]), m.get(i + 1)) {
-                    (Some(a), Some(b)) => (a * b).sqrt(),
-                    (Some(a), None) => a,
-                    (None, Some(b)) => *b,
-                    (None, None) => m[i],
-                };
-                m[i] = best.clamp(f64::from(ends[i].0), f64::from(ends[i].0 + ends[i].1));
-            }
-        }
-        let eta: f64 = m.windows(2).map(|p| 4.0 * p[0] * p[1] / (p[0] + p[1]).powi(2)).product();
-        prop_assert!(eta <= bound * (1.0 + 1e-12) && eta >= bound * (1.0 - 1e-6), "{eta} {bound}");
     }
 
     #[test]

@@ -173,6 +173,36 @@ fn measured_inputs_cover_the_box() {
 }
 
 #[test]
+fn measured_velocities_losses_and_matrices_are_answered() {
+    let ask = |more: &[&str]| {
+        let flags = ["--want", "velocities,losses,matrix,recollides", "--format", "json", "--digits", "5"];
+        json(&carom(&[&["eval"], more, &flags].concat()))
+    };
+    let given = ask(&["--m1", "[9, 11]", "--m2", "1", "-e", "1/2", "--masses", "[2, 4]"]);
+    // (m0 − m1/2)/(m0 + m1): 7/13 at 9 and 4, 10/13 at 11 and 2.
+    assert_eq!(given["velocities"][0]["enclosure"][0], "0.53846153");
+    assert_eq!(given["velocities"][0]["enclosure"][1], "0.76923077");
+    assert_eq!(given["matrix"][1][1][1]["enclosure"][1], "0");
+    assert_eq!(given["recollides"], "depends");
+    assert!(text(given["warnings"][0].as_str().unwrap().as_bytes()).contains("may meet again"));
+    let optimal = ask(&["--m1", "[9, 11]", "--m2", "1", "-e", "[0.84, 0.9]", "-n", "3"]);
+    assert_eq!((optimal["velocities"].as_array().unwrap().len(), optimal["losses"].as_array().unwrap().len()), (5, 4));
+    assert_eq!(optimal["recollides"], false);
+    let each = ask(&["--m1", "10", "--m2", "1", "-e", "[0.84, 0.9],[0.5, 0.6]", "-n", "1"]);
+    assert_eq!(each["matrix"].as_array().unwrap().len(), 2);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("moving.toml");
+    let scene = "want = [\"velocities\", \"losses\"]\n[chain]\nfirst = \"[3, 4]\"\ninserted = [2]\nlast = 1\nrestitution = \"1/2\"\nvelocities = ";
+    std::fs::write(&path, format!("{scene}[2, -1, 0]\n")).unwrap();
+    let moving = carom(&["eval", path.to_str().unwrap()]);
+    assert!(moving.status.success() && text(&moving.stdout).contains("losses[2]"), "{}", text(&moving.stderr));
+    std::fs::write(&path, format!("{scene}[2, 0, 3]\n")).unwrap();
+    let missed = carom(&["eval", path.to_str().unwrap()]);
+    assert_eq!(missed.status.code(), Some(2));
+    assert!(text(&missed.stderr).contains("collision 2"), "{}", text(&missed.stderr));
+}
+
+#[test]
 fn rounding_follows_the_flag() {
     let eta = |mode: &str| {
         let out = carom(&["eval", "--m1", "1", "--m2", "1", "-e", "0.5", "-n", "0", "--round", mode, "--places", "3"]);

@@ -213,6 +213,36 @@ proptest! {
         }
     }
 
+    /// Decimals from machine words are those from intervals, in every direction, and those of both ends.
+    #[test]
+    fn decimals_of_doubles_are_those_of_intervals(m in 1u64 << 52..1u64 << 53, exponent in 0i32..76, ulps in 0u64..40, digits in 1u64..17, places in 0u64..22) {
+        let lo = m as f64 * 2f64.powi(-53 - exponent);
+        let hi = f64::from_bits(lo.to_bits() + ulps);
+        let set = Interval::between_f64(lo, hi);
+        for end in [lo, hi] {
+            prop_assert!(set.contains(&Rational::try_from(end).unwrap()));
+        }
+        for rounding in Rounding::ALL {
+            for digits in [Digits::Significant(digits), Digits::Places(places)] {
+                if let Some(found) = Decimal::of_doubles(lo, hi, digits, rounding) {
+                    prop_assert_eq!(Decimal::of_interval(&set, digits, rounding), Some(found.clone()));
+                    for end in [lo, hi] {
+                        prop_assert_eq!(Decimal::of_rational(&Rational::try_from(end).unwrap(), digits, rounding).unwrap(), found.clone());
+                    }
+                }
+            }
+        }
+        // Where words suffice and no tie is near, they do settle it.
+        if exponent < 8 && ulps == 0 && digits < 10 {
+            let exact = Rational::try_from(lo).unwrap();
+            let long = Decimal::of_rational(&exact, Digits::Significant(digits + 5), Rounding::Nearest).unwrap();
+            let tail = &long.digits()[digits as usize..];
+            if !["00000", "50000", "99999", "49999"].contains(&tail) {
+                prop_assert!(Decimal::of_doubles(lo, hi, Digits::Significant(digits), Rounding::Nearest).is_some() || long.digits().starts_with("9999"));
+            }
+        }
+    }
+
     #[test]
     fn guessed_logarithms_are_near(r in positive_rationals()) {
         let (p, q) = (r.numerator_ref().to_string(), r.denominator_ref().to_string());

@@ -252,6 +252,13 @@ pub fn grid(restitutions: &Factors, ratios: &Factors, lower: &mut [f64], upper: 
     }
 }
 
+/// Encloses the product of two numbers from 0 to 1 that are given by their ends.
+#[must_use]
+#[inline]
+pub fn times(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (step_down(a.0 * b.0), step_up(a.1 * b.1))
+}
+
 /// Below `x >= 0` by at least half an ulp, without a branch: `x·2^-52` is at least an ulp, so the product is
 /// rounded to at most the double below `x`; two of the least positive doubles cover what underflows.
 #[inline(always)]

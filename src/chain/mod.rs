@@ -82,6 +82,11 @@ pub enum ChainError {
         /// The velocities of the body behind, when it should strike, and of the body in front.
         velocities: Box<(Rational, Rational)>,
     },
+    /// With measured inputs, a collision takes place for some of their values at most, as far as bounds tell.
+    MayNotCollide {
+        /// Its number, from 1.
+        collision: usize,
+    },
     /// One coefficient of restitution for all collisions is needed here.
     UnequalRestitutions {
         /// For what.
@@ -113,6 +118,12 @@ impl fmt::Display for ChainError {
                 "collision {collision} does not take place: the body behind arrives at {}, the one in front moves at {}",
                 velocities.0, velocities.1
             ),
+            Self::MayNotCollide { collision } => {
+                write!(
+                    f,
+                    "collision {collision} does not take place for all values of the measured inputs: narrow them"
+                )
+            }
             Self::UnequalRestitutions { quantity } => {
                 write!(f, "{quantity} is defined for one coefficient of restitution at all collisions")
             }

@@ -8,6 +8,8 @@
 //! last body's velocity alone, from rest: a product tree with one reduction at the end, `O(M(b) log n)` for
 //! `b` bits of input, where folding would be quadratic.
 
+use super::recollision::of_velocities;
+use super::uncertain::meeting::meet;
 use super::{ChainError, Positive, Restitution, Restitutions, collision};
 use crate::number::NumberError;
 use malachite::base::num::arithmetic::traits::Square;
@@ -35,6 +37,20 @@ pub struct Collision {
     pub after: (Rational, Rational),
     /// The kinetic energy lost.
     pub loss: Rational,
+}
+
+/// A collision as it is followed.
+struct Struck<'a> {
+    masses: (&'a Positive, &'a Positive),
+    e: &'a Restitution,
+    before: (&'a Rational, &'a Rational),
+    after: &'a (Rational, Rational),
+}
+
+impl Struck<'_> {
+    fn loss(&self) -> Rational {
+        collision::loss(self.masses.0, self.masses.1, self.e, self.before.0, self.before.1)
+    }
 }
 
 impl Pass {
@@ -101,17 +117,19 @@ impl Pass {
         all
     }
 
-    /// Every collision, in order.
-    ///
-    /// # Errors
-    /// [`ChainError::NoCollision`] where a body does not catch up with the next; a limit above [`MAX_PASS_BITS`].
-    pub fn collisions(&self) -> Result<Vec<Collision>, ChainError> {
+    /// Refuses to write down more than [`MAX_PASS_BITS`].
+    fn limit_size(&self) -> Result<(), ChainError> {
         let size = self.size();
         if size > MAX_PASS_BITS {
             let limit = "bits of all exact velocities";
             return Err(NumberError::LimitReached { limit, allowed: MAX_PASS_BITS, needed: size.to_string() }.into());
         }
-        let mut list = Vec::with_capacity(self.masses.len());
+        Ok(())
+    }
+
+    /// Follows the pass; each collision is shown with the velocities of its bodies before and after it.
+    fn follow(&self, mut each: impl FnMut(&Struck<'_>)) -> Result<(), ChainError> {
+        self.limit_size()?;
         let mut rest = self.velocities.iter();
         let mut arriving = rest.next().cloned().unwrap_or(Rational::ZERO);
         for (i, ((m1, m2, e), front)) in self.pairs().zip(rest).enumerate() {
@@ -120,11 +138,22 @@ impl Pass {
                 return Err(ChainError::NoCollision { collision: i + 1, velocities });
             }
             let after = collision::velocities_after(m1, m2, e, &arriving, front);
-            let loss = collision::loss(m1, m2, e, &arriving, front);
-            let next = after.1.clone();
-            list.push(Collision { before: (arriving, front.clone()), after, loss });
-            arriving = next;
+            each(&Struck { masses: (m1, m2), e, before: (&arriving, front), after: &after });
+            arriving = after.1;
         }
+        Ok(())
+    }
+
+    /// Every collision, in order.
+    ///
+    /// # Errors
+    /// [`ChainError::NoCollision`] where a body does not catch up with the next; a limit above [`MAX_PASS_BITS`].
+    pub fn collisions(&self) -> Result<Vec<Collision>, ChainError> {
+        let mut list = Vec::with_capacity(self.masses.len());
+        self.follow(|struck| {
+            let before = (struck.before.0.clone(), struck.before.1.clone());
+            list.push(Collision { before, after: struck.after.clone(), loss: struck.loss() });
+        })?;
         Ok(list)
     }
 
@@ -133,9 +162,14 @@ impl Pass {
     /// # Errors
     /// As [`Pass::collisions`].
     pub fn velocities_after(&self) -> Result<Vec<Rational>, ChainError> {
-        let collisions = self.collisions()?;
-        let last = collisions.last().map(|c| c.after.1.clone());
-        Ok(collisions.into_iter().map(|c| c.after.0).chain(last).collect())
+        let mut list = Vec::with_capacity(self.masses.len());
+        let mut last = None;
+        self.follow(|struck| {
+            list.push(struck.after.0.clone());
+            last = Some(struck.after.1.clone());
+        })?;
+        list.extend(last);
+        Ok(list)
     }
 
     /// The kinetic energy lost in each collision.
@@ -143,7 +177,9 @@ impl Pass {
     /// # Errors
     /// As [`Pass::collisions`].
     pub fn losses(&self) -> Result<Vec<Rational>, ChainError> {
-        Ok(self.collisions()?.into_iter().map(|c| c.loss).collect())
+        let mut list = Vec::with_capacity(self.masses.len());
+        self.follow(|struck| list.push(struck.loss()))?;
+        Ok(list)
     }
 
     /// Whether all bodies but the first are at rest and the first one moves towards them.
@@ -163,6 +199,22 @@ impl Pass {
             Some(speed) if self.starts_from_rest() => Ok(self.gain() * speed),
             _ => Err(ChainError::NotAtRest),
         }
+    }
+
+    /// Whether bodies meet again after the pass. From rest each pair is told by its masses alone, without velocities
+    /// ([`super::uncertain::meeting`]).
+    ///
+    /// # Errors
+    /// As [`Pass::collisions`].
+    pub fn recollides(&self) -> Result<bool, ChainError> {
+        if !self.starts_from_rest() {
+            return Ok(of_velocities(&self.velocities_after()?));
+        }
+        let values = |k: usize| Some((self.masses.get(k)?.value(), self.restitutions.at(k as u64)));
+        Ok((1..self.masses.len().saturating_sub(1)).any(|k| match (values(k - 1), values(k), values(k + 1)) {
+            (Some((a, Some(e))), Some((m, Some(f))), Some((b, _))) => meet(a, m, b, e.value(), f.value()),
+            _ => false,
+        }))
     }
 
     /// The last body's velocity over the first one's, from rest.

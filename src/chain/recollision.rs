@@ -21,6 +21,9 @@ use std::cmp::Ordering;
 /// What goes with every list of velocities where bodies meet again.
 pub const WARNING: &str = "bodies meet again after the pass: these velocities are not final";
 
+/// What goes with them where that depends on measured inputs.
+pub const MAY_WARN: &str = "bodies may meet again after the pass, depending on the inputs: then these are not final";
+
 /// Whether bodies of given velocities, in their order on the line, meet again.
 #[must_use]
 pub fn of_velocities(velocities: &[Rational]) -> bool {
@@ -57,7 +60,7 @@ pub fn of_optimum(chain: &Optimum) -> Result<(bool, Level), ChainError> {
 
 /// Whether the two bodies of the collision with `e` meet again, `next` being the coefficient of the collision
 /// that follows.
-fn again(x: &Real, e: &Restitution, next: &Restitution) -> Result<(bool, Level), NumberError> {
+pub(super) fn again(x: &Real, e: &Restitution, next: &Restitution) -> Result<(bool, Level), NumberError> {
     let (a, up) = (e.value(), e.plus_one());
     let linear = Rational::ONE - a + up * next.value();
     if let Some(x) = x.as_rational() {

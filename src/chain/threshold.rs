@@ -117,6 +117,39 @@ fn double(r: &Rational, n: u64) -> Option<Double> {
     Some(half_sum(n.checked_add(1)?).divide(half_sum(n)).multiply(Double::exact(2.0)))
 }
 
+/// The order of `1 + e` and `L_n + 1` for large `n`, in double-double; `None` where that does not tell.
+///
+/// With `d = ln(r)/2`, `(L_n + 1)/2 = exp(−S)`, `S = n·ln cosh(d/n) − (n+1)·ln cosh(d/(n+1))`. For `φ(t) = ln cosh(d·t)/t`,
+/// `S = φ(1/n) − φ(1/(n+1))` and `φ'(t) = u(d·t)/t²`, `u(x) = x·tanh x − ln cosh x`, `u'(x) = x·(1 − tanh² x)`. As `tanh x <= x`,
+/// and so `tanh x >= x − x³/3`, for `0 <= x <= 1`: `u` lies within `x⁶/9` above `x²/2 − x⁴/4`. Integrated, `S` lies within
+/// `d⁶/(9n⁴)·D` above `d²/2·D − d⁴/12·(1/n³ − 1/(n+1)³)`, `D = 1/n − 1/(n+1)`. No power of a number near 1 is formed, so that no
+/// digits are lost; `−ln((1 + e)/2)` is compared with `S`.
+fn by_series(e_plus_one: &Rational, r: &Rational, n: &Natural) -> Option<Ordering> {
+    let double = |n: &Natural| Double::from_rational(&Rational::from(n));
+    let one = Double::exact(1.0);
+    let (here, next) = (one.divide(double(n)), one.divide(double(&(n + Natural::ONE))));
+    let d = Double::ln(r).multiply(Double::exact(0.5));
+    let square = d.multiply(d);
+    let x = square.multiply(here).multiply(here);
+    // Otherwise the rest is not small; NaN fails it, too.
+    let near = x.ends().is_some_and(|(_, most)| most <= 0.01);
+    if !near {
+        return None;
+    }
+    let step = here.multiply(next);
+    // 1/n³ − 1/(n+1)³ = D·(1/n² + 1/(n(n+1)) + 1/(n+1)²).
+    let cubes = here.multiply(here).plus(step).plus(next.multiply(next));
+    let third = Double::exact(1.0).divide(Double::exact(3.0));
+    // S/D·2/d² without its rest, and the rest: x²·2/9 at most.
+    let shape = one.subtract(square.multiply(cubes).multiply(third).multiply(Double::exact(0.5)));
+    let rest = x.multiply(x).multiply(third).multiply(third);
+    let shape = shape.plus(rest).joined(rest);
+    let s = step.multiply(square).multiply(Double::exact(0.5)).multiply(shape);
+    let ln = Double::ln(&(e_plus_one >> 1u32));
+    // 1 + e > L_n + 1 iff ln((1 + e)/2) > −S.
+    ln.plus(s).sign().filter(|sign| *sign != Ordering::Equal)
+}
+
 /// The order of `e` and `L_n`, for any `n >= 1`, and the level that settled it.
 ///
 /// # Errors
@@ -134,6 +167,9 @@ pub fn compare(e: &Restitution, r: &Positive, n: &Natural) -> Result<(Ordering, 
         && let Some(sign) = double(r, small).and_then(|l| Double::from_rational(&e).subtract(l).sign())
         && sign != Ordering::Equal
     {
+        return Ok((sign, Level::Double));
+    }
+    if let Some(sign) = by_series(&e, r, n) {
         return Ok((sign, Level::Double));
     }
     // 1 − L_n is about d²/(n(n+1)), and neighbours differ by a factor n less.

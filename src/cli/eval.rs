@@ -43,7 +43,7 @@ pub struct EvalFlags {
     /// Velocity of the first body
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     speed: Option<String>,
-    /// What to compute: eta, threshold, helps, masses, velocities, best-n, matrix, losses, recollides
+    /// What to compute: eta, threshold, helps, masses, velocities, last-velocity, best-n, matrix, losses, recollides
     #[arg(long, value_name = "LIST")]
     want: Option<String>,
     /// Significant digits of each decimal

@@ -278,7 +278,7 @@ fn write(
             Found::Open(Value::Count(best)) => Some(best.clone()),
             _ => None,
         };
-        let (line, enclosure) = plan.row(row, found)?;
+        let (line, enclosure) = plan.labelled(row, factors.labels(row), found)?;
         if let Some(certificate) = certificate.as_deref_mut() {
             writeln!(certificate, "{}", proof(plan, row, &line, best.as_ref(), enclosure.as_ref()))?;
         }

@@ -25,6 +25,9 @@ use std::str::FromStr;
 /// The most digits of one decimal.
 pub const MAX_DIGITS: u64 = 10_000_000;
 
+/// Rationals of more bits than this are rounded from their leading digits, where those settle it.
+const LONG_BITS: u64 = 8_192;
+
 /// Leading places from here to [`PLAIN_TO`] are written without an exponent.
 const PLAIN_FROM: i64 = -6;
 const PLAIN_TO: i64 = 20;
@@ -146,6 +149,16 @@ impl Decimal {
         if *x == Rational::ZERO {
             return Ok(Decimal::zero(digits));
         }
+        let size = x.numerator_ref().significant_bits().max(x.denominator_ref().significant_bits());
+        let bits = bits_of_digits(digits.count()) + 64;
+        if size > bits.saturating_mul(8).saturating_add(LONG_BITS) {
+            // Far longer than the decimal: its leading digits settle all but what is next to a tie.
+            let near = Interval::from_rational(x, bits);
+            let found = if near.is_point() { None } else { Decimal::of_interval(&near, digits, rounding) };
+            if let Some(found) = found {
+                return Ok(found);
+            }
+        }
         let numerator = Integer::from_sign_and_abs_ref(*x > Rational::ZERO, x.numerator_ref());
         let denominator = Integer::from(x.denominator_ref());
         let guess = Interval::from_rational(x, 64);
@@ -197,6 +210,53 @@ impl Decimal {
             return (value == 0).then(|| Decimal::zero(digits));
         }
         place_and_round(sign, digits, leading_place(x), scaled)
+    }
+
+    /// The common rounding of all reals between two positive doubles, in machine words; `None` where they do not share
+    /// one, where a tie is among them, and where words are too short.
+    ///
+    /// Right for a number between the doubles that is neither a decimal of so many digits nor a tie: both ends have the
+    /// same whole number of halves of the last place, and the lower one is not itself such a number of halves.
+    #[must_use]
+    pub fn of_doubles(lo: f64, hi: f64, digits: Digits, rounding: Rounding) -> Option<Decimal> {
+        if !(WORD_LEAST..=WORD_MOST).contains(&lo) || !(WORD_LEAST..=WORD_MOST).contains(&hi) {
+            return None;
+        }
+        let (places, least) = match digits {
+            Digits::Places(places) => (i64::try_from(places).ok()?, 1_u128),
+            Digits::Significant(count) => {
+                // The leading place, give or take one: the number of digits is checked below.
+                let leading = -i64::try_from(SCALES.iter().position(|scale| lo >= *scale)?).ok()?;
+                let count = i64::try_from(count).ok()?;
+                (count - 1 - leading, power_of_ten(count - 1)?)
+            }
+        };
+        let power = power_of_ten(places)?;
+        // Twice x·10^places: its whole part, and whether it is whole.
+        let halves = |x: f64| {
+            let bits = x.to_bits();
+            let mantissa = u128::from(bits & ((1 << 52) - 1) | 1 << 52);
+            // At most 2^127 by the limits of both factors; x = mantissa·2^-shift.
+            let shift = u32::try_from(1075 - i64::try_from(bits >> 52).ok()?).ok()?;
+            let scaled = mantissa.checked_mul(power)?.checked_mul(2)?;
+            Some((scaled >> shift, scaled & ((1 << shift) - 1) == 0))
+        };
+        let ((below, whole), (above, _)) = (halves(lo)?, halves(hi)?);
+        if below != above || whole {
+            return None;
+        }
+        let floor = below / 2;
+        let value = match rounding {
+            Rounding::Nearest => floor + below % 2,
+            Rounding::Down | Rounding::Zero => floor,
+            Rounding::Up | Rounding::Away => floor + 1,
+        };
+        let fits = match digits {
+            Digits::Places(_) => value > 0,
+            Digits::Significant(_) => floor >= least && value < 10 * least,
+        };
+        let plain = matches!(digits, Digits::Places(_));
+        fits.then(|| Decimal { negative: false, digits: value.to_string(), exponent: -places, plain })
     }
 
     /// A real number, correctly rounded, and the level that settled it.
@@ -322,6 +382,22 @@ impl Decimal {
         let size = Rational::from(digits) * Rational::from(10).pow(self.exponent);
         if self.negative { -size } else { size }
     }
+}
+
+/// The doubles that [`Decimal::of_doubles`] takes: with `10^MAX_PLACES` they make numbers of at most 127 bits.
+const WORD_LEAST: f64 = f64::from_bits((1023 - 70) << 52);
+const WORD_MOST: f64 = 1.0;
+const MAX_PLACES: i64 = 21;
+
+/// About `10^-k`.
+const SCALES: [f64; 22] = [
+    1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17,
+    1e-18, 1e-19, 1e-20, 1e-21,
+];
+
+/// `10^k`, for `k` from 0 to [`MAX_PLACES`].
+fn power_of_ten(k: i64) -> Option<u128> {
+    (0..=MAX_PLACES).contains(&k).then(|| 10_u128.pow(u32::try_from(k).unwrap_or(0)))
 }
 
 /// Bits that hold so many decimal digits.

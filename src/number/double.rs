@@ -23,10 +23,11 @@
 //! **Cost.** 10 to 40 double operations each; no allocation, no libm except for guesses.
 
 use super::interval::Interval;
-use malachite::Rational;
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
+use malachite::{Natural, Rational};
 
 /// Relative error charged for a product, relative to the larger operand for a sum: `2^-102`.
 const UNIT: f64 = f64::from_bits((1023 - 102) << 52);
@@ -34,6 +35,9 @@ const UNIT: f64 = f64::from_bits((1023 - 102) << 52);
 const TINY: f64 = f64::from_bits((1023 - 900) << 52);
 /// `1 + 2^-49`: covers the roundings of a radius.
 const ROUND_UP: f64 = 1.0 + 16.0 * f64::EPSILON / 2.0;
+/// Terms of the series of `artanh`, and a bound of what is left of it: `2·25^-24/49 < 2^-115`.
+const TERMS: u32 = 24;
+const REST: f64 = f64::from_bits((1023 - 115) << 52);
 /// `2^480` and its reciprocal: the range in which results are certified.
 const LARGEST: f64 = f64::from_bits((1023 + 480) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 480) << 52);
@@ -247,6 +251,54 @@ impl Double {
         }
         result
     }
+
+    /// All sums with what is at most as large as an element of another, on either side.
+    #[must_use]
+    pub fn joined(self, other: Self) -> Self {
+        match other.ends() {
+            Some((lo, hi)) => self.widened(lo.abs().max(hi.abs())),
+            None => Self::UNKNOWN,
+        }
+    }
+
+    /// The natural logarithm of a positive rational; nothing is certified for others.
+    ///
+    /// With `x = m·2^k`, `m` from 2/3 to 4/3, and `z = (m − 1)/(m + 1)`, `|z| <= 1/5`: `ln x = k·ln 2 + 2·artanh z`, and what is left of
+    /// `artanh z/z = Σ z^(2j)/(2j+1)` after [`TERMS`] terms is below `2·25^(−TERMS)/(2·TERMS + 1)`. `z` is formed exactly, so that
+    /// the logarithm of a number near 1 is as accurate, relatively, as any.
+    #[must_use]
+    pub fn ln(x: &Rational) -> Self {
+        let (above, below) = (x.numerator_ref(), x.denominator_ref());
+        let places = |n: &Natural| i64::try_from(n.significant_bits()).unwrap_or(i64::MAX / 4);
+        if *x <= Rational::ZERO {
+            return Self::UNKNOWN;
+        }
+        let mut k = places(above) - places(below);
+        let mut m = x >> k;
+        // Now m lies between 1/2 and 2.
+        if m > Rational::from_unsigneds(4u8, 3u8) {
+            m >>= 1;
+            k += 1;
+        } else if m < Rational::from_unsigneds(2u8, 3u8) {
+            m <<= 1;
+            k -= 1;
+        }
+        let z = Self::from_rational(&((&m - Rational::ONE) / (m + Rational::ONE)));
+        let square = z.multiply(z);
+        let mut sum = Self::exact(0.0);
+        for j in (0..TERMS).rev() {
+            sum = sum.multiply(square).plus(Self::exact(1.0).divide(Self::exact(f64::from(2 * j + 1))));
+        }
+        let part = z.multiply(sum.widened(REST)).multiply(Self::exact(2.0));
+        if k == 0 {
+            return part;
+        }
+        // Below 2^53 and so exact, as no rational has more bits.
+        part.plus(Self::LN_2.multiply(Self::exact(k as f64)))
+    }
+
+    /// `ln 2`: the doubles next to it and a bound of what is left.
+    const LN_2: Self = Self { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17, radius: 3.0 * UNIT };
 
     /// The same set, a given amount wider on both sides.
     fn widened(self, by: f64) -> Self {

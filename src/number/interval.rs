@@ -29,6 +29,9 @@ const MAX_WRITTEN: u64 = 1 << 20;
 /// The most bits of a radius.
 const RADIUS_BITS: u64 = 32;
 
+/// Denominators longer than the precision by so much are cut to it.
+const LONG_BITS: u64 = 1_024;
+
 /// Divisions of more bits than this multiply by a Newton reciprocal (bench `numbers`, group `division`).
 const NEWTON_DIVISION_BITS: u64 = 20_000;
 
@@ -170,10 +173,29 @@ impl Interval {
         Interval::from_dyadic(mid, exponent)
     }
 
+    /// All reals between two positive doubles, `lo <= hi`; exactly them where they agree to about 20 bits.
+    #[must_use]
+    pub fn between_f64(lo: f64, hi: f64) -> Interval {
+        let (least, most) = (Interval::from_f64(lo), Interval::from_f64(hi));
+        let exponent = least.exponent.min(most.exponent).saturating_sub(1);
+        let places = |x: &Interval| x.exponent.saturating_sub(exponent).saturating_sub(1).unsigned_abs();
+        if least.is_whole() || most.is_whole() || places(&least).max(places(&most)) > 4_096 {
+            return Interval::whole();
+        }
+        let (a, b) = (&least.mid << places(&least), &most.mid << places(&most));
+        let radius = Bound::of(&(&b - &a));
+        Interval::rounded(a + b, radius, exponent, u64::MAX)
+    }
+
     /// A rational to `bits` bits; exact where it is dyadic and short enough.
     #[must_use]
     pub fn from_rational(x: &Rational, bits: u64) -> Interval {
         let numerator = Integer::from_sign_and_abs_ref(*x >= Rational::ZERO, x.numerator_ref());
+        if x.denominator_ref().significant_bits() > bits.saturating_mul(2).saturating_add(LONG_BITS) {
+            // The leading digits of both tell as much.
+            let divisor = Interval::from_integer(Integer::from(x.denominator_ref())).round(bits + 8);
+            return Interval::from_integer(numerator).round(bits + 8).divide(&divisor, bits);
+        }
         Interval::from_integer(numerator).divide_by_natural(x.denominator_ref(), bits)
     }
 

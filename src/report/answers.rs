@@ -1,7 +1,8 @@
 //! The answers to a scene as text and as JSON.
 
 use crate::chain::best::Best;
-use crate::chain::recollision::WARNING;
+use crate::chain::recollision::{MAY_WARN, WARNING};
+use crate::chain::uncertain::meeting::Meeting;
 use crate::chain::{ChainError, threshold::Helps};
 use crate::number::real::Level;
 use crate::scene::Scene;
@@ -24,11 +25,13 @@ fn all<'a>(scene: &Scene, answers: &'a Answers<'_>) -> Result<Found<'a>, (Quanti
 
 /// A warning where velocities are asked for that are not final.
 fn warning(answers: &Answers<'_>, scene: &Scene) -> Option<String> {
-    if !scene.want.contains(&Quantity::Velocities) {
+    let of_pass = [Quantity::Velocities, Quantity::LastVelocity];
+    if !scene.want.iter().any(|q| of_pass.contains(q)) {
         return None;
     }
     match answers.get(Quantity::Recollides) {
-        Ok((Value::Recollides(Some(true)), _)) => Some(format!("velocities: {WARNING}")),
+        Ok((Value::Recollides(Meeting::Always), _)) => Some(format!("velocities: {WARNING}")),
+        Ok((Value::Recollides(Meeting::Depends | Meeting::Unsettled), _)) => Some(format!("velocities: {MAY_WARN}")),
         _ => None,
     }
 }
@@ -87,7 +90,7 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
                 }
             }
             Value::Recollides(answer) => {
-                line(&mut out, name, depends(answer.map(|again| if again { "yes" } else { "no" })));
+                line(&mut out, name, answer.text());
             }
             Value::Prepared(_) => {}
         }
@@ -158,8 +161,9 @@ pub fn json(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
                 .collect(),
             Value::Helps(answer) => json!(depends(answer.map(Helps::text))),
             Value::Best(least, greatest) => best_json(least, greatest),
-            Value::Recollides(Some(again)) => json!(again),
-            Value::Recollides(None) => json!("depends"),
+            Value::Recollides(Meeting::Always) => json!(true),
+            Value::Recollides(Meeting::Never) => json!(false),
+            Value::Recollides(other) => json!(other.text()),
             Value::Prepared(_) => Json::Null,
         };
         levels.insert(quantity.name().to_owned(), json!(level.to_string()));

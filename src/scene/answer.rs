@@ -8,15 +8,19 @@ use crate::chain::best::{Best, best};
 use crate::chain::optimum::Optimum;
 use crate::chain::pass::{MAX_PASS_BITS, Pass};
 use crate::chain::threshold::{Helps, helps, threshold};
-use crate::chain::uncertain::{self, Range, Reals};
+use crate::chain::uncertain::given::{self, Given};
+use crate::chain::uncertain::meeting::{self, Meeting};
+use crate::chain::uncertain::optimum::Measured;
+use crate::chain::uncertain::{self, Range, Reals, cells};
 use crate::chain::{
-    ChainError, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted, recollision,
-    transfer,
+    ChainError, MAX_EXACT_BITS, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted,
+    recollision, transfer,
 };
 use crate::number::decimal::{Decimal, Rounding, bits_of_digits};
 use crate::number::real::{Level, Real};
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::logic::traits::SignificantBits;
 use std::cell::OnceCell;
 
 /// A number that is ready to be printed.
@@ -45,8 +49,8 @@ pub enum Value {
     Helps(Option<Helps>),
     /// The least and the greatest best number of bodies over the box; equal where nothing is measured.
     Best(Best, Best),
-    /// Whether bodies meet again; `None` where that depends on the measured inputs.
-    Recollides(Option<bool>),
+    /// Whether bodies meet again.
+    Recollides(Meeting),
     /// The chain, ready for the pass.
     Prepared(Prepared),
 }
@@ -60,6 +64,11 @@ pub enum Prepared {
     Given(Pass),
     /// Measured masses or coefficients.
     Measured,
+}
+
+/// Whether an exact number is written down beside its decimal.
+fn is_short(x: &Rational) -> bool {
+    x.numerator_ref().significant_bits() + x.denominator_ref().significant_bits() <= MAX_EXACT_BITS
 }
 
 /// Refuses to list the velocities of too many bodies.
@@ -137,6 +146,7 @@ impl<'a> Answers<'a> {
             Quantity::Helps => self.helps(),
             Quantity::Masses => self.masses(),
             Quantity::Velocities => self.velocities(),
+            Quantity::LastVelocity => self.last_velocity(),
             Quantity::BestN => self.best(),
             Quantity::Matrix => self.matrices(),
             Quantity::Losses => self.losses(),
@@ -177,14 +187,54 @@ impl<'a> Answers<'a> {
         }
     }
 
-    fn measured_only(quantity: Quantity) -> ChainError {
-        ChainError::Measured { quantity: quantity.name() }
+    /// Bits of the ends of enclosures over a box of measured inputs: those of the digits that are shown.
+    fn measured_bits(&self) -> u64 {
+        bits_of_digits(self.scene.digits.plus(3).count()) + 16
+    }
+
+    /// The measured chain of given masses whose first body alone moves.
+    fn given(&self) -> Result<Given, ChainError> {
+        let chain = self.chain();
+        let masses = chain.masses().unwrap_or_default();
+        Given::new(masses, chain.coefficients().clone(), self.speed()?, self.measured_bits())
+    }
+
+    /// The measured chain of optimal masses.
+    fn measured(&self, n: u64) -> Result<Measured, ChainError> {
+        let chain = self.chain();
+        let (first, last) = (chain.first().clone(), chain.last().clone());
+        let found = Measured::new(first, last, n, chain.coefficients().clone(), self.speed()?, self.measured_bits());
+        limit_listed(&found.corner()?)?;
+        Ok(found)
+    }
+
+    /// The velocities of all bodies before, where others than the first move.
+    fn moving_all(&self) -> Option<&'a [Rational]> {
+        match self.chain().start() {
+            Start::Velocities(list) if list.iter().skip(1).any(|v| *v != Rational::ZERO) => Some(list),
+            _ => None,
+        }
+    }
+
+    /// Enclosures over the box of measured inputs.
+    fn all_between(
+        &self,
+        ranges: impl Iterator<Item = Result<Reals, ChainError>>,
+    ) -> Result<(Value, Level), ChainError> {
+        let mut dearest = Level::Double;
+        let mut numbers = Vec::new();
+        for range in ranges {
+            let (number, level) = self.between(&range?)?;
+            dearest = dearest.max(level);
+            numbers.push(number);
+        }
+        Ok((Value::List(numbers), dearest))
     }
 
     fn number(&self, x: &Real) -> Result<(Number, Level), ChainError> {
         let (found, level) = Decimal::with_enclosure(x, self.scene.digits, self.scene.rounding)?;
         let number = Number {
-            exact: x.as_rational().cloned(),
+            exact: x.as_rational().filter(|x| is_short(x)).cloned(),
             radical: x.radical().map(str::to_owned),
             enclosure: (found.lower.to_string(), found.upper.to_string()),
             decimal: Some(found.decimal.to_string()),
@@ -250,28 +300,7 @@ impl<'a> Answers<'a> {
 
     fn eta_of_measured_masses(&self) -> Result<(Number, Level), ChainError> {
         self.moving()?;
-        let masses = self.chain().masses().unwrap_or_default();
-        let (lower, upper) = self.chain().restitutions();
-        let least = Real::rational(uncertain::least_transfer(&masses, &lower)?);
-        // Known only by enclosures: whether it is a short decimal is not asked.
-        let digits = self.scene.digits.plus(3);
-        let mut bits = bits_of_digits(digits.count()) + 64;
-        let greatest = loop {
-            let enclosure = uncertain::greatest_transfer(&masses, &upper, bits)?;
-            let narrow = enclosure.accuracy() > bits_of_digits(digits.count()) + 8;
-            if narrow && let Some((_, top)) = enclosure.ends() {
-                break (enclosure, top.point());
-            }
-            bits *= 2;
-        };
-        let (lower, _) = Decimal::of_real(&least, digits, Rounding::Down)?;
-        let upper = greatest.1.map(|top| Decimal::of_rational(&top, digits, Rounding::Up)).transpose()?;
-        let upper = upper.map_or_else(|| "1".to_owned(), |d| d.to_string());
-        let rounded = Decimal::of_interval(&greatest.0, self.scene.digits, self.scene.rounding);
-        let (least, _) = Decimal::of_real(&least, self.scene.digits, self.scene.rounding)?;
-        let decimal = rounded.filter(|d| *d == least).map(|d| d.to_string());
-        let enclosure = (lower.to_string(), upper);
-        Ok((Number { exact: None, radical: None, enclosure, decimal }, Level::Interval(bits)))
+        self.between(&self.given()?.transfer()?)
     }
 
     fn threshold(&self) -> Result<(Value, Level), ChainError> {
@@ -336,19 +365,12 @@ impl<'a> Answers<'a> {
                         (0..=low.collisions()).map(|i| Reals { least: low.mass(i), greatest: high.mass(i) }).collect()
                     }
                 };
-                let mut dearest = Level::Double;
-                let mut numbers = Vec::new();
-                for range in &ranges {
-                    let (number, level) = self.between(range)?;
-                    dearest = dearest.max(level);
-                    numbers.push(number);
-                }
-                Ok((Value::List(numbers), dearest))
+                self.all_between(ranges.into_iter().map(Ok))
             }
         }
     }
 
-    /// The speed of the first body, for chains of optimal masses.
+    /// The speed of the first body, the others being at rest.
     fn speed(&self) -> Result<Rational, ChainError> {
         self.moving()?;
         match self.chain().start() {
@@ -365,8 +387,45 @@ impl<'a> Answers<'a> {
                 self.list((0..=optimum.collisions()).map(|i| optimum.velocity(i, &speed)))
             }
             Prepared::Given(pass) => self.list(pass.velocities_after()?.into_iter().map(Real::rational)),
-            Prepared::Measured => Err(Self::measured_only(Quantity::Velocities)),
+            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+                (Inserted::Optimal(n), _) => {
+                    let chain = self.measured(*n)?;
+                    self.all_between((0..=*n + 1).map(|i| chain.velocity(i)))
+                }
+                (Inserted::Given(_), None) => self.all_between(self.given()?.velocities()?.into_iter().map(Ok)),
+                (Inserted::Given(_), Some(before)) => {
+                    self.all_between(self.follow(before)?.velocities.into_iter().map(Ok))
+                }
+            },
         }
+    }
+
+    /// The velocity of the last body alone: from rest a product, found without those of the others.
+    fn last_velocity(&self) -> Result<(Value, Level), ChainError> {
+        let (number, level) = match self.prepared()? {
+            Prepared::Optimal(optimum) => self.number(&optimum.arrival(optimum.collisions(), &self.speed()?))?,
+            Prepared::Given(pass) => match pass.last_velocity() {
+                Ok(velocity) => self.number(&Real::rational(velocity))?,
+                Err(_) => match pass.velocities_after()?.pop() {
+                    Some(velocity) => self.number(&Real::rational(velocity))?,
+                    None => return Err(ChainError::NotAtRest),
+                },
+            },
+            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+                (Inserted::Optimal(n), _) => self.between(&self.measured(*n)?.velocity(*n + 1)?)?,
+                (Inserted::Given(_), None) => self.between(&self.given()?.last_velocity()?)?,
+                (Inserted::Given(_), Some(before)) => match self.follow(before)?.velocities.pop() {
+                    Some(range) => self.between(&range)?,
+                    None => return Err(ChainError::NotAtRest),
+                },
+            },
+        };
+        Ok((Value::Number(number), level))
+    }
+
+    /// The pass over the box of measured inputs, others than the first body moving before.
+    fn follow(&self, before: &[Rational]) -> Result<cells::Moving, ChainError> {
+        cells::follow(&self.chain().masses().unwrap_or_default(), self.chain().coefficients(), before)
     }
 
     fn losses(&self) -> Result<(Value, Level), ChainError> {
@@ -377,14 +436,19 @@ impl<'a> Answers<'a> {
                 self.list((1..=optimum.collisions()).map(|i| optimum.loss(i, &speed)))
             }
             Prepared::Given(pass) => self.list(pass.losses()?.into_iter().map(Real::rational)),
-            Prepared::Measured => Err(Self::measured_only(Quantity::Losses)),
+            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+                (Inserted::Optimal(n), _) => {
+                    let chain = self.measured(*n)?;
+                    self.all_between((1..=*n + 1).map(|i| chain.loss(i)))
+                }
+                (Inserted::Given(_), None) => self.all_between(self.given()?.losses()?.into_iter().map(Ok)),
+                (Inserted::Given(_), Some(before)) => self.all_between(self.follow(before)?.losses.into_iter().map(Ok)),
+            },
         }
     }
 
     fn matrices(&self) -> Result<(Value, Level), ChainError> {
-        let Some((_, _, restitutions)) = self.exact() else {
-            return Err(Self::measured_only(Quantity::Matrix));
-        };
+        let Some((_, _, restitutions)) = self.exact() else { return self.measured_matrices() };
         let mut dearest = Level::Double;
         let mut matrices = Vec::new();
         let mut push = |entries: [[Real; 2]; 2]| -> Result<(), ChainError> {
@@ -420,9 +484,33 @@ impl<'a> Answers<'a> {
                     }
                 }
             }
-            Prepared::Measured => return Err(Self::measured_only(Quantity::Matrix)),
+            Prepared::Measured => return self.measured_matrices(),
         }
         Ok((Value::Matrices(matrices), dearest))
+    }
+
+    fn measured_matrices(&self) -> Result<(Value, Level), ChainError> {
+        let chain = self.chain();
+        let matrices = match (chain.inserted(), chain.coefficients()) {
+            (Inserted::Given(_), coefficients) => given::matrices(&chain.masses().unwrap_or_default(), coefficients)?,
+            (Inserted::Optimal(n), coefficients) => {
+                let found = self.measured(*n)?;
+                // With one coefficient the same matrix serves every collision.
+                let count = if let uncertain::Coefficients::Each(_) = coefficients { *n + 1 } else { 1 };
+                (0..count).map(|i| found.matrix(i)).collect::<Result<_, _>>()?
+            }
+        };
+        let mut dearest = Level::Double;
+        let mut ready = |x: &Reals| -> Result<Number, ChainError> {
+            let (number, level) = self.between(x)?;
+            dearest = dearest.max(level);
+            Ok(number)
+        };
+        let list = matrices
+            .iter()
+            .map(|[[a, b], [c, d]]| Ok([[ready(a)?, ready(b)?], [ready(c)?, ready(d)?]]))
+            .collect::<Result<_, ChainError>>()?;
+        Ok((Value::Matrices(list), dearest))
     }
 
     fn recollides(&self) -> Result<(Value, Level), ChainError> {
@@ -431,20 +519,28 @@ impl<'a> Answers<'a> {
             Prepared::Optimal(optimum) => {
                 self.moving()?;
                 let (again, level) = recollision::of_optimum(optimum)?;
-                Ok((Value::Recollides(Some(again)), level))
+                Ok((Value::Recollides(Meeting::of(again)), level))
             }
-            Prepared::Given(pass) => {
-                let again = recollision::of_velocities(&pass.velocities_after()?);
-                Ok((Value::Recollides(Some(again)), Level::Exact))
-            }
-            Prepared::Measured => {
-                let (Inserted::Optimal(n), Ok(e)) = (chain.inserted(), chain.common_restitution("recollides")) else {
-                    return Err(Self::measured_only(Quantity::Recollides));
-                };
-                self.moving()?;
-                let (answer, level) = uncertain::recollides_over(chain.first(), chain.last(), &e, *n)?;
-                Ok((Value::Recollides(answer), level))
-            }
+            Prepared::Given(pass) => Ok((Value::Recollides(Meeting::of(pass.recollides()?)), Level::Exact)),
+            Prepared::Measured => match (chain.inserted(), self.moving_all()) {
+                (Inserted::Optimal(n), _) => {
+                    self.moving()?;
+                    let (first, last) = (chain.first(), chain.last());
+                    let (found, level) = meeting::of_optimal(first, last, chain.coefficients(), *n)?;
+                    Ok((Value::Recollides(found), level))
+                }
+                (Inserted::Given(_), None) => {
+                    self.moving()?;
+                    let masses = chain.masses().unwrap_or_default();
+                    Ok((Value::Recollides(meeting::of_given(&masses, chain.coefficients())), Level::Exact))
+                }
+                (Inserted::Given(_), Some(before)) => {
+                    let masses = chain.masses().unwrap_or_default();
+                    let velocities = self.follow(before)?.velocities;
+                    let found = meeting::of_moving(&masses, chain.coefficients(), before, &velocities)?;
+                    Ok((Value::Recollides(found), Level::Exact))
+                }
+            },
         }
     }
 }

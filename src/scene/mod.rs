@@ -8,6 +8,7 @@ pub mod quantity;
 pub mod read;
 pub mod replay;
 
+pub use crate::chain::uncertain::Coefficients;
 use crate::chain::uncertain::Range;
 use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution, Restitutions, limit_inserted};
 use crate::number::decimal::{Digits, Rounding};
@@ -35,15 +36,6 @@ pub enum Inserted {
     Optimal(u64),
     /// These masses.
     Given(Vec<Range<Positive>>),
-}
-
-/// Coefficients of restitution, each perhaps measured.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Coefficients {
-    /// One for all collisions.
-    Same(Range<Restitution>),
-    /// One for each collision.
-    Each(Vec<Range<Restitution>>),
 }
 
 /// The velocities before the pass.
@@ -157,7 +149,7 @@ impl Chain {
         }
     }
 
-    /// The one coefficient of all collisions.
+    /// The one coefficient of all collisions. Equal ranges in a list are not one: each of them has a value of its own.
     ///
     /// # Errors
     /// [`ChainError::UnequalRestitutions`] naming the quantity.
@@ -165,7 +157,7 @@ impl Chain {
         match &self.coefficients {
             Coefficients::Same(e) => Ok(e.clone()),
             Coefficients::Each(list) => match list.first() {
-                Some(first) if list.iter().all(|e| e == first) => Ok(first.clone()),
+                Some(first) if first.single().is_some() && list.iter().all(|e| e == first) => Ok(first.clone()),
                 _ => Err(ChainError::UnequalRestitutions { quantity }),
             },
         }

@@ -17,6 +17,8 @@ pub enum Quantity {
     Masses,
     /// All velocities after the pass.
     Velocities,
+    /// That of the last body alone.
+    LastVelocity,
     /// The best number of inserted bodies.
     BestN,
     /// The transfer matrix of each collision.
@@ -28,14 +30,15 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All of them, in the order of evaluation: each after what it needs, [`Quantity::Velocities`] apart.
-    pub const ALL: [Quantity; 10] = [
+    /// All of them, in the order of evaluation: each after what it needs, velocities apart.
+    pub const ALL: [Quantity; 11] = [
         Self::Pass,
         Self::Eta,
         Self::Threshold,
         Self::Helps,
         Self::Masses,
         Self::Velocities,
+        Self::LastVelocity,
         Self::BestN,
         Self::Matrix,
         Self::Losses,
@@ -49,7 +52,7 @@ impl Quantity {
             Self::Pass | Self::Eta | Self::Threshold | Self::Helps | Self::BestN => &[],
             Self::Masses | Self::Matrix | Self::Losses | Self::Recollides => &[Self::Pass],
             // Every output that calls velocities final must know whether they are.
-            Self::Velocities => &[Self::Pass, Self::Recollides],
+            Self::Velocities | Self::LastVelocity => &[Self::Pass, Self::Recollides],
         }
     }
 
@@ -63,6 +66,7 @@ impl Quantity {
             Self::Helps => "helps",
             Self::Masses => "masses",
             Self::Velocities => "velocities",
+            Self::LastVelocity => "last-velocity",
             Self::BestN => "best-n",
             Self::Matrix => "matrix",
             Self::Losses => "losses",

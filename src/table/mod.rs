@@ -227,6 +227,8 @@ pub enum Found {
     Open(Value),
     /// An irrational number of which the digits asked for are settled already, by this enclosure.
     Settled(Decimal, Interval),
+    /// The same, with a double below and one above.
+    Quick(Decimal, (f64, f64)),
 }
 
 impl Plan {
@@ -366,9 +368,20 @@ impl Plan {
     /// # Errors
     /// [`TableError::Row`].
     pub fn row(&self, row: u64, found: Found) -> Result<(Row, Option<Interval>), TableError> {
+        self.labelled(row, self.labels(row), found)
+    }
+
+    /// The same with the texts of the axes, which the caller knows.
+    ///
+    /// # Errors
+    /// [`TableError::Row`].
+    pub fn labelled(&self, row: u64, labels: Vec<String>, found: Found) -> Result<(Row, Option<Interval>), TableError> {
         let fail = |error: NumberError| TableError::Row { row: self.in_words(row), error: Box::new(error.into()) };
-        let labels = self.labels(row);
         let real = match found {
+            Found::Quick(decimal, (lo, hi)) => {
+                let row = Row { labels, value: decimal.to_string(), exact: None, further: None };
+                return Ok((row, Some(Interval::between_f64(lo, hi))));
+            }
             Found::Settled(decimal, enclosure) => {
                 let row = Row { labels, value: decimal.to_string(), exact: None, further: None };
                 return Ok((row, Some(enclosure)));

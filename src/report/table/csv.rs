@@ -15,12 +15,24 @@ pub fn head(head: &Head) -> String {
 }
 
 pub fn row(row: &[Entry], out: &mut dyn Write) -> io::Result<()> {
-    let mut line: String = row.iter().map(|e| quoted(e.plain())).collect::<Vec<_>>().join(",");
-    line.push('\n');
-    out.write_all(line.as_bytes())
+    for (i, entry) in row.iter().enumerate() {
+        if i > 0 {
+            out.write_all(b",")?;
+        }
+        let text = entry.plain();
+        if text.contains(SPECIAL) {
+            out.write_all(quoted(text).as_bytes())?;
+        } else {
+            out.write_all(text.as_bytes())?;
+        }
+    }
+    out.write_all(b"\n")
 }
+
+/// What makes quotation marks necessary.
+const SPECIAL: [char; 4] = [',', '"', '\n', '\r'];
 
 /// A field, between quotation marks where it needs them.
 fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    if text.contains(SPECIAL) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }

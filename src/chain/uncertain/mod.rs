@@ -1,0 +1,248 @@
+//! Measured masses and coefficients of restitution: results as enclosures over the whole box of inputs.
+//!
+//! **Contract.** Nothing outside of the printed ends is a value of the box. The ends are attained, up to the rounding
+//! of the printed decimals, with two exceptions that a limit bounds: velocities with *one* measured coefficient for
+//! all collisions ([`given::PIECES`]) and chains whose other bodies move as well ([`cells::CELLS`]).
+//!
+//! **Why the corners suffice.** Let `d = ln(r)/2`; `r` close to 1 means `|d|` small.
+//! - *Optimal masses.* `eta = ∏(1+e_i)²/4 · sech(d/N)^(2N)` rises with each `e_i` and falls with `|d|`.
+//!   `L_n + 1 = 2·cosh(d/(n+1))^(n+1)/cosh(d/n)^n`, and the derivative of its logarithm by `d > 0` is
+//!   `tanh(d/(n+1)) − tanh(d/n) < 0`: `L_n` falls with `|d|`. So `n* = #{n : L_n <= e}` rises with `e` and with `|d|`, and
+//!   `e − L_n` does. `mu_i = m1^((N−i)/N)·m2^(i/N)` rises with both masses. Velocities and losses: [`optimum`].
+//! - *Given masses.* [`given`]: what falls is least at a vertex of the box; what is greatest is the maximum of a
+//!   concave function, found in [`peak`]. Other bodies in motion: [`cells`]. Whether bodies meet again: [`meeting`].
+//!
+//! The ratio `r` ranges over `[m1_lo/m2_hi, m1_hi/m2_lo]`: the two masses are measured independently.
+
+pub mod bound;
+pub mod cells;
+pub mod given;
+pub mod meeting;
+pub mod optimum;
+pub mod peak;
+
+use super::best::{Best, best};
+use super::threshold::{Helps, helps};
+use super::{ChainError, Positive, Restitution, Restitutions, transfer};
+use crate::number::NumberError;
+use crate::number::rational::{NumeralError, parse};
+use crate::number::real::{Level, Real};
+use malachite::Rational;
+use malachite::base::num::basic::traits::One;
+use std::fmt;
+
+/// The most bodies of a chain with given masses of which some input is measured.
+pub const MAX_MEASURED: u64 = 1_000;
+
+/// All numbers from `lo` to `hi`; a point where they are equal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Range<T> {
+    lo: T,
+    hi: T,
+}
+
+/// Why a text is no number and no range.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RangeError {
+    /// A numeral in it is wrong.
+    Numeral(NumeralError),
+    /// A bracket or comma is missing.
+    Brackets,
+    /// The lower end is above the upper one.
+    Reversed,
+    /// An uncertainty below zero.
+    NegativeUncertainty,
+}
+
+impl fmt::Display for RangeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Numeral(error @ NumeralError::Uncertainty { .. }) => {
+                write!(f, "{error}, or an uncertainty as in 57.1 ± 0.1")
+            }
+            Self::Numeral(error) => write!(f, "{error}"),
+            Self::Brackets => write!(f, "a range is written [lower, upper]"),
+            Self::Reversed => write!(f, "the lower end of a range is above its upper end"),
+            Self::NegativeUncertainty => write!(f, "an uncertainty must not be below 0"),
+        }
+    }
+}
+
+impl std::error::Error for RangeError {}
+
+impl<T: Clone + PartialOrd> Range<T> {
+    /// A single number.
+    #[must_use]
+    pub fn point(x: T) -> Range<T> {
+        Range { lo: x.clone(), hi: x }
+    }
+
+    /// A range.
+    ///
+    /// # Errors
+    /// [`RangeError::Reversed`].
+    pub fn new(lo: T, hi: T) -> Result<Range<T>, RangeError> {
+        if lo <= hi { Ok(Range { lo, hi }) } else { Err(RangeError::Reversed) }
+    }
+
+    /// The lower end.
+    #[must_use]
+    pub fn lo(&self) -> &T {
+        &self.lo
+    }
+
+    /// The upper end.
+    #[must_use]
+    pub fn hi(&self) -> &T {
+        &self.hi
+    }
+
+    /// The single number, where it is one.
+    #[must_use]
+    pub fn single(&self) -> Option<&T> {
+        (self.lo == self.hi).then_some(&self.lo)
+    }
+
+    /// Both ends converted by an increasing function.
+    ///
+    /// # Errors
+    /// What the function answers.
+    pub fn map<U, E>(self, f: impl Fn(T) -> Result<U, E>) -> Result<Range<U>, E> {
+        Ok(Range { lo: f(self.lo)?, hi: f(self.hi)? })
+    }
+}
+
+impl Range<Rational> {
+    /// Reads `57.1`, `57.1 ± 0.1`, `57.1 +- 0.1` or `[57.0, 57.2]`.
+    ///
+    /// ```
+    /// use carom::chain::uncertain::Range;
+    /// assert_eq!(Range::read("57.1 ± 0.1"), Range::read("[57, 57.2]"));
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`].
+    pub fn read(text: &str) -> Result<Range<Rational>, RangeError> {
+        let text = text.trim();
+        let numeral = |t: &str| parse(t.trim()).map_err(RangeError::Numeral);
+        if let Some(inside) = text.strip_prefix('[') {
+            let inside = inside.strip_suffix(']').ok_or(RangeError::Brackets)?;
+            let (lo, hi) = inside.split_once(',').ok_or(RangeError::Brackets)?;
+            return Range::new(numeral(lo)?, numeral(hi)?);
+        }
+        let parts = ["±", "+-", "+/-"].iter().find_map(|sign| text.split_once(sign));
+        let Some((centre, reach)) = parts else { return Ok(Range::point(numeral(text)?)) };
+        let (centre, reach) = (numeral(centre)?, numeral(reach)?);
+        if reach < 0 {
+            return Err(RangeError::NegativeUncertainty);
+        }
+        Ok(Range { lo: &centre - &reach, hi: centre + reach })
+    }
+}
+
+/// Coefficients of restitution, each perhaps measured.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Coefficients {
+    /// One for all collisions; where it is measured, all collisions share the one value that it has.
+    Same(Range<Restitution>),
+    /// One for each collision, measured independently.
+    Each(Vec<Range<Restitution>>),
+}
+
+impl Coefficients {
+    /// That of a collision, counted from 0; `None` beyond the last.
+    #[must_use]
+    pub fn at(&self, collision: usize) -> Option<&Range<Restitution>> {
+        match self {
+            Self::Same(e) => Some(e),
+            Self::Each(list) => list.get(collision),
+        }
+    }
+
+    /// The range that all collisions share the value of, where it is more than a point.
+    #[must_use]
+    pub fn shared(&self) -> Option<&Range<Restitution>> {
+        match self {
+            Self::Same(e) if e.single().is_none() => Some(e),
+            _ => None,
+        }
+    }
+}
+
+/// The ratios nearest to 1 and farthest from it, of independent first and last masses.
+///
+/// `r` and `1/r` count as equally far: everything that is asked here is the same for both.
+#[must_use]
+pub fn ratios(first: &Range<Positive>, last: &Range<Positive>) -> (Positive, Positive) {
+    let (lo, hi) = (first.lo.over(&last.hi), first.hi.over(&last.lo));
+    let far_below = lo.value() * hi.value() < Rational::ONE;
+    let inside = *lo.value() <= Rational::ONE && *hi.value() >= Rational::ONE;
+    let (near, far) = if far_below { (hi, lo) } else { (lo, hi) };
+    (if inside { first.lo.over(&first.lo) } else { near }, far)
+}
+
+/// A range of real numbers: its least and greatest elements.
+#[derive(Debug)]
+pub struct Reals {
+    /// The least one.
+    pub least: Real,
+    /// The greatest one.
+    pub greatest: Real,
+}
+
+/// eta for optimal masses, over the box; the coefficients at their lower and at their upper ends.
+///
+/// # Errors
+/// As [`transfer::optimal`].
+pub fn optimal_transfer(
+    first: &Range<Positive>,
+    last: &Range<Positive>,
+    (lower, upper): (&Restitutions, &Restitutions),
+    n: u64,
+) -> Result<Reals, ChainError> {
+    let (near, far) = ratios(first, last);
+    Ok(Reals { least: transfer::optimal(&far, lower, n)?, greatest: transfer::optimal(&near, upper, n)? })
+}
+
+/// `L_n`, over the box.
+///
+/// # Errors
+/// As [`super::threshold::threshold`].
+pub fn threshold(first: &Range<Positive>, last: &Range<Positive>, n: u64) -> Result<Reals, NumberError> {
+    let (near, far) = ratios(first, last);
+    Ok(Reals { least: super::threshold::threshold(&far, n)?, greatest: super::threshold::threshold(&near, n)? })
+}
+
+/// Whether the `n`-th body helps: the answer that the whole box shares, `None` where it depends.
+///
+/// # Errors
+/// As [`super::threshold::compare`].
+pub fn helps_over(
+    first: &Range<Positive>,
+    last: &Range<Positive>,
+    e: &Range<Restitution>,
+    n: u64,
+) -> Result<(Option<Helps>, Level), NumberError> {
+    let (near, far) = ratios(first, last);
+    let (least, level) = helps(&e.lo, &near, n)?;
+    if e.single().is_some() && near == far {
+        return Ok((Some(least), level));
+    }
+    let (greatest, other) = helps(&e.hi, &far, n)?;
+    Ok(((least == greatest).then_some(least), level.max(other)))
+}
+
+/// The least and the greatest `n*` over the box.
+///
+/// # Errors
+/// As [`best`].
+pub fn best_over(
+    first: &Range<Positive>,
+    last: &Range<Positive>,
+    e: &Range<Restitution>,
+) -> Result<((Best, Best), Level), ChainError> {
+    let (near, far) = ratios(first, last);
+    let (least, level) = best(&near, &e.lo)?;
+    let (greatest, other) = best(&far, &e.hi)?;
+    Ok(((least, greatest), level.max(other)))
+}
