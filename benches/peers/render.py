@@ -32,7 +32,7 @@ def ratio(value):
 def cell(result, case, ours, limit):
     found = result["cases"].get(case)
     if found is None:
-        return f"> {limit} s" if result["end"] == "timeout" else "–"
+        return f"> {limit} s" if case in result["timeouts"] else "–"
     text = duration(found["median"])
     if found["runs"] > 1:
         text += f" ± {100 * found['spread'] / 2:.0f} %"
@@ -58,7 +58,7 @@ def table(job, record):
         cells += [cell(result, case, ours if case in ours else None, limit) for case in cases]
         if job in ("J4", "J5"):
             seconds, done, all_cases = total(results, result["tool"])
-            cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases} in {limit} s")
+            cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases}")
         lines.append(row(cells))
     loaded = ", a loaded machine" if record["load"] > 0.7 else ""
     lines += ["", f"Measured {record['when']}, load average {record['load']}{loaded}.", ""]
@@ -94,13 +94,14 @@ def chart(record, path):
     for panel, (job, case) in zip(panels[:, 0], shown):
         data = record["jobs"][job]
         known = [r["cases"][case]["median"] for r in data["results"] if case in r["cases"]]
-        top, low = max(known + [data["limit"]] if any(case not in r["cases"] and r["end"] == "timeout" for r in data["results"]) else known), min(known)
+        late = [data["limit"] for r in data["results"] if case in r["timeouts"]]
+        low, top = min(known + late), max(known + late)
         panel.set_xscale("log")
         panel.set_xlim(low / 2, top * 12)
         for place, result in enumerate(data["results"]):
             colour, hatch = LOOK[result["guarantee"]]
             found = result["cases"].get(case)
-            late = found is None and result["end"] == "timeout"
+            late = case in result["timeouts"]
             if found is None and not late:
                 continue
             seconds = data["limit"] if late else found["median"]
@@ -112,7 +113,7 @@ def chart(record, path):
         panel.set_yticks(range(len(data["results"])), [r["tool"] for r in data["results"]])
         panel.invert_yaxis()
         panel.tick_params(axis="y", length=0)
-        panel.set_title(f"{job}  {TITLES[job]}: {case}", loc="left", fontsize=8.5, fontweight="bold")
+        panel.set_title(f"{job}  {TITLES[job]}" + (f": {case}" if job in SHOWN else ""), loc="left", fontsize=8.5, fontweight="bold")
         panel.xaxis.set_major_formatter(lambda x, _: duration(x))
         panel.xaxis.set_minor_formatter(lambda x, _: "")
         panel.spines[["top", "right"]].set_visible(False)

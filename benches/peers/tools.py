@@ -22,8 +22,8 @@ TITLES = {
     "J7": "The best number of bodies n*",
     "J8": "Cold process to first answer",
 }
-# Seconds for one process. More time buys the solvers one or two further n.
-LIMITS = {"J4": 20, "J5": 20, "J8": 20}
+# Seconds for one case. More time buys the solvers one or two further n.
+LIMITS = {"J4": 10, "J5": 10}
 LIMIT = 60
 
 
