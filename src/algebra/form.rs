@@ -509,13 +509,13 @@ impl Ring {
         for (a, e) in &lead {
             minus.push((*a, self.exponent_negated(e)));
         }
-        let mut rest = p.clone();
+        let mut rest = p.terms.clone();
         let mut quotient: HashMap<Monomial, Rational> = HashMap::default();
         for _ in 0..p.terms.len() + 16 {
-            let Some((top, d)) = rest.terms.first().cloned() else {
+            let Some((top, d)) = rest.first() else {
                 return Ok(Some(self.collect(quotient)?));
             };
-            let monomial = self.monomial_product(&top, &minus)?;
+            let monomial = self.monomial_product(top, &minus)?;
             for (atom, low, high) in &bounds {
                 let e = exponent_in(&monomial, *atom);
                 if self.exponent_order(&e, low)? == Ordering::Less
@@ -524,16 +524,52 @@ impl Ring {
                     return Ok(None);
                 }
             }
-            let factor = &d / &c;
-            let mut terms: HashMap<Monomial, Rational> = rest.terms.into_iter().collect();
+            let factor = d / &c;
+            let mut product = Vec::with_capacity(q.terms.len());
             for (other, k) in &q.terms {
-                let product = self.monomial_product(&monomial, other)?;
-                *terms.entry(product).or_insert(Rational::ZERO) -= k * &factor;
+                product.push((self.monomial_product(&monomial, other)?, -(k * &factor)));
+            }
+            rest = self.merged(rest, product)?;
+            if rest.len() > self.terms_limit {
+                return Err(Limit("terms"));
             }
             quotient.insert(monomial, factor);
-            rest = self.collect(terms)?;
         }
         Ok(None)
+    }
+
+    /// The sum of two lists of terms, both in decreasing order; few of `b` against many of `a`.
+    fn merged(
+        &mut self,
+        a: Vec<(Monomial, Rational)>,
+        b: Vec<(Monomial, Rational)>,
+    ) -> Result<Vec<(Monomial, Rational)>> {
+        let mut out = Vec::with_capacity(a.len() + b.len());
+        let mut rest = a.into_iter();
+        for (monomial, c) in b {
+            let list = rest.as_slice();
+            let (mut low, mut high) = (0, list.len());
+            while low < high {
+                let middle = usize::midpoint(low, high);
+                match self.monomial_order(&list[middle].0, &monomial)? {
+                    Ordering::Greater => low = middle + 1,
+                    _ => high = middle,
+                }
+            }
+            out.extend(rest.by_ref().take(low));
+            match rest.as_slice().first() {
+                Some((same, d)) if *same == monomial => {
+                    let sum = d + c;
+                    rest.next();
+                    if sum != 0 {
+                        out.push((monomial, sum));
+                    }
+                }
+                _ => out.push((monomial, c)),
+            }
+        }
+        out.extend(rest);
+        Ok(out)
     }
 
     // ---- forms ----
