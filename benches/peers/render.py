@@ -1,6 +1,7 @@
 """The tables of docs/peers.md between its markers, and the bar chart docs/peers.svg."""
 import re
 
+import aims
 from tools import CERTIFIED, EXACT, PLAIN, PROOF, TITLES
 
 # The cases that the tables show where there are many; the JSON holds all.
@@ -71,7 +72,10 @@ def row(cells):
 
 def tables(record):
     versions = ", ".join(f"{name} {version}" for name, version in record["versions"].items())
-    parts = [f"Machine: {record['machine']}.", "", f"Versions: {versions}.", ""]
+    parts = [f"Machine: {record['machine']}.", "", f"Versions: {versions}.", "", row(["job", "aim", "measured", "reached"])]
+    parts.append(row(["---"] * 4))
+    parts += [row([job, aim, measured, "yes" if reached else "**no**"]) for job, aim, measured, reached in aims.lines(record)]
+    parts.append("")
     return "\n".join(parts + [table(job, data) for job, data in record["jobs"].items()])
 
 
