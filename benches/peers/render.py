@@ -33,7 +33,7 @@ def ratio(value):
 def cell(result, case, ours, limit):
     found = result["cases"].get(case)
     if found is None:
-        return f"> {limit} s" if case in result["timeouts"] else "–"
+        return f"> {limit:g} s" if case in result["timeouts"] else "–"
     text = duration(found["median"])
     if found["runs"] > 1:
         text += f" ± {100 * found['spread'] / 2:.0f} %"
@@ -112,7 +112,7 @@ def chart(record, path):
             ours = result["tool"].startswith("Carom")
             panel.barh(place, seconds, color="white" if late else colour, hatch="" if late else hatch,
                        edgecolor="black", linewidth=1.6 if ours else 0.5, linestyle=":" if late else "-")
-            panel.text(seconds * 1.15, place, f"> {data['limit']} s" if late else duration(seconds), va="center",
+            panel.text(seconds * 1.15, place, f"> {data['limit']:g} s" if late else duration(seconds), va="center",
                        fontweight="bold" if ours else "normal")
         panel.set_yticks(range(len(data["results"])), [r["tool"] for r in data["results"]])
         panel.invert_yaxis()
