@@ -7,6 +7,8 @@ use super::diagnostic::Diagnostic;
 use super::parse::parse;
 use super::syntax::Claim;
 use include_dir::{Dir, include_dir};
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 
 /// The folders of claims in the order of reports: the paper, then beyond, then lemmas. What else lies in
 /// `proofs/` stays out of the program.
@@ -40,7 +42,7 @@ pub fn files() -> Vec<File> {
             .filter_map(|f| Some(File { path: f.path().to_str()?, text: f.contents_utf8()? }))
             .filter(|f| f.path.ends_with(".claim"))
             .collect();
-        list.sort_by_key(|f| natural(f.path));
+        list.sort_by_cached_key(|f| natural(f.path));
         out.extend(list);
     }
     out
@@ -71,7 +73,8 @@ pub fn coq_files() -> Vec<File> {
 
 /// The name of the claim in a file.
 pub fn stem(path: &str) -> &str {
-    path.rsplit('/').next().unwrap_or(path).trim_end_matches(".claim")
+    let name = path.rsplit_once('/').map_or(path, |(_, name)| name);
+    name.strip_suffix(".claim").unwrap_or(name)
 }
 
 /// `u2` before `u10`.
@@ -96,19 +99,15 @@ pub fn claims(only: &[String]) -> Result<Option<Vec<Claim>>, Vec<Diagnostic>> {
         }
         return Ok(Some(out));
     }
-    let mut out: Vec<Claim> = Vec::new();
+    let places: HashMap<&str, usize> = files.iter().enumerate().map(|(i, f)| (stem(f.path), i)).collect();
+    let mut out: BTreeMap<usize, Vec<Claim>> = BTreeMap::new();
     let mut wanted: Vec<String> = only.to_vec();
     while let Some(name) = wanted.pop() {
-        if out.iter().any(|c| c.name.text == name) {
-            continue;
-        }
-        let Some(file) = files.iter().find(|f| stem(f.path) == name) else { return Ok(None) };
-        for claim in parse(file.text)? {
-            wanted.extend(claim.using.iter().map(|n| n.text.clone()));
-            out.push(claim);
+        let Some(place) = places.get(name.as_str()).copied() else { return Ok(None) };
+        if let Entry::Vacant(entry) = out.entry(place) {
+            let claims = entry.insert(parse(files[place].text)?);
+            wanted.extend(claims.iter().flat_map(|c| c.using.iter().map(|n| n.text.clone())));
         }
     }
-    let place = |claim: &Claim| files.iter().position(|f| stem(f.path) == claim.name.text);
-    out.sort_by_key(place);
-    Ok(Some(out))
+    Ok(Some(out.into_values().flatten().collect()))
 }

@@ -14,7 +14,8 @@ use crate::algebra::form::{AtomId, Form, Ring};
 use crate::algebra::positivity::Constraint;
 use crate::claim::syntax::{Binding, Diagnose, Expr, Prop, Relation};
 use crate::prove::outcome::Line;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// A set of possible signs.

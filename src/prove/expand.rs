@@ -7,7 +7,8 @@
 
 use crate::algebra::form::Limit;
 use crate::claim::syntax::*;
-use std::collections::{BTreeSet, HashMap};
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeSet;
 
 /// The largest number of nodes of all expanded expressions of a claim together.
 pub const NODES_LIMIT: usize = 100_000;

@@ -16,7 +16,7 @@ use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
-use std::collections::HashSet;
+use rustc_hash::FxHashSet as HashSet;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
@@ -431,7 +431,7 @@ fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
 /// The comparisons in a proposition whose two sides have one form: intervals cannot tell that they are
 /// equal.
 fn identities(engine: &mut Engine, cx: &Context, prop: &Prop) -> HashSet<(String, String)> {
-    let mut found = HashSet::new();
+    let mut found = HashSet::default();
     let mut open = vec![prop];
     while let Some(prop) = open.pop() {
         match &prop.kind {

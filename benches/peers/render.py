@@ -1,0 +1,136 @@
+"""The tables of docs/peers.md between its markers, and the bar chart docs/peers.svg."""
+import re
+
+import aims
+from tools import CERTIFIED, EXACT, PLAIN, PROOF, TITLES
+
+# The cases that the tables show where there are many; the JSON holds all.
+SHOWN = {
+    "J3": [f"{what}/{10**k}" for what in ("eta", "L_7") for k in range(2, 7)],
+    "J4": ["equal/1", "equal/12", "above/6", "below/1", "below/3", "below/6", "below/12", "far/12"],
+    "J5": ["1", "2", "3", "4", "6", "8", "12", "16", "20", "24"],
+    "J6": [f"last/{10**k}" for k in range(2, 7)] + ["all/1000"],
+}
+# What the chart shows of each job.
+CHART = [
+    ("J1", "19 identities"), ("J2a", "one of 100000 cells"), ("J2b", "one of 1000000 cells"), ("J3", "L_7/100"),
+    ("J3", "L_7/1000000"), ("J4", "below/6"), ("J5", "6"), ("J6", "last/10000"), ("J7", "1e9"), ("J8", "first answer"),
+]
+# Okabe and Ito's colours, told apart by hatching too.
+LOOK = {PROOF: ("#009E73", ""), EXACT: ("#56B4E9", "//"), CERTIFIED: ("#0072B2", ".."), PLAIN: ("#D9D9D9", "xx")}
+
+
+def duration(seconds):
+    for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
+        if seconds >= size or unit == "ns":
+            return f"{seconds / size:.3g} {unit}" if seconds < 999.5 * size else f"{seconds / size:.0f} {unit}"
+
+
+def ratio(value):
+    return f"{value:.2f}" if value < 10 else f"{value:.0f}"
+
+
+def cell(result, case, ours, limit):
+    found = result["cases"].get(case)
+    if found is None:
+        return f"> {limit:g} s" if case in result["timeouts"] else "–"
+    text = duration(found["median"])
+    if found["runs"] > 1:
+        text += f" ± {100 * found['spread'] / 2:.0f} %"
+    return text if ours is None or result["cases"] is ours else f"{text} (× {ratio(found['median'] / ours[case]['median'])})"
+
+
+def total(results, name):
+    """The sum over all cases, for those who finished all that Carom did."""
+    cases = results[0]["cases"]
+    mine = next(r["cases"] for r in results if r["tool"] == name)
+    done = [case for case in cases if case in mine]
+    return sum(mine[c]["median"] for c in done), len(done), len(cases)
+
+
+def table(job, record):
+    results, limit = record["results"], record["limit"]
+    cases = SHOWN.get(job) or list(results[0]["cases"])
+    head = ["tool", "what the answer is worth", *cases] + (["all"] if job in ("J4", "J5") else [])
+    ours = results[0]["cases"]
+    lines = [f"### {job}: {TITLES[job]}", "", row(head), row(["---"] * len(head))]
+    for result in results:
+        cells = [result["tool"], result["guarantee"]]
+        cells += [cell(result, case, ours if case in ours else None, limit) for case in cases]
+        if job in ("J4", "J5"):
+            seconds, done, all_cases = total(results, result["tool"])
+            cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases}")
+        lines.append(row(cells))
+    loaded = ", a loaded machine" if record["load"] > 0.7 else ""
+    lines += ["", f"Measured {record['when']}, load average {record['load']}{loaded}.", ""]
+    return "\n".join(lines)
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |"
+
+
+def tables(record):
+    versions = ", ".join(f"{name} {version}" for name, version in record["versions"].items())
+    parts = [f"Machine: {record['machine']}.", "", f"Versions: {versions}.", "", row(["job", "aim", "measured", "reached"])]
+    parts.append(row(["---"] * 4))
+    parts += [row([job, aim, measured, "yes" if reached else "**no**"]) for job, aim, measured, reached in aims.lines(record)]
+    parts.append("")
+    return "\n".join(parts + [table(job, data) for job, data in record["jobs"].items()])
+
+
+def chart(record, path):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    matplotlib.rcParams.update({"svg.hashsalt": "peers", "font.size": 8, "hatch.linewidth": 0.4, "font.family": "DejaVu Sans"})
+    from matplotlib import pyplot
+    from matplotlib.patches import Patch
+
+    shown = [(job, case) for job, case in CHART if job in record["jobs"]]
+    if not shown:
+        return
+    counts = [len(record["jobs"][job]["results"]) for job, _ in shown]
+    figure, panels = pyplot.subplots(
+        len(shown), 1, figsize=(8.2, 0.17 * sum(counts) + 0.62 * len(shown)), squeeze=False,
+        gridspec_kw={"height_ratios": counts},
+    )
+    for panel, (job, case) in zip(panels[:, 0], shown):
+        data = record["jobs"][job]
+        known = [r["cases"][case]["median"] for r in data["results"] if case in r["cases"]]
+        late = [data["limit"] for r in data["results"] if case in r["timeouts"]]
+        low, top = min(known + late), max(known + late)
+        panel.set_xscale("log")
+        panel.set_xlim(low / 2, top * 12)
+        for place, result in enumerate(data["results"]):
+            colour, hatch = LOOK[result["guarantee"]]
+            found = result["cases"].get(case)
+            late = case in result["timeouts"]
+            if found is None and not late:
+                continue
+            seconds = data["limit"] if late else found["median"]
+            ours = result["tool"].startswith("Carom")
+            panel.barh(place, seconds, color="white" if late else colour, hatch="" if late else hatch,
+                       edgecolor="black", linewidth=1.6 if ours else 0.5, linestyle=":" if late else "-")
+            panel.text(seconds * 1.15, place, f"> {data['limit']:g} s" if late else duration(seconds), va="center",
+                       fontweight="bold" if ours else "normal")
+        panel.set_yticks(range(len(data["results"])), [r["tool"] for r in data["results"]])
+        panel.invert_yaxis()
+        panel.tick_params(axis="y", length=0)
+        panel.set_title(f"{job}  {TITLES[job]}" + (f": {case}" if job in SHOWN else ""), loc="left", fontsize=8.5, fontweight="bold")
+        panel.xaxis.set_major_formatter(lambda x, _: duration(x))
+        panel.xaxis.set_minor_formatter(lambda x, _: "")
+        panel.spines[["top", "right"]].set_visible(False)
+    handles = [Patch(facecolor=c, hatch=h, edgecolor="black", linewidth=0.5, label=name) for name, (c, h) in LOOK.items()]
+    figure.legend(handles=handles, loc="upper center", ncols=4, frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.35 / figure.get_size_inches()[1]))
+    figure.savefig(path, metadata={"Date": None})
+    pyplot.close(figure)
+
+
+def write(record, folder):
+    page = folder / "peers.md"
+    text = page.read_text() if page.exists() else "<!-- tables -->\n<!-- end of tables -->\n"
+    new = f"<!-- tables -->\n{tables(record)}\n<!-- end of tables -->"
+    page.write_text(re.sub(r"<!-- tables -->.*<!-- end of tables -->", lambda _: new, text, flags=re.S))
+    chart(record, folder / "peers.svg")
