@@ -43,7 +43,10 @@ fn a_certificate_is_printed_with_its_statement_and_what_it_rests_on() {
     let output = carom(&["check", text(&folder.path().join("b-global.cert"))]);
     let printed = out(&output);
     assert_eq!(output.status.code(), Some(0), "{printed}");
-    assert!(printed.starts_with("accepted  b-global  (rests on lemma-chain, lemma-tangent, the weighted mean"), "{printed}");
+    assert!(
+        printed.starts_with("accepted  b-global  (rests on lemma-chain, lemma-tangent, the weighted mean"),
+        "{printed}"
+    );
     assert!(printed.contains("\n    prove "), "{printed}");
     assert!(printed.ends_with("1 of 1 certificates accepted\n"), "{printed}");
 }

@@ -78,9 +78,10 @@ fn accepted() -> BTreeMap<String, bool> {
         let texts: BTreeMap<String, &str> = embedded::certificates().into_iter().collect();
         let mut accepted: BTreeMap<String, Accepted> = BTreeMap::new();
         let mut waiting: Vec<Claim> = catalogue().into_iter().filter(|c| texts.contains_key(&c.name.text)).collect();
-        while let Some(place) = waiting.iter().position(|c| {
-            c.using.iter().all(|n| accepted.contains_key(&n.text) || !texts.contains_key(&n.text))
-        }) {
+        while let Some(place) = waiting
+            .iter()
+            .position(|c| c.using.iter().all(|n| accepted.contains_key(&n.text) || !texts.contains_key(&n.text)))
+        {
             let claim = waiting.remove(place);
             let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
             let certificate = read(texts[&claim.name.text]).expect("a certificate");
@@ -89,7 +90,10 @@ fn accepted() -> BTreeMap<String, bool> {
                 accepted.insert(claim.name.text.clone(), *shown);
             }
         }
-        accepted.iter().map(|(name, shown)| (name.clone(), shown.rests_on().contains(kernel::analysis::LEMMA))).collect()
+        accepted
+            .iter()
+            .map(|(name, shown)| (name.clone(), shown.rests_on().contains(kernel::analysis::LEMMA)))
+            .collect()
     };
     deep.spawn(run).expect("a thread").join().expect("the kernel answers")
 }

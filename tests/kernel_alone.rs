@@ -1,5 +1,5 @@
 //! The kernel stands alone: it compiles with nothing but the syntax tree and the certificate as data.
-#![allow(missing_docs, dead_code)]
+#![allow(missing_docs, dead_code, clippy::unwrap_used)]
 
 #[path = "../src/claim"]
 mod claim {
@@ -81,8 +81,19 @@ fn the_kernel_alone_accepts_an_identity_and_rejects_what_is_none() {
 fn the_kernel_imports_nothing_else() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/kernel");
     let allowed = [
-        "super", "crate::certificate", "crate::claim::syntax", "num_bigint", "num_rational", "num_traits", "std",
-        "fraction", "order", "statement", "translate", "PropKind", "ExprKind",
+        "super",
+        "crate::certificate",
+        "crate::claim::syntax",
+        "num_bigint",
+        "num_rational",
+        "num_traits",
+        "std",
+        "fraction",
+        "order",
+        "statement",
+        "translate",
+        "PropKind",
+        "ExprKind",
     ];
     let mut lines = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
@@ -90,10 +101,21 @@ fn the_kernel_imports_nothing_else() {
         let text = std::fs::read_to_string(&path).unwrap();
         lines += text.lines().count();
         for line in text.lines().map(str::trim_start).filter_map(|l| l.strip_prefix("use ")) {
-            let known = allowed.iter().any(|a| line.starts_with(&format!("{a}::")) || line.starts_with(&format!("{a};")));
+            let known =
+                allowed.iter().any(|a| line.starts_with(&format!("{a}::")) || line.starts_with(&format!("{a};")));
             assert!(known, "{}: use {line}", path.display());
         }
-        for word in ["crate::prove", "crate::algebra", "crate::number", "malachite", "f64", "f32", "unsafe", ".unwrap()", ".expect("] {
+        for word in [
+            "crate::prove",
+            "crate::algebra",
+            "crate::number",
+            "malachite",
+            "f64",
+            "f32",
+            "unsafe",
+            ".unwrap()",
+            ".expect(",
+        ] {
             assert!(!text.contains(word), "{} mentions {word}", path.display());
         }
     }

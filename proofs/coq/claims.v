@@ -8,6 +8,7 @@
 From Carom Require Import vocabulary.
 From Carom Require closed collision four limit many transfer.
 
+(* statement sha256 276d5510de838795c0eb08cc2ce1974ff641f2ce275e14ae1066fc2162415a39 *)
 Theorem eq01 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (v1 v2 w1 w2 J : R),
@@ -16,6 +17,7 @@ Theorem eq01 :
   m1 * v1 + m2 * v2 = m1 * w1 + m2 * w2.
 Proof. exact collision.eq01. Qed.
 
+(* statement sha256 1e9c86941e81f3ece48ce1b2739b8ce081b1ed781a7002481f176fadf23edca6 *)
 Theorem eq02 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (v1 v2 w1 w2 : R),
@@ -24,6 +26,7 @@ Theorem eq02 :
   m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2 = m1 * w1 ^ 2 / 2 + m2 * w2 ^ 2 / 2.
 Proof. exact collision.eq02. Qed.
 
+(* statement sha256 340ac3dffe4fa659d93911cc9b662c41dd441f0bc14600918717f0247d126320 *)
 Theorem eq03 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (v1 v2 w1 w2 : R),
@@ -33,6 +36,7 @@ Theorem eq03 :
   v1 - v2 = - (w1 - w2).
 Proof. exact collision.eq03. Qed.
 
+(* statement sha256 2d210a4d26d91fc0abdd4581f05e0900116d0cb9933072276026f20fcbc7dddd *)
 Theorem eq03_unguarded :
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -42,6 +46,7 @@ Theorem eq03_unguarded :
   v1 - v2 = - (w1 - w2)).
 Proof. exact collision.eq03_unguarded. Qed.
 
+(* statement sha256 efeb822743ead02a6b15de094c370bb3712d58751b702fd4766042fd9bf4f18a *)
 Theorem eq04 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -53,6 +58,7 @@ Theorem eq04 :
   e = 1 <-> m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2 = m1 * w1 ^ 2 / 2 + m2 * w2 ^ 2 / 2.
 Proof. exact collision.eq04. Qed.
 
+(* statement sha256 612c1725d0f60a4705fa661fc9e2df00be522e4c480576e1cc91ecbb3f03ba6e *)
 Theorem eq05 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -71,6 +77,7 @@ Theorem eq05_defined :
   m1 + m2 <> 0.
 Proof. exact collision.eq05_defined. Qed.
 
+(* statement sha256 38964c74442fb21f740147091bfe1e943952a15defd1ef38f89adc24cf29e2c5 *)
 Theorem eq05_unique :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -87,6 +94,7 @@ Theorem eq05_unique_defined :
   m1 + m2 <> 0.
 Proof. exact collision.eq05_unique_defined. Qed.
 
+(* statement sha256 265b8acff9f86523bf3bef5ca25af1945a7f59c7764d18bf16529a411664ab47 *)
 Theorem eq06 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -105,6 +113,7 @@ Theorem eq06_defined :
   m1 + m2 <> 0.
 Proof. exact collision.eq06_defined. Qed.
 
+(* statement sha256 3cee9cbdd93e075ec6a33bd86cb710d7871ce5dd67138666f33f18f94344d39c *)
 Theorem eq07 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -128,6 +137,7 @@ Theorem eq07_defined :
   m2 <> 0.
 Proof. exact collision.eq07_defined. Qed.
 
+(* statement sha256 aae54d649998880360b6b0cc5339c0b6e367fcb7dcbbea348f0cfce0eb4d1d53 *)
 Theorem eq08 :
   forall (m1 m2 v1 : R), m1 > 0 -> m2 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -143,6 +153,7 @@ Theorem eq08_defined :
   m1 + m2 <> 0.
 Proof. exact collision.eq08_defined. Qed.
 
+(* statement sha256 76a79b54cd62cb67e3cb9e6c7ed44bdda1999222dd3efc03ba4d11f4faff9d6d *)
 Theorem eq09 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -158,6 +169,7 @@ Theorem eq09_defined :
   m2 <> 0.
 Proof. exact collision.eq09_defined. Qed.
 
+(* statement sha256 2c3b06ea60d71279514672912b35f91fd8854e79617a2f53b2237fd3d03191d6 *)
 Theorem eq10 :
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -173,6 +185,7 @@ Theorem eq10_defined :
   0 <= x.
 Proof. exact collision.eq10_defined. Qed.
 
+(* statement sha256 4a28a9e8043c42b2f6a0b228ff7c895dd6c4131c101c8b6028e2489d5d528f64 *)
 Theorem eq10_extracted :
   ~ (
   forall (x : R), x > 0 ->
@@ -180,6 +193,7 @@ Theorem eq10_extracted :
   (1 + e) ^ 2 * x / (1 + x) ^ 2 = 1 <-> x - (1 + e) * x + 1 = 0).
 Proof. exact collision.eq10_extracted. Qed.
 
+(* statement sha256 e94876ed5d35845a936fdc5927c4712c8f7fd2c0059278a3a74340f1d1c34221 *)
 Theorem eq10_roots :
   forall (e y s : R),
   s ^ 2 = (e + 3) * (e - 1) ->
@@ -187,6 +201,7 @@ Theorem eq10_roots :
   ((y - (1 + e + s) / 2) * (y - (1 + e - s) / 2) = 0 <-> y = (1 + e + s) / 2 \/ y = (1 + e - s) / 2).
 Proof. exact collision.eq10_roots. Qed.
 
+(* statement sha256 ad03b0f7a731d182480cb4fa3af132616fad483b7215ee5f17c066c1d50e3533 *)
 Theorem eq11 :
   forall (e : R), 0 <= e <= 1 ->
   let f := fun (x : R) => (1 + e) ^ 2 * x / (1 + x) ^ 2 in
@@ -200,6 +215,7 @@ Theorem eq11_defined :
   (forall (x : R), x > 0 -> 1 + x <> 0).
 Proof. exact collision.eq11_defined. Qed.
 
+(* statement sha256 9c67d9dfc2ee570e47ef8170388d89f3b4d668c443484e24f5030cd9651554e8 *)
 Theorem eq12 :
   forall (m1 m2 mu v1 : R), m1 > 0 -> m2 > 0 -> mu > 0 -> v1 > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -221,6 +237,7 @@ Theorem eq12_defined :
   mu + m2 <> 0.
 Proof. exact transfer.eq12_defined. Qed.
 
+(* statement sha256 0e3acd7095dd2622933cecfb8237b4b9164ae7bbd02dd9e6ca37232d2016b03d *)
 Theorem eq13 :
   forall (m1 m2 mu : R), m1 > 0 -> m2 > 0 -> mu > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -241,6 +258,7 @@ Theorem eq13_defined :
   m1 + mu <> 0.
 Proof. exact transfer.eq13_defined. Qed.
 
+(* statement sha256 c6d6dab12710f37bb978ec341b9fa41005a9bac34b4cfe9232d3e891d3e9cdea *)
 Theorem eq14 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -262,6 +280,7 @@ Theorem eq14_defined :
   (forall (mu : R), mu > 0 -> mu + m2 <> 0).
 Proof. exact transfer.eq14_defined. Qed.
 
+(* statement sha256 20a54a3bb03b868217786c502ec1a8b3a522c436967bc6d0c9bef74590934727 *)
 Theorem eq15 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -281,6 +300,7 @@ Theorem eq15_defined :
   0 <= m1 * m2.
 Proof. exact transfer.eq15_defined. Qed.
 
+(* statement sha256 c1d47dbe364e16ee06c9fb14f33d1f4c3355db31b3cafc61a6581ff03eaa1273 *)
 Theorem eq16 :
   forall (m1 m2 mu1 mu2 v1 : R), m1 > 0 -> m2 > 0 -> mu1 > 0 -> mu2 > 0 -> v1 > 0 ->
   forall (e1 e2 e3 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 -> 0 <= e3 <= 1 ->
@@ -302,6 +322,7 @@ Theorem eq16_defined :
   m1 + mu1 <> 0.
 Proof. exact transfer.eq16_defined. Qed.
 
+(* statement sha256 3a67f7d020c7309b87a7151ef4178136b724a97d2c350ae1f7b715477dd1aa78 *)
 Theorem eq17 :
   forall (m1 m2 mu1 mu2 : R), m1 > 0 -> m2 > 0 -> mu1 > 0 -> mu2 > 0 ->
   forall (e1 e2 e3 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 -> 0 <= e3 <= 1 ->
@@ -329,6 +350,7 @@ Theorem eq17_defined :
   mu2 + m2 <> 0.
 Proof. exact four.eq17_defined. Qed.
 
+(* statement sha256 e47ac82dbd743d459b2d1401d4e7d2da1667caab143dd64938a843a53c45a201 *)
 Theorem eq18 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -348,6 +370,7 @@ Theorem eq18_defined :
   0 <= m2.
 Proof. exact four.eq18_defined. Qed.
 
+(* statement sha256 e77f935aa295f36e8bf683f35dfab7a5d80c79487ce036b3a7ba87d1bf1e3eef *)
 Theorem eq18_extracted :
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -357,6 +380,7 @@ Theorem eq18_extracted :
   sqrt (eta3 / eta2) >= 1 <-> e >= (cbrt m1 + cbrt m2) ^ 3 / (sqrt m1 + sqrt m2) ^ 2 - 1).
 Proof. exact four.eq18_extracted. Qed.
 
+(* statement sha256 6e374cb0dca252d2a087607001381e5f7b9c16ded438b4dec4cd0c040a5c624e *)
 Theorem eq19 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -379,6 +403,7 @@ Theorem eq19_defined :
   INR n <> 0.
 Proof. exact many.eq19_defined. Qed.
 
+(* statement sha256 76a4b26643def854648677e6e80dba11e3be68e70feedeac1b366e44325d02fa *)
 Theorem eq20 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -402,6 +427,7 @@ Theorem eq20_defined :
       (Rpower m1 ((INR n + 1 - INR (i + 1)) / INR (n + 1)) * Rpower m2 (INR (i + 1) / INR (n + 1))).
 Proof. exact many.eq20_defined. Qed.
 
+(* statement sha256 46456558176cb363ffc6977ae082d8003d3fba493aae20c1e4769d9d60852d7e *)
 Theorem eq20_converse :
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (n : nat),
@@ -417,6 +443,7 @@ Theorem eq20_converse_defined :
   mu 0%nat <> 0.
 Proof. exact many.eq20_converse_defined. Qed.
 
+(* statement sha256 93ac0248963ecac3ede0ce9cb0e1c0bce2b1f5f0a65adf71c7605355e39c11f0 *)
 Theorem eq21 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -442,6 +469,7 @@ Theorem eq21_defined :
   m2 <> 0.
 Proof. exact many.eq21_defined. Qed.
 
+(* statement sha256 8865126684762217a4f6980068b1e975f3babee8f268619ad3c8af3052ff0567 *)
 Theorem eq22 :
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -463,6 +491,7 @@ Theorem eq22_defined :
   x + 1 <> 0.
 Proof. exact many.eq22_defined. Qed.
 
+(* statement sha256 3b9db916ab1a52de13db853d187560bd6d8392e3559366449efe9863b7f49cef *)
 Theorem eq23 :
   forall (m1 mu1 v1 : R), m1 > 0 -> mu1 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -478,6 +507,7 @@ Theorem eq23_defined :
   mu1 <> 0.
 Proof. exact many.eq23_defined. Qed.
 
+(* statement sha256 91fc1891980a73a6a8c5375c32ad6bb382bd33418e9ac2f5f9031a0f062b322c *)
 Theorem eq24 :
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -499,6 +529,7 @@ Theorem eq24_defined :
   x + 1 <> 0.
 Proof. exact many.eq24_defined. Qed.
 
+(* statement sha256 b0259366d88c4680314f81d004f6ef59b28c772f271d704da14ae726536f3dfc *)
 Theorem eq25 :
   forall (m1 m2 v1 : R), m1 > 0 -> m2 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -525,6 +556,7 @@ Theorem eq25_defined :
   m2 > 0.
 Proof. exact many.eq25_defined. Qed.
 
+(* statement sha256 162abbe7a97c8a5edd325c0f873427f9d1cfdbfe9ce2a02207bfaf01dbdd5a75 *)
 Theorem p_elastic :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -545,6 +577,7 @@ Theorem p_elastic_defined :
   INR n <> 0.
 Proof. exact many.p_elastic_defined. Qed.
 
+(* statement sha256 42efb116dd7bba7a766435df6aeb872b5834d600981733b209ecde37bfd239a3 *)
 Theorem p_final :
   ~ (
   forall (x v1 : R), x > 0 -> v1 > 0 ->
@@ -555,6 +588,7 @@ Theorem p_final :
   w i <= w (i + 1)%nat).
 Proof. exact many.p_final. Qed.
 
+(* statement sha256 c863c770d7de69251a742958fce0817895a30e8309bf80e4871436f37270113b *)
 Theorem p_final_repaired :
   forall (x v1 : R), x > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -572,6 +606,7 @@ Theorem p_final_repaired_defined :
   x + 1 <> 0.
 Proof. exact many.p_final_repaired_defined. Qed.
 
+(* statement sha256 3dcbdc55e2991237c720bc2dcef396a6f36c284b3b2a223246a79801d8d258a4 *)
 Theorem p_frame :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -594,6 +629,7 @@ Theorem p_frame_defined :
   m1 + m2 <> 0.
 Proof. exact collision.p_frame_defined. Qed.
 
+(* statement sha256 d0ded100509a1aa749cde4faae4781dda7e11df406d099ac8152010da84085c3 *)
 Theorem p_frame_energy :
   exists (e : R), 0 <= e <= 1 /\ exists (m1 m2 : R), m1 > 0 /\ m2 > 0 /\ exists (v1 v2 s : R), m1 + m2 <> 0 /\
       m1 * v1 ^ 2 + m2 * v2 ^ 2 <> 0 /\ m1 * (v1 + s) ^ 2 + m2 * (v2 + s) ^ 2 <> 0 /\
@@ -602,6 +638,7 @@ Theorem p_frame_energy :
       m1 * m2 * (1 - e ^ 2) * (v1 - v2) ^ 2 / (m1 + m2) / (m1 * (v1 + s) ^ 2 + m2 * (v2 + s) ^ 2).
 Proof. exact collision.p_frame_energy. Qed.
 
+(* statement sha256 64815bfe542a3068ea9547dbc4eb8e2e0a3c7f06cb078f0b1f4d1a68b30dfec2 *)
 Theorem p_full :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -614,6 +651,7 @@ Theorem p_full_defined :
   m1 + m2 <> 0.
 Proof. exact collision.p_full_defined. Qed.
 
+(* statement sha256 555c6459ef141b09741eb0d8bf059950dd246d8309a8ca2d9f7d3fa96a9aee1c *)
 Theorem p_grow :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let L1 := (sqrt m1 + sqrt m2) ^ 2 / (m1 + m2) - 1 in
@@ -632,6 +670,7 @@ Theorem p_grow_defined :
   m1 + m2 <> 0.
 Proof. exact four.p_grow_defined. Qed.
 
+(* statement sha256 ce33978db67c308e932861d842fef149583a7a5bfae804272b602d6251ec50ed *)
 Theorem p_indep :
   forall (n : nat),
   forall (mu nu : nat -> R), (forall k : nat, mu k > 0) -> (forall k : nat, nu k > 0) ->
@@ -658,6 +697,7 @@ Theorem p_indep_defined :
   (forall i_3 : nat, (0 <= i_3 <= n)%nat -> nu i_3 + nu (i_3 + 1)%nat <> 0).
 Proof. exact many.p_indep_defined. Qed.
 
+(* statement sha256 79e7cf5150b0d9c680d5b2e4f7c304873d240d89f75b247881a4a86140a20f88 *)
 Theorem p_inelastic :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -677,6 +717,7 @@ Theorem p_inelastic_defined :
   INR n <> 0.
 Proof. exact many.p_inelastic_defined. Qed.
 
+(* statement sha256 250084fc6a40b86ddabaf7255653e889df2435d3ba1673124705f75efd2bd5a3 *)
 Theorem p_loss :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -698,6 +739,7 @@ Theorem p_loss_defined :
   m1 + m2 <> 0.
 Proof. exact collision.p_loss_defined. Qed.
 
+(* statement sha256 eb94d6be1c850b51d2bc4c5be937b35cfd3b257628525c056d3750fd7fe33753 *)
 Theorem p_order :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -708,6 +750,7 @@ Theorem p_order :
   w1 <= w2.
 Proof. exact collision.p_order. Qed.
 
+(* statement sha256 1d62bc513013f72750b85c92fa11e6b6008d28ed9a232e70a2b3db8ded6fc7d3 *)
 Theorem p_rest :
   forall (x v1 : R), x > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -723,6 +766,7 @@ Theorem p_rest_defined :
   x + 1 <> 0.
 Proof. exact collision.p_rest_defined. Qed.
 
+(* statement sha256 26ba43dd8b3b92a8c685ecee6a3642e2736daac5c42f5fc546b75b42f9a45209 *)
 Theorem p_stop :
   forall (m1 m2 v1 : R), m1 > 0 -> m2 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -740,6 +784,7 @@ Theorem p_stop_defined :
   m1 + m2 <> 0.
 Proof. exact collision.p_stop_defined. Qed.
 
+(* statement sha256 30c5faf4b6c836c0ca8fa8bf0595fa895d4232f6aba2b7a3f639ff3e5af1f919 *)
 Theorem p_two :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -765,6 +810,7 @@ Theorem p_two_defined :
   m1 + m2 <> 0.
 Proof. exact four.p_two_defined. Qed.
 
+(* statement sha256 b8d95ec905cbe6e1096b6b5f19d16086050eda5baf5e8beb58622f119324b6f5 *)
 Theorem p_two_converse :
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -775,6 +821,7 @@ Theorem p_two_converse :
   eta4 >= eta2 -> e >= L2).
 Proof. exact four.p_two_converse. Qed.
 
+(* statement sha256 8681ee5228371cc9cc4610bb0dbf97627f776bf8494f442f6d7061307982eb30 *)
 Theorem u1 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -785,6 +832,7 @@ Theorem u1 :
   m1 * v1 + m2 * v2 = (m1 + m2) * w1 - e * m2 * (v2 - v1).
 Proof. exact collision.u1. Qed.
 
+(* statement sha256 67bb455e705ebb14da030a0eba0a5bee6616856f3ddec0b4f2e0f858dac87d97 *)
 Theorem u2 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -802,6 +850,7 @@ Theorem u2_defined :
   m1 + m2 <> 0.
 Proof. exact collision.u2_defined. Qed.
 
+(* statement sha256 5b8e465c4939e6b43c1811912e058d4d1e11624f34adb3ccf80a1b7ea3e49855 *)
 Theorem u3 :
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -817,6 +866,7 @@ Theorem u3_defined :
   1 + x <> 0.
 Proof. exact transfer.u3_defined. Qed.
 
+(* statement sha256 d224db667f719196e40643423a474ea50f04564ea47af56bbd0e2aa4f53a3073 *)
 Theorem u4 :
   forall (m1 mu : R), m1 > 0 -> mu > 0 ->
   forall (e1 : R), 0 <= e1 <= 1 ->
@@ -836,6 +886,7 @@ Theorem u4_defined :
   m1 + mu <> 0.
 Proof. exact collision.u4_defined. Qed.
 
+(* statement sha256 8c015ba2d60793b7d2456f6d9a5482b91889e893788255f028a8f48c91a964db *)
 Theorem u5 :
   forall (m1 m2 mu : R), m1 > 0 -> m2 > 0 -> mu > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -856,6 +907,7 @@ Theorem u5_defined :
   mu + m2 <> 0.
 Proof. exact transfer.u5_defined. Qed.
 
+(* statement sha256 9ba71ad9af551b48d673fbaaec852ed8261241ae9b606572a9ed73748ea5d497 *)
 Theorem u5_extracted :
   ~ (
   forall (m2 mu x : R), m2 > 0 -> mu > 0 -> x > 0 ->
@@ -866,6 +918,7 @@ Theorem u5_extracted :
       m2) ^ 2)) x (k1 * mu * (m1 * m2 - mu ^ 2) / ((m1 + mu) ^ 3 * (mu + m2) ^ 3))).
 Proof. exact transfer.u5_extracted. Qed.
 
+(* statement sha256 6e294f5ee2106fd906e96ff818fb44453ab98cb6d58c655977381de4c9f7c5bf *)
 Theorem u6 :
   forall (m1 m2 mu : R), m1 > 0 -> m2 > 0 -> mu > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -889,6 +942,7 @@ Theorem u6_defined :
   0 <= m1 * m2.
 Proof. exact transfer.u6_defined. Qed.
 
+(* statement sha256 b36a39892c258233ab2967c17e5ae8328aaf67eb838e597b04846b35e399601d *)
 Theorem u7 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let eta2 := fun (e : R) => (1 + e) ^ 2 * m1 * m2 / (m1 + m2) ^ 2 in
@@ -909,6 +963,7 @@ Theorem u7_defined :
   m2 <> 0.
 Proof. exact transfer.u7_defined. Qed.
 
+(* statement sha256 fac91251ba0d23e2d7c9a82c83bbd72a4bf73076a6d5b1a062eb14adb09685d7 *)
 Theorem u8 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let ratio := 4 * (m1 + m2) ^ 2 / (sqrt m1 + sqrt m2) ^ 4 in
@@ -924,6 +979,7 @@ Theorem u8_defined :
   0 <= m2.
 Proof. exact transfer.u8_defined. Qed.
 
+(* statement sha256 3aafc84326c1c4ce7af4700c5447ec0d2e1f2bc5b4a82de26a9e762501303735 *)
 Theorem u8_extracted :
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -931,6 +987,7 @@ Theorem u8_extracted :
   ratio - 1 = ((sqrt m1 - sqrt m2) / (sqrt m1 + sqrt m2)) ^ 2).
 Proof. exact transfer.u8_extracted. Qed.
 
+(* statement sha256 a92ceb143934ac1dd68fe4d164f3b2ed4f3d0e8ecc49de92cdea0f345e95b94b *)
 Theorem u9 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let ratio := (m1 + m2) ^ 2 / (sqrt m1 + sqrt m2) ^ 4 in
@@ -947,6 +1004,7 @@ Theorem u9_defined :
   0 <= m1 * m2.
 Proof. exact transfer.u9_defined. Qed.
 
+(* statement sha256 346039342b50f0f53f4c7b872c64d0271ac1aea2f42c001aa44f347f6c571e92 *)
 Theorem u9_extracted :
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -954,6 +1012,7 @@ Theorem u9_extracted :
   ratio - 1 = - (2 * sqrt (m1 * m2) / (sqrt m1 + sqrt m2) ^ 2)).
 Proof. exact transfer.u9_extracted. Qed.
 
+(* statement sha256 66ca054b661727c1e18c962785056d552050fa4e3faadeefc891096a01a25cde *)
 Theorem u10 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e e1 e2 : R), 0 <= e <= 1 -> 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -971,6 +1030,7 @@ Theorem u10_defined :
   m1 + m2 <> 0.
 Proof. exact transfer.u10_defined. Qed.
 
+(* statement sha256 2c011cf4ee183585a1a7529d39524355c4a17b78afd070076d39177683a07991 *)
 Theorem u11 :
   forall (m1 m2 mu1 mu2 : R), m1 > 0 -> m2 > 0 -> mu1 > 0 -> mu2 > 0 ->
   forall (e1 e2 e3 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 -> 0 <= e3 <= 1 ->
@@ -1000,6 +1060,7 @@ Theorem u11_defined :
   0 <= mu1 * m2.
 Proof. exact transfer.u11_defined. Qed.
 
+(* statement sha256 80bafbf709efefc39ed1dd8e316071427dee86bbfd0107c6a8ef8d09eaf91dc8 *)
 Theorem u12 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1023,6 +1084,7 @@ Theorem u12_defined :
   0 <= m2.
 Proof. exact four.u12_defined. Qed.
 
+(* statement sha256 30e80ded357d1a8004fcc06794a2522513d7678447f703d467bd78a3f07295e8 *)
 Theorem u13 :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let x := m1 / m2 in
@@ -1048,6 +1110,7 @@ Theorem u13_defined :
   0 <= m1 / m2.
 Proof. exact four.u13_defined. Qed.
 
+(* statement sha256 3e9ebcfaa9f392aeb3a35250d31f03b836220ee1538829733dd54a26e1ef6f3f *)
 Theorem b_best :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1074,6 +1137,7 @@ Theorem b_best_defined :
   INR n <> 0.
 Proof. exact many.b_best_defined. Qed.
 
+(* statement sha256 ae81be318d83cfcacfca751cfefa5889ffd107873c594c68d9b03abf9b8574cb *)
 Theorem b_best_after :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1099,6 +1163,7 @@ Theorem b_best_after_defined :
   INR (N + j) <> 0.
 Proof. exact many.b_best_after_defined. Qed.
 
+(* statement sha256 5c6bcef74275eefc75c3cd783f92b3f7b8e0902deea365e395638a8e779a7c84 *)
 Theorem b_best_elastic :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1118,6 +1183,7 @@ Theorem b_best_elastic_defined :
   INR n <> 0.
 Proof. exact limit.b_best_elastic_defined. Qed.
 
+(* statement sha256 25e1352b43dfe0302bb010978a15b7c6e2bbaa88f9b7847a92ac877dae89c404 *)
 Theorem b_best_finite :
   forall (m2 : R), m2 > 0 ->
   forall (r : R), r >= 1 ->
@@ -1143,6 +1209,7 @@ Theorem b_best_finite_defined :
   INR n <> 0.
 Proof. exact limit.b_best_finite_defined. Qed.
 
+(* statement sha256 1a0cbae6ba8cb776314a0017d6f3c2ffd42b91347f9d9a41818da4ac08f079bc *)
 Theorem b_budget :
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
@@ -1171,6 +1238,7 @@ Theorem b_budget_defined :
   (forall k_3 : nat, (0 <= k_3 <= n)%nat -> mu k_3 + mu (k_3 + 1)%nat <> 0).
 Proof. exact many.b_budget_defined. Qed.
 
+(* statement sha256 dc6ea689c8071b26c6079596893b8e9b335c936146c63c85d5c8a7c95c5b4de5 *)
 Theorem b_closed :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1197,6 +1265,7 @@ Theorem b_closed_defined :
   cosh ((ln (m1 / m2) / 2) / INR n) <> 0.
 Proof. exact closed.b_closed_defined. Qed.
 
+(* statement sha256 377e297edb3b77d6d5c362fb68fec24f0672f4f22abbc348d8d1e3f5b04495b4 *)
 Theorem b_final :
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1206,6 +1275,7 @@ Theorem b_final :
   x <= e \/ x * e >= 1.
 Proof. exact many.b_final. Qed.
 
+(* statement sha256 298170edd4218f96b8e62cac877e97f32dbdbc19c176b3d4b2bc87d1448a5dd0 *)
 Theorem b_global :
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
@@ -1232,14 +1302,15 @@ Theorem b_global_defined :
   mu (n + 1)%nat > 0.
 Proof. exact many.b_global_defined. Qed.
 
+(* statement sha256 94d13b8563216d7de70298bdf7bb84abf0cc3c713a908b4574846cfcb4f6e92b *)
 Theorem b_global_unique :
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (j k : nat),
   let n := (j + k)%nat in
   let N := (n + 1)%nat in
   let m1 := mu 0%nat in
   let m2 := mu (n + 1)%nat in
-  forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
+  forall (e : nat -> R), (forall i : nat, 0 <= e i <= 1) ->
   let eta := product_over 0 n (fun i : nat => (1 + e i) ^ 2) * m1 * m2 *
       product_over 1 n (fun i : nat => mu i) ^ 2 / product_over 0 n (fun i : nat => mu i + mu (i +
       1)%nat) ^ 2 in
@@ -1250,9 +1321,9 @@ Theorem b_global_unique :
 Proof. exact many.b_global_unique. Qed.
 
 Theorem b_global_unique_defined :
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (j k : nat),
-  forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
+  forall (e : nat -> R), (forall i : nat, 0 <= e i <= 1) ->
   mu (j + 1)%nat <> mu j * Rpower (mu ((j + k) + 1)%nat / mu 0%nat) (1 / INR ((j + k) + 1)) ->
   product_over 0 (j + k) (fun i : nat => mu i + mu (i + 1)%nat) <> 0 /\
   Rpower (mu 0%nat) (1 / INR ((j + k) + 1)) + Rpower (mu ((j + k) + 1)%nat) (1 / INR ((j + k) + 1)) <> 0 /\
@@ -1261,6 +1332,7 @@ Theorem b_global_unique_defined :
   mu ((j + k) + 1)%nat > 0.
 Proof. exact many.b_global_unique_defined. Qed.
 
+(* statement sha256 351979680b7faf9afe415cda928edc5d8041636c31ef17737a0ee5c88790de01 *)
 Theorem b_grow :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1282,6 +1354,7 @@ Theorem b_grow_defined :
   INR n <> 0.
 Proof. exact many.b_grow_defined. Qed.
 
+(* statement sha256 2fc76e52f194c00dd9710eb09ddbc2a449b4df1fc3f7ebc42ddd798985fe106f *)
 Theorem b_grow_bounded :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1299,6 +1372,7 @@ Theorem b_grow_bounded_defined :
   INR n <> 0.
 Proof. exact many.b_grow_bounded_defined. Qed.
 
+(* statement sha256 e8f8401ea57b1b9954cbfc95718828d95e6f5cad3550cc051c3dd7e4ef66c01f *)
 Theorem b_grow_limit :
   forall (m2 r : R), m2 > 0 -> r > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1316,6 +1390,7 @@ Theorem b_grow_limit_defined :
   INR n <> 0.
 Proof. exact limit.b_grow_limit_defined. Qed.
 
+(* statement sha256 c4dc3e303ee61db12017f126a95155ff8892d61e79104c465bea77a2e2482ec3 *)
 Theorem b_limit :
   forall (m2 r : R), m2 > 0 -> r > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1332,6 +1407,7 @@ Theorem b_limit_defined :
   m2 > 0.
 Proof. exact limit.b_limit_defined. Qed.
 
+(* statement sha256 e3d0b514fc6dbb496328a067251cff2dfe8edc97822313480613a2557c0a30d6 *)
 Theorem b_limit_inelastic :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e < 1 ->
@@ -1350,6 +1426,7 @@ Theorem b_limit_inelastic_defined :
   m2 > 0.
 Proof. exact limit.b_limit_inelastic_defined. Qed.
 
+(* statement sha256 0b88566649296ffc5939704ecac6dd534719dfdc16dcdc84c149df266c056e7f *)
 Theorem b_matrix :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1369,6 +1446,7 @@ Theorem b_matrix_defined :
   m1 + m2 <> 0.
 Proof. exact collision.b_matrix_defined. Qed.
 
+(* statement sha256 73559ad9ab305dfd27b5b4e732a2e749f8c99382a98ba72b7adddc9b4b68df54 *)
 Theorem b_positive :
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1385,6 +1463,7 @@ Theorem b_positive_defined :
   INR n <> 0.
 Proof. exact many.b_positive_defined. Qed.
 
+(* statement sha256 e064c4bd0ce543bdc5726daea4181b7eda703617c1d9113b811aaebfb577610e *)
 Theorem b_power :
   forall (w : R), w > 1 ->
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -1417,6 +1496,7 @@ Theorem b_power_defined :
   m1 <> 0.
 Proof. exact closed.b_power_defined. Qed.
 
+(* statement sha256 3a1a2aa35b336f093fc24fb473a86343d17dbe62f72f63100dc6512d5ebde0fa *)
 Theorem b_power_attained :
   forall (w : R), w > 1 ->
   forall (m2 N : R), m2 > 0 -> N > 0 ->
@@ -1444,6 +1524,7 @@ Theorem b_power_attained_defined :
   m2 / (m2 * Rpower w N) > 0.
 Proof. exact closed.b_power_attained_defined. Qed.
 
+(* statement sha256 09351b22e8a5622e6bb55067959eaf26cb10075a8d78fa08173e2c5dc16d53a2 *)
 Theorem b_power_range :
   forall (w : R), w > 1 ->
   forall (t : R), t > 0 ->
@@ -1463,6 +1544,7 @@ Theorem b_power_range_defined :
   cosh t > 0.
 Proof. exact closed.b_power_range_defined. Qed.
 
+(* statement sha256 6cf4fecd42eda5363b370cf21c3255ed0d5bbaf311363bc6ce3a15b80ddc14d8 *)
 Theorem b_superball :
   forall (x : R), x > 0 ->
   forall (e e_f : R), 0 <= e <= 1 -> 0 <= e_f <= 1 ->
@@ -1484,6 +1566,7 @@ Theorem b_superball_defined :
   x + 1 <> 0.
 Proof. exact many.b_superball_defined. Qed.
 
+(* statement sha256 255add1e94ba084e030464558bdf662a4e85a1d0c562a190b93ce3e1e2f68692 *)
 Theorem b_superball_limit :
   forall (x v g : R), x > 0 -> v > 0 -> g > 0 ->
   is_lim (fun x : R => (2 * x / (x + 1) * 2 * v - v) / v) p_infty 3 /\
@@ -1497,12 +1580,14 @@ Theorem b_superball_limit_defined :
   g <> 0.
 Proof. exact closed.b_superball_limit_defined. Qed.
 
+(* statement sha256 a7fc08db7905ad3c967cddc7c0777726805ba1b643f39da48279e93a4639bcd2 *)
 Theorem lemma_bernoulli :
   forall (h : R), h > - 1 ->
   forall (n : nat),
   (1 + h) ^ n >= 1 + INR n * h.
 Proof. exact limit.lemma_bernoulli. Qed.
 
+(* statement sha256 a988c4e2522221ca0eca7b6a89d5c95120f9cb80436c93f7967701e75f85ddf8 *)
 Theorem lemma_chain :
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (r : R), r > 0 ->
@@ -1522,6 +1607,7 @@ Theorem lemma_chain_defined :
   mu (n + 1)%nat > 0.
 Proof. exact many.lemma_chain_defined. Qed.
 
+(* statement sha256 0ef886400f65fd7bc9fd7059ce798ceb2392c01f39670caf7612b7e6f22e2270 *)
 Theorem lemma_chain_last :
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (r : R), r > 0 ->
@@ -1542,8 +1628,9 @@ Theorem lemma_chain_last_defined :
   mu (j + 1)%nat > 0.
 Proof. exact many.lemma_chain_last_defined. Qed.
 
+(* statement sha256 59bbbef0eaa0614fb4c28f88d055fcc79e9c181b8261e0a4d4185086b3f561a5 *)
 Theorem lemma_chain_strict :
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (r : R), r > 0 ->
   forall (j k : nat),
   let p := r / (1 + r) in
@@ -1554,7 +1641,7 @@ Theorem lemma_chain_strict :
 Proof. exact many.lemma_chain_strict. Qed.
 
 Theorem lemma_chain_strict_defined :
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (r : R), r > 0 ->
   forall (j k : nat),
   mu (j + 1)%nat <> mu j * r ->
@@ -1564,6 +1651,7 @@ Theorem lemma_chain_strict_defined :
   mu (j + k + 1)%nat > 0.
 Proof. exact many.lemma_chain_strict_defined. Qed.
 
+(* statement sha256 e71e33eb81226457b84f00ce6920566a3a7a9bfd42fd5dbe16adde06ff17a50e *)
 Theorem lemma_elastic_bound :
   forall (r : R), r > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1583,6 +1671,7 @@ Theorem lemma_elastic_bound_defined :
   r <> 0.
 Proof. exact limit.lemma_elastic_bound_defined. Qed.
 
+(* statement sha256 a968c4630d767266876228fc20fb6b2f6a1da6664c8c0cc327bf76c7c5c0dd71 *)
 Theorem lemma_tangent :
   forall (a b r : R), a > 0 -> b > 0 -> r > 0 ->
   let p := r / (1 + r) in

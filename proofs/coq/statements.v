@@ -3,6 +3,7 @@
 
 From Carom Require Import vocabulary.
 
+(* statement sha256 276d5510de838795c0eb08cc2ce1974ff641f2ce275e14ae1066fc2162415a39 *)
 Definition eq01 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (v1 v2 w1 w2 J : R),
@@ -10,6 +11,7 @@ Definition eq01 : Prop :=
   m2 * (w2 - v2) = J ->
   m1 * v1 + m2 * v2 = m1 * w1 + m2 * w2.
 
+(* statement sha256 1e9c86941e81f3ece48ce1b2739b8ce081b1ed781a7002481f176fadf23edca6 *)
 Definition eq02 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (v1 v2 w1 w2 : R),
@@ -17,6 +19,7 @@ Definition eq02 : Prop :=
   v1 - v2 = - (w1 - w2) ->
   m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2 = m1 * w1 ^ 2 / 2 + m2 * w2 ^ 2 / 2.
 
+(* statement sha256 340ac3dffe4fa659d93911cc9b662c41dd441f0bc14600918717f0247d126320 *)
 Definition eq03 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (v1 v2 w1 w2 : R),
@@ -25,6 +28,7 @@ Definition eq03 : Prop :=
   m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2 = m1 * w1 ^ 2 / 2 + m2 * w2 ^ 2 / 2 ->
   v1 - v2 = - (w1 - w2).
 
+(* statement sha256 2d210a4d26d91fc0abdd4581f05e0900116d0cb9933072276026f20fcbc7dddd *)
 Definition eq03_unguarded : Prop :=
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -33,6 +37,7 @@ Definition eq03_unguarded : Prop :=
   m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2 = m1 * w1 ^ 2 / 2 + m2 * w2 ^ 2 / 2 ->
   v1 - v2 = - (w1 - w2)).
 
+(* statement sha256 efeb822743ead02a6b15de094c370bb3712d58751b702fd4766042fd9bf4f18a *)
 Definition eq04 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -43,6 +48,7 @@ Definition eq04 : Prop :=
   e = - ((w2 - w1) / (v2 - v1)) ->
   e = 1 <-> m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2 = m1 * w1 ^ 2 / 2 + m2 * w2 ^ 2 / 2.
 
+(* statement sha256 612c1725d0f60a4705fa661fc9e2df00be522e4c480576e1cc91ecbb3f03ba6e *)
 Definition eq05 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -59,6 +65,7 @@ Definition eq05_defined : Prop :=
   w2 - w1 = - (e * (v2 - v1)) ->
   m1 + m2 <> 0.
 
+(* statement sha256 38964c74442fb21f740147091bfe1e943952a15defd1ef38f89adc24cf29e2c5 *)
 Definition eq05_unique : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -73,6 +80,7 @@ Definition eq05_unique_defined : Prop :=
   forall (v1 v2 w1 w2 : R),
   m1 + m2 <> 0.
 
+(* statement sha256 265b8acff9f86523bf3bef5ca25af1945a7f59c7764d18bf16529a411664ab47 *)
 Definition eq06 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -89,6 +97,7 @@ Definition eq06_defined : Prop :=
   w2 - w1 = - (e * (v2 - v1)) ->
   m1 + m2 <> 0.
 
+(* statement sha256 3cee9cbdd93e075ec6a33bd86cb710d7871ce5dd67138666f33f18f94344d39c *)
 Definition eq07 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -110,6 +119,7 @@ Definition eq07_defined : Prop :=
   m1 / m2 + 1 <> 0 /\
   m2 <> 0.
 
+(* statement sha256 aae54d649998880360b6b0cc5339c0b6e367fcb7dcbbea348f0cfce0eb4d1d53 *)
 Definition eq08 : Prop :=
   forall (m1 m2 v1 : R), m1 > 0 -> m2 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -123,6 +133,7 @@ Definition eq08_defined : Prop :=
   v1 <> 0 /\
   m1 + m2 <> 0.
 
+(* statement sha256 76a79b54cd62cb67e3cb9e6c7ed44bdda1999222dd3efc03ba4d11f4faff9d6d *)
 Definition eq09 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -136,6 +147,7 @@ Definition eq09_defined : Prop :=
   1 + m1 / m2 <> 0 /\
   m2 <> 0.
 
+(* statement sha256 2c3b06ea60d71279514672912b35f91fd8854e79617a2f53b2237fd3d03191d6 *)
 Definition eq10 : Prop :=
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -149,18 +161,21 @@ Definition eq10_defined : Prop :=
   1 + x <> 0 /\
   0 <= x.
 
+(* statement sha256 4a28a9e8043c42b2f6a0b228ff7c895dd6c4131c101c8b6028e2489d5d528f64 *)
 Definition eq10_extracted : Prop :=
   ~ (
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
   (1 + e) ^ 2 * x / (1 + x) ^ 2 = 1 <-> x - (1 + e) * x + 1 = 0).
 
+(* statement sha256 e94876ed5d35845a936fdc5927c4712c8f7fd2c0059278a3a74340f1d1c34221 *)
 Definition eq10_roots : Prop :=
   forall (e y s : R),
   s ^ 2 = (e + 3) * (e - 1) ->
   y ^ 2 - (1 + e) * y + 1 = (y - (1 + e + s) / 2) * (y - (1 + e - s) / 2) /\
   ((y - (1 + e + s) / 2) * (y - (1 + e - s) / 2) = 0 <-> y = (1 + e + s) / 2 \/ y = (1 + e - s) / 2).
 
+(* statement sha256 ad03b0f7a731d182480cb4fa3af132616fad483b7215ee5f17c066c1d50e3533 *)
 Definition eq11 : Prop :=
   forall (e : R), 0 <= e <= 1 ->
   let f := fun (x : R) => (1 + e) ^ 2 * x / (1 + x) ^ 2 in
@@ -172,6 +187,7 @@ Definition eq11_defined : Prop :=
   forall (e : R), 0 <= e <= 1 ->
   (forall (x : R), x > 0 -> 1 + x <> 0).
 
+(* statement sha256 9c67d9dfc2ee570e47ef8170388d89f3b4d668c443484e24f5030cd9651554e8 *)
 Definition eq12 : Prop :=
   forall (m1 m2 mu v1 : R), m1 > 0 -> m2 > 0 -> mu > 0 -> v1 > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -191,6 +207,7 @@ Definition eq12_defined : Prop :=
   m1 + mu <> 0 /\
   mu + m2 <> 0.
 
+(* statement sha256 0e3acd7095dd2622933cecfb8237b4b9164ae7bbd02dd9e6ca37232d2016b03d *)
 Definition eq13 : Prop :=
   forall (m1 m2 mu : R), m1 > 0 -> m2 > 0 -> mu > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -209,6 +226,7 @@ Definition eq13_defined : Prop :=
   mu + m2 <> 0 /\
   m1 + mu <> 0.
 
+(* statement sha256 c6d6dab12710f37bb978ec341b9fa41005a9bac34b4cfe9232d3e891d3e9cdea *)
 Definition eq14 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -228,6 +246,7 @@ Definition eq14_defined : Prop :=
   (forall (mu : R), mu > 0 -> m1 + mu <> 0) /\
   (forall (mu : R), mu > 0 -> mu + m2 <> 0).
 
+(* statement sha256 20a54a3bb03b868217786c502ec1a8b3a522c436967bc6d0c9bef74590934727 *)
 Definition eq15 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -245,6 +264,7 @@ Definition eq15_defined : Prop :=
   m1 + m2 <> 0 /\
   0 <= m1 * m2.
 
+(* statement sha256 c1d47dbe364e16ee06c9fb14f33d1f4c3355db31b3cafc61a6581ff03eaa1273 *)
 Definition eq16 : Prop :=
   forall (m1 m2 mu1 mu2 v1 : R), m1 > 0 -> m2 > 0 -> mu1 > 0 -> mu2 > 0 -> v1 > 0 ->
   forall (e1 e2 e3 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 -> 0 <= e3 <= 1 ->
@@ -264,6 +284,7 @@ Definition eq16_defined : Prop :=
   mu1 + mu2 <> 0 /\
   m1 + mu1 <> 0.
 
+(* statement sha256 3a67f7d020c7309b87a7151ef4178136b724a97d2c350ae1f7b715477dd1aa78 *)
 Definition eq17 : Prop :=
   forall (m1 m2 mu1 mu2 : R), m1 > 0 -> m2 > 0 -> mu1 > 0 -> mu2 > 0 ->
   forall (e1 e2 e3 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 -> 0 <= e3 <= 1 ->
@@ -289,6 +310,7 @@ Definition eq17_defined : Prop :=
   mu1 + mu2 <> 0 /\
   mu2 + m2 <> 0.
 
+(* statement sha256 e47ac82dbd743d459b2d1401d4e7d2da1667caab143dd64938a843a53c45a201 *)
 Definition eq18 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -306,6 +328,7 @@ Definition eq18_defined : Prop :=
   0 <= m1 /\
   0 <= m2.
 
+(* statement sha256 e77f935aa295f36e8bf683f35dfab7a5d80c79487ce036b3a7ba87d1bf1e3eef *)
 Definition eq18_extracted : Prop :=
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -314,6 +337,7 @@ Definition eq18_extracted : Prop :=
   let eta3 := (1 + e) ^ 4 * m1 * m2 / (sqrt m1 + sqrt m2) ^ 4 in
   sqrt (eta3 / eta2) >= 1 <-> e >= (cbrt m1 + cbrt m2) ^ 3 / (sqrt m1 + sqrt m2) ^ 2 - 1).
 
+(* statement sha256 6e374cb0dca252d2a087607001381e5f7b9c16ded438b4dec4cd0c040a5c624e *)
 Definition eq19 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -334,6 +358,7 @@ Definition eq19_defined : Prop :=
   Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
   INR n <> 0.
 
+(* statement sha256 76a4b26643def854648677e6e80dba11e3be68e70feedeac1b366e44325d02fa *)
 Definition eq20 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -355,6 +380,7 @@ Definition eq20_defined : Prop :=
   0 <= (Rpower m1 ((INR n + 1 - (INR i - 1)) / INR (n + 1)) * Rpower m2 ((INR i - 1) / INR (n + 1))) *
       (Rpower m1 ((INR n + 1 - INR (i + 1)) / INR (n + 1)) * Rpower m2 (INR (i + 1) / INR (n + 1))).
 
+(* statement sha256 46456558176cb363ffc6977ae082d8003d3fba493aae20c1e4769d9d60852d7e *)
 Definition eq20_converse : Prop :=
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (n : nat),
@@ -368,6 +394,7 @@ Definition eq20_converse_defined : Prop :=
   mu n <> 0 /\
   mu 0%nat <> 0.
 
+(* statement sha256 93ac0248963ecac3ede0ce9cb0e1c0bce2b1f5f0a65adf71c7605355e39c11f0 *)
 Definition eq21 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -391,6 +418,7 @@ Definition eq21_defined : Prop :=
   m1 / m2 > 0 /\
   m2 <> 0.
 
+(* statement sha256 8865126684762217a4f6980068b1e975f3babee8f268619ad3c8af3052ff0567 *)
 Definition eq22 : Prop :=
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -410,6 +438,7 @@ Definition eq22_defined : Prop :=
   (forall k : nat, x + 1 <> 0) /\
   x + 1 <> 0.
 
+(* statement sha256 3b9db916ab1a52de13db853d187560bd6d8392e3559366449efe9863b7f49cef *)
 Definition eq23 : Prop :=
   forall (m1 mu1 v1 : R), m1 > 0 -> mu1 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -423,6 +452,7 @@ Definition eq23_defined : Prop :=
   m1 / mu1 + 1 <> 0 /\
   mu1 <> 0.
 
+(* statement sha256 91fc1891980a73a6a8c5375c32ad6bb382bd33418e9ac2f5f9031a0f062b322c *)
 Definition eq24 : Prop :=
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -442,6 +472,7 @@ Definition eq24_defined : Prop :=
   (forall k : nat, x + 1 <> 0) /\
   x + 1 <> 0.
 
+(* statement sha256 b0259366d88c4680314f81d004f6ef59b28c772f271d704da14ae726536f3dfc *)
 Definition eq25 : Prop :=
   forall (m1 m2 v1 : R), m1 > 0 -> m2 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -466,6 +497,7 @@ Definition eq25_defined : Prop :=
   m1 > 0 /\
   m2 > 0.
 
+(* statement sha256 162abbe7a97c8a5edd325c0f873427f9d1cfdbfe9ce2a02207bfaf01dbdd5a75 *)
 Definition p_elastic : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -484,6 +516,7 @@ Definition p_elastic_defined : Prop :=
   Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
   INR n <> 0.
 
+(* statement sha256 42efb116dd7bba7a766435df6aeb872b5834d600981733b209ecde37bfd239a3 *)
 Definition p_final : Prop :=
   ~ (
   forall (x v1 : R), x > 0 -> v1 > 0 ->
@@ -493,6 +526,7 @@ Definition p_final : Prop :=
   let w := fun (i : nat) => (x - e) / (x + 1) * u i in
   w i <= w (i + 1)%nat).
 
+(* statement sha256 c863c770d7de69251a742958fce0817895a30e8309bf80e4871436f37270113b *)
 Definition p_final_repaired : Prop :=
   forall (x v1 : R), x > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -508,6 +542,7 @@ Definition p_final_repaired_defined : Prop :=
   forall (i : nat),
   x + 1 <> 0.
 
+(* statement sha256 3dcbdc55e2991237c720bc2dcef396a6f36c284b3b2a223246a79801d8d258a4 *)
 Definition p_frame : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -528,6 +563,7 @@ Definition p_frame_defined : Prop :=
   w2 - w1 = - (e * (v2 - v1)) ->
   m1 + m2 <> 0.
 
+(* statement sha256 d0ded100509a1aa749cde4faae4781dda7e11df406d099ac8152010da84085c3 *)
 Definition p_frame_energy : Prop :=
   exists (e : R), 0 <= e <= 1 /\ exists (m1 m2 : R), m1 > 0 /\ m2 > 0 /\ exists (v1 v2 s : R), m1 + m2 <> 0 /\
       m1 * v1 ^ 2 + m2 * v2 ^ 2 <> 0 /\ m1 * (v1 + s) ^ 2 + m2 * (v2 + s) ^ 2 <> 0 /\
@@ -535,6 +571,7 @@ Definition p_frame_energy : Prop :=
       m1 * m2 * (1 - e ^ 2) * (v1 - v2) ^ 2 / (m1 + m2) / (m1 * v1 ^ 2 + m2 * v2 ^ 2) <>
       m1 * m2 * (1 - e ^ 2) * (v1 - v2) ^ 2 / (m1 + m2) / (m1 * (v1 + s) ^ 2 + m2 * (v2 + s) ^ 2).
 
+(* statement sha256 64815bfe542a3068ea9547dbc4eb8e2e0a3c7f06cb078f0b1f4d1a68b30dfec2 *)
 Definition p_full : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -545,6 +582,7 @@ Definition p_full_defined : Prop :=
   forall (e : R), 0 <= e <= 1 ->
   m1 + m2 <> 0.
 
+(* statement sha256 555c6459ef141b09741eb0d8bf059950dd246d8309a8ca2d9f7d3fa96a9aee1c *)
 Definition p_grow : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let L1 := (sqrt m1 + sqrt m2) ^ 2 / (m1 + m2) - 1 in
@@ -561,6 +599,7 @@ Definition p_grow_defined : Prop :=
   0 <= m2 /\
   m1 + m2 <> 0.
 
+(* statement sha256 ce33978db67c308e932861d842fef149583a7a5bfae804272b602d6251ec50ed *)
 Definition p_indep : Prop :=
   forall (n : nat),
   forall (mu nu : nat -> R), (forall k : nat, mu k > 0) -> (forall k : nat, nu k > 0) ->
@@ -585,6 +624,7 @@ Definition p_indep_defined : Prop :=
   (forall i_2 : nat, (0 <= i_2 <= n)%nat -> mu i_2 + mu (i_2 + 1)%nat <> 0) /\
   (forall i_3 : nat, (0 <= i_3 <= n)%nat -> nu i_3 + nu (i_3 + 1)%nat <> 0).
 
+(* statement sha256 79e7cf5150b0d9c680d5b2e4f7c304873d240d89f75b247881a4a86140a20f88 *)
 Definition p_inelastic : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -602,6 +642,7 @@ Definition p_inelastic_defined : Prop :=
   Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
   INR n <> 0.
 
+(* statement sha256 250084fc6a40b86ddabaf7255653e889df2435d3ba1673124705f75efd2bd5a3 *)
 Definition p_loss : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -621,6 +662,7 @@ Definition p_loss_defined : Prop :=
   w2 - w1 = - (e * (v2 - v1)) ->
   m1 + m2 <> 0.
 
+(* statement sha256 eb94d6be1c850b51d2bc4c5be937b35cfd3b257628525c056d3750fd7fe33753 *)
 Definition p_order : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -630,6 +672,7 @@ Definition p_order : Prop :=
   v1 >= v2 ->
   w1 <= w2.
 
+(* statement sha256 1d62bc513013f72750b85c92fa11e6b6008d28ed9a232e70a2b3db8ded6fc7d3 *)
 Definition p_rest : Prop :=
   forall (x v1 : R), x > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -643,6 +686,7 @@ Definition p_rest_defined : Prop :=
   forall (i : nat),
   x + 1 <> 0.
 
+(* statement sha256 26ba43dd8b3b92a8c685ecee6a3642e2736daac5c42f5fc546b75b42f9a45209 *)
 Definition p_stop : Prop :=
   forall (m1 m2 v1 : R), m1 > 0 -> m2 > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -658,6 +702,7 @@ Definition p_stop_defined : Prop :=
   forall (e : R), 0 <= e <= 1 ->
   m1 + m2 <> 0.
 
+(* statement sha256 30c5faf4b6c836c0ca8fa8bf0595fa895d4232f6aba2b7a3f639ff3e5af1f919 *)
 Definition p_two : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -681,6 +726,7 @@ Definition p_two_defined : Prop :=
   0 <= m2 /\
   m1 + m2 <> 0.
 
+(* statement sha256 b8d95ec905cbe6e1096b6b5f19d16086050eda5baf5e8beb58622f119324b6f5 *)
 Definition p_two_converse : Prop :=
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -690,6 +736,7 @@ Definition p_two_converse : Prop :=
   let eta4 := (1 + e) ^ 6 * m1 * m2 / (cbrt m1 + cbrt m2) ^ 6 in
   eta4 >= eta2 -> e >= L2).
 
+(* statement sha256 8681ee5228371cc9cc4610bb0dbf97627f776bf8494f442f6d7061307982eb30 *)
 Definition u1 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -699,6 +746,7 @@ Definition u1 : Prop :=
   w2 = w1 - e * (v2 - v1) /\
   m1 * v1 + m2 * v2 = (m1 + m2) * w1 - e * m2 * (v2 - v1).
 
+(* statement sha256 67bb455e705ebb14da030a0eba0a5bee6616856f3ddec0b4f2e0f858dac87d97 *)
 Definition u2 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -714,6 +762,7 @@ Definition u2_defined : Prop :=
   forall (v1 : R),
   m1 + m2 <> 0.
 
+(* statement sha256 5b8e465c4939e6b43c1811912e058d4d1e11624f34adb3ccf80a1b7ea3e49855 *)
 Definition u3 : Prop :=
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -727,6 +776,7 @@ Definition u3_defined : Prop :=
   ex_derive (fun x : R => (1 + e) ^ 2 * x / (1 + x) ^ 2) x /\
   1 + x <> 0.
 
+(* statement sha256 d224db667f719196e40643423a474ea50f04564ea47af56bbd0e2aa4f53a3073 *)
 Definition u4 : Prop :=
   forall (m1 mu : R), m1 > 0 -> mu > 0 ->
   forall (e1 : R), 0 <= e1 <= 1 ->
@@ -744,6 +794,7 @@ Definition u4_defined : Prop :=
   w - w1 = - (e1 * (v - v1)) ->
   m1 + mu <> 0.
 
+(* statement sha256 8c015ba2d60793b7d2456f6d9a5482b91889e893788255f028a8f48c91a964db *)
 Definition u5 : Prop :=
   forall (m1 m2 mu : R), m1 > 0 -> m2 > 0 -> mu > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -762,6 +813,7 @@ Definition u5_defined : Prop :=
   m1 + mu <> 0 /\
   mu + m2 <> 0.
 
+(* statement sha256 9ba71ad9af551b48d673fbaaec852ed8261241ae9b606572a9ed73748ea5d497 *)
 Definition u5_extracted : Prop :=
   ~ (
   forall (m2 mu x : R), m2 > 0 -> mu > 0 -> x > 0 ->
@@ -771,6 +823,7 @@ Definition u5_extracted : Prop :=
   is_derive (fun x : R => (1 + e1) ^ 2 * (1 + e2) ^ 2 * (x * m2) * m2 * mu ^ 2 / ((x * m2 + mu) ^ 2 * (mu +
       m2) ^ 2)) x (k1 * mu * (m1 * m2 - mu ^ 2) / ((m1 + mu) ^ 3 * (mu + m2) ^ 3))).
 
+(* statement sha256 6e294f5ee2106fd906e96ff818fb44453ab98cb6d58c655977381de4c9f7c5bf *)
 Definition u6 : Prop :=
   forall (m1 m2 mu : R), m1 > 0 -> m2 > 0 -> mu > 0 ->
   forall (e1 e2 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -792,6 +845,7 @@ Definition u6_defined : Prop :=
   sqrt (m1 * m2) + m2 <> 0 /\
   0 <= m1 * m2.
 
+(* statement sha256 b36a39892c258233ab2967c17e5ae8328aaf67eb838e597b04846b35e399601d *)
 Definition u7 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let eta2 := fun (e : R) => (1 + e) ^ 2 * m1 * m2 / (m1 + m2) ^ 2 in
@@ -810,6 +864,7 @@ Definition u7_defined : Prop :=
   m1 <> 0 /\
   m2 <> 0.
 
+(* statement sha256 fac91251ba0d23e2d7c9a82c83bbd72a4bf73076a6d5b1a062eb14adb09685d7 *)
 Definition u8 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let ratio := 4 * (m1 + m2) ^ 2 / (sqrt m1 + sqrt m2) ^ 4 in
@@ -823,12 +878,14 @@ Definition u8_defined : Prop :=
   0 <= m1 /\
   0 <= m2.
 
+(* statement sha256 3aafc84326c1c4ce7af4700c5447ec0d2e1f2bc5b4a82de26a9e762501303735 *)
 Definition u8_extracted : Prop :=
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let ratio := 4 * (m1 + m2) ^ 2 / (sqrt m1 + sqrt m2) ^ 4 in
   ratio - 1 = ((sqrt m1 - sqrt m2) / (sqrt m1 + sqrt m2)) ^ 2).
 
+(* statement sha256 a92ceb143934ac1dd68fe4d164f3b2ed4f3d0e8ecc49de92cdea0f345e95b94b *)
 Definition u9 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let ratio := (m1 + m2) ^ 2 / (sqrt m1 + sqrt m2) ^ 4 in
@@ -843,12 +900,14 @@ Definition u9_defined : Prop :=
   0 <= m2 /\
   0 <= m1 * m2.
 
+(* statement sha256 346039342b50f0f53f4c7b872c64d0271ac1aea2f42c001aa44f347f6c571e92 *)
 Definition u9_extracted : Prop :=
   ~ (
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let ratio := (m1 + m2) ^ 2 / (sqrt m1 + sqrt m2) ^ 4 in
   ratio - 1 = - (2 * sqrt (m1 * m2) / (sqrt m1 + sqrt m2) ^ 2)).
 
+(* statement sha256 66ca054b661727c1e18c962785056d552050fa4e3faadeefc891096a01a25cde *)
 Definition u10 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e e1 e2 : R), 0 <= e <= 1 -> 0 <= e1 <= 1 -> 0 <= e2 <= 1 ->
@@ -864,6 +923,7 @@ Definition u10_defined : Prop :=
   0 <= m2 /\
   m1 + m2 <> 0.
 
+(* statement sha256 2c011cf4ee183585a1a7529d39524355c4a17b78afd070076d39177683a07991 *)
 Definition u11 : Prop :=
   forall (m1 m2 mu1 mu2 : R), m1 > 0 -> m2 > 0 -> mu1 > 0 -> mu2 > 0 ->
   forall (e1 e2 e3 : R), 0 <= e1 <= 1 -> 0 <= e2 <= 1 -> 0 <= e3 <= 1 ->
@@ -891,6 +951,7 @@ Definition u11_defined : Prop :=
       mu1) ^ 2 * (mu1 + mu2) ^ 2 * (mu2 + m2) ^ 2)) mu2 /\
   0 <= mu1 * m2.
 
+(* statement sha256 80bafbf709efefc39ed1dd8e316071427dee86bbfd0107c6a8ef8d09eaf91dc8 *)
 Definition u12 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -912,6 +973,7 @@ Definition u12_defined : Prop :=
   0 <= m1 /\
   0 <= m2.
 
+(* statement sha256 30e80ded357d1a8004fcc06794a2522513d7678447f703d467bd78a3f07295e8 *)
 Definition u13 : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   let x := m1 / m2 in
@@ -935,6 +997,7 @@ Definition u13_defined : Prop :=
   m2 <> 0 /\
   0 <= m1 / m2.
 
+(* statement sha256 3e9ebcfaa9f392aeb3a35250d31f03b836220ee1538829733dd54a26e1ef6f3f *)
 Definition b_best : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -959,6 +1022,7 @@ Definition b_best_defined : Prop :=
   Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
   INR n <> 0.
 
+(* statement sha256 ae81be318d83cfcacfca751cfefa5889ffd107873c594c68d9b03abf9b8574cb *)
 Definition b_best_after : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -982,6 +1046,7 @@ Definition b_best_after_defined : Prop :=
   m2 > 0 /\
   INR (N + j) <> 0.
 
+(* statement sha256 5c6bcef74275eefc75c3cd783f92b3f7b8e0902deea365e395638a8e779a7c84 *)
 Definition b_best_elastic : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -999,6 +1064,7 @@ Definition b_best_elastic_defined : Prop :=
   m2 > 0 /\
   INR n <> 0.
 
+(* statement sha256 25e1352b43dfe0302bb010978a15b7c6e2bbaa88f9b7847a92ac877dae89c404 *)
 Definition b_best_finite : Prop :=
   forall (m2 : R), m2 > 0 ->
   forall (r : R), r >= 1 ->
@@ -1022,6 +1088,7 @@ Definition b_best_finite_defined : Prop :=
   m2 > 0 /\
   INR n <> 0.
 
+(* statement sha256 1a0cbae6ba8cb776314a0017d6f3c2ffd42b91347f9d9a41818da4ac08f079bc *)
 Definition b_budget : Prop :=
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
@@ -1048,6 +1115,7 @@ Definition b_budget_defined : Prop :=
   (forall k_2 : nat, (0 <= k_2 <= n)%nat -> mu k_2 + mu (k_2 + 1)%nat <> 0) /\
   (forall k_3 : nat, (0 <= k_3 <= n)%nat -> mu k_3 + mu (k_3 + 1)%nat <> 0).
 
+(* statement sha256 dc6ea689c8071b26c6079596893b8e9b335c936146c63c85d5c8a7c95c5b4de5 *)
 Definition b_closed : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1072,6 +1140,7 @@ Definition b_closed_defined : Prop :=
   INR n <> 0 /\
   cosh ((ln (m1 / m2) / 2) / INR n) <> 0.
 
+(* statement sha256 377e297edb3b77d6d5c362fb68fec24f0672f4f22abbc348d8d1e3f5b04495b4 *)
 Definition b_final : Prop :=
   forall (x : R), x > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1080,6 +1149,7 @@ Definition b_final : Prop :=
   e >= L ->
   x <= e \/ x * e >= 1.
 
+(* statement sha256 298170edd4218f96b8e62cac877e97f32dbdbc19c176b3d4b2bc87d1448a5dd0 *)
 Definition b_global : Prop :=
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
@@ -1104,14 +1174,15 @@ Definition b_global_defined : Prop :=
   INR (n + 1) <> 0 /\
   mu (n + 1)%nat > 0.
 
+(* statement sha256 94d13b8563216d7de70298bdf7bb84abf0cc3c713a908b4574846cfcb4f6e92b *)
 Definition b_global_unique : Prop :=
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (j k : nat),
   let n := (j + k)%nat in
   let N := (n + 1)%nat in
   let m1 := mu 0%nat in
   let m2 := mu (n + 1)%nat in
-  forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
+  forall (e : nat -> R), (forall i : nat, 0 <= e i <= 1) ->
   let eta := product_over 0 n (fun i : nat => (1 + e i) ^ 2) * m1 * m2 *
       product_over 1 n (fun i : nat => mu i) ^ 2 / product_over 0 n (fun i : nat => mu i + mu (i +
       1)%nat) ^ 2 in
@@ -1121,9 +1192,9 @@ Definition b_global_unique : Prop :=
   eta < best.
 
 Definition b_global_unique_defined : Prop :=
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (j k : nat),
-  forall (e : nat -> R), (forall k : nat, 0 <= e k <= 1) ->
+  forall (e : nat -> R), (forall i : nat, 0 <= e i <= 1) ->
   mu (j + 1)%nat <> mu j * Rpower (mu ((j + k) + 1)%nat / mu 0%nat) (1 / INR ((j + k) + 1)) ->
   product_over 0 (j + k) (fun i : nat => mu i + mu (i + 1)%nat) <> 0 /\
   Rpower (mu 0%nat) (1 / INR ((j + k) + 1)) + Rpower (mu ((j + k) + 1)%nat) (1 / INR ((j + k) + 1)) <> 0 /\
@@ -1131,6 +1202,7 @@ Definition b_global_unique_defined : Prop :=
   INR ((j + k) + 1) <> 0 /\
   mu ((j + k) + 1)%nat > 0.
 
+(* statement sha256 351979680b7faf9afe415cda928edc5d8041636c31ef17737a0ee5c88790de01 *)
 Definition b_grow : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1150,6 +1222,7 @@ Definition b_grow_defined : Prop :=
   Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n) <> 0 /\
   INR n <> 0.
 
+(* statement sha256 2fc76e52f194c00dd9710eb09ddbc2a449b4df1fc3f7ebc42ddd798985fe106f *)
 Definition b_grow_bounded : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1165,6 +1238,7 @@ Definition b_grow_bounded_defined : Prop :=
   m2 > 0 /\
   INR n <> 0.
 
+(* statement sha256 e8f8401ea57b1b9954cbfc95718828d95e6f5cad3550cc051c3dd7e4ef66c01f *)
 Definition b_grow_limit : Prop :=
   forall (m2 r : R), m2 > 0 -> r > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1180,6 +1254,7 @@ Definition b_grow_limit_defined : Prop :=
   m2 > 0 /\
   INR n <> 0.
 
+(* statement sha256 c4dc3e303ee61db12017f126a95155ff8892d61e79104c465bea77a2e2482ec3 *)
 Definition b_limit : Prop :=
   forall (m2 r : R), m2 > 0 -> r > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1194,6 +1269,7 @@ Definition b_limit_defined : Prop :=
   INR n <> 0 /\
   m2 > 0.
 
+(* statement sha256 e3d0b514fc6dbb496328a067251cff2dfe8edc97822313480613a2557c0a30d6 *)
 Definition b_limit_inelastic : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e < 1 ->
@@ -1210,6 +1286,7 @@ Definition b_limit_inelastic_defined : Prop :=
   INR n <> 0 /\
   m2 > 0.
 
+(* statement sha256 0b88566649296ffc5939704ecac6dd534719dfdc16dcdc84c149df266c056e7f *)
 Definition b_matrix : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
@@ -1227,6 +1304,7 @@ Definition b_matrix_defined : Prop :=
   forall (e : R), 0 <= e <= 1 ->
   m1 + m2 <> 0.
 
+(* statement sha256 73559ad9ab305dfd27b5b4e732a2e749f8c99382a98ba72b7adddc9b4b68df54 *)
 Definition b_positive : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1241,6 +1319,7 @@ Definition b_positive_defined : Prop :=
   m2 > 0 /\
   INR n <> 0.
 
+(* statement sha256 e064c4bd0ce543bdc5726daea4181b7eda703617c1d9113b811aaebfb577610e *)
 Definition b_power : Prop :=
   forall (w : R), w > 1 ->
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
@@ -1271,6 +1350,7 @@ Definition b_power_defined : Prop :=
   m2 / m1 > 0 /\
   m1 <> 0.
 
+(* statement sha256 3a1a2aa35b336f093fc24fb473a86343d17dbe62f72f63100dc6512d5ebde0fa *)
 Definition b_power_attained : Prop :=
   forall (w : R), w > 1 ->
   forall (m2 N : R), m2 > 0 -> N > 0 ->
@@ -1296,6 +1376,7 @@ Definition b_power_attained_defined : Prop :=
   m2 > 0 /\
   m2 / (m2 * Rpower w N) > 0.
 
+(* statement sha256 09351b22e8a5622e6bb55067959eaf26cb10075a8d78fa08173e2c5dc16d53a2 *)
 Definition b_power_range : Prop :=
   forall (w : R), w > 1 ->
   forall (t : R), t > 0 ->
@@ -1313,6 +1394,7 @@ Definition b_power_range_defined : Prop :=
   ex_derive (fun t : R => t * tanh t - ln (cosh t)) t /\
   cosh t > 0.
 
+(* statement sha256 6cf4fecd42eda5363b370cf21c3255ed0d5bbaf311363bc6ce3a15b80ddc14d8 *)
 Definition b_superball : Prop :=
   forall (x : R), x > 0 ->
   forall (e e_f : R), 0 <= e <= 1 -> 0 <= e_f <= 1 ->
@@ -1332,6 +1414,7 @@ Definition b_superball_defined : Prop :=
   (forall j : nat, x + 1 <> 0) /\
   x + 1 <> 0.
 
+(* statement sha256 255add1e94ba084e030464558bdf662a4e85a1d0c562a190b93ce3e1e2f68692 *)
 Definition b_superball_limit : Prop :=
   forall (x v g : R), x > 0 -> v > 0 -> g > 0 ->
   is_lim (fun x : R => (2 * x / (x + 1) * 2 * v - v) / v) p_infty 3 /\
@@ -1343,11 +1426,13 @@ Definition b_superball_limit_defined : Prop :=
   x + 1 <> 0 /\
   g <> 0.
 
+(* statement sha256 a7fc08db7905ad3c967cddc7c0777726805ba1b643f39da48279e93a4639bcd2 *)
 Definition lemma_bernoulli : Prop :=
   forall (h : R), h > - 1 ->
   forall (n : nat),
   (1 + h) ^ n >= 1 + INR n * h.
 
+(* statement sha256 a988c4e2522221ca0eca7b6a89d5c95120f9cb80436c93f7967701e75f85ddf8 *)
 Definition lemma_chain : Prop :=
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (r : R), r > 0 ->
@@ -1365,6 +1450,7 @@ Definition lemma_chain_defined : Prop :=
   r > 0 /\
   mu (n + 1)%nat > 0.
 
+(* statement sha256 0ef886400f65fd7bc9fd7059ce798ceb2392c01f39670caf7612b7e6f22e2270 *)
 Definition lemma_chain_last : Prop :=
   forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
   forall (r : R), r > 0 ->
@@ -1383,8 +1469,9 @@ Definition lemma_chain_last_defined : Prop :=
   r > 0 /\
   mu (j + 1)%nat > 0.
 
+(* statement sha256 59bbbef0eaa0614fb4c28f88d055fcc79e9c181b8261e0a4d4185086b3f561a5 *)
 Definition lemma_chain_strict : Prop :=
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (r : R), r > 0 ->
   forall (j k : nat),
   let p := r / (1 + r) in
@@ -1394,7 +1481,7 @@ Definition lemma_chain_strict : Prop :=
       1)%nat) p.
 
 Definition lemma_chain_strict_defined : Prop :=
-  forall (mu : nat -> R), (forall k : nat, mu k > 0) ->
+  forall (mu : nat -> R), (forall i : nat, mu i > 0) ->
   forall (r : R), r > 0 ->
   forall (j k : nat),
   mu (j + 1)%nat <> mu j * r ->
@@ -1403,6 +1490,7 @@ Definition lemma_chain_strict_defined : Prop :=
   r > 0 /\
   mu (j + k + 1)%nat > 0.
 
+(* statement sha256 e71e33eb81226457b84f00ce6920566a3a7a9bfd42fd5dbe16adde06ff17a50e *)
 Definition lemma_elastic_bound : Prop :=
   forall (r : R), r > 0 ->
   forall (n : nat), (n >= 1)%nat ->
@@ -1420,6 +1508,7 @@ Definition lemma_elastic_bound_defined : Prop :=
   INR n <> 0 /\
   r <> 0.
 
+(* statement sha256 a968c4630d767266876228fc20fb6b2f6a1da6664c8c0cc327bf76c7c5c0dd71 *)
 Definition lemma_tangent : Prop :=
   forall (a b r : R), a > 0 -> b > 0 -> r > 0 ->
   let p := r / (1 + r) in

@@ -74,7 +74,7 @@ fn divided(terms: &[(u32, Integer)]) -> Option<(u32, bool)> {
         if let Some((next, _)) = terms.get(i + 1) {
             let gap = Integer::from(next - place);
             // The sum of second + k·sum for k = 1 … gap.
-            third += &second * &gap + &sum * (&gap * (&gap + Integer::ONE) >> 1u32);
+            third += &second * &gap + &sum * ((&gap * (&gap + Integer::ONE)) >> 1u32);
             second += &sum * gap;
             twice.see(&second);
         }

@@ -1006,6 +1006,7 @@ pub fn factor_number(mut value: Natural) -> Vec<(Natural, i64)> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use proptest::prelude::*;

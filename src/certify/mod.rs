@@ -209,7 +209,13 @@ impl Certifier {
         self.with(rule, from, prop, Vec::new())
     }
 
-    fn with(&mut self, rule: Rule, from: &[String], prop: Option<Prop>, with: Vec<(Name, Expr)>) -> Result<String, Fail> {
+    fn with(
+        &mut self,
+        rule: Rule,
+        from: &[String],
+        prop: Option<Prop>,
+        with: Vec<(Name, Expr)>,
+    ) -> Result<String, Fail> {
         self.step(Step { label: String::new(), rule, from: from.to_vec(), prop, with, times: None, terms: Vec::new() })
     }
 
@@ -568,10 +574,8 @@ impl Certifier {
             let found = self.attempt(|c| {
                 let other = c.take(Rule::Sign, &[], Some(apart))?;
                 let minus = expr(ExprKind::Negate(Box::new(numeral(1))));
-                let terms = vec![
-                    Term { facts: vec![label], factor: numeral(1) },
-                    Term { facts: vec![other], factor: minus },
-                ];
+                let terms =
+                    vec![Term { facts: vec![label], factor: numeral(1) }, Term { facts: vec![other], factor: minus }];
                 c.combination(compare(numeral(0), Relation::NotEqual, numeral(0)), None, terms)
             });
             if let Ok(found) = found {
@@ -607,7 +611,9 @@ impl Certifier {
                     }
                     PropKind::And(parts) => {
                         for part in parts {
-                            let PropKind::Compare(sides, relations) = &part.kind else { return Err("deep".to_string()) };
+                            let PropKind::Compare(sides, relations) = &part.kind else {
+                                return Err("deep".to_string());
+                            };
                             c.comparison(&sides[0], relations[0], &sides[1])?;
                         }
                         c.take(Rule::All, &[], Some(p.clone())).map(|_| ())
@@ -660,8 +666,7 @@ impl Certifier {
                             .iter()
                             .map(|(label, forward)| {
                                 let one = numeral(1);
-                                let factor =
-                                    if *forward == up { one } else { expr(ExprKind::Negate(Box::new(one))) };
+                                let factor = if *forward == up { one } else { expr(ExprKind::Negate(Box::new(one))) };
                                 Term { facts: vec![label.clone()], factor }
                             })
                             .collect();
@@ -739,11 +744,7 @@ impl Certifier {
             if self.attempt(|c| c.comparison(&a, relation, &b)).is_ok() {
                 let both = [self.label_of(fact), self.label_of(&opposite)];
                 let [Some(x), Some(y)] = both else { continue };
-                let wrong = [
-                    (Relation::NotEqual, 1, -1),
-                    (Relation::Less, 1, -1),
-                    (Relation::Less, -1, 1),
-                ];
+                let wrong = [(Relation::NotEqual, 1, -1), (Relation::Less, 1, -1), (Relation::Less, -1, 1)];
                 for (relation, k, l) in wrong {
                     let number = |k: i32| if k < 0 { expr(ExprKind::Negate(Box::new(numeral(1)))) } else { numeral(1) };
                     let terms = vec![
@@ -824,7 +825,9 @@ impl Certifier {
                 let label = c.label_of(&fewer).ok_or("a disjunction")?;
                 if let PropKind::Or(parts) = &fewer.kind {
                     for part in parts {
-                        c.block(&implies(part, goal), |c, _| c.take(Rule::Either, &[], Some(goal.clone())).map(|_| ()))?;
+                        c.block(&implies(part, goal), |c, _| {
+                            c.take(Rule::Either, &[], Some(goal.clone())).map(|_| ())
+                        })?;
                     }
                 }
                 return c.take(Rule::Cases, &[label], Some(goal.clone())).map(|_| ());
@@ -838,12 +841,14 @@ impl Certifier {
         match method {
             Method::Algebra(_) => self.show(goal),
             Method::Witness(values) => {
-                let values = values.iter().map(|(n, e)| Ok((n.clone(), self.put_expr(e)?))).collect::<Result<Vec<_>, Fail>>()?;
+                let values =
+                    values.iter().map(|(n, e)| Ok((n.clone(), self.put_expr(e)?))).collect::<Result<Vec<_>, Fail>>()?;
                 self.witness(goal, &values)
             }
             Method::Induction(variable, steps) => self.induction(goal, variable, steps),
             Method::Instance { claim, with } => {
-                let with = with.iter().map(|(n, e)| Ok((n.clone(), self.put_expr(e)?))).collect::<Result<Vec<_>, Fail>>()?;
+                let with =
+                    with.iter().map(|(n, e)| Ok((n.clone(), self.put_expr(e)?))).collect::<Result<Vec<_>, Fail>>()?;
                 self.instance(&claim.text, with)?;
                 self.show(goal)
             }
@@ -895,7 +900,8 @@ impl Certifier {
             fresh += "_";
         }
         let statement = self.checker.statement().clone();
-        let declared = statement.bindings.iter().find(|b| b.names.iter().any(|n| n.0.text == variable.text && n.1.is_none()));
+        let declared =
+            statement.bindings.iter().find(|b| b.names.iter().any(|n| n.0.text == variable.text && n.1.is_none()));
         let constraints: Vec<Constraint> = declared
             .map(|b| b.constraints.clone())
             .unwrap_or_default()
@@ -988,7 +994,8 @@ impl Certifier {
         }
         let mut map = Substitution::default();
         for (variable, value) in &with {
-            let family = cited.bindings.iter().any(|b| b.names.iter().any(|n| n.0.text == variable.text && n.1.is_some()));
+            let family =
+                cited.bindings.iter().any(|b| b.names.iter().any(|n| n.0.text == variable.text && n.1.is_some()));
             match (&value.kind, family) {
                 (ExprKind::Name(other), true) => map.rename_family(&variable.text, other),
                 _ => map.replace(&variable.text, value),
@@ -1077,7 +1084,8 @@ impl Certifier {
             }
         }
         let apart = compare(a.clone(), Relation::NotEqual, b.clone());
-        let strict = self.attempt(|c| c.comparison(a, Relation::NotEqual, b)).is_ok() || self.attempt(|c| c.by_powers(&apart, &[Relation::NotEqual])).is_ok();
+        let strict = self.attempt(|c| c.comparison(a, Relation::NotEqual, b)).is_ok()
+            || self.attempt(|c| c.by_powers(&apart, &[Relation::NotEqual])).is_ok();
         let power = |x: &Expr, e: &Expr| expr(ExprKind::Power(Box::new(x.clone()), Box::new(e.clone())));
         let times = |x: Expr, y: Expr| expr(ExprKind::Product(vec![(Factor::Times, x), (Factor::Times, y)]));
         let left = times(power(a, &rest), power(b, p));

@@ -216,7 +216,9 @@ impl Certifier {
             .iter()
             .filter(|g| {
                 bases.contains(&&g.base)
-                    || bases.iter().any(|b| b.single_atom().is_some_and(|a| self.exponentials.iter().any(|x| x.0 == a && x.1.same(&g.expr))))
+                    || bases.iter().any(|b| {
+                        b.single_atom().is_some_and(|a| self.exponentials.iter().any(|x| x.0 == a && x.1.same(&g.expr)))
+                    })
             })
             .collect();
         let mut out = Vec::new();
@@ -227,7 +229,9 @@ impl Certifier {
             for h in &logs {
                 if g.base == h.base && g.exponent != h.exponent {
                     let difference = g.exponent.minus(&h.exponent, &mut Work::default());
-                    out.extend(difference.map_err(say).and_then(|d| simplified(&d)).and_then(|d| self.fraction_expr(&d)));
+                    out.extend(
+                        difference.map_err(say).and_then(|d| simplified(&d)).and_then(|d| self.fraction_expr(&d)),
+                    );
                 }
             }
         }
@@ -335,7 +339,7 @@ fn coordinates(basis: &[Vector], target: &Vector) -> Option<Vec<BigRational>> {
     let mut pivots = Vec::new();
     let mut top = 0;
     for column in 0..width {
-        let Some(place) = (top..rows.len()).find(|r| !rows[*r][column].is_zero()) else { return None };
+        let place = (top..rows.len()).find(|r| !rows[*r][column].is_zero())?;
         rows.swap(top, place);
         let pivot = rows[top][column].clone();
         for entry in &mut rows[top] {
@@ -395,7 +399,8 @@ fn choose(all: &[Fraction], free: bool) -> Result<Option<Vec<Fraction>>, Fail> {
     let mut rows: Vec<Vec<BigInt>> = list
         .iter()
         .map(|v| {
-            let whole = |k| v.get(k).map_or(BigInt::zero(), |c| (c * BigRational::from_integer(scale.clone())).to_integer());
+            let whole =
+                |k| v.get(k).map_or(BigInt::zero(), |c| (c * BigRational::from_integer(scale.clone())).to_integer());
             keys.iter().map(whole).collect()
         })
         .collect();

@@ -18,8 +18,11 @@ use std::str::FromStr;
 pub fn to_algebra(poly: &Poly) -> Result<Polynomial, Fail> {
     let mut terms = Vec::new();
     for (monomial, c) in poly.terms() {
-        let powers: Vec<(u32, u32)> =
-            monomial.iter().map(|(a, k)| Ok((u32::try_from(*a)?, *k))).collect::<Result<_, std::num::TryFromIntError>>().map_err(|_| "too many atoms")?;
+        let powers: Vec<(u32, u32)> = monomial
+            .iter()
+            .map(|(a, k)| Ok((u32::try_from(*a)?, *k)))
+            .collect::<Result<_, std::num::TryFromIntError>>()
+            .map_err(|_| "too many atoms")?;
         let c = Rational::from_str(&c.to_string()).map_err(|()| "a number that cannot be read")?;
         terms.push((Monomial::new(&powers).map_err(|_| "a degree")?, c));
     }
@@ -43,7 +46,8 @@ pub fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
 /// The engine's polynomial, in factors.
 pub fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
     let Ok(list) = factor::factor(p) else { return from_algebra(p) };
-    let mut out = Fraction::number(BigRational::from_str(&list.unit.to_string()).map_err(|_| "a number that cannot be read")?);
+    let mut out =
+        Fraction::number(BigRational::from_str(&list.unit.to_string()).map_err(|_| "a number that cannot be read")?);
     for (p, k) in &list.factors {
         out = out.times(&from_algebra(p)?.power(i64::from(*k)).map_err(say)?);
     }
@@ -216,7 +220,8 @@ impl Certifier {
         let list: Vec<(String, std::rc::Rc<Prop>)> =
             self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
         for (label, prop) in list.iter().rev() {
-            if !matches!(&prop.kind, PropKind::Compare(_, r) if r.len() == 1 && r.first() != Some(&Relation::NotEqual)) {
+            if !matches!(&prop.kind, PropKind::Compare(_, r) if r.len() == 1 && r.first() != Some(&Relation::NotEqual))
+            {
                 continue;
             }
             let Ok((difference, relation)) = self.checker.difference(prop) else { continue };
@@ -291,10 +296,8 @@ impl Certifier {
         }
         chosen.truncate(14);
         let mut out: Vec<Known> = chosen.into_iter().map(|c| c.1).collect();
-        let used: BTreeSet<usize> = poly
-            .atoms()
-            .chain(out.iter().flat_map(|k| k.constraint.poly.variables()).map(|v| v as usize))
-            .collect();
+        let used: BTreeSet<usize> =
+            poly.atoms().chain(out.iter().flat_map(|k| k.constraint.poly.variables()).map(|v| v as usize)).collect();
         for atom in used {
             let signs = self.checker.poly_signs(&Poly::atom(atom)).map_err(say)?;
             let base = Polynomial::variable(u32::try_from(atom).map_err(|_| "too many atoms")?);
@@ -414,7 +417,11 @@ impl Certifier {
             let signs = self.checker.poly_signs(p).map_err(say)?;
             let one = Fraction::of(p).power(*k).map_err(say)?;
             let negative = p.terms().any(|t| *t.1 < BigRational::from_integer(0.into()));
-            if signs.within(Signs::NOT_ZERO) && (!negative || *k < 0) { rest = rest.times(&one) } else { open.push((p.clone(), *k)) }
+            if signs.within(Signs::NOT_ZERO) && (!negative || *k < 0) {
+                rest = rest.times(&one)
+            } else {
+                open.push((p.clone(), *k))
+            }
         }
         let [(poly, 1)] = open.as_slice() else { return Ok(()) };
         if !self.checker.signs_of(&rest).map_err(say)?.within(Signs::NOT_ZERO) {
@@ -545,7 +552,8 @@ impl Certifier {
     /// An atom as what it unfolds to, where its index has a positive constant part.
     fn unfolding(&mut self, atom: usize) -> Result<Option<(Expr, Expr)>, Fail> {
         use crate::kernel::statement::Substitution;
-        let constant = |p: &Poly| p.terms().find(|t| t.0.is_empty()).map_or(BigRational::from_integer(0.into()), |t| t.1.clone());
+        let constant =
+            |p: &Poly| p.terms().find(|t| t.0.is_empty()).map_or(BigRational::from_integer(0.into()), |t| t.1.clone());
         let zero = BigRational::from_integer(0.into());
         let shifted = |p: &Poly, by: i64| {
             let sum = Fraction::sum(&[Fraction::of(p), Fraction::integer(by)], &mut Work::default());
@@ -572,7 +580,8 @@ impl Certifier {
                 let (ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body)) = &left.kind else {
                     return Ok(None);
                 };
-                let length = Fraction::of(&shifted(&to, 1)?).minus(&Fraction::of(&from), &mut Work::default()).map_err(say)?;
+                let length =
+                    Fraction::of(&shifted(&to, 1)?).minus(&Fraction::of(&from), &mut Work::default()).map_err(say)?;
                 if length.is_zero() {
                     return Ok(Some((left.clone(), numeral(u32::from(!is_sum)))));
                 }
@@ -613,9 +622,16 @@ fn text_of(prop: &Prop) -> String {
 
 /// The narrowest relation to 0 that signs allow, if any.
 fn relation_of(signs: Signs) -> Option<Relation> {
-    [Relation::Equal, Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual, Relation::NotEqual]
-        .into_iter()
-        .find(|r| signs.within(Signs::of(*r)))
+    [
+        Relation::Equal,
+        Relation::Greater,
+        Relation::Less,
+        Relation::GreaterEqual,
+        Relation::LessEqual,
+        Relation::NotEqual,
+    ]
+    .into_iter()
+    .find(|r| signs.within(Signs::of(*r)))
 }
 
 /// What an expression needs to have a value, innermost first.
@@ -676,9 +692,9 @@ fn guess_signs(p: &Polynomial, constraints: &[Constraint]) -> (bool, bool) {
     let order: Vec<u32> = variables.into_iter().collect();
     let value = |terms: &Terms, point: &[f64]| -> f64 {
         let (sum, size) = terms.iter().fold((0.0, 0.0), |(sum, size), (powers, c)| {
-            let term = powers.iter().fold(*c, |t, &(v, k)| {
-                t * order.binary_search(&v).map_or(1.0, |place| point[place]).powi(k)
-            });
+            let term = powers
+                .iter()
+                .fold(*c, |t, &(v, k)| t * order.binary_search(&v).map_or(1.0, |place| point[place]).powi(k));
             (sum + term, size + f64::abs(term))
         });
         if f64::abs(sum) > size * 1e-9 { sum } else { 0.0 }

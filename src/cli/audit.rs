@@ -191,7 +191,8 @@ fn write_certificates(catalogue: &Catalogue, entries: &mut [Entry], folder: &Pat
         .iter()
         .filter_map(|(name, result)| result.as_ref().err().map(|reason| format!("  {name}: {reason}")))
         .collect();
-    let mut message = format!("{} of {} proved claims have a certificate", accepted.len() - missing.len(), accepted.len());
+    let mut message =
+        format!("{} of {} proved claims have a certificate", accepted.len() - missing.len(), accepted.len());
     if !missing.is_empty() {
         message += &format!("; proved, no certificate:\n{}", missing.join("\n"));
     }

@@ -93,10 +93,16 @@ fn certificates(paths: &[PathBuf]) -> Result<(Vec<String>, BTreeMap<String, Foun
             let certificate = parsed(&file.display().to_string(), &text_of(&file)?)?;
             asked.push(certificate.claim.clone());
             let origin = file.display().to_string();
-            if let Some(other) = found.insert(certificate.claim.clone(), Found { origin: origin.clone(), certificate }) {
-                return Err(Exit::usage(format!("error: {} and {origin} are certificates of the same claim", other.origin)));
+            if let Some(other) = found.insert(certificate.claim.clone(), Found { origin: origin.clone(), certificate })
+            {
+                return Err(Exit::usage(format!(
+                    "error: {} and {origin} are certificates of the same claim",
+                    other.origin
+                )));
             }
-            beside.extend(file.parent().map(|p| if p.as_os_str().is_empty() { PathBuf::from(".") } else { p.to_path_buf() }));
+            beside.extend(
+                file.parent().map(|p| if p.as_os_str().is_empty() { PathBuf::from(".") } else { p.to_path_buf() }),
+            );
         }
     }
     beside.sort();
@@ -150,7 +156,8 @@ fn judge(name: &str, claims: &[Claim], found: &BTreeMap<String, Found>, outcomes
             continue;
         }
         let (Some(claim), Some(here)) = (claims.iter().find(|c| c.name.text == top), found.get(&top)) else {
-            let what = if found.contains_key(&top) { "there is no claim of this name" } else { "it has no certificate" };
+            let what =
+                if found.contains_key(&top) { "there is no claim of this name" } else { "it has no certificate" };
             outcomes.insert(top, Outcome::Rejected(what.to_string()));
             stack.pop();
             continue;

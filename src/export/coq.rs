@@ -17,8 +17,8 @@ use super::values::{Collector, Condition, Guard, Need, integer_exponent};
 use super::{Result, Unsupported, unsupported};
 use crate::claim::syntax::*;
 use crate::number::rational;
-use crate::{certificate, kernel};
 use crate::prove::expand::{self, Substitution};
+use crate::{certificate, kernel};
 use malachite::base::num::basic::traits::One;
 use std::collections::BTreeMap;
 

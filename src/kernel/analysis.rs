@@ -36,7 +36,9 @@ impl Checker {
                 Ok(exponent.times(&self.logarithm_of(&base)?))
             }
             ExprKind::Apply(f, arguments) if !self.is_declared(&f.text) => {
-                let [argument] = arguments.as_slice() else { return rejected("a function of one argument is given several") };
+                let [argument] = arguments.as_slice() else {
+                    return rejected("a function of one argument is given several");
+                };
                 let x = self.scalar(argument)?;
                 match f.text.as_str() {
                     "sqrt" => Ok(self.logarithm_of(&x)?.times(&part(2)?)),
@@ -114,7 +116,9 @@ impl Checker {
         let left = self.scalar(left)?;
         let mut factors = left.factors.iter();
         let single = match (factors.next(), factors.next()) {
-            (Some((poly, 1)), None) if left.as_number().is_none() && left.coefficient == Fraction::integer(1).coefficient => {
+            (Some((poly, 1)), None)
+                if left.as_number().is_none() && left.coefficient == Fraction::integer(1).coefficient =>
+            {
                 poly.single_atom()
             }
             _ => None,
@@ -340,7 +344,8 @@ impl Checker {
         let lower = |p: &Prop| match &p.kind {
             PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
                 ([left, right], [Relation::Greater | Relation::GreaterEqual]) => {
-                    matches!(&left.kind, ExprKind::Name(n) if n == variable) && matches!(right.kind, ExprKind::Number(_))
+                    matches!(&left.kind, ExprKind::Name(n) if n == variable)
+                        && matches!(right.kind, ExprKind::Number(_))
                 }
                 _ => false,
             },

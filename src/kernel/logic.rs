@@ -222,7 +222,9 @@ impl Checker {
         let fact = self.cited_fact(step)?;
         let (difference, relation) = self.difference(&fact)?;
         match difference.as_number() {
-            Some(number) if !Signs::of_number(number).within(Signs::of(relation)) => self.know(&step.label, goal.clone()),
+            Some(number) if !Signs::of_number(number).within(Signs::of(relation)) => {
+                self.know(&step.label, goal.clone())
+            }
             _ => rejected("the fact is not a false comparison of numbers"),
         }
     }
@@ -314,9 +316,7 @@ impl Checker {
     /// Whether a family here has the domain of a cited one, word for word.
     fn same_domain(&self, binding: &Binding, other: &str) -> Result<(), Failure> {
         let Some((here, _)) = self.family(other) else { return rejected(&format!("{other} is not a family here")) };
-        let key = |b: &Binding| -> Vec<String> {
-            constraints(b, &name("member")).iter().map(text::prop).collect()
-        };
+        let key = |b: &Binding| -> Vec<String> { constraints(b, &name("member")).iter().map(text::prop).collect() };
         let mut names = BTreeSet::new();
         constraints(binding, &numeral(0)).iter().for_each(|p| names_in_prop(p, &mut names));
         let plain = names.is_empty() && binding.indices.is_none() && here.indices.is_none();
@@ -345,7 +345,7 @@ impl Checker {
             [] => numeral(0),
             [Constraint::Relation(Relation::GreaterEqual, bound)] => {
                 let f = self.scalar(bound)?;
-                if !f.as_integer().is_some_and(|k| k >= 0) || !matches!(bound.kind, ExprKind::Number(_)) {
+                if f.as_integer().is_none_or(|k| k < 0) || !matches!(bound.kind, ExprKind::Number(_)) {
                     return rejected("induction begins at a numeral");
                 }
                 bound.clone()

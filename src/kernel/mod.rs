@@ -169,7 +169,8 @@ impl Checker {
     pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
         let statement = Statement::of(claim)?;
         let allowed: BTreeSet<&str> = claim.using.iter().map(|n| n.text.as_str()).collect();
-        let cited = cited.iter().filter(|a| allowed.contains(a.statement.name.as_str())).map(|a| (*a).clone()).collect();
+        let cited =
+            cited.iter().filter(|a| allowed.contains(a.statement.name.as_str())).map(|a| (*a).clone()).collect();
         let mut checker = Checker {
             statement: Rc::new(statement),
             cited: Rc::new(cited),
@@ -286,7 +287,8 @@ impl Checker {
         let combination = step.rule == Rule::Combination;
         let prop = !matches!(step.rule, Rule::Note | Rule::Replace | Rule::End);
         let label = step.rule != Rule::End;
-        let used = self.facts.iter().any(|f| f.label == step.label) || self.blocks.iter().any(|b| b.label == step.label);
+        let used =
+            self.facts.iter().any(|f| f.label == step.label) || self.blocks.iter().any(|b| b.label == step.label);
         if step.from.len() != from
             || step.prop.is_some() != prop
             || (!with && !step.with.is_empty())
@@ -371,9 +373,9 @@ impl Checker {
     fn family(&self, name: &str) -> Option<(&Binding, &str)> {
         // Families are declared by the claim only, never in a block.
         let list = self.statement.bindings.iter().flat_map(|b| b.names.iter().map(move |n| (b, n)));
-        list.filter_map(|(b, n)| n.1.as_ref().map(|index| (b, n, index))).find(|x| x.1.0.text == name).map(
-            |(binding, _, index)| (binding, index.text.as_str()),
-        )
+        list.filter_map(|(b, n)| n.1.as_ref().map(|index| (b, n, index)))
+            .find(|x| x.1.0.text == name)
+            .map(|(binding, _, index)| (binding, index.text.as_str()))
     }
 
     fn sizes(&self) -> [usize; 5] {

@@ -216,7 +216,9 @@ impl Substitution {
     /// `for all y: derivative(x*y, x) = y` says nothing of y = x.
     fn moves(&self, variable: &str) -> Result<(), Failure> {
         if self.map.contains_key(variable) || self.put_in.contains(variable) {
-            return rejected(&format!("a value is put in that takes the place of {variable} or mentions it, which moves"));
+            return rejected(&format!(
+                "a value is put in that takes the place of {variable} or mentions it, which moves"
+            ));
         }
         Ok(())
     }

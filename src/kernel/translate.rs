@@ -471,15 +471,19 @@ impl Checker {
                 // An index that stands for itself.
                 Some(Atom::Variable(_)) if matches!(log(value), Some(Atom::Bound(_))) => true,
                 // x = exp(ln x / k)^k.
-                Some(Atom::Variable(_)) => value.coefficient.is_one() && value.factors.iter().all(|(poly, k)| {
-                    let Some(Atom::Exponential(inner)) = poly.single_atom().and_then(|a| self.atoms.get(a)) else {
-                        return false;
-                    };
-                    let log = self.atom_index.get(&Atom::Logarithm(Poly::atom(place)));
-                    log.is_some_and(|log| {
-                        value.factors.len() == 1 && inner.times(&Fraction::integer(*k)) == Fraction::atom(*log)
-                    })
-                }),
+                Some(Atom::Variable(_)) => {
+                    value.coefficient.is_one()
+                        && value.factors.iter().all(|(poly, k)| {
+                            let Some(Atom::Exponential(inner)) = poly.single_atom().and_then(|a| self.atoms.get(a))
+                            else {
+                                return false;
+                            };
+                            let log = self.atom_index.get(&Atom::Logarithm(Poly::atom(place)));
+                            log.is_some_and(|log| {
+                                value.factors.len() == 1 && inner.times(&Fraction::integer(*k)) == Fraction::atom(*log)
+                            })
+                        })
+                }
                 _ => false,
             }
         };
