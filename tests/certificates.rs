@@ -335,9 +335,10 @@ fn a_moving_variable_is_not_put_in_for_one_that_stands_still() {
     assert!(reason.starts_with("3: ") && reason.contains("moves"), "{reason}");
     let reason = slipped(
         "claim a \"n/n tends to 0\"\ngiven n natural >= 1\nprove limit of n/n as n -> infinity is 0\n",
-        "1 let: for all z real > 0: limit of z/n as n -> infinity is 0\n\
-         2 limit: limit of z/n as n -> infinity is 0\nend\n\
-         3 sign: n > 0\n4 instance from 1: limit of n/n as n -> infinity is 0\n| with z = n\n",
+        "1 combination: n > 0\n| term h1: 1\n| term: 1\n\
+         2 let: for all z real > 0: limit of z/n as n -> infinity is 0\n\
+         3 limit: limit of z/n as n -> infinity is 0\nend\n\
+         4 instance from 2: limit of n/n as n -> infinity is 0\n| with z = n\n",
     );
     assert!(reason.starts_with("4: ") && reason.contains("moves"), "{reason}");
 }
