@@ -4,8 +4,8 @@
 //! case that the digits after them are so near to the next place that the truncations below could matter.
 //!
 //! **Method.** The first `m` digits of `v` are those of `v` itself, cut to the bits that they need; the other ones are the
-//! digits of the fractional part of `10^m·v`, cut likewise ([`GUARD`] bits more than needed). Both halves by the same rule,
-//! down to [`LEAF`] digits, which are taken 19 at a time by products with a machine word.
+//! digits of the fractional part of `10^m·v`, cut likewise (`GUARD` bits more than needed). Both halves by the same rule,
+//! down to `LEAF` digits, which are taken 19 at a time by products with a machine word.
 //!
 //! **Why it is right.** All cuts are downwards. A cut to `log2(10^n) + GUARD` bits lowers a number by at most `2^-GUARD` units of
 //! its `n`-th digit; the first half inherits nothing else that counts, the second one what its parent had, so that the

@@ -264,7 +264,7 @@ impl Double {
     /// The natural logarithm of a positive rational; nothing is certified for others.
     ///
     /// With `x = m·2^k`, `m` from 2/3 to 4/3, and `z = (m − 1)/(m + 1)`, `|z| <= 1/5`: `ln x = k·ln 2 + 2·artanh z`, and what is left of
-    /// `artanh z/z = Σ z^(2j)/(2j+1)` after [`TERMS`] terms is below `2·25^(−TERMS)/(2·TERMS + 1)`. `z` is formed exactly, so that
+    /// `artanh z/z = Σ z^(2j)/(2j+1)` after `TERMS` terms is below `2·25^(−TERMS)/(2·TERMS + 1)`. `z` is formed exactly, so that
     /// the logarithm of a number near 1 is as accurate, relatively, as any.
     #[must_use]
     pub fn ln(x: &Rational) -> Self {
