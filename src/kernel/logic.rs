@@ -3,6 +3,7 @@
 use super::fraction::Fraction;
 use super::order::Signs;
 use super::statement::{Substitution, compare, constraints, domain, expr, name, names_in_prop, numeral, prop};
+use super::translate::Value;
 use super::{Accepted, Block, Checker, Failure, rejected, text};
 use crate::certificate::Step;
 use crate::claim::syntax::*;
@@ -65,9 +66,18 @@ impl Checker {
     /// what stands before it only in a block, and quantified statements are not followed.
     fn has_values(&mut self, p: &Prop) -> Result<(), Failure> {
         match &p.kind {
-            PropKind::Compare(sides, _) => {
+            PropKind::Compare(sides, relations) => {
+                // Numbers, or matrices of one size, which have no order.
+                let mut sizes = BTreeSet::new();
                 for e in sides {
-                    self.value(e, super::statement::DEPTH_LIMIT)?;
+                    sizes.insert(match self.value(e, super::statement::DEPTH_LIMIT)? {
+                        Value::Scalar(_) => Vec::new(),
+                        Value::Matrix(rows) => rows.iter().map(Vec::len).collect(),
+                    });
+                }
+                let ordered = relations.iter().any(|r| !matches!(r, Relation::Equal | Relation::NotEqual));
+                if sizes.len() != 1 || (ordered && !sizes.contains(&Vec::new())) {
+                    return rejected("matrices are compared with matrices of their size, by `=` or `!=`");
                 }
                 Ok(())
             }

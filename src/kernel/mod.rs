@@ -191,8 +191,9 @@ impl Checker {
         for binding in &statement.bindings {
             checker.declare(binding)?;
         }
-        // A sequence speaks of what the claim declares, never of a variable that a block introduces later.
-        for u in &statement.sequences {
+        // A sequence speaks of what the claim declares, never of a variable that a block introduces later, nor of
+        // a sequence that is defined after it; and of itself only by the member before.
+        for (place, u) in statement.sequences.iter().enumerate() {
             let mut names = BTreeSet::new();
             statement::names_in(&u.step, &mut names);
             names.remove(&u.index);
@@ -201,11 +202,22 @@ impl Checker {
             if let Some(free) = names.iter().find(|n| !known(n)) {
                 return rejected(&format!("{free} in the sequence {} is not declared", u.name));
             }
+            let later = statement.sequences.iter().skip(place + 1).any(|v| names.contains(&v.name));
+            let mut first = BTreeSet::new();
+            statement::names_in(&u.initial, &mut first);
+            if later || first.contains(&u.name) || !statement::steps_once(&u.step, &u.name, &u.index) {
+                return rejected(&format!("the sequence {} is not defined by the member before", u.name));
+            }
         }
         let domains = statement.bindings.iter().flat_map(statement::domain);
         for prop in domains.chain(statement.assumptions.iter().cloned()) {
             let label = format!("h{}", checker.facts.len() + 1);
             checker.know(&label, prop)?;
+        }
+        // Every member has a value, so that a member is one wherever its index is a natural number.
+        for u in &statement.sequences {
+            checker.scalar(&u.initial)?;
+            checker.step_has_a_value(&u.index, &u.step)?;
         }
         Ok(checker)
     }

@@ -157,6 +157,8 @@ pub struct Substitution {
     /// Names that occur in values put in for variables. What is put in under `derivative` or `limit` must
     /// not bring in the variable that moves there; a definition may, for it is only written out.
     put_in: BTreeSet<String>,
+    /// Whether such a value holds a member of a family or sequence, which may depend on anything.
+    members_put_in: bool,
 }
 
 /// Room left: for depth, and for nodes.
@@ -184,6 +186,7 @@ impl Substitution {
     pub fn replace(&mut self, name: &str, value: &Expr) {
         names_in(value, &mut self.mentioned);
         names_in(value, &mut self.put_in);
+        self.members_put_in |= has_member(value);
         self.map.insert(name.to_string(), Replacement::Value(value.clone()));
     }
 
@@ -215,7 +218,7 @@ impl Substitution {
     /// Refuses a value for a variable that moves in a derivative or limit, and values that mention it:
     /// `for all y: derivative(x*y, x) = y` says nothing of y = x.
     fn moves(&self, variable: &str) -> Result<(), Failure> {
-        if self.map.contains_key(variable) || self.put_in.contains(variable) {
+        if self.map.contains_key(variable) || self.put_in.contains(variable) || self.members_put_in {
             return rejected(&format!(
                 "a value is put in that takes the place of {variable} or mentions it, which moves"
             ));
@@ -379,6 +382,41 @@ impl Substitution {
         room.depth += 1;
         Ok(Prop { kind, span: p.span })
     }
+}
+
+/// The parts of an expression.
+fn parts(e: &Expr) -> Vec<&Expr> {
+    use ExprKind::*;
+    match &e.kind {
+        Number(_) | Name(_) => Vec::new(),
+        Apply(_, arguments) => arguments.iter().collect(),
+        Negate(a) | Derivative(a, _) => vec![a],
+        Sum(list) => list.iter().map(|(_, e)| e).collect(),
+        Product(list) => list.iter().map(|(_, e)| e).collect(),
+        Power(a, b) => vec![a, b],
+        SumOver(index, body) | ProductOver(index, body) => vec![&index.from, &index.to, body],
+        Matrix(rows) => rows.iter().flatten().collect(),
+    }
+}
+
+/// Whether a member of a family or sequence occurs.
+fn has_member(e: &Expr) -> bool {
+    let here = matches!(&e.kind, ExprKind::Apply(f, _) if !super::translate::FUNCTIONS.contains(&f.text.as_str()));
+    here || parts(e).into_iter().any(has_member)
+}
+
+/// Whether a sequence occurs in its own step as the member at the index only, which nothing binds again.
+pub fn steps_once(step: &Expr, sequence: &str, index: &str) -> bool {
+    let here = match &step.kind {
+        ExprKind::Name(text) => text != sequence,
+        ExprKind::Apply(f, arguments) if f.text == sequence => {
+            return matches!(arguments.as_slice(), [Expr { kind: ExprKind::Name(text), .. }] if text == index);
+        }
+        ExprKind::SumOver(i, _) | ExprKind::ProductOver(i, _) => i.name.text != index,
+        ExprKind::Derivative(_, by) => by.iter().all(|n| n.text != sequence && n.text != index),
+        _ => true,
+    };
+    here && parts(step).into_iter().all(|e| steps_once(e, sequence, index))
 }
 
 /// Every name that occurs free.

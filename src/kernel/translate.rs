@@ -329,6 +329,14 @@ impl Checker {
         Ok(out)
     }
 
+    /// What a sequence gives at the next index has a value whatever the index and the member before it are.
+    pub(super) fn step_has_a_value(&mut self, index: &str, step: &Expr) -> Result<(), Failure> {
+        self.binders += 1;
+        let result = self.under(index, Atom::Bound(self.binders), step, DEPTH_LIMIT);
+        self.binders -= 1;
+        result.map(|_| ())
+    }
+
     /// An expression in which a name stands for an atom.
     fn under(&mut self, name: &str, atom: Atom, body: &Expr, depth: usize) -> Result<Fraction, Failure> {
         if self.is_declared(name) {
@@ -473,15 +481,14 @@ impl Checker {
                 // x = exp(ln x / k)^k.
                 Some(Atom::Variable(_)) => {
                     value.coefficient.is_one()
+                        && value.factors.len() == 1
                         && value.factors.iter().all(|(poly, k)| {
                             let Some(Atom::Exponential(inner)) = poly.single_atom().and_then(|a| self.atoms.get(a))
                             else {
                                 return false;
                             };
                             let log = self.atom_index.get(&Atom::Logarithm(Poly::atom(place)));
-                            log.is_some_and(|log| {
-                                value.factors.len() == 1 && inner.times(&Fraction::integer(*k)) == Fraction::atom(*log)
-                            })
+                            log.is_some_and(|log| inner.times(&Fraction::integer(*k)) == Fraction::atom(*log))
                         })
                 }
                 _ => false,
