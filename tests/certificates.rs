@@ -352,3 +352,50 @@ fn a_sequence_that_depends_on_the_variable_has_no_limit_by_degrees() {
     );
     assert!(reason.starts_with("1: ") && reason.contains("depends on x"), "{reason}");
 }
+
+#[test]
+fn what_a_reader_of_the_kernel_tried_is_rejected() {
+    let tried: [(&str, &str, &str); 7] = [
+        (
+            "given x real\ndefine u by u(0) = 0, u(k + 1) = u(k + 1) + 1\nprove 0 = 1\n",
+            "1 unfold: u(1) = u(1) + 1\n2 combination: 0 = 1\n| term 1: 1\n",
+            "not defined by the member before",
+        ),
+        (
+            "given x real\ndefine u by u(0) = 0, u(k + 1) = u(1) + 1\nprove 0 = 1\n",
+            "1 unfold: u(1) = u(1) + 1\n2 combination: 0 = 1\n| term 1: 1\n",
+            "not defined by the member before",
+        ),
+        (
+            "given x > 0\nassume x = 1\nprove derivative(x^2, x) = 0\n",
+            "1 replace from h2\n2 sign: derivative(x^2, x) = 0\n",
+            "replaced by means of a hypothesis",
+        ),
+        (
+            "given x > 0\ndefine u by u(0) = x, u(k + 1) = u(k)\nprove derivative(x*u(2), x) = u(2)\n",
+            "1 let: for all y real: derivative(x*y, x) = y\n2 sign: derivative(x*y, x) = y\nend\n\
+             3 instance from 1: derivative(x*u(2), x) = u(2)\n| with y = u(2)\n",
+            "moves",
+        ),
+        (
+            "given n natural >= 1\ndefine u by u(0) = n, u(k + 1) = u(k)\n\
+             assume for all y real: limit of y/n as n -> infinity is 0\nprove limit of u(0)/n as n -> infinity is 0\n",
+            "1 instance from h2: limit of u(0)/n as n -> infinity is 0\n| with y = u(0)\n",
+            "moves",
+        ),
+        (
+            "given x real\ndefine u by u(0) = 1/x, u(k + 1) = u(k)\nprove u(0) - u(0) = 0\n",
+            "1 sign: u(0) - u(0) = 0\n",
+            "the divisor x",
+        ),
+        (
+            "given x real\nprove x < [0, 1] or x >= [0, 1]\n",
+            "1 excluded: x < [0, 1] or x >= [0, 1]\n",
+            "matrices are compared with matrices",
+        ),
+    ];
+    for (claim, steps, reason) in tried {
+        let said = slipped(&format!("claim a \"false\"\n{claim}"), steps);
+        assert!(said.contains(reason), "{claim}: {said}");
+    }
+}

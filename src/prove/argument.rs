@@ -401,10 +401,19 @@ impl Engine<'_> {
     /// Shows that every expression of a proposition has a value.
     fn defined(&mut self, cx: &mut Context, prop: &Prop) -> Result<()> {
         match &prop.kind {
-            PropKind::Compare(sides, _) => {
+            PropKind::Compare(sides, relations) => {
                 let mut conditions = Vec::new();
+                // Numbers, or matrices of one size, which have no order.
+                let mut sizes = Vec::new();
                 for side in sides {
-                    self.translate(cx, side, &mut conditions)?;
+                    sizes.push(match self.translate(cx, side, &mut conditions)? {
+                        Value::Scalar(_) => Vec::new(),
+                        Value::Matrix(rows) => rows.iter().map(Vec::len).collect(),
+                    });
+                }
+                let ordered = relations.iter().any(|r| !matches!(r, Relation::Equal | Relation::NotEqual));
+                if sizes.windows(2).any(|pair| pair[0] != pair[1]) || (ordered && sizes.iter().any(|s| !s.is_empty())) {
+                    return Err(not_shown(prop));
                 }
                 self.show_conditions(cx, conditions)
             }
