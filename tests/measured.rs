@@ -92,11 +92,17 @@ fn plain(m: &[f64], e: &[f64]) -> Vec<f64> {
     velocities
 }
 
-/// The greatest value that a search coordinate by coordinate finds, from three starts.
+/// The greatest value that a search coordinate by coordinate finds, from three points of the diagonal and the
+/// three best corners: some corners are peaks of their own.
 fn climb(sides: &[(f64, f64)], value: impl Fn(&[f64]) -> f64) -> f64 {
     let mut best = f64::NEG_INFINITY;
-    for start in [0.0, 0.5, 1.0] {
-        let mut x: Vec<f64> = sides.iter().map(|(lo, hi)| lo + (hi - lo) * start).collect();
+    let corner =
+        |bits: u32| sides.iter().enumerate().map(|(i, s)| if bits >> i & 1 == 1 { s.1 } else { s.0 }).collect();
+    let mut starts: Vec<Vec<f64>> = (0..1u32 << sides.len()).map(corner).collect();
+    starts.sort_by(|p, q| value(q).total_cmp(&value(p)));
+    starts.truncate(3);
+    starts.extend([0.0, 0.5, 1.0].map(|start| sides.iter().map(|(lo, hi)| lo + (hi - lo) * start).collect()));
+    for mut x in starts {
         for _ in 0..60 {
             let before = value(&x);
             for i in 0..x.len() {
@@ -313,9 +319,21 @@ proptest! {
         };
         let (found, _) = of_optimal(&first, &last, &e, n).unwrap();
         let mut seen = [false, false];
-        for bits in 0..1u64 << (n + 3) {
+        // Bodies meet again where their masses are near one another: equal masses are looked at beside the corners.
+        let common = first.lo().value().max(last.lo().value()).clone();
+        let equal = common <= *first.hi().value() && common <= *last.hi().value();
+        let choices = 1u64 << (n + 3);
+        for bits in 0..choices * (1 + u64::from(equal)) {
             let bit = |i: u64| bits >> i & 1 == 1;
-            let pick = |m: &Range<Positive>, high: bool| if high { m.hi().clone() } else { m.lo().clone() };
+            let pick = |m: &Range<Positive>, high: bool| {
+                if bits >= choices {
+                    Positive::new(common.clone()).unwrap()
+                } else if high {
+                    m.hi().clone()
+                } else {
+                    m.lo().clone()
+                }
+            };
             let list = (0..=n).map(|k| {
                 let range = e.at(k as usize).unwrap();
                 let own = if matches!(e, Coefficients::Same(_)) { 0 } else { k };
