@@ -13,13 +13,18 @@ mod write;
 
 use crate::certificate::{Certificate, Rule, Step, Term};
 use crate::claim::syntax::*;
+use crate::kernel::analysis::{at_the_point, weighted_mean};
 use crate::kernel::fraction::Work;
 use crate::kernel::logic::negation;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{Substitution, compare, domain, expr, name, numeral, prop};
+use crate::kernel::statement::{
+    Substitution, compare, domain, expr, name, numeral, one_minus, power, product, prop, sum,
+};
 use crate::kernel::{Accepted, Checker, text};
 use crate::prove::expand;
 use std::collections::BTreeSet;
+use std::rc::Rc;
+use write::{named, negated, say};
 
 /// Where a certificate was not found.
 pub type Fail = String;
@@ -33,7 +38,7 @@ const TRIES: usize = 20_000;
 /// The first thing that could not be shown in the kernel's rules.
 pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accepted), Fail> {
     let statement = expand::Statement::of(claim).map_err(|limit| format!("limit reached: {}", limit.0))?;
-    let checker = Checker::new(claim, cited).map_err(|f| format!("{f:?}"))?;
+    let checker = Checker::new(claim, cited).map_err(say)?;
     let digest = crate::certificate::text::digest(&checker.statement().text());
     let mut certifier = Certifier {
         checker,
@@ -347,6 +352,11 @@ impl Certifier {
         }
     }
 
+    /// The facts known now, by label: steps taken while they are walked through add others.
+    fn facts(&self) -> Vec<(String, Rc<Prop>)> {
+        self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect()
+    }
+
     fn label_of(&self, fact: &Prop) -> Option<String> {
         let key = text::prop(fact);
         self.checker.facts.iter().rev().find(|f| f.key == key).map(|f| f.label.clone())
@@ -375,7 +385,7 @@ impl Certifier {
                     self.labels.push((label.text.clone(), fact));
                 }
                 Step_::Obtain { binding, label, prop, witness } => {
-                    let value = self.values.expr(witness).map_err(|f| format!("{f:?}"))?;
+                    let value = self.values.expr(witness).map_err(say)?;
                     if let Some((variable, _)) = binding.names.first() {
                         self.values.replace(&variable.text, &value);
                     }
@@ -397,11 +407,11 @@ impl Certifier {
     }
 
     fn put(&self, p: &Prop) -> Result<Prop, Fail> {
-        self.values.prop(p).map_err(|f| format!("{f:?}"))
+        self.values.prop(p).map_err(say)
     }
 
     fn put_expr(&self, e: &Expr) -> Result<Expr, Fail> {
-        self.values.expr(e).map_err(|f| format!("{f:?}"))
+        self.values.expr(e).map_err(say)
     }
 
     fn cases(&mut self, goal: &Prop, steps: &[Step_]) -> Result<(), Fail> {
@@ -545,8 +555,7 @@ impl Certifier {
 
     /// A fact that compares two numbers and is false.
     fn contradiction(&mut self) -> Option<String> {
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, fact) in list.into_iter().rev() {
             if let Ok((difference, relation)) = self.checker.difference(&fact)
                 && let Some(number) = difference.as_number()
@@ -560,8 +569,7 @@ impl Certifier {
 
     /// A false comparison of numbers from an equation whose sides are known to differ, by the signs noted.
     fn opposite_signs(&mut self) -> Option<String> {
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, fact) in list.into_iter().rev() {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
             let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { continue };
@@ -573,10 +581,7 @@ impl Certifier {
             let apart = compare(a.clone(), Relation::NotEqual, b.clone());
             let found = self.attempt(|c| {
                 let other = c.take(Rule::Sign, &[], Some(apart))?;
-                let minus = expr(ExprKind::Negate(Box::new(numeral(1))));
-                let terms =
-                    vec![Term { facts: vec![label], factor: numeral(1) }, Term { facts: vec![other], factor: minus }];
-                c.combination(compare(numeral(0), Relation::NotEqual, numeral(0)), None, terms)
+                c.difference_of(&label, &other, Relation::NotEqual)
             });
             if let Ok(found) = found {
                 return Some(found);
@@ -585,11 +590,17 @@ impl Certifier {
         None
     }
 
+    /// `0 relation 0` from two facts about one difference, which the first less the second gives.
+    fn difference_of(&mut self, first: &str, second: &str, relation: Relation) -> Result<String, Fail> {
+        let term = |label: &str, factor: Expr| Term { facts: vec![label.to_string()], factor };
+        let terms = vec![term(first, numeral(1)), term(second, negated(numeral(1)))];
+        self.combination(compare(numeral(0), relation, numeral(0)), None, terms)
+    }
+
     /// Conclusions of implications and equivalences whose premises are seen at once.
     fn saturate(&mut self) -> Result<bool, Fail> {
         let mut changed = false;
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, fact) in list {
             let pairs: Vec<(Prop, Prop)> = match &fact.kind {
                 PropKind::Implies(p, q) => vec![((**p).clone(), (**q).clone())],
@@ -666,7 +677,7 @@ impl Certifier {
                             .iter()
                             .map(|(label, forward)| {
                                 let one = numeral(1);
-                                let factor = if *forward == up { one } else { expr(ExprKind::Negate(Box::new(one))) };
+                                let factor = if *forward == up { one } else { negated(one) };
                                 Term { facts: vec![label.clone()], factor }
                             })
                             .collect();
@@ -712,8 +723,7 @@ impl Certifier {
 
     /// Facts that contradict each other: two that say opposite things of the same difference.
     fn clash(&mut self, goal: &Prop) -> Result<(), Fail> {
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (_, fact) in list.iter().rev() {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
             if relations.len() != 1 {
@@ -744,15 +754,9 @@ impl Certifier {
             if self.attempt(|c| c.comparison(&a, relation, &b)).is_ok() {
                 let both = [self.label_of(fact), self.label_of(&opposite)];
                 let [Some(x), Some(y)] = both else { continue };
-                let wrong = [(Relation::NotEqual, 1, -1), (Relation::Less, 1, -1), (Relation::Less, -1, 1)];
-                for (relation, k, l) in wrong {
-                    let number = |k: i32| if k < 0 { expr(ExprKind::Negate(Box::new(numeral(1)))) } else { numeral(1) };
-                    let terms = vec![
-                        Term { facts: vec![x.clone()], factor: number(k) },
-                        Term { facts: vec![y.clone()], factor: number(l) },
-                    ];
-                    let absurd = compare(numeral(0), relation, numeral(0));
-                    if let Ok(label) = self.combination(absurd, None, terms) {
+                let wrong = [(&x, &y, Relation::NotEqual), (&x, &y, Relation::Less), (&y, &x, Relation::Less)];
+                for (first, second, relation) in wrong {
+                    if let Ok(label) = self.difference_of(first, second, relation) {
                         return self.take(Rule::Absurd, &[label], Some(goal.clone())).map(|_| ());
                     }
                 }
@@ -763,8 +767,7 @@ impl Certifier {
 
     /// Cases by a disjunction that is known.
     fn by_facts(&mut self, goal: &Prop) -> Result<(), Fail> {
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, fact) in list.iter().rev() {
             let PropKind::Or(parts) = &fact.kind else { continue };
             let done = self.attempt(|c| {
@@ -886,7 +889,7 @@ impl Certifier {
         let mut map = Substitution::default();
         values.iter().for_each(|(n, e)| map.replace(&n.text, e));
         for fact in bindings.iter().flat_map(domain).chain([(**body).clone()]) {
-            let fact = map.prop(&fact).map_err(|f| format!("{f:?}"))?;
+            let fact = map.prop(&fact).map_err(say)?;
             self.show(&fact)?;
         }
         self.prepare(&values.iter().map(|v| &v.1).collect::<Vec<_>>())?;
@@ -916,7 +919,6 @@ impl Certifier {
         };
         let mut map = Substitution::default();
         map.replace(&variable.text, &name(&fresh));
-        let say = |f: crate::kernel::Failure| format!("{f:?}");
         let body = map.prop(goal).map_err(say)?;
         let at = |value: &Expr| -> Result<Prop, Fail> {
             let mut map = Substitution::default();
@@ -962,13 +964,12 @@ impl Certifier {
         done?;
         let whole = every(body.clone());
         let label = self.take(Rule::Induction, &[], Some(whole))?;
-        let with = vec![(Name { text: fresh.clone(), span: Span::default() }, name(&variable.text))];
+        let with = vec![named(&fresh, &name(&variable.text))];
         self.with(Rule::Instance, &[label], Some(goal.clone()), with).map(|_| ())
     }
 
     /// An instance of a cited claim or of a fact, made known with its parts.
     fn instance(&mut self, source: &str, with: Vec<(Name, Expr)>) -> Result<(), Fail> {
-        let say = |f: crate::kernel::Failure| format!("{f:?}");
         if let Ok(fact) = self.labelled(source) {
             let PropKind::ForAll(bindings, body) = &fact.kind else { return Ok(()) };
             let label = self.label_of(&fact).ok_or("a fact")?;
@@ -1020,12 +1021,16 @@ impl Certifier {
         for e in sides.iter().chain([exponent]) {
             self.show(&compare(e.clone(), Relation::Greater, numeral(0)))?;
         }
-        let power = |e: &Expr| expr(ExprKind::Power(Box::new(e.clone()), Box::new(exponent.clone())));
-        let (a, b) = (power(&sides[0]), power(&sides[1]));
+        self.raised(&label, (&sides[0], relations[0], &sides[1]), exponent)
+    }
+
+    /// Both sides of a known comparison to a power; that they and the exponent are positive is seen.
+    fn raised(&mut self, label: &str, (x, relation, y): (&Expr, Relation, &Expr), exponent: &Expr) -> Result<(), Fail> {
+        let (a, b) = (power(x, exponent), power(y, exponent));
         self.prepare(&[&a, &b])?;
-        let shown = compare(a, relations[0], b);
-        let with = vec![(Name { text: "exponent".to_string(), span: Span::default() }, exponent.clone())];
-        let label = self.with(Rule::Monotone, &[label], Some(shown.clone()), with)?;
+        let shown = compare(a, relation, b);
+        let with = vec![named("exponent", exponent)];
+        let label = self.with(Rule::Monotone, &[label.to_string()], Some(shown.clone()), with)?;
         self.suppose(&label, &shown)
     }
 
@@ -1034,9 +1039,7 @@ impl Certifier {
         let mut pairs = Vec::new();
         let mut strict = false;
         for (fact, exponent) in list {
-            if let Some(exponent) = exponent {
-                let exponent = self.put_expr(exponent)?;
-                self.power_of(&fact.text, &exponent)?;
+            if exponent.is_some() {
                 return Err("powers in a product".to_string());
             }
             let fact = self.labelled(&fact.text)?;
@@ -1058,7 +1061,7 @@ impl Certifier {
             let mut factors: Vec<Expr> = lows.iter().take(place).cloned().collect();
             factors.extend(highs.iter().skip(place + 1).cloned());
             let factor = write::quotient(factors, Vec::new());
-            let factor = if *up { factor } else { expr(ExprKind::Negate(Box::new(factor))) };
+            let factor = if *up { factor } else { negated(factor) };
             terms.push(Term { facts: vec![label.clone()], factor });
         }
         let shown = compare(a, relation, b);
@@ -1069,10 +1072,10 @@ impl Certifier {
 
     /// The weighted mean inequality, strict where the kernel sees that it is.
     fn mean(&mut self, a: &Expr, b: &Expr, p: &Expr) -> Result<(String, bool), Fail> {
-        let rest = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())]));
+        let rest = one_minus(p);
         for e in [a, b] {
             self.show(&compare(e.clone(), Relation::Greater, numeral(0)))?;
-            let f = self.checker.scalar(e).map_err(|f| format!("{f:?}"))?;
+            let f = self.checker.scalar(e).map_err(say)?;
             for poly in f.factors.keys() {
                 let _ = self.settle(poly, 2);
             }
@@ -1086,19 +1089,11 @@ impl Certifier {
         let apart = compare(a.clone(), Relation::NotEqual, b.clone());
         let strict = self.attempt(|c| c.comparison(a, Relation::NotEqual, b)).is_ok()
             || self.attempt(|c| c.by_powers(&apart, &[Relation::NotEqual])).is_ok();
-        let power = |x: &Expr, e: &Expr| expr(ExprKind::Power(Box::new(x.clone()), Box::new(e.clone())));
-        let times = |x: Expr, y: Expr| expr(ExprKind::Product(vec![(Factor::Times, x), (Factor::Times, y)]));
-        let left = times(power(a, &rest), power(b, p));
-        let right = expr(ExprKind::Sum(vec![
-            (Sign::Plus, times(rest.clone(), a.clone())),
-            (Sign::Plus, times(p.clone(), b.clone())),
-        ]));
-        self.prepare(&[&left])?;
-        let value = |text: &str, e: &Expr| (Name { text: text.to_string(), span: Span::default() }, e.clone());
-        let with = vec![value("a", a), value("b", b), value("p", p)];
+        self.prepare(&[&product(vec![power(a, &rest), power(b, p)])])?;
+        let with = vec![named("a", a), named("b", b), named("p", p)];
         for (relation, possible) in [(Relation::Less, strict), (Relation::LessEqual, true)] {
             if possible {
-                let shown = compare(left.clone(), relation, right.clone());
+                let shown = weighted_mean(a, b, p, relation);
                 if let Ok(label) = self.with(Rule::Mean, &[], Some(shown.clone()), with.clone()) {
                     self.suppose(&label, &shown)?;
                     return Ok((label, relation == Relation::Less));
@@ -1112,8 +1107,7 @@ impl Certifier {
     fn by_powers(&mut self, goal: &Prop, wanted: &[Relation]) -> Result<(), Fail> {
         let PropKind::Compare(goal_sides, goal_relations) = &goal.kind else { return Err("no comparison".to_string()) };
         let goal_relation = goal_relations[0];
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, fact) in list.iter().rev() {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
             let ([x, y], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
@@ -1125,13 +1119,7 @@ impl Certifier {
                 let done = self.attempt(|c| {
                     // Not every exponent is positive; that has to be seen at once.
                     c.comparison(&exponent, Relation::Greater, &numeral(0))?;
-                    let power = |e: &Expr| expr(ExprKind::Power(Box::new(e.clone()), Box::new(exponent.clone())));
-                    let (a, b) = (power(x), power(y));
-                    c.prepare(&[&a, &b])?;
-                    let shown = compare(a, *relation, b);
-                    let with = vec![(Name { text: "exponent".to_string(), span: Span::default() }, exponent.clone())];
-                    let new = c.with(Rule::Monotone, std::slice::from_ref(label), Some(shown.clone()), with)?;
-                    c.suppose(&new, &shown)?;
+                    c.raised(label, (x, *relation, y), &exponent)?;
                     c.comparison(&goal_sides[0], goal_relation, &goal_sides[1])
                 });
                 if done.is_ok() {
@@ -1145,11 +1133,10 @@ impl Certifier {
     /// (a+b)^(1−p) (c+d)^p ≥ a^(1−p) c^p + b^(1−p) d^p: the mean of a/(a+b) and c/(c+d), that of b/(a+b)
     /// and d/(c+d), added.
     fn hoelder(&mut self, goal: &Prop, [a, b, c, d]: [Expr; 4], p: &Expr) -> Result<(), Fail> {
-        let plus = |x: &Expr, y: &Expr| expr(ExprKind::Sum(vec![(Sign::Plus, x.clone()), (Sign::Plus, y.clone())]));
+        let plus = |x: &Expr, y: &Expr| sum(vec![(Sign::Plus, x.clone()), (Sign::Plus, y.clone())]);
+        let times = |x: Expr, y: Expr| product(vec![x, y]);
         let over = |x: &Expr, y: &Expr| write::quotient(vec![x.clone()], vec![y.clone()]);
-        let power = |x: &Expr, e: &Expr| expr(ExprKind::Power(Box::new(x.clone()), Box::new(e.clone())));
-        let times = |x: Expr, y: Expr| expr(ExprKind::Product(vec![(Factor::Times, x), (Factor::Times, y)]));
-        let rest = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())]));
+        let rest = one_minus(p);
         let (ab, cd) = (plus(&a, &b), plus(&c, &d));
         let big = times(power(&ab, &rest), power(&cd, p));
         let small = plus(&times(power(&a, &rest), power(&c, p)), &times(power(&b, &rest), power(&d, p)));
@@ -1165,7 +1152,7 @@ impl Certifier {
         for (x, y) in &means {
             let (label, is_strict) = self.mean(x, y, p)?;
             strict |= is_strict;
-            terms.push(Term { facts: vec![label], factor: expr(ExprKind::Negate(Box::new(big.clone()))) });
+            terms.push(Term { facts: vec![label], factor: negated(big.clone()) });
         }
         let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
         let shown = compare(big, relation, small);
@@ -1175,7 +1162,6 @@ impl Certifier {
     }
 
     fn extremum(&mut self, goal: &Prop, e: &Extremum) -> Result<(), Fail> {
-        let say = |f: crate::kernel::Failure| format!("{f:?}");
         let mut at = Substitution::default();
         e.at.iter().for_each(|(n, v)| at.replace(&n.text, v));
         for fact in e.over.iter().flat_map(domain) {
@@ -1187,9 +1173,7 @@ impl Certifier {
         let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         self.show(&every(compare(e.of.clone(), relation, e.value.clone())))?;
         if e.unique {
-            let mut there: Vec<Prop> =
-                e.at.iter().map(|(n, v)| compare(name(&n.text), Relation::Equal, v.clone())).collect();
-            let there = if there.len() == 1 { there.remove(0) } else { prop(PropKind::And(there)) };
+            let there = at_the_point(e).ok_or("an extremum has a point")?;
             let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
             self.show(&every(prop(PropKind::Implies(Box::new(equal), Box::new(there)))))?;
         }
@@ -1204,8 +1188,7 @@ impl Certifier {
         }
         self.show(&compare(lower.clone(), Relation::LessEqual, limit.of.clone()))?;
         self.show(&compare(limit.of.clone(), Relation::LessEqual, upper.clone()))?;
-        let value = |text: &str, e: Expr| (Name { text: text.to_string(), span: Span::default() }, e);
-        let with = vec![value("lower", lower), value("upper", upper)];
+        let with = vec![named("lower", &lower), named("upper", &upper)];
         self.with(Rule::Squeeze, &[], Some(goal.clone()), with).map(|_| ())
     }
 }
@@ -1247,8 +1230,6 @@ fn exprs_in(p: &Prop, out: &mut Vec<Expr>) {
 
 /// Every expression of an argument whose powers will be met.
 fn exprs_in_proof(proof: &Proof, out: &mut Vec<Expr>) {
-    let power = |a: &Expr, b: &Expr| expr(ExprKind::Power(Box::new(a.clone()), Box::new(b.clone())));
-    let one_minus = |p: &Expr| expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())]));
     let mut names = BTreeSet::new();
     for step in &proof.steps {
         match step {

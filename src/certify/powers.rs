@@ -1,6 +1,6 @@
 //! Which powers the others are written in: for each base, exponents that generate all others.
 
-use super::write::{quotient, whole_power};
+use super::write::{negated, quotient, say, whole_power};
 use super::{Certifier, Fail};
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
@@ -275,10 +275,6 @@ fn natural_base() -> Poly {
     Poly::default()
 }
 
-fn say(failure: crate::kernel::Failure) -> Fail {
-    format!("{failure:?}")
-}
-
 fn product_of(factors: &[(Expr, i64)]) -> Expr {
     let side = |positive: bool| {
         factors
@@ -307,8 +303,8 @@ pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
     Ok(top.times(&bottom.power(-1).map_err(say)?))
 }
 
-/// The exponents over a common denominator, as vectors of coefficients.
-fn vectors(list: &[Fraction]) -> Result<Vec<Vector>, Fail> {
+/// The product of all factors by which some of these are divided, each as often as it is there.
+fn common_denominator(list: &[Fraction]) -> Fraction {
     let mut common = Fraction::integer(1);
     for f in list {
         for (poly, k) in &f.factors {
@@ -317,6 +313,12 @@ fn vectors(list: &[Fraction]) -> Result<Vec<Vector>, Fail> {
         }
     }
     common.factors.retain(|_, k| *k > 0);
+    common
+}
+
+/// The exponents over a common denominator, as vectors of coefficients.
+fn vectors(list: &[Fraction]) -> Result<Vec<Vector>, Fail> {
+    let common = common_denominator(list);
     let mut work = Work::default();
     let mut out = Vec::new();
     for f in list {
@@ -424,14 +426,7 @@ fn choose(all: &[Fraction], free: bool) -> Result<Option<Vec<Fraction>>, Fail> {
             }
         }
     }
-    let mut common = Fraction::integer(1);
-    for f in all {
-        for (poly, k) in &f.factors {
-            let entry = common.factors.entry(poly.clone()).or_insert(0);
-            *entry = (*entry).max(-*k);
-        }
-    }
-    common.factors.retain(|_, k| *k > 0);
+    let common = common_denominator(all);
     let mut out = Vec::new();
     for row in rows.iter().take(done) {
         let flip = row.iter().find(|c| !c.is_zero()).is_some_and(Signed::is_negative);
@@ -460,7 +455,7 @@ fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
             match (f.text.as_str(), arguments.first()) {
                 ("sqrt" | "cbrt" | "exp", _) => out.push(e.clone()),
                 ("cosh" | "sinh" | "tanh" | "sech", Some(x)) => {
-                    for x in [x.clone(), expr(ExprKind::Negate(Box::new(x.clone())))] {
+                    for x in [x.clone(), negated(x.clone())] {
                         let f = Name { text: "exp".to_string(), span: f.span };
                         out.push(expr(ExprKind::Apply(f, vec![x])));
                     }

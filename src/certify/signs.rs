@@ -1,5 +1,6 @@
 //! Comparisons: the hints by which the kernel sees the sign of a difference.
 
+use super::write::say;
 use super::{Certifier, Fail};
 use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Monomial, Polynomial, factor};
@@ -52,10 +53,6 @@ pub fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
         out = out.times(&from_algebra(p)?.power(i64::from(*k)).map_err(say)?);
     }
     Ok(out)
-}
-
-fn say(failure: crate::kernel::Failure) -> Fail {
-    format!("{failure:?}")
 }
 
 /// A polynomial that a fact or an atom says is not negative.
@@ -217,8 +214,7 @@ impl Certifier {
     fn known(&mut self, poly: &Poly) -> Result<Vec<Known>, Fail> {
         let mut near: BTreeSet<usize> = poly.atoms().collect();
         let mut facts: Vec<(String, Fraction, Relation)> = Vec::new();
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, prop) in list.iter().rev() {
             if !matches!(&prop.kind, PropKind::Compare(_, r) if r.len() == 1 && r.first() != Some(&Relation::NotEqual))
             {
@@ -316,8 +312,7 @@ impl Certifier {
     fn by_equations(&mut self, prop: &Prop, difference: &Fraction) -> Result<(), Fail> {
         let (top, bottom) = difference.parts(&mut Work::default()).map_err(say)?;
         let goal = to_algebra(&top)?;
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let list = self.facts();
         for (label, fact) in list.iter().rev() {
             if !matches!(&fact.kind, PropKind::Compare(_, r) if r.as_slice() == [Relation::Equal]) {
                 continue;
@@ -485,19 +480,23 @@ impl Certifier {
         Ok(())
     }
 
-    /// Notes again what mentions a variable that is written otherwise from now on.
-    fn renote(&mut self, variable: &str) -> Result<(), Fail> {
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
-        for (label, prop) in list {
+    /// The simple facts that mention a variable; all where it has no name.
+    fn facts_about(&self, variable: &str) -> Vec<(String, std::rc::Rc<Prop>)> {
+        let mut list = self.facts();
+        list.retain(|(_, fact)| {
             let mut names = BTreeSet::new();
-            crate::kernel::statement::names_in_prop(&prop, &mut names);
-            let PropKind::Compare(sides, _) = &prop.kind else { continue };
-            if !variable.is_empty() && !names.contains(variable) {
-                continue;
+            crate::kernel::statement::names_in_prop(fact, &mut names);
+            matches!(fact.kind, PropKind::Compare(..)) && (variable.is_empty() || names.contains(variable))
+        });
+        list
+    }
+
+    /// Notes again what mentions a variable that is written otherwise from now on, its powers introduced anew.
+    fn renote(&mut self, variable: &str) -> Result<(), Fail> {
+        for (label, fact) in self.facts_about(variable) {
+            if let PropKind::Compare(sides, _) = &fact.kind {
+                self.prepare(&sides.iter().collect::<Vec<_>>())?;
             }
-            let sides: Vec<&Expr> = sides.iter().collect();
-            self.prepare(&sides)?;
             let _ = self.take(Rule::Note, &[label], None);
         }
         Ok(())
@@ -505,14 +504,8 @@ impl Certifier {
 
     /// Has the kernel note once more the simple facts that mention a variable.
     pub fn note_again(&mut self, variable: &str) {
-        let list: Vec<(String, std::rc::Rc<Prop>)> =
-            self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
-        for (label, fact) in list {
-            let mut names = BTreeSet::new();
-            crate::kernel::statement::names_in_prop(&fact, &mut names);
-            if names.contains(variable) && matches!(fact.kind, PropKind::Compare(..)) {
-                let _ = self.take(Rule::Note, &[label], None);
-            }
+        for (label, _) in self.facts_about(variable) {
+            let _ = self.take(Rule::Note, &[label], None);
         }
     }
 

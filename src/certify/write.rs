@@ -36,8 +36,19 @@ pub fn whole_power(base: Expr, k: u64) -> Expr {
     if k == 1 { base } else { expr(ExprKind::Power(Box::new(base), Box::new(numeral(&BigInt::from(k))))) }
 }
 
-fn negated(e: Expr) -> Expr {
+/// The opposite.
+pub fn negated(e: Expr) -> Expr {
     expr(ExprKind::Negate(Box::new(e)))
+}
+
+/// A name without a place, with its value.
+pub fn named(text: &str, value: &Expr) -> (Name, Expr) {
+    (Name { text: text.to_string(), span: Span::default() }, value.clone())
+}
+
+/// What the kernel says, as the reason of a failure.
+pub fn say(failure: crate::kernel::Failure) -> Fail {
+    format!("{failure:?}")
 }
 
 impl Certifier {

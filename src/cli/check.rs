@@ -8,7 +8,6 @@ use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::kernel::{self, Accepted, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// A certificate with where it comes from.
@@ -121,10 +120,9 @@ fn certificates(paths: &[PathBuf]) -> Result<(Vec<String>, BTreeMap<String, Foun
 }
 
 fn listed(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
-    let fault = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", folder.display()));
     let mut out = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(fault)? {
-        let path = entry.map_err(fault)?.path();
+    for entry in std::fs::read_dir(folder).map_err(|e| load::cannot_read(folder, &e))? {
+        let path = entry.map_err(|e| load::cannot_read(folder, &e))?.path();
         if path.extension().is_some_and(|e| e == "cert") {
             out.push(path);
         }
@@ -134,10 +132,7 @@ fn listed(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
 }
 
 fn text_of(path: &Path) -> Result<String, Exit> {
-    let fault = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let mut bytes = Vec::new();
-    let limit = u64::try_from(FILE_LIMIT).unwrap_or(u64::MAX).saturating_add(1);
-    std::fs::File::open(path).map_err(fault)?.take(limit).read_to_end(&mut bytes).map_err(fault)?;
+    let bytes = load::bounded(path, FILE_LIMIT).map_err(|e| load::cannot_read(path, &e))?;
     String::from_utf8(bytes).map_err(|_| Exit::usage(format!("error: {} is not UTF-8 text", path.display())))
 }
 

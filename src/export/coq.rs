@@ -334,6 +334,15 @@ impl Printer {
 
     // Declarations.
 
+    fn all_given(&mut self, bindings: &[Binding]) -> Result<String> {
+        let mut out = String::new();
+        for binding in bindings {
+            out.push_str(&self.given(binding)?);
+            out.push(' ');
+        }
+        Ok(out)
+    }
+
     fn given(&mut self, binding: &Binding) -> Result<String> {
         let mut out = format!("forall {},", self.binders(binding)?);
         for hypothesis in self.hypotheses(binding)? {
@@ -493,12 +502,8 @@ impl Printer {
             Guard::Bindings(bindings) => self.within(
                 |kinds| bind(bindings, kinds),
                 |p| {
-                    let mut out = String::new();
-                    for binding in bindings {
-                        out.push_str(&p.given(binding)?);
-                        out.push(' ');
-                    }
-                    Ok(format!("({out}{})", p.condition(rest, need)?))
+                    let given = p.all_given(bindings)?;
+                    Ok(format!("({given}{})", p.condition(rest, need)?))
                 },
             ),
         }
@@ -821,11 +826,7 @@ impl Printer {
             PropKind::ForAll(bindings, body) => self.within(
                 |kinds| bind(bindings, kinds),
                 |p| {
-                    let mut out = String::new();
-                    for binding in bindings {
-                        out.push_str(&p.given(binding)?);
-                        out.push(' ');
-                    }
+                    let mut out = p.all_given(bindings)?;
                     out.push_str(&p.prop_at(body, IMPLIES)?);
                     Ok((out, BINDER))
                 },

@@ -2,7 +2,10 @@
 
 use super::fraction::Fraction;
 use super::order::Signs;
-use super::statement::{Substitution, compare, domain, expr, name, names_in_binding, names_in_prop, numeral, prop};
+use super::statement::{
+    Substitution, compare, domain, expr, name, names_in_binding, names_in_prop, numeral, one_minus, power, product,
+    prop, sum,
+};
 use super::translate::Atom;
 use super::{Checker, Failure, rejected, text};
 use crate::certificate::Step;
@@ -12,16 +15,22 @@ use std::collections::BTreeSet;
 /// What an acceptance says where it rests on the analytic lemma.
 pub const LEMMA: &str = "the weighted mean inequality for two values";
 
-fn sum(parts: Vec<(Sign, Expr)>) -> Expr {
-    expr(ExprKind::Sum(parts))
+/// `a^(1 - p)*b^p relation (1 - p)*a + p*b`.
+pub fn weighted_mean(a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Prop {
+    let rest = one_minus(p);
+    let left = product(vec![power(a, &rest), power(b, p)]);
+    let right =
+        sum(vec![(Sign::Plus, product(vec![rest, a.clone()])), (Sign::Plus, product(vec![p.clone(), b.clone()]))]);
+    compare(left, relation, right)
 }
 
-fn product(parts: Vec<Expr>) -> Expr {
-    expr(ExprKind::Product(parts.into_iter().map(|e| (Factor::Times, e)).collect()))
-}
-
-fn power(base: &Expr, exponent: &Expr) -> Expr {
-    expr(ExprKind::Power(Box::new(base.clone()), Box::new(exponent.clone())))
+/// `x = A`, or `x = A and y = B …`: that the variables of an extremum are at its point; `None` without variables.
+pub fn at_the_point(e: &Extremum) -> Option<Prop> {
+    let mut there: Vec<Prop> = e.at.iter().map(|(n, v)| compare(name(&n.text), Relation::Equal, v.clone())).collect();
+    match there.len() {
+        0 | 1 => there.pop(),
+        _ => Some(prop(PropKind::And(there))),
+    }
 }
 
 impl Checker {
@@ -243,17 +252,12 @@ impl Checker {
             return rejected("values for a, b and p are needed");
         }
         let (a, b, p) = (find("a")?, find("b")?, find("p")?);
-        let rest = sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())]);
-        let left = product(vec![power(&a, &rest), power(&b, &p)]);
-        let right = sum(vec![
-            (Sign::Plus, product(vec![rest.clone(), a.clone()])),
-            (Sign::Plus, product(vec![p.clone(), b.clone()])),
-        ]);
         let key = text::prop(goal);
-        let strict = key == text::prop(&compare(left.clone(), Relation::Less, right.clone()));
-        if !strict && key != text::prop(&compare(left, Relation::LessEqual, right)) {
+        let strict = key == text::prop(&weighted_mean(&a, &b, &p, Relation::Less));
+        if !strict && key != text::prop(&weighted_mean(&a, &b, &p, Relation::LessEqual)) {
             return rejected("this is not the weighted mean inequality of these values");
         }
+        let rest = one_minus(&p);
         let weight = if strict { Signs::POSITIVE } else { Signs::NOT_NEGATIVE };
         for (e, wanted) in [(&a, Signs::POSITIVE), (&b, Signs::POSITIVE), (&p, weight), (&rest, weight)] {
             let f = self.scalar(e)?;
@@ -304,16 +308,7 @@ impl Checker {
         let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         self.need(&every(compare(e.of.clone(), relation, e.value.clone())))?;
         if e.unique {
-            let mut there: Vec<Prop> =
-                e.at.iter().map(|(n, v)| compare(name(&n.text), Relation::Equal, v.clone())).collect();
-            let there = match (there.len(), there.pop()) {
-                (1, Some(single)) => single,
-                (_, Some(last)) => {
-                    there.push(last);
-                    prop(PropKind::And(there))
-                }
-                _ => return rejected("an extremum has a point"),
-            };
+            let Some(there) = at_the_point(e) else { return rejected("an extremum has a point") };
             let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
             self.need(&every(prop(PropKind::Implies(Box::new(equal), Box::new(there)))))?;
         }

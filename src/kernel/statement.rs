@@ -105,6 +105,26 @@ pub fn name(text: &str) -> Expr {
     expr(ExprKind::Name(text.to_string()))
 }
 
+/// A sum.
+pub fn sum(parts: Vec<(Sign, Expr)>) -> Expr {
+    expr(ExprKind::Sum(parts))
+}
+
+/// A product.
+pub fn product(parts: Vec<Expr>) -> Expr {
+    expr(ExprKind::Product(parts.into_iter().map(|e| (Factor::Times, e)).collect()))
+}
+
+/// A power.
+pub fn power(base: &Expr, exponent: &Expr) -> Expr {
+    expr(ExprKind::Power(Box::new(base.clone()), Box::new(exponent.clone())))
+}
+
+/// `1 - p`.
+pub fn one_minus(p: &Expr) -> Expr {
+    sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())])
+}
+
 /// A proposition without a place.
 pub fn prop(kind: PropKind) -> Prop {
     Prop { kind, span: Span::default() }
