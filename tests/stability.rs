@@ -205,6 +205,39 @@ fn doubles_enclose_what_intervals_say() {
 }
 
 #[test]
+fn many_cells_get_what_each_gets_alone() {
+    let hairs = [1.0, 0.0, 5e-324, 0.3, 0.9, f64::NAN, 1.5, -0.1];
+    let sizes = [1.0, 10.0, 0.1, 1.0 + f64::EPSILON, 1e300, 1e100, 64.0, 1e-120, 0.0, -1.0, f64::NAN, f64::INFINITY];
+    let counts = [0_u64, 1, 2, 3, 8, 13, 64, 128, 129, 1000, u64::MAX];
+    let mut cells = Vec::new();
+    for n in counts {
+        for r in sizes {
+            for c in hairs {
+                cells.push((c, r, n));
+            }
+        }
+    }
+    // Steps that have no factor in common with the number of cells mix them; several rounds fill more than a block.
+    let count = cells.len();
+    let mixed: Vec<(f64, f64, u64)> = (0..4 * count).map(|i| cells[i * 7919 % count]).collect();
+    let e: Vec<f64> = mixed.iter().map(|c| c.0).collect();
+    let r: Vec<f64> = mixed.iter().map(|c| c.1).collect();
+    let n: Vec<u64> = mixed.iter().map(|c| c.2).collect();
+    let mut out = vec![(0.0, 0.0); mixed.len()];
+    fast::etas(&e, &r, &n, &mut out);
+    let mut numbers = 0;
+    for ((c, r, n), (lo, hi)) in mixed.into_iter().zip(out) {
+        let alone = fast::eta(c, r, n);
+        assert_eq!((lo.to_bits(), hi.to_bits()), (alone.0.to_bits(), alone.1.to_bits()), "e={c} r={r} N={n}");
+        numbers += usize::from(lo <= hi);
+    }
+    assert!(numbers > count, "{numbers}");
+    let mut few = [(7.0, 7.0); 3];
+    fast::etas(&e, &r[..2], &n, &mut few);
+    assert_eq!(few[2], (7.0, 7.0));
+}
+
+#[test]
 fn grids_enclose_every_cell() {
     let coefficients = [0.0, 0.3, 0.9, 1.0];
     let ratios = [1e-300, 0.01, 1.0, 10.0, 1e200, 1e308];

@@ -25,6 +25,7 @@
 
 use super::{Positive, Restitution, Restitutions, transfer};
 use malachite::Rational;
+use std::ops::{Add, Div, Mul, Sub};
 
 /// The most collisions that are computed in double-double; more go to intervals.
 pub const MAX_COLLISIONS: u64 = 1 << 16;
@@ -39,60 +40,130 @@ const NEAR: f64 = f64::from_bits((1023 - 36) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
 const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
 
+/// What the double-double formulas need of a number: a double, or several side by side.
+trait Value:
+    Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+}
+
+impl Value for f64 {}
+impl Value for Lanes {}
+
+/// Cells that are computed side by side: what one waits for fills the time of another, and two share an instruction.
+const LANES: usize = 4;
+
+/// A double of each of [`LANES`] cells.
+#[derive(Clone, Copy)]
+struct Lanes([f64; LANES]);
+
+impl Lanes {
+    #[inline(always)]
+    fn each(mut self, other: Lanes, with: impl Fn(f64, f64) -> f64) -> Lanes {
+        for (a, b) in self.0.iter_mut().zip(other.0) {
+            *a = with(*a, b);
+        }
+        self
+    }
+}
+
+impl From<f64> for Lanes {
+    #[inline(always)]
+    fn from(x: f64) -> Lanes {
+        Lanes([x; LANES])
+    }
+}
+
+impl Add for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn add(self, other: Lanes) -> Lanes {
+        self.each(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn sub(self, other: Lanes) -> Lanes {
+        self.each(other, |a, b| a - b)
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn mul(self, other: Lanes) -> Lanes {
+        self.each(other, |a, b| a * b)
+    }
+}
+
+impl Div for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn div(self, other: Lanes) -> Lanes {
+        self.each(other, |a, b| a / b)
+    }
+}
+
 /// `high + low`, not evaluated.
 #[derive(Clone, Copy)]
-struct Pair {
-    high: f64,
-    low: f64,
+struct Pair<T> {
+    high: T,
+    low: T,
 }
 
 /// `a = high + low` with 26 bits each (Veltkamp).
 #[inline(always)]
-fn split(a: f64) -> (f64, f64) {
-    let c = 134_217_729.0 * a;
+fn split<T: Value>(a: T) -> (T, T) {
+    let c = T::from(134_217_729.0) * a;
     let high = c - (c - a);
     (high, a - high)
 }
 
 /// `a + b = s + error` for `|a| >= |b|` (Dekker).
 #[inline(always)]
-fn fast_sum(a: f64, b: f64) -> Pair {
+fn fast_sum<T: Value>(a: T, b: T) -> Pair<T> {
     let s = a + b;
     Pair { high: s, low: b - (s - a) }
 }
 
 /// `a·b` exactly (Dekker).
 #[inline(always)]
-fn product(a: f64, b: f64) -> Pair {
+fn product<T: Value>(a: T, b: T) -> Pair<T> {
     let p = a * b;
     let ((ah, al), (bh, bl)) = (split(a), split(b));
     Pair { high: p, low: ((ah * bh - p) + ah * bl + al * bh) + al * bl }
 }
 
-impl Pair {
+impl<T: Value> Pair<T> {
     #[inline(always)]
-    fn square(self) -> Pair {
-        let a = self.high;
-        let p = a * a;
-        let (h, l) = split(a);
-        let error = ((h * h - p) + 2.0 * (h * l)) + l * l;
-        fast_sum(p, error + 2.0 * (a * self.low))
+    fn exact(x: T) -> Self {
+        Pair { high: x, low: T::from(0.0) }
     }
 
     #[inline(always)]
-    fn times(self, other: Pair) -> Pair {
+    fn square(self) -> Self {
+        let (a, two) = (self.high, T::from(2.0));
+        let p = a * a;
+        let (h, l) = split(a);
+        let error = ((h * h - p) + two * (h * l)) + l * l;
+        fast_sum(p, error + two * (a * self.low))
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
         let p = product(self.high, other.high);
         fast_sum(p.high, p.low + (self.high * other.low + self.low * other.high))
     }
 
     #[inline(always)]
-    fn times_double(self, other: f64) -> Pair {
+    fn times_double(self, other: T) -> Self {
         let p = product(self.high, other);
         fast_sum(p.high, p.low + self.low * other)
     }
 
     #[inline(always)]
-    fn over(self, other: Pair) -> Pair {
+    fn over(self, other: Self) -> Self {
         let q = self.high / other.high;
         let p = product(q, other.high);
         // self.high − p.high is exact: the two agree to a few ulps.
@@ -103,7 +174,7 @@ impl Pair {
 
 /// Two powers with the same exponent, at least 1; side by side they keep the processor busy.
 #[inline(always)]
-fn powers(a: Pair, b: Pair, exponent: u64) -> (Pair, Pair) {
+fn powers<T: Value>(a: Pair<T>, b: Pair<T>, exponent: u64) -> (Pair<T>, Pair<T>) {
     let (mut x, mut y) = (a, b);
     let mut mask = (1_u64 << exponent.ilog2()) >> 1;
     while mask != 0 {
@@ -114,6 +185,24 @@ fn powers(a: Pair, b: Pair, exponent: u64) -> (Pair, Pair) {
         mask >>= 1;
     }
     (x, y)
+}
+
+/// eta in double-double and `ρ`, from the guess, which is `big/small`'s or its reciprocal; `above` says `r > 1`.
+#[inline(always)]
+fn corrected<T: Value>(e: T, r: T, guess: T, (big, small): (T, T), collisions: u64, above: bool) -> (Pair<T>, T) {
+    let sum = fast_sum(big, small);
+    let up = fast_sum(T::from(1.0), e);
+    // For r > 1 as (q·t)^(2N)/r, so that nothing overflows on the way.
+    let base = if above { up.times_double(guess) } else { up }.over(sum);
+    let (power, root) = powers(Pair::exact(guess), base, collisions);
+    // The difference is exact where the power is near r, and where it is not, ρ is refused.
+    let rho = ((power.high - r) + power.low) / r;
+    let (found, correction) = if above {
+        (root.square().over(Pair::exact(r)), T::from(-2.0) * rho / sum.high)
+    } else {
+        (root.square().times_double(r), T::from(2.0) * rho * (guess / sum.high))
+    };
+    (fast_sum(found.high, found.low + found.high * correction), rho)
 }
 
 /// Encloses eta for optimal masses: restitution `e`, mass ratio `r = m1/m2`, `collisions = n + 1`.
@@ -134,48 +223,82 @@ pub fn eta(e: f64, r: f64, collisions: u64) -> (f64, f64) {
     }
 }
 
-/// [`eta`] for slices of equal length.
+/// [`eta`] for slices of equal length; of slices of unequal length the shortest one counts.
 ///
-/// # Panics
-/// Never: of slices of unequal length the shortest one counts.
+/// The cells of a block with as many collisions and `r` on the same side of 1 follow the same steps: they are taken
+/// [`LANES`] at a time. Each gets exactly what [`eta`] gives it.
 pub fn etas(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
-    for (((e, r), count), out) in e.iter().zip(r).zip(collisions).zip(out) {
-        *out = eta(*e, *r, *count);
+    let blocks = e.chunks(BLOCK).zip(r.chunks(BLOCK)).zip(collisions.chunks(BLOCK)).zip(out.chunks_mut(BLOCK));
+    for (((e, r), collisions), out) in blocks {
+        block(e, r, collisions, out);
     }
 }
 
-#[inline(always)]
-fn quick(e: f64, r: f64, collisions: u64) -> Option<(f64, f64)> {
-    let ordinary = (0.0..=1.0).contains(&e) && (SMALL..=LARGE).contains(&r);
-    if !ordinary || collisions.wrapping_sub(1) >= MAX_COLLISIONS {
-        return None;
-    }
-    let count = collisions as f64;
-    let exact = |x: f64| Pair { high: x, low: 0.0 };
-    let guess = if collisions == 1 { r } else { r.powf(1.0 / count) };
-    // Also refuses NaN.
-    if !(SMALL..=LARGE).contains(&guess) {
-        return None;
-    }
-    let (big, small) = if guess >= 1.0 { (guess, 1.0) } else { (1.0, guess) };
-    let sum = fast_sum(big, small);
-    let up = fast_sum(1.0, e);
-    // For r > 1 as (q·t)^(2N)/r, so that nothing overflows on the way.
-    let above = r > 1.0;
-    let base = if above { up.times_double(guess) } else { up }.over(sum);
-    let (power, root) = powers(exact(guess), base, collisions);
-    // The difference is exact where the power is near r, and where it is not, ρ is refused.
-    let rho = ((power.high - r) + power.low) / r;
-    if rho.abs() > NEAR || rho.is_nan() {
-        return None;
-    }
-    let (found, correction) = if above {
-        (root.square().over(exact(r)), -2.0 * rho / sum.high)
-    } else {
-        (root.square().times_double(r), 2.0 * rho * (guess / sum.high))
+/// Cells that are put in order at a time.
+const BLOCK: usize = 2048;
+
+/// Collisions up to which cells are put in order by their number; more are rare, and costly one by one too.
+const SORTED: usize = 128;
+
+/// [`etas`] for at most [`BLOCK`] cells.
+fn block(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
+    let count = e.len().min(r.len()).min(collisions.len()).min(out.len());
+    // A key is twice the number of collisions, and one more where r > 1; 0 for what is not sorted.
+    let key = |i: usize| match usize::try_from(collisions[i]) {
+        Ok(n) if n <= SORTED => 2 * n + usize::from(r[i] > 1.0),
+        _ => 0,
     };
-    let found = fast_sum(found.high, found.low + found.high * correction);
-    if !(SMALL..=2.0).contains(&found.high) {
+    // Counting sort: where the cells of each key begin, then their numbers in that order.
+    let mut ends = [0_usize; 2 * SORTED + 2];
+    for i in 0..count {
+        ends[key(i)] += 1;
+    }
+    let mut sum = 0;
+    for end in &mut ends {
+        sum += std::mem::replace(end, sum);
+    }
+    let mut order = [0_usize; BLOCK];
+    for i in 0..count {
+        let place = &mut ends[key(i)];
+        order[*place] = i;
+        *place += 1;
+    }
+    // Now each key's cells end where `ends` says.
+    let mut from = 0;
+    for (key, to) in ends.into_iter().enumerate() {
+        let same = order.get(from..to).unwrap_or_default();
+        from = to;
+        for some in same.chunks(LANES) {
+            match <[usize; LANES]>::try_from(some) {
+                Ok(lanes) if key >= 2 => {
+                    let found = quick_lanes(lanes.map(|i| e[i]), lanes.map(|i| r[i]), (key / 2) as u64, key % 2 == 1);
+                    for (i, found) in lanes.into_iter().zip(found) {
+                        out[i] = found.unwrap_or_else(|| careful(e[i], r[i], collisions[i]));
+                    }
+                }
+                _ => some.iter().for_each(|&i| out[i] = eta(e[i], r[i], collisions[i])),
+            }
+        }
+    }
+}
+
+fn ordinary(e: f64, r: f64) -> bool {
+    (0.0..=1.0).contains(&e) && (SMALL..=LARGE).contains(&r)
+}
+
+/// `r^(1/collisions)`, nearly; and 1 and that in order.
+#[inline(always)]
+fn guessed(r: f64, collisions: u64) -> (f64, (f64, f64)) {
+    let guess = if collisions == 1 { r } else { r.powf(1.0 / collisions as f64) };
+    (guess, if guess >= 1.0 { (guess, 1.0) } else { (1.0, guess) })
+}
+
+/// The ends, where the bounds hold.
+#[inline(always)]
+fn ends(guess: f64, rho: f64, found: Pair<f64>) -> Option<(f64, f64)> {
+    // Each comparison refuses NaN too.
+    let holds = (SMALL..=LARGE).contains(&guess) && rho.abs() <= NEAR && (SMALL..=2.0).contains(&found.high);
+    if !holds {
         return None;
     }
     let slack = found.high * SLACK;
@@ -184,6 +307,29 @@ fn quick(e: f64, r: f64, collisions: u64) -> Option<(f64, f64)> {
     let lo = f64::from_bits((found.high + (found.low - slack)).to_bits() - 1);
     let hi = f64::from_bits((found.high + (found.low + slack)).to_bits() + 1);
     Some((lo, hi))
+}
+
+#[inline(always)]
+fn quick(e: f64, r: f64, collisions: u64) -> Option<(f64, f64)> {
+    if !ordinary(e, r) || collisions.wrapping_sub(1) >= MAX_COLLISIONS {
+        return None;
+    }
+    let (guess, parts) = guessed(r, collisions);
+    let (found, rho) = corrected(e, r, guess, parts, collisions, r > 1.0);
+    ends(guess, rho, found)
+}
+
+/// [`quick`] for cells with as many collisions, at most [`SORTED`], and `r` on the same side of 1.
+#[inline]
+fn quick_lanes(e: [f64; LANES], r: [f64; LANES], collisions: u64, above: bool) -> [Option<(f64, f64)>; LANES] {
+    let guesses = r.map(|r| guessed(r, collisions));
+    let (guess, big, small) = (guesses.map(|g| g.0), guesses.map(|g| g.1.0), guesses.map(|g| g.1.1));
+    let parts = (Lanes(big), Lanes(small));
+    let (found, rho) = corrected(Lanes(e), Lanes(r), Lanes(guess), parts, collisions, above);
+    std::array::from_fn(|i| {
+        let pair = Pair { high: found.high.0[i], low: found.low.0[i] };
+        if ordinary(e[i], r[i]) { ends(guess[i], rho.0[i], pair) } else { None }
+    })
 }
 
 /// The same by intervals.

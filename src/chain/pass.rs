@@ -12,8 +12,9 @@ use super::recollision::of_velocities;
 use super::uncertain::meeting::meet;
 use super::{ChainError, Positive, Restitution, Restitutions, collision};
 use crate::number::NumberError;
+use crate::number::product::quotient;
 use malachite::base::num::arithmetic::traits::Square;
-use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Natural, Rational};
 
@@ -221,7 +222,7 @@ impl Pass {
     fn gain(&self) -> Rational {
         let factors = self.pairs().map(|(m1, m2, e)| m1.value() * e.plus_one() / (m1.value() + m2.value()));
         let (above, below): (Vec<Natural>, Vec<Natural>) = factors.map(|f| f.into_numerator_and_denominator()).unzip();
-        Rational::from_naturals(product(above), product(below))
+        quotient(&above, &below)
     }
 
     /// The energy transfer: the last body's kinetic energy over the first one's before, (13) and (16).
@@ -236,19 +237,4 @@ impl Pass {
             _ => Err(ChainError::NotAtRest),
         }
     }
-}
-
-/// The product of all, by halves.
-pub(super) fn product(mut factors: Vec<Natural>) -> Natural {
-    while factors.len() > 1 {
-        factors = factors
-            .chunks(2)
-            .map(|pair| match pair {
-                [a, b] => a * b,
-                [a, ..] => a.clone(),
-                [] => Natural::ONE,
-            })
-            .collect();
-    }
-    factors.pop().unwrap_or(Natural::ONE)
 }

@@ -7,6 +7,7 @@ use super::optimum::root_text;
 use super::{MAX_INSERTED, Positive, Restitution, limit_inserted};
 use crate::number::NumberError;
 use crate::number::double::Double;
+use crate::number::fixed::{Fixed, above_one};
 use crate::number::interval::Interval;
 use crate::number::parallel::both;
 use crate::number::rational::exact_root;
@@ -96,12 +97,33 @@ fn rational(r: &Rational, n: &Natural) -> Option<Rational> {
 
 /// `L_n + 1` with about `bits` bits: `2·((1 + a)/2)^(n+1)/((1 + b)/2)^n`, in which no power exceeds `r`.
 fn plus_one(r: &Rational, n: &Natural, bits: u64) -> Interval {
+    if let Some(found) = in_words(r, n, bits) {
+        return found.shifted(1);
+    }
     let next = n + Natural::ONE;
     let work = bits + next.significant_bits() + 12;
     let one = Interval::from_integer(1);
     let half_sum = |k: &Natural| root(r, k, work).add(&one, work).shifted(-1).power(k, work);
     let (above, below) = both(work, || half_sum(&next), || half_sum(n));
     above.divide(&below, work).shifted(1)
+}
+
+/// `(L_n + 1)/2` in machine words, where the ratio is short and so many bits fit.
+fn in_words(r: &Rational, n: &Natural, bits: u64) -> Option<Interval> {
+    let (r, n) = (above_one(r)?, u64::try_from(n).ok()?);
+    match bits {
+        ..=Fixed::<3>::ROOM => half_in_words::<3>(r, n)?.to_interval(bits),
+        ..=Fixed::<4>::ROOM => half_in_words::<4>(r, n)?.to_interval(bits),
+        ..=Fixed::<6>::ROOM => half_in_words::<6>(r, n)?.to_interval(bits),
+        ..=Fixed::<8>::ROOM => half_in_words::<8>(r, n)?.to_interval(bits),
+        _ => None,
+    }
+}
+
+/// `((1 + r^(−1/(n+1)))/2)^(n+1)/((1 + r^(−1/n))/2)^n` for `r > 1`: (19), the fraction reduced by `r`.
+fn half_in_words<const L: usize>(r: (u64, u64), n: u64) -> Option<Fixed<L>> {
+    let half_sum = |k: u64| Fixed::<L>::inverse_root(r.0, r.1, k)?.halfway_to_one()?.power(k);
+    half_sum(n.checked_add(1)?)?.over(&half_sum(n)?)
 }
 
 /// `1 − L_n`, small for large `n`, with about `bits` bits.

@@ -4,11 +4,12 @@
 //! and nothing cancels. For given masses see [`super::pass::Pass::transfer`].
 
 use super::optimum::{exact_bits, factor_text, root_text};
-use super::pass::product;
 use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitutions, limit_inserted};
 use crate::number::double::Double;
+use crate::number::fixed::{Fixed, above_one, two_words};
 use crate::number::interval::Interval;
 use crate::number::parallel::both;
+use crate::number::product::quotient;
 use crate::number::rational::exact_root;
 use crate::number::real::Real;
 use crate::number::root::root;
@@ -37,7 +38,7 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
         Restitutions::Each(list) => {
             let factors = list.iter().map(|e| e.plus_one().into_numerator_and_denominator());
             let (above, below): (Vec<Natural>, Vec<Natural>) = factors.unzip();
-            Gains { base: Rational::from_naturals(product(above), product(below)).square(), count: 1 }
+            Gains { base: quotient(&above, &below).square(), count: 1 }
         }
     };
     let exact = exact_root(&r, count);
@@ -60,6 +61,9 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
     let degree = Natural::from(count);
     let both = Natural::from(2 * count);
     let enclose = move |bits: u64| {
+        if let Some(found) = in_words(&r, &gains, count, bits) {
+            return found;
+        }
         if bits >= MERGED_BITS && count <= MERGED_COUNT {
             return merged(&r, &gains, count, bits);
         }
@@ -70,6 +74,27 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
         gains.multiply(&below, work).multiply_rational(&r, bits + 4)
     };
     Ok(Real::enclosed(enclose).with_quick(move || quick.to_interval()).with_radical(text))
+}
+
+/// eta in machine words, where the ratio and the coefficient are short and so many bits fit.
+fn in_words(r: &Rational, gains: &Gains, count: u64, bits: u64) -> Option<Interval> {
+    let r = if gains.count == count { above_one(r)? } else { return None };
+    // ((1 + e)/2)², not above 1.
+    let gain = two_words(&(&gains.base >> 2u32))?;
+    match bits {
+        ..=Fixed::<3>::ROOM => share_in_words::<3>(r, gain, count)?.to_interval(bits),
+        ..=Fixed::<4>::ROOM => share_in_words::<4>(r, gain, count)?.to_interval(bits),
+        ..=Fixed::<6>::ROOM => share_in_words::<6>(r, gain, count)?.to_interval(bits),
+        ..=Fixed::<8>::ROOM => share_in_words::<8>(r, gain, count)?.to_interval(bits),
+        _ => None,
+    }
+}
+
+/// `(g·4z/(1 + z)²)^N`, `z = r^(−1/N)`, for `r > 1` and `g = ((1 + e)/2)²`: eta by (25), with each of its factors at most 1.
+fn share_in_words<const L: usize>(r: (u64, u64), gain: (u64, u64), count: u64) -> Option<Fixed<L>> {
+    let z = Fixed::<L>::inverse_root(r.0, r.1, count)?;
+    let half_sum = z.halfway_to_one()?;
+    z.times_rational(gain.0, gain.1)?.over(&half_sum.times(&half_sum)?)?.power(count)
 }
 
 /// eta at many bits, the last Newton step of the root merged with the formula.

@@ -199,6 +199,11 @@ impl Interval {
         Interval::from_integer(numerator).divide_by_natural(x.denominator_ref(), bits)
     }
 
+    /// What lies within `error` units of `2^exponent` of the middle, with at most `bits` bits; `error` below `2^60`.
+    pub(super) fn around(mid: Integer, error: u64, exponent: i64, bits: u64) -> Interval {
+        Interval::rounded(mid, Bound { size: error, shift: 0 }, exponent, bits)
+    }
+
     /// The set grown on both sides by an upper bound of `|by|`.
     #[must_use]
     pub fn widened(&self, by: &Interval) -> Interval {

@@ -1,15 +1,17 @@
 //! Exact numbers, certified enclosures and correctly rounded decimals.
 //!
-//! From cheap to dear: [`double`] (double-double with a rigorous error bound), [`interval`] (dyadic
-//! enclosures at any precision), [`rational`] and [`radical`] (exact). [`real`] chooses between them and
+//! From cheap to dear: [`double`] (double-double with a rigorous error bound), [`fixed`] (some machine words),
+//! [`interval`] (dyadic enclosures at any precision), [`rational`] and [`radical`] (exact). [`real`] chooses between them and
 //! [`decimal`] prints the result.
 
 pub mod decimal;
 pub mod digits;
 pub mod double;
 pub mod elementary;
+pub mod fixed;
 pub mod interval;
 pub mod parallel;
+pub mod product;
 pub mod radical;
 pub mod rational;
 pub mod real;
