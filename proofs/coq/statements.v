@@ -522,8 +522,8 @@ Definition p_final : Prop :=
   forall (x v1 : R), x > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
   forall (i : nat),
-  let u := fun (i : nat) => (x * (1 + e) / (x + 1)) ^ i * v1 in
-  let w := fun (i : nat) => (x - e) / (x + 1) * u i in
+  let u := fun (k : nat) => (x * (1 + e) / (x + 1)) ^ k * v1 in
+  let w := fun (k : nat) => (x - e) / (x + 1) * u k in
   w i <= w (i + 1)%nat).
 
 (* statement sha256 c863c770d7de69251a742958fce0817895a30e8309bf80e4871436f37270113b *)
@@ -531,8 +531,8 @@ Definition p_final_repaired : Prop :=
   forall (x v1 : R), x > 0 -> v1 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
   forall (i : nat),
-  let u := fun (i : nat) => (x * (1 + e) / (x + 1)) ^ i * v1 in
-  let w := fun (i : nat) => (x - e) / (x + 1) * u i in
+  let u := fun (k : nat) => (x * (1 + e) / (x + 1)) ^ k * v1 in
+  let w := fun (k : nat) => (x - e) / (x + 1) * u k in
   (w i <= w (i + 1)%nat <-> x <= e \/ x * e >= 1) /\
   w i <= u (i + 1)%nat.
 
@@ -617,12 +617,12 @@ Definition p_indep_defined : Prop :=
   forall (mu nu : nat -> R), (forall k : nat, mu k > 0) -> (forall k : nat, nu k > 0) ->
   forall (e f : nat -> R), (forall k : nat, 0 <= e k <= 1) -> (forall k : nat, 0 <= f k <= 1) ->
   mu 0%nat = nu 0%nat /\ mu (n + 1)%nat = nu (n + 1)%nat ->
-  product_over 0 n (fun i_1 : nat => (1 + e i_1) * nu i_1 / (nu i_1 + nu (i_1 + 1)%nat)) <> 0 /\
+  product_over 0 n (fun i'1 : nat => (1 + e i'1) * nu i'1 / (nu i'1 + nu (i'1 + 1)%nat)) <> 0 /\
   (forall i : nat, (0 <= i <= n)%nat -> mu i + mu (i + 1)%nat <> 0) /\
-  (forall i_1 : nat, (0 <= i_1 <= n)%nat -> nu i_1 + nu (i_1 + 1)%nat <> 0) /\
-  product_over 0 n (fun i_3 : nat => (1 + f i_3) * nu i_3 / (nu i_3 + nu (i_3 + 1)%nat)) <> 0 /\
-  (forall i_2 : nat, (0 <= i_2 <= n)%nat -> mu i_2 + mu (i_2 + 1)%nat <> 0) /\
-  (forall i_3 : nat, (0 <= i_3 <= n)%nat -> nu i_3 + nu (i_3 + 1)%nat <> 0).
+  (forall i'1 : nat, (0 <= i'1 <= n)%nat -> nu i'1 + nu (i'1 + 1)%nat <> 0) /\
+  product_over 0 n (fun i'3 : nat => (1 + f i'3) * nu i'3 / (nu i'3 + nu (i'3 + 1)%nat)) <> 0 /\
+  (forall i'2 : nat, (0 <= i'2 <= n)%nat -> mu i'2 + mu (i'2 + 1)%nat <> 0) /\
+  (forall i'3 : nat, (0 <= i'3 <= n)%nat -> nu i'3 + nu (i'3 + 1)%nat <> 0).
 
 (* statement sha256 79e7cf5150b0d9c680d5b2e4f7c304873d240d89f75b247881a4a86140a20f88 *)
 Definition p_inelastic : Prop :=
@@ -1111,9 +1111,9 @@ Definition b_budget_defined : Prop :=
   forall u : nat -> R, u 0%nat = v1 ->
   (forall k : nat, u (k + 1)%nat = mu k * (1 + e k) / (mu k + mu (k + 1)%nat) * u k) ->
   (forall k : nat, mu k + mu (k + 1)%nat <> 0) /\
-  (forall k_1 : nat, (0 <= k_1 <= n)%nat -> mu k_1 + mu (k_1 + 1)%nat <> 0) /\
-  (forall k_2 : nat, (0 <= k_2 <= n)%nat -> mu k_2 + mu (k_2 + 1)%nat <> 0) /\
-  (forall k_3 : nat, (0 <= k_3 <= n)%nat -> mu k_3 + mu (k_3 + 1)%nat <> 0).
+  (forall k'1 : nat, (0 <= k'1 <= n)%nat -> mu k'1 + mu (k'1 + 1)%nat <> 0) /\
+  (forall k'2 : nat, (0 <= k'2 <= n)%nat -> mu k'2 + mu (k'2 + 1)%nat <> 0) /\
+  (forall k'3 : nat, (0 <= k'3 <= n)%nat -> mu k'3 + mu (k'3 + 1)%nat <> 0).
 
 (* statement sha256 dc6ea689c8071b26c6079596893b8e9b335c936146c63c85d5c8a7c95c5b4de5 *)
 Definition b_closed : Prop :=

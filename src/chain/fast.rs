@@ -41,10 +41,7 @@ const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
 const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
 
 /// What the double-double formulas need of a number: a double, or several side by side.
-trait Value:
-    Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
-}
+trait Value: Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {}
 
 impl Value for f64 {}
 impl Value for Lanes {}

@@ -15,32 +15,34 @@ enum Role {
 
 struct Names<'a> {
     roles: BTreeMap<String, Role>,
+    /// The names in scope in the order of their declaration: a scope ends by taking back its own.
+    scope: Vec<String>,
     faults: &'a mut Vec<Diagnostic>,
 }
 
 /// Reports every fault of names in a claim.
 pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
-    let mut names = Names { roles: BTreeMap::new(), faults };
+    let mut names = Names { roles: BTreeMap::new(), scope: Vec::new(), faults };
     for item in &claim.items {
         match item {
             Item::Given(bindings) => names.bindings(bindings),
             Item::Let { name, parameters, value } => {
-                let saved = names.roles.clone();
+                let outside = names.scope.len();
                 for parameter in parameters {
-                    names.roles.insert(parameter.text.clone(), Role::Value);
+                    names.declare(parameter, Role::Value);
                 }
                 names.expr(value);
-                names.roles = saved;
+                names.leave(outside);
                 let role = if parameters.is_empty() { Role::Value } else { Role::Function(parameters.len()) };
                 names.declare(name, role);
             }
             Item::Define { name, initial, index, step, .. } => {
                 names.expr(initial);
                 names.declare(name, Role::Function(1));
-                let saved = names.roles.clone();
-                names.roles.insert(index.text.clone(), Role::Value);
+                let outside = names.scope.len();
+                names.declare(index, Role::Value);
                 names.expr(step);
-                names.roles = saved;
+                names.leave(outside);
             }
             Item::Assume { prop, .. } => names.prop(prop),
         }
@@ -56,22 +58,34 @@ pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
 }
 
 impl Names<'_> {
+    /// Declares a name, bound ones included. A name has one meaning at a place: nothing is hidden by another of the
+    /// same name, so that text can be put in place of a name without a change of meaning.
     fn declare(&mut self, name: &Name, role: Role) {
         if FUNCTIONS.iter().any(|f| f.0 == name.text) {
             let message = format!("{} is a function of the language", name.text);
             let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
             self.faults.push(Diagnostic::new(fault, name.span));
-        } else if self.roles.insert(name.text.clone(), role).is_some() {
+        } else if self.roles.contains_key(&name.text) {
             self.faults.push(Diagnostic::new(Fault::Twice(name.text.clone()), name.span));
+        } else {
+            self.roles.insert(name.text.clone(), role);
+            self.scope.push(name.text.clone());
+        }
+    }
+
+    /// Ends a scope: only the first `outside` names stay.
+    fn leave(&mut self, outside: usize) {
+        for name in self.scope.drain(outside..) {
+            self.roles.remove(&name);
         }
     }
 
     fn bindings(&mut self, bindings: &[Binding]) {
         for binding in bindings {
             for (name, index) in &binding.names {
-                let saved = self.roles.clone();
+                let outside = self.scope.len();
                 if let Some(index) = index {
-                    self.roles.insert(index.text.clone(), Role::Value);
+                    self.declare(index, Role::Value);
                 }
                 for constraint in &binding.constraints {
                     match constraint {
@@ -82,7 +96,7 @@ impl Names<'_> {
                         }
                     }
                 }
-                self.roles = saved;
+                self.leave(outside);
                 if let Some((from, to)) = &binding.indices {
                     self.expr(from);
                     self.expr(to);
@@ -130,9 +144,10 @@ impl Names<'_> {
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
                 self.expr(&index.from);
                 self.expr(&index.to);
-                let saved = self.roles.insert(index.name.text.clone(), Role::Value);
+                let outside = self.scope.len();
+                self.declare(&index.name, Role::Value);
                 self.expr(body);
-                self.restore(&index.name.text, saved);
+                self.leave(outside);
             }
             ExprKind::Derivative(body, by) => {
                 self.expr(body);
@@ -150,13 +165,6 @@ impl Names<'_> {
         }
     }
 
-    fn restore(&mut self, name: &str, saved: Option<Role>) {
-        match saved {
-            Some(role) => self.roles.insert(name.to_string(), role),
-            None => self.roles.remove(name),
-        };
-    }
-
     fn prop(&mut self, prop: &Prop) {
         match &prop.kind {
             PropKind::Compare(sides, _) => sides.iter().for_each(|e| self.expr(e)),
@@ -169,18 +177,18 @@ impl Names<'_> {
                 self.prop(q);
             }
             PropKind::Exists(bindings, body) | PropKind::ForAll(bindings, body) => {
-                let saved = self.roles.clone();
+                let outside = self.scope.len();
                 self.bindings(bindings);
                 self.prop(body);
-                self.roles = saved;
+                self.leave(outside);
             }
             PropKind::Extremum(extremum) => {
                 extremum.at.iter().for_each(|(_, e)| self.expr(e));
                 self.expr(&extremum.value);
-                let saved = self.roles.clone();
+                let outside = self.scope.len();
                 self.bindings(&extremum.over);
                 self.expr(&extremum.of);
-                self.roles = saved;
+                self.leave(outside);
                 let over: Vec<&Name> = extremum.over.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
                 let same = over.len() == extremum.at.len()
                     && over.iter().all(|n| extremum.at.iter().any(|(m, _)| m.text == n.text));
@@ -198,7 +206,7 @@ impl Names<'_> {
     }
 
     fn proof(&mut self, proof: &Proof) {
-        let saved = self.roles.clone();
+        let outside = self.scope.len();
         for step in &proof.steps {
             match step {
                 Step::Have { prop, proof, .. } | Step::Case { prop, proof, .. } => {
@@ -235,6 +243,6 @@ impl Names<'_> {
             Some(Method::Induction(_, step)) => self.proof(step),
             Some(Method::Algebra(_)) | None => {}
         }
-        self.roles = saved;
+        self.leave(outside);
     }
 }

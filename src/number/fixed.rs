@@ -285,7 +285,8 @@ impl<const L: usize> Fixed<L> {
         };
         let rho = Fixed { words, error: power.error.saturating_mul(p.div_ceil(q.value)).saturating_add(1) };
         // |ρ| <= 2^-k.
-        let k = rho.leading_zeros().min((64 * L as u64).saturating_sub(u64::from(rho.error.ilog2()) + 1)).saturating_sub(1);
+        let k =
+            rho.leading_zeros().min((64 * L as u64).saturating_sub(u64::from(rho.error.ilog2()) + 1)).saturating_sub(1);
         if k < 4 {
             return None;
         }
@@ -383,10 +384,8 @@ mod tests {
     }
 
     fn number<const L: usize>() -> impl Strategy<Value = Fixed<L>> {
-        (prop::collection::vec(word(), L), prop_oneof![Just(0), 0..1000_u64]).prop_map(|(words, error)| Fixed {
-            words: words.try_into().unwrap(),
-            error,
-        })
+        (prop::collection::vec(word(), L), prop_oneof![Just(0), 0..1000_u64])
+            .prop_map(|(words, error)| Fixed { words: words.try_into().unwrap(), error })
     }
 
     fn unit<const L: usize>() -> Rational {
@@ -464,7 +463,9 @@ mod tests {
             narrow(Fixed::<8>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<8>::ROOM)));
         }
         assert!(Fixed::<3>::inverse_root(1, 1, 3).is_none() && Fixed::<3>::inverse_root(1, 2, 3).is_none());
-        assert!(Fixed::<3>::inverse_root(2, 1, 0).is_none() && Fixed::<3>::inverse_root(2, 1, MAX_EXPONENT + 1).is_none());
+        assert!(
+            Fixed::<3>::inverse_root(2, 1, 0).is_none() && Fixed::<3>::inverse_root(2, 1, MAX_EXPONENT + 1).is_none()
+        );
     }
 
     proptest! {

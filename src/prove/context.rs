@@ -201,6 +201,8 @@ pub struct Context {
     pub searched: HashSet<AtomId>,
     /// How many indices of sums and products are in scope.
     pub binders: usize,
+    /// Whether what is translated is being differentiated.
+    pub differentiated: bool,
     /// How many times cases were split to get here.
     pub splits: usize,
     /// Facts (by number) whose disjunction or implication was already used.

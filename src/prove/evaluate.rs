@@ -523,12 +523,22 @@ impl Assignment {
                             None => unknown = true,
                         },
                         (Value::Matrix(a), Value::Matrix(b)) => {
-                            for (x, y) in a.iter().flatten().zip(b.iter().flatten()) {
-                                match holds(x, Relation::Equal, y) {
-                                    Some(false) => return Ok(false),
-                                    Some(true) => {}
-                                    None => unknown = true,
-                                }
+                            let sizes = |m: &Vec<Vec<Number>>| m.iter().map(Vec::len).collect::<Vec<_>>();
+                            if sizes(a) != sizes(b) || !matches!(relation, Relation::Equal | Relation::NotEqual) {
+                                return Err(Missing::Unknown);
+                            }
+                            let entries = a.iter().flatten().zip(b.iter().flatten());
+                            let same: Vec<Option<bool>> = entries.map(|(x, y)| holds(x, Relation::Equal, y)).collect();
+                            // Equal where all entries are, different where one is.
+                            let equal = match () {
+                                () if same.contains(&Some(false)) => Some(false),
+                                () if same.contains(&None) => None,
+                                () => Some(true),
+                            };
+                            match equal.map(|equal| equal == (*relation == Relation::Equal)) {
+                                Some(false) => return Ok(false),
+                                Some(true) => {}
+                                None => unknown = true,
                             }
                         }
                         _ => return Err(Missing::Unknown),
@@ -548,15 +558,19 @@ impl Assignment {
                 unknown.map_or(Ok(true), Err)
             }
             PropKind::Or(list) => {
-                let mut unknown = None;
+                let (mut unknown, mut holds) = (None, false);
                 for part in list {
                     match self.truth(part) {
-                        Ok(true) => return Ok(true),
-                        Ok(false) => {}
+                        Ok(truth) => holds |= truth,
+                        // Whether a part without a value spoils the others is a matter of taste: nothing rests on it.
                         Err(missing) => unknown = Some(missing),
                     }
                 }
-                unknown.map_or(Ok(false), Err)
+                match unknown {
+                    Some(Missing::Undefined(_)) if holds => Err(Missing::Unknown),
+                    Some(missing) if !holds => Err(missing),
+                    _ => Ok(holds),
+                }
             }
             PropKind::Not(inner) => Ok(!self.truth(inner)?),
             PropKind::Implies(p, q) => {

@@ -140,7 +140,8 @@ impl Substitution {
             inner.map.remove(&name.text);
             if self.mentioned.contains(&name.text) && !inner.map.is_empty() {
                 self.fresh += 1;
-                let fresh = format!("{}_{}", name.text, self.fresh);
+                // No name that anybody can write has an apostrophe.
+                let fresh = format!("{}'{}", name.text, self.fresh);
                 let value = Expr { kind: ExprKind::Name(fresh.clone()), span: name.span };
                 inner.fresh = self.fresh;
                 inner.map.insert(name.text.clone(), Replacement::Value(value));
@@ -207,22 +208,47 @@ impl Substitution {
                 ProductOver(index, body)
             }
             Derivative(body, by) => {
-                // The variable of differentiation stays a name; a renaming is followed.
                 let mut names = Vec::new();
                 for name in by {
-                    match self.map.get(&name.text) {
-                        Some(Replacement::Value(Expr { kind: Name(other), .. })) => {
-                            names.push(crate::claim::syntax::Name { text: other.clone(), span: name.span });
-                        }
-                        Some(_) => return Err(Limit("a value put for a variable of differentiation")),
-                        None => names.push(name.clone()),
-                    }
+                    names.push(self.moving(name, body)?);
                 }
                 Derivative(Box::new(self.expr(body)?), names)
             }
             Matrix(rows) => Matrix(rows.iter().map(|r| self.exprs(r)).collect::<Result<_>>()?),
         };
         Ok(Expr { kind, span: expr.span })
+    }
+
+    /// The variable that moves in a derivative or a limit: it stays a name, and a renaming is followed. What is put
+    /// in for other names must not move with it, and no other name may become it: that would be another derivative.
+    /// The text of a `let` is what the claim says, and may contain the variable.
+    fn moving(&self, variable: &Name, body: &Expr) -> Result<Name> {
+        const MOVES: Limit = Limit("a value put in for what a derivative or a limit holds fast");
+        let renamed = match self.map.get(&variable.text) {
+            Some(Replacement::Value(Expr { kind: ExprKind::Name(other), .. })) => Some(other.clone()),
+            Some(_) => return Err(Limit("a value put for a variable of differentiation or of a limit")),
+            None => None,
+        };
+        let text = renamed.as_ref().unwrap_or(&variable.text);
+        let mut names = BTreeSet::new();
+        names_in(body, &mut names);
+        names.remove(&variable.text);
+        for name in &names {
+            let moves = match self.map.get(name) {
+                None => name == text,
+                Some(Replacement::Family(other)) => other == text,
+                Some(Replacement::Definition(..)) if renamed.is_none() => false,
+                Some(Replacement::Value(value) | Replacement::Definition(_, value)) => {
+                    let mut inside = BTreeSet::new();
+                    names_in(value, &mut inside);
+                    inside.contains(text) || has_member(value)
+                }
+            };
+            if moves {
+                return Err(MOVES);
+            }
+        }
+        Ok(Name { text: text.clone(), span: variable.span })
     }
 
     fn copied(&mut self, value: Expr, span: Span) -> Result<Expr> {
@@ -345,8 +371,8 @@ impl Substitution {
                 }))
             }
             PropKind::Limit(limit) => PropKind::Limit(Box::new(crate::claim::syntax::Limit {
+                variable: self.moving(&limit.variable, &limit.of)?,
                 of: self.expr(&limit.of)?,
-                variable: limit.variable.clone(),
                 value: self.expr(&limit.value)?,
             })),
         };
@@ -449,6 +475,13 @@ pub fn names_in(expr: &Expr, into: &mut BTreeSet<String>) {
         _ => {}
     }
     parts(expr, &mut |part| names_in(part, into));
+}
+
+/// Whether a member of a family or sequence occurs: of what it is made is not seen in it.
+fn has_member(expr: &Expr) -> bool {
+    let mut found = matches!(&expr.kind, ExprKind::Apply(name, _) if !FUNCTIONS.iter().any(|f| f.0 == name.text));
+    parts(expr, &mut |part| found |= has_member(part));
+    found
 }
 
 fn nodes_in(expr: &Expr) -> usize {

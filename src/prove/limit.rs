@@ -5,8 +5,8 @@
 
 use super::argument::not_shown;
 use super::context::*;
-use super::expand::names_in_prop;
-use super::method::compare;
+use super::expand::{names_in_binding, names_in_prop};
+use super::method::{compare, sequence_names};
 use super::series::Tends;
 use crate::algebra::form::{Atom, Exponent, Form};
 use crate::claim::print;
@@ -90,6 +90,23 @@ impl Engine<'_> {
                     variable.text,
                     print::prop(&fact.prop)
                 );
+                return Err(Failure::NotShown(text));
+            }
+        }
+        // Facts about families and the definitions of sequences are not among the facts.
+        for family in cx.families.values() {
+            let mut names = BTreeSet::new();
+            names_in_binding(&family.binding, &mut names);
+            if names.contains(&variable.text) {
+                return Err(Failure::NotShown(format!(
+                    "{} must be free to grow: a family depends on it",
+                    variable.text
+                )));
+            }
+        }
+        for sequence in cx.sequences.values() {
+            if sequence_names(sequence).contains(&variable.text) {
+                let text = format!("the limit for {}: the sequence {} depends on it", variable.text, sequence.name);
                 return Err(Failure::NotShown(text));
             }
         }

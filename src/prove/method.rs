@@ -13,6 +13,9 @@ use super::expand::{Substitution, names_in_prop};
 use crate::algebra::form::{Atom, Form};
 use crate::claim::print;
 use crate::claim::syntax::*;
+use malachite::Rational;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::conversion::traits::IsInteger;
 use std::collections::BTreeSet;
 
 type Result<T> = std::result::Result<T, Failure>;
@@ -187,7 +190,7 @@ impl Engine<'_> {
                 return Err(Failure::NotShown(format!("induction on {}: a sequence depends on it", variable.text)));
             }
         }
-        let mut base = number(0);
+        let (mut base, mut least) = (number(0), Rational::ZERO);
         let mut kept = Vec::new();
         for fact in &cx.facts {
             let mut names = BTreeSet::new();
@@ -201,9 +204,19 @@ impl Engine<'_> {
                 && let [left, bound] = sides.as_slice()
                 && matches!(&left.kind, ExprKind::Name(n) if *n == variable.text)
                 && relations[0] == Relation::GreaterEqual
-                && matches!(&bound.kind, ExprKind::Number(_))
+                && let ExprKind::Number(text) = &bound.kind
             {
-                base = bound.clone();
+                // The greatest of the bounds is where n begins; the base has to be a number that n can be.
+                let whole = crate::number::rational::parse(text).ok().filter(|q| q.is_integer());
+                let Some(from) = whole else {
+                    return Err(Failure::NotShown(format!(
+                        "induction on {}: {text} is no whole number",
+                        variable.text
+                    )));
+                };
+                if from > least {
+                    (base, least) = (bound.clone(), from);
+                }
                 kept.push(fact.clone());
             } else {
                 // Keeps the numbering of facts.
@@ -288,7 +301,10 @@ impl Engine<'_> {
                             "a family is replaced by the name of a family",
                         ));
                     }
-                    (None, Some(value)) => map.replace(&name.text, value.clone()),
+                    (None, Some(value)) => {
+                        self.valued(cx, value)?;
+                        map.replace(&name.text, value.clone());
+                    }
                     (_, None) => {
                         let known = if index.is_some() {
                             cx.families.contains_key(&name.text)
@@ -339,12 +355,19 @@ impl Engine<'_> {
         self.show_goal(cx, goal)
     }
 
+    /// Shows that a value to be put in exists: what is shown with it says so nowhere if it does not mention it.
+    fn valued(&mut self, cx: &mut Context, value: &Expr) -> Result<Form> {
+        let mut conditions = Vec::new();
+        let form = self.scalar(cx, value, &mut conditions)?;
+        self.show_conditions(cx, conditions)?;
+        Ok(form)
+    }
+
     /// Shows that a value is a natural number: an integer combination of natural variables, not
     /// negative.
     fn natural(&mut self, cx: &mut Context, value: &Expr) -> Result<()> {
-        let form = self.scalar(cx, value, &mut Vec::new())?;
+        let form = self.valued(cx, value)?;
         for summand in self.ring.summands(&form)? {
-            use malachite::base::num::conversion::traits::IsInteger;
             let whole = (&summand.coefficient).is_integer()
                 && summand.powers.iter().all(|(a, e)| e.as_integer().is_some_and(|k| k > 0) && self.is_natural(cx, *a));
             if !whole {
@@ -359,7 +382,8 @@ impl Engine<'_> {
         for (name, index) in &binding.names {
             let Some(index) = index else { continue };
             let mut inner = cx.clone();
-            let bound = format!("{}_any", index.text);
+            // No name that anybody can write has an apostrophe.
+            let bound = format!("{}'any", index.text);
             inner.variables.push((bound.clone(), true));
             if let Some((from, to)) = &binding.indices {
                 for (a, b) in [(map.expr(from)?, name_expr(&bound)), (name_expr(&bound), map.expr(to)?)] {
@@ -369,7 +393,7 @@ impl Engine<'_> {
             let member = Expr { kind: ExprKind::Apply(name.clone(), vec![name_expr(&bound)]), span: name.span };
             let member = map.expr(&member)?;
             self.quietly(&inner, &compare(member.clone(), Relation::Equal, member.clone()))?;
-            let variable = Name { text: "member_of_family".to_string(), span: name.span };
+            let variable = Name { text: "'member".to_string(), span: name.span };
             let single = Binding { names: vec![(variable.clone(), None)], indices: None, ..binding.clone() };
             let mut put = Substitution::default();
             put.replace(&variable.text, member);
@@ -389,6 +413,7 @@ impl Engine<'_> {
         };
         let mut map = Substitution::default();
         for (name, value) in values {
+            self.valued(cx, value)?;
             map.replace(&name.text, value.clone());
         }
         let text: Vec<String> = values.iter().map(|(n, e)| format!("{} = {}", n.text, print::expr(e))).collect();
@@ -447,7 +472,7 @@ impl Engine<'_> {
 }
 
 /// The names in the definition of a sequence, but for its own index.
-fn sequence_names(sequence: &super::expand::Sequence) -> BTreeSet<String> {
+pub fn sequence_names(sequence: &super::expand::Sequence) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     super::expand::names_in(&sequence.step, &mut names);
     names.remove(&sequence.index);

@@ -14,6 +14,7 @@ use crate::algebra::{Polynomial, Var, diagonal, factor, positivity};
 use crate::claim::syntax::{Constraint, Relation};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
+use rustc_hash::FxHashMap as HashMap;
 
 /// The highest degree of polynomials that are factored, divided or combined; above it only the sign that
 /// shows at once counts.
@@ -213,7 +214,9 @@ impl Engine<'_> {
             return Ok(());
         }
         let Some(family) = cx.families.get(name).cloned() else { return Ok(()) };
-        let saved = cx.indices.insert(family.index.clone(), index.clone());
+        // The names of a declaration are those of the claim, not of a sum around its use.
+        let own = HashMap::from_iter([(family.index.clone(), index.clone())]);
+        let saved = std::mem::replace(&mut cx.indices, own);
         let mut bounds = Vec::new();
         for constraint in &family.binding.constraints {
             match constraint {
@@ -233,10 +236,7 @@ impl Engine<'_> {
             let difference = self.ring.sub(&Form::atom(atom), &value)?;
             self.narrow_form(cx, &difference, relation, family.source)?;
         }
-        match saved {
-            Some(form) => cx.indices.insert(family.index.clone(), form),
-            None => cx.indices.remove(&family.index),
-        };
+        cx.indices = saved;
         Ok(())
     }
 }

@@ -162,8 +162,19 @@ impl Engine<'_> {
             SumOver(index, body) => self.over(cx, index, body, true, conditions)?,
             ProductOver(index, body) => self.over(cx, index, body, false, conditions)?,
             Derivative(body, by) => {
-                let mut form = self.scalar(cx, body, conditions)?;
+                let mut inner = cx.clone();
+                inner.differentiated = true;
+                let mut form = self.scalar(&mut inner, body, conditions)?;
+                // What a sequence is made of may depend on the variable.
+                let member =
+                    |a| matches!(&*self.ring.atom(a), Atom::Member(name, _) if cx.sequences.contains_key(name));
+                if self.ring.mentions(&form, &member) {
+                    return Err(Failure::NotShown("the derivative of a sequence".to_string()));
+                }
                 for name in by {
+                    if cx.variables.iter().any(|(v, natural)| *v == name.text && *natural) {
+                        return Err(Failure::NotShown(format!("the derivative by {}, a natural number", name.text)));
+                    }
                     let atom = self.ring.intern(Atom::Variable(name.text.clone()));
                     let eliminated: Vec<Form> = cx.environment.values().map(|v| v.0.clone()).collect();
                     let clash = cx.environment.contains_key(&name.text)
@@ -303,7 +314,11 @@ impl Engine<'_> {
                 text: format!("the index of {text}"),
             });
             if let Some((from, to)) = &family.binding.indices {
-                let (from, to) = (self.scalar(cx, from, conditions)?, self.scalar(cx, to, conditions)?);
+                // The names of a declaration are those of the claim, not of a sum around its use.
+                let mut outer = cx.clone();
+                outer.indices.clear();
+                let from = self.scalar(&mut outer, from, conditions)?;
+                let to = self.scalar(&mut outer, to, conditions)?;
                 let low = self.ring.sub(&index, &from)?;
                 let high = self.ring.sub(&to, &index)?;
                 for form in [low, high] {
@@ -334,14 +349,16 @@ impl Engine<'_> {
     ) -> Result<Form> {
         self.tick()?;
         let (start, above) = split_constant(self, &index)?;
+        // The names of a definition are those of the claim, not of a sum around its use.
+        let mut inner = cx.clone();
+        inner.indices.clear();
         if start.is_zero() && above == 0 {
-            return self.scalar(cx, &sequence.initial, conditions);
+            return self.scalar(&mut inner, &sequence.initial, conditions);
         }
         // Only where S is known to be at least 0 does u(S + c) unfold to u(S).
         let safe = start.is_zero() || self.signs(cx, &start)?.within(Signs::NOT_NEGATIVE);
         if above > 0 && safe && above <= WRITTEN_OUT {
             let below = self.ring.add(&[start, Form::integer(above - 1)])?;
-            let mut inner = cx.clone();
             inner.indices.insert(sequence.index.clone(), below);
             return self.scalar(&mut inner, &sequence.step, conditions);
         }
@@ -396,12 +413,16 @@ impl Engine<'_> {
             }
             return Ok(self.ring.power(base, &exponent)?);
         }
-        if exponent.number().is_some() && exponent.order_sign().is_gt() {
+        // A root has no derivative at 0.
+        if exponent.number().is_some() && exponent.order_sign().is_gt() && !cx.differentiated {
             if base.is_zero() {
                 return Ok(Form::integer(0));
             }
             let base = self.non_negative_factors(cx, base, text, Signs::NOT_NEGATIVE)?;
             return Ok(self.ring.power(&base, &exponent)?);
+        }
+        if base.is_zero() {
+            return Err(Failure::Undefined(format!("in {text} the base is 0")));
         }
         let base = self.non_negative_factors(cx, base, text, Signs::POSITIVE)?;
         Ok(self.ring.power(&base, &exponent)?)
@@ -563,6 +584,8 @@ impl Engine<'_> {
             }
             return self.combined(&parts, is_sum);
         }
+        // The index counts as a natural number.
+        conditions.push(Condition { form: from.clone(), relation: Relation::GreaterEqual, text: text.clone() });
         // The part from `first + low` to `last`, and members split off at either end.
         let mut from = from;
         let mut low = low;
@@ -631,8 +654,12 @@ impl Engine<'_> {
                     let power = self.ring.power(&Form::atom(product), e)?;
                     outside = self.ring.mul(&outside, &power)?;
                 }
+            } else if is_sum {
+                // An empty sum is 0 even where its members would have no value: what is taken out has one anyway.
+                let side = if self.has_value(cx, *a, e)? { &mut outside } else { &mut within };
+                *side = self.ring.mul(side, &factor)?;
             } else {
-                let power = if is_sum { factor } else { self.raise(cx, &factor, &count.form(), &text, conditions)? };
+                let power = self.raise(cx, &factor, &count.form(), &text, conditions)?;
                 outside = self.ring.mul(&outside, &power)?;
             }
         }
@@ -652,6 +679,53 @@ impl Engine<'_> {
         }
         parts.push(outside);
         self.combined(&parts, is_sum)
+    }
+
+    /// Whether a power of an atom, which has a value in the body of a sum, has one outside it, too.
+    fn has_value(&mut self, cx: &mut Context, atom: u32, exponent: &Exponent) -> Result<bool> {
+        let signs = match (exponent.as_integer(), exponent.number()) {
+            (Some(k), _) if k > 0 => None,
+            (Some(_), _) => Some(Signs::NOT_ZERO),
+            (None, Some(q)) if *q > 0 => Some(Signs::NOT_NEGATIVE),
+            _ => Some(Signs::POSITIVE),
+        };
+        if let Some(signs) = signs
+            && !self.searched_signs(cx, atom)?.within(signs)
+        {
+            return Ok(false);
+        }
+        Ok(match &*self.ring.atom(atom) {
+            Atom::Variable(_) | Atom::Prime(_) | Atom::Euler | Atom::Member(..) => true,
+            Atom::Sum(poly) => {
+                for (a, e) in poly.terms.iter().flat_map(|term| &term.0) {
+                    if !self.has_value(cx, *a, e)? {
+                        return Ok(false);
+                    }
+                }
+                true
+            }
+            Atom::Logarithm(inner) => {
+                self.has_value(cx, *inner, &Exponent::integer(1))?
+                    && self.searched_signs(cx, *inner)?.within(Signs::POSITIVE)
+            }
+            // The signs that hold within its range are not known here.
+            Atom::SumOver(over) | Atom::ProductOver(over) => self.polynomial(&over.body),
+        })
+    }
+
+    /// Whether a form is made by adding and multiplying alone.
+    fn polynomial(&self, form: &Form) -> bool {
+        form.powers.iter().all(|(atom, exponent)| {
+            exponent.as_integer().is_some_and(|k| k > 0)
+                && match &*self.ring.atom(*atom) {
+                    Atom::Variable(_) | Atom::Prime(_) | Atom::Euler | Atom::Member(..) => true,
+                    Atom::Sum(poly) => poly.terms.iter().all(|(monomial, _)| {
+                        self.polynomial(&Form { coefficient: Rational::ONE, powers: monomial.clone() })
+                    }),
+                    Atom::SumOver(over) | Atom::ProductOver(over) => self.polynomial(&over.body),
+                    Atom::Logarithm(_) => false,
+                }
+        })
     }
 
     fn combined(&mut self, parts: &[Form], is_sum: bool) -> Result<Form> {
