@@ -111,12 +111,16 @@ fn plus_one(r: &Rational, n: &Natural, bits: u64) -> Interval {
 /// `(L_n + 1)/2` in machine words, where the ratio is short and so many bits fit.
 fn in_words(r: &Rational, n: &Natural, bits: u64) -> Option<Interval> {
     let (r, n) = (above_one(r)?, u64::try_from(n).ok()?);
-    match bits {
-        ..=Fixed::<3>::ROOM => half_in_words::<3>(r, n)?.to_interval(bits),
-        ..=Fixed::<4>::ROOM => half_in_words::<4>(r, n)?.to_interval(bits),
-        ..=Fixed::<6>::ROOM => half_in_words::<6>(r, n)?.to_interval(bits),
-        ..=Fixed::<8>::ROOM => half_in_words::<8>(r, n)?.to_interval(bits),
-        _ => None,
+    if bits <= Fixed::<3>::ROOM {
+        half_in_words::<3>(r, n)?.to_interval(bits)
+    } else if bits <= Fixed::<4>::ROOM {
+        half_in_words::<4>(r, n)?.to_interval(bits)
+    } else if bits <= Fixed::<6>::ROOM {
+        half_in_words::<6>(r, n)?.to_interval(bits)
+    } else if bits <= Fixed::<8>::ROOM {
+        half_in_words::<8>(r, n)?.to_interval(bits)
+    } else {
+        None
     }
 }
 

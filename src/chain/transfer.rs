@@ -81,12 +81,16 @@ fn in_words(r: &Rational, gains: &Gains, count: u64, bits: u64) -> Option<Interv
     let r = if gains.count == count { above_one(r)? } else { return None };
     // ((1 + e)/2)², not above 1.
     let gain = two_words(&(&gains.base >> 2u32))?;
-    match bits {
-        ..=Fixed::<3>::ROOM => share_in_words::<3>(r, gain, count)?.to_interval(bits),
-        ..=Fixed::<4>::ROOM => share_in_words::<4>(r, gain, count)?.to_interval(bits),
-        ..=Fixed::<6>::ROOM => share_in_words::<6>(r, gain, count)?.to_interval(bits),
-        ..=Fixed::<8>::ROOM => share_in_words::<8>(r, gain, count)?.to_interval(bits),
-        _ => None,
+    if bits <= Fixed::<3>::ROOM {
+        share_in_words::<3>(r, gain, count)?.to_interval(bits)
+    } else if bits <= Fixed::<4>::ROOM {
+        share_in_words::<4>(r, gain, count)?.to_interval(bits)
+    } else if bits <= Fixed::<6>::ROOM {
+        share_in_words::<6>(r, gain, count)?.to_interval(bits)
+    } else if bits <= Fixed::<8>::ROOM {
+        share_in_words::<8>(r, gain, count)?.to_interval(bits)
+    } else {
+        None
     }
 }
 

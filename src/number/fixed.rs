@@ -470,12 +470,12 @@ mod tests {
 
     proptest! {
         #[test]
-        fn operations_in_three_words_hold_every_result(a in number::<3>(), b in number::<3>(), p in 1.., q in 1..) {
+        fn operations_in_three_words_hold_every_result(a in number::<3>(), b in number::<3>(), p in 1_u64.., q in 1_u64..) {
             operations(&a, &b, p, q)?;
         }
 
         #[test]
-        fn operations_in_six_words_hold_every_result(a in number::<6>(), b in number::<6>(), p in 1..99_u64, q in 1..) {
+        fn operations_in_six_words_hold_every_result(a in number::<6>(), b in number::<6>(), p in 1..99_u64, q in 1_u64..) {
             operations(&a, &b, p, q)?;
         }
 
