@@ -145,8 +145,8 @@ fn read_step(text: &str) -> Result<Step, String> {
 fn read_hint(step: &mut Step, hint: &str) -> Result<(), String> {
     if let Some(rest) = hint.strip_prefix("with ") {
         let (name, value) = rest.split_once(" = ").ok_or("expected `with NAME = EXPRESSION`")?;
-        if name.is_empty() || !name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') {
-            return Err("a name holds letters, digits and `_`".to_string());
+        if name.is_empty() || !name.bytes().all(|b| b.is_ascii_alphanumeric() || b"_'".contains(&b)) {
+            return Err("a name holds letters, digits, `_` and `'`".to_string());
         }
         step.with.push((Name { text: name.to_string(), span: Default::default() }, read_expr(value)?));
     } else if let Some(rest) = hint.strip_prefix("times ") {
