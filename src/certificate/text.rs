@@ -4,6 +4,7 @@
 //! that names its line. Expressions are those of the claim language.
 
 use super::{Certificate, Rule, Step, Term, VERSION};
+use crate::claim::diagnostic::Diagnostic;
 use crate::claim::parse::{parse_expr, parse_prop};
 use crate::claim::print;
 use crate::claim::syntax::{Expr, Name, Prop};
@@ -21,6 +22,26 @@ pub struct Malformed {
     pub line: usize,
     /// What is wrong.
     pub message: String,
+    /// Whether it is a limit of this program, and the certificate may be right.
+    pub limit: bool,
+}
+
+/// What is wrong with a line.
+struct Fault {
+    message: String,
+    limit: bool,
+}
+
+impl From<&str> for Fault {
+    fn from(message: &str) -> Fault {
+        Fault { message: message.to_string(), limit: message.starts_with("limit reached") }
+    }
+}
+
+impl From<String> for Fault {
+    fn from(message: String) -> Fault {
+        message.as_str().into()
+    }
 }
 
 /// The digest of a statement's text, in hexadecimal digits.
@@ -74,7 +95,8 @@ pub fn write(certificate: &Certificate) -> String {
 /// # Errors
 /// The first line that is not of the format.
 pub fn read(source: &str) -> Result<Certificate, Malformed> {
-    let fault = |line: usize, message: &str| Malformed { line, message: message.to_string() };
+    let at = |line: usize, fault: Fault| Malformed { line, message: fault.message, limit: fault.limit };
+    let fault = |line: usize, message: &str| at(line, message.into());
     if source.len() > FILE_LIMIT {
         return Err(fault(1, "limit reached: a certificate has at most 4 MiB"));
     }
@@ -108,9 +130,9 @@ pub fn read(source: &str) -> Result<Certificate, Malformed> {
             closed = true;
         } else if let Some(hint) = text.strip_prefix("| ") {
             let Some(step) = steps.last_mut() else { return Err(fault(place, "a hint before the first step")) };
-            read_hint(step, hint).map_err(|message| fault(place, &message))?;
+            read_hint(step, hint).map_err(|fault| at(place, fault))?;
         } else {
-            steps.push(read_step(text).map_err(|message| fault(place, &message))?);
+            steps.push(read_step(text).map_err(|fault| at(place, fault))?);
         }
     }
     if !closed {
@@ -119,7 +141,7 @@ pub fn read(source: &str) -> Result<Certificate, Malformed> {
     Ok(Certificate { claim, statement, steps })
 }
 
-fn read_step(text: &str) -> Result<Step, String> {
+fn read_step(text: &str) -> Result<Step, Fault> {
     let (head, prop) = match text.split_once(": ") {
         Some((head, prop)) => (head, Some(read_prop(prop)?)),
         None => (text, None),
@@ -128,30 +150,30 @@ fn read_step(text: &str) -> Result<Step, String> {
     let first = words.next().unwrap_or_default();
     let (label, rule) = if first == Rule::End.name() { ("", first) } else { (first, words.next().unwrap_or_default()) };
     let Some(rule) = Rule::ALL.iter().find(|r| r.name() == rule) else {
-        return Err(format!("there is no rule called `{rule}`"));
+        return Err(format!("there is no rule called `{rule}`").into());
     };
     if !label.bytes().all(|b| b.is_ascii_alphanumeric()) || (label.is_empty() && *rule != Rule::End) {
-        return Err("a label holds letters and digits".to_string());
+        return Err("a label holds letters and digits".into());
     }
     let mut from = Vec::new();
     match words.next() {
         None => {}
         Some("from") => from.extend(words.map(str::to_string)),
-        Some(other) => return Err(format!("expected `from` or `:` and found `{other}`")),
+        Some(other) => return Err(format!("expected `from` or `:` and found `{other}`").into()),
     }
     Ok(Step { label: label.to_string(), rule: *rule, from, prop, with: Vec::new(), times: None, terms: Vec::new() })
 }
 
-fn read_hint(step: &mut Step, hint: &str) -> Result<(), String> {
+fn read_hint(step: &mut Step, hint: &str) -> Result<(), Fault> {
     if let Some(rest) = hint.strip_prefix("with ") {
         let (name, value) = rest.split_once(" = ").ok_or("expected `with NAME = EXPRESSION`")?;
-        if name.is_empty() || !name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') {
-            return Err("a name holds letters, digits and `_`".to_string());
+        if name.is_empty() || !name.bytes().all(|b| b.is_ascii_alphanumeric() || b"_'".contains(&b)) {
+            return Err("a name holds letters, digits, `_` and `'`".into());
         }
         step.with.push((Name { text: name.to_string(), span: Default::default() }, read_expr(value)?));
     } else if let Some(rest) = hint.strip_prefix("times ") {
         if step.times.is_some() {
-            return Err("a step has one multiplier".to_string());
+            return Err("a step has one multiplier".into());
         }
         step.times = Some(read_expr(rest)?);
     } else if let Some(rest) = hint.strip_prefix("term") {
@@ -159,15 +181,19 @@ fn read_hint(step: &mut Step, hint: &str) -> Result<(), String> {
         let facts = facts.split(' ').filter(|f| !f.is_empty()).map(str::to_string).collect();
         step.terms.push(Term { facts, factor: read_expr(factor)? });
     } else {
-        return Err("a hint begins with `with`, `times` or `term`".to_string());
+        return Err("a hint begins with `with`, `times` or `term`".into());
     }
     Ok(())
 }
 
-fn read_prop(text: &str) -> Result<Prop, String> {
-    parse_prop(text).map_err(|faults| faults.first().map_or("not a proposition".to_string(), |f| f.message()))
+fn read_prop(text: &str) -> Result<Prop, Fault> {
+    parse_prop(text).map_err(|faults| first(&faults, "not a proposition"))
 }
 
-fn read_expr(text: &str) -> Result<Expr, String> {
-    parse_expr(text).map_err(|faults| faults.first().map_or("not an expression".to_string(), |f| f.message()))
+fn read_expr(text: &str) -> Result<Expr, Fault> {
+    parse_expr(text).map_err(|faults| first(&faults, "not an expression"))
+}
+
+fn first(faults: &[Diagnostic], otherwise: &str) -> Fault {
+    faults.first().map_or(otherwise.into(), |f| Fault { message: f.message(), limit: f.is_limit() })
 }

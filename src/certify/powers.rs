@@ -1,6 +1,6 @@
 //! Which powers the others are written in: for each base, exponents that generate all others.
 
-use super::write::{negated, quotient, say, whole_power};
+use super::write::{multiplied, negated, quotient, say, whole_power};
 use super::{Certifier, Fail};
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
@@ -65,8 +65,8 @@ impl Certifier {
 
     /// The logarithm as a sum over bases, each with its exponent.
     fn exponents(&mut self, log: &Fraction) -> Result<Vec<(Poly, Fraction)>, Fail> {
-        let mut work = Work::default();
-        let (top, bottom) = log.parts(&mut work).map_err(|f| format!("{f:?}"))?;
+        let work = Work::default();
+        let (top, bottom) = log.parts(&work).map_err(|f| format!("{f:?}"))?;
         let mut out = Vec::new();
         let mut rest = top.clone();
         let atoms: std::collections::BTreeSet<usize> = top.atoms().collect();
@@ -77,13 +77,13 @@ impl Certifier {
                 return Err("a power with a logarithm in its exponent".to_string());
             }
             if let Some(coefficient) = parts.get(&1) {
-                let exponent = Fraction::of(coefficient).times(&Fraction::of(&bottom).power(-1).map_err(say)?);
+                let exponent = multiplied(&Fraction::of(coefficient), &Fraction::of(&bottom).power(-1).map_err(say)?)?;
                 out.push((base, simplified(&exponent)?));
             }
             rest = parts.get(&0).cloned().unwrap_or_default();
         }
         if rest.terms().next().is_some() {
-            let exponent = Fraction::of(&rest).times(&Fraction::of(&bottom).power(-1).map_err(say)?);
+            let exponent = multiplied(&Fraction::of(&rest), &Fraction::of(&bottom).power(-1).map_err(say)?)?;
             out.push((natural_base(), simplified(&exponent)?));
         }
         Ok(out)
@@ -228,7 +228,7 @@ impl Certifier {
         for g in &logs {
             for h in &logs {
                 if g.base == h.base && g.exponent != h.exponent {
-                    let difference = g.exponent.minus(&h.exponent, &mut Work::default());
+                    let difference = g.exponent.minus(&h.exponent, &Work::default());
                     out.extend(
                         difference.map_err(say).and_then(|d| simplified(&d)).and_then(|d| self.fraction_expr(&d)),
                     );
@@ -290,8 +290,8 @@ fn product_of(factors: &[(Expr, i64)]) -> Expr {
 /// the denominator as it stands.
 pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
     use crate::algebra::Polynomial;
-    let mut work = Work::default();
-    let (top, bottom) = f.parts(&mut work).map_err(say)?;
+    let work = Work::default();
+    let (top, bottom) = f.parts(&work).map_err(say)?;
     let convert = |p: &Poly| super::signs::to_algebra(p);
     let (mut top, mut bottom): (Polynomial, Polynomial) = (convert(&top)?, convert(&bottom)?);
     let common = crate::algebra::gcd::gcd(&top, &bottom).map_err(|_| "a limit in a greatest common divisor")?;
@@ -300,7 +300,7 @@ pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
         bottom = bottom.exact_divide(&common).unwrap_or(bottom);
     }
     let (top, bottom) = (super::signs::factored(&top)?, super::signs::factored(&bottom)?);
-    Ok(top.times(&bottom.power(-1).map_err(say)?))
+    multiplied(&top, &bottom.power(-1).map_err(say)?)
 }
 
 /// The product of all factors by which some of these are divided, each as often as it is there.
@@ -319,10 +319,10 @@ fn common_denominator(list: &[Fraction]) -> Fraction {
 /// The exponents over a common denominator, as vectors of coefficients.
 fn vectors(list: &[Fraction]) -> Result<Vec<Vector>, Fail> {
     let common = common_denominator(list);
-    let mut work = Work::default();
+    let work = Work::default();
     let mut out = Vec::new();
     for f in list {
-        let poly = f.times(&common).expanded(&mut work).map_err(say)?;
+        let poly = multiplied(f, &common)?.expanded(&work).map_err(say)?;
         out.push(poly.terms().map(|(m, c)| (m.clone(), c.clone())).collect());
     }
     Ok(out)
@@ -435,12 +435,12 @@ fn choose(all: &[Fraction], free: bool) -> Result<Option<Vec<Fraction>>, Fail> {
             let c = if flip { -c.clone() } else { c.clone() };
             let mut term = Fraction::number(BigRational::new(c, scale.clone()));
             for (atom, k) in key {
-                term = term.times(&Fraction::atom(*atom).power(i64::from(*k)).map_err(say)?);
+                term = multiplied(&term, &Fraction::atom(*atom).power(i64::from(*k)).map_err(say)?)?;
             }
             terms.push(term);
         }
-        let sum = Fraction::sum(&terms, &mut Work::default()).map_err(say)?;
-        out.push(simplified(&sum.times(&common.power(-1).map_err(say)?))?);
+        let sum = Fraction::sum(&terms, &Work::default()).map_err(say)?;
+        out.push(simplified(&multiplied(&sum, &common.power(-1).map_err(say)?)?)?);
     }
     Ok(Some(out))
 }

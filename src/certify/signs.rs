@@ -1,6 +1,6 @@
 //! Comparisons: the hints by which the kernel sees the sign of a difference.
 
-use super::write::say;
+use super::write::{multiplied, say};
 use super::{Certifier, Fail};
 use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Monomial, Polynomial, factor};
@@ -37,11 +37,11 @@ pub fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
         let c = BigRational::from_str(&c.to_string()).map_err(|_| "a number that cannot be read")?;
         let mut term = Fraction::number(c);
         for (atom, k) in monomial.powers() {
-            term = term.times(&Fraction::atom(*atom as usize).power(i64::from(*k)).map_err(say)?);
+            term = multiplied(&term, &Fraction::atom(*atom as usize).power(i64::from(*k)).map_err(say)?)?;
         }
         terms.push(term);
     }
-    Fraction::sum(&terms, &mut Work::default()).map_err(say)
+    Fraction::sum(&terms, &Work::default()).map_err(say)
 }
 
 /// The engine's polynomial, in factors.
@@ -50,7 +50,7 @@ pub fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
     let mut out =
         Fraction::number(BigRational::from_str(&list.unit.to_string()).map_err(|_| "a number that cannot be read")?);
     for (p, k) in &list.factors {
-        out = out.times(&from_algebra(p)?.power(i64::from(*k)).map_err(say)?);
+        out = multiplied(&out, &from_algebra(p)?.power(i64::from(*k)).map_err(say)?)?;
     }
     Ok(out)
 }
@@ -191,13 +191,13 @@ impl Certifier {
                     let mut facts = Vec::new();
                     for (place, exponent) in &summand.constraints {
                         let k = known.get(*place).ok_or("a constraint")?;
-                        factor = factor.times(&k.factor.power(i64::from(*exponent)).map_err(say)?);
+                        factor = multiplied(&factor, &k.factor.power(i64::from(*exponent)).map_err(say)?)?;
                         if let Some(label) = &k.label {
                             facts.extend(std::iter::repeat_n(label.clone(), *exponent as usize));
                         }
                     }
                     for square in &summand.squares {
-                        factor = factor.times(&from_algebra(square)?.power(2).map_err(say)?);
+                        factor = multiplied(&factor, &from_algebra(square)?.power(2).map_err(say)?)?;
                     }
                     terms.push(Term { facts, factor: self.fraction_expr(&factor)? });
                 }
@@ -242,12 +242,12 @@ impl Certifier {
                         });
                     let keep = !settled || (*k == 1 && p.single_atom().is_none() && open_terms);
                     let one = Fraction::of(p).power(*k).map_err(say)?;
-                    if keep { open = open.times(&one) } else { rest = rest.times(&one) }
+                    if keep { open = multiplied(&open, &one)? } else { rest = multiplied(&rest, &one)? }
                 }
                 if open.factors.values().any(|k| *k < 0) || open.factors.is_empty() {
                     continue;
                 }
-                let Ok(expanded) = open.expanded(&mut Work::default()) else { continue };
+                let Ok(expanded) = open.expanded(&Work::default()) else { continue };
                 if expanded.terms().count() > 60 {
                     continue;
                 }
@@ -310,7 +310,7 @@ impl Certifier {
 
     /// An equation as a multiple of one that is known.
     fn by_equations(&mut self, prop: &Prop, difference: &Fraction) -> Result<(), Fail> {
-        let (top, bottom) = difference.parts(&mut Work::default()).map_err(say)?;
+        let (top, bottom) = difference.parts(&Work::default()).map_err(say)?;
         let goal = to_algebra(&top)?;
         let list = self.facts();
         for (label, fact) in list.iter().rev() {
@@ -321,12 +321,11 @@ impl Certifier {
             if known.is_zero() {
                 continue;
             }
-            let (p, q) = known.parts(&mut Work::default()).map_err(say)?;
+            let (p, q) = known.parts(&Work::default()).map_err(say)?;
             if let Some(quotient) = to_algebra(&p)?.exact_divide(&goal) {
                 // D·goal = the fact.
-                let times = from_algebra(&quotient)?
-                    .times(&Fraction::of(&bottom))
-                    .times(&Fraction::of(&q).power(-1).map_err(say)?);
+                let times = multiplied(&from_algebra(&quotient)?, &Fraction::of(&bottom))?;
+                let times = multiplied(&times, &Fraction::of(&q).power(-1).map_err(say)?)?;
                 let times = self.fraction_expr(&times)?;
                 let term = Term { facts: vec![label.clone()], factor: numeral(1) };
                 if self.combination(prop.clone(), Some(times), vec![term]).is_ok() {
@@ -334,9 +333,8 @@ impl Certifier {
                 }
             }
             if let Some(quotient) = goal.exact_divide(&to_algebra(&p)?) {
-                let factor = from_algebra(&quotient)?
-                    .times(&Fraction::of(&q))
-                    .times(&Fraction::of(&bottom).power(-1).map_err(say)?);
+                let factor = multiplied(&from_algebra(&quotient)?, &Fraction::of(&q))?;
+                let factor = multiplied(&factor, &Fraction::of(&bottom).power(-1).map_err(say)?)?;
                 let factor = self.fraction_expr(&factor)?;
                 let term = Term { facts: vec![label.clone()], factor };
                 if self.combination(prop.clone(), None, vec![term]).is_ok() {
@@ -364,7 +362,7 @@ impl Certifier {
             let p = to_algebra(poly)?;
             let split = if p.term_count() > 120 { Fraction::of(poly) } else { factored(&p)? };
             changed |= split != Fraction::of(poly);
-            whole = whole.times(&split.power(*k).map_err(say)?);
+            whole = multiplied(&whole, &split.power(*k).map_err(say)?)?;
         }
         if changed && whole.factors.len() > 1 {
             for part in whole.factors.keys() {
@@ -413,7 +411,7 @@ impl Certifier {
             let one = Fraction::of(p).power(*k).map_err(say)?;
             let negative = p.terms().any(|t| *t.1 < BigRational::from_integer(0.into()));
             if signs.within(Signs::NOT_ZERO) && (!negative || *k < 0) {
-                rest = rest.times(&one)
+                rest = multiplied(&rest, &one)?
             } else {
                 open.push((p.clone(), *k))
             }
@@ -447,15 +445,15 @@ impl Certifier {
             }
             let constant = parts.get(&0).map_or(Fraction::integer(0), Fraction::of);
             let free = |f: &Fraction| {
-                f.atoms().all(|a| a != atom) && (variable.is_empty() || self.checker.is_free_of(f, &variable))
+                f.atoms().all(|a| a != atom) && (variable.is_empty() || self.checker.is_free_of(f, &variable).is_ok_and(|free| free))
             };
             if !free(&slope) || !free(&constant) {
                 continue;
             }
-            let value = constant.times(&slope.power(-1).map_err(say)?).negated();
+            let value = multiplied(&constant, &slope.power(-1).map_err(say)?)?.negated();
             let value = super::powers::simplified(&value)?;
             let shown = compare(self.atom_expr(atom)?, Relation::Equal, self.fraction_expr(&value)?);
-            let factor = self.fraction_expr(&rest.times(&slope).power(-1).map_err(say)?)?;
+            let factor = self.fraction_expr(&multiplied(&rest, &slope)?.power(-1).map_err(say)?)?;
             let new = if self.checker.knows(&shown) && text_of(prop) == text_of(&shown) {
                 label.to_string()
             } else {
@@ -549,8 +547,8 @@ impl Certifier {
             |p: &Poly| p.terms().find(|t| t.0.is_empty()).map_or(BigRational::from_integer(0.into()), |t| t.1.clone());
         let zero = BigRational::from_integer(0.into());
         let shifted = |p: &Poly, by: i64| {
-            let sum = Fraction::sum(&[Fraction::of(p), Fraction::integer(by)], &mut Work::default());
-            sum.and_then(|f| f.expanded(&mut Work::default())).map_err(say)
+            let sum = Fraction::sum(&[Fraction::of(p), Fraction::integer(by)], &Work::default());
+            sum.and_then(|f| f.expanded(&Work::default())).map_err(say)
         };
         match self.checker.atom(atom).cloned() {
             Some(Atom::Member(name, index)) => {
@@ -574,7 +572,7 @@ impl Certifier {
                     return Ok(None);
                 };
                 let length =
-                    Fraction::of(&shifted(&to, 1)?).minus(&Fraction::of(&from), &mut Work::default()).map_err(say)?;
+                    Fraction::of(&shifted(&to, 1)?).minus(&Fraction::of(&from), &Work::default()).map_err(say)?;
                 if length.is_zero() {
                     return Ok(Some((left.clone(), numeral(u32::from(!is_sum)))));
                 }

@@ -2,7 +2,7 @@
 
 use super::{Certifier, Fail};
 use crate::claim::syntax::*;
-use crate::kernel::fraction::{Fraction, Poly};
+use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::statement::{expr, name};
 use crate::kernel::translate::Atom;
 use num_bigint::BigInt;
@@ -49,6 +49,11 @@ pub fn named(text: &str, value: &Expr) -> (Name, Expr) {
 /// What the kernel says, as the reason of a failure.
 pub fn say(failure: crate::kernel::Failure) -> Fail {
     format!("{failure:?}")
+}
+
+/// The product of two fractions.
+pub fn multiplied(a: &Fraction, b: &Fraction) -> Result<Fraction, Fail> {
+    a.times(b, &Work::default()).map_err(say)
 }
 
 impl Certifier {

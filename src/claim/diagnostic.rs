@@ -92,6 +92,11 @@ impl Diagnostic {
         }
     }
 
+    /// Whether it is a limit of this program, and the input may be right.
+    pub fn is_limit(&self) -> bool {
+        matches!(self.fault, Fault::Limit { .. })
+    }
+
     /// What would be right, where there is something to say.
     pub fn help(&self) -> Option<String> {
         match &self.fault {

@@ -1,11 +1,13 @@
 //! Tokens of a claim file.
 //!
 //! Contract: every byte of the source belongs to a token, to white space or to a comment; each token
-//! knows its place. Unicode signs (≤ ≥ ≠ ⇒ ⇔ · × − ∧ ∨ ¬ ∞ →) read as their ASCII forms.
+//! knows its place. Unicode signs (≤ ≥ ≠ ⇒ ⇔ · × − ∧ ∨ ¬ ∞ →) read as their ASCII forms, and Greek letters
+//! in names as their names: `μ1` is `mu1`. So a name is ASCII, and no two names are one in print by their
+//! letters alone; see [`super::parse`] for `m1` and `m_1`.
 //! Limits: [`NUMERAL_LIMIT`], [`NAME_LIMIT`], [`TOKENS_LIMIT`], [`FILE_LIMIT`].
 
 use super::diagnostic::{Diagnostic, Fault};
-use super::syntax::Span;
+use super::syntax::{GREEK, Span};
 
 /// The largest claim file in bytes.
 pub const FILE_LIMIT: usize = 1 << 20;
@@ -105,7 +107,17 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
                 faults.push(Diagnostic::new(fault, Span { start, end: at }));
                 continue;
             }
-            Kind::Word(rest[..end].to_string())
+            match word(&rest[..end]) {
+                Ok(word) => Kind::Word(word),
+                Err(message) => {
+                    let help = "a name holds Latin letters, digits and Greek letters, begins with a letter, and may \
+                                have `_` between them and `'` at its end; powers are written x^2, indices x1";
+                    let fault = Fault::Other { message, help: Some(help.to_string()) };
+                    faults.push(Diagnostic::new(fault, Span { start, end: at }));
+                    // Read on as if it were right: one mistake, one message.
+                    Kind::Word(rest[..end].to_string())
+                }
+            }
         } else if c.is_ascii_digit() {
             let length = numeral(&source[at..]);
             at += length;
@@ -149,6 +161,23 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
     let end = Span { start: source.len(), end: source.len() };
     out.push(Token { kind: Kind::End, span: end, first_on_line: true });
     (out, faults)
+}
+
+/// A word in ASCII. Signs that print as something else than a part of a name, such as ² and ₁, are refused,
+/// and so is `_` without anything to stand between.
+fn word(text: &str) -> Result<String, String> {
+    let mut out = String::new();
+    for c in text.chars() {
+        match GREEK.iter().find(|g| g.1 == c) {
+            Some((name, _)) => out.push_str(name),
+            None if c.is_ascii() => out.push(c),
+            None => return Err(format!("the name {text} holds the sign {c:?}")),
+        }
+    }
+    if out.split('_').any(str::is_empty) {
+        return Err(format!("the name {text} has a `_` that stands between nothing"));
+    }
+    Ok(out)
 }
 
 /// Whether a word here may hold dashes: after `claim`, `using` or `by`, and in the list after `using`.

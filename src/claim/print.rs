@@ -1,7 +1,7 @@
 //! Statements as text that reads back to the same tree, as Unicode and as LaTeX.
 //!
 //! Contract: [`expr`] and [`prop`] print with the fewest parentheses such that the parser rebuilds
-//! the same tree; Unicode and LaTeX are for reading.
+//! the same tree; Unicode and LaTeX are for reading, and no two trees print alike there either.
 
 use super::syntax::*;
 
@@ -60,10 +60,28 @@ pub fn prop_level(p: &Prop) -> u8 {
     }
 }
 
+/// Whether an expression is a large operator before its operand, which reaches over factors that follow.
+pub fn reaches(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Derivative(..))
+}
+
 impl Style {
+    /// Precedence as this style writes it: in LaTeX large operators bind like products, and a numeral with
+    /// an exponent is not a single sign; √ in Unicode takes a power only in parentheses.
+    fn level(self, e: &Expr) -> u8 {
+        match (self, &e.kind) {
+            (Style::Latex, _) if reaches(e) => 3,
+            (Style::Latex, ExprKind::Number(text)) if text.contains(['e', 'E']) => 4,
+            (Style::Unicode, ExprKind::Apply(name, _)) if name.text == "sqrt" => 4,
+            _ => level(e),
+        }
+    }
+
     /// An expression.
     pub fn expr(self, e: &Expr) -> String {
         match &e.kind {
+            // An upright e is the exponent's, not a name's.
+            ExprKind::Number(text) if self == Style::Latex => text.replace(['e', 'E'], "\\mathrm{e}"),
             ExprKind::Number(text) => text.clone(),
             ExprKind::Name(name) => self.name(name),
             ExprKind::Apply(name, arguments) => self.apply(name, arguments),
@@ -121,7 +139,7 @@ impl Style {
     }
 
     fn at_least(self, e: &Expr, least: u8) -> String {
-        if level(e) >= least {
+        if self.level(e) >= least {
             return self.expr(e);
         }
         match self {
@@ -135,17 +153,12 @@ impl Style {
             let side =
                 |operator: Factor| -> Vec<&Expr> { list.iter().filter(|p| p.0 == operator).map(|p| &p.1).collect() };
             let (above, below) = (side(Factor::Times), side(Factor::Over));
-            let joined = |list: &[&Expr]| match list {
-                [one] => self.expr(one),
-                _ => list
-                    .iter()
-                    .enumerate()
-                    .map(|(i, e)| self.at_least(e, if i == 0 { 2 } else { 3 }))
-                    .collect::<Vec<_>>()
-                    .join(" "),
+            let joined = |list: &[&Expr]| {
+                let [one] = list else { return self.latex_factors(list) };
+                self.expr(one)
             };
             if below.is_empty() {
-                return list.iter().map(|(_, e)| self.at_least(e, 3)).collect::<Vec<_>>().join(" \\, ");
+                return self.latex_factors(&above);
             }
             return format!("\\frac{{{}}}{{{}}}", joined(&above), joined(&below));
         }
@@ -161,6 +174,19 @@ impl Style {
             // A product inside a product keeps its parentheses: the tree is flat only where written so.
             let negated = i > 0 && matches!(&factor.kind, ExprKind::Negate(a) if level(a) >= 4);
             out.push_str(&if negated { self.expr(factor) } else { self.at_least(factor, 4) });
+        }
+        out
+    }
+
+    /// Factors side by side; before a digit stands a point, since 2 3 is not 23.
+    fn latex_factors(self, list: &[&Expr]) -> String {
+        let mut out = String::new();
+        for e in list {
+            let text = self.at_least(e, if reaches(e) { 4 } else { 3 });
+            if !out.is_empty() {
+                out.push_str(if text.starts_with(|c: char| c.is_ascii_digit()) { " \\cdot " } else { " \\, " });
+            }
+            out.push_str(&text);
         }
         out
     }
@@ -184,13 +210,20 @@ impl Style {
             (Style::Latex, "exp" | "ln" | "cosh" | "sinh" | "tanh" | "det") => {
                 format!("\\{}\\left({list}\\right)", name.text)
             }
-            (Style::Latex, _) if arguments.len() == 1 => format!("{}_{{{list}}}", self.name(&name.text)),
             (Style::Unicode, "sqrt") => match arguments {
-                [one] if level(one) >= 5 => format!("√{list}"),
+                [one] if matches!(one.kind, ExprKind::Number(_) | ExprKind::Name(_)) => format!("√{list}"),
                 _ => format!("√({list})"),
             },
-            (Style::Latex, _) => format!("{}\\left({list}\\right)", self.name(&name.text)),
-            _ => format!("{}({list})", self.name(&name.text)),
+            _ => self.member(&name.text, &list),
+        }
+    }
+
+    /// A function with its arguments, or a member of a family. LaTeX has parentheses as well: `m(1)` is not
+    /// the variable `m1`.
+    fn member(self, name: &str, arguments: &str) -> String {
+        match self {
+            Style::Latex => format!("{}\\left({arguments}\\right)", self.name(name)),
+            _ => format!("{}({arguments})", self.name(name)),
         }
     }
 
@@ -201,7 +234,10 @@ impl Style {
         }
         if let Some((head, tail)) = name.split_once('_') {
             return match self {
-                Style::Latex => format!("{}_{{{}}}", self.name(head), self.name(tail)),
+                Style::Latex => {
+                    let (head, tail) = (self.name(head), self.name(tail));
+                    if head.contains('_') { format!("{{{head}}}_{{{tail}}}") } else { format!("{head}_{{{tail}}}") }
+                }
                 _ => format!("{}_{}", self.name(head), self.name(tail)),
             };
         }
@@ -209,8 +245,8 @@ impl Style {
         let digits = &name[letters.len()..];
         let primes = letters.trim_end_matches('\'');
         let marks = &letters[primes.len()..];
-        let head = match (greek(primes), self) {
-            (Some((latex, _)), Style::Latex) => latex.to_string(),
+        let head = match (GREEK.iter().find(|g| g.0 == primes), self) {
+            (Some((name, _)), Style::Latex) => format!("\\{name}"),
             (Some((_, sign)), _) => sign.to_string(),
             _ => primes.to_string(),
         };
@@ -330,10 +366,9 @@ impl Style {
         let names: Vec<String> = b
             .names
             .iter()
-            .map(|(n, i)| match (i, self) {
-                (Some(i), Style::Latex) => format!("{}_{{{}}}", self.name(&n.text), self.name(&i.text)),
-                (Some(i), _) => format!("{}({})", self.name(&n.text), self.name(&i.text)),
-                (None, _) => self.name(&n.text),
+            .map(|(n, i)| match i {
+                Some(i) => self.member(&n.text, &self.name(&i.text)),
+                None => self.name(&n.text),
             })
             .collect();
         let mut out = names.join(", ");
@@ -393,7 +428,8 @@ impl Style {
                 let (u, k) = (self.name(&name.text), self.name(&index.text));
                 let (a, b) = (self.expr(initial), self.expr(step));
                 if latex {
-                    format!("{u}_{{0}} = {a}, \\quad {u}_{{{k}+1}} = {b}")
+                    let next = self.member(&name.text, &format!("{k} + 1"));
+                    format!("{} = {a}, \\quad {next} = {b}", self.member(&name.text, "0"))
                 } else {
                     format!("define {u} by {u}(0) = {a}, {u}({k} + 1) = {b}")
                 }
@@ -407,18 +443,78 @@ impl Style {
     }
 }
 
-fn greek(name: &str) -> Option<(&'static str, &'static str)> {
-    const GREEK: &[(&str, &str, &str)] = &[
-        ("mu", "\\mu", "μ"),
-        ("eta", "\\eta", "η"),
-        ("nu", "\\nu", "ν"),
-        ("kappa", "\\kappa", "κ"),
-        ("lambda", "\\lambda", "λ"),
-        ("theta", "\\theta", "θ"),
-        ("psi", "\\psi", "ψ"),
-        ("rho", "\\rho", "ρ"),
-        ("alpha", "\\alpha", "α"),
-        ("beta", "\\beta", "β"),
-    ];
-    GREEK.iter().find(|g| g.0 == name || g.2 == name).map(|g| (g.1, g.2))
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claim::parse::{parse, parse_expr, parse_prop};
+
+    fn latex(text: &str) -> String {
+        Style::Latex.expr(&parse_expr(text).expect("it parses"))
+    }
+
+    fn unicode(text: &str) -> String {
+        Style::Unicode.expr(&parse_expr(text).expect("it parses"))
+    }
+
+    #[test]
+    fn latex_shows_how_far_a_large_operator_reaches() {
+        assert_eq!(latex("sum(i = 1..n, i^2)"), "\\sum_{i=1}^{n} i^{2}");
+        assert_eq!(latex("sum(i = 1..n, i)^2"), "\\left(\\sum_{i=1}^{n} i\\right)^{2}");
+        assert_eq!(latex("sum(i = 1..n, i*x)"), "\\sum_{i=1}^{n} i \\, x");
+        assert_eq!(latex("product(i = 1..n, i)*x"), "\\left(\\prod_{i=1}^{n} i\\right) \\, x");
+        assert_eq!(latex("(x*sum(i = 1..n, i))*y"), "x \\, \\left(\\sum_{i=1}^{n} i\\right) \\, y");
+        assert_eq!(
+            latex("derivative(x^2, x)^2"),
+            "\\left(\\frac{\\partial}{\\partial x}\\left(x^{2}\\right)\\right)^{2}"
+        );
+        assert_eq!(latex("sum(i = 1..n, i + 1)"), "\\sum_{i=1}^{n} \\left(i + 1\\right)");
+    }
+
+    #[test]
+    fn latex_keeps_factors_apart() {
+        assert_eq!(latex("2*3*x"), "2 \\cdot 3 \\, x");
+        assert_eq!(latex("a*b/c"), "\\frac{a \\, b}{c}");
+        assert_eq!(latex("1e5^2"), "\\left(1\\mathrm{e}5\\right)^{2}");
+        assert_ne!(latex("m1*m(1)"), latex("m1*m1"));
+        assert_eq!(latex("x1_a"), "{x_{1}}_{a}");
+    }
+
+    #[test]
+    fn a_root_takes_a_power_in_parentheses() {
+        assert_eq!(unicode("sqrt(x)^2"), "(√x)^2");
+        assert_eq!(unicode("sqrt(x^2)"), "√(x^2)");
+        assert_eq!(unicode("sqrt(x)*y"), "√x·y");
+        assert_eq!(unicode("sqrt(sqrt(x))"), "√(√x)");
+        assert_eq!(unicode("sqrt(m(k))"), "√(m(k))");
+    }
+
+    #[test]
+    fn a_greek_letter_is_its_name() {
+        let prop = parse_prop("μ1 + Δv > mu1*λ'").expect("it parses");
+        assert_eq!(super::prop(&prop), "mu1 + Deltav > mu1*lambda'");
+        assert_eq!(Style::Unicode.prop(&prop), "μ₁ + Deltav > μ₁·λ'");
+    }
+
+    #[test]
+    fn names_that_look_like_something_else_are_refused() {
+        let said = |names: &str| {
+            let faults = parse(&format!("claim c \"t\"\ngiven {names} real\nprove 1 = 1")).err().unwrap_or_default();
+            faults.iter().map(|f| f.message()).collect::<Vec<_>>().join("; ")
+        };
+        for (names, wanted) in [
+            ("x₁", "the name x₁ holds the sign '₁'"),
+            ("x²", "the name x² holds the sign '²'"),
+            ("é", "the name é holds the sign 'é'"),
+            ("Σ", "the name Σ holds the sign 'Σ'"),
+            ("x_", "the name x_ has a `_` that stands between nothing"),
+            ("_x", "the name _x has a `_` that stands between nothing"),
+            ("μ, mu", "the name mu is declared twice"),
+            ("m1, m_1", "the names m1 and m_1 are the same in print"),
+        ] {
+            assert_eq!(said(names), wanted);
+        }
+        for names in ["x1, x_2, x', v_mu, mu1, λ2", "m1, m11, m_a1, m1_a"] {
+            assert_eq!(said(names), "");
+        }
+    }
 }

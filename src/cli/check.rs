@@ -33,7 +33,7 @@ pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exi
     } else {
         load::claims(&load::files(claims)?)?.0
     };
-    let (asked, found) = certificates(paths)?;
+    let (asked, found) = certificates(paths, &claims)?;
     let mut outcomes: BTreeMap<String, Outcome> = BTreeMap::new();
     for name in &asked {
         judge(name, &claims, &found, &mut outcomes);
@@ -70,8 +70,9 @@ pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exi
     Ok(code)
 }
 
-/// The certificates to judge, and all that were found: cited claims may have theirs beside them.
-fn certificates(paths: &[PathBuf]) -> Result<(Vec<String>, BTreeMap<String, Found>), Exit> {
+/// The certificates to judge, and those of the claims that they cite, which are looked for beside them under
+/// their claims' names. Other files there are not read.
+fn certificates(paths: &[PathBuf], claims: &[Claim]) -> Result<(Vec<String>, BTreeMap<String, Found>), Exit> {
     let mut found = BTreeMap::new();
     let mut asked = Vec::new();
     if paths.is_empty() {
@@ -106,15 +107,21 @@ fn certificates(paths: &[PathBuf]) -> Result<(Vec<String>, BTreeMap<String, Foun
     }
     beside.sort();
     beside.dedup();
-    for folder in beside {
-        for file in listed(&folder)? {
-            let name = file.file_stem().and_then(|s| s.to_str()).unwrap_or_default().to_string();
-            if !found.contains_key(&name) {
-                let origin = file.display().to_string();
-                let certificate = parsed(&origin, &text_of(&file)?)?;
-                found.entry(certificate.claim.clone()).or_insert(Found { origin, certificate });
-            }
+    let mut open = asked.clone();
+    let mut seen = BTreeSet::new();
+    while let Some(name) = open.pop() {
+        if !seen.insert(name.clone()) {
+            continue;
         }
+        if !found.contains_key(&name)
+            && let Some(file) = beside.iter().map(|folder| folder.join(format!("{name}.cert"))).find(|f| f.is_file())
+        {
+            let origin = file.display().to_string();
+            let certificate = parsed(&origin, &text_of(&file)?)?;
+            found.entry(certificate.claim.clone()).or_insert(Found { origin, certificate });
+        }
+        let cited = claims.iter().filter(|c| c.name.text == name).flat_map(|c| &c.using);
+        open.extend(cited.map(|n| n.text.clone()));
     }
     Ok((asked, found))
 }
@@ -137,7 +144,7 @@ fn text_of(path: &Path) -> Result<String, Exit> {
 }
 
 fn parsed(origin: &str, text: &str) -> Result<Certificate, Exit> {
-    read(text).map_err(|m| Exit::usage(format!("error: {origin}:{}: {}", m.line, m.message)))
+    read(text).map_err(|m| Exit::faults(&[format!("error: {origin}:{}: {}", m.line, m.message)], m.limit))
 }
 
 /// Judges a certificate, those of the claims that it cites first.

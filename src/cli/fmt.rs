@@ -2,6 +2,7 @@
 
 use super::load::{files, read, rendered};
 use super::{Exit, print, write_file};
+use crate::claim::diagnostic::Diagnostic;
 use crate::claim::format::format;
 use crate::claim::parse::parse_bytes;
 use std::path::PathBuf;
@@ -9,7 +10,7 @@ use std::path::PathBuf;
 /// Runs the command: nothing is written unless every file parses.
 pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     let mut changed = Vec::new();
-    let mut messages = Vec::new();
+    let (mut messages, mut only_limits) = (Vec::new(), true);
     for path in files(paths)? {
         let bytes = read(&path)?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
@@ -18,11 +19,14 @@ pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
         match formatted {
             Ok(formatted) if formatted != text => changed.push((path, formatted)),
             Ok(_) => {}
-            Err(faults) => messages.extend(rendered(&faults, &shown, &text)),
+            Err(faults) => {
+                only_limits &= faults.iter().all(Diagnostic::is_limit);
+                messages.extend(rendered(&faults, &shown, &text));
+            }
         }
     }
     if !messages.is_empty() {
-        return Err(Exit::usage(messages.join("\n")));
+        return Err(Exit::faults(&messages, only_limits));
     }
     for (path, formatted) in &changed {
         print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()))?;

@@ -87,7 +87,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Exit> {
     let bytes = bounded(path, FILE_LIMIT).map_err(|e| cannot_read(path, &e))?;
     if bytes.len() > FILE_LIMIT {
         let message = format!("error: {}: limit reached: at most {FILE_LIMIT} bytes in a claim file", path.display());
-        return Err(Exit::usage(message));
+        return Err(Exit { code: 3, message });
     }
     Ok(bytes)
 }
@@ -106,11 +106,12 @@ pub type Claims = (Vec<Claim>, Vec<usize>, Vec<Source>);
 /// The claims of files, each with the number of its source.
 pub fn claims(files: &[PathBuf]) -> Result<Claims, Exit> {
     let (mut claims, mut origin, mut sources) = (Vec::new(), Vec::new(), Vec::new());
-    let mut messages = Vec::new();
+    let (mut messages, mut only_limits) = (Vec::new(), true);
     for path in files {
         let bytes = match read(path) {
             Ok(bytes) => bytes,
             Err(exit) => {
+                only_limits &= exit.code == 3;
                 messages.push(exit.message);
                 continue;
             }
@@ -121,12 +122,17 @@ pub fn claims(files: &[PathBuf]) -> Result<Claims, Exit> {
                 origin.extend(std::iter::repeat_n(sources.len(), list.len()));
                 claims.extend(list);
             }
-            Err(faults) => messages.extend(rendered(&faults, &source.path, &source.text)),
+            Err(faults) => {
+                only_limits &= faults.iter().all(Diagnostic::is_limit);
+                messages.extend(rendered(&faults, &source.path, &source.text));
+            }
         }
         sources.push(source);
     }
-    messages.extend(twice(&claims, &origin, &sources));
-    if messages.is_empty() { Ok((claims, origin, sources)) } else { Err(Exit::usage(messages.join("\n"))) }
+    let twice = twice(&claims, &origin, &sources);
+    only_limits &= twice.is_empty();
+    messages.extend(twice);
+    if messages.is_empty() { Ok((claims, origin, sources)) } else { Err(Exit::faults(&messages, only_limits)) }
 }
 
 /// The most faults of one file that are shown.

@@ -243,6 +243,11 @@ impl Exit {
     fn usage(message: impl Into<String>) -> Exit {
         Exit { code: 2, message: message.into() }
     }
+
+    /// Faults of input: 3 if they are limits and nothing else is wrong.
+    fn faults(messages: &[String], only_limits: bool) -> Exit {
+        Exit { code: if only_limits { 3 } else { 2 }, message: messages.join("\n") }
+    }
 }
 
 /// Runs the program.

@@ -42,7 +42,7 @@ impl Checker {
             ExprKind::Power(base, exponent) => {
                 let exponent = self.scalar(exponent)?;
                 let base = self.scalar(base)?;
-                Ok(exponent.times(&self.logarithm_of(&base)?))
+                exponent.times(&self.logarithm_of(&base)?, &self.work)
             }
             ExprKind::Apply(f, arguments) if !self.is_declared(&f.text) => {
                 let [argument] = arguments.as_slice() else {
@@ -50,8 +50,8 @@ impl Checker {
                 };
                 let x = self.scalar(argument)?;
                 match f.text.as_str() {
-                    "sqrt" => Ok(self.logarithm_of(&x)?.times(&part(2)?)),
-                    "cbrt" => Ok(self.logarithm_of(&x)?.times(&part(3)?)),
+                    "sqrt" => self.logarithm_of(&x)?.times(&part(2)?, &self.work),
+                    "cbrt" => self.logarithm_of(&x)?.times(&part(3)?, &self.work),
                     "exp" => Ok(x),
                     _ => rejected("rule `power` is about powers, roots and exponentials"),
                 }
@@ -77,7 +77,7 @@ impl Checker {
         } else {
             let value = self.scalar(right)?;
             let other = self.logarithm_of(&value)?;
-            if !log.minus(&other, &mut self.work)?.is_zero() {
+            if !log.minus(&other, &self.work)?.is_zero() {
                 return rejected("the logarithms of the two sides differ");
             }
             value
@@ -97,7 +97,7 @@ impl Checker {
         };
         let (a, b) = (self.scalar(left)?, self.scalar(right)?);
         let (a, b) = (self.logarithm_of(&a)?, self.logarithm_of(&b)?);
-        if !a.minus(&b, &mut self.work)?.is_zero() {
+        if !a.minus(&b, &self.work)?.is_zero() {
             return rejected("the logarithms of the two sides differ");
         }
         self.know(&step.label, goal.clone())
@@ -196,7 +196,7 @@ impl Checker {
                     let value = self.scalar(right)?;
                     let matches = |checker: &mut Checker, e: &Expr| -> Result<bool, Failure> {
                         let other = checker.scalar(e)?;
-                        Ok(other.minus(&value, &mut checker.work)?.is_zero())
+                        Ok(other.minus(&value, &checker.work)?.is_zero())
                     };
                     if matches(self, &last).unwrap_or(false) { last } else { first }
                 }
@@ -205,7 +205,7 @@ impl Checker {
         };
         self.scalar(left)?;
         let (a, b) = (self.scalar(right)?, self.scalar(&expected)?);
-        if !a.minus(&b, &mut self.work)?.is_zero() {
+        if !a.minus(&b, &self.work)?.is_zero() {
             return rejected("this is not what the definition says");
         }
         self.know(&step.label, goal.clone())
@@ -267,7 +267,7 @@ impl Checker {
         }
         if strict {
             let (x, y) = (self.scalar(&a)?, self.scalar(&b)?);
-            let difference = x.minus(&y, &mut self.work)?;
+            let difference = x.minus(&y, &self.work)?;
             if !self.signs_of(&difference)?.within(Signs::NOT_ZERO) {
                 return rejected("the two values are not shown to differ");
             }
@@ -327,6 +327,7 @@ impl Checker {
                 return rejected(&format!("the sequence {} depends on {variable}", u.name));
             }
         }
+        self.work.count(self.statement.bindings.len() + self.blocks.len())?;
         let opened = self.blocks.iter().flat_map(|b| match &b.goal.kind {
             PropKind::ForAll(bindings, _) => bindings.clone(),
             _ => Vec::new(),
@@ -383,14 +384,14 @@ impl Checker {
             return rejected("the variable that grows is replaced");
         }
         let (f, value) = (self.scalar(&limit.of)?, self.scalar(&limit.value)?);
-        let (top, bottom) = f.parts(&mut self.work)?;
+        let (top, bottom) = f.parts(&self.work)?;
         let (top, bottom) = (top.coefficients(atom), bottom.coefficients(atom));
         for poly in top.values().chain(bottom.values()) {
-            if !self.is_free_of(&Fraction::of(poly), &variable) {
+            if !self.is_free_of(&Fraction::of(poly), &variable)? {
                 return rejected("a coefficient depends on the variable that grows");
             }
         }
-        if !self.is_free_of(&value, &variable) {
+        if !self.is_free_of(&value, &variable)? {
             return rejected("the limit depends on the variable that grows");
         }
         let Some((degree, lead)) = bottom.iter().next_back() else { return rejected("a division by 0") };
@@ -401,10 +402,10 @@ impl Checker {
             return rejected("the numerator has the greater degree");
         }
         let quotient = match top.get(degree) {
-            Some(c) => Fraction::of(c).times(&Fraction::of(lead).power(-1)?),
+            Some(c) => Fraction::of(c).times(&Fraction::of(lead).power(-1)?, &self.work)?,
             None => Fraction::integer(0),
         };
-        if !quotient.minus(&value, &mut self.work)?.is_zero() {
+        if !quotient.minus(&value, &self.work)?.is_zero() {
             return rejected("the limit is another");
         }
         self.know(&step.label, goal.clone())

@@ -6,15 +6,19 @@
 //! No common divisor is ever sought: two fractions are equal iff their difference, with the common
 //! factors set aside and the rest multiplied out, has no terms.
 //!
-//! Every product of two terms is counted in [`Work`], so that time and memory are bounded.
+//! What is done and what is made is counted in [`Work`] where it happens, numbers by their length, so
+//! that time and memory are bounded. What only copies, such as [`Fraction::power`], is counted by the
+//! size of what it comes to, in [`super::Checker::value`].
 
 use super::{Failure, declined};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
-/// The most products of terms in the check of one certificate.
+/// The most work in the check of one certificate: about that many operations on short numbers, terms
+/// written, and comparisons of names, signs and facts in searches.
 pub const WORK_LIMIT: u64 = 20_000_000;
 /// The most terms of a polynomial.
 pub const TERMS_LIMIT: usize = 20_000;
@@ -23,16 +27,47 @@ pub const EXPONENT_LIMIT: i64 = 1_000;
 /// The most bits of a numerator or denominator.
 pub const BITS_LIMIT: u64 = 200_000;
 
-/// Counts products of terms.
+/// Counts work. A cell, so that what only reads the state of a check counts as well.
 #[derive(Clone, Debug, Default)]
-pub struct Work(u64);
+pub struct Work(Cell<u64>);
 
 impl Work {
-    /// Counts some work.
-    pub fn count(&mut self, amount: usize) -> Result<(), Failure> {
-        self.0 = self.0.saturating_add(u64::try_from(amount).unwrap_or(u64::MAX));
-        if self.0 > WORK_LIMIT { declined("work") } else { Ok(()) }
+    /// Counts some work; whether it was too much, the next [`Work::count`] says.
+    pub fn spend(&self, amount: usize) {
+        self.0.set(self.0.get().saturating_add(u64::try_from(amount).unwrap_or(u64::MAX)));
     }
+
+    /// Counts some work.
+    pub fn count(&self, amount: usize) -> Result<(), Failure> {
+        self.spend(amount);
+        if self.0.get() > WORK_LIMIT { declined("work") } else { Ok(()) }
+    }
+}
+
+/// The length of a number, in 64 bits.
+fn words(q: &BigRational) -> usize {
+    usize::try_from(q.numer().bits().max(q.denom().bits()) / 64).unwrap_or(usize::MAX)
+}
+
+/// A number that was computed: its length is limited, and its square counted, for common divisors of
+/// long numbers take so long.
+fn computed(q: BigRational, work: &Work) -> Result<BigRational, Failure> {
+    work.count(words(&q).saturating_pow(2))?;
+    if q.numer().bits().max(q.denom().bits()) > BITS_LIMIT { declined("digits") } else { Ok(q) }
+}
+
+/// Divides by a number as often as it can: how often that is. By its square first, so that 2^100000
+/// takes some twenty divisions.
+fn divided_out(rest: &mut BigInt, divisor: &BigInt) -> i64 {
+    if !(&*rest % divisor).is_zero() {
+        return 0;
+    }
+    let twice = divided_out(rest, &(divisor * divisor));
+    if !(&*rest % divisor).is_zero() {
+        return 2 * twice;
+    }
+    *rest /= divisor;
+    2 * twice + 1
 }
 
 /// Atoms with positive exponents, in increasing order of the atoms.
@@ -45,9 +80,7 @@ pub struct Poly(BTreeMap<Monomial, BigRational>);
 impl Poly {
     /// A constant.
     pub fn constant(c: BigRational) -> Poly {
-        let mut out = Poly::default();
-        out.add_term(Vec::new(), c);
-        out
+        Poly(if c.is_zero() { BTreeMap::new() } else { BTreeMap::from([(Vec::new(), c)]) })
     }
 
     /// An atom.
@@ -76,23 +109,29 @@ impl Poly {
         self.0.keys().flatten().map(|power| power.0)
     }
 
-    fn add_term(&mut self, monomial: Monomial, c: BigRational) {
-        let sum = self.0.remove(&monomial).unwrap_or_else(BigRational::zero) + c;
+    /// How much it holds: terms, atoms in them, words of their numbers.
+    pub fn size(&self) -> usize {
+        self.0.iter().map(|(monomial, c)| 1 + monomial.len() + words(c)).sum()
+    }
+
+    fn add_term(&mut self, monomial: Monomial, c: BigRational, work: &Work) -> Result<(), Failure> {
+        let sum = match self.0.remove(&monomial) {
+            Some(old) => computed(old + c, work)?,
+            None => c,
+        };
         if !sum.is_zero() {
             self.0.insert(monomial, sum);
         }
+        if self.0.len() > TERMS_LIMIT { declined("terms") } else { Ok(()) }
     }
 
     /// The product.
-    pub fn times(&self, other: &Poly, work: &mut Work) -> Result<Poly, Failure> {
-        work.count(self.0.len().saturating_mul(other.0.len()))?;
+    pub fn times(&self, other: &Poly, work: &Work) -> Result<Poly, Failure> {
         let mut out = Poly::default();
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
-                let product = c * d;
-                if product.numer().bits().max(product.denom().bits()) > BITS_LIMIT {
-                    return declined("digits");
-                }
+                work.count(1 + m.len() + n.len())?;
+                let product = computed(c * d, work)?;
                 let mut powers: BTreeMap<usize, u32> = m.iter().copied().collect();
                 for (atom, k) in n {
                     let sum = powers.get(atom).copied().unwrap_or(0).saturating_add(*k);
@@ -101,10 +140,10 @@ impl Poly {
                     }
                     powers.insert(*atom, sum);
                 }
-                out.add_term(powers.into_iter().collect(), product);
+                out.add_term(powers.into_iter().collect(), product, work)?;
             }
         }
-        if out.0.len() > TERMS_LIMIT { declined("terms") } else { Ok(out) }
+        Ok(out)
     }
 
     /// The partial derivative.
@@ -114,7 +153,8 @@ impl Poly {
             let Some((_, k)) = monomial.iter().find(|p| p.0 == atom) else { continue };
             let lower =
                 monomial.iter().map(|p| if p.0 == atom { (p.0, p.1 - 1) } else { *p }).filter(|p| p.1 > 0).collect();
-            out.add_term(lower, c * BigRational::from_integer(BigInt::from(*k)));
+            // Different monomials stay different.
+            out.0.insert(lower, c * BigRational::from_integer(BigInt::from(*k)));
         }
         out
     }
@@ -125,7 +165,7 @@ impl Poly {
         for (monomial, c) in &self.0 {
             let k = monomial.iter().find(|p| p.0 == atom).map_or(0, |p| p.1);
             let rest = monomial.iter().copied().filter(|p| p.0 != atom).collect();
-            out.entry(k).or_default().add_term(rest, c.clone());
+            out.entry(k).or_default().0.insert(rest, c.clone());
         }
         out
     }
@@ -179,7 +219,7 @@ impl Fraction {
                 .map(|(atom, k)| (*atom, k - common.get(atom).copied().unwrap_or(0)))
                 .filter(|p| p.1 > 0)
                 .collect();
-            rest.add_term(lower, c / lead);
+            rest.0.insert(lower, c / lead);
         }
         for (atom, k) in common {
             out.factors.insert(Poly::atom(atom), i64::from(k));
@@ -218,17 +258,31 @@ impl Fraction {
         self.factors.keys().flat_map(Poly::atoms)
     }
 
-    /// The product.
-    pub fn times(&self, other: &Fraction) -> Fraction {
+    /// How much it holds: words of its number, and the sizes of its factors.
+    pub fn size(&self) -> usize {
+        1 + words(&self.coefficient) + self.factors.keys().map(Poly::size).sum::<usize>()
+    }
+
+    /// Multiplies it in place.
+    pub fn multiply(&mut self, other: &Fraction, work: &Work) -> Result<(), Failure> {
+        work.count(other.size())?;
         if self.is_zero() || other.is_zero() {
-            return Fraction::integer(0);
+            *self = Fraction::integer(0);
+            return Ok(());
         }
-        let mut out = self.clone();
-        out.coefficient *= &other.coefficient;
+        self.coefficient = computed(&self.coefficient * &other.coefficient, work)?;
         for (poly, k) in &other.factors {
-            out.put(poly, *k);
+            self.put(poly, *k);
         }
-        out
+        Ok(())
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Fraction, work: &Work) -> Result<Fraction, Failure> {
+        work.count(self.size())?;
+        let mut out = self.clone();
+        out.multiply(other, work)?;
+        Ok(out)
     }
 
     /// The whole power; 0 has positive powers only, and the power 0.
@@ -260,36 +314,43 @@ impl Fraction {
     }
 
     /// The sum: what all summands share is set aside, the rest multiplied out.
-    pub fn sum(list: &[Fraction], work: &mut Work) -> Result<Fraction, Failure> {
+    pub fn sum(list: &[Fraction], work: &Work) -> Result<Fraction, Failure> {
         let list: Vec<&Fraction> = list.iter().filter(|f| !f.is_zero()).collect();
         let Some(first) = list.first() else { return Ok(Fraction::integer(0)) };
         if list.len() == 1 {
             return Ok((*first).clone());
         }
+        // Of each factor: in how many summands it stands, and its least exponent there; elsewhere it is 0.
+        let mut least: BTreeMap<&Poly, (usize, i64)> = BTreeMap::new();
+        for (poly, k) in list.iter().flat_map(|f| &f.factors) {
+            let (count, least) = least.entry(poly).or_insert((0, *k));
+            (*count, *least) = (*count + 1, (*k).min(*least));
+        }
         let mut common = Fraction::integer(1);
-        for poly in list.iter().flat_map(|f| f.factors.keys()) {
-            let least = list.iter().map(|f| f.factors.get(poly).copied().unwrap_or(0)).min().unwrap_or(0);
-            if least != 0 {
-                common.factors.insert(poly.clone(), least);
+        for (poly, (count, k)) in least {
+            let k = if count < list.len() { k.min(0) } else { k };
+            if k != 0 {
+                common.factors.insert(poly.clone(), k);
             }
         }
+        let inverse = common.power(-1)?;
         let mut sum = Poly::default();
         for fraction in &list {
-            let rest = fraction.times(&common.power(-1)?);
+            let rest = fraction.times(&inverse, work)?;
             for (monomial, c) in rest.expanded(work)?.0 {
-                sum.add_term(monomial, c);
+                sum.add_term(monomial, c, work)?;
             }
         }
-        Ok(Fraction::of(&sum).times(&common))
+        Fraction::of(&sum).times(&common, work)
     }
 
     /// The difference.
-    pub fn minus(&self, other: &Fraction, work: &mut Work) -> Result<Fraction, Failure> {
+    pub fn minus(&self, other: &Fraction, work: &Work) -> Result<Fraction, Failure> {
         Fraction::sum(&[self.clone(), other.negated()], work)
     }
 
     /// The polynomial; a fraction with denominators is none.
-    pub fn expanded(&self, work: &mut Work) -> Result<Poly, Failure> {
+    pub fn expanded(&self, work: &Work) -> Result<Poly, Failure> {
         let mut out = Poly::constant(self.coefficient.clone());
         for (poly, k) in &self.factors {
             if *k < 0 || *k > EXPONENT_LIMIT {
@@ -303,7 +364,7 @@ impl Fraction {
     }
 
     /// Numerator and denominator, multiplied out.
-    pub fn parts(&self, work: &mut Work) -> Result<(Poly, Poly), Failure> {
+    pub fn parts(&self, work: &Work) -> Result<(Poly, Poly), Failure> {
         let mut top = Fraction::number(self.coefficient.clone());
         let mut bottom = Fraction::integer(1);
         for (poly, k) in &self.factors {
@@ -315,21 +376,25 @@ impl Fraction {
 
     /// The number's logarithm as whole multiples of those of primes: (prime, multiplicity). What has no
     /// small prime factor is kept whole: any splitting into factors is right.
-    pub fn prime_powers(&self) -> Vec<(BigInt, i64)> {
+    pub fn prime_powers(&self, work: &Work) -> Result<Vec<(BigInt, i64)>, Failure> {
         let mut out = Vec::new();
         for (number, sign) in [(self.coefficient.numer(), 1), (self.coefficient.denom(), -1)] {
             let mut rest = number.abs();
             for prime in 2u32..1000 {
+                if rest.is_one() || rest.is_zero() {
+                    break;
+                }
+                work.count(1 + words(&self.coefficient))?;
                 let prime = BigInt::from(prime);
-                while !rest.is_zero() && (&rest % &prime).is_zero() {
-                    rest /= &prime;
-                    out.push((prime.clone(), sign));
+                match divided_out(&mut rest, &prime) {
+                    0 => {}
+                    k => out.push((prime, sign * k)),
                 }
             }
             if !rest.is_one() && !rest.is_zero() {
                 out.push((rest, sign));
             }
         }
-        out
+        Ok(out)
     }
 }

@@ -3,7 +3,7 @@
 use super::fraction::Fraction;
 use super::order::Signs;
 use super::statement::{Substitution, compare, constraints, domain, expr, name, names_in_prop, numeral, prop};
-use super::translate::Value;
+use super::translate::{Atom, Value};
 use super::{Accepted, Block, Checker, Failure, rejected, text};
 use crate::certificate::Step;
 use crate::claim::syntax::*;
@@ -391,19 +391,28 @@ impl Checker {
         self.know(&step.label, goal.clone())
     }
 
-    /// Whether a fraction is free of a variable, at any depth.
-    pub fn is_free_of(&self, f: &Fraction, variable: &str) -> bool {
-        use super::translate::Atom;
-        let free = |poly: &super::fraction::Poly| self.is_free_of(&Fraction::of(poly), variable);
-        f.atoms().all(|place| match self.atom(place) {
-            Some(Atom::Variable(name)) => name != variable,
-            Some(Atom::Bound(_)) => true,
-            Some(Atom::Member(_, index)) => free(index),
-            Some(Atom::Over(_, _, from, to, body)) => free(from) && free(to) && self.is_free_of(body, variable),
-            Some(Atom::Logarithm(inner)) => free(inner),
-            Some(Atom::Exponential(inner)) => self.is_free_of(inner, variable),
-            None => false,
-        })
+    /// Whether a fraction is free of a variable, at any depth. Each atom is looked at once.
+    pub fn is_free_of(&self, f: &Fraction, variable: &str) -> Result<bool, Failure> {
+        let mut open: Vec<usize> = f.atoms().collect();
+        let mut seen = BTreeSet::new();
+        while let Some(place) = open.pop() {
+            if !seen.insert(place) {
+                continue;
+            }
+            let before = open.len();
+            match self.atom(place) {
+                Some(Atom::Variable(name)) if name == variable => return Ok(false),
+                None => return Ok(false),
+                Some(Atom::Variable(_) | Atom::Bound(_)) => {}
+                Some(Atom::Member(_, inner) | Atom::Logarithm(inner)) => open.extend(inner.atoms()),
+                Some(Atom::Over(_, _, from, to, body)) => {
+                    open.extend(from.atoms().chain(to.atoms()).chain(body.atoms()));
+                }
+                Some(Atom::Exponential(inner)) => open.extend(inner.atoms()),
+            }
+            self.work.count(1 + open.len() - before)?;
+        }
+        Ok(true)
     }
 }
 

@@ -35,6 +35,8 @@ use translate::Atom;
 
 /// The most steps of a certificate.
 pub const STEPS_LIMIT: usize = 20_000;
+/// The most names that a statement declares, and that are in scope at once.
+pub const NAMES_LIMIT: usize = 1_000;
 
 /// Why a step was not taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -168,6 +170,9 @@ impl Checker {
     /// The state before the first step: the hypotheses are the facts `h1`, `h2`, …
     pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
         let statement = Statement::of(claim)?;
+        if statement.bindings.iter().map(|b| b.names.len()).sum::<usize>() + statement.sequences.len() > NAMES_LIMIT {
+            return declined("names");
+        }
         let allowed: BTreeSet<&str> = claim.using.iter().map(|n| n.text.as_str()).collect();
         let cited =
             cited.iter().filter(|a| allowed.contains(a.statement.name.as_str())).map(|a| (*a).clone()).collect();
@@ -238,6 +243,8 @@ impl Checker {
         if self.steps > STEPS_LIMIT {
             return declined("steps");
         }
+        // Labels are sought among all that are in use.
+        self.work.count(self.facts.len() + self.blocks.len())?;
         self.fields(step)?;
         let (kept, blocks) = (self.sizes(), self.blocks.len());
         let result = match step.rule {
@@ -282,6 +289,7 @@ impl Checker {
         if !self.blocks.is_empty() {
             return rejected("a block is open at the end");
         }
+        self.work.count(0)?;
         if !self.knows(&self.statement.goal) {
             return rejected("the goal is not among the facts");
         }
@@ -333,7 +341,10 @@ impl Checker {
     /// A fact by label.
     pub fn fact(&self, label: &str) -> Result<Rc<Prop>, Failure> {
         match self.facts.iter().find(|f| f.label == label) {
-            Some(fact) => Ok(fact.prop.clone()),
+            Some(fact) => {
+                self.work.count(fact.key.len())?;
+                Ok(fact.prop.clone())
+            }
             None => rejected(&format!("there is no fact {label}")),
         }
     }
@@ -341,12 +352,15 @@ impl Checker {
     /// Whether this very proposition is a fact.
     pub fn knows(&self, prop: &Prop) -> bool {
         let key = text::prop(prop);
+        self.work.spend(key.len() + self.facts.len());
         self.facts.iter().any(|f| f.key == key)
     }
 
     /// A fact that a rule needs must be known word for word.
     fn need(&self, prop: &Prop) -> Result<(), Failure> {
-        if self.knows(prop) { Ok(()) } else { rejected(&format!("needs {}", text::prop(prop))) }
+        let known = self.knows(prop);
+        self.work.count(0)?;
+        if known { Ok(()) } else { rejected(&format!("needs {}", text::prop(prop))) }
     }
 
     /// Adds a fact; the sign of what it compares is noted where it can be translated.
@@ -371,7 +385,7 @@ impl Checker {
                 self.variables.push((name.text.clone(), binding.natural));
             }
         }
-        Ok(())
+        if self.variables.len() > NAMES_LIMIT { declined("names") } else { Ok(()) }
     }
 
     fn is_declared(&self, name: &str) -> bool {

@@ -8,6 +8,7 @@ use crate::certificate::Step;
 use crate::claim::syntax::*;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
+use std::collections::BTreeMap;
 
 /// How deep signs of products over an index may nest.
 const NESTING: usize = 20;
@@ -98,39 +99,56 @@ impl Signs {
     }
 }
 
+/// The signs of atoms found so far in one question.
+type Found = BTreeMap<usize, Signs>;
+
 impl Checker {
     /// The signs of a fraction: the product of the signs of its factors.
     pub fn signs_of(&self, f: &Fraction) -> Result<Signs, Failure> {
-        self.fraction_signs(f, NESTING)
+        self.fraction_signs(f, NESTING, &mut BTreeMap::new())
     }
 
-    fn fraction_signs(&self, f: &Fraction, depth: usize) -> Result<Signs, Failure> {
+    fn fraction_signs(&self, f: &Fraction, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
         let mut signs = Signs::of_number(&f.coefficient);
         for (poly, k) in &f.factors {
-            signs = signs.times(self.poly_signs_in(poly, depth)?.power(*k));
+            signs = signs.times(self.poly_signs_in(poly, depth, found)?.power(*k));
         }
         Ok(signs)
     }
 
     /// The signs of a polynomial: those noted of it, and those of the sum of its terms.
     pub fn poly_signs(&self, poly: &Poly) -> Result<Signs, Failure> {
-        self.poly_signs_in(poly, NESTING)
+        self.poly_signs_in(poly, NESTING, &mut BTreeMap::new())
     }
 
-    fn poly_signs_in(&self, poly: &Poly, depth: usize) -> Result<Signs, Failure> {
-        let mut signs = self.signs.iter().filter(|s| s.0 == *poly).fold(Signs::ANY, |all, s| all.and(s.1));
+    fn noted(&self, poly: &Poly) -> Result<Signs, Failure> {
+        self.work.count(self.signs.len() + poly.size())?;
+        Ok(self.signs.iter().filter(|s| s.0 == *poly).fold(Signs::ANY, |all, s| all.and(s.1)))
+    }
+
+    fn poly_signs_in(&self, poly: &Poly, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
         if let Some(atom) = poly.single_atom() {
-            return Ok(signs.and(self.structural(atom, depth)?));
+            return self.atom_signs(atom, depth, found);
         }
         let mut sum = Signs::ZERO;
         for (monomial, c) in poly.terms() {
             let mut term = Signs::of_number(c);
             for (atom, k) in monomial {
-                term = term.times(self.poly_signs_in(&Poly::atom(*atom), depth)?.power(i64::from(*k)));
+                term = term.times(self.atom_signs(*atom, depth, found)?.power(i64::from(*k)));
             }
             sum = sum.plus(term);
         }
-        signs = signs.and(sum);
+        Ok(sum.and(self.noted(poly)?))
+    }
+
+    /// The signs of an atom, sought once in each question: an atom may stand in every term, and what it is
+    /// made of in every term of that.
+    fn atom_signs(&self, atom: usize, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
+        if let Some(signs) = found.get(&atom) {
+            return Ok(*signs);
+        }
+        let signs = self.noted(&Poly::atom(atom))?.and(self.structural(atom, depth, found)?);
+        found.insert(atom, signs);
         Ok(signs)
     }
 
@@ -138,7 +156,7 @@ impl Checker {
     /// logarithm has the sign of its argument less 1, a
     /// member of a family lies in its domain, and products (sums) of positive bodies are positive
     /// (not negative: a range may be empty).
-    fn structural(&self, atom: usize, depth: usize) -> Result<Signs, Failure> {
+    fn structural(&self, atom: usize, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
         let Some(depth) = depth.checked_sub(1) else { return declined("nesting of products") };
         Ok(match self.atom(atom) {
             Some(Atom::Variable(name)) if self.variables.iter().any(|v| v.0 == *name && v.1) => Signs::NOT_NEGATIVE,
@@ -147,16 +165,16 @@ impl Checker {
             // ln p rises with p, and ln 1 = 0.
             Some(Atom::Logarithm(inner)) => {
                 let one = Fraction::integer(-1);
-                let shifted = Fraction::sum(&[Fraction::of(inner), one], &mut super::fraction::Work::default())?;
-                self.fraction_signs(&shifted, depth)?
+                let shifted = Fraction::sum(&[Fraction::of(inner), one], &self.work)?;
+                self.fraction_signs(&shifted, depth, found)?
             }
             Some(Atom::Member(name, _)) => self.family_signs(name),
             Some(Atom::Over(true, _, _, _, body)) => {
-                let body = self.fraction_signs(body, depth)?;
+                let body = self.fraction_signs(body, depth, found)?;
                 if body.within(Signs::NOT_NEGATIVE) { Signs::NOT_NEGATIVE } else { Signs::ANY }
             }
             Some(Atom::Over(false, _, _, _, body)) => {
-                let body = self.fraction_signs(body, depth)?;
+                let body = self.fraction_signs(body, depth, found)?;
                 let kinds = [Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO];
                 kinds.into_iter().find(|kind| body.within(*kind)).unwrap_or(Signs::ANY)
             }
@@ -188,7 +206,7 @@ impl Checker {
             return rejected("a single comparison is needed, not a chain");
         };
         let (a, b) = (self.scalar(a)?, self.scalar(b)?);
-        Ok((a.minus(&b, &mut self.work)?, *relation))
+        Ok((a.minus(&b, &self.work)?, *relation))
     }
 
     /// Notes what a fact `a relation b` says of the sign of the one factor of a − b that is open.
@@ -269,7 +287,7 @@ impl Checker {
                 return rejected("the sizes of these matrices differ");
             }
             for (p, q) in x.iter().flatten().zip(y.iter().flatten()) {
-                let difference = p.minus(q, &mut self.work)?;
+                let difference = p.minus(q, &self.work)?;
                 if !self.signs_of(&difference)?.within(Signs::ZERO) {
                     return rejected("two entries are not shown to be equal");
                 }
@@ -297,20 +315,20 @@ impl Checker {
             None => Fraction::integer(1),
         };
         let mut signs = Signs::ZERO;
-        let mut terms = vec![times.times(&difference).negated()];
+        let mut terms = vec![times.times(&difference, &self.work)?.negated()];
         for term in &step.terms {
             let mut product = self.scalar(&term.factor)?;
             let mut sign = self.signs_of(&product)?;
             for label in &term.facts {
                 let fact = self.fact(label)?;
                 let (value, relation) = self.difference(&fact)?;
-                product = product.times(&value);
+                product.multiply(&value, &self.work)?;
                 sign = sign.times(Signs::of(relation));
             }
             signs = signs.plus(sign);
             terms.push(product);
         }
-        if !Fraction::sum(&terms, &mut self.work)?.is_zero() {
+        if !Fraction::sum(&terms, &self.work)?.is_zero() {
             return rejected("the combination is not the difference of the two sides");
         }
         let divisor = self.signs_of(&times)?;

@@ -6,10 +6,11 @@
 use super::{Failure, declined, rejected, text};
 use crate::claim::syntax::*;
 use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 /// The deepest nesting of an expression or proposition.
 pub const DEPTH_LIMIT: usize = 400;
-/// The most nodes that one substitution may write.
+/// The most nodes that one substitution may write, and all that put the `let`s of one claim in place.
 pub const NODES_LIMIT: usize = 200_000;
 
 /// A sequence u by u(0) and u(k + 1).
@@ -44,28 +45,29 @@ impl Statement {
     /// The statement of a claim: every `let` is put in place, in the order written.
     pub fn of(claim: &Claim) -> Result<Statement, Failure> {
         let mut lets = Substitution::default();
+        let room = &mut Room::new();
         let (mut bindings, mut sequences, mut assumptions) = (Vec::new(), Vec::new(), Vec::new());
         for item in &claim.items {
             match item {
                 Item::Given(list) => {
                     for binding in list {
-                        bindings.push(lets.binding(binding)?);
+                        bindings.push(lets.binding_in(binding, room)?);
                     }
                 }
                 Item::Let { name, parameters, value } => {
-                    let value = lets.without(parameters.iter())?.expr(value)?;
+                    let value = lets.without(parameters.iter(), room)?.expr_in(value, room)?;
                     lets.define(&name.text, parameters.iter().map(|p| p.text.clone()).collect(), value);
                 }
                 Item::Define { name, initial, index, step, .. } => sequences.push(Sequence {
                     name: name.text.clone(),
-                    initial: lets.expr(initial)?,
+                    initial: lets.expr_in(initial, room)?,
                     index: index.text.clone(),
-                    step: lets.without([index].into_iter())?.expr(step)?,
+                    step: lets.without([index].into_iter(), room)?.expr_in(step, room)?,
                 }),
-                Item::Assume { prop, .. } => assumptions.push(lets.prop(prop)?),
+                Item::Assume { prop, .. } => assumptions.push(lets.prop_in(prop, room)?),
             }
         }
-        let goal = lets.prop(&claim.goal)?;
+        let goal = lets.prop_in(&claim.goal, room)?;
         Ok(Statement { name: claim.name.text.clone(), bindings, sequences, assumptions, goal })
     }
 
@@ -171,12 +173,14 @@ enum Replacement {
 /// A replacement of free names, all at once.
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
-    map: HashMap<String, Replacement>,
+    map: Rc<HashMap<String, Replacement>>,
+    /// Names of the map that are bound here, so that they are not replaced.
+    hidden: Vec<String>,
     /// Names that occur in replacements: no bound name may be one of them.
-    mentioned: BTreeSet<String>,
+    mentioned: Rc<BTreeSet<String>>,
     /// Names that occur in values put in for variables. What is put in under `derivative` or `limit` must
     /// not bring in the variable that moves there; a definition may, for it is only written out.
-    put_in: BTreeSet<String>,
+    put_in: Rc<BTreeSet<String>>,
     /// Whether such a value holds a member of a family or sequence, which may depend on anything.
     members_put_in: bool,
 }
@@ -188,6 +192,10 @@ struct Room {
 }
 
 impl Room {
+    fn new() -> Room {
+        Room { depth: DEPTH_LIMIT, nodes: NODES_LIMIT }
+    }
+
     fn enter(&mut self) -> Result<(), Failure> {
         if self.depth == 0 {
             return declined("depth");
@@ -204,41 +212,52 @@ impl Room {
 impl Substitution {
     /// Replaces a name by a value.
     pub fn replace(&mut self, name: &str, value: &Expr) {
-        names_in(value, &mut self.mentioned);
-        names_in(value, &mut self.put_in);
+        names_in(value, Rc::make_mut(&mut self.mentioned));
+        names_in(value, Rc::make_mut(&mut self.put_in));
         self.members_put_in |= has_member(value);
-        self.map.insert(name.to_string(), Replacement::Value(value.clone()));
+        Rc::make_mut(&mut self.map).insert(name.to_string(), Replacement::Value(value.clone()));
     }
 
     /// Renames a family.
     pub fn rename_family(&mut self, name: &str, other: &str) {
-        self.mentioned.insert(other.to_string());
-        self.map.insert(name.to_string(), Replacement::Family(other.to_string()));
+        Rc::make_mut(&mut self.mentioned).insert(other.to_string());
+        Rc::make_mut(&mut self.map).insert(name.to_string(), Replacement::Family(other.to_string()));
     }
 
     fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
         let mut names = BTreeSet::new();
         names_in(&value, &mut names);
-        self.mentioned.extend(names.into_iter().filter(|n| !parameters.contains(n)));
-        self.map.insert(name.to_string(), Replacement::Definition(parameters, value));
+        Rc::make_mut(&mut self.mentioned).extend(names.into_iter().filter(|n| !parameters.contains(n)));
+        Rc::make_mut(&mut self.map).insert(name.to_string(), Replacement::Definition(parameters, value));
     }
 
     /// The substitution under binders of these names.
-    fn without<'n>(&self, names: impl Iterator<Item = &'n Name>) -> Result<Substitution, Failure> {
+    fn without<'n>(
+        &self,
+        names: impl Iterator<Item = &'n Name>,
+        room: &mut Room,
+    ) -> Result<Substitution, Failure> {
         let mut inner = self.clone();
         for name in names {
-            inner.map.remove(&name.text);
-            if self.mentioned.contains(&name.text) && !inner.map.is_empty() {
+            if inner.replacement(&name.text).is_some() {
+                inner.hidden.push(name.text.clone());
+            }
+            if self.mentioned.contains(&name.text) && inner.hidden.len() < self.map.len() {
                 return rejected(&format!("the bound name {} would capture a name that is put in", name.text));
             }
         }
+        room.nodes = room.nodes.saturating_sub(inner.hidden.len());
         Ok(inner)
+    }
+
+    fn replacement(&self, name: &str) -> Option<&Replacement> {
+        self.map.get(name).filter(|_| !self.hidden.iter().any(|h| h == name))
     }
 
     /// Refuses a value for a variable that moves in a derivative or limit, and values that mention it:
     /// `for all y: derivative(x*y, x) = y` says nothing of y = x.
     fn moves(&self, variable: &str) -> Result<(), Failure> {
-        if self.map.contains_key(variable) || self.put_in.contains(variable) || self.members_put_in {
+        if self.replacement(variable).is_some() || self.put_in.contains(variable) || self.members_put_in {
             return rejected(&format!(
                 "a value is put in that takes the place of {variable} or mentions it, which moves"
             ));
@@ -248,17 +267,17 @@ impl Substitution {
 
     /// The expression with the names replaced.
     pub fn expr(&self, e: &Expr) -> Result<Expr, Failure> {
-        self.expr_in(e, &mut Room { depth: DEPTH_LIMIT, nodes: NODES_LIMIT })
+        self.expr_in(e, &mut Room::new())
     }
 
     /// The proposition with the names replaced.
     pub fn prop(&self, p: &Prop) -> Result<Prop, Failure> {
-        self.prop_in(p, &mut Room { depth: DEPTH_LIMIT, nodes: NODES_LIMIT })
+        self.prop_in(p, &mut Room::new())
     }
 
     /// The binding with the names in its constraints replaced.
     pub fn binding(&self, b: &Binding) -> Result<Binding, Failure> {
-        self.binding_in(b, &mut Room { depth: DEPTH_LIMIT, nodes: NODES_LIMIT })
+        self.binding_in(b, &mut Room::new())
     }
 
     fn expr_in(&self, e: &Expr, room: &mut Room) -> Result<Expr, Failure> {
@@ -269,7 +288,7 @@ impl Substitution {
         };
         let kind = match &e.kind {
             Number(text) => Number(text.clone()),
-            Name(text) => match self.map.get(text) {
+            Name(text) => match self.replacement(text) {
                 // The copy is walked through to count it.
                 Some(Replacement::Value(value)) => Substitution::default().expr_in(value, room)?.kind,
                 Some(Replacement::Definition(parameters, value)) if parameters.is_empty() => {
@@ -279,7 +298,7 @@ impl Substitution {
             },
             Apply(function, arguments) => {
                 let arguments = all(arguments, room)?;
-                match self.map.get(&function.text) {
+                match self.replacement(&function.text) {
                     Some(Replacement::Definition(parameters, value)) if parameters.len() == arguments.len() => {
                         let mut inner = Substitution::default();
                         for (parameter, argument) in parameters.iter().zip(&arguments) {
@@ -325,12 +344,12 @@ impl Substitution {
     fn over(&self, index: &Index, body: &Expr, room: &mut Room) -> Result<(Index, Box<Expr>), Failure> {
         let from = Box::new(self.expr_in(&index.from, room)?);
         let to = Box::new(self.expr_in(&index.to, room)?);
-        let body = self.without([&index.name].into_iter())?.expr_in(body, room)?;
+        let body = self.without([&index.name].into_iter(), room)?.expr_in(body, room)?;
         Ok((Index { name: index.name.clone(), from, to }, Box::new(body)))
     }
 
     fn binding_in(&self, b: &Binding, room: &mut Room) -> Result<Binding, Failure> {
-        let inner = self.without(b.names.iter().filter_map(|n| n.1.as_ref()))?;
+        let inner = self.without(b.names.iter().filter_map(|n| n.1.as_ref()), room)?;
         let mut out = b.clone();
         for constraint in &mut out.constraints {
             match constraint {
@@ -355,7 +374,7 @@ impl Substitution {
             list.iter().map(|p| self.prop_in(p, room)).collect()
         };
         let bound = |bindings: &[Binding], room: &mut Room| -> Result<(Vec<Binding>, Substitution), Failure> {
-            let inner = self.without(bindings.iter().flat_map(|b| b.names.iter().map(|n| &n.0)))?;
+            let inner = self.without(bindings.iter().flat_map(|b| b.names.iter().map(|n| &n.0)), room)?;
             let list = bindings.iter().map(|b| inner.binding_in(b, room)).collect::<Result<_, Failure>>()?;
             Ok((list, inner))
         };

@@ -61,7 +61,7 @@ pub fn prop(p: &Prop) -> String {
         PropKind::Compare(sides, relations) => {
             let mut out = sides.first().map_or(String::new(), expr);
             for (r, side) in relations.iter().zip(sides.iter().skip(1)) {
-                out = format!("{out} {} {}", relation(*r), expr(side));
+                out.push_str(&format!(" {} {}", relation(*r), expr(side)));
             }
             format!("({out})")
         }

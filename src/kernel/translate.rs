@@ -65,6 +65,7 @@ impl Checker {
     }
 
     fn atom_value(&mut self, atom: Atom) -> Fraction {
+        self.work.spend(self.replaced.len());
         let place = self.intern(atom);
         self.resolved(place)
     }
@@ -87,9 +88,23 @@ impl Checker {
     /// An expression.
     pub fn value(&mut self, e: &Expr, depth: usize) -> Result<Value, Failure> {
         let Some(depth) = depth.checked_sub(1) else { return declined("depth") };
-        self.work.count(1)?;
+        let value = self.value_of(e, depth)?;
+        // Whatever was copied on the way is not much longer than what comes of it.
+        self.work.count(match &value {
+            Value::Scalar(f) => f.size(),
+            Value::Matrix(rows) => rows.iter().flatten().map(Fraction::size).sum(),
+        })?;
+        Ok(value)
+    }
+
+    fn value_of(&mut self, e: &Expr, depth: usize) -> Result<Value, Failure> {
         let fraction = match &e.kind {
-            ExprKind::Number(text) => Fraction::number(numeral(text)?),
+            ExprKind::Number(text) => {
+                let number = numeral(text)?;
+                // Powers of 10 take about as long as they have digits.
+                self.work.count(usize::try_from(number.numer().bits().max(number.denom().bits())).unwrap_or(usize::MAX))?;
+                Fraction::number(number)
+            }
             ExprKind::Name(name) => {
                 if !self.variables.iter().any(|v| v.0 == *name) {
                     return rejected(&format!("{name} is not declared here"));
@@ -146,7 +161,7 @@ impl Checker {
             }
         }
         let Some(first) = matrices.first() else {
-            return Ok(Value::Scalar(Fraction::sum(&scalars, &mut self.work)?));
+            return Ok(Value::Scalar(Fraction::sum(&scalars, &self.work)?));
         };
         if !scalars.is_empty() || matrices.iter().any(|m| sizes(m) != sizes(first)) {
             return rejected("a sum of matrices of different sizes");
@@ -157,7 +172,7 @@ impl Checker {
             for j in 0..row.len() {
                 let entries: Vec<Fraction> =
                     matrices.iter().filter_map(|m| m.get(i).and_then(|r| r.get(j)).cloned()).collect();
-                sums.push(Fraction::sum(&entries, &mut self.work)?);
+                sums.push(Fraction::sum(&entries, &self.work)?);
             }
             out.push(sums);
         }
@@ -176,9 +191,12 @@ impl Checker {
                 (Factor::Over, Value::Matrix(_)) => return rejected("a division by a matrix"),
             };
             out = match (out, next) {
-                (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.times(&b)),
+                (Value::Scalar(mut a), Value::Scalar(b)) => {
+                    a.multiply(&b, &self.work)?;
+                    Value::Scalar(a)
+                }
                 (Value::Scalar(a), Value::Matrix(rows)) | (Value::Matrix(rows), Value::Scalar(a)) => {
-                    Value::Matrix(each(&rows, &mut |f| Ok(f.times(&a)))?)
+                    Value::Matrix(each(&rows, &mut |f| f.times(&a, &self.work))?)
                 }
                 (Value::Matrix(a), Value::Matrix(b)) => Value::Matrix(self.matrix_product(&a, &b)?),
             };
@@ -194,9 +212,9 @@ impl Checker {
         for row in a {
             let mut entries = Vec::new();
             for j in 0..sizes(b).1 {
-                let terms: Vec<Fraction> =
-                    row.iter().zip(b).filter_map(|(x, other)| other.get(j).map(|y| x.times(y))).collect();
-                entries.push(Fraction::sum(&terms, &mut self.work)?);
+                let pairs = row.iter().zip(b).filter_map(|(x, other)| other.get(j).map(|y| (x, y)));
+                let terms = pairs.map(|(x, y)| x.times(y, &self.work)).collect::<Result<Vec<_>, _>>()?;
+                entries.push(Fraction::sum(&terms, &self.work)?);
             }
             out.push(entries);
         }
@@ -216,10 +234,10 @@ impl Checker {
                 .iter()
                 .map(|row| row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, f)| f.clone()).collect())
                 .collect();
-            let term = entry.times(&self.determinant(&minor)?);
+            let term = entry.times(&self.determinant(&minor)?, &self.work)?;
             terms.push(if j % 2 == 0 { term } else { term.negated() });
         }
-        Fraction::sum(&terms, &mut self.work)
+        Fraction::sum(&terms, &self.work)
     }
 
     fn apply_function(&mut self, function: &Name, arguments: &[Expr], depth: usize) -> Result<Value, Failure> {
@@ -243,8 +261,8 @@ impl Checker {
         // cosh x = (e^x + e^-x)/2, sinh x = (e^x - e^-x)/2; cosh x > 0 because both summands are.
         let half_sum = |checker: &mut Checker, plus: bool| -> Result<Fraction, Failure> {
             let (a, b) = (checker.exponential(&x)?, checker.exponential(&x.negated())?);
-            let sum = Fraction::sum(&[a, if plus { b } else { b.negated() }], &mut checker.work)?;
-            Ok(sum.times(&two.power(-1)?))
+            let sum = Fraction::sum(&[a, if plus { b } else { b.negated() }], &checker.work)?;
+            sum.times(&two.power(-1)?, &checker.work)
         };
         Ok(Value::Scalar(match name {
             "sqrt" => self.raised(&x, &two.power(-1)?)?,
@@ -254,7 +272,7 @@ impl Checker {
             "cosh" => half_sum(self, true)?,
             "sinh" => half_sum(self, false)?,
             "sech" => half_sum(self, true)?.power(-1)?,
-            "tanh" => half_sum(self, false)?.times(&half_sum(self, true)?.power(-1)?),
+            "tanh" => half_sum(self, false)?.times(&half_sum(self, true)?.power(-1)?, &self.work)?,
             _ => return rejected(&format!("{name} is not a function that the kernel knows")),
         }))
     }
@@ -282,7 +300,7 @@ impl Checker {
 
     /// A polynomial with whole coefficients in natural variables has whole values.
     pub fn whole(&mut self, index: &Fraction) -> Result<Poly, Failure> {
-        let poly = index.expanded(&mut self.work)?;
+        let poly = index.expanded(&self.work)?;
         let natural = |atom: usize| match self.atoms.get(atom) {
             Some(Atom::Variable(name)) => self.variables.iter().any(|v| v.0 == *name && v.1),
             Some(Atom::Bound(_)) => true,
@@ -301,7 +319,7 @@ impl Checker {
         let from = self.scalar_in(&index.from, depth)?;
         let to = self.scalar_in(&index.to, depth)?;
         let (low, high) = (self.natural(&from)?, self.whole(&to)?);
-        let room = Fraction::sum(&[to, Fraction::integer(1), from.negated()], &mut self.work)?;
+        let room = Fraction::sum(&[to, Fraction::integer(1), from.negated()], &self.work)?;
         if !self.signs_of(&room)?.within(Signs::NOT_NEGATIVE) {
             return rejected("a range that may end before it begins");
         }
@@ -324,7 +342,7 @@ impl Checker {
         for (poly, k) in &body.factors {
             let factor = Fraction::of(poly);
             let value = self.atom_value(Atom::Over(false, bound, low.clone(), high.clone(), factor));
-            out = out.times(&value.power(*k)?);
+            out.multiply(&value.power(*k)?, &self.work)?;
         }
         Ok(out)
     }
@@ -361,7 +379,7 @@ impl Checker {
             return base.power(k);
         }
         let log = self.logarithm_of(base)?;
-        self.exponential(&exponent.times(&log))
+        self.exponential(&exponent.times(&log, &self.work)?)
     }
 
     /// ln c·∏ pᵢ^kᵢ = ln c + Σ kᵢ·ln pᵢ, if every pᵢ is shown to be positive; ln exp L = L.
@@ -370,9 +388,9 @@ impl Checker {
             return rejected("a logarithm or power of what is not shown to be positive");
         }
         let mut terms = Vec::new();
-        for (prime, k) in x.prime_powers() {
+        for (prime, k) in x.prime_powers(&self.work)? {
             let atom = self.intern(Atom::Logarithm(Poly::constant(BigRational::from_integer(prime))));
-            terms.push(Fraction::atom(atom).times(&Fraction::integer(k)));
+            terms.push(Fraction::atom(atom).times(&Fraction::integer(k), &self.work)?);
         }
         for (poly, k) in &x.factors {
             if !self.poly_signs(poly)?.within(Signs::POSITIVE) {
@@ -385,9 +403,9 @@ impl Checker {
                     self.resolved(place)
                 }
             };
-            terms.push(inner.times(&Fraction::integer(*k)));
+            terms.push(inner.times(&Fraction::integer(*k), &self.work)?);
         }
-        Fraction::sum(&terms, &mut self.work)
+        Fraction::sum(&terms, &self.work)
     }
 
     /// exp of a fraction: 1 at 0, else as a step of rule `power` has said.
@@ -395,12 +413,13 @@ impl Checker {
         if log.is_zero() {
             return Ok(Fraction::integer(1));
         }
+        self.work.count(self.powers.len())?;
         if let Some((_, value)) = self.powers.iter().rev().find(|p| p.0 == *log) {
             return Ok(value.clone());
         }
         // The same exponent may stand in other factors.
         for (known, value) in self.powers.iter().rev() {
-            if known.minus(log, &mut self.work)?.is_zero() {
+            if known.minus(log, &self.work)?.is_zero() {
                 return Ok(value.clone());
             }
         }
@@ -423,7 +442,9 @@ impl Checker {
         if !self.variables.iter().any(|v| v.0 == *by && !v.1) {
             return rejected("a derivative by what is not a real variable");
         }
-        if let Some(reason) = self.dependence() {
+        let dependence = self.dependence();
+        self.work.count(self.replaced.len())?;
+        if let Some(reason) = dependence {
             return rejected(&reason);
         }
         let mut terms = Vec::new();
@@ -433,13 +454,16 @@ impl Checker {
             for atom in atoms {
                 let inner = self.atom_derivative(atom, by, depth)?;
                 if !inner.is_zero() {
-                    slope.push(Fraction::of(&poly.derivative(atom)).times(&inner));
+                    slope.push(Fraction::of(&poly.derivative(atom)).times(&inner, &self.work)?);
                 }
             }
-            let slope = Fraction::sum(&slope, &mut self.work)?;
-            terms.push(slope.times(&Fraction::of(poly).power(-1)?).times(&Fraction::integer(*k)).times(f));
+            let slope = Fraction::sum(&slope, &self.work)?;
+            let mut term = slope.times(&Fraction::of(poly).power(-1)?, &self.work)?;
+            term.multiply(&Fraction::integer(*k), &self.work)?;
+            term.multiply(f, &self.work)?;
+            terms.push(term);
         }
-        Fraction::sum(&terms, &mut self.work)
+        Fraction::sum(&terms, &self.work)
     }
 
     fn atom_derivative(&mut self, place: usize, by: &str, depth: usize) -> Result<Fraction, Failure> {
@@ -447,9 +471,9 @@ impl Checker {
             Some(Atom::Variable(name)) => Ok(Fraction::integer(i64::from(name == by))),
             Some(Atom::Logarithm(inner)) => {
                 let slope = self.derivative(&Fraction::of(&inner), by, depth)?;
-                Ok(slope.times(&self.present(&inner)?.power(-1)?))
+                slope.times(&self.present(&inner)?.power(-1)?, &self.work)
             }
-            Some(Atom::Exponential(inner)) => Ok(self.derivative(&inner, by, depth)?.times(&Fraction::atom(place))),
+            Some(Atom::Exponential(inner)) => self.derivative(&inner, by, depth)?.times(&Fraction::atom(place), &self.work),
             _ => rejected("a derivative of a member of a family, or of a sum or product over an index"),
         }
     }
@@ -460,11 +484,11 @@ impl Checker {
         for (monomial, c) in poly.terms() {
             let mut term = Fraction::number(c.clone());
             for (atom, k) in monomial {
-                term = term.times(&self.resolved(*atom).power(i64::from(*k))?);
+                term.multiply(&self.resolved(*atom).power(i64::from(*k))?, &self.work)?;
             }
             terms.push(term);
         }
-        Fraction::sum(&terms, &mut self.work)
+        Fraction::sum(&terms, &self.work)
     }
 
     /// Why derivatives cannot be taken now: an atom is replaced by what equals it only where a
@@ -488,7 +512,8 @@ impl Checker {
                                 return false;
                             };
                             let log = self.atom_index.get(&Atom::Logarithm(Poly::atom(place)));
-                            log.is_some_and(|log| inner.times(&Fraction::integer(*k)) == Fraction::atom(*log))
+                            let log = log.map(|log| Fraction::atom(*log));
+                            log.is_some() && inner.times(&Fraction::integer(*k), &self.work).ok() == log
                         })
                 }
                 _ => false,

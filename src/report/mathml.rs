@@ -4,7 +4,7 @@
 //! them, fractions and roots group by themselves.
 
 use super::markup::escape;
-use crate::claim::print::{Style, level, prop_level};
+use crate::claim::print::{Style, level, prop_level, reaches};
 use crate::claim::syntax::*;
 
 /// A proposition on a line of its own.
@@ -89,7 +89,9 @@ fn identifier(name: &str) -> String {
 fn at_least(e: &Expr, least: u8) -> String {
     // A fraction groups by itself.
     let fraction = matches!(&e.kind, ExprKind::Product(list) if list.iter().any(|f| f.0 == Factor::Over));
-    if level(e) >= least || fraction && least <= 4 { expr(e) } else { fenced(&expr(e)) }
+    // A large operator would reach over the factors behind it.
+    let level = if reaches(e) { 3 } else { level(e) };
+    if level >= least || fraction && least <= 4 { expr(e) } else { fenced(&expr(e)) }
 }
 
 fn expr(e: &Expr) -> String {
@@ -278,6 +280,15 @@ mod tests {
         assert!(!shown("a*(b/c) = 1").contains("<mo>(</mo><mfrac>"));
         assert!(shown("a*(b + c) = 1").contains("<mo>(</mo>"));
         assert!(shown("a^(1/(n + 1)) = 1").contains("<mn>1</mn><mo>/</mo><mrow><mo>(</mo>"));
+    }
+
+    #[test]
+    fn a_large_operator_reaches_no_further_than_it_should() {
+        for text in ["product(i = 1..n, i)*x = 1", "derivative(x^2, x)*x = 1", "x*sum(i = 1..n, i) = 1"] {
+            assert!(shown(text).contains("<mo>(</mo><mrow><m"), "{text}: {}", shown(text));
+        }
+        assert!(shown("sum(i = 1..n, i)^2 = 1").contains("<msup><mrow><mo>(</mo><mrow><munderover>"));
+        assert!(!shown("sum(i = 1..n, i*x) = 1").contains("<mo>(</mo>"));
     }
 
     #[test]

@@ -29,6 +29,7 @@ impl Parser {
     fn claim(&mut self) -> Option<Claim> {
         let before = self.faults.len();
         let name = self.name("the name of the claim").ok();
+        self.printed.clear();
         let title = match self.peek() {
             Kind::Text(_) => self.text().unwrap_or_default(),
             _ => {

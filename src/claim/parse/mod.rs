@@ -12,7 +12,9 @@ mod proposition;
 
 use super::diagnostic::{Diagnostic, Fault};
 use super::lex::{FILE_LIMIT, Kind, Token, tokens};
+use super::print::Style;
 use super::syntax::*;
+use std::collections::BTreeMap;
 
 /// Words that begin a clause.
 const CLAUSES: &[&str] = &[
@@ -73,7 +75,7 @@ pub fn parse(source: &str) -> Result<Vec<Claim>, Vec<Diagnostic>> {
         return Err(vec![Diagnostic::new(fault, Span::default())]);
     }
     let (tokens, faults) = tokens(source);
-    let mut parser = Parser { tokens, at: 0, depth: 0, faults };
+    let mut parser = Parser { tokens, at: 0, depth: 0, printed: BTreeMap::new(), faults };
     let claims = parser.claims();
     let mut faults = parser.faults;
     if claims.is_empty() && faults.is_empty() {
@@ -101,7 +103,7 @@ pub fn parse_bytes(bytes: &[u8]) -> Result<Vec<Claim>, Vec<Diagnostic>> {
 /// A proposition by itself, for tests and tools.
 pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
     let (tokens, faults) = tokens(source);
-    let mut parser = Parser { tokens, at: 0, depth: 0, faults };
+    let mut parser = Parser { tokens, at: 0, depth: 0, printed: BTreeMap::new(), faults };
     let prop = parser.prop();
     if let Ok(prop) = prop
         && parser.faults.is_empty()
@@ -118,7 +120,7 @@ pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
 /// An expression by itself, for certificates and tools.
 pub fn parse_expr(source: &str) -> Result<Expr, Vec<Diagnostic>> {
     let (tokens, faults) = tokens(source);
-    let mut parser = Parser { tokens, at: 0, depth: 0, faults };
+    let mut parser = Parser { tokens, at: 0, depth: 0, printed: BTreeMap::new(), faults };
     let expr = parser.expr();
     if let Ok(expr) = expr
         && parser.faults.is_empty()
@@ -141,6 +143,8 @@ struct Parser {
     tokens: Vec<Token>,
     at: usize,
     depth: usize,
+    /// The names of the claim so far, by what they look like in print.
+    printed: BTreeMap<String, String>,
     faults: Vec<Diagnostic>,
 }
 
@@ -260,11 +264,17 @@ impl Parser {
         result
     }
 
-    /// A name that is no keyword.
+    /// A name that is no keyword, and does not look in print like another name of the claim: `m_1` and `m1`
+    /// are both m with an index.
     fn name(&mut self, what: &str) -> Parsed<Name> {
         match self.peek().clone() {
             Kind::Word(text) if !RESERVED.contains(&text.as_str()) => {
                 let span = self.advance().span;
+                let first = self.printed.entry(Style::Latex.name(&text)).or_insert_with(|| text.clone());
+                if *first != text {
+                    let message = format!("the names {first} and {text} are the same in print");
+                    self.other(&message, Some("give one of them another name"), span);
+                }
                 Ok(Name { text, span })
             }
             Kind::Word(text) => {
