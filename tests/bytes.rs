@@ -88,7 +88,8 @@ fn holds(target: &str, cases: u32, law: fn(&[u8])) {
     assert!(!corpus.is_empty(), "{target} has a corpus");
     corpus.iter().for_each(|bytes| law(bytes));
     let strategy = (0usize..64, prop::collection::vec(change(), 1..5));
-    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig::with_cases(cases));
+    let config = ProptestConfig { cases, source_file: Some(file!()), ..ProptestConfig::default() };
+    let mut runner = proptest::test_runner::TestRunner::new(config);
     let outcome = runner.run(&strategy, |(which, changes)| {
         law(&mutant(&corpus, which, &changes));
         Ok(())

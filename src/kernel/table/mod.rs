@@ -63,7 +63,7 @@ impl AcceptedTable {
 }
 
 /// An axis with its present value.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Axis {
     name: String,
     values: Values,
@@ -129,7 +129,7 @@ impl Axis {
 }
 
 /// The axes of a table at the present row.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Axes(Vec<Axis>);
 
 impl Axes {
@@ -207,7 +207,7 @@ impl Axes {
 }
 
 /// Checks one table, line by line.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Checker {
     head: Head,
     axes: Axes,

@@ -12,7 +12,7 @@ use super::dyadic::{Dyadic, Interval};
 use super::root::{enclosure, rational};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::{One, Pow, ToPrimitive};
 use std::cmp::Ordering;
 
 /// The most bits of a number of bodies.
@@ -46,8 +46,7 @@ pub enum Form {
 fn power(x: &BigRational, n: &BigUint) -> Option<BigRational> {
     let size = BigUint::from(x.numer().bits().max(x.denom().bits()));
     let n = if x.is_one() { Some(1) } else { n.to_u32().filter(|_| size * n <= BigUint::from(EXACT_BITS)) }?;
-    // Powers of numbers without a common factor have none, and a denominator's are not 0.
-    Some(BigRational::new(x.numer().pow(n), x.denom().pow(n)))
+    Some(Pow::pow(x, n))
 }
 
 fn half_sum(x: &BigRational) -> BigRational {
