@@ -468,3 +468,21 @@ fn the_command_tells_tables_from_claims_by_what_they_hold() {
     std::fs::write(&path, b"{\xff\n").unwrap();
     assert!(said(&carom(&["check", name])).contains("head: the line is not UTF-8"));
 }
+
+#[test]
+fn enclosures_of_any_size_are_answered() {
+    let text = table("--want eta --ratio 2 -e 0.5 -n 1 --digits 3");
+    let row = text.lines().nth(1).unwrap();
+    for lower in ["-9223372036854775807", "9223372036854775807", "-400", "0"] {
+        for upper in ["-9223372036854775807", "9223372036854775807", "400"] {
+            let old = &row[row.find("\"lower\"").unwrap()..row.find(",\"tie\"").unwrap()];
+            let end = |name: &str, e: &str| format!("\"{name}\":{{\"mantissa\":\"1\",\"exponent\":{e}}}");
+            let mutant = text.replacen(old, &format!("{},{}", end("lower", lower), end("upper", upper)), 1);
+            assert!(checked(&mutant).is_err(), "{lower} {upper}");
+        }
+    }
+    let many = text.replace("\"n\":{\"list\":[\"1\"]}", &format!("\"n\":{{\"list\":[\"1{}\"]}}", "0".repeat(5_000)));
+    let many = many.replace("\"n\":\"1\"", &format!("\"n\":\"1{}\"", "0".repeat(5_000)));
+    assert_ne!(many, text);
+    assert_eq!(checked(&many), Err((1, Failure::Declined("bits of a number of bodies"))));
+}

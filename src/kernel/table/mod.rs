@@ -190,6 +190,7 @@ impl Axes {
     fn inserted(&self, least: u32) -> Result<BigUint, Failure> {
         let n = self.named("n").filter(|axis| axis.value.is_integer()).and_then(|axis| axis.value.numer().to_biguint());
         match n {
+            Some(n) if n.bits() > value::COUNT_BITS => declined("bits of a number of bodies"),
             Some(n) if n >= BigUint::from(least) => Ok(n),
             _ => rejected(&format!("n is an integer from {least} on")),
         }
@@ -365,7 +366,7 @@ fn enclosed_cell(
 fn first_bits(cell: &Cell, enclosure: &Interval) -> Result<u64, Failure> {
     let Interval { lo, hi } = enclosure;
     // Where the leading bits stand apart, the width is about the upper end.
-    let width = if lo.is_zero() || hi.top() - lo.top() > 1 { None } else { hi.minus(lo)? };
+    let width = if lo.is_zero() || hi.top().saturating_sub(lo.top()) > 1 { None } else { hi.minus(lo)? };
     let bits = match (cell, width.filter(|width| !width.is_zero())) {
         (_, None) => 64,
         (Cell::Eta(..), Some(width)) => hi.top().saturating_sub(width.top()),
