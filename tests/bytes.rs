@@ -5,6 +5,7 @@
 mod laws;
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use std::path::Path;
 
 /// The files of a target's corpus, in order.
@@ -88,7 +89,14 @@ fn holds(target: &str, cases: u32, law: fn(&[u8])) {
     assert!(!corpus.is_empty(), "{target} has a corpus");
     corpus.iter().for_each(|bytes| law(bytes));
     let strategy = (0usize..64, prop::collection::vec(change(), 1..5));
-    let config = ProptestConfig { cases, source_file: Some(file!()), ..ProptestConfig::default() };
+    // What fails is kept in tests/bytes.proptest-regressions.
+    let kept = FileFailurePersistence::WithSource("proptest-regressions");
+    let config = ProptestConfig {
+        cases,
+        source_file: Some(file!()),
+        failure_persistence: Some(Box::new(kept)),
+        ..ProptestConfig::default()
+    };
     let mut runner = proptest::test_runner::TestRunner::new(config);
     let outcome = runner.run(&strategy, |(which, changes)| {
         law(&mutant(&corpus, which, &changes));
@@ -117,4 +125,9 @@ fn damaged_scenes_are_read_or_refused() {
 #[test]
 fn damaged_numerals_are_read_alike_or_refused() {
     holds("numeral", 1500, laws::numeral);
+}
+
+#[test]
+fn damaged_tables_are_accepted_whole_or_refused() {
+    holds("table", 300, laws::table);
 }

@@ -105,3 +105,15 @@ pub fn numeral(bytes: &[u8]) {
         assert_eq!(range.single(), Some(number), "{text}");
     }
 }
+
+/// The kernel answers for a table, and accepts no more or fewer rows than there are lines for.
+pub fn table(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    let mut lines = text.lines();
+    let Ok(mut checker) = kernel::table::Checker::new(lines.next().unwrap_or("")) else { return };
+    if lines.all(|line| checker.row(line).is_ok())
+        && let Ok(table) = checker.finish()
+    {
+        assert_eq!(table.rows(), text.lines().count() as u64 - 1);
+    }
+}
