@@ -92,12 +92,20 @@ fn the_kernel_imports_nothing_else() {
         "order",
         "statement",
         "translate",
+        "dyadic",
+        "rounding",
+        "text",
+        "value",
         "PropKind",
         "ExprKind",
     ];
     let mut lines = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    while let Some(path) = paths.pop() {
+        if path.is_dir() {
+            paths.extend(std::fs::read_dir(path).unwrap().map(|e| e.unwrap().path()));
+            continue;
+        }
         let text = std::fs::read_to_string(&path).unwrap();
         lines += text.lines().count();
         for line in text.lines().map(str::trim_start).filter_map(|l| l.strip_prefix("use ")) {

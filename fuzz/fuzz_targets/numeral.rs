@@ -1,7 +1,7 @@
-//! Any text: the kernel reads a numeral or says why not, and never takes much time or memory for it.
+//! The law `numeral` of tests/bytes/laws.rs, for any bytes.
 #![no_main]
-use libfuzzer_sys::fuzz_target;
+#[path = "../../tests/bytes/laws.rs"]
+#[allow(dead_code)]
+mod laws;
 
-fuzz_target!(|text: &str| {
-    let _ = carom::kernel::translate::numeral(text);
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| laws::numeral(bytes));

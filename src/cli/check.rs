@@ -1,6 +1,6 @@
-//! `carom check`
+//! `carom check`: certificates of claims, and of tables (`table_certificate`).
 
-use super::{Exit, load, print};
+use super::{Exit, load, print, table_certificate};
 use crate::certificate::Certificate;
 use crate::certificate::text::{FILE_LIMIT, digest, read};
 use crate::claim::diagnostic::Diagnostic;
@@ -25,6 +25,17 @@ enum Outcome {
 
 /// Runs the command: exit 1 if a certificate is rejected, 3 if a limit was reached.
 pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+    let (tables, others) = table_certificate::told_apart(paths)?;
+    let of_tables = table_certificate::run(&tables, quiet)?;
+    if others.is_empty() && !tables.is_empty() {
+        return Ok(of_tables);
+    }
+    let of_claims = check_claims(&others, claims, quiet)?;
+    // A rejection says more than a limit.
+    Ok(if of_tables == 1 || of_claims == 1 { 1 } else { of_tables.max(of_claims) })
+}
+
+fn check_claims(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
     let claims: Vec<Claim> = if claims.is_empty() {
         let broken = |faults: Vec<Diagnostic>| {
             Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))

@@ -22,6 +22,7 @@ mod replay;
 mod report;
 mod statements;
 mod table;
+mod table_certificate;
 mod table_check;
 mod worksheet;
 
@@ -61,9 +62,10 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
-    /// Check certificates again with the small kernel, which trusts nothing of the prover
+    /// Check certificates again, of claims and of tables, with the small kernel, which trusts nothing of the prover
     Check {
-        /// Certificates and folders of them; those of the built-in catalogue if none is given
+        /// Certificates of claims, folders of them, and what `carom table --certificate FILE` writes, told apart by what
+        /// they hold; those of the built-in catalogue if none is given
         paths: Vec<PathBuf>,
         /// Claim files and folders that the certificates are of; the built-in catalogue if none is given
         #[arg(long, value_name = "PATH", num_args = 1..)]

@@ -9,7 +9,7 @@ use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
 use crate::number::interval::Interval;
 use crate::report::table::{Form, Head, LATEX_ROWS, Writer, entries};
-use crate::table::grid::Grid;
+use crate::table::grid::{Grid, Shape};
 use crate::table::shared::Factors;
 use crate::table::{Found, Plan, Printing, Quantity, Row, TableError, Value};
 use malachite::Integer;
@@ -161,11 +161,48 @@ fn whole(path: &Path) -> Result<Target, Exit> {
     Ok(Target::Whole(BufWriter::new(Output::file(path)?)))
 }
 
-/// The first line of a file of enclosures.
+/// The first line of a certificate: what the table says of itself in words, then all that is needed to check that the
+/// rows are those of the table, and all of them (`src/kernel/table/text.rs`).
 fn certificate_head(plan: &Plan) -> String {
     let facts: serde_json::Map<String, serde_json::Value> =
         Head::of(plan).facts.into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
-    format!("{}\n", json!({ "certificate": "table", "want": plan.quantity().name(), "head": facts }))
+    let axis = |grid: &Grid| match grid.shape() {
+        Shape::List(list) => json!({ "list": list.iter().map(ToString::to_string).collect::<Vec<_>>() }),
+        Shape::Steps(start, step, count) => {
+            json!({ "start": start.to_string(), "step": step.to_string(), "count": count })
+        }
+        Shape::Factors(start, factor, count) => {
+            json!({ "start": start.to_string(), "factor": factor.to_string(), "count": count })
+        }
+    };
+    let axes: serde_json::Map<String, serde_json::Value> =
+        plan.axes().map(|(name, grid)| (name.to_owned(), axis(grid))).collect();
+    let digits = match plan.printing().digits {
+        Digits::Significant(count) => json!({ "significant": count }),
+        Digits::Places(count) => json!({ "places": count }),
+    };
+    let rounds = plan.quantity() != Quantity::BestN;
+    let head = json!({
+        "certificate": "table",
+        "want": plan.quantity().name(),
+        "head": facts,
+        "version": 1,
+        "axes": axes,
+        "digits": rounds.then_some(digits),
+        "rounding": rounds.then_some(rounding_name(plan.printing().rounding)),
+        "rows": plan.rows(),
+    });
+    format!("{head}\n")
+}
+
+fn rounding_name(rounding: Rounding) -> &'static str {
+    match rounding {
+        Rounding::Nearest => "nearest-even",
+        Rounding::Up => "up",
+        Rounding::Down => "down",
+        Rounding::Zero => "zero",
+        Rounding::Away => "away",
+    }
 }
 
 /// Writes to a file, which is complete or as it was.

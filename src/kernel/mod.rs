@@ -21,6 +21,7 @@ pub mod fraction;
 pub mod logic;
 pub mod order;
 pub mod statement;
+pub mod table;
 pub mod text;
 pub mod translate;
 

@@ -41,6 +41,17 @@ enum Values {
     Made(Vec<Rational>),
 }
 
+/// How the values of a grid are made, for writing them down.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// One by one.
+    List(Vec<Rational>),
+    /// So many from a start on, each by a step more than the last.
+    Steps(Rational, Rational, u64),
+    /// So many from a start on, each a factor times the last.
+    Factors(Rational, Rational, u64),
+}
+
 /// Why a text is no grid.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GridError {
@@ -149,6 +160,19 @@ impl Grid {
             Values::List(list) => list.len() as u64,
             Values::Steps { count, .. } => *count,
             Values::Made(list) => list.len() as u64,
+        }
+    }
+
+    /// How its values are made.
+    #[must_use]
+    pub fn shape(&self) -> Shape {
+        match &self.values {
+            Values::List(list) => Shape::List(list.iter().map(|v| v.1.clone()).collect()),
+            Values::Steps { start, step, count } => Shape::Steps(start.clone(), step.clone(), *count),
+            Values::Made(list) => match &list[..] {
+                [first, second, ..] => Shape::Factors(first.clone(), second / first, self.len()),
+                _ => Shape::List(list.clone()),
+            },
         }
     }
 

@@ -307,7 +307,7 @@ impl Plan {
     }
 
     /// The axes in their order, the first running slowest.
-    fn axes(&self) -> impl Iterator<Item = (&'static str, &Grid)> {
+    pub fn axes(&self) -> impl Iterator<Item = (&'static str, &Grid)> {
         [("ratio", Some(&self.ratio)), ("e", self.e.as_ref()), ("n", self.n.as_ref())]
             .into_iter()
             .filter_map(|(name, grid)| Some((name, grid?)))

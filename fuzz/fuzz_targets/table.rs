@@ -1,0 +1,7 @@
+//! The law `table` of tests/bytes/laws.rs, for any bytes.
+#![no_main]
+#[path = "../../tests/bytes/laws.rs"]
+#[allow(dead_code)]
+mod laws;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| laws::table(bytes));

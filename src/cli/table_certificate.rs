@@ -1,0 +1,112 @@
+//! `carom check` for certificates of tables: read line by line, in memory that does not grow with the table.
+
+use super::{Exit, print};
+use crate::kernel::Failure;
+use crate::kernel::table::text::LINE_LIMIT;
+use crate::kernel::table::{AcceptedTable, Checker};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+
+/// How the certificate of a table begins; no other certificate does.
+const BEGIN: &[u8] = b"{";
+
+/// The files that are certificates of tables, and the other paths.
+pub fn told_apart(paths: &[PathBuf]) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Exit> {
+    let mut tables = Vec::new();
+    let mut others = Vec::new();
+    for path in paths {
+        let list = if path.is_file() && begins(path)? { &mut tables } else { &mut others };
+        list.push(path.clone());
+    }
+    Ok((tables, others))
+}
+
+/// Whether the file begins as the certificate of a table does.
+fn begins(path: &Path) -> Result<bool, Exit> {
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(BEGIN.len() as u64).read_to_end(&mut start));
+    read.map_err(|e| unread(path, &e))?;
+    Ok(start == BEGIN)
+}
+
+fn unread(path: &Path, error: &std::io::Error) -> Exit {
+    Exit::usage(format!("error: cannot read {}: {error}", path.display()))
+}
+
+/// Why a table was not accepted, and where.
+struct Stopped {
+    place: String,
+    failure: Failure,
+}
+
+/// Checks tables one after another: 1 if one is rejected, else 3 if a limit was reached.
+pub fn run(paths: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+    let mut code = 0;
+    for path in paths {
+        let name = path.display();
+        match check(path)? {
+            Ok(table) => {
+                let rests_on = match table.rests_on() {
+                    [] => String::new(),
+                    claims => format!("  (rests on {})", claims.join(", ")),
+                };
+                let rows = if table.rows() == 1 { "row" } else { "rows" };
+                let mut text = format!("accepted  {name}: {} {rows}{rests_on}\n", table.rows());
+                if !quiet {
+                    text.extend(table.text().lines().map(|line| format!("    {line}\n")));
+                }
+                print(&text)?;
+            }
+            Err(Stopped { place, failure: Failure::Rejected(reason) }) => {
+                code = 1;
+                print(&format!("rejected  {name}: {place}: {reason}\n"))?;
+            }
+            Err(Stopped { place, failure: Failure::Declined(limit) }) => {
+                code = if code == 1 { 1 } else { 3 };
+                print(&format!("declined  {name}: {place}: limit reached: {limit}\n"))?;
+            }
+        }
+    }
+    Ok(code)
+}
+
+/// The next line without its end; `None` at the end of the file.
+fn line<'a>(
+    file: &mut impl BufRead,
+    path: &Path,
+    bytes: &'a mut Vec<u8>,
+) -> Result<Option<Result<&'a str, Failure>>, Exit> {
+    bytes.clear();
+    let limit = LINE_LIMIT as u64 + 1;
+    file.by_ref().take(limit).read_until(b'\n', bytes).map_err(|e| unread(path, &e))?;
+    if bytes.is_empty() {
+        return Ok(None);
+    }
+    let rejected = |reason: &str| Err(Failure::Rejected(reason.to_owned()));
+    Ok(Some(match bytes.split_last() {
+        Some((b'\n', line)) => std::str::from_utf8(line).or_else(|_| rejected("the line is not UTF-8 text")),
+        _ if bytes.len() > LINE_LIMIT => Err(Failure::Declined("bytes of a line")),
+        _ => rejected("the line has no end: the file was cut off"),
+    }))
+}
+
+fn check(path: &Path) -> Result<Result<AcceptedTable, Stopped>, Exit> {
+    let mut file = BufReader::with_capacity(1 << 16, File::open(path).map_err(|e| unread(path, &e))?);
+    let mut bytes = Vec::new();
+    let stopped = |place: &str, failure| Ok(Err(Stopped { place: place.to_owned(), failure }));
+    let head = match line(&mut file, path, &mut bytes)? {
+        None => return stopped("head", Failure::Rejected("the file is empty".to_owned())),
+        Some(head) => head.and_then(Checker::new),
+    };
+    let mut checker = match head {
+        Ok(checker) => checker,
+        Err(failure) => return stopped("head", failure),
+    };
+    while let Some(row) = line(&mut file, path, &mut bytes)? {
+        if let Err(failure) = row.and_then(|row| checker.row(row)) {
+            return stopped(&checker.place(), failure);
+        }
+    }
+    Ok(checker.finish().map_err(|failure| Stopped { place: "end".to_owned(), failure }))
+}
