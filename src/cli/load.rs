@@ -36,7 +36,7 @@ fn fresh(path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<bool, Exit> {
     Ok(seen.insert(canonical))
 }
 
-fn cannot_read(path: &Path, e: &std::io::Error) -> Exit {
+pub fn cannot_read(path: &Path, e: &std::io::Error) -> Exit {
     Exit::usage(format!("error: cannot read {}: {e}", path.display()))
 }
 

@@ -23,6 +23,7 @@ mod report;
 mod statements;
 mod table;
 mod table_check;
+mod table_merge;
 mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};

@@ -10,12 +10,14 @@
 //! each at most; what does not fit is computed again.
 
 use super::grid::Grid;
-use super::{Found, Plan, Printing, Quantity, TableError};
+use super::{Found, Plan, Printing, Quantity, TableError, Value};
+use crate::chain::best::Best;
 use crate::chain::fast;
 use crate::number::decimal::{Decimal, Digits};
 use crate::number::double::Double;
 use crate::number::interval::Interval;
 use crate::number::rational::exact_root;
+use crate::number::real::Real;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
@@ -82,6 +84,31 @@ impl<'a> Factors<'a> {
     pub fn value(&mut self, row: u64) -> Result<Found, TableError> {
         let settled = if self.shares { self.settled(row) } else { None };
         settled.map_or_else(|| self.plan.value(row).map(Found::Open), Ok)
+    }
+
+    /// The greatest double not above a row's value and the least one not below it, found with the same shared work: an
+    /// enclosure as narrow as doubles allow, the same double twice where the value is one.
+    ///
+    /// A best number of bodies beyond all bounds is infinite; where every number is as good as any other, it lies
+    /// between 0 and infinity.
+    ///
+    /// # Errors
+    /// As [`Plan::value`].
+    pub fn neighbours(&mut self, row: u64) -> Result<(f64, f64), TableError> {
+        let plan = self.plan;
+        if plan.quantity == Quantity::Eta
+            && let Some((of_e, of_ratio)) = self.factors(row)
+            && let Some(found) = of_e.multiply(of_ratio).neighbours()
+        {
+            return Ok(found);
+        }
+        let real = match plan.value(row)? {
+            Value::Real(real) => real,
+            Value::Count(Best::Finite { count, .. }) => Real::rational(Rational::from(count)),
+            Value::Count(Best::Infinite) => return Ok((f64::INFINITY, f64::INFINITY)),
+            Value::Count(Best::Any) => return Ok((0.0, f64::INFINITY)),
+        };
+        real.neighbours().map_err(|error| TableError::Row { row: plan.in_words(row), error: Box::new(error.into()) })
     }
 
     fn settled(&mut self, row: u64) -> Option<Found> {
