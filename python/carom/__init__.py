@@ -4,7 +4,7 @@
 >>> carom.eta(64, 1, e="44/81", n=2)
 Fraction(15625000000, 282429536481)
 >>> carom.eta(10, 1, e="9/10", n=7).digits(20)
-'0.64754671298618506158'
+'0.37313751177373857462'
 
 A result is a :class:`fractions.Fraction` where it is rational, and an :class:`Enclosure` where it is not or where an
 input is measured. Numbers go in exactly: integers, fractions, decimals, or texts such as ``"9/10"``, ``"0.9"``,

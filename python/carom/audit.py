@@ -153,13 +153,21 @@ def _evidence(claim: Claim) -> List[str]:
 _MARKS = {"proved": "✓ proved", "refuted": "✗ refuted", "undecided": "? undecided"}
 
 
+def _html(text: str) -> str:
+    # Notebooks look for formulas between dollars and after backslashes, and a formula may hold a link.
+    escaped = html.escape(text)
+    for sign in "$\\":
+        escaped = escaped.replace(sign, f"<span>{sign}</span>")
+    return f'<span class="mathjax_ignore tex2jax_ignore">{escaped}</span>'
+
+
 def _row(claim: Claim) -> str:
     # All text of a claim file is escaped; the formula is the engine's own MathML.
-    evidence = "".join(f"<br><small>{html.escape(line)}</small>" for line in _evidence(claim))
+    evidence = "".join(f"<br><small>{_html(line)}</small>" for line in _evidence(claim))
     number = f"({claim.number}) " if claim.number is not None else ""
     return (
         f'<tr><td style="text-align:left;white-space:nowrap"><b>{_MARKS[claim.verdict]}</b></td>'
-        f'<td style="text-align:left">{number}<code>{html.escape(claim.id)}</code><br>{html.escape(claim.title)}</td>'
+        f'<td style="text-align:left">{number}<code>{html.escape(claim.id)}</code><br>{_html(claim.title)}</td>'
         f'<td style="text-align:left">{claim.mathml}{evidence}</td></tr>'
     )
 

@@ -187,7 +187,7 @@ def eta(
     >>> eta(10, 1, e="9/10")
     Fraction(361, 1210)
     >>> eta(10, 1, e="9/10", n=7)
-    Enclosure(0.64754671298618506158)
+    Enclosure(0.37313751177373857462)
     """
     return Chain(m1, m2, e=e, n=n, masses=masses).eta()
 

@@ -169,8 +169,8 @@ def run(job: Sweep, folder: str, client: Any = None, *, ahead: int = 1_000) -> i
     """Writes the partitions that are missing; how many there were.
 
     With a ``distributed.Client`` its workers do, at most ``ahead`` partitions at a time being handed out; the folder
-    must be one that all of them see. A worker that is killed costs the partitions that it had under way, which others do
-    again.
+    must be one that all of them see. A worker that is killed costs the partitions that it had under way, which others
+    do again.
     """
     Path(folder).mkdir(parents=True, exist_ok=True)
     if client is None:

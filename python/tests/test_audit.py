@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html.parser
 import random
+import re
 from fractions import Fraction
 
 import pytest
@@ -84,6 +85,8 @@ def test_markup_in_a_title_stays_text():
         page.feed(shown)
         assert "img" not in page.tags and title in page.text and "math" in page.tags
         assert "<img" not in shown
+        # Nor does it become a formula: no text between two tags holds a pair of dollars, or a command.
+        assert not any(re.search(r"\$[^<]*\$|\\[^<]", text) for text in re.findall(r">([^<]+)", shown))
 
 
 def test_latex_holds_a_row_for_each_claim():

@@ -150,10 +150,10 @@ def test_numbers_go_in_exactly():
         (lambda: carom.eta(10, 1, e=1, n=1, masses=[1, 2]), "do not agree"),
         (lambda: carom.eta("1.2(3)", 1, e=1), "uncertainty"),
         (lambda: carom.eta("[2, 1]", 1, e=1), "above its upper end"),
-        (lambda: carom.threshold(10, 1, n=0), ""),
+        (lambda: carom.threshold(10, 1, n=0), "n >= 1"),
         (lambda: carom.Chain(10, 1, e=1, speed=1, velocities=[1, 0]), "exclude"),
         (lambda: carom.Chain(10, 1, e=1, masses=[], velocities=[1]), "velocities"),
-        (lambda: carom.eta(10, 1, e="9/10", n=7).digits(0), ""),
+        (lambda: carom.eta(10, 1, e="9/10", n=7).digits(0), "no significant digit"),
         (lambda: carom.eta(10, 1, e="9/10", n=7).digits(5, rounding="sideways"), "sideways"),
         (lambda: carom.helps(10, 1, e=["1/2", "1/3"], n=1), "helps"),
         (lambda: carom.eta("\x00\u202e1", 1, e=1), "m1"),
@@ -193,4 +193,4 @@ def test_numbers_beyond_doubles_are_still_enclosed():
 def test_long_exact_answers_have_no_limit_of_their_digits():
     chain = carom.Chain(3, 1, e="7/9", masses=[k for k in range(2, 3000)])
     exact = chain.last_velocity()
-    assert isinstance(exact, Fraction) and exact.denominator.bit_length() > 20_000
+    assert isinstance(exact, Fraction) and exact.denominator.bit_length() > 15_000
