@@ -1,6 +1,7 @@
 //! A table's cells as pairs of neighbouring doubles: the job that `python/benchmark.py` compares Python's arrays with.
 //!
-//! `cargo run --release --example cells` prints the seconds that 10^6 cells of eta took, least of five, and their sums.
+//! `cargo run --release --example cells 5` computes 10^6 cells of eta so many times, and prints the seconds of the fastest
+//! time and the sums of the ends.
 
 use carom::number::decimal::{Digits, Rounding};
 use carom::table::grid::Grid;
@@ -14,7 +15,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let plan = Plan::new(Quantity::Eta, ratio, Some(e), Some(n), printing)?;
     let mut least = f64::INFINITY;
     let mut sums = (0.0, 0.0);
-    for _ in 0..5 {
+    let times: u32 = std::env::args().nth(1).as_deref().unwrap_or("5").parse()?;
+    for _ in 0..times {
         let begin = Instant::now();
         let (mut lower, mut upper) = (Vec::with_capacity(1_000_000), Vec::with_capacity(1_000_000));
         let mut factors = Factors::new(&plan);

@@ -162,13 +162,15 @@ def _html(text: str) -> str:
 
 
 def _row(claim: Claim) -> str:
-    # All text of a claim file is escaped; the formula is the engine's own MathML.
+    # All text of a claim file is escaped; the formula is the engine's own MathML. It stands there on a line as well,
+    # since what shows notebooks to others may drop the tags, and a power would be read as a digit.
+    line = f"<br><small><code>{html.escape(_shown(claim.statement))}</code></small>"
     evidence = "".join(f"<br><small>{_html(line)}</small>" for line in _evidence(claim))
     number = f"({claim.number}) " if claim.number is not None else ""
     return (
         f'<tr><td style="text-align:left;white-space:nowrap"><b>{_MARKS[claim.verdict]}</b></td>'
         f'<td style="text-align:left">{number}<code>{html.escape(claim.id)}</code><br>{_html(claim.title)}</td>'
-        f'<td style="text-align:left">{claim.mathml}{evidence}</td></tr>'
+        f'<td style="text-align:left">{claim.mathml}{line}{evidence}</td></tr>'
     )
 
 

@@ -9,7 +9,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 /// Rows that are computed between two looks at Python: its other threads, Ctrl-C.
-const CHUNK: u64 = 1 << 16;
+///
+/// Few enough to stay near the processor while they are copied: `python/benchmark.py`.
+const CHUNK: u64 = 1 << 14;
 
 /// A quantity over its axes.
 #[pyclass(frozen, module = "carom._engine")]
@@ -84,12 +86,12 @@ impl Plan {
 }
 
 fn ends(factors: &mut Factors<'_>, start: u64, stop: u64) -> Result<(Vec<u8>, Vec<u8>), Refusal> {
-    let size = usize::try_from((stop - start).saturating_mul(8)).unwrap_or(0);
+    let size = usize::try_from(stop - start).unwrap_or(0);
     let (mut lower, mut upper) = (Vec::with_capacity(size), Vec::with_capacity(size));
     for row in start..stop {
         let (lo, hi) = factors.neighbours(row).map_err(|error| fault(&error))?;
-        lower.extend_from_slice(&lo.to_ne_bytes());
-        upper.extend_from_slice(&hi.to_ne_bytes());
+        lower.push(lo.to_ne_bytes());
+        upper.push(hi.to_ne_bytes());
     }
-    Ok((lower, upper))
+    Ok((lower.into_flattened(), upper.into_flattened()))
 }

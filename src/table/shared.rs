@@ -34,8 +34,8 @@ const DIGITS_OF_DOUBLES: u64 = 14;
 pub struct Factors<'a> {
     plan: &'a Plan,
     of_e: Vec<Option<Double>>,
-    /// The ratio's place, and for each `n` its factor, or that the value is rational.
-    of_ratio: (u64, Vec<Option<Option<Double>>>),
+    /// The ratio's place, and for each `n` its factor, and whether the value is rational.
+    of_ratio: (u64, Vec<Option<(Double, bool)>>),
     shares: bool,
     doubles: bool,
     /// The texts of restitutions and of numbers, and the present ratio's with its place.
@@ -97,7 +97,8 @@ impl<'a> Factors<'a> {
     pub fn neighbours(&mut self, row: u64) -> Result<(f64, f64), TableError> {
         let plan = self.plan;
         if plan.quantity == Quantity::Eta
-            && let Some((of_e, of_ratio)) = self.factors(row)
+            // A rational value that is a double is between no two others: it is left to exact arithmetic.
+            && let Some((of_e, (of_ratio, _))) = self.factors(row)
             && let Some(found) = of_e.multiply(of_ratio).neighbours()
         {
             return Ok(found);
@@ -112,7 +113,10 @@ impl<'a> Factors<'a> {
     }
 
     fn settled(&mut self, row: u64) -> Option<Found> {
-        let (of_e, of_ratio) = self.factors(row)?;
+        let (of_e, (of_ratio, rational)) = self.factors(row)?;
+        if rational {
+            return None;
+        }
         let Printing { digits, rounding, .. } = self.plan.printing;
         if self.doubles {
             let product = fast::times(of_e.ends()?, of_ratio.ends()?);
@@ -124,8 +128,8 @@ impl<'a> Factors<'a> {
         Some(Found::Settled(Decimal::of_interval(&product, digits, rounding)?, product))
     }
 
-    /// The factors of a row's value; `None` where it is rational.
-    fn factors(&mut self, row: u64) -> Option<(Double, Double)> {
+    /// The factors of a row's value, that of the ratio with whether the value is rational.
+    fn factors(&mut self, row: u64) -> Option<(Double, (Double, bool))> {
         let plan = self.plan;
         let [i, j, k] = plan.places(row);
         let (e_grid, n_grid) = (plan.e.as_ref()?, plan.n.as_ref()?);
@@ -138,14 +142,12 @@ impl<'a> Factors<'a> {
             self.of_ratio.1.resize(kept, None);
         }
         let of_ratio = kept(&mut self.of_ratio.1, k, || {
-            let (r, count) = (plan.ratio.value(i)?, count()?);
-            if exact_root(&r, count).is_some() {
-                return None;
-            }
+            let (Some(r), Some(count)) = (plan.ratio.value(i), count()) else { return (Double::exact(f64::NAN), true) };
             let t = Double::from_rational(&r).root(count);
             let sum = t.plus(Double::exact(1.0));
-            Some(t.multiply(Double::exact(4.0)).divide(sum.multiply(sum)).power(count))
-        })?;
+            let factor = t.multiply(Double::exact(4.0)).divide(sum.multiply(sum)).power(count);
+            (factor, exact_root(&r, count).is_some())
+        });
         if self.of_e.is_empty() && es.saturating_mul(ns) <= KEPT {
             self.of_e = vec![None; usize::try_from(es * ns).ok()?];
         }
