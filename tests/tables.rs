@@ -455,3 +455,242 @@ fn a_reader_of_a_table_may_go_away() {
     let out = child.wait_with_output().expect("it ends");
     assert_eq!((text(&out.stderr), out.status.code()), (String::new(), Some(0)));
 }
+
+/// Runs each shard of a table with its certificate; the files in the order of the parts.
+fn shards(folder: &Path, of: u64) -> (Vec<String>, Vec<String>) {
+    let name = |part: u64, ending: &str| folder.join(format!("{part}-{of}.{ending}")).display().to_string();
+    let (mut tables, mut certificates) = (Vec::new(), Vec::new());
+    for part in 1..=of {
+        let (table, certificate) = (name(part, "csv"), name(part, "jsonl"));
+        let shard = format!("{part}/{of}");
+        let mut arguments = SHARDED.to_vec();
+        arguments.extend(["--shard", &shard, "--output", &table, "--certificate", &certificate]);
+        let out = carom(&arguments);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        tables.push(table);
+        certificates.push(certificate);
+    }
+    (tables, certificates)
+}
+
+const SHARDED: [&str; 9] = ["table", "--ratio", "1:5:1/2", "-e", "0, 0.50,1/3,1", "-n", "0:4:1", "--format", "csv"];
+
+fn merged(files: &[String], more: &[&str]) -> Output {
+    let mut arguments = vec!["table", "--merge"];
+    arguments.extend(files.iter().map(String::as_str));
+    arguments.extend(more);
+    carom(&arguments)
+}
+
+#[test]
+fn merged_shards_are_the_whole_table_byte_for_byte() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (whole, cells) = (folder.path().join("whole.csv"), folder.path().join("whole.jsonl"));
+    let mut arguments = SHARDED.to_vec();
+    let (path, certificate) = (whole.display().to_string(), cells.display().to_string());
+    arguments.extend(["--output", &path, "--certificate", &certificate]);
+    assert_eq!(carom(&arguments).status.code(), Some(0));
+    let (whole, cells) = (std::fs::read(whole).expect("there"), std::fs::read(cells).expect("there"));
+    assert_eq!(text(&whole).lines().filter(|l| !l.starts_with('#')).count(), 181);
+    // One part, several, as many as rows, more than rows.
+    for of in [1, 2, 7, 180, 190] {
+        let (mut tables, mut certificates) = shards(folder.path(), of);
+        // In any order, to standard output and to a file.
+        tables.rotate_left(of as usize / 2);
+        certificates.reverse();
+        let out = merged(&tables, &[]);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        assert!(out.stdout == whole, "{of} parts");
+        let target = folder.path().join("merged.jsonl").display().to_string();
+        let out = merged(&certificates, &["--output", &target]);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        assert!(std::fs::read(&target).expect("written") == cells, "{of} parts");
+    }
+    // A part is a table of its own: its heading, and cells that are right.
+    let (tables, _) = shards(folder.path(), 7);
+    let part = std::fs::read_to_string(&tables[2]).expect("there");
+    assert!(part.contains("# shard: 3/7, rows 52 to 77 of 180\nratio,e,n,eta,exact\n"), "{part}");
+    assert_eq!(carom(&["table", "--check", &tables[2]]).status.code(), Some(0));
+}
+
+#[test]
+fn what_is_missing_doubled_or_strange_is_no_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (tables, certificates) = shards(folder.path(), 4);
+    let target = folder.path().join("merged.csv");
+    let path = target.display().to_string();
+    let refused = |files: &[String], sign: &str| {
+        let out = merged(files, &["--output", &path]);
+        let said = text(&out.stderr);
+        assert_eq!(out.status.code(), Some(2), "{sign}: {said}");
+        assert!(said.contains(sign), "{sign}: {said}");
+        assert!(!target.exists(), "{sign}");
+    };
+    let with = |place: usize, name: &str, content: String| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, content).expect("written");
+        let mut files = tables.clone();
+        files[place] = path.display().to_string();
+        files
+    };
+    for missing in 0..4 {
+        let mut files = tables.clone();
+        files.remove(missing);
+        refused(&files, &format!("part {}/4 is missing (3 of 4", missing + 1));
+        files.push(tables[(missing + 1) % 4].clone());
+        refused(&files, "is given twice");
+    }
+    let second = std::fs::read_to_string(&tables[1]).expect("there");
+    let lines: Vec<&str> = second.lines().collect();
+    let head = lines.iter().position(|l| l.starts_with("ratio,")).expect("a heading") + 1;
+    let joined = |lines: &[&str]| format!("{}\n", lines.join("\n"));
+    let mut without = lines.clone();
+    without.remove(head + 5);
+    refused(&with(1, "without", joined(&without)), "row 51 of the table, ratio 2");
+    let mut doubled = lines.clone();
+    doubled.insert(head + 5, lines[head + 5]);
+    refused(&with(1, "doubled", joined(&doubled)), "row 52 of the table");
+    let mut turned = lines.clone();
+    turned.swap(head + 5, head + 6);
+    refused(&with(1, "turned", joined(&turned)), "row 51 of the table");
+    let mut shortened = lines.clone();
+    let fewer = shortened[head].replacen(',', "", 1).to_owned();
+    shortened[head] = &fewer;
+    refused(&with(1, "shortened", joined(&shortened)), "row 46 of the table");
+    refused(&with(1, "more", format!("{second}{}\n", lines[head])), "more than its rows");
+    refused(&with(1, "cut", second[..second.len() - 3].to_owned()), "row 90 of the table");
+    refused(&with(1, "ended", joined(&lines[..lines.len() - 1])), "the file ends before it");
+    refused(&with(1, "moved", second.replace("shard: 2/4, rows 46 to 90", "shard: 2/4, rows 45 to 90")), "no part");
+    refused(&with(1, "rounded", second.replace("6 significant", "7 significant")), "digits, rounding or version");
+    refused(&with(1, "axes", second.replace("0,0.50,1/3,1", "0,0.5,1/3,1")), "different tables");
+    refused(&with(1, "nothing", String::new()), "no part of a table");
+    refused(&with(1, "none", "ratio,e,n,eta\n1,1,1,1\n".to_owned()), "no part of a table");
+    let mut mixed = tables.clone();
+    mixed[3].clone_from(&certificates[3]);
+    refused(&mixed, "merge them apart");
+    let (others, _) = shards(folder.path(), 5);
+    refused(&[&tables[..3], &others[3..4]].concat(), "different partitions");
+    let damaged = std::fs::read_to_string(&certificates[2]).expect("there").replacen("\"row\":100,", "\"row\":101,", 1);
+    let path_of = folder.path().join("damaged.jsonl");
+    std::fs::write(&path_of, damaged).expect("written");
+    let mut files = certificates.clone();
+    files[2] = path_of.display().to_string();
+    refused(&files, "row 101 of the table");
+    for (arguments, sign) in [
+        (&["--shard", "5/4"][..], "from 1 to the second"),
+        (&["--shard", "0/4"], "from 1 to the second"),
+        (&["--shard", "1"], "i/n"),
+        (&["--shard", "1/2", "--format", "json"], "--format csv"),
+        (&["--shard", "1/2", "--check", "x.csv"], "--check"),
+        (&["--merge", "x.csv"], "--merge"),
+    ] {
+        let all = [&["table", "--ratio", "1", "-e", "1", "-n", "1"][..], arguments].concat();
+        let out = carom(&all);
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains(sign), "{arguments:?}: {}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn a_shard_that_was_cut_off_is_resumed_and_no_other_goes_on_with_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (tables, certificates) = shards(folder.path(), 3);
+    let (whole, cells) = (std::fs::read(&tables[1]).expect("there"), std::fs::read(&certificates[1]).expect("there"));
+    let partial = format!("{}.partial", tables[1]);
+    let resume = |shard: &str| {
+        let mut arguments = SHARDED.to_vec();
+        arguments.extend(["--shard", shard, "--output", &tables[1], "--certificate", &certificates[1], "--resume"]);
+        carom(&arguments)
+    };
+    for (at, other) in [(whole.len() / 2, cells.len() / 3), (whole.len() - 1, cells.len()), (10, 5)] {
+        std::fs::write(&partial, &whole[..at]).expect("written");
+        std::fs::write(format!("{}.partial", certificates[1]), &cells[..other]).expect("written");
+        let out = resume("2/3");
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        assert!(std::fs::read(&tables[1]).expect("there") == whole);
+        assert!(std::fs::read(&certificates[1]).expect("there") == cells);
+    }
+    std::fs::write(&partial, &whole[..whole.len() / 2]).expect("written");
+    let out = resume("3/3");
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("other settings"), "{}", text(&out.stderr));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_shard_that_is_killed_leaves_what_resumes_to_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("part.csv");
+    let name = path.display().to_string();
+    let partial = folder.path().join("part.csv.partial");
+    let arguments = [
+        "table", "--ratio", "1:100:1", "-e", "0:1:0.01", "-n", "0:40:1", "--format", "csv", "--shard", "2/3",
+        "--output", &name,
+    ];
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).spawn().expect("it starts");
+    // It is killed in the middle: when something is written, and long before all is.
+    let grown = || std::fs::metadata(&partial).is_ok_and(|m| m.len() > 1 << 16);
+    while !grown() && child.try_wait().expect("it can be asked").is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    assert!(partial.exists() && !path.exists(), "it was killed in the middle");
+    let left = std::fs::metadata(&partial).expect("there").len();
+    assert_eq!(carom(&[&arguments[..], &["--resume"]].concat()).status.code(), Some(0));
+    let resumed = std::fs::read(&path).expect("there");
+    assert!(left < resumed.len() as u64);
+    assert_eq!(carom(&arguments).status.code(), Some(0));
+    assert!(std::fs::read(&path).expect("there") == resumed);
+}
+
+/// Whether two doubles are the nearest ones around an exact number between two bounds.
+fn around((lo, hi): (f64, f64), bounds: &(Rational, Rational)) -> bool {
+    let exact = |x: f64| Rational::try_from(x).expect("finite");
+    let inside = exact(lo) <= bounds.0 && (hi.is_infinite() || bounds.1 <= exact(hi));
+    inside && (lo == hi || lo.next_up() == hi)
+}
+
+#[test]
+fn doubles_around_a_cell_are_its_neighbours() {
+    let six = Digits::Significant(6);
+    for (quantity, ratio, e, n, steps) in [
+        (Quantity::Eta, "1:40:3/2", Some("0:1:0.09"), Some("0,1,2,3,7,20"), 130),
+        (Quantity::Eta, "1e-30:1e30:x1e7", Some("0,1/3,1"), Some("0:6:1"), 300),
+        (Quantity::Threshold, "1/7:30:x3/2", None, Some("1:9:2"), 100),
+        // Below the least double, among the subnormal ones, and beyond the greatest.
+        (Quantity::Eta, "1e-330,1e-324,1e-310,1e310,1e330", Some("0,1"), Some("0,1"), 1200),
+    ] {
+        let plan = plan(quantity, ratio, e, n, six, Rounding::Nearest);
+        let mut factors = Factors::new(&plan);
+        for row in 0..plan.rows() {
+            let place = plan.place(row).expect("a place");
+            let (r, n) = (place.ratio.value(), place.n.expect("a number"));
+            let near = match &place.e {
+                Some(e) => {
+                    let (low, high) = root(r, n + 1, steps);
+                    let gain = (Rational::from(1) + e.value()).pow(2 * (n + 1)) * r;
+                    let at = |t: Rational| &gain / (Rational::from(1) + t).pow(2 * (n + 1));
+                    (at(high), at(low))
+                }
+                None => threshold(r, n),
+            };
+            let found = factors.neighbours(row).expect("no limit");
+            // Where the root is rational, halving only comes near to it; the cell itself is exact then.
+            let exact = match plan.value(row).expect("no limit") {
+                carom::table::Value::Real(real) => real.as_rational().map(|x| (x.clone(), x.clone())),
+                carom::table::Value::Count(_) => None,
+            };
+            if let Some((x, _)) = &exact {
+                assert!(near.0 <= *x && *x <= near.1, "{}", plan.in_words(row));
+            }
+            assert!(around(found, &exact.unwrap_or(near)), "{}: {found:?}", plan.in_words(row));
+        }
+    }
+    let best = plan(Quantity::BestN, "1,4,1e40", Some("0.9,1"), None, six, Rounding::Nearest);
+    let mut factors = Factors::new(&best);
+    let found: Vec<(f64, f64)> = (0..6).map(|row| factors.neighbours(row).expect("no limit")).collect();
+    let infinity = f64::INFINITY;
+    assert_eq!((found[1], found[3], found[5]), ((0.0, infinity), (infinity, infinity), (infinity, infinity)));
+    assert!([0, 2, 4].iter().all(|i| found[*i].0 == found[*i].1 && found[*i].0.fract() == 0.0));
+}

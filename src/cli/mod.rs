@@ -24,6 +24,7 @@ mod statements;
 mod table;
 mod table_certificate;
 mod table_check;
+mod table_merge;
 mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};

@@ -4,24 +4,26 @@ use super::interrupt::{INTERRUPTED, Interrupt};
 use super::output::Output;
 use super::partial::{self, Partial, Target};
 use super::progress::Progress;
-use super::{Exit, table_check};
+use super::{Exit, table_check, table_merge};
 use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
 use crate::number::interval::Interval;
 use crate::report::table::{Form, Head, LATEX_ROWS, Writer, entries};
 use crate::table::grid::{Grid, Shape};
+use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
 use crate::table::{Found, Plan, Printing, Quantity, Row, TableError, Value};
 use malachite::Integer;
 use serde_json::json;
 use std::io::{self, BufWriter, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Flags {
     /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
-    #[arg(long, value_name = "GRID", required_unless_present = "check")]
+    #[arg(long, value_name = "GRID", required_unless_present_any = ["check", "merge"])]
     ratio: Option<String>,
     /// Coefficients of restitution, for eta and best-n
     #[arg(short, long = "restitution", value_name = "GRID")]
@@ -56,6 +58,13 @@ pub struct Flags {
     /// Go on with FILE.partial
     #[arg(long, requires = "output", conflicts_with = "check")]
     resume: bool,
+    /// Only the I-th of N parts of the rows, as CSV, for many machines; --merge puts the parts together
+    #[arg(long, value_name = "I/N", conflicts_with = "check")]
+    shard: Option<String>,
+    /// Put the parts of one table, or of its certificate, together; exit 2 if a row is missing, doubled or strange
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["ratio", "e", "n", "want", "digits", "places",
+        "round", "extra", "format", "certificate", "resume", "check", "shard"])]
+    merge: Vec<PathBuf>,
     /// Compare somebody's table, cell by cell, with the certified values; exit 1 if a cell is wrong
     #[arg(long, value_name = "FILE.csv")]
     check: Option<PathBuf>,
@@ -111,6 +120,9 @@ fn exit(error: &TableError) -> Exit {
 
 /// Runs the command.
 pub fn run(flags: &Flags) -> Result<u8, Exit> {
+    if !flags.merge.is_empty() {
+        return table_merge::run(&flags.merge, flags.output.as_deref());
+    }
     let ratio = grid("--ratio", flags.ratio.as_deref())?;
     let e = grid("-e", flags.e.as_deref())?;
     let n = grid("-n", flags.n.as_deref())?;
@@ -136,18 +148,52 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     if flags.resume && flags.format != Form::Csv {
         return Err(Exit::usage("error: --resume goes on with CSV: add --format csv"));
     }
-    let writer = Writer::new(flags.format, Head::of(&plan));
+    let job = Job::new(&plan, flags)?;
+    let mut head = Head::of(&plan);
+    if let Some(binding) = &job.binding {
+        head.facts.extend([(table_merge::TABLE, binding.table.clone()), (table_merge::SHARD, binding.shard.clone())]);
+    }
+    let writer = Writer::new(flags.format, head);
     match &flags.output {
-        None => standard(&plan, writer, flags.certificate.as_deref()),
-        Some(path) => file(&plan, writer, path, flags),
+        None => standard(&job, writer, flags.certificate.as_deref()),
+        Some(path) => file(&job, writer, path, flags),
+    }
+}
+
+/// A table, or a part of its rows with what binds it to the table.
+struct Job<'a> {
+    plan: &'a Plan,
+    rows: Range<u64>,
+    binding: Option<Binding>,
+}
+
+impl<'a> Job<'a> {
+    fn new(plan: &'a Plan, flags: &Flags) -> Result<Job<'a>, Exit> {
+        let Some(text) = &flags.shard else { return Ok(Job { plan, rows: 0..plan.rows(), binding: None }) };
+        let shard = Shard::parse(text).map_err(|e| Exit::usage(format!("error: --shard {text}: {e}")))?;
+        if flags.format != Form::Csv {
+            return Err(Exit::usage("error: --shard makes CSV, which can be merged: add --format csv"));
+        }
+        let axes =
+            Axes { ratio: flags.ratio.as_deref().unwrap_or_default(), e: flags.e.as_deref(), n: flags.n.as_deref() };
+        Ok(Job { plan, rows: shard.rows(plan.rows()), binding: Some(Binding::new(plan, axes, shard)) })
+    }
+
+    /// The first line of its certificate.
+    fn certificate_head(&self) -> String {
+        let head = certificate_head(self.plan);
+        match &self.binding {
+            None => head,
+            Some(binding) => table_merge::bind(&head, binding),
+        }
     }
 }
 
 /// Writes to standard output; a reader that goes away ends the work.
-fn standard(plan: &Plan, writer: Writer, certificate: Option<&Path>) -> Result<u8, Exit> {
+fn standard(job: &Job<'_>, writer: Writer, certificate: Option<&Path>) -> Result<u8, Exit> {
     let mut out = BufWriter::new(io::stdout().lock());
     let mut certificate = certificate.map(whole).transpose()?;
-    let end = write(plan, writer, 0, &mut out, certificate.as_mut());
+    let end = write(job, writer, 0, &mut out, certificate.as_mut());
     match end.and_then(|end| out.flush().map(|()| end).map_err(Stop::Write)) {
         Ok(End::Complete) => certificate.map_or(Ok(()), Target::finish).map(|()| 0),
         Ok(End::Interrupted(_)) => Ok(INTERRUPTED),
@@ -206,9 +252,9 @@ fn rounding_name(rounding: Rounding) -> &'static str {
 }
 
 /// Writes to a file, which is complete or as it was.
-fn file(plan: &Plan, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
+fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
     let grows = |path: &Path| flags.format == Form::Csv && partial::can_grow(path);
-    let (head, heading) = (writer.csv_head(), certificate_head(plan));
+    let (head, heading) = (writer.csv_head(), job.certificate_head());
     let mut from = 0;
     if flags.resume {
         let unable =
@@ -223,7 +269,7 @@ fn file(plan: &Plan, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, E
             }
             from = from.min(partial::lines(certificate, &heading)?.unwrap_or(0));
         }
-        from = from.min(plan.rows());
+        from = from.min(job.rows.end - job.rows.start);
     }
     let open = |path: &Path, head: &str| -> Result<Target, Exit> {
         if !grows(path) {
@@ -239,7 +285,7 @@ fn file(plan: &Plan, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, E
         Some(path) => Some(open(path, &heading)?),
         None => None,
     };
-    let result = write(plan, writer, from, &mut out, certificate.as_mut());
+    let result = write(job, writer, from, &mut out, certificate.as_mut());
     match result {
         Ok(End::Complete) => {
             if let Some(certificate) = certificate {
@@ -287,29 +333,30 @@ impl From<TableError> for Stop {
     }
 }
 
-/// Computes and writes the rows from one on.
+/// Computes and writes a job's rows from one of them on.
 fn write(
-    plan: &Plan,
+    job: &Job<'_>,
     mut writer: Writer,
     from: u64,
     out: &mut dyn Write,
     mut certificate: Option<&mut Target>,
 ) -> Result<End, Stop> {
+    let Job { plan, rows, .. } = job;
     if from == 0 {
         writer.begin(out)?;
         if let Some(certificate) = certificate.as_deref_mut() {
-            certificate.write_all(certificate_head(plan).as_bytes())?;
+            certificate.write_all(job.certificate_head().as_bytes())?;
         }
     }
     writer.resume(from);
     let interrupt = Interrupt::listen();
-    let progress = Progress::rows(from, plan.rows());
+    let progress = Progress::rows(from, rows.end - rows.start);
     let mut factors = Factors::new(plan);
-    for row in from..plan.rows() {
+    for row in rows.start + from..rows.end {
         if interrupt.asked() {
-            return Ok(End::Interrupted(row));
+            return Ok(End::Interrupted(row - rows.start));
         }
-        progress.now(row, "");
+        progress.now(row - rows.start, "");
         let found = factors.value(row)?;
         let best = match &found {
             Found::Open(Value::Count(best)) => Some(best.clone()),

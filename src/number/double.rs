@@ -136,6 +136,22 @@ impl Double {
         Some(((self.hi + below.next_down()).next_down(), (self.hi + above.next_up()).next_up()))
     }
 
+    /// The two neighbouring doubles between which every element lies; `None` where they are not the same for all
+    /// elements, or where nothing is certified.
+    #[must_use]
+    pub fn neighbours(self) -> Option<(f64, f64)> {
+        let Self { hi, lo, radius } = self;
+        let (below, above) = (hi.next_down(), hi.next_up());
+        // The distance to either side of `hi` is exact; what is left of it covers the rounding of the sums.
+        if lo > radius && lo + radius < 0.75 * (above - hi) {
+            Some((hi, above))
+        } else if lo < -radius && radius - lo < 0.75 * (hi - below) {
+            Some((below, hi))
+        } else {
+            None
+        }
+    }
+
     /// The same set as a dyadic interval, a hair wider; `None` where nothing is certified.
     #[must_use]
     pub fn to_interval(self) -> Option<Interval> {

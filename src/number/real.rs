@@ -178,6 +178,23 @@ impl Real {
         }
     }
 
+    /// The greatest double not above the number and the least one not below it, infinite where need be: the same
+    /// where the number is a double.
+    ///
+    /// # Errors
+    /// [`NumberError::LimitReached`].
+    pub fn neighbours(&self) -> Result<(f64, f64), NumberError> {
+        // Ends that round outwards to the same double are that double; it lies between two others otherwise.
+        let narrow = |x: &Interval| Some(x.to_f64_ends()).filter(|(lo, hi)| lo.next_up() >= *hi);
+        match &self.form {
+            // Its enclosure is exact where it is a double: 53 bits, and shifts.
+            Form::Rational(_) => {
+                narrow(&self.enclosure(FIRST_BITS)).map_or_else(|| self.settle(FIRST_BITS, narrow).map(|x| x.0), Ok)
+            }
+            Form::Enclosed { .. } => self.settle(FIRST_BITS / 2, narrow).map(|x| x.0),
+        }
+    }
+
     /// An enclosure of at least the given relative accuracy in bits.
     ///
     /// # Errors

@@ -9,6 +9,7 @@
 pub mod check;
 pub mod foreign;
 pub mod grid;
+pub mod shard;
 pub mod shared;
 pub mod worksheet;
 

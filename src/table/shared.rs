@@ -10,12 +10,14 @@
 //! each at most; what does not fit is computed again.
 
 use super::grid::Grid;
-use super::{Found, Plan, Printing, Quantity, TableError};
+use super::{Found, Plan, Printing, Quantity, TableError, Value};
+use crate::chain::best::Best;
 use crate::chain::fast;
 use crate::number::decimal::{Decimal, Digits};
 use crate::number::double::Double;
 use crate::number::interval::Interval;
 use crate::number::rational::exact_root;
+use crate::number::real::Real;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
@@ -32,8 +34,8 @@ const DIGITS_OF_DOUBLES: u64 = 14;
 pub struct Factors<'a> {
     plan: &'a Plan,
     of_e: Vec<Option<Double>>,
-    /// The ratio's place, and for each `n` its factor, or that the value is rational.
-    of_ratio: (u64, Vec<Option<Option<Double>>>),
+    /// The ratio's place, and for each `n` its factor, and whether the value is rational.
+    of_ratio: (u64, Vec<Option<(Double, bool)>>),
     shares: bool,
     doubles: bool,
     /// The texts of restitutions and of numbers, and the present ratio's with its place.
@@ -84,8 +86,37 @@ impl<'a> Factors<'a> {
         settled.map_or_else(|| self.plan.value(row).map(Found::Open), Ok)
     }
 
+    /// The greatest double not above a row's value and the least one not below it, found with the same shared work: an
+    /// enclosure as narrow as doubles allow, the same double twice where the value is one.
+    ///
+    /// A best number of bodies beyond all bounds is infinite; where every number is as good as any other, it lies
+    /// between 0 and infinity.
+    ///
+    /// # Errors
+    /// As [`Plan::value`].
+    pub fn neighbours(&mut self, row: u64) -> Result<(f64, f64), TableError> {
+        let plan = self.plan;
+        if plan.quantity == Quantity::Eta
+            // A rational value that is a double is between no two others: it is left to exact arithmetic.
+            && let Some((of_e, (of_ratio, _))) = self.factors(row)
+            && let Some(found) = of_e.multiply(of_ratio).neighbours()
+        {
+            return Ok(found);
+        }
+        let real = match plan.value(row)? {
+            Value::Real(real) => real,
+            Value::Count(Best::Finite { count, .. }) => Real::rational(Rational::from(count)),
+            Value::Count(Best::Infinite) => return Ok((f64::INFINITY, f64::INFINITY)),
+            Value::Count(Best::Any) => return Ok((0.0, f64::INFINITY)),
+        };
+        real.neighbours().map_err(|error| TableError::Row { row: plan.in_words(row), error: Box::new(error.into()) })
+    }
+
     fn settled(&mut self, row: u64) -> Option<Found> {
-        let (of_e, of_ratio) = self.factors(row)?;
+        let (of_e, (of_ratio, rational)) = self.factors(row)?;
+        if rational {
+            return None;
+        }
         let Printing { digits, rounding, .. } = self.plan.printing;
         if self.doubles {
             let product = fast::times(of_e.ends()?, of_ratio.ends()?);
@@ -97,8 +128,8 @@ impl<'a> Factors<'a> {
         Some(Found::Settled(Decimal::of_interval(&product, digits, rounding)?, product))
     }
 
-    /// The factors of a row's value; `None` where it is rational.
-    fn factors(&mut self, row: u64) -> Option<(Double, Double)> {
+    /// The factors of a row's value, that of the ratio with whether the value is rational.
+    fn factors(&mut self, row: u64) -> Option<(Double, (Double, bool))> {
         let plan = self.plan;
         let [i, j, k] = plan.places(row);
         let (e_grid, n_grid) = (plan.e.as_ref()?, plan.n.as_ref()?);
@@ -111,14 +142,12 @@ impl<'a> Factors<'a> {
             self.of_ratio.1.resize(kept, None);
         }
         let of_ratio = kept(&mut self.of_ratio.1, k, || {
-            let (r, count) = (plan.ratio.value(i)?, count()?);
-            if exact_root(&r, count).is_some() {
-                return None;
-            }
+            let (Some(r), Some(count)) = (plan.ratio.value(i), count()) else { return (Double::exact(f64::NAN), true) };
             let t = Double::from_rational(&r).root(count);
             let sum = t.plus(Double::exact(1.0));
-            Some(t.multiply(Double::exact(4.0)).divide(sum.multiply(sum)).power(count))
-        })?;
+            let factor = t.multiply(Double::exact(4.0)).divide(sum.multiply(sum)).power(count);
+            (factor, exact_root(&r, count).is_some())
+        });
         if self.of_e.is_empty() && es.saturating_mul(ns) <= KEPT {
             self.of_e = vec![None; usize::try_from(es * ns).ok()?];
         }

@@ -1,0 +1,43 @@
+from typing import Callable, List, Optional, Tuple, TypedDict, Union
+
+__version__: str
+
+_Hex = Tuple[str, str]
+
+class Found(TypedDict):
+    exact: Optional[_Hex]
+    radical: Optional[str]
+    latex: Optional[str]
+    lower: Optional[_Hex]
+    upper: Optional[_Hex]
+    lo: float
+    hi: float
+    decimal: Optional[str]
+
+Answer = Union[Found, List[Found], List[List[List[Found]]], str, Tuple[str, str, bool]]
+
+class LimitReached(Exception): ...
+
+class Chain:
+    def __new__(
+        cls,
+        ends: Tuple[str, str],
+        e: Tuple[bool, List[str]],
+        n: int,
+        masses: Optional[List[str]],
+        speed: str,
+        velocities: Optional[List[str]],
+    ) -> Chain: ...
+    def count(self) -> int: ...
+    def is_exact(self) -> bool: ...
+    def answer(self, quantity: str, digits: int, rounding: str) -> Answer: ...
+
+class Plan:
+    def __new__(cls, want: str, ratio: str, e: Optional[str], n: Optional[str]) -> Plan: ...
+    def rows(self) -> int: ...
+    def shape(self) -> List[Tuple[str, int]]: ...
+    def labels(self, axis: int, start: int, stop: int) -> List[str]: ...
+    def fill(self, start: int, stop: int, sink: Callable[[int, bytes, bytes], object]) -> None: ...
+
+def audit(text: Optional[str], file: str, only: List[str], seconds: int) -> str: ...
+def language() -> str: ...

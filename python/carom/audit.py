@@ -1,0 +1,242 @@
+"""Audits of claims: proved, refuted with an exact counterexample, or undecided with the reason."""
+
+from __future__ import annotations
+
+import html
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Union
+
+from . import _engine
+from .number import count_of
+
+_LONGEST = 400
+"""Characters of a value that a display shows."""
+
+
+@dataclass(frozen=True)
+class Broken:
+    """A comparison that fails at a witness, with the values of its sides."""
+
+    statement: str
+    left: str
+    right: str
+
+
+@dataclass(frozen=True)
+class Witness:
+    """An exact point where all hypotheses hold and the claim does not."""
+
+    point: Dict[str, Union[Fraction, str]]
+    """Values of the variables: fractions, or texts where they are none."""
+    broken: List[Broken]
+    """What is false there."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of an argument."""
+
+    depth: int
+    rule: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What the audit says of one claim."""
+
+    id: str
+    title: str
+    number: Optional[int]
+    source: Optional[str]
+    section: Optional[str]
+    reading: str
+    verdict: str
+    """``"proved"``, ``"refuted"`` or ``"undecided"``."""
+    expected: str
+    as_expected: bool
+    method: str
+    statement: str
+    latex: str
+    mathml: str
+    hypotheses: List[str]
+    argument: List[Line]
+    used: List[str]
+    unused: List[str]
+    sample: Optional[Dict[str, Union[Fraction, str]]]
+    witness: Optional[Witness]
+    reason: Optional[str]
+    """Why it is undecided."""
+    notes: List[str]
+
+    def _repr_html_(self) -> str:
+        return f"<table>{_row(self)}</table>"
+
+    def _repr_latex_(self) -> str:
+        return f"$$\\begin{{array}}{{lll}}\n{_latex_row(self)}\n\\end{{array}}$$"
+
+
+class Audit:
+    """The claims of an audit, in their order; a notebook shows it as a table."""
+
+    def __init__(self, claims: List[Claim]) -> None:
+        self.claims = claims
+
+    def __iter__(self) -> Iterator[Claim]:
+        return iter(self.claims)
+
+    def __len__(self) -> int:
+        return len(self.claims)
+
+    def __getitem__(self, key: Union[str, int]) -> Claim:
+        if isinstance(key, int):
+            return self.claims[key]
+        for claim in self.claims:
+            if claim.id == key:
+                return claim
+        raise KeyError(key)
+
+    @property
+    def as_expected(self) -> bool:
+        """Whether every verdict is the one that its claim expects."""
+        return all(claim.as_expected for claim in self.claims)
+
+    @property
+    def summary(self) -> Dict[str, int]:
+        """How many are proved, refuted, undecided, and not as expected."""
+        counts = {verdict: 0 for verdict in ("proved", "refuted", "undecided")}
+        for claim in self.claims:
+            counts[claim.verdict] += 1
+        counts["unexpected"] = sum(not claim.as_expected for claim in self.claims)
+        return counts
+
+    def __repr__(self) -> str:
+        return f"Audit({_counts(self.summary)})"
+
+    def _repr_html_(self) -> str:
+        head = "<tr><th>verdict</th><th>claim</th><th>statement</th></tr>"
+        rows = "".join(_row(claim) for claim in self.claims)
+        return f"<table><thead>{head}</thead><tbody>{rows}</tbody></table><p>{html.escape(_counts(self.summary))}</p>"
+
+    def _repr_latex_(self) -> str:
+        rows = " \\\\\n".join(_latex_row(claim) for claim in self.claims)
+        return f"$$\\begin{{array}}{{lll}}\n{rows}\n\\end{{array}}$$"
+
+
+def _counts(summary: Dict[str, int]) -> str:
+    parts = [f"{summary[key]} {key}" for key in ("proved", "refuted", "undecided")]
+    total = sum(summary[key] for key in ("proved", "refuted", "undecided"))
+    return f"{total} claim{'' if total == 1 else 's'}: {', '.join(parts)}; {summary['unexpected']} not as expected"
+
+
+def _shown(value: object) -> str:
+    text = str(value)
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}… ({len(text)} characters)"
+
+
+def _evidence(claim: Claim) -> List[str]:
+    lines = []
+    if claim.witness is not None:
+        point = ", ".join(f"{name} = {_shown(value)}" for name, value in claim.witness.point.items())
+        lines.append(f"fails at {point}" if point else "fails")
+        for broken in claim.witness.broken:
+            lines.append(f"left side {_shown(broken.left)}, right side {_shown(broken.right)}")
+    if claim.reason:
+        lines.append(_shown(claim.reason))
+    if not claim.as_expected:
+        lines.append(f"expected: {claim.expected}")
+    return lines
+
+
+_MARKS = {"proved": "✓ proved", "refuted": "✗ refuted", "undecided": "? undecided"}
+
+
+def _html(text: str) -> str:
+    # Notebooks look for formulas between dollars and after backslashes, and a formula may hold a link.
+    escaped = html.escape(text)
+    for sign in "$\\":
+        escaped = escaped.replace(sign, f"<span>{sign}</span>")
+    return f'<span class="mathjax_ignore tex2jax_ignore">{escaped}</span>'
+
+
+def _row(claim: Claim) -> str:
+    # All text of a claim file is escaped; the formula is the engine's own MathML. It stands there on a line as well,
+    # since what shows notebooks to others may drop the tags, and a power would be read as a digit.
+    line = f"<br><small><code>{html.escape(_shown(claim.statement))}</code></small>"
+    evidence = "".join(f"<br><small>{_html(line)}</small>" for line in _evidence(claim))
+    number = f"({claim.number}) " if claim.number is not None else ""
+    return (
+        f'<tr><td style="text-align:left;white-space:nowrap"><b>{_MARKS[claim.verdict]}</b></td>'
+        f'<td style="text-align:left">{number}<code>{html.escape(claim.id)}</code><br>{_html(claim.title)}</td>'
+        f'<td style="text-align:left">{claim.mathml}{line}{evidence}</td></tr>'
+    )
+
+
+_ESCAPES = {
+    "\\": "\\backslash ",
+    "{": "\\{",
+    "}": "\\}",
+    "$": "\\$",
+    "&": "\\&",
+    "#": "\\#",
+    "%": "\\%",
+    "_": "\\_",
+    "^": "\\hat{\\ }",
+    "~": "\\sim ",
+}
+
+
+def _latex_text(text: str) -> str:
+    # Signs that a formula treats as its own leave the text: what stands there is the same in TeX and MathJax.
+    out, plain = [], ""
+    for c in text:
+        if c in _ESCAPES:
+            out += [f"\\text{{{plain}}}" if plain else "", _ESCAPES[c]]
+            plain = ""
+        else:
+            plain += " " if c.isspace() else c
+    return "".join(out) + (f"\\text{{{plain}}}" if plain else "")
+
+
+def _latex_row(claim: Claim) -> str:
+    return f"\\text{{{claim.verdict}}} & {_latex_text(claim.id)} & {claim.latex}"
+
+
+def _value(text: str) -> Union[Fraction, str]:
+    try:
+        return Fraction(text)
+    except ValueError:
+        return text
+
+
+def _point(pairs: Optional[List[List[str]]]) -> Optional[Dict[str, Union[Fraction, str]]]:
+    return None if pairs is None else {name: _value(value) for name, value in pairs}
+
+
+def _claim(facts: Dict[str, Any]) -> Claim:
+    witness = facts.pop("witness")
+    if witness is not None:
+        witness = Witness(_point(witness["point"]) or {}, [Broken(*broken) for broken in witness["broken"]])
+    facts["argument"] = [Line(*line) for line in facts["argument"]]
+    facts["sample"] = _point(facts["sample"])
+    return Claim(witness=witness, **facts)
+
+
+def audit(
+    text: Optional[str] = None, *, only: Union[str, Sequence[str]] = (), seconds: int = 10, file: str = "text"
+) -> Audit:
+    """Judges the claims of a text in the claim language, or those of the built-in catalogue.
+
+    ``only`` names the claims to judge; ``seconds`` limits the time for each; ``file`` is what errors call the text. A
+    fault of the text is a :class:`ValueError` that shows its line with a caret.
+
+    >>> audit('claim mine "Mine"\\ngiven m > 0\\nprove m^2 = m')["mine"].verdict
+    'refuted'
+    """
+    names = [only] if isinstance(only, str) else list(only)
+    if text is not None and not isinstance(text, str):
+        raise ValueError(f"text: claims are a str, not {type(text).__name__}")
+    found = json.loads(_engine.audit(text, file, names, count_of(seconds, "seconds")))
+    return Audit([_claim(facts) for facts in found])

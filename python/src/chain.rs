@@ -1,0 +1,171 @@
+//! A chain and the answers about it.
+
+use crate::number::Found;
+use crate::refusal::{Refusal, detached};
+use carom::chain::best::Best;
+use carom::chain::threshold::Helps;
+use carom::chain::uncertain::meeting::Meeting;
+use carom::chain::uncertain::{Range, RangeError};
+use carom::chain::{ChainError, Positive, Restitution};
+use carom::number::decimal::Digits;
+use carom::number::rational::{self, NumeralError};
+use carom::scene::answer::{Answers, Value};
+use carom::scene::quantity::Quantity;
+use carom::scene::read::ROUNDINGS;
+use carom::scene::{self, Coefficients, Inserted, Scene, Start};
+use malachite::Rational;
+use pyo3::prelude::*;
+
+/// A chain of bodies.
+#[pyclass(frozen, module = "carom._engine")]
+pub struct Chain {
+    chain: scene::Chain,
+}
+
+/// An answer as Python gets it.
+#[derive(IntoPyObject)]
+pub enum Answer {
+    /// A number.
+    #[pyo3(transparent)]
+    Number(Found),
+    /// A number for each body or collision.
+    #[pyo3(transparent)]
+    List(Vec<Found>),
+    /// A matrix for each collision.
+    #[pyo3(transparent)]
+    Matrices(Vec<Vec<Vec<Found>>>),
+    /// In words.
+    #[pyo3(transparent)]
+    Words(String),
+    /// The least and the greatest best number, as hexadecimal digits or words, and whether one fewer does as well.
+    #[pyo3(transparent)]
+    Best((String, String, bool)),
+}
+
+fn numeral_fault(name: &str, error: &NumeralError) -> Refusal {
+    let text = format!("{name}: {error}");
+    match error {
+        NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. } => Refusal::Limit(text),
+        _ => Refusal::Input(text),
+    }
+}
+
+fn measured(name: &str, text: &str) -> Result<Range<Rational>, Refusal> {
+    Range::read(text).map_err(|error| match error {
+        RangeError::Numeral(error @ (NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })) => {
+            numeral_fault(name, &error)
+        }
+        error => Refusal::at(name, error),
+    })
+}
+
+fn mass(name: &str, text: &str) -> Result<Range<Positive>, Refusal> {
+    measured(name, text)?.map(Positive::new).map_err(|error: ChainError| Refusal::at(name, error))
+}
+
+fn coefficient(text: &str) -> Result<Range<Restitution>, Refusal> {
+    measured("e", text)?.map(Restitution::new).map_err(|error: ChainError| Refusal::at("e", error))
+}
+
+fn number(name: &str, text: &str) -> Result<Rational, Refusal> {
+    rational::parse(text).map_err(|error| numeral_fault(name, &error))
+}
+
+#[pymethods]
+impl Chain {
+    /// Reads a chain: the masses of the ends; one coefficient, or one for each collision; the number of inserted
+    /// bodies of optimal mass, or their masses; the first body's speed, or all velocities.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        ends: (String, String),
+        e: (bool, Vec<String>),
+        n: u64,
+        masses: Option<Vec<String>>,
+        speed: String,
+        velocities: Option<Vec<String>>,
+    ) -> Result<Chain, Refusal> {
+        detached(py, || {
+            let (first, last) = (mass("m1", &ends.0)?, mass("m2", &ends.1)?);
+            let coefficients = match (e.0, e.1.first()) {
+                (true, Some(one)) => Coefficients::Same(coefficient(one)?),
+                _ => Coefficients::Each(e.1.iter().map(|e| coefficient(e)).collect::<Result<_, _>>()?),
+            };
+            let inserted = match masses {
+                Some(list) => Inserted::Given(list.iter().map(|m| mass("masses", m)).collect::<Result<_, _>>()?),
+                None => Inserted::Optimal(n),
+            };
+            let start = match velocities {
+                Some(list) => {
+                    Start::Velocities(list.iter().map(|v| number("velocities", v)).collect::<Result<_, _>>()?)
+                }
+                None => Start::Speed(number("speed", &speed)?),
+            };
+            Ok(Chain { chain: scene::Chain::new(first, last, inserted, coefficients, start)? })
+        })
+    }
+
+    /// How many bodies are inserted.
+    fn count(&self) -> u64 {
+        self.chain.count()
+    }
+
+    /// Whether nothing is measured.
+    fn is_exact(&self) -> bool {
+        self.chain.is_exact()
+    }
+
+    /// The answer to one question, decimals with so many digits rounded in a direction.
+    fn answer(&self, py: Python<'_>, quantity: &str, digits: u64, rounding: &str) -> Result<Answer, Refusal> {
+        detached(py, || {
+            let quantity = Quantity::of_name(quantity).map_err(Refusal::Input)?;
+            let direction = ROUNDINGS.iter().find(|(name, _)| *name == rounding).map(|(_, direction)| *direction);
+            let rounding = direction.ok_or_else(|| {
+                Refusal::Input(format!("rounding: {rounding:?} is no direction; write nearest, up, down, zero or away"))
+            })?;
+            let scene = Scene {
+                want: vec![quantity],
+                digits: Digits::Significant(digits),
+                rounding,
+                chain: self.chain.clone(),
+            };
+            let answers = Answers::new(&scene);
+            let (value, _) = answers.get(quantity)?;
+            Ok(described(value))
+        })
+    }
+}
+
+fn described(value: &Value) -> Answer {
+    match value {
+        Value::Number(number) => Answer::Number(Found::of(number)),
+        Value::List(list) => Answer::List(list.iter().map(Found::of).collect()),
+        Value::Matrices(list) => {
+            let matrix = |rows: &[[_; 2]; 2]| rows.iter().map(|row| row.iter().map(Found::of).collect()).collect();
+            Answer::Matrices(list.iter().map(matrix).collect())
+        }
+        Value::Helps(answer) => Answer::Words(answer.map_or("depends", Helps::text).to_owned()),
+        Value::Best(least, greatest) => {
+            let tie = least == greatest && matches!(least, Best::Finite { tie: true, .. });
+            Answer::Best((count(least), count(greatest), tie))
+        }
+        Value::Recollides(meeting) => Answer::Words(
+            match meeting {
+                Meeting::Always => "yes",
+                Meeting::Never => "no",
+                other => other.text(),
+            }
+            .to_owned(),
+        ),
+        // It cannot be asked for by name.
+        Value::Prepared(_) => Answer::Words(String::new()),
+    }
+}
+
+fn count(best: &Best) -> String {
+    match best {
+        Best::Finite { count, .. } => format!("{count:x}"),
+        Best::Infinite => "infinite".to_owned(),
+        Best::Any => "any".to_owned(),
+    }
+}

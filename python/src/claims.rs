@@ -1,0 +1,129 @@
+//! Claims and what is thought of them.
+
+use crate::refusal::{Refusal, detached_deep};
+use carom::claim::diagnostic::{Diagnostic, Fault, nearest};
+use carom::claim::parse::parse;
+use carom::claim::print::Style;
+use carom::claim::syntax::{Claim, Expectation};
+use carom::claim::{LANGUAGE, embedded};
+use carom::prove::catalogue::{Catalogue, Limits};
+use carom::prove::outcome;
+use carom::report::{self, Entry, mathml};
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// Judges the claims of a text, or of the built-in catalogue; the verdicts as JSON.
+#[pyfunction]
+pub fn audit(
+    py: Python<'_>,
+    text: Option<String>,
+    file: String,
+    only: Vec<String>,
+    seconds: u64,
+) -> Result<String, Refusal> {
+    detached_deep(py, || {
+        let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
+        judged(text.as_deref(), &file, &only, &limits).map(|list| Value::from(list).to_string())
+    })
+}
+
+/// The description of the claim language.
+#[pyfunction]
+pub fn language() -> &'static str {
+    LANGUAGE
+}
+
+fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> Result<Vec<Value>, Refusal> {
+    let shown = |faults: &[Diagnostic]| {
+        let one = |fault: &Diagnostic| match text {
+            Some(text) => fault.render(file, text, false),
+            None => fault.message(),
+        };
+        Refusal::Input(faults.iter().map(one).collect::<Vec<_>>().join("\n"))
+    };
+    let claims = match text {
+        Some(text) => parse(text).map_err(|faults| shown(&faults))?,
+        None => match embedded::claims(only).map_err(|faults| shown(&faults))? {
+            Some(claims) => claims,
+            None => {
+                let files = embedded::files();
+                let names: Vec<&str> = files.iter().map(|f| embedded::stem(f.path)).collect();
+                return Err(no_match(only, &names));
+            }
+        },
+    };
+    let catalogue = Catalogue::new(claims);
+    let mut catalogue = catalogue.map_err(|list| shown(&list.into_iter().map(|f| f.1).collect::<Vec<_>>()))?;
+    let all: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
+    if only.iter().any(|name| !all.contains(name)) {
+        return Err(no_match(only, &all.iter().map(String::as_str).collect::<Vec<_>>()));
+    }
+    let (mut entries, mut faults) = (Vec::new(), Vec::new());
+    for name in all.iter().filter(|name| only.is_empty() || only.contains(name)) {
+        let outcome = catalogue.audit(name, limits);
+        let Some(claim) = catalogue.get(name).cloned() else { continue };
+        match outcome {
+            Ok(outcome) => entries.push(described(&Entry { claim, outcome, certificate: None })),
+            Err(outcome::Fault::Contradictory { hypotheses }) => faults.push(Diagnostic::new(
+                Fault::Other {
+                    message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
+                    help: Some("such a claim would be true of nothing; mend the hypotheses".to_owned()),
+                },
+                claim.name.span,
+            )),
+            Err(outcome::Fault::Text(d)) => {
+                faults.push(Diagnostic::new(Fault::Other { message: d.message, help: d.help }, d.span));
+            }
+        }
+    }
+    if faults.is_empty() { Ok(entries) } else { Err(shown(&faults)) }
+}
+
+fn no_match(only: &[String], names: &[&str]) -> Refusal {
+    let missing = only.iter().filter(|name| !names.contains(&name.as_str()));
+    let said = missing.map(|name| match nearest(name, names.iter().copied()) {
+        Some(near) => format!("no claim is called {name}; did you mean {near}?"),
+        None => format!("no claim is called {name}"),
+    });
+    Refusal::Input(said.collect::<Vec<_>>().join("\n"))
+}
+
+fn point(point: &outcome::Point) -> Value {
+    point.values.iter().map(|(name, value)| json!([name, value])).collect()
+}
+
+fn described(entry: &Entry) -> Value {
+    let (claim, outcome): (&Claim, _) = (&entry.claim, &entry.outcome);
+    let expected = match claim.expect {
+        Expectation::Proved => "proved",
+        Expectation::Refuted => "refuted",
+        Expectation::Undecided => "undecided",
+    };
+    json!({
+        "id": claim.name.text,
+        "title": claim.title,
+        "number": claim.number,
+        "source": claim.source,
+        "section": claim.section,
+        "reading": report::reading(claim),
+        "verdict": outcome.verdict.name(),
+        "expected": expected,
+        "as_expected": entry.as_expected(),
+        "method": outcome.method,
+        "statement": entry.goal(Style::Unicode),
+        "latex": entry.goal(Style::Latex),
+        "mathml": mathml::statement(&claim.goal),
+        "hypotheses": claim.items.iter().map(|item| Style::Unicode.item(item)).collect::<Vec<_>>(),
+        "argument": outcome.argument.iter().map(|l| json!([l.depth, l.rule, l.text])).collect::<Vec<_>>(),
+        "used": outcome.used,
+        "unused": outcome.unused,
+        "sample": outcome.sample.as_ref().map(point),
+        "witness": outcome.witness.as_ref().map(|w| json!({
+            "point": point(&w.point),
+            "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
+        })),
+        "reason": outcome.reason,
+        "notes": claim.notes,
+    })
+}

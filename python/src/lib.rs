@@ -1,0 +1,33 @@
+//! Carom's engine for Python: plain functions and two classes, from texts to texts, tuples and doubles.
+//!
+//! Contract: the package `carom` around this module gives them their Python faces. Bad input is `ValueError` with the
+//! program's message, a stated limit is `LimitReached`. All work is done without Python's lock. No input makes a
+//! function panic; should one do so all the same, `RuntimeError` says it.
+
+mod chain;
+mod claims;
+mod number;
+mod refusal;
+mod table;
+
+use pyo3::prelude::*;
+
+/// The engine.
+#[pymodule]
+mod _engine {
+    use super::{Bound, PyModule, PyModuleMethods, PyResult};
+
+    #[pymodule_export]
+    use super::chain::Chain;
+    #[pymodule_export]
+    use super::claims::{audit, language};
+    #[pymodule_export]
+    use super::refusal::LimitReached;
+    #[pymodule_export]
+    use super::table::Plan;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

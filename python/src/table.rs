@@ -1,0 +1,97 @@
+//! Tables over grids as doubles.
+
+use crate::refusal::{Refusal, detached};
+use carom::number::decimal::{Digits, Rounding};
+use carom::table::grid::{Grid, GridError};
+use carom::table::shared::Factors;
+use carom::table::{self, Printing, Quantity};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+/// Rows that are computed between two looks at Python: its other threads, Ctrl-C.
+///
+/// Few enough to stay near the processor while they are copied: `python/benchmark.py`.
+const CHUNK: u64 = 1 << 14;
+
+/// A quantity over its axes.
+#[pyclass(frozen, module = "carom._engine")]
+pub struct Plan {
+    plan: table::Plan,
+    axes: Vec<Grid>,
+}
+
+fn grid(name: &str, text: &str) -> Result<Grid, Refusal> {
+    Grid::parse(text).map_err(|error| match error {
+        GridError::Limit { .. } => Refusal::Limit(format!("{name}: {error}")),
+        error => Refusal::at(name, error),
+    })
+}
+
+fn fault(error: &table::TableError) -> Refusal {
+    if error.is_limit() { Refusal::Limit(error.to_string()) } else { Refusal::Input(error.to_string()) }
+}
+
+#[pymethods]
+impl Plan {
+    /// A table: the quantity and the grids as the command line writes them.
+    #[new]
+    fn new(py: Python<'_>, want: String, ratio: String, e: Option<String>, n: Option<String>) -> Result<Plan, Refusal> {
+        detached(py, || {
+            let names = || Quantity::ALL.map(Quantity::name).join(", ");
+            let quantity = Quantity::ALL.into_iter().find(|q| q.name() == want);
+            let quantity =
+                quantity.ok_or_else(|| Refusal::at("want", format!("{want:?} is no table; write {}", names())))?;
+            let ratio = grid("ratio", &ratio)?;
+            let e = e.map(|text| grid("e", &text)).transpose()?;
+            let n = n.map(|text| grid("n", &text)).transpose()?;
+            let axes = [Some(&ratio), e.as_ref(), n.as_ref()].into_iter().flatten().cloned().collect();
+            let printing = Printing { digits: Digits::Significant(15), rounding: Rounding::Nearest, extra: 0 };
+            let plan = table::Plan::new(quantity, ratio, e, n, printing).map_err(|error| fault(&error))?;
+            Ok(Plan { plan, axes })
+        })
+    }
+
+    /// How many rows there are.
+    fn rows(&self) -> u64 {
+        self.plan.rows()
+    }
+
+    /// The axes: names and how many values each has; the last one runs fastest.
+    fn shape(&self) -> Vec<(&'static str, u64)> {
+        self.plan.axis_names().into_iter().zip(self.axes.iter().map(Grid::len)).collect()
+    }
+
+    /// The texts of an axis's values from one place up to another.
+    fn labels(&self, py: Python<'_>, axis: usize, start: u64, stop: u64) -> Result<Vec<String>, Refusal> {
+        detached(py, || {
+            let axis = self.axes.get(axis).ok_or_else(|| Refusal::Input("there is no such axis".to_owned()))?;
+            Ok((start..stop.min(axis.len())).filter_map(|place| axis.label(place)).collect())
+        })
+    }
+
+    /// Hands the rows from one up to another to `sink(offset, lo, hi)`, chunk by chunk: the doubles around each value as
+    /// bytes of this machine.
+    fn fill(&self, py: Python<'_>, start: u64, stop: u64, sink: &Bound<'_, PyAny>) -> PyResult<()> {
+        let stop = stop.min(self.plan.rows());
+        let mut factors = Factors::new(&self.plan);
+        let mut at = start;
+        while at < stop {
+            let end = stop.min(at.saturating_add(CHUNK));
+            let (lo, hi) = detached(py, || ends(&mut factors, at, end))?;
+            sink.call1((at - start, PyBytes::new(py, &lo), PyBytes::new(py, &hi)))?;
+            at = end;
+        }
+        Ok(())
+    }
+}
+
+fn ends(factors: &mut Factors<'_>, start: u64, stop: u64) -> Result<(Vec<u8>, Vec<u8>), Refusal> {
+    let size = usize::try_from(stop - start).unwrap_or(0);
+    let (mut lower, mut upper) = (Vec::with_capacity(size), Vec::with_capacity(size));
+    for row in start..stop {
+        let (lo, hi) = factors.neighbours(row).map_err(|error| fault(&error))?;
+        lower.push(lo.to_ne_bytes());
+        upper.push(hi.to_ne_bytes());
+    }
+    Ok((lower.into_flattened(), upper.into_flattened()))
+}

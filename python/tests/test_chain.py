@@ -1,0 +1,196 @@
+"""Scalar answers against bounds from Python's own integers, and everything that is refused."""
+
+from __future__ import annotations
+
+import decimal
+import doctest
+import importlib
+import math
+import pickle
+import random
+from fractions import Fraction
+
+import pytest
+
+import carom
+
+
+def digits_are_right(text: str, low: Fraction, high: Fraction, count: int) -> None:
+    value = Fraction(text)
+    unit = Fraction(1)
+    while unit > value:
+        unit /= 10
+    while unit * 10 <= value:
+        unit *= 10
+    unit /= 10 ** (count - 1)
+    # Both bounds round to it.
+    assert abs(value - low) <= unit / 2 and abs(value - high) <= unit / 2
+
+
+def test_the_documentation_strings_are_true():
+    for name in ("carom", "carom.chain", "carom.table", "carom.audit"):
+        found = doctest.testmod(importlib.import_module(name))
+        assert found.failed == 0 and found.attempted > 0, name
+
+
+def test_exact_answers_are_fractions():
+    assert carom.eta(64, 1, e="44/81", n=2) == Fraction(15625000000, 282429536481)
+    assert carom.threshold(64, 1, n=2) == Fraction(44, 81)
+    assert carom.helps(64, 1, e="44/81", n=2) == "exactly on the threshold"
+    assert carom.masses(64, 1, e=1, n=2) == [64, 16, 4, 1]
+    assert carom.velocities(3, 1, e="1/2", speed=2) == [Fraction(5, 4), Fraction(9, 4)]
+    assert carom.losses(3, 1, e="1/2", speed=2) == [Fraction(9, 8)]
+    assert carom.last_velocity(3, 1, e="1/2") == Fraction(9, 8)
+    assert carom.eta(4, 1, e=1, masses=[2]) == Fraction(64, 81)
+    assert carom.matrices(1, 1, e=1) == [[[0, 1], [1, 0]]]
+    best = carom.best_n(64, 1, e="44/81")
+    assert (int(best), best.tie) == (2, True)
+    assert carom.best_n(2, 1, e=1).least == math.inf and carom.best_n(1, 1, e=1).least is None
+    with pytest.raises(ValueError):
+        int(carom.best_n(2, 1, e=1))
+
+
+def test_thousands_of_enclosures_contain_and_their_doubles_point_outwards(bounds):
+    eta_bounds, threshold_bounds = bounds
+    rng = random.Random(7)
+    irrational = 0
+    for _ in range(2000):
+        r = Fraction(rng.randint(1, 10 ** rng.randint(1, 12)), rng.randint(1, 10 ** rng.randint(1, 6)))
+        e, n = Fraction(rng.randint(0, 40), 40), rng.randint(0, 12)
+        cases = [(carom.eta(r, 1, e=e, n=n), eta_bounds(r, e, n))]
+        if n > 0:
+            cases.append((carom.threshold(r, 1, n=n), threshold_bounds(r, n)))
+        for found, (low, high) in cases:
+            if isinstance(found, Fraction):
+                assert low <= found <= high
+                continue
+            irrational += 1
+            assert found.exact_lo <= low and high <= found.exact_hi, (r, e, n)
+            assert Fraction(found.lo) <= found.exact_lo and found.exact_hi <= Fraction(found.hi)
+            assert found.hi <= math.nextafter(math.nextafter(found.lo, math.inf), math.inf)
+            assert found.lo <= float(found) <= found.hi
+            assert found.exact_lo in found and found.exact_hi + 1 not in found
+    assert irrational > 3000
+
+
+def test_digits_are_right_in_every_direction(bounds):
+    eta_bounds, _ = bounds
+    x = carom.eta(10, 1, e="9/10", n=7)
+    low, high = eta_bounds(Fraction(10), Fraction(9, 10), 7)
+    for count in range(1, 41):
+        digits_are_right(x.digits(count), low, high, count)
+        assert Fraction(x.digits(count, rounding="down")) <= low < high <= Fraction(x.digits(count, rounding="up"))
+    assert len(x.digits(50)) == 52
+    assert x.digits(50)[:-2] in x.digits(5000)
+    below, above = x.narrower(60)
+    assert x.exact_lo <= below < above <= x.exact_hi and above - below < Fraction(1, 10**59)
+    assert float(x) == float(Fraction(x.digits(60)))
+
+
+def test_velocities_are_enclosed_each_with_its_own_digits():
+    chain = carom.Chain(10, 1, e="9/10", n=3)
+    found = chain.velocities()
+    assert len(found) == 5 and isinstance(found[4], carom.Enclosure)
+    # The last one squared, times the ratio of masses, is the energy's share.
+    low, high = found[4].narrower(60)
+    share = chain.eta().narrower(60)
+    assert low**2 / 10 <= share[1] and share[0] <= high**2 / 10
+    again = pickle.loads(pickle.dumps(found[4]))
+    assert again.digits(30) == found[4].digits(30) and again.exact_lo == found[4].exact_lo
+    assert pickle.loads(pickle.dumps(chain)).eta().digits(20) == chain.eta().digits(20)
+    assert found[4].radical and "\\frac" in found[4]._repr_latex_()
+
+
+def test_measured_inputs_give_wide_enclosures():
+    x = carom.eta("57.1 ± 0.1", 46, e="[0.84, 0.90]")
+    assert x.measured and x.lo < x.hi
+    for m1 in ("57.0", "57.2"):
+        for e in ("0.84", "0.9"):
+            assert carom.eta(m1, 46, e=e) in x
+    with pytest.raises(ValueError, match="do not round"):
+        x.digits(10)
+    with pytest.raises(ValueError, match="nearest double"):
+        float(x)
+    assert carom.helps(10, 1, e="[0.1, 0.9]", n=1) == "depends"
+    best = carom.best_n(10, 1, e="[0.5, 0.9]")
+    assert best.least < best.greatest
+    assert "\\;" in x._repr_latex_()
+
+
+def test_numbers_go_in_exactly():
+    same = carom.eta(10, 1, e=Fraction(1, 2))
+    for e in ("1/2", "0.5", "5e-1", Fraction(2, 4), decimal.Decimal("0.50")):
+        assert carom.eta(10, 1, e=e) == same
+    assert carom.eta(10, 1, e=["1/2"]) == same
+    assert carom.Chain(4, 1, e=["1/2", 1], n=1).eta() == carom.Chain(4, 1, e=(Fraction(1, 2), "1"), n=1).eta()
+    for value in (0.5, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="is not exact"):
+            carom.eta(10, 1, e=value)
+    with pytest.raises(ValueError, match='write "9/10", or Fraction'):
+        carom.eta(10, 1, e=0.9)
+    numpy = pytest.importorskip("numpy")
+    assert carom.eta(numpy.int64(10), 1, e="1/2", n=numpy.int32(0)) == same
+    with pytest.raises(ValueError, match="is not exact"):
+        carom.eta(numpy.float32(10), 1, e="1/2")
+
+
+@pytest.mark.parametrize(
+    ("call", "sign"),
+    [
+        (lambda: carom.eta("ten", 1, e=1), "m1"),
+        (lambda: carom.eta(10, 0, e=1), "m2"),
+        (lambda: carom.eta(10, 1, e="1.5"), "e"),
+        (lambda: carom.eta(10, 1, e=[1, 1]), "coefficients of restitution"),
+        (lambda: carom.eta(10, 1, e=1, n=-1), "n: -1 is no natural number"),
+        (lambda: carom.eta(10, 1, e=1, n="7"), "n: '7' is no natural number"),
+        (lambda: carom.eta(10, 1, e=1, n=2.0), "natural number"),
+        (lambda: carom.eta(10, 1, e=True), "True is no number"),
+        (lambda: carom.eta(None, 1, e=1), "None is no number"),
+        (lambda: carom.eta(10, 1, e=1, masses="2"), "a list is expected"),
+        (lambda: carom.eta(10, 1, e=1, n=1, masses=[1, 2]), "do not agree"),
+        (lambda: carom.eta("1.2(3)", 1, e=1), "uncertainty"),
+        (lambda: carom.eta("[2, 1]", 1, e=1), "above its upper end"),
+        (lambda: carom.threshold(10, 1, n=0), "n >= 1"),
+        (lambda: carom.Chain(10, 1, e=1, speed=1, velocities=[1, 0]), "exclude"),
+        (lambda: carom.Chain(10, 1, e=1, masses=[], velocities=[1]), "velocities"),
+        (lambda: carom.eta(10, 1, e="9/10", n=7).digits(0), "no significant digit"),
+        (lambda: carom.eta(10, 1, e="9/10", n=7).digits(5, rounding="sideways"), "sideways"),
+        (lambda: carom.helps(10, 1, e=["1/2", "1/3"], n=1), "helps"),
+        (lambda: carom.eta("\x00\u202e1", 1, e=1), "m1"),
+    ],
+)
+def test_bad_input_is_a_value_error_with_the_program_s_message(call, sign):
+    with pytest.raises(ValueError, match=sign):
+        call()
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: carom.eta(10, 1, e=1, n=10**19),
+        lambda: carom.eta(10, 1, e=1, n=10**40),
+        lambda: carom.eta("1e99999", 1, e=1),
+        lambda: carom.eta(10**5000, 1, e=1),
+        lambda: carom.eta(10, 1, e="9/10", n=7).digits(10**12),
+        lambda: carom.velocities(10, 1, e="9/10", n=10**9),
+        lambda: carom.eta(10, 1, e="9/10", n=10**15).exact_lo,
+    ],
+)
+def test_limits_are_an_exception_of_their_own(call):
+    assert not issubclass(carom.LimitReached, ValueError)
+    with pytest.raises(carom.LimitReached, match="."):
+        call()
+
+
+def test_numbers_beyond_doubles_are_still_enclosed():
+    tiny = carom.eta(10, 1, e="1/2", n=10**4)
+    assert 0 <= tiny.lo <= tiny.hi and tiny.digits(3).count("e-") == 1
+    assert carom.eta(10, 1, e="1/2", n=10**15).lo == 0.0 and carom.eta(10, 1, e="1/2", n=10**15).hi == 5e-324
+    huge = carom.velocities("1e400", "1e-400", e=1, n=1)[1]
+    assert not isinstance(huge, Fraction) or huge > 0
+
+
+def test_long_exact_answers_have_no_limit_of_their_digits():
+    chain = carom.Chain(3, 1, e="7/9", masses=[k for k in range(2, 3000)])
+    exact = chain.last_velocity()
+    assert isinstance(exact, Fraction) and exact.denominator.bit_length() > 15_000
