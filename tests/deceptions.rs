@@ -1,6 +1,8 @@
 //! Claims written to deceive: each is false, or without a value somewhere, and was once proved. `tests/deceptions`
 //! holds them by the way in which they deceive. Refused names are as good as a claim that is not proved.
 
+#![allow(clippy::unwrap_used)] // a test stops where it fails
+
 use carom::claim::parse::parse;
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::outcome::Verdict;
