@@ -103,3 +103,50 @@ fn what_is_no_certificate_is_one_clear_error() {
     assert!(err(&output).contains("not UTF-8"), "{}", err(&output));
     assert_eq!(carom(&["check", text(&folder.path().join("absent.cert"))]).status.code(), Some(2));
 }
+
+#[test]
+fn a_file_beside_it_that_is_not_cited_is_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in embedded::certificates() {
+        std::fs::write(folder.path().join(format!("{name}.cert")), text).unwrap();
+    }
+    std::fs::write(folder.path().join("eq13.cert"), "no certificate").unwrap();
+    let path = folder.path().join("b-global.cert");
+    let output = carom(&["check", "--quiet", text(&path)]);
+    assert_eq!(output.status.code(), Some(0), "{}", out(&output) + &err(&output));
+    // One that is cited is.
+    std::fs::write(folder.path().join("lemma-chain.cert"), "no certificate").unwrap();
+    let output = carom(&["check", "--quiet", text(&path)]);
+    assert_eq!(output.status.code(), Some(2), "{}", out(&output) + &err(&output));
+    assert!(err(&output).contains("lemma-chain.cert:1"), "{}", err(&output));
+}
+
+#[test]
+fn limits_are_told_from_faults() {
+    let folder = tempfile::tempdir().unwrap();
+    let (claim, certificate) = (folder.path().join("deep.claim"), folder.path().join("deep.cert"));
+    let deep = format!("{}x{} > 0", "(".repeat(300), ")".repeat(300));
+    let head = format!("carom-certificate 1\nclaim deep\nstatement sha256 {}\n", "0".repeat(64));
+    let run = |goal: &str, step: &str| {
+        std::fs::write(&claim, format!("claim deep \"t\"\ngiven x > 0\nprove {goal}\n")).unwrap();
+        std::fs::write(&certificate, format!("{head}1 sign: {step}\nqed\n")).unwrap();
+        let output = carom(&["check", "--claims", text(&claim), text(&certificate)]);
+        (output.status.code(), out(&output) + &err(&output))
+    };
+    for (goal, step, code, said) in [
+        ("x > 0", deep.as_str(), 3, "limit reached: at most 200 levels of nesting"),
+        (&deep, "x > 0", 3, "limit reached: at most 200 levels of nesting"),
+        ("x > 0", "x >", 2, "expected"),
+        ("x >", "x > 0", 2, "expected"),
+        ("((2^1000)^1000)^1000 > 0", "((2^1000)^1000)^1000 > 0", 3, "limit reached: digits"),
+    ] {
+        let (found, all) = run(goal, step);
+        assert_eq!(found, Some(code), "{all}");
+        assert!(all.contains(said), "{all}");
+    }
+    for command in ["audit", "fmt", "print"] {
+        std::fs::write(&claim, format!("claim deep \"t\"\ngiven x > 0\nprove {deep}\n")).unwrap();
+        let output = carom(&[command, text(&claim)]);
+        assert_eq!(output.status.code(), Some(3), "{command}: {}", err(&output));
+    }
+}

@@ -445,7 +445,8 @@ impl Certifier {
             }
             let constant = parts.get(&0).map_or(Fraction::integer(0), Fraction::of);
             let free = |f: &Fraction| {
-                f.atoms().all(|a| a != atom) && (variable.is_empty() || self.checker.is_free_of(f, &variable).is_ok_and(|free| free))
+                f.atoms().all(|a| a != atom)
+                    && (variable.is_empty() || self.checker.is_free_of(f, &variable).is_ok_and(|free| free))
             };
             if !free(&slope) || !free(&constant) {
                 continue;

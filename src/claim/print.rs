@@ -243,6 +243,10 @@ impl Style {
         }
         let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = &name[letters.len()..];
+        if letters.is_empty() {
+            // What follows `_` in `v_2`.
+            return digits.to_string();
+        }
         let primes = letters.trim_end_matches('\'');
         let marks = &letters[primes.len()..];
         let head = match (GREEK.iter().find(|g| g.0 == primes), self) {

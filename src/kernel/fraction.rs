@@ -25,7 +25,7 @@ pub const TERMS_LIMIT: usize = 20_000;
 /// The largest exponent of a factor or an atom.
 pub const EXPONENT_LIMIT: i64 = 1_000;
 /// The most bits of a numerator or denominator.
-pub const BITS_LIMIT: u64 = 200_000;
+pub const BITS_LIMIT: u64 = 100_000;
 
 /// Counts work. A cell, so that what only reads the state of a check counts as well.
 #[derive(Clone, Debug, Default)]
@@ -49,10 +49,22 @@ fn words(q: &BigRational) -> usize {
     usize::try_from(q.numer().bits().max(q.denom().bits()) / 64).unwrap_or(usize::MAX)
 }
 
-/// A number that was computed: its length is limited, and its square counted, for common divisors of
-/// long numbers take so long.
+/// The product; between integers no common divisor is sought.
+fn product(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Failure> {
+    let whole = a.is_integer() && b.is_integer();
+    computed(if whole { BigRational::from_integer(a.numer() * b.numer()) } else { a * b }, work)
+}
+
+/// The sum; between integers no common divisor is sought.
+fn plus(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Failure> {
+    let whole = a.is_integer() && b.is_integer();
+    computed(if whole { BigRational::from_integer(a.numer() + b.numer()) } else { a + b }, work)
+}
+
+/// A number that was computed: its length is limited, and four times its square counted, for common
+/// divisors of long numbers take about so long.
 fn computed(q: BigRational, work: &Work) -> Result<BigRational, Failure> {
-    work.count(words(&q).saturating_pow(2))?;
+    work.count(words(&q).saturating_pow(2).saturating_mul(4))?;
     if q.numer().bits().max(q.denom().bits()) > BITS_LIMIT { declined("digits") } else { Ok(q) }
 }
 
@@ -116,7 +128,7 @@ impl Poly {
 
     fn add_term(&mut self, monomial: Monomial, c: BigRational, work: &Work) -> Result<(), Failure> {
         let sum = match self.0.remove(&monomial) {
-            Some(old) => computed(old + c, work)?,
+            Some(old) => plus(&old, &c, work)?,
             None => c,
         };
         if !sum.is_zero() {
@@ -131,7 +143,7 @@ impl Poly {
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
                 work.count(1 + m.len() + n.len())?;
-                let product = computed(c * d, work)?;
+                let product = product(c, d, work)?;
                 let mut powers: BTreeMap<usize, u32> = m.iter().copied().collect();
                 for (atom, k) in n {
                     let sum = powers.get(atom).copied().unwrap_or(0).saturating_add(*k);
@@ -270,7 +282,7 @@ impl Fraction {
             *self = Fraction::integer(0);
             return Ok(());
         }
-        self.coefficient = computed(&self.coefficient * &other.coefficient, work)?;
+        self.coefficient = product(&self.coefficient, &other.coefficient, work)?;
         for (poly, k) in &other.factors {
             self.put(poly, *k);
         }

@@ -232,11 +232,7 @@ impl Substitution {
     }
 
     /// The substitution under binders of these names.
-    fn without<'n>(
-        &self,
-        names: impl Iterator<Item = &'n Name>,
-        room: &mut Room,
-    ) -> Result<Substitution, Failure> {
+    fn without<'n>(&self, names: impl Iterator<Item = &'n Name>, room: &mut Room) -> Result<Substitution, Failure> {
         let mut inner = self.clone();
         for name in names {
             if inner.replacement(&name.text).is_some() {

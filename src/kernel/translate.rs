@@ -102,7 +102,8 @@ impl Checker {
             ExprKind::Number(text) => {
                 let number = numeral(text)?;
                 // Powers of 10 take about as long as they have digits.
-                self.work.count(usize::try_from(number.numer().bits().max(number.denom().bits())).unwrap_or(usize::MAX))?;
+                self.work
+                    .count(usize::try_from(number.numer().bits().max(number.denom().bits())).unwrap_or(usize::MAX))?;
                 Fraction::number(number)
             }
             ExprKind::Name(name) => {
@@ -473,7 +474,9 @@ impl Checker {
                 let slope = self.derivative(&Fraction::of(&inner), by, depth)?;
                 slope.times(&self.present(&inner)?.power(-1)?, &self.work)
             }
-            Some(Atom::Exponential(inner)) => self.derivative(&inner, by, depth)?.times(&Fraction::atom(place), &self.work),
+            Some(Atom::Exponential(inner)) => {
+                self.derivative(&inner, by, depth)?.times(&Fraction::atom(place), &self.work)
+            }
             _ => rejected("a derivative of a member of a family, or of a sum or product over an index"),
         }
     }
