@@ -53,6 +53,11 @@ def test_tables_and_scalars_agree():
         assert x.lo <= found.lo[i, 0, 0] < found.hi[i, 0, 0] <= x.hi
 
 
+def test_a_value_that_is_a_double_is_both_ends():
+    found = carom.table(ratio=[1, 3, 15], e=[0, 1], n=0)
+    assert found.lo.ravel().tolist() == found.hi.ravel().tolist() == [0.25, 1, 0.1875, 0.75, 15 / 256, 15 / 64]
+
+
 def test_a_frame_has_a_row_for_each_cell():
     pandas = pytest.importorskip("pandas")
     found = carom.table(ratio=["1/3", 2, "2.0"], e="0:1:1/2", n=[0, 1])
