@@ -89,6 +89,15 @@ impl Engine<'_> {
         self.assume(cx, prop, Some(label.text.clone()), Origin::Derived)
     }
 
+    /// Declares variables of a goal, whose bounds must have values.
+    pub fn declare_valued(&mut self, cx: &mut Context, bindings: &[Binding]) -> Result<()> {
+        for binding in bindings {
+            self.bounds_valued(cx, binding)?;
+            self.declare(cx, std::slice::from_ref(binding))?;
+        }
+        Ok(())
+    }
+
     /// Shows a goal by the automatic methods.
     pub fn show_goal(&mut self, cx: &mut Context, goal: &Prop) -> Result<()> {
         self.tick()?;
@@ -107,10 +116,18 @@ impl Engine<'_> {
             }
             PropKind::And(list) => list.iter().try_for_each(|p| self.show_goal(cx, p)),
             PropKind::Or(list) => self.disjunction(cx, goal, list),
-            PropKind::Not(inner) => match negation(inner) {
-                Some(prop) => self.show_goal(cx, &prop),
-                None => Err(not_shown(goal)),
-            },
+            PropKind::Not(inner) => {
+                // A value that fails is not enough: what is denied has to say something for all.
+                if let PropKind::ForAll(bindings, body) = &inner.kind {
+                    let mut there = cx.clone();
+                    self.declare_valued(&mut there, bindings)?;
+                    self.defined(&mut there, body)?;
+                }
+                match negation(inner) {
+                    Some(prop) => self.show_goal(cx, &prop),
+                    None => Err(not_shown(goal)),
+                }
+            }
             PropKind::Implies(p, q) => {
                 self.line("implication", format!("suppose {}", print::prop(p)));
                 self.defined(&mut cx.clone(), p)?;
@@ -123,7 +140,7 @@ impl Engine<'_> {
             PropKind::Equivalent(list) => list.windows(2).try_for_each(|pair| self.equivalence(cx, &pair[0], &pair[1])),
             PropKind::ForAll(bindings, body) => {
                 let mut inner = cx.clone();
-                self.declare(&mut inner, bindings)?;
+                self.declare_valued(&mut inner, bindings)?;
                 self.show_goal(&mut inner, body)
             }
             PropKind::Exists(bindings, body) => self.existence(cx, bindings, body),

@@ -22,6 +22,13 @@ impl Engine<'_> {
     pub fn declare(&mut self, cx: &mut Context, bindings: &[Binding]) -> Result<()> {
         for binding in bindings {
             for (name, index) in &binding.names {
+                let text = &name.text;
+                if cx.variables.iter().any(|v| v.0 == *text)
+                    || cx.families.contains_key(text)
+                    || cx.sequences.contains_key(text)
+                {
+                    return Err(Failure::NotShown(format!("{text} has a meaning here already")));
+                }
                 match index {
                     Some(index) => {
                         let family = Family {

@@ -345,7 +345,8 @@ fn hypotheses(
         engine.assume(cx, prop, label.clone(), Origin::Hypothesis)?;
         assumed.push(first..cx.facts.len());
     }
-    Ok(())
+    // A member counts as a number wherever its index is one.
+    statement.sequences.iter().try_for_each(|sequence| engine.members_valued(cx, sequence))
 }
 
 /// A hypothesis as text.

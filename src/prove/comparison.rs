@@ -66,7 +66,7 @@ impl Engine<'_> {
         {
             let quotient = self.ring.div(a, b)?;
             let root = self.root_of_quotient(cx, quotient)?;
-            let (mut up, mut down) = (Form::number(Rational::ONE), Form::integer(1));
+            let (mut up, mut down) = (Form::number(root.coefficient.clone()), Form::integer(1));
             for (atom, exponent) in root.powers {
                 let negative = exponent.order_sign().is_lt();
                 let exponent = if negative { self.ring.exponent_negated(&exponent) } else { exponent };
@@ -74,7 +74,6 @@ impl Engine<'_> {
                 let side = if negative { &mut down } else { &mut up };
                 *side = self.ring.mul(side, &power)?;
             }
-            up.coefficient = root.coefficient;
             return Ok(self.ring.sub(&up, &down)?);
         }
         Ok(self.ring.sub(a, b)?)
@@ -117,9 +116,18 @@ impl Engine<'_> {
         if top == 0 || (top == 1 && bottom == 1) {
             return Ok(quotient);
         }
-        let (Ok(p), Ok(q)) = (u64::try_from(&top), u64::try_from(&bottom)) else { return Ok(quotient) };
+        let (Ok(mut p), Ok(q)) = (u64::try_from(&top), u64::try_from(&bottom)) else { return Ok(quotient) };
         if q > 64 {
             return Ok(quotient);
+        }
+        // An even root of a^p is a^(p/2) only for a > 0; an odd root, and any power of ρ > 0, keeps the order to 1.
+        let mut positive = true;
+        for (atom, exponent) in &quotient.powers {
+            let plain = exponent.number().is_some();
+            positive &= !plain || p % 2 == 1 || self.atom_signs(cx, *atom)?.within(Signs::POSITIVE);
+        }
+        while p % 2 == 0 && !positive {
+            p /= 2;
         }
         let raised = (&quotient.coefficient).pow(q);
         let (coefficient, p) = match exact_root(&raised, p) {

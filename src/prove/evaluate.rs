@@ -22,7 +22,7 @@ use std::rc::Rc;
 pub const PRECISION: u64 = 192;
 
 /// The largest exponent and index that is evaluated.
-const LARGEST: i64 = 400;
+pub const LARGEST: i64 = 400;
 
 /// A number known exactly or between two others.
 #[derive(Clone, Debug, PartialEq)]
@@ -490,6 +490,9 @@ impl Assignment {
     /// u(k), each member evaluated once: the step may mention the member before it, which is bound
     /// as a value of its own.
     fn member(&self, sequence: &Sequence, index: i64) -> Result<Number> {
+        if !sequence.steps_once() {
+            return Err(Missing::Unknown);
+        }
         let mut value = self.number(&sequence.initial)?;
         for k in 0..index {
             let Number::Exact(known) = &value else { return Err(Missing::Unknown) };
@@ -502,6 +505,19 @@ impl Assignment {
             self.seen.borrow_mut().extend(seen.into_iter().filter(|s| s.0.0 != sequence.name));
         }
         Ok(value)
+    }
+
+    /// Whether a side of some comparison certainly has no value.
+    pub fn undefined(&self, prop: &Prop) -> bool {
+        match &prop.kind {
+            PropKind::Compare(sides, _) => sides.iter().any(|e| matches!(self.value(e), Err(Missing::Undefined(_)))),
+            PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+                list.iter().any(|p| self.undefined(p))
+            }
+            PropKind::Not(p) => self.undefined(p),
+            PropKind::Implies(p, q) => self.undefined(p) || self.undefined(q),
+            _ => false,
+        }
     }
 
     /// The truth of a proposition, if certain. Quantifiers and extrema are not decided here.
@@ -632,7 +648,7 @@ impl Assignment {
             match &e.kind {
                 ExprKind::Name(n) => n != index,
                 ExprKind::Number(_) => true,
-                ExprKind::Apply(f, list) => point.families.contains_key(&f.text) && list.iter().all(shifted),
+                ExprKind::Apply(f, list) => point.ratios.contains_key(&f.text) && list.iter().all(shifted),
                 ExprKind::Product(list) => list.iter().all(|(_, a)| monomial(point, a, index)),
                 ExprKind::Power(a, b) => monomial(point, a, index) && matches!(b.kind, ExprKind::Number(_)),
                 _ => false,

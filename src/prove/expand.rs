@@ -26,6 +26,23 @@ pub struct Sequence {
     pub step: Expr,
 }
 
+impl Sequence {
+    /// Whether the step speaks of the sequence by the member before only, u(k).
+    pub fn steps_once(&self) -> bool {
+        fn fine(e: &Expr, name: &str, index: &str) -> bool {
+            if let ExprKind::Apply(function, arguments) = &e.kind
+                && function.text == name
+            {
+                return matches!(arguments.as_slice(), [Expr { kind: ExprKind::Name(k), .. }] if k == index);
+            }
+            let mut all = true;
+            parts(e, &mut |part| all &= fine(part, name, index));
+            all
+        }
+        fine(&self.step, &self.name, &self.index)
+    }
+}
+
 /// A claim with its definitions put in place.
 #[derive(Clone, Debug)]
 pub struct Statement {
@@ -236,7 +253,8 @@ impl Substitution {
         for name in &names {
             let moves = match self.map.get(name) {
                 None => name == text,
-                Some(Replacement::Family(other)) => other == text,
+                // A sequence may be made of the variable.
+                Some(Replacement::Family(_)) => true,
                 Some(Replacement::Definition(..)) if renamed.is_none() => false,
                 Some(Replacement::Value(value) | Replacement::Definition(_, value)) => {
                     let mut inside = BTreeSet::new();

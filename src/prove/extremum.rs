@@ -13,6 +13,7 @@ impl Engine<'_> {
         let _ = goal;
         let mut at = Substitution::default();
         for (name, value) in &extremum.at {
+            self.valued(cx, value)?;
             at.replace(&name.text, value.clone());
         }
         let text: Vec<String> = extremum.at.iter().map(|(n, e)| format!("{} = {}", n.text, print::expr(e))).collect();
@@ -34,7 +35,7 @@ impl Engine<'_> {
             engine.show_goal(&mut cx.clone(), &compare(there, Relation::Equal, extremum.value.clone()))
         })?;
         let mut inner = cx.clone();
-        self.declare(&mut inner, &extremum.over)?;
+        self.declare_valued(&mut inner, &extremum.over)?;
         let relation = if extremum.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         let bound = compare(extremum.of.clone(), relation, extremum.value.clone());
         self.line("extremum", format!("everywhere in the domain {}", print::prop(&bound)));

@@ -281,7 +281,10 @@ impl Engine<'_> {
         };
         let declared: BTreeSet<&str> =
             bindings.iter().flat_map(|b| b.names.iter().map(|n| n.0.text.as_str())).collect();
-        for (name, _) in with {
+        for (place, (name, _)) in with.iter().enumerate() {
+            if with.iter().take(place).any(|w| w.0.text == name.text) {
+                return Err(super::translate::fault(name.span, "one value for each variable"));
+            }
             if !declared.contains(name.text.as_str()) {
                 let message = format!("{} has no variable {}", claim.text, name.text);
                 let help = crate::claim::diagnostic::nearest(&name.text, declared.iter().copied());
@@ -356,11 +359,53 @@ impl Engine<'_> {
     }
 
     /// Shows that a value to be put in exists: what is shown with it says so nowhere if it does not mention it.
-    fn valued(&mut self, cx: &mut Context, value: &Expr) -> Result<Form> {
+    pub fn valued(&mut self, cx: &mut Context, value: &Expr) -> Result<Form> {
         let mut conditions = Vec::new();
         let form = self.scalar(cx, value, &mut conditions)?;
         self.show_conditions(cx, conditions)?;
         Ok(form)
+    }
+
+    /// Shows that the bounds of a binding have values, in the scope in which they stand.
+    pub fn bounds_valued(&mut self, cx: &Context, binding: &Binding) -> Result<()> {
+        let mut put = Substitution::default();
+        let mut inner = cx.clone();
+        for index in binding.names.iter().filter_map(|n| n.1.as_ref()) {
+            // No name that anybody can write has an apostrophe.
+            let any = format!("{}'any", index.text);
+            inner.variables.push((any.clone(), true));
+            put.replace(&index.text, name_expr(&any));
+        }
+        let mut bounds = Vec::new();
+        for constraint in &binding.constraints {
+            match constraint {
+                Constraint::Relation(_, e) => bounds.push(e),
+                Constraint::Interval { from, to, .. } | Constraint::Range(from, to) => bounds.extend([from, to]),
+            }
+        }
+        bounds.extend(binding.indices.iter().flat_map(|(from, to)| [from, to]));
+        for bound in bounds {
+            let bound = put.expr(bound)?;
+            self.valued(&mut inner, &bound)?;
+        }
+        Ok(())
+    }
+
+    /// Shows that every member of a sequence has a value: u(0), and u(k + 1) for any natural k and any number u(k).
+    pub fn members_valued(&mut self, cx: &Context, sequence: &super::expand::Sequence) -> Result<()> {
+        if !sequence.steps_once() {
+            return Err(Failure::NotShown(format!("the sequence {} is defined by the member before", sequence.name)));
+        }
+        self.valued(&mut cx.clone(), &sequence.initial)?;
+        let (index, before) = ("'index", "'before");
+        let mut put = Substitution::default();
+        put.replace(&sequence.index, name_expr(index));
+        put.define(&sequence.name, vec!["'place".to_string()], name_expr(before));
+        let step = put.expr(&sequence.step)?;
+        let mut inner = cx.clone();
+        inner.variables.extend([(index.to_string(), true), (before.to_string(), false)]);
+        self.valued(&mut inner, &step)?;
+        Ok(())
     }
 
     /// Shows that a value is a natural number: an integer combination of natural variables, not
@@ -392,6 +437,12 @@ impl Engine<'_> {
             }
             let member = Expr { kind: ExprKind::Apply(name.clone(), vec![name_expr(&bound)]), span: name.span };
             let member = map.expr(&member)?;
+            let whole = |family: &Family| family.binding.natural;
+            if binding.natural
+                && !matches!(&member.kind, ExprKind::Apply(f, _) if cx.families.get(&f.text).is_some_and(|f| whole(f)))
+            {
+                return Err(Failure::NotShown(format!("{} is a family of natural numbers", print::expr(&member))));
+            }
             self.quietly(&inner, &compare(member.clone(), Relation::Equal, member.clone()))?;
             let variable = Name { text: "'member".to_string(), span: name.span };
             let single = Binding { names: vec![(variable.clone(), None)], indices: None, ..binding.clone() };
@@ -412,7 +463,11 @@ impl Engine<'_> {
             return Err(super::translate::fault(goal.span, "a witness is for `exists`"));
         };
         let mut map = Substitution::default();
-        for (name, value) in values {
+        for (place, (name, value)) in values.iter().enumerate() {
+            let bound = bindings.iter().flat_map(|b| &b.names).any(|n| n.0.text == name.text);
+            if !bound || values.iter().take(place).any(|v| v.0.text == name.text) {
+                return Err(super::translate::fault(name.span, "a witness gives each variable of `exists` one value"));
+            }
             self.valued(cx, value)?;
             map.replace(&name.text, value.clone());
         }

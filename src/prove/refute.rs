@@ -16,6 +16,7 @@ use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::conversion::traits::IsInteger;
 use rustc_hash::FxHashSet as HashSet;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
@@ -206,16 +207,22 @@ impl Search {
             point.families.insert(name.clone(), list);
         }
         if self.geometric {
-            for (i, (name, _, domain)) in self.families.iter().enumerate() {
+            for (i, (name, natural, domain)) in self.families.iter().enumerate() {
                 let rank = ranks[offset + i];
                 let ratio = Rational::from_signeds([2, 1, 3][rank % 3], [1, 2, 1][rank % 3]);
                 let first = self.values[offset + i][rank].clone();
-                let allowed = (0..24i64).all(|k| {
+                // Members rise or fall, and bounds on one side hold for all members if they do for the first and last.
+                let plain = domain.iter().all(|h| match &h.kind {
+                    PropKind::Compare(_, relations) => !relations.contains(&Relation::NotEqual),
+                    _ => false,
+                });
+                let allowed = (0..24).chain([super::evaluate::LARGEST + 1]).all(|k| {
                     let mut alone = Assignment::default();
                     alone.values.insert(name.clone(), &first * (&ratio).pow(k));
                     domain.iter().all(|h| alone.truth(h) == Ok(true))
                 });
-                if allowed {
+                let whole = !natural || ((&first).is_integer() && (&ratio).is_integer());
+                if allowed && plain && whole {
                     point.families.insert(name.clone(), vec![first]);
                     point.ratios.insert(name.clone(), ratio);
                 }
@@ -229,7 +236,8 @@ impl Search {
                 _ => return None,
             }
         }
-        self.hypotheses.iter().all(|h| point.truth(h) == Ok(true)).then_some(point)
+        // A hypothesis that divides says that the divisor is not 0, wherever in it it stands.
+        self.hypotheses.iter().all(|h| !point.undefined(h) && point.truth(h) == Ok(true)).then_some(point)
     }
 }
 

@@ -66,6 +66,8 @@ impl Engine<'_> {
                     self.signs(cx, &shifted)?
                 }
             }
+            // Inside another sum with the same mark for its index, what is known of the index is not about this one.
+            Atom::SumOver(over) | Atom::ProductOver(over) if self.is_bound(cx, over.index) => Signs::ANY,
             Atom::SumOver(over) => {
                 let body = self.signs(cx, &over.body)?;
                 if body.within(Signs::NOT_NEGATIVE) { Signs::NOT_NEGATIVE } else { Signs::ANY }
@@ -209,6 +211,11 @@ impl Engine<'_> {
         }
     }
 
+    /// Whether an index is that of a sum or product around this place.
+    fn is_bound(&self, cx: &Context, index: AtomId) -> bool {
+        matches!(&*self.ring.atom(index), Atom::Variable(name) if cx.variables.iter().any(|v| v.0 == *name))
+    }
+
     fn use_member(&mut self, cx: &mut Context, atom: AtomId, name: &str, index: &Form) -> Result<()> {
         if !cx.members.insert(atom) {
             return Ok(());
@@ -217,6 +224,13 @@ impl Engine<'_> {
         // The names of a declaration are those of the claim, not of a sum around its use.
         let own = HashMap::from_iter([(family.index.clone(), index.clone())]);
         let saved = std::mem::replace(&mut cx.indices, own);
+        let result = self.use_domain(cx, atom, &family);
+        cx.indices = saved;
+        result
+    }
+
+    /// Takes in what the declaration of a family says of a member; its index stands in `cx.indices`.
+    fn use_domain(&mut self, cx: &mut Context, atom: AtomId, family: &Family) -> Result<()> {
         let mut bounds = Vec::new();
         for constraint in &family.binding.constraints {
             match constraint {
@@ -236,7 +250,6 @@ impl Engine<'_> {
             let difference = self.ring.sub(&Form::atom(atom), &value)?;
             self.narrow_form(cx, &difference, relation, family.source)?;
         }
-        cx.indices = saved;
         Ok(())
     }
 }

@@ -178,6 +178,7 @@ impl Engine<'_> {
                     let atom = self.ring.intern(Atom::Variable(name.text.clone()));
                     let eliminated: Vec<Form> = cx.environment.values().map(|v| v.0.clone()).collect();
                     let clash = cx.environment.contains_key(&name.text)
+                        || cx.indices.contains_key(&name.text)
                         || eliminated.iter().any(|f| self.ring.mentions(f, &|a| a == atom));
                     if clash {
                         return Err(Failure::NotShown(format!(
