@@ -5,10 +5,10 @@
 //! one at a time; memory does not grow with their number.
 //!
 //! **What is shown of a row.** Each rule is a function below:
-//! - [`Axes::matches`]: the row stands at the place of the grid that its number says. Rows follow one another from 0, and
+//! - `Axes::matches`: the row stands at the place of the grid that its number says. Rows follow one another from 0, and
 //!   the head's axes say how many there are: none is left out, none is there twice.
-//! - [`exact_cell`], [`enclosed_cell`]: the value lies in the enclosure; the printed digits follow.
-//! - [`best_cell`]: the number of bodies, by two comparisons. This rests on the claims `b-grow`, that `L_n` rises with `n`,
+//! - `exact_cell`, `enclosed_cell`: the value lies in the enclosure; the printed digits follow.
+//! - `best_cell`: the number of bodies, by two comparisons. This rests on the claims `b-grow`, that `L_n` rises with `n`,
 //!   and `b-grow-bounded`, that it stays below 1, which have certificates of their own; an acceptance says so.
 //!
 //! **What is assumed.** The formulas of [`value`], which the head repeats in words. That other numbers are irrational is
