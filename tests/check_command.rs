@@ -130,7 +130,7 @@ fn limits_are_told_from_faults() {
     let run = |goal: &str, step: &str| {
         std::fs::write(&claim, format!("claim deep \"t\"\ngiven x > 0\nprove {goal}\n")).unwrap();
         std::fs::write(&certificate, format!("{head}1 sign: {step}\nqed\n")).unwrap();
-        let output = carom(&["check", "--claims", text(&claim), text(&certificate)]);
+        let output = carom(&["check", text(&certificate), "--claims", text(&claim)]);
         (output.status.code(), out(&output) + &err(&output))
     };
     for (goal, step, code, said) in [

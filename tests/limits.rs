@@ -45,13 +45,13 @@ fn joined(range: std::ops::Range<u32>, between: &str, part: impl Fn(u32) -> Stri
 #[test]
 fn an_atom_that_stands_in_many_terms_is_looked_at_once() {
     assert_eq!(by_sign("given x > 0\n", &format!("{} > 0", nested(8))), "accepted");
-    let goal = format!("limit of {}/n as n -> infinity is 0", nested(8));
+    let goal = format!("limit of {}/(n + 1) as n -> infinity is 0", nested(8));
     assert_eq!(verdict("given x > 0; n natural >= 1\n", &goal, &format!("1 limit: {goal}\n")), "accepted");
 }
 
 #[test]
 fn a_prime_that_divides_often_is_one_prime() {
-    assert_eq!(by_sign("given x > 0\n", "ln(2^90000) > 0"), "accepted");
+    assert_eq!(by_sign("given x > 0\n", "ln(2^40000) > 0"), "accepted");
     let root = "sqrt(3^10000)";
     let steps = format!("1 power: {root} = {root}\n2 sign: {root} > 0\n");
     assert_eq!(verdict("given x > 0\n", &format!("{root} > 0"), &steps), "accepted");
