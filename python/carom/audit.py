@@ -116,9 +116,11 @@ class Audit:
         return f"Audit({_counts(self.summary)})"
 
     def _repr_html_(self) -> str:
-        head = "<tr><th>verdict</th><th>claim</th><th>statement</th></tr>"
+        names = ("verdict", "claim", "statement")
+        head = "".join(f'<th style="text-align:left">{name}</th>' for name in names)
         rows = "".join(_row(claim) for claim in self.claims)
-        return f"<table><thead>{head}</thead><tbody>{rows}</tbody></table><p>{html.escape(_counts(self.summary))}</p>"
+        counts = html.escape(_counts(self.summary))
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table><p>{counts}</p>"
 
     def _repr_latex_(self) -> str:
         rows = " \\\\\n".join(_latex_row(claim) for claim in self.claims)
