@@ -170,11 +170,18 @@ impl Optimum {
 
     /// The largest size of an exact result of `count` collisions, in bits.
     fn exact_size(&self, x: &Rational, count: u64) -> u64 {
-        let e = match &self.restitutions {
-            Restitutions::Same(e) => exact_bits(&e.plus_one(), count),
-            Restitutions::Each(list) => list.iter().map(|e| exact_bits(&e.plus_one(), 1)).sum(),
-        };
-        e.saturating_add(exact_bits(x, count).saturating_mul(4))
+        match &self.restitutions {
+            // A power of one number, which may be short where its factors are long, as 1 = 2·1/2; and some of each.
+            Restitutions::Same(e) => {
+                let once = e.plus_one() * x / (x + Rational::ONE);
+                let few = exact_bits(&e.plus_one(), 4).saturating_add(exact_bits(x, 4));
+                exact_bits(&once, count).saturating_mul(2).saturating_add(few)
+            }
+            Restitutions::Each(list) => {
+                let e: u64 = list.iter().map(|e| exact_bits(&e.plus_one(), 1)).sum();
+                e.saturating_add(exact_bits(x, count).saturating_mul(4))
+            }
+        }
     }
 
     /// A bound of the bits of all velocities together, where they are exact; 0 where they are enclosed.
@@ -193,7 +200,10 @@ impl Optimum {
             && self.exact_size(x, i) <= MAX_EXACT_BITS
         {
             let share = x / (x + Rational::ONE);
-            return Real::rational(self.exact_gain(i) * share.pow(i) * speed);
+            return Real::rational(match &self.restitutions {
+                Restitutions::Same(e) => (e.plus_one() * share).pow(i) * speed,
+                Restitutions::Each(_) => self.exact_gain(i) * share.pow(i) * speed,
+            });
         }
         let (step, gain, speed) = (self.step.clone(), self.gain(i), speed.clone());
         Real::enclosed(move |bits| {

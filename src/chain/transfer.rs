@@ -44,6 +44,13 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
     let exact = exact_root(&r, count);
     if let Some(t) = &exact {
         let share = t / (t + Rational::ONE).square();
+        if gains.count == count {
+            // One power: the factors may be long where it is short, as 1 = 1/4·4.
+            let both = &share * &gains.base;
+            if exact_bits(&both, count) <= MAX_EXACT_BITS {
+                return Ok(Real::rational(both.pow(count)));
+            }
+        }
         let size = exact_bits(&share, count).saturating_add(exact_bits(&gains.base, gains.count));
         if size <= MAX_EXACT_BITS {
             return Ok(Real::rational(share.pow(count) * gains.base.pow(gains.count)));

@@ -313,7 +313,22 @@ impl Decimal {
             let (lower, upper) = (round(more, Rounding::Down)?, round(more, Rounding::Up)?);
             return Ok((Enclosed { decimal, lower, upper }, Level::Exact));
         }
-        let (mut short, level) = Decimal::of_real(x, more, Rounding::Zero)?;
+        // The rounded value and both ends, where the value is found exactly; else what it begins with.
+        let (found, level) = x.settle(bits_of_digits(more.count()) + 16, |enclosure| {
+            if enclosure.is_point() {
+                let round = |digits, rounding| Decimal::of_interval(enclosure, digits, rounding);
+                let (decimal, lower) = (round(digits, rounding)?, round(more, Rounding::Down)?);
+                return Some(Ok(Enclosed { decimal, lower, upper: round(more, Rounding::Up)? }));
+            }
+            if may_end_on_a_decimal(enclosure, more) {
+                return None;
+            }
+            Decimal::of_interval(enclosure, more, Rounding::Zero).map(Err)
+        })?;
+        let mut short = match found {
+            Ok(exact) => return Ok((exact, level)),
+            Err(short) => short,
+        };
         if short.digits == "0" {
             short.negative = x.sign()?.0 == Ordering::Less;
         }
@@ -410,6 +425,36 @@ const SCALES: [f64; 22] = [
 /// `10^k`, for `k` from 0 to [`MAX_PLACES`].
 fn power_of_ten(k: i64) -> Option<u128> {
     (0..=MAX_PLACES).contains(&k).then(|| 10_u128.pow(u32::try_from(k).unwrap_or(0)))
+}
+
+/// Whether an end of an enclosure might be a decimal of so many digits. Only then can the value be one, if all elements
+/// begin with it: the smallest in size of them is an end.
+///
+/// The end is `M·2^E`, `M` odd. With places after the point, `m >= 0`, a decimal has at most `m` binary ones; and a
+/// multiple of `10^k` has the factors `2^k` and `5^k`, `5^k > 2^(2k)`.
+fn may_end_on_a_decimal(x: &Interval, digits: Digits) -> bool {
+    let places = match digits {
+        Digits::Places(places) => i64::try_from(places).unwrap_or(i64::MAX),
+        Digits::Significant(count) => {
+            // The leading place is at least this, as 0.30103 exceeds the logarithm of 2 by less than 1 in 10^6 places.
+            let top = x.top().saturating_sub(1);
+            let leading = i64::try_from((i128::from(top) * 30_103).div_euclid(100_000)).unwrap_or(i64::MIN);
+            let slack = 2 + top.unsigned_abs() / 1_000_000;
+            let count = i64::try_from(count.saturating_add(slack)).unwrap_or(i64::MAX);
+            count.saturating_sub(leading)
+        }
+    };
+    let decimal = |end: Option<(Integer, i64)>| {
+        let Some((mantissa, exponent)) = end else { return true };
+        let Some(zeros) = mantissa.trailing_zeros() else { return true };
+        let exponent = exponent.saturating_add(i64::try_from(zeros).unwrap_or(i64::MAX));
+        if places >= 0 {
+            return exponent.saturating_add(places) >= 0;
+        }
+        let k = places.unsigned_abs();
+        exponent >= places.saturating_neg() && mantissa.significant_bits() - zeros >= 2 * k
+    };
+    decimal(x.lower()) || decimal(x.upper())
 }
 
 /// Bits that hold so many decimal digits.

@@ -280,7 +280,8 @@ impl<const L: usize> Fixed<L> {
         // |ρ|, with its sign aside; the error may make it cross 0, which the bounds of a product allow.
         let (above, words) = match whole {
             1 => (true, words),
-            0 => (false, complement(&words)),
+            // Without a digit ρ is −1, which is not small.
+            0 if words != [0; L] => (false, complement(&words)),
             _ => return None,
         };
         let rho = Fixed { words, error: power.error.saturating_mul(p.div_ceil(q.value)).saturating_add(1) };

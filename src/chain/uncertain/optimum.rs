@@ -297,7 +297,15 @@ impl Measured {
         }
         let further = if side == End::Low { Ordering::Less } else { Ordering::Greater };
         let ends = list.iter().map(|x| side.point(&x.enclosure(self.bits)));
-        let found = ends.reduce(|a, b| if b.subtract(&a, self.bits).sign() == Some(further) { b } else { a });
+        let found = ends.reduce(|a, b| {
+            let gap = b.subtract(&a, self.bits);
+            match gap.sign() {
+                Some(sign) if sign == further => b,
+                Some(_) => a,
+                // Too near to tell them apart: what lies beyond both.
+                None => side.point(&a.widened(&gap)),
+            }
+        });
         bound(found.unwrap_or_else(Interval::whole))
     }
 }
