@@ -45,5 +45,18 @@ fn no_deception_succeeds() {
             count += 1;
         }
     }
-    assert!(count >= 60, "{count}");
+    assert!(count >= 120, "{count}");
+}
+
+#[test]
+fn no_truth_is_refuted() {
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths/refuted-once.claim")).unwrap();
+    let names: Vec<String> = claims(&text).iter().map(|c| c.split_whitespace().nth(1).unwrap().to_owned()).collect();
+    assert!(names.len() >= 10);
+    let mut catalogue = Catalogue::new(parse(&text).unwrap()).unwrap();
+    for name in names {
+        let verdict = catalogue.audit(&name, &Limits::default()).unwrap().verdict;
+        assert!(verdict != Verdict::Refuted, "{name}");
+    }
 }

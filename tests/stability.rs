@@ -205,6 +205,27 @@ fn doubles_enclose_what_intervals_say() {
 }
 
 #[test]
+fn what_is_found_exactly_is_rounded_as_such() {
+    let directions = [Rounding::Nearest, Rounding::Up, Rounding::Away, Rounding::Zero, Rounding::Down];
+    // 1, though the powers that it is made of are far too long to be written down.
+    let one = transfer::optimal(&ratio("1"), &Restitutions::Same(e(q("1"))), 1_000_000_000).unwrap();
+    // Points whose digits end: 0.125 lies halfway between two decimals of two digits.
+    let point = |m: i32, k: i64| Real::enclosed(move |_| Interval::from_dyadic(m.into(), -k));
+    for (x, digits, expected) in [
+        (one, 5, ["1.0000"; 5]),
+        (point(1, 3), 3, ["0.125"; 5]),
+        (point(1, 3), 2, ["0.12", "0.13", "0.13", "0.12", "0.12"]),
+        (point(-3, 3), 2, ["-0.38", "-0.37", "-0.38", "-0.37", "-0.38"]),
+    ] {
+        for (rounding, expected) in directions.into_iter().zip(expected) {
+            let (found, _) = Decimal::with_enclosure(&x, Digits::Significant(digits), rounding).unwrap();
+            assert_eq!(found.decimal.to_string(), expected, "{rounding:?}");
+            assert_eq!(found.lower, found.upper);
+        }
+    }
+}
+
+#[test]
 fn many_cells_get_what_each_gets_alone() {
     let hairs = [1.0, 0.0, 5e-324, 0.3, 0.9, f64::NAN, 1.5, -0.1];
     let sizes = [1.0, 10.0, 0.1, 1.0 + f64::EPSILON, 1e300, 1e100, 64.0, 1e-120, 0.0, -1.0, f64::NAN, f64::INFINITY];

@@ -177,6 +177,10 @@ fn word(text: &str) -> Result<String, String> {
     if out.split('_').any(str::is_empty) {
         return Err(format!("the name {text} has a `_` that stands between nothing"));
     }
+    // Names with more behind an apostrophe are those that the prover makes.
+    if out.trim_end_matches('\'').contains('\'') {
+        return Err(format!("the name {text} has an apostrophe before its end"));
+    }
     Ok(out)
 }
 

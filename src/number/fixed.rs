@@ -371,6 +371,7 @@ fn complement<const L: usize>(words: &[u64; L]) -> [u64; L] {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test stops where it fails
 mod tests {
     use super::{Divisor, Fixed, MAX_EXPONENT};
     use crate::number::interval::Interval;

@@ -107,6 +107,7 @@ impl Prime {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test stops where it fails
 mod tests {
     use super::{Prime, product, quotient};
     use malachite::base::num::basic::traits::{One, Zero};

@@ -157,7 +157,7 @@ impl Substitution {
             inner.map.remove(&name.text);
             if self.mentioned.contains(&name.text) && !inner.map.is_empty() {
                 self.fresh += 1;
-                // No name that anybody can write has an apostrophe.
+                // No name that anybody can write has an apostrophe before its end.
                 let fresh = format!("{}'{}", name.text, self.fresh);
                 let value = Expr { kind: ExprKind::Name(fresh.clone()), span: name.span };
                 inner.fresh = self.fresh;

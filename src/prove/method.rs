@@ -371,7 +371,7 @@ impl Engine<'_> {
         let mut put = Substitution::default();
         let mut inner = cx.clone();
         for index in binding.names.iter().filter_map(|n| n.1.as_ref()) {
-            // No name that anybody can write has an apostrophe.
+            // No name that anybody can write has an apostrophe before its end.
             let any = format!("{}'any", index.text);
             inner.variables.push((any.clone(), true));
             put.replace(&index.text, name_expr(&any));
@@ -427,7 +427,7 @@ impl Engine<'_> {
         for (name, index) in &binding.names {
             let Some(index) = index else { continue };
             let mut inner = cx.clone();
-            // No name that anybody can write has an apostrophe.
+            // No name that anybody can write has an apostrophe before its end.
             let bound = format!("{}'any", index.text);
             inner.variables.push((bound.clone(), true));
             if let Some((from, to)) = &binding.indices {
