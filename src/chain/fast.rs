@@ -223,7 +223,7 @@ pub fn eta(e: f64, r: f64, collisions: u64) -> (f64, f64) {
 /// [`eta`] for slices of equal length; of slices of unequal length the shortest one counts.
 ///
 /// The cells of a block with as many collisions and `r` on the same side of 1 follow the same steps: they are taken
-/// [`LANES`] at a time. Each gets exactly what [`eta`] gives it.
+/// some at a time. Each gets exactly what [`eta`] gives it.
 pub fn etas(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
     let blocks = e.chunks(BLOCK).zip(r.chunks(BLOCK)).zip(collisions.chunks(BLOCK)).zip(out.chunks_mut(BLOCK));
     for (((e, r), collisions), out) in blocks {
