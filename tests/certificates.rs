@@ -353,6 +353,19 @@ fn a_sequence_that_depends_on_the_variable_has_no_limit_by_degrees() {
     assert!(reason.starts_with("1: ") && reason.contains("depends on x"), "{reason}");
 }
 
+/// An exponent that doubles at each step stays below its limit, and never sticks at the odd end of its type.
+#[test]
+fn exponents_do_not_stick() {
+    let claim =
+        "claim s4 \"Squares of squares\"\ngiven x < 0\ndefine u by u(0) = x, u(k + 1) = u(k)*u(k)\nprove 0 = 1\n";
+    let claim = carom::claim::parse::parse(claim).unwrap().remove(0);
+    let certificate = read(include_str!("certificates/exponents.cert")).unwrap();
+    match check(&claim, &certificate, &[]) {
+        Verdict::Declined { limit } => assert_eq!(limit, "degree"),
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn what_a_reader_of_the_kernel_tried_is_rejected() {
     let tried: [(&str, &str, &str); 7] = [

@@ -237,15 +237,22 @@ impl Fraction {
             out.factors.insert(Poly::atom(atom), i64::from(k));
         }
         if rest.atoms().next().is_some() {
-            out.put(&rest, 1);
+            // Two terms and no atom in common: it is none of the factors so far.
+            out.factors.insert(rest, 1);
         }
         out
     }
 
-    fn put(&mut self, poly: &Poly, k: i64) {
-        let sum = self.factors.remove(poly).unwrap_or(0).saturating_add(k);
-        if sum != 0 {
-            self.factors.insert(poly.clone(), sum);
+    /// Multiplies by a power of a factor. An exponent that reached a bound of its type would be another one, odd where
+    /// it is even: it is held far below.
+    fn put(&mut self, poly: &Poly, k: i64) -> Result<(), Failure> {
+        match self.factors.remove(poly).unwrap_or(0).checked_add(k) {
+            Some(0) => Ok(()),
+            Some(sum) if (-EXPONENT_LIMIT..=EXPONENT_LIMIT).contains(&sum) => {
+                self.factors.insert(poly.clone(), sum);
+                Ok(())
+            }
+            _ => declined("degree"),
         }
     }
 
@@ -284,7 +291,7 @@ impl Fraction {
         }
         self.coefficient = product(&self.coefficient, &other.coefficient, work)?;
         for (poly, k) in &other.factors {
-            self.put(poly, *k);
+            self.put(poly, *k)?;
         }
         Ok(())
     }

@@ -224,6 +224,9 @@ impl Checker {
         let head = text::head(line)?;
         let axes = Axes::of(&head)?;
         let wanted = remarks(&head)?;
+        if head.remarks.iter().filter(|(name, _)| name == "further").count() > 1 {
+            return rejected("the head has two remarks `further`");
+        }
         let mut given = head.remarks.iter().filter(|(name, _)| name != "further");
         for (name, text) in &wanted {
             match given.next() {
@@ -393,6 +396,10 @@ fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational) -> Result<(), F
     let (printed, exact, tie) = if e.is_one() {
         (if ratio.is_one() { "any" } else { "infinite" }, None, false)
     } else {
+        // Before the digits are read, which takes time: a number of so many bits has a third as many digits at most.
+        if row.printed.len() as u64 > value::COUNT_BITS / 3 {
+            return declined("bits of a number of bodies");
+        }
         let Some(count) = row.printed.parse::<BigUint>().ok().filter(|count| count.to_string() == row.printed) else {
             return rejected("the best number is a number in digits");
         };

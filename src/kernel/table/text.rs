@@ -105,11 +105,11 @@ impl<'a> Cursor<'a> {
     fn text(&mut self) -> Read<&'a str> {
         self.word("\"")?;
         match self.rest.split_once('"') {
-            Some((text, rest)) if !text.contains('\\') => {
+            Some((text, rest)) if !text.contains('\\') && !text.chars().any(char::is_control) => {
                 self.rest = rest;
                 Ok(text)
             }
-            _ => rejected(&format!("a text without escapes is expected at {}", self.near())),
+            _ => rejected(&format!("a text without escapes and control characters is expected at {}", self.near())),
         }
     }
 
