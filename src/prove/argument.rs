@@ -86,6 +86,7 @@ impl Engine<'_> {
             Ok::<(), Failure>(())
         })?;
         self.declare(cx, std::slice::from_ref(binding))?;
+        cx.obtained.push(name.text.clone());
         self.assume(cx, prop, Some(label.text.clone()), Origin::Derived)
     }
 

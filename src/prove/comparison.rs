@@ -74,7 +74,14 @@ impl Engine<'_> {
                 let side = if negative { &mut down } else { &mut up };
                 *side = self.ring.mul(side, &power)?;
             }
-            return Ok(self.ring.sub(&up, &down)?);
+            // ρ = up/down is compared with 1: up with down, or the other way round where both are negative.
+            let signs = self.signs(cx, &down)?;
+            if signs.within(Signs::POSITIVE) {
+                return Ok(self.ring.sub(&up, &down)?);
+            }
+            if signs.within(Signs::NEGATIVE) {
+                return Ok(self.ring.sub(&down, &up)?);
+            }
         }
         Ok(self.ring.sub(a, b)?)
     }

@@ -201,6 +201,8 @@ pub struct Context {
     pub searched: HashSet<AtomId>,
     /// How many indices of sums and products are in scope.
     pub binders: usize,
+    /// Names that were obtained: what they stand for may depend on any variable.
+    pub obtained: Vec<String>,
     /// Whether what is translated is being differentiated.
     pub differentiated: bool,
     /// How many times cases were split to get here.

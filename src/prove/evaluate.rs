@@ -11,6 +11,7 @@ use crate::claim::syntax::*;
 use crate::number::{elementary, rational};
 use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::IsInteger;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
@@ -393,8 +394,10 @@ impl Assignment {
 
     fn whole(&self, e: &Expr) -> Result<i64> {
         match self.number(e)? {
-            Number::Exact(q) => i64::try_from(&q)
-                .map_err(|_| Missing::Undefined(format!("{} is no whole number", crate::claim::print::expr(e)))),
+            Number::Exact(q) => i64::try_from(&q).map_err(|_| match (&q).is_integer() {
+                true => Missing::Unknown,
+                false => Missing::Undefined(format!("{} is no whole number", crate::claim::print::expr(e))),
+            }),
             Number::Between(..) => Err(Missing::Unknown),
         }
     }
@@ -461,13 +464,16 @@ impl Assignment {
             "cosh" | "sinh" | "tanh" | "sech" => hyperbolic(text, &self.number(argument)?)?,
             _ => {
                 let index = self.whole(argument)?;
-                if !(0..=LARGEST).contains(&index) {
+                if index < 0 {
                     return Err(Missing::Undefined(format!("{} has no member {index}", name.text)));
                 }
                 if let Some((from, to)) = self.ranges.get(text)
                     && !(self.whole(from)? <= index && index <= self.whole(to)?)
                 {
                     return Err(Missing::Undefined(format!("{text}({index}) lies outside the range of {text}")));
+                }
+                if index > LARGEST {
+                    return Err(Missing::Unknown);
                 }
                 if let (Some(list), Some(ratio)) = (self.families.get(text), self.ratios.get(text)) {
                     let value = list.first().ok_or(Missing::Unknown)? * ratio.pow(index);

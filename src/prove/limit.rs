@@ -40,6 +40,12 @@ impl Engine<'_> {
         let mut conditions = Vec::new();
         let form = self.scalar(cx, &limit.of, &mut conditions)?;
         self.show_conditions(cx, conditions)?;
+        // What was obtained may depend on the variable.
+        for name in cx.obtained.clone() {
+            if name == limit.variable.text || !self.free_of(&form, &name) {
+                return Err(Failure::NotShown(format!("a limit with {name}, which was obtained")));
+            }
+        }
         if let Some(value) = self.rational_limit(cx, &form, &limit.variable.text)? {
             return Ok(Some((Tends::To(value), "the degrees in")));
         }

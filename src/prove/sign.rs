@@ -9,7 +9,7 @@
 
 use super::comparison::Plain;
 use super::context::*;
-use crate::algebra::form::{Atom, AtomId, Exponent, Form};
+use crate::algebra::form::{Atom, AtomId, Exponent, Form, Over};
 use crate::algebra::{Polynomial, Var, diagonal, factor, positivity};
 use crate::claim::syntax::{Constraint, Relation};
 use malachite::base::num::conversion::traits::RoundingFrom;
@@ -69,11 +69,11 @@ impl Engine<'_> {
             // Inside another sum with the same mark for its index, what is known of the index is not about this one.
             Atom::SumOver(over) | Atom::ProductOver(over) if self.is_bound(cx, over.index) => Signs::ANY,
             Atom::SumOver(over) => {
-                let body = self.signs(cx, &over.body)?;
+                let body = self.body_signs(cx, over)?;
                 if body.within(Signs::NOT_NEGATIVE) { Signs::NOT_NEGATIVE } else { Signs::ANY }
             }
             Atom::ProductOver(over) => {
-                let body = self.signs(cx, &over.body)?;
+                let body = self.body_signs(cx, over)?;
                 if body.within(Signs::POSITIVE) {
                     Signs::POSITIVE
                 } else if body.within(Signs::NOT_NEGATIVE) {
@@ -200,15 +200,39 @@ impl Engine<'_> {
                 }
                 Ok(())
             }
-            Atom::SumOver(over) | Atom::ProductOver(over) => {
-                let atoms: Vec<AtomId> = over.body.powers.iter().map(|p| p.0).collect();
-                for inner in atoms {
-                    self.use_members(cx, inner)?;
-                }
-                Ok(())
-            }
+            // The members in the body of a sum or product are those of its range: they are looked at there.
             _ => Ok(()),
         }
+    }
+
+    /// Whether an index is known to lie in the range of a family.
+    pub fn in_range(&mut self, cx: &mut Context, family: &Family, index: &Form) -> Result<bool> {
+        let Some((from, to)) = &family.binding.indices else { return Ok(true) };
+        let mut outer = cx.clone();
+        outer.indices.clear();
+        let (from, to) =
+            (self.scalar(&mut outer, from, &mut Vec::new())?, self.scalar(&mut outer, to, &mut Vec::new())?);
+        for difference in [self.ring.sub(index, &from)?, self.ring.sub(&to, index)?] {
+            if !self.signs(cx, &difference)?.within(Signs::NOT_NEGATIVE)
+                && !self.searched_form_signs(cx, &difference)?.within(Signs::NOT_NEGATIVE)
+            {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The signs of the body of a sum or product, with its index in its range; nothing that is found there stays.
+    fn body_signs(&mut self, cx: &Context, over: &Over) -> Result<Signs> {
+        let mut inner = cx.clone();
+        if let Atom::Variable(name) = &*self.ring.atom(over.index) {
+            inner.variables.push((name.clone(), true));
+        }
+        let index = Form::atom(over.index);
+        for difference in [self.ring.sub(&index, &over.from)?, self.ring.sub(&over.to, &index)?] {
+            self.narrow_form(&mut inner, &difference, Relation::GreaterEqual, 0)?;
+        }
+        self.signs(&mut inner, &over.body)
     }
 
     /// Whether an index is that of a sum or product around this place.
@@ -221,6 +245,10 @@ impl Engine<'_> {
             return Ok(());
         }
         let Some(family) = cx.families.get(name).cloned() else { return Ok(()) };
+        if !self.in_range(cx, &family, index)? {
+            cx.members.remove(&atom);
+            return Ok(());
+        }
         // The names of a declaration are those of the claim, not of a sum around its use.
         let own = HashMap::from_iter([(family.index.clone(), index.clone())]);
         let saved = std::mem::replace(&mut cx.indices, own);

@@ -179,7 +179,8 @@ impl Engine<'_> {
                     let eliminated: Vec<Form> = cx.environment.values().map(|v| v.0.clone()).collect();
                     let clash = cx.environment.contains_key(&name.text)
                         || cx.indices.contains_key(&name.text)
-                        || eliminated.iter().any(|f| self.ring.mentions(f, &|a| a == atom));
+                        || eliminated.iter().any(|f| self.ring.mentions(f, &|a| a == atom))
+                        || tied(cx, &name.text);
                     if clash {
                         return Err(Failure::NotShown(format!(
                             "the derivative by {}, which a hypothesis ties to other variables",
@@ -696,7 +697,11 @@ impl Engine<'_> {
             return Ok(false);
         }
         Ok(match &*self.ring.atom(atom) {
-            Atom::Variable(_) | Atom::Prime(_) | Atom::Euler | Atom::Member(..) => true,
+            Atom::Variable(_) | Atom::Prime(_) | Atom::Euler => true,
+            Atom::Member(name, index) => match cx.families.get(name).cloned() {
+                Some(family) => self.in_range(cx, &family, index)?,
+                None => true,
+            },
             Atom::Sum(poly) => {
                 for (a, e) in poly.terms.iter().flat_map(|term| &term.0) {
                     if !self.has_value(cx, *a, e)? {
@@ -719,7 +724,9 @@ impl Engine<'_> {
         form.powers.iter().all(|(atom, exponent)| {
             exponent.as_integer().is_some_and(|k| k > 0)
                 && match &*self.ring.atom(*atom) {
-                    Atom::Variable(_) | Atom::Prime(_) | Atom::Euler | Atom::Member(..) => true,
+                    Atom::Variable(_) | Atom::Prime(_) | Atom::Euler => true,
+                    // A family may have a range.
+                    Atom::Member(..) => false,
                     Atom::Sum(poly) => poly.terms.iter().all(|(monomial, _)| {
                         self.polynomial(&Form { coefficient: Rational::ONE, powers: monomial.clone() })
                     }),
@@ -766,6 +773,18 @@ fn split_constant(engine: &mut Engine, form: &Form) -> Result<(Form, i64)> {
     }
     let Ok(c) = i64::try_from(&constant) else { return Ok((form.clone(), 0)) };
     Ok((engine.ring.add(&rest)?, c))
+}
+
+/// Whether an equation among the hypotheses holds a variable and another one: it may determine one by the other.
+fn tied(cx: &Context, variable: &str) -> bool {
+    cx.facts.iter().filter(|f| f.origin != Origin::Derived).any(|fact| {
+        let PropKind::Compare(_, relations) = &fact.prop.kind else { return false };
+        let mut names = std::collections::BTreeSet::new();
+        super::expand::names_in_prop(&fact.prop, &mut names);
+        relations.contains(&Relation::Equal)
+            && names.contains(variable)
+            && cx.variables.iter().any(|(other, _)| other != variable && names.contains(other))
+    })
 }
 
 /// The text of an expression.
