@@ -52,11 +52,13 @@ fn main() {
     for bodies in arguments {
         let pass = chain(bodies.parse().unwrap());
         let started = Instant::now();
-        let velocity =
-            if all { pass.velocities_after().unwrap().pop().unwrap() } else { pass.last_velocity().unwrap() };
+        let (above, below) = if all {
+            pass.velocities_after().unwrap().pop().unwrap().into_numerator_and_denominator()
+        } else {
+            pass.last_velocity().unwrap().into_parts()
+        };
         let spent = started.elapsed().as_secs_f64();
-        let (above, below) = (velocity.numerator_ref(), velocity.denominator_ref());
-        let (p, q) = (above % &modulus, below % &modulus);
+        let (p, q) = (&above % &modulus, &below % &modulus);
         println!("{bodies} {spent:.6} {} {} {p} {q}", above.significant_bits(), below.significant_bits());
     }
 }

@@ -195,9 +195,10 @@ fn chain(run: &Run, bodies: usize) -> Pass {
 }
 
 fn long_chains(run: &Run) {
+    let modulo = |above: &Natural, below: &Natural| (above % prime(), below % prime());
     let parts = |v: &Rational| {
-        let up = v.numerator_ref() % prime();
-        (if *v < 0 { prime() - up } else { up }, v.denominator_ref() % prime())
+        let (up, down) = modulo(v.numerator_ref(), v.denominator_ref());
+        (if *v < 0 { prime() - up } else { up }, down)
     };
     let all = |list: Vec<Rational>| {
         let sum: Natural = (1u64..)
@@ -220,7 +221,7 @@ fn long_chains(run: &Run) {
             &name,
             || pass.last_velocity().unwrap(),
             |v| {
-                let (p, q) = parts(&v);
+                let (p, q) = modulo(v.numerator(), v.denominator());
                 format!("{p}/{q}")
             },
         );

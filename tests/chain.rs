@@ -81,7 +81,7 @@ proptest! {
         let pass = Pass::from_rest(masses.clone(), same.clone(), speed.clone()).unwrap();
         let r = masses[0].over(&masses[n as usize + 1]);
         let eta = transfer::optimal(&r, &same, n).unwrap();
-        prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap()));
+        prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap().into()));
         let optimum = Optimum::new(masses[0].clone(), masses[n as usize + 1].clone(), n, same).unwrap();
         let velocities = pass.velocities_after().unwrap();
         for i in 0..=n + 1 {
@@ -111,7 +111,7 @@ proptest! {
         let pass = Pass::from_rest(masses.clone(), list.clone(), Rational::ONE).unwrap();
         let (first, last) = (masses[0].clone(), masses[n as usize + 1].clone());
         let eta = transfer::optimal(&first.over(&last), &list, n).unwrap();
-        prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap()));
+        prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap().into()));
         let optimum = Optimum::new(first, last, n, list).unwrap();
         let velocities = pass.velocities_after().unwrap();
         for (i, v) in velocities.iter().enumerate() {

@@ -168,7 +168,7 @@ proptest! {
             for (x, v) in losses.iter().zip(pass.losses().unwrap()) {
                 prop_assert!(holds(x, &v), "loss of {:?}: {} in {:?}", (&masses, &list), v, x);
             }
-            prop_assert!(holds(&transfer, &pass.transfer().unwrap()));
+            prop_assert!(holds(&transfer, &pass.transfer().unwrap().into()));
             for ((x, pair), e) in found.iter().zip(masses.windows(2)).zip(&list) {
                 let exact = collision::matrix(&pair[0], &pair[1], e);
                 for (x, v) in x.iter().flatten().zip(exact.iter().flatten()) {

@@ -12,8 +12,8 @@ use super::recollision::of_velocities;
 use super::uncertain::meeting::meet;
 use super::{ChainError, Positive, Restitution, Restitutions, collision};
 use crate::number::NumberError;
+use crate::number::fraction::Fraction;
 use crate::number::product::quotient;
-use malachite::base::num::arithmetic::traits::Square;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Natural, Rational};
@@ -195,9 +195,9 @@ impl Pass {
     ///
     /// # Errors
     /// [`ChainError::NotAtRest`].
-    pub fn last_velocity(&self) -> Result<Rational, ChainError> {
+    pub fn last_velocity(&self) -> Result<Fraction, ChainError> {
         match self.velocities.first() {
-            Some(speed) if self.starts_from_rest() => Ok(self.gain() * speed),
+            Some(speed) if self.starts_from_rest() => Ok(self.gain().times(speed)),
             _ => Err(ChainError::NotAtRest),
         }
     }
@@ -218,23 +218,34 @@ impl Pass {
         }))
     }
 
-    /// The last body's velocity over the first one's, from rest.
-    fn gain(&self) -> Rational {
-        let factors = self.pairs().map(|(m1, m2, e)| m1.value() * e.plus_one() / (m1.value() + m2.value()));
-        let (above, below): (Vec<Natural>, Vec<Natural>) = factors.map(|f| f.into_numerator_and_denominator()).unzip();
-        quotient(&above, &below)
+    /// The last body's velocity over the first one's, from rest: with `m1 = a/b`, `m2 = c/d`, `e = p/q` a factor
+    /// `m1(1 + e)/(m1 + m2)` is `a·d·(p + q)/((a·d + c·b)·q)`, multiplied out and reduced for all of them at once.
+    fn gain(&self) -> Fraction {
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for (m1, m2, e) in self.pairs() {
+            let ((a, b), (c, d)) = (parts(m1.value()), parts(m2.value()));
+            let (p, q) = parts(e.value());
+            below.extend([a * d + c * b, q.clone()]);
+            above.extend([a.clone(), d.clone(), p + q]);
+        }
+        quotient(above, below)
     }
 
     /// The energy transfer: the last body's kinetic energy over the first one's before, (13) and (16).
     ///
     /// # Errors
     /// [`ChainError::NotAtRest`].
-    pub fn transfer(&self) -> Result<Rational, ChainError> {
+    pub fn transfer(&self) -> Result<Fraction, ChainError> {
         match (self.masses.first(), self.masses.last()) {
             (Some(first), Some(last)) if self.starts_from_rest() => {
-                Ok(self.gain().square() * last.value() / first.value())
+                Ok(self.gain().square().times(last.over(first).value()))
             }
             _ => Err(ChainError::NotAtRest),
         }
     }
+}
+
+/// Numerator and denominator of a mass or a coefficient, which are not negative.
+fn parts(x: &Rational) -> (&Natural, &Natural) {
+    (x.numerator_ref(), x.denominator_ref())
 }

@@ -9,7 +9,7 @@ use crate::number::NumberError;
 use crate::number::double::Double;
 use crate::number::fixed::{Fixed, above_one};
 use crate::number::interval::Interval;
-use crate::number::parallel::both;
+use crate::number::parallel::{MIN_BITS, both};
 use crate::number::rational::exact_root;
 use crate::number::real::{FIRST_BITS, Level, MAX_BITS, Real};
 use crate::number::root::{guess_ln, root};
@@ -104,7 +104,7 @@ fn plus_one(r: &Rational, n: &Natural, bits: u64) -> Interval {
     let work = bits + next.significant_bits() + 12;
     let one = Interval::from_integer(1);
     let half_sum = |k: &Natural| root(r, k, work).add(&one, work).shifted(-1).power(k, work);
-    let (above, below) = both(work, || half_sum(&next), || half_sum(n));
+    let (above, below) = both(work >= MIN_BITS, || half_sum(&next), || half_sum(n));
     above.divide(&below, work).shifted(1)
 }
 

@@ -8,7 +8,7 @@ use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitutions, li
 use crate::number::double::Double;
 use crate::number::fixed::{Fixed, above_one, two_words};
 use crate::number::interval::Interval;
-use crate::number::parallel::both;
+use crate::number::parallel::{MIN_BITS, both};
 use crate::number::product::quotient;
 use crate::number::rational::exact_root;
 use crate::number::real::Real;
@@ -38,7 +38,7 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
         Restitutions::Each(list) => {
             let factors = list.iter().map(|e| e.plus_one().into_numerator_and_denominator());
             let (above, below): (Vec<Natural>, Vec<Natural>) = factors.unzip();
-            Gains { base: quotient(&above, &below).square(), count: 1 }
+            Gains { base: Rational::from(quotient(above, below)).square(), count: 1 }
         }
     };
     let exact = exact_root(&r, count);
@@ -124,7 +124,7 @@ fn merged(r: &Rational, gains: &Gains, count: u64, bits: u64) -> Interval {
     let degree = Natural::from(count);
     let v = root(&r, &degree, half).add(&one, half).reciprocal(half).middle(half);
     let rest = one.subtract(&v, u64::MAX);
-    let (a, b) = both(work, || rest.power(&degree, work), || v.power(&degree, work));
+    let (a, b) = both(work >= MIN_BITS, || rest.power(&degree, work), || v.power(&degree, work));
     let scaled = b.multiply_rational(&r, work);
     let f = a.subtract(&scaled, work);
     let rho = f.divide(&scaled.round(64), 64);

@@ -15,7 +15,7 @@
 //!
 //! **Cost.** `O(M(n) log n)`, half of what a division with remainder at every level would take at least.
 
-use super::parallel::both;
+use super::parallel::{MIN_BITS, both};
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{ModPowerOf2, Pow, Square};
 use malachite::base::num::logic::traits::SignificantBits;
@@ -108,7 +108,7 @@ fn digits(fraction: Natural, bits: u64, n: u64, powers: &Powers) -> Option<Vec<u
         let cut = unit.saturating_sub(bits_for(n - first));
         digits(rest >> cut, unit - cut, n - first, powers)
     };
-    let (begin, end) = both(bits / SPLIT, begin, end);
+    let (begin, end) = both(bits / SPLIT >= MIN_BITS, begin, end);
     let mut out = begin?;
     out.extend(end?);
     Some(out)

@@ -9,6 +9,7 @@ pub mod digits;
 pub mod double;
 pub mod elementary;
 pub mod fixed;
+pub mod fraction;
 pub mod interval;
 pub mod parallel;
 pub mod product;

@@ -3,9 +3,10 @@
 /// Operands of fewer bits than this are not worth a thread (bench `numbers`, group `digits`).
 pub const MIN_BITS: u64 = 100_000;
 
-/// Both results; on two threads where the operands have at least [`MIN_BITS`] bits and the system gives a thread.
-pub fn both<A: Send, B: Send>(bits: u64, one: impl Fn() -> A + Sync, other: impl Fn() -> B) -> (A, B) {
-    if bits < MIN_BITS {
+/// Both results; on two threads where that is `worth` it, as for operands of [`MIN_BITS`] bits, and the system gives a
+/// thread.
+pub fn both<A: Send, B: Send>(worth: bool, one: impl Fn() -> A + Sync, other: impl FnOnce() -> B) -> (A, B) {
+    if !worth {
         return (one(), other());
     }
     std::thread::scope(|scope| {

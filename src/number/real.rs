@@ -11,9 +11,10 @@
 //! of ever more bits up to [`MAX_BITS`] (beyond it an error, never a best effort).
 
 use super::NumberError;
+use super::fraction::Fraction;
 use super::interval::Interval;
-use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Sign;
+use malachite::{Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
 use std::sync::atomic::{AtomicU32, Ordering as Memory};
@@ -79,6 +80,21 @@ impl Real {
     #[must_use]
     pub fn rational(x: Rational) -> Real {
         Real { form: Form::Rational(x), radical: None, attempts: AtomicU32::new(0) }
+    }
+
+    /// A fraction: a rational where it has at most `written` bits or is a decimal, otherwise enclosed by its leading digits,
+    /// which spares malachite's greatest common divisor.
+    #[must_use]
+    pub fn fraction(x: Fraction, written: u64) -> Real {
+        if x.bits() <= written || x.is_decimal() {
+            return Real::rational(x.into());
+        }
+        let (numerator, denominator) = x.into_parts();
+        let (numerator, denominator) = (Integer::from(numerator), Integer::from(denominator));
+        Real::enclosed(move |bits| {
+            let leading = |x: &Integer| Interval::from_integer(x.clone()).round(bits + 8);
+            leading(&numerator).divide(&leading(&denominator), bits + 2)
+        })
     }
 
     /// A number known to be irrational, or too long a rational to be a short decimal: `enclose(bits)` contains

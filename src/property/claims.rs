@@ -267,7 +267,7 @@ fn product_formula(chain: &Chain) -> Result<(), String> {
         return Err("a chain has a first and a last body".to_owned());
     };
     let stepwise = last.value() * speed.square() / first.value();
-    equal("eta step by step and by the product", &stepwise, &pass.transfer().map_err(said)?)
+    equal("eta step by step and by the product", &stepwise, &pass.transfer().map_err(said)?.into())
 }
 
 fn helps_where_eta_rises(chain: &Chain) -> Result<(), String> {
@@ -334,7 +334,7 @@ fn velocities(chain: &Chain) -> Result<(), String> {
 fn optimal_transfer(chain: &Chain) -> Result<(), String> {
     let ends = Ends::of(chain)?;
     let Some((_, masses)) = exact_masses(&ends.optimum()?) else { return Ok(()) };
-    let stepwise = exact_pass(&ends, masses)?.transfer().map_err(said)?;
+    let stepwise = Rational::from(exact_pass(&ends, masses)?.transfer().map_err(said)?);
     match ends.eta(&ends.e, ends.n)?.as_rational() {
         Some(formula) => equal("eta of the masses and by (25)", &stepwise, formula),
         None => Err("eta is rational, and not found to be".to_owned()),
@@ -411,7 +411,7 @@ fn inelastic(chain: &Chain) -> Result<(), String> {
 }
 
 fn global_maximum(chain: &Chain) -> Result<(), String> {
-    let given = Real::rational(pass(chain)?.transfer().map_err(said)?);
+    let given = Real::rational(pass(chain)?.transfer().map_err(said)?.into());
     let ratio = chain.first().lo().over(chain.last().lo());
     let most = transfer::optimal(&ratio, &chain.restitutions().0, chain.count()).map_err(said)?;
     match order_of(&given, &most)? {

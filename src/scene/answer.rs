@@ -274,7 +274,7 @@ impl<'a> Answers<'a> {
                 self.number(&transfer::optimal(&first.over(last), &restitutions, *n)?).map(wrap)
             }
             (Some((_, _, restitutions)), Inserted::Given(_)) => {
-                self.number(&Real::rational(self.pass(restitutions)?.transfer()?)).map(wrap)
+                self.number(&Real::fraction(self.pass(restitutions)?.transfer()?, MAX_EXACT_BITS)).map(wrap)
             }
             (None, Inserted::Optimal(n)) => {
                 self.moving()?;
@@ -405,7 +405,7 @@ impl<'a> Answers<'a> {
         let (number, level) = match self.prepared()? {
             Prepared::Optimal(optimum) => self.number(&optimum.arrival(optimum.collisions(), &self.speed()?))?,
             Prepared::Given(pass) => match pass.last_velocity() {
-                Ok(velocity) => self.number(&Real::rational(velocity))?,
+                Ok(velocity) => self.number(&Real::fraction(velocity, MAX_EXACT_BITS))?,
                 Err(_) => match pass.velocities_after()?.pop() {
                     Some(velocity) => self.number(&Real::rational(velocity))?,
                     None => return Err(ChainError::NotAtRest),
