@@ -487,7 +487,7 @@ impl Certifier {
                 c.show(body)
             }),
             PropKind::Exists(bindings, body) => {
-                let point = crate::prove::refute::example(bindings, body).ok_or("no witness was found")?;
+                let point = crate::prove::refute::example(bindings, body, None).ok_or("no witness was found")?;
                 let values: Vec<(Name, Expr)> = point
                     .into_iter()
                     .map(|(n, v)| (Name { text: n, span: Span::default() }, crate::prove::refute::literal(&v)))
