@@ -89,13 +89,21 @@ impl Loaded {
     }
 }
 
+/// What the kernel is asked about proved claims.
+pub struct Kernel<'a> {
+    /// Where to write certificates.
+    pub certificates: Option<&'a Path>,
+    /// Whether a proof counts only with a certificate that the kernel accepts.
+    pub checked: bool,
+}
+
 /// Runs the command.
 pub fn run(
     paths: &[PathBuf],
     only: &[String],
     format: Format,
     output: Option<&Path>,
-    certificates: Option<&Path>,
+    kernel: &Kernel<'_>,
     limits: &Limits,
 ) -> Result<u8, Exit> {
     let mut loaded = match load(paths, only) {
@@ -110,8 +118,8 @@ pub fn run(
         }
     };
     let (mut audit, messages) = judge_all(&mut loaded, only, limits);
-    if let Some(folder) = certificates {
-        write_certificates(&loaded.catalogue, &mut audit.entries, folder)?;
+    if kernel.checked || kernel.certificates.is_some() {
+        ask_the_kernel(&loaded.catalogue, &mut audit.entries, kernel)?;
     }
     write(&audit, format, output)?;
     if !messages.is_empty() {
@@ -164,10 +172,13 @@ pub fn code(audit: &Audit) -> u8 {
     }
 }
 
-/// Writes a certificate for each claim that was proved, and says for which none was found.
-fn write_certificates(catalogue: &Catalogue, entries: &mut [Entry], folder: &Path) -> Result<(), Exit> {
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
+/// Finds a certificate that the kernel accepts for each claim that was proved, writes it where that is wanted, and says
+/// for which there is none.
+fn ask_the_kernel(catalogue: &Catalogue, entries: &mut [Entry], kernel: &Kernel<'_>) -> Result<(), Exit> {
+    if let Some(folder) = kernel.certificates {
+        std::fs::create_dir_all(folder)
+            .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
+    }
     let proved: Vec<Claim> =
         entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).map(|e| e.claim.clone()).collect();
     let mut accepted: BTreeMap<String, Result<Accepted, String>> = BTreeMap::new();
@@ -176,16 +187,27 @@ fn write_certificates(catalogue: &Catalogue, entries: &mut [Entry], folder: &Pat
             claim.using.iter().filter_map(|n| accepted.get(&n.text).and_then(|r| r.as_ref().ok())).collect();
         let result = match certify(&claim, &cited) {
             Ok((certificate, shown)) => {
-                let path = folder.join(format!("{}.cert", claim.name.text));
-                write_file(&path, &crate::certificate::text::write(&certificate))?;
-                for entry in entries.iter_mut().filter(|e| e.claim.name.text == claim.name.text) {
-                    entry.certificate = Some(path.display().to_string());
+                if let Some(folder) = kernel.certificates {
+                    let path = folder.join(format!("{}.cert", claim.name.text));
+                    write_file(&path, &crate::certificate::text::write(&certificate))?;
+                    for entry in entries.iter_mut().filter(|e| e.claim.name.text == claim.name.text) {
+                        entry.certificate = Some(path.display().to_string());
+                    }
                 }
                 Ok(shown)
             }
             Err(reason) => Err(reason),
         };
         accepted.insert(claim.name.text.clone(), result);
+    }
+    if kernel.checked {
+        for entry in &mut *entries {
+            if let Some(Err(reason)) = accepted.get(&entry.claim.name.text) {
+                entry.outcome.verdict = Verdict::Undecided;
+                entry.outcome.reason =
+                    Some(format!("the search found a proof, but no certificate that the kernel accepts: {reason}"));
+            }
+        }
     }
     let missing: Vec<String> = accepted
         .iter()

@@ -60,6 +60,9 @@ enum Command {
         /// Write a certificate for each proved claim into this folder
         #[arg(long, value_name = "DIR")]
         certificates: Option<PathBuf>,
+        /// Let a proof count only where the kernel accepts a certificate of it; other claims are undecided (slow)
+        #[arg(long)]
+        checked: bool,
         #[command(flatten)]
         limits: LimitFlags,
     },
@@ -273,8 +276,9 @@ pub fn run() -> ExitCode {
 
 fn dispatch(command: Command) -> Result<u8, Exit> {
     match command {
-        Command::Audit { paths, only, format, output, certificates, limits } => {
-            audit::run(&paths, &only, format, output.as_deref(), certificates.as_deref(), &limits.limits())
+        Command::Audit { paths, only, format, output, certificates, checked, limits } => {
+            let kernel = audit::Kernel { certificates: certificates.as_deref(), checked };
+            audit::run(&paths, &only, format, output.as_deref(), &kernel, &limits.limits())
         }
         Command::Check { paths, claims, quiet } => check::run(&paths, &claims, quiet),
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
