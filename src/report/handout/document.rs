@@ -6,7 +6,7 @@
 
 use super::evidence::{Evidence, Kernel};
 use super::numbers::{DRAWN, Plot, Table};
-use super::{Handout, certificate_of, coq_file, named, plot_file, provenance, table_file};
+use super::{Handout, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::claim::print::Style;
 use crate::prove::outcome::Verdict;
 use crate::report::argument::remarks;
@@ -17,7 +17,7 @@ use crate::report::{Entry, reading, statement, summary};
 const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
 \usepackage{iftex}
 \ifpdftex\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\pdfsuppressptexinfo=-1 \pdftrailerid{}\fi
-\usepackage{amsmath,amssymb,textcomp,booktabs,longtable,graphicx}
+\usepackage{amsmath,amssymb,textcomp,array,booktabs,longtable,graphicx}
 \usepackage[margin=24mm]{geometry}
 \usepackage[hidelinks]{hyperref}
 \setlength{\parindent}{0pt}\setlength{\parskip}{3pt plus 1pt}
@@ -29,7 +29,7 @@ const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
   \par\smallskip
   \ifdim\wd\carombox<\linewidth{\centering\usebox{\carombox}\par}%
   \else\ifdim\wd\carombox<1.3\linewidth\noindent\resizebox{\linewidth}{!}{\usebox{\carombox}}\par
-  \else{\raggedright\hangindent=2em\hangafter=1\noindent\small$#1$\par}\fi\fi\smallskip}
+  \else{\raggedright\hangindent=2em\hangafter=1\noindent\small\lineskip=3pt$\displaystyle #1$\par}\fi\fi\smallskip}
 \newcommand{\argument}[2]{{\footnotesize\raggedright\leftskip=#1em\hangindent=1.5em\hangafter=1\noindent#2\par}}
 ";
 
@@ -55,6 +55,7 @@ pub fn document(handout: &Handout) -> String {
         }
         out.push_str("\\end{itemize}\n");
     }
+    findings(&mut out, handout);
     for (section, entries) in handout.audit.sections() {
         out.push_str(&format!("\n\\section{{{}}}\n", escape(section)));
         for entry in entries {
@@ -72,6 +73,28 @@ pub fn document(handout: &Handout) -> String {
     }
     out.push_str("\\end{document}\n");
     out
+}
+
+fn findings(out: &mut String, handout: &Handout) {
+    let list = findings::of(&handout.audit);
+    if list.is_empty() {
+        return;
+    }
+    out.push_str(
+        "\n\\section{Findings}\n{\\small\\begin{longtable}{@{}>{\\raggedright}p{0.17\\linewidth}\
+         >{\\raggedright}p{0.15\\linewidth}>{\\raggedright\\arraybackslash}p{0.61\\linewidth}@{}}\n\
+         \\toprule\nclaim & finding & what was found \\\\\n\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n",
+    );
+    for finding in list {
+        let mut says = vec![format!("{}.", escape(finding.title))];
+        says.extend(finding.says.iter().map(|s| escape(s)));
+        if let Some(point) = finding.fails_at {
+            let at: Vec<String> = point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+            says.push(format!("Fails at {}.", code(&at.join(", "))));
+        }
+        out.push_str(&format!("{} & {} & {} \\\\\n", code(finding.name), finding.kind, says.join(" ")));
+    }
+    out.push_str("\\end{longtable}}\n");
 }
 
 fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {

@@ -6,6 +6,7 @@
 
 mod document;
 pub mod evidence;
+mod findings;
 mod markdown;
 pub mod numbers;
 mod page;
@@ -91,10 +92,14 @@ impl Handout {
     pub fn vouched(&self) -> Vec<String> {
         let counts = self.counts(self.audit.entries.iter());
         let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
+        let (has, rests) = match counts.alone {
+            1 => ("verdict", "rests"),
+            _ => ("verdicts", "rest"),
+        };
         vec![
-            format!("{} of the {} accepted by the kernel in this run.", of(counts.kernel), counted(proved, "proof")),
-            format!("{} stated and proved in the Coq files beside this report.", of(counts.coq)),
-            format!("{} on the prover alone.", rests(counts.alone)),
+            format!("The kernel accepted {} of the {} in this run.", counts.kernel, counted(proved, "proof")),
+            format!("Of {} there is a theorem in the Coq files beside this report.", counted(counts.coq, "verdict")),
+            format!("{} {has} {rests} on the prover alone.", counts.alone),
         ]
     }
 
@@ -123,14 +128,6 @@ impl Handout {
         }
         out
     }
-}
-
-fn of(count: usize) -> String {
-    format!("{count} {}", if count == 1 { "is" } else { "are" })
-}
-
-fn rests(count: usize) -> String {
-    format!("{} {}", counted(count, "verdict"), if count == 1 { "rests" } else { "rest" })
 }
 
 /// The script that compiles the Coq files and prints their axioms.

@@ -5,11 +5,11 @@ use crate::report::Entry;
 use crate::report::markup::escape;
 use std::collections::BTreeMap;
 
-/// Pixels of a letter, at most; the font is the reader's.
-const LETTER: usize = 8;
+/// Pixels of a letter in the mean; the font is the reader's.
+const LETTER: usize = 7;
 const HEIGHT: usize = 26;
 const STEP: usize = 36;
-const GAP: usize = 52;
+const GAP: usize = 44;
 /// The most letters of a name that are shown.
 const LETTERS: usize = 24;
 

@@ -10,8 +10,7 @@ mod claim;
 mod graph;
 mod numbers;
 
-use super::Handout;
-use crate::claim::syntax::Reading;
+use super::{Handout, findings};
 use crate::prove::outcome::{Point, Verdict};
 use crate::report::markup::escape;
 use crate::report::{counted, summary};
@@ -89,10 +88,9 @@ fn overview(out: &mut String, handout: &Handout) {
     let vouched: Vec<String> = handout.vouched().iter().map(|s| escape(s)).collect();
     out.push_str(&format!("<p>{}</p>\n", vouched.join(" ")));
     out.push_str(&wide("Verdicts by section"));
-    out.push_str("<table><caption>Verdicts by section, and by whom they are shown</caption><thead><tr>");
-    for title in
-        ["Section", "Proved", "Refuted", "Undecided", "Checked by the kernel", "Proved in Coq", "By the prover alone"]
-    {
+    out.push_str("<table><caption>Verdicts by section; how many the kernel has checked, how many stand in the Coq files, how many \
+         nobody but the prover has shown</caption><thead><tr>");
+    for title in ["Section", "Proved", "Refuted", "Undecided", "Kernel", "Coq", "Prover alone"] {
         out.push_str(&format!("<th scope=\"col\">{title}</th>"));
     }
     out.push_str("</tr></thead><tbody>\n");
@@ -119,31 +117,20 @@ fn wide(label: &str) -> String {
     format!("<div class=\"wide\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n", escape(label))
 }
 
-/// What a reader of the paper should know first.
+/// The table of findings; empty if there are none.
 fn findings(handout: &Handout) -> String {
-    let mut rows = Vec::new();
-    for entry in &handout.audit.entries {
-        let (claim, outcome) = (&entry.claim, &entry.outcome);
-        let kind = match (claim.reading, outcome.verdict) {
-            (Reading::Extracted, Verdict::Refuted) => "a damaged line of the text",
-            (_, Verdict::Refuted) => "false as stated",
-            (_, Verdict::Undecided) => "undecided",
-            _ if !claim.notes.is_empty() => "note",
-            _ => continue,
-        };
-        let mut says: Vec<String> = claim.notes.iter().map(|n| escape(n)).collect();
-        if let Some(witness) = &outcome.witness {
-            says.push(format!("Fails at {}.", point(&witness.point)));
-        }
-        says.extend(outcome.reason.iter().map(|r| escape(r)));
-        rows.push(format!(
+    let row = |finding: &findings::Finding| {
+        let mut says: Vec<String> = finding.says.iter().map(|n| escape(n)).collect();
+        says.extend(finding.fails_at.map(|at| format!("Fails at {}.", point(at))));
+        format!(
             "<tr><th scope=\"row\"><a href=\"#{0}\">{0}</a></th><td>{1}</td><td>{2}</td><td>{3}</td></tr>\n",
-            escape(&claim.name.text),
-            kind,
-            escape(&claim.title),
+            escape(finding.name),
+            finding.kind,
+            escape(finding.title),
             says.join(" ")
-        ));
-    }
+        )
+    };
+    let rows: Vec<String> = findings::of(&handout.audit).iter().map(row).collect();
     if rows.is_empty() {
         return String::new();
     }
