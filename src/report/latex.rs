@@ -16,21 +16,27 @@ pub fn escape(text: &str) -> String {
     out
 }
 
-/// A formula or a name in typewriter letters; lines may end after a sign, and within long numbers.
+/// A formula or a name in typewriter letters; a long word may be broken after a sign, and within a long number.
 pub fn code(text: &str) -> String {
     const LONG: usize = 24;
-    let mut out = String::from("\\texttt{");
-    let mut run = 0;
-    for c in text.chars() {
-        out.push_str(&letter(c));
-        run = if c.is_alphanumeric() { run + 1 } else { 0 };
-        if matches!(c, '+' | '*' | '/' | '(' | ')' | '^' | ',' | '=' | '·' | '-' | '_') || run == LONG {
-            out.push_str("\\allowbreak{}");
-            run = 0;
+    let word = |word: &str| {
+        if word.chars().count() <= LONG {
+            return escape(word);
         }
-    }
-    out.push('}');
-    out
+        let (mut out, mut run) = (String::new(), 0);
+        let mut rest = word.chars().peekable();
+        while let Some(c) = rest.next() {
+            out.push_str(&letter(c));
+            run = if c.is_alphanumeric() { run + 1 } else { 0 };
+            let sign = matches!(c, '+' | '*' | '/' | '(' | ')' | '^' | ',' | '=' | '·' | '-' | '_');
+            if rest.peek().is_some() && (sign || run == LONG) {
+                out.push_str("\\allowbreak{}");
+                run = 0;
+            }
+        }
+        out
+    };
+    format!("\\texttt{{{}}}", text.split(' ').map(word).collect::<Vec<_>>().join(" "))
 }
 
 /// What has no sign in the fonts that LaTeX takes when nothing else is said.
@@ -134,6 +140,8 @@ mod tests {
     fn nothing_that_latex_acts_on_is_left() {
         assert_eq!(escape("\\input{a}%$^_~#&"), "\\textbackslash{}input\\{a\\}\\%\\$\\^{}\\_\\~{}\\#\\&");
         assert_eq!(escape("η ≤ 1 м\n\u{7}é"), "$\\eta$ $\\le$ 1 [U+043C] [U+0007]é");
-        assert_eq!(code("m1*(x)"), "\\texttt{m1*\\allowbreak{}(\\allowbreak{}x)\\allowbreak{}}");
+        assert_eq!(code("m1*(x) = 1/2"), "\\texttt{m1*(x) = 1/2}");
+        let broken = code("abcdefghijklmnopqrstuvwxyz*x");
+        assert_eq!(broken, "\\texttt{abcdefghijklmnopqrstuvwx\\allowbreak{}yz*\\allowbreak{}x}");
     }
 }

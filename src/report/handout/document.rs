@@ -5,7 +5,7 @@
 //! which alone knows how wide it is.
 
 use super::evidence::{Evidence, Kernel};
-use super::numbers::{DRAWN, Plot, Table};
+use super::numbers::{Plot, Table, WHAT_IS_CERTAIN};
 use super::{Handout, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::claim::print::Style;
 use crate::prove::outcome::Verdict;
@@ -32,6 +32,9 @@ const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
   \else{\raggedright\hangindent=2em\hangafter=1\noindent\small\lineskip=3pt$\displaystyle #1$\par}\fi\fi\smallskip}
 \newcommand{\argument}[2]{{\footnotesize\raggedright\leftskip=#1em\hangindent=1.5em\hangafter=1\noindent#2\par}}
 ";
+
+/// The most rows of a table that stands on one page.
+const SHORT: usize = 40;
 
 /// The document.
 pub fn document(handout: &Handout) -> String {
@@ -63,7 +66,7 @@ pub fn document(handout: &Handout) -> String {
         }
     }
     if !handout.tables.is_empty() || !handout.plots.is_empty() {
-        out.push_str("\n\\section{Numbers}\n");
+        out.push_str(&format!("\n\\section{{Numbers}}\n{}\n", escape(WHAT_IS_CERTAIN)));
     }
     for (place, one) in handout.tables.iter().enumerate() {
         table(&mut out, handout, place, one);
@@ -172,7 +175,7 @@ fn shown_by(name: &str, evidence: &Evidence) -> Vec<String> {
 fn table(out: &mut String, handout: &Handout, place: usize, table: &Table) {
     let said: Vec<String> = provenance(handout, table).iter().map(|text| escape(&text.replace('`', ""))).collect();
     out.push_str(&format!(
-        "\n\\subsection{{Table {}: {}}}\n{{\\small {}.\\par}}\n{{\\footnotesize Made by {}; also in {}.\\par}}\n",
+        "\n\\subsection{{Table {}: {}}}\n{{\\small {}.\\par}}\\nopagebreak\n{{\\footnotesize Made by {}; also in {}.\\par}}\\nopagebreak\n",
         place + 1,
         escape(table.title()),
         said.join(". "),
@@ -182,25 +185,30 @@ fn table(out: &mut String, handout: &Handout, place: usize, table: &Table) {
     let columns: String = table.head.columns.iter().map(|c| if c.numeric { 'r' } else { 'l' }).collect();
     let row = |cells: Vec<String>| format!("{} \\\\\n", cells.join(" & "));
     let heading = row(table.head.columns.iter().map(|c| c.latex.clone()).collect());
-    out.push_str(&format!(
-        "{{\\small\\begin{{longtable}}{{@{{}}{columns}@{{}}}}\n\\toprule\n{heading}\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n"
-    ));
+    let mut body = String::new();
     for cells in &table.rows {
-        out.push_str(&row(cells.iter().map(|e| escape(e.plain())).collect()));
+        body.push_str(&row(cells.iter().map(|e| escape(e.plain())).collect()));
     }
-    out.push_str("\\end{longtable}}\n");
+    let columns = format!("{{@{{}}{columns}@{{}}}}");
+    // A short table stands in one piece.
+    out.push_str(&match table.rows.len() {
+        0..=SHORT => format!(
+            "{{\\centering\\small\\begin{{tabular}}{columns}\n\\toprule\n{heading}\\midrule\n{body}\\bottomrule\n\\end{{tabular}}\\par}}\n"
+        ),
+        _ => format!(
+            "{{\\small\\begin{{longtable}}{columns}\n\\toprule\n{heading}\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n{body}\\end{{longtable}}}}\n"
+        ),
+    });
 }
 
 fn plot(out: &mut String, handout: &Handout, place: usize, plot: &Plot) {
     out.push_str(&format!(
         "\n\\subsection{{Figure {}: {}}}\n\\includegraphics[width=\\linewidth]{{{}}}\n\n\
-         {{\\small {} The formulas are those of {}. {}\\par}}\n{{\\footnotesize Made by {}.\\par}}\n",
+         {{\\small The formulas are those of {}.\\par}}\n{{\\footnotesize Made by {}.\\par}}\n",
         place + 1,
         escape(&plot.title),
         plot_file(place, "png"),
-        escape(&plot.description),
         escape(&named(handout, plot.claims).replace('`', "")),
-        escape(DRAWN),
         code(&plot.command),
     ));
 }

@@ -175,4 +175,18 @@ mod tests {
         claim.items.remove(0);
         assert!(library.theorem(&claim, Verdict::Proved).is_err());
     }
+
+    #[test]
+    fn what_only_the_prover_has_shown_is_marked() {
+        let alone = || Evidence { kernel: Kernel::Without("no luck".into()), coq: Err("none".into()) };
+        assert!(alone().is_alone());
+        assert_eq!(alone().marks(Verdict::Proved), [("proved by the prover alone", false)]);
+        let kernel = Kernel::Accepted { certificate: String::new(), digest: String::new(), rests_on: Vec::new() };
+        let checked = Evidence { kernel, coq: Err("none".into()) };
+        assert!(!checked.is_alone());
+        assert_eq!(checked.marks(Verdict::Proved), [("checked by the kernel", true), ("not in Coq", false)]);
+        let refuted = Evidence { kernel: Kernel::NotAsked, coq: Err("none".into()) };
+        assert_eq!(refuted.marks(Verdict::Refuted), [("refuted by the prover alone", false)]);
+        assert_eq!(refuted.marks(Verdict::Undecided), []);
+    }
 }

@@ -1,7 +1,7 @@
 //! The report as Markdown.
 
 use super::evidence::{Evidence, Kernel};
-use super::numbers::DRAWN;
+use super::numbers::WHAT_IS_CERTAIN;
 use super::{Handout, address, certificate_of, coq_file, named, plot_file, provenance, table_file};
 use crate::report::argument;
 use crate::report::markdown::{self, escape};
@@ -83,7 +83,7 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
 
 fn numbers(out: &mut String, handout: &Handout) {
     if !handout.tables.is_empty() || !handout.plots.is_empty() {
-        out.push_str("\n## Numbers\n");
+        out.push_str(&format!("\n## Numbers\n\n{WHAT_IS_CERTAIN}\n"));
     }
     for (place, table) in handout.tables.iter().enumerate() {
         let said: Vec<String> = provenance(handout, table).iter().map(|t| escape(t).replace("\\`", "`")).collect();
@@ -103,13 +103,11 @@ fn numbers(out: &mut String, handout: &Handout) {
     for (place, plot) in handout.plots.iter().enumerate() {
         let claims = escape(&named(handout, plot.claims)).replace("\\`", "`");
         out.push_str(&format!(
-            "\n### Figure {}: {}\n\n![{}]({})\n\n{} The formulas are those of {claims}. {}\n\n`{}`\n",
+            "\n### Figure {}: {}\n\n![{}]({})\n\nThe formulas are those of {claims}.\n\n`{}`\n",
             place + 1,
             escape(&plot.title),
             escape(&plot.description),
             address(&plot_file(place, "svg")),
-            escape(&plot.description),
-            escape(DRAWN),
             plot.command.replace('`', "'"),
         ));
     }

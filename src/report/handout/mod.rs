@@ -160,12 +160,12 @@ fn provenance(handout: &Handout, table: &Table) -> Vec<String> {
     let mut out = vec![format!("{}; {}", table.fact("formula"), named(handout, table.claims()))];
     let rounding = table.fact("rounding");
     if !rounding.is_empty() {
-        out.push(rounding.to_string());
+        out.push(format!("Rounding: {rounding}"));
     }
     out.push(match table.checked() {
-        Ok([]) => "every cell accepted by the kernel".to_string(),
-        Ok(claims) => format!("every cell accepted by the kernel; it rests on {}", named(handout, claims)),
-        Err(reason) => format!("not checked by the kernel: {reason}"),
+        Ok([]) => "Every cell accepted by the kernel".to_string(),
+        Ok(claims) => format!("Every cell accepted by the kernel; it rests on {}", named(handout, claims)),
+        Err(reason) => format!("Not checked by the kernel: {reason}"),
     });
     out
 }

@@ -95,6 +95,7 @@ impl Plot {
     }
 }
 
-/// What is said of every picture.
-pub const DRAWN: &str = "Every point of a curve is the middle of an exact enclosure of 64 bits, or a finer one, at an \
-                         exact ratio; the curve between two points is drawn, not certified. The tables are certified.";
+/// What is said of tables and pictures.
+pub const WHAT_IS_CERTAIN: &str = "The tables are certified: every digit printed is right, and a certificate lies beside \
+                                   each. In the pictures the points of a curve are computed to 64 bits and then drawn; \
+                                   what lies between two points is drawn, not certified.";

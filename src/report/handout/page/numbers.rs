@@ -1,12 +1,13 @@
 //! Certified tables and pictures in the page.
 
 use super::wide;
-use crate::report::handout::numbers::{DRAWN, Plot, Table};
+use crate::report::handout::numbers::{Plot, Table, WHAT_IS_CERTAIN};
 use crate::report::handout::{Handout, address, named, plot_file, provenance, table_file};
 use crate::report::markup::escape;
 
 /// Writes all of them.
 pub fn all(out: &mut String, handout: &Handout) {
+    out.push_str(&format!("<p>{WHAT_IS_CERTAIN}</p>\n"));
     for (place, one) in handout.tables.iter().enumerate() {
         table(out, handout, place, one);
     }
@@ -59,9 +60,8 @@ fn plot(out: &mut String, handout: &Handout, place: usize, plot: &Plot) {
     // The picture is the file's text, which the engine made; only its identifiers are its own.
     out.push_str(&format!(
         "<figure>\n<h3 id=\"page.plot.{number}\">Figure {number}: {title}</h3>\n{}\
-         <figcaption>{}. The formulas are those of {}. {DRAWN}</figcaption>\n</figure>\n",
+         <figcaption>The formulas are those of {}.</figcaption>\n</figure>\n",
         plot.inline,
-        escape(plot.description.trim_end_matches('.')),
         linked(handout, &named(handout, plot.claims)),
     ));
     let (svg, png) = (address(&plot_file(place, "svg")), address(&plot_file(place, "png")));
