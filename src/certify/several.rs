@@ -32,7 +32,7 @@ impl Collection {
             Some(held) => held,
             None => certify(claim, &cited)?,
         };
-        let name = claim.name.text.clone();
-        Ok((certificate, &*self.accepted.entry(name).insert_entry(shown).into_mut()))
+        let place = self.accepted.entry(claim.name.text.clone());
+        Ok((certificate, &*place.and_modify(|old| *old = shown.clone()).or_insert(shown)))
     }
 }

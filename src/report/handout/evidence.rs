@@ -166,9 +166,9 @@ mod tests {
     #[test]
     fn a_claim_with_a_known_name_and_another_statement_has_no_theorem() {
         let mut claims = embedded::claims(&["eq13".to_string()]).ok().flatten().unwrap_or_default();
-        let mut claim = claims.remove(claims.iter().position(|c| c.name.text == "eq13").unwrap());
+        let mut claim = claims.remove(claims.iter().position(|c| c.name.text == "eq13").expect("a claim"));
         let library = Library::embedded();
-        let theorem = library.theorem(&claim, Verdict::Proved).unwrap();
+        let theorem = library.theorem(&claim, Verdict::Proved).expect("a theorem");
         assert_eq!((theorem.name.as_str(), theorem.module.as_str()), ("eq13", "transfer"));
         assert!(theorem.proof.starts_with("Theorem eq13 : statements.eq13.") && theorem.proof.ends_with("Qed."));
         assert!(library.theorem(&claim, Verdict::Refuted).is_err());

@@ -2,7 +2,7 @@
 
 use super::evidence::{Evidence, Kernel};
 use super::numbers::WHAT_IS_CERTAIN;
-use super::{Handout, address, certificate_of, coq_file, named, plot_file, provenance, table_file};
+use super::{Handout, address, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::report::argument;
 use crate::report::markdown::{self, escape};
 use crate::report::table::{Form, Writer};
@@ -26,6 +26,7 @@ pub fn report(handout: &Handout) -> String {
         out.push_str("\nTo check again, in this folder:\n\n");
         out.extend(again.iter().map(|(command, what)| format!("- `{command}`: {what}.\n")));
     }
+    findings(&mut out, handout);
     markdown::sections(&mut out, &handout.audit);
     for (section, entries) in handout.audit.sections() {
         out.push_str(&format!("\n## {}, claim by claim\n", escape(&one_line(section))));
@@ -44,6 +45,22 @@ fn one_line(text: &str) -> String {
 
 fn link(path: &str) -> String {
     format!("[{}]({})", escape(path), address(path))
+}
+
+fn findings(out: &mut String, handout: &Handout) {
+    let list = findings::of(&handout.audit);
+    if !list.is_empty() {
+        out.push_str("\n## Findings\n\n| claim | finding | title | what was found |\n|---|---|---|---|\n");
+    }
+    for finding in list {
+        let mut says: Vec<String> = finding.says.iter().map(|s| escape(&one_line(s))).collect();
+        if let Some(point) = finding.fails_at {
+            let at: Vec<String> = point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+            says.push(escape(&format!("Fails at {}.", at.join(", "))));
+        }
+        let (name, title) = (escape(finding.name), escape(&one_line(finding.title)));
+        out.push_str(&format!("| {name} | {} | {title} | {} |\n", finding.kind, says.join(" ")));
+    }
 }
 
 fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
