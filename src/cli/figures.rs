@@ -21,7 +21,7 @@ pub const PLOTS: [&str; 4] = ["eta-x", "eta-n", "threshold", "map"];
 #[command(no_binary_name = true, disable_help_flag = true)]
 struct TableWords {
     #[command(flatten)]
-    contents: table::Contents,
+    contents: super::table_contents::Contents,
 }
 
 /// The words after `carom plot`.

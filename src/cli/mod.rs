@@ -26,6 +26,7 @@ mod statements;
 mod table;
 mod table_certificate;
 mod table_check;
+mod table_contents;
 mod table_merge;
 mod worksheet;
 

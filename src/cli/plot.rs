@@ -2,7 +2,7 @@
 
 use super::eval::load_scene;
 use super::output::write_bytes;
-use super::{Exit, table::grid};
+use super::{Exit, table_contents::grid};
 use crate::chain::best::{Best, best};
 use crate::chain::{ChainError, Positive, Restitution};
 use crate::number::NumberError;
