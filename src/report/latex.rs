@@ -119,7 +119,7 @@ fn letter(c: char) -> String {
         '>' => "\\textgreater{}".to_string(),
         '`' => "\\textasciigrave{}".to_string(),
         '"' => "\\char34{}".to_string(),
-        '–' | '—' | '‘' | '’' | '“' | '”' | '…' | '§' | '°' => c.to_string(),
+        '–' | '—' | '‘' | '’' | '“' | '”' | '…' | '§' | '°' | '«' | '»' => c.to_string(),
         // A line of its own would end a paragraph, and with it what the text stands in.
         c if c.is_whitespace() => " ".to_string(),
         c if c.is_ascii_graphic() => c.to_string(),

@@ -11,6 +11,7 @@ use crate::claim::print::Style;
 use crate::prove::outcome::Verdict;
 use crate::report::argument::remarks;
 use crate::report::latex::{code, escape};
+use crate::report::table::Entry as Cell;
 use crate::report::{Entry, reading, statement, summary};
 
 /// `\formula{…}` sets a formula: on a line of its own if it fits, else broken over lines; `\argument{depth}{…}` a step.
@@ -187,7 +188,7 @@ fn table(out: &mut String, handout: &Handout, place: usize, table: &Table) {
     let heading = row(table.head.columns.iter().map(|c| c.latex.clone()).collect());
     let mut body = String::new();
     for cells in &table.rows {
-        body.push_str(&row(cells.iter().map(|e| escape(e.plain())).collect()));
+        body.push_str(&row(cells.iter().map(cell).collect()));
     }
     let columns = format!("{{@{{}}{columns}@{{}}}}");
     // A short table stands in one piece.
@@ -201,10 +202,21 @@ fn table(out: &mut String, handout: &Handout, place: usize, table: &Table) {
     });
 }
 
+/// An entry, with its last digits small where it says so.
+fn cell(entry: &Cell) -> String {
+    match entry.parts() {
+        (kept, "", _) => escape(kept),
+        (kept, small, exponent) => {
+            let exponent = if exponent.is_empty() { String::new() } else { format!("e{}", escape(exponent)) };
+            format!("{}{{\\scriptsize {}}}{exponent}", escape(kept), escape(small))
+        }
+    }
+}
+
 fn plot(out: &mut String, handout: &Handout, place: usize, plot: &Plot) {
     out.push_str(&format!(
         "\n\\subsection{{Figure {}: {}}}\n\\includegraphics[width=\\linewidth]{{{}}}\n\n\
-         {{\\small The formulas are those of {}.\\par}}\n{{\\footnotesize Made by {}.\\par}}\n",
+         {{\\small The formulas are those of {}. Made by {}.\\par}}\n",
         place + 1,
         escape(&plot.title),
         plot_file(place, "png"),

@@ -138,7 +138,7 @@ impl Library {
             Verdict::Refuted => claim.expect == Expectation::Refuted,
             Verdict::Undecided => false,
         };
-        let export = format!("there is no theorem of this statement; `carom export coq {}` states it", claim.name.text);
+        let export = "the Coq files hold no theorem of this statement; carom export coq can state it".to_string();
         let Some((module, text)) = self.places.get(&name).filter(|_| stated) else { return Err(export) };
         let whole = format!("\nTheorem {name} :\n{}.\nProof. exact {module}.{name}. Qed.\n", said.full);
         let proof = proof(&name, text);

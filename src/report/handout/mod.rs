@@ -98,7 +98,13 @@ impl Handout {
         };
         vec![
             format!("The kernel accepted {} of the {} in this run.", counts.kernel, counted(proved, "proof")),
-            format!("Of {} there is a theorem in the Coq files beside this report.", counted(counts.coq, "verdict")),
+            match counts.coq {
+                0 => "No verdict has a theorem in Coq.".to_string(),
+                some => format!(
+                    "The Coq files beside this report prove {some} of the {}.",
+                    counted(self.audit.entries.len(), "verdict")
+                ),
+            },
             format!("{} {has} {rests} on the prover alone.", counts.alone),
         ]
     }
