@@ -8,6 +8,7 @@
 //! Signs come from the engine's factorisation and certificates of positivity, as explicit identities.
 
 mod powers;
+pub mod several;
 mod signs;
 mod write;
 
