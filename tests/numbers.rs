@@ -238,7 +238,7 @@ proptest! {
             let long = Decimal::of_rational(&exact, Digits::Significant(digits + 5), Rounding::Nearest).unwrap();
             let tail = &long.digits()[digits as usize..];
             if !["00000", "50000", "99999", "49999"].contains(&tail) {
-                prop_assert!(Decimal::of_doubles(lo, hi, Digits::Significant(digits), Rounding::Nearest).is_some() || long.digits().starts_with("9999"));
+                prop_assert!(Decimal::of_doubles(lo, hi, Digits::Significant(digits), Rounding::Nearest).is_some());
             }
         }
     }

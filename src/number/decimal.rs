@@ -263,12 +263,14 @@ impl Decimal {
             Rounding::Down | Rounding::Zero => floor,
             Rounding::Up | Rounding::Away => floor + 1,
         };
-        let fits = match digits {
-            Digits::Places(_) => value > 0,
-            Digits::Significant(_) => floor >= least && value < 10 * least,
-        };
         let plain = matches!(digits, Digits::Places(_));
-        fits.then(|| Decimal { negative: false, digits: value.to_string(), exponent: -places, plain })
+        let (fits, value, exponent) = match digits {
+            Digits::Places(_) => (value > 0, value, -places),
+            // What rounds up to a power of ten has one digit more: its last zero goes.
+            Digits::Significant(_) if value == 10 * least => (true, least, 1 - places),
+            Digits::Significant(_) => (floor >= least && value < 10 * least, value, -places),
+        };
+        fits.then(|| Decimal { negative: false, digits: value.to_string(), exponent, plain })
     }
 
     /// A real number, correctly rounded, and the level that settled it.
