@@ -223,6 +223,20 @@ fn output_goes_through_links_and_into_devices() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_reported() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let batch = file(&folder, "batch.csv", b"10,1,1/2,3\n").display().to_string();
+    let broken = file(&folder, "broken.csv", b"10,1,1/2,3\n10,1\n").display().to_string();
+    let long = file(&folder, "long.csv", "10,1,1/2,3\n".repeat(5_000).as_bytes()).display().to_string();
+    for arguments in [&["eval", "--batch", &batch][..], &["eval", "--batch", &long], &["eval", "--batch", "/dev/null"]]
+    {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");
+        let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).stdout(full).output().expect("it runs");
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains("cannot write to standard output"), "{}", text(&out.stderr));
+    }
+    let out = carom(&["eval", "--batch", &broken]);
+    assert_eq!(out.status.code(), Some(2));
+    assert_eq!(text(&out.stdout).lines().count(), 2, "what was answered before a bad line stays");
     for arguments in [&["audit", "--only", "eq05"][..], &["help", "language"], &["explain", "eq05"], &["help", "audit"]]
     {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");

@@ -25,6 +25,7 @@ mod table;
 mod table_certificate;
 mod table_check;
 mod table_merge;
+mod table_rows;
 mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};

@@ -159,8 +159,11 @@ impl Places {
             }
         };
         let mut ratio = from(Role::Ratio, "--ratio", &given.ratio)?;
-        if let (From::Nowhere, Some(first), Some(last)) = (&ratio, table.column(Role::First), table.column(Role::Last))
-        {
+        if let (Some(first), Some(last)) = (table.column(Role::First), table.column(Role::Last)) {
+            if !matches!(ratio, From::Nowhere) {
+                let other = if given.ratio.is_some() { "by --ratio" } else { "in a column of its own" };
+                return Err(format!("the mass ratio is given twice: by the columns m1 and m2, and {other}"));
+            }
             ratio = From::Quotient(first, last);
         }
         let (e, n) = (from(Role::E, "-e", &given.e)?, from(Role::N, "-n", &given.n)?);

@@ -88,6 +88,13 @@ pub fn counted(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
+/// A text filled up with spaces to so many characters, on its left or on its right. (The widths of `format!` end at
+/// 65,535, and there are longer numbers.)
+pub(crate) fn padded(text: &str, width: usize, to_the_right: bool) -> String {
+    let space = " ".repeat(width.saturating_sub(text.chars().count()));
+    if to_the_right { space + text } else { text.to_owned() + &space }
+}
+
 /// The counts of an audit.
 #[derive(Default, Clone, Copy)]
 pub struct Summary {

@@ -91,7 +91,8 @@ fn first_difference(a: &Rational, b: &Rational, places: u64) -> Option<u64> {
     let digits = |x: &Rational| (x.abs() * Rational::from(10).pow(places)).floor().unsigned_abs().to_string();
     let (a, b) = (digits(a), digits(b));
     let width = a.len().max(b.len());
-    let (a, b) = (format!("{a:0>width$}"), format!("{b:0>width$}"));
+    let filled = |digits: &str| "0".repeat(width - digits.len()) + digits;
+    let (a, b) = (filled(&a), filled(&b));
     let place = a.bytes().zip(b.bytes()).position(|(x, y)| x != y)?;
     Some(place as u64 + 1)
 }

@@ -1,6 +1,6 @@
 //! The axis of a table: exact values, listed or in steps.
 //!
-//! **Contract.** A grid is a list `a,b,c`, an arithmetic run `start:stop:step` or a geometric run
+//! **Contract.** A grid is a list `a,b,c` of different numbers, an arithmetic run `start:stop:step` or a geometric run
 //! `start:stop:xFACTOR`. Every value is exact: `0.1` is one tenth, and the tenth step from 0 is 1. A run
 //! includes its stop where it meets it. The values of an arithmetic run are made when they are asked for,
 //! so that an axis of 10^8 values takes no memory.
@@ -12,6 +12,7 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Floor};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
+use std::collections::HashSet;
 use std::fmt;
 
 /// The most values of a geometric run.
@@ -68,6 +69,11 @@ pub enum GridError {
     Shape,
     /// Commas and colons together.
     Mixed,
+    /// A list holds a number twice.
+    Twice {
+        /// The number as it stands there the second time.
+        part: String,
+    },
     /// The step is 0, or the factor 1.
     Still,
     /// The run never comes nearer to its stop.
@@ -90,6 +96,7 @@ impl fmt::Display for GridError {
             Self::Missing => write!(f, "a number is missing; write a,b,c or start:stop:step or start:stop:xFACTOR"),
             Self::Shape => write!(f, "a run has three parts: start:stop:step or start:stop:xFACTOR"),
             Self::Mixed => write!(f, "commas and colons cannot be mixed; write a list or one run"),
+            Self::Twice { part } => write!(f, "{part} is given twice; leave one of them out"),
             Self::Still => write!(f, "the run stands still; write a step other than 0 or a factor other than 1"),
             Self::Away => {
                 write!(f, "the run leads away from its stop; turn the sign of the step, or invert the factor")
@@ -129,8 +136,12 @@ impl Grid {
     pub fn parse(text: &str) -> Result<Grid, GridError> {
         if !text.contains(':') {
             let list = text.split(',').map(|part| Ok((part.trim().to_owned(), number(part)?)));
-            let values = Values::List(list.collect::<Result<_, _>>()?);
-            return Ok(Grid { values, fractions: false });
+            let list: Vec<(String, Rational)> = list.collect::<Result<_, _>>()?;
+            let mut seen = HashSet::new();
+            if let Some((part, _)) = list.iter().find(|(_, value)| !seen.insert(value)) {
+                return Err(GridError::Twice { part: part.clone() });
+            }
+            return Ok(Grid { values: Values::List(list), fractions: false });
         }
         if text.contains(',') {
             return Err(GridError::Mixed);
@@ -327,6 +338,8 @@ mod tests {
     fn bad_grids_say_what_would_be_right() {
         assert!(fault("").contains("missing"));
         assert!(fault("1,,2").contains("missing"));
+        assert!(fault("1,2,3,1").contains("1 is given twice"));
+        assert!(fault("0.5,1/2").contains("1/2 is given twice"));
         assert!(fault("1:2").contains("three parts"));
         assert!(fault("1:2:3:4").contains("three parts"));
         assert!(fault("1,2:3:1").contains("mixed"));

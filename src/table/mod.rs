@@ -125,6 +125,8 @@ pub enum TableError {
     },
     /// The numbers of inserted bodies are not all integers.
     NotIntegral,
+    /// Further digits are asked of a whole number.
+    Whole(Quantity),
     /// So many digits cannot be printed.
     Digits(NumberError),
     /// More rows than a machine word counts.
@@ -147,6 +149,9 @@ impl fmt::Display for TableError {
             }
             Self::Range { axis, value, wanted } => write!(f, "{axis} {wanted}, not {value}"),
             Self::NotIntegral => write!(f, "n counts bodies: its values are integers"),
+            Self::Whole(quantity) => {
+                write!(f, "{} is a whole number, it has no further digits: leave them out", quantity.name())
+            }
             Self::Digits(error) => write!(f, "{error}"),
             Self::TooManyRows => write!(f, "limit reached: rows of a table: {} allowed", u64::MAX),
             Self::Row { row, error } => write!(f, "{row}: {error}"),
@@ -250,6 +255,9 @@ impl Plan {
                 (false, true) => return Err(TableError::Independent(quantity, axis)),
                 _ => {}
             }
+        }
+        if quantity == Quantity::BestN && printing.extra > 0 {
+            return Err(TableError::Whole(quantity));
         }
         let range = |axis, value, wanted| Err(TableError::Range { axis, value, wanted });
         let (low, _) = ratio.bounds();

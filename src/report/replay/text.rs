@@ -2,6 +2,7 @@
 
 use super::{Replay, decimal, name, pair};
 use crate::chain::replay::{Collapse, Contact, Limit, Status, Value};
+use crate::report::padded;
 use std::fmt::Write;
 
 /// The report.
@@ -80,7 +81,7 @@ fn table(rows: &[Vec<String>], out: &mut String) {
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     for row in rows {
-        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, w)| format!("{cell:<w$}")).collect();
+        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| padded(cell, *width, false)).collect();
         let _ = writeln!(out, "  {}", cells.join("  ").trim_end());
     }
 }
