@@ -272,6 +272,43 @@ fn bad_tables_are_refused_with_what_would_be_right() {
     }
     let out = carom(&["table", "--ratio", "2", "-e", "1", "-n", "1", "--digits", "100000000"]);
     assert_eq!(out.status.code(), Some(3), "{}", text(&out.stderr));
+    // What is wrong is said with its flag, and a number below 0 is a number.
+    for (arguments, sign) in [
+        (&["--ratio", "1"][..], "error: -e: eta depends on e"),
+        (&["--ratio", "-1", "-e", "1", "-n", "1"], "error: --ratio: a ratio of masses is above 0, not -1"),
+        (&["--ratio", "-1:1:1", "-e", "1", "-n", "1"], "error: --ratio: a ratio of masses is above 0, not -1"),
+        (&["--ratio", "1", "-e", "-0.5", "-n", "1"], "error: -e: a restitution e lies from 0 to 1, not -1/2"),
+        (&["--ratio", "1", "-e", "1", "-n", "-3"], "error: -n: a number n of inserted bodies is at least 0"),
+        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "error: -n: n counts bodies"),
+        (&["--ratio", "1", "-e", "1", "-n", "1", "--want", "best-n"], "error: -n: best-n does not depend on n"),
+    ] {
+        let out = carom(&[&["table"], arguments].concat());
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains(sign), "{arguments:?}: {}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn limits_are_told_from_bad_input() {
+    for (ratio, n) in
+        [("0:1:1e-30", "1"), ("1e99999", "1"), ("1:1e9999:x1.00000000000000000000000000001", "1"), ("1", "1e19")]
+    {
+        let out = carom(&["table", "--ratio", ratio, "-e", "1", "-n", n]);
+        assert_eq!(out.status.code(), Some(3), "{ratio} {n}: {}", text(&out.stderr));
+    }
+    let long = format!("0.{}", "1".repeat(20_000));
+    for (content, code, sign) in [
+        ("ratio,e,n,eta\n1e99999,1,1,1\n", 3, "line 2: limit reached: exponent of a numeral"),
+        ("ratio,e,n,eta\n1,1,1,1e99999\n", 3, "line 2: limit reached: exponent of a numeral"),
+        (&format!("ratio,e,n,eta\n1,1,1,{long}\n"), 3, "line 2: limit reached: digits of a numeral"),
+        ("ratio,e,n,eta\n1,1,1e19,1\n", 3, "line 2: limit reached: inserted bodies"),
+        ("ratio,n,threshold\n64,0,0.5\n", 2, "n >= 1"),
+        ("ratio,n,threshold\n64,1/2,0.5\n", 2, "n counts bodies"),
+    ] {
+        let (found, _, said) = checked(content, &[]);
+        assert_eq!(found, Some(code), "{said}");
+        assert!(said.contains(sign), "{said}");
+    }
 }
 
 fn checked(content: &str, more: &[&str]) -> (Option<i32>, String, String) {
@@ -303,6 +340,16 @@ fn somebodys_table_is_judged_cell_by_cell() {
     }
     let (code, shown, _) = checked("n,eta\n2,0.1926\n", &["--ratio", "64", "-e", "0.9", "--round", "down"]);
     assert_eq!(code, Some(0), "{shown}");
+    let (code, shown, _) = checked("ratio,e,n,eta\n64,.9,2,.1927\n64,+.9,2,.193\n", &[]);
+    assert_eq!(code, Some(0), "{shown}");
+    assert!(shown.contains("   .1927 "), "as it is written: {shown}");
+    // What could steer a terminal is shown by its number.
+    for form in ["text", "csv", "markdown", "latex", "json"] {
+        let (code, shown, _) = checked("ratio,e,n,eta\n64,.9,2,\u{1b}[31m\u{202e}x\u{7}\n", &["--format", form]);
+        assert_eq!(code, Some(1), "{shown}");
+        assert!(!shown.contains(['\u{1b}', '\u{7}']), "{form}: {shown:?}");
+        assert!(form != "text" || shown.contains("\\u{1b}[31m\\u{202e}x\\u{7}"), "{shown}");
+    }
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,5\n64,1,inf\n", &[]);
     assert_eq!(code, Some(0), "{shown}");
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,6\n", &["--format", "json"]);

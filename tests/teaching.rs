@@ -156,6 +156,10 @@ fn every_picture_is_drawn_in_both_forms() {
         // The size stands in the header: 690 by 440 points, two pixels each.
         assert_eq!((&png[16..20], &png[20..24]), (&1380u32.to_be_bytes()[..], &880u32.to_be_bytes()[..]));
     }
+    // What is raised is said to be.
+    let svg = text(&drawn(folder.path(), &["map", "--ratio", "1/1000,1000"], "svg"));
+    assert!(svg.contains("aria-label=\"10^2\"") && svg.contains("aria-label=\"10^−2\""), "ticks are powers of ten");
+    assert!(svg.contains("mass ratio m1/m2"), "{svg}");
     // n* = 6 for 100 : 1 at 0.9 (the published value) is what the legend says.
     let svg = text(&drawn(folder.path(), &["eta-n", "-e", "0.9"], "svg"));
     assert!(svg.contains("e = 0.9, n* = 6"), "n* is marked");
@@ -174,7 +178,14 @@ fn pictures_that_cannot_be_drawn_are_refused() {
         (vec!["velocities", "-o", "PICTURE.svg"], 2, "scene file"),
         (vec!["map", "-e", "1", "-o", "PICTURE.svg"], 2, "no place"),
         (vec!["map", "--scale", "1000", "-o", "PICTURE.png"], 3, "limit reached"),
-        (vec!["map", "--scale", "NaN", "-o", "PICTURE.png"], 3, "limit reached"),
+        (vec!["map", "--scale", "inf", "-o", "PICTURE.png"], 3, "limit reached"),
+        (vec!["map", "--scale", "NaN", "-o", "PICTURE.png"], 2, "--scale: scale NaN: a picture has at least one pixel"),
+        (vec!["map", "--scale", "0", "-o", "PICTURE.png"], 2, "--scale: scale 0: a picture has at least one pixel"),
+        (vec!["map", "--scale", "-1", "-o", "PICTURE.png"], 2, "--scale: scale -1: a picture has at least one pixel"),
+        (vec!["eta-x", "--ratio", "1e99999,2", "-o", "PICTURE.svg"], 3, "limit reached"),
+        (vec!["eta-x", "--ratio", "-1,2", "-o", "PICTURE.svg"], 2, "--ratio: a mass must be above 0"),
+        (vec!["eta-x", "-e", "-0.5", "-o", "PICTURE.svg"], 2, "-e: a coefficient of restitution"),
+        (vec!["eta-n", "-e", "0.5,1/2", "-o", "PICTURE.svg"], 2, "1/2 is given twice"),
     ] {
         let arguments: Vec<String> =
             arguments.iter().map(|a| if a.starts_with("PICTURE") { path(a) } else { (*a).to_owned() }).collect();

@@ -10,7 +10,7 @@ use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
 use crate::number::interval::Interval;
 use crate::report::table::{Form, Head, LATEX_ROWS, Writer, entries};
-use crate::table::grid::{Grid, Shape};
+use crate::table::grid::{Grid, GridError, Shape};
 use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
 use crate::table::{Found, Plan, Printing, Quantity, Row, TableError, Value};
@@ -24,13 +24,13 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 pub struct Flags {
     /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
-    #[arg(long, value_name = "GRID", required_unless_present_any = ["check", "merge"])]
+    #[arg(long, value_name = "GRID", required_unless_present_any = ["check", "merge"], allow_hyphen_values = true)]
     ratio: Option<String>,
     /// Coefficients of restitution, for eta and best-n
-    #[arg(short, long = "restitution", value_name = "GRID")]
+    #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
     e: Option<String>,
     /// Numbers of inserted bodies, for eta and threshold
-    #[arg(short, long = "inserted", value_name = "GRID")]
+    #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
     n: Option<String>,
     /// The quantity
     #[arg(long, value_enum, default_value = "eta")]
@@ -112,11 +112,30 @@ impl Round {
 
 /// A grid of the command line.
 pub fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
-    text.map(|text| Grid::parse(text).map_err(|e| Exit::usage(format!("error: {flag} {text}: {e}")))).transpose()
+    let fault = |text: &str, e: &GridError| {
+        let shown: String = text.chars().take(SHOWN).collect();
+        let rest = if shown.len() < text.len() { "…" } else { "" };
+        Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {flag} {shown}{rest}: {e}") }
+    };
+    text.map(|text| Grid::parse(text).map_err(|e| fault(text, &e))).transpose()
 }
 
+/// Characters of a grid that an error repeats.
+const SHOWN: usize = 200;
+
+/// The error of a table, with the flag that it is about.
 fn exit(error: &TableError) -> Exit {
-    Exit { code: if error.is_limit() { 3 } else { 2 }, message: format!("error: {error}") }
+    let of_axis = |axis: &str| if axis == "e" { "-e: " } else { "-n: " };
+    let flag = match error {
+        TableError::Lacks(_, axis) | TableError::Independent(_, axis) => of_axis(axis),
+        TableError::Range { axis: "a ratio", .. } => "--ratio: ",
+        TableError::Range { axis: "a restitution e", .. } => "-e: ",
+        TableError::Range { .. } | TableError::NotIntegral => "-n: ",
+        TableError::Whole(_) => "--extra: ",
+        TableError::Digits(_) => "--digits or --places: ",
+        TableError::TooManyRows | TableError::Row { .. } => "",
+    };
+    Exit { code: if error.is_limit() { 3 } else { 2 }, message: format!("error: {flag}{error}") }
 }
 
 /// Runs the command.

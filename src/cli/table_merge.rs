@@ -10,6 +10,7 @@ use super::Exit;
 use super::load::cannot_read;
 use super::output::Output;
 use super::table_rows::{Form, Rows};
+use crate::report::visible;
 use crate::table::Plan;
 use crate::table::shard::{Binding, Shard};
 use serde_json::{Map, Value, json};
@@ -133,7 +134,7 @@ impl<'a> Part<'a> {
                 let found = match (line.is_empty(), whole) {
                     (true, _) => "the file ends before it".to_owned(),
                     (_, false) => "the file ends inside of it".to_owned(),
-                    _ => format!("there stands {}", String::from_utf8_lossy(&line).trim_end()),
+                    _ => format!("there stands {}", visible(String::from_utf8_lossy(&line).trim_end())),
                 };
                 let what = format!("row {} of the table, {}, is missing: {found}", row + 1, self.plan.in_words(row));
                 return Err(Stop::Part(fault(self.path, &what)));
@@ -145,7 +146,7 @@ impl<'a> Part<'a> {
         if line.is_empty() {
             return Ok(());
         }
-        let what = format!("there is more than its rows: {}", String::from_utf8_lossy(&line).trim_end());
+        let what = format!("there is more than its rows: {}", visible(String::from_utf8_lossy(&line).trim_end()));
         Err(Stop::Part(fault(self.path, &what)))
     }
 }

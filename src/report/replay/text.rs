@@ -2,7 +2,7 @@
 
 use super::{Replay, decimal, name, pair};
 use crate::chain::replay::{Collapse, Contact, Limit, Status, Value};
-use crate::report::padded;
+use crate::report::{counted, padded, visible};
 use std::fmt::Write;
 
 /// The report.
@@ -12,7 +12,7 @@ pub fn report(replay: &Replay) -> String {
     let n = |v: &Value| replay.numbers.write(v);
     let mut out = String::new();
     if let Some(title) = replay.title {
-        let _ = writeln!(out, "{title}\n");
+        let _ = writeln!(out, "{}\n", visible(title));
     }
     collisions(replay, &mut out);
     let _ = writeln!(out, "{}", verdict(replay));
@@ -41,7 +41,8 @@ pub fn report(replay: &Replay) -> String {
     let _ = writeln!(out, "\nEnergy    {} before, {} after, {} lost", n(&e.initial), n(&e.last), n(&e.lost));
     let _ = writeln!(out, "Momentum  {} before, {} after", n(&o.momentum.0), n(&o.momentum.1));
     if let Some((_, largest)) = o.growth.last() {
-        let _ = writeln!(out, "Largest numerator or denominator of an exact state: {largest} bits");
+        let bits = counted(usize::try_from(*largest).unwrap_or(usize::MAX), "bit");
+        let _ = writeln!(out, "Largest numerator or denominator of an exact state: {bits}");
     }
     out
 }
