@@ -350,7 +350,6 @@ impl Optimum {
         }
         let (a, b) = power_of_one_plus_root(&square, power);
         let slope = Rational::from(slope);
-        let slope = Rational::from(slope);
         // The part above that goes with `below`, and the other part with what goes with it.
         let (above, below, other, beside) =
             if i.is_multiple_of(2) { (slope, b, constant, a) } else { (slope * &square, a, constant, b) };
