@@ -34,6 +34,24 @@ fn the_certificates_that_come_with_the_program_are_accepted_one_by_one() {
 }
 
 #[test]
+fn a_proof_counts_with_a_certificate_only_where_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.claim");
+    // The kernel knows no powers of ln(1 + 1/n)'s kind: the first claim has no certificate, the second one has.
+    let first = "claim euler \"t\"\ngiven n natural >= 1\nprove limit of (1 + 1/n)^n as n -> infinity is exp(1)\n";
+    let second = "claim halves \"t\"\ngiven x > 0\nprove x/2 + x/2 = x\n";
+    std::fs::write(&file, format!("{first}\n{second}")).unwrap();
+    let plain = carom(&["audit", text(&file)]);
+    assert_eq!(plain.status.code(), Some(0), "{}", out(&plain));
+    let checked = carom(&["audit", "--checked", text(&file)]);
+    let printed = out(&checked);
+    assert_eq!(checked.status.code(), Some(1), "{printed}");
+    assert!(printed.contains("undecided       euler") && printed.contains("proved          halves"), "{printed}");
+    assert!(printed.contains("no certificate that the kernel accepts"), "{printed}");
+    assert!(err(&checked).contains("1 of 2 proved claims"), "{}", err(&checked));
+}
+
+#[test]
 fn a_certificate_is_printed_with_its_statement_and_what_it_rests_on() {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in embedded::certificates() {

@@ -1,22 +1,65 @@
-//! The page to hand in: complete, well formed, and closed to markup from claim files.
+//! The folder to hand in: complete, well formed, the same everywhere, and closed to markup from claim files.
 
-use std::process::Command;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::process::{Command, Output};
+use std::sync::OnceLock;
 
-const SOURCE: &str = "claim strange \"A <script>alert(1)</script> & 'title'\"
+const SOURCE: &str =
+    "claim strange \"A <script>alert(1)</script> & 'title' `code` [x](javascript:alert) \\input{y} мир\"
 source \"<img src=x onerror=alert(1)>\"
-section \"</section><h1>\"
-note \"</p><b>\"
+section \"</section><h1> # `s` | ![x](http://x.example/y)\"
+note \"</p><b> <https://x.example> ${\\end{document}}\"
 given x > 0
 prove x^2/(x + 1) < x
 
-claim wrong \"Plainly wrong\"
+claim findings \"Plainly wrong\"
 using strange
 given x > 0
 prove x > 1
+
+claim f' \"A name with a mark\"
+given x > 0
+prove x^2 > 0
 ";
 
 fn carom() -> Command {
     Command::new(env!("CARGO_BIN_EXE_carom"))
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+}
+
+/// All files of a folder, by their paths in it.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut out = BTreeMap::new();
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_name().expect("a name").to_str().expect("UTF-8").to_string();
+        if path.is_dir() {
+            out.extend(files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+        } else {
+            out.insert(name, std::fs::read(&path).expect("read"));
+        }
+    }
+    out
+}
+
+fn text(files: &BTreeMap<String, Vec<u8>>, name: &str) -> String {
+    String::from_utf8(files.get(name).unwrap_or_else(|| panic!("{name} is missing")).clone()).expect("UTF-8")
+}
+
+/// The report of the built-in catalogue, made once.
+fn catalogue() -> &'static (tempfile::TempDir, BTreeMap<String, Vec<u8>>) {
+    static MADE: OnceLock<(tempfile::TempDir, BTreeMap<String, Vec<u8>>)> = OnceLock::new();
+    MADE.get_or_init(|| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let run = carom().arg("report").arg("--out").arg(folder.path()).output().expect("runs");
+        assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+        let files = files(folder.path());
+        (folder, files)
+    })
 }
 
 /// Elements opened and not closed, or closed and not opened.
@@ -39,46 +82,275 @@ fn unbalanced(page: &str) -> Vec<String> {
     faults
 }
 
+/// The values of an attribute.
+fn values(page: &str, attribute: &str) -> Vec<String> {
+    let opening = format!(" {attribute}=\"");
+    page.split(&opening).skip(1).map(|rest| rest.split('"').next().unwrap_or_default().replace("&#39;", "'")).collect()
+}
+
+/// An address with its `%XX` as bytes.
+fn decoded(address: &str) -> String {
+    let mut parts = address.split('%');
+    let mut out = parts.next().unwrap_or_default().as_bytes().to_vec();
+    for part in parts {
+        out.push(u8::from_str_radix(&part[..2], 16).expect("two hexadecimal digits"));
+        out.extend(&part.as_bytes()[2..]);
+    }
+    String::from_utf8(out).expect("UTF-8")
+}
+
+/// Checks what the page and the Markdown refer to, that the page asks for nothing from elsewhere, and that all is closed.
+fn sound(files: &BTreeMap<String, Vec<u8>>) {
+    let page = text(files, "index.html");
+    assert_eq!(unbalanced(&page), Vec::<String>::new());
+    let ids = values(&page, "id");
+    let distinct: BTreeSet<&String> = ids.iter().collect();
+    assert_eq!(distinct.len(), ids.len(), "two places have one name");
+    let (mut inside, mut outside) = (0, BTreeSet::new());
+    for reference in values(&page, "href").iter().chain(&values(&page, "src")) {
+        match reference.strip_prefix('#') {
+            Some(place) => {
+                assert!(distinct.contains(&place.to_string()), "#{place} is nowhere");
+                inside += 1;
+            }
+            None => {
+                assert!(files.contains_key(&decoded(reference)), "{reference} is not in the folder");
+                outside.insert(decoded(reference));
+            }
+        }
+    }
+    for reference in values(&page, "aria-labelledby") {
+        assert!(distinct.contains(&reference), "{reference} labels nothing");
+    }
+    assert!(inside > 0 && !outside.is_empty());
+    // The names of SVG and MathML look like addresses and are none.
+    let bare = page.replace("http://www.w3.org/2000/svg", "").replace("http://www.w3.org/1998/Math/MathML", "");
+    let tags: String = bare.split('<').skip(1).filter_map(|part| part.split('>').next()).collect();
+    for network in ["http:", "https:", "src=", "@import", "url(", "<script", "<link", "<iframe", "<object", "srcset"] {
+        let place = if network.starts_with('<') { &bare } else { &tags };
+        assert!(!place.contains(network), "{network}");
+    }
+    assert!(!page.contains("http-equiv=\"refresh\"") && page.contains("default-src 'none'"));
+    let markdown = text(files, "report.md");
+    let mut links = 0;
+    for (before, after) in markdown.match_indices("](").map(|(at, _)| (&markdown[..at], &markdown[at + 2..])) {
+        // Within code, and where the first bracket is escaped, it is no link.
+        if before.ends_with('\\') {
+            continue;
+        }
+        let target = after.split(')').next().unwrap_or_default();
+        assert!(files.contains_key(&decoded(target)), "{target} is not in the folder");
+        links += 1;
+    }
+    assert!(links > 0);
+}
+
 #[test]
 fn the_report_of_a_hostile_file_holds_no_markup_of_its() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("strange.claim");
+    let file = folder.path().join("<b>&'strange.claim");
     std::fs::write(&file, SOURCE).expect("written");
+    let scene = folder.path().join("a <b>&\u{201d} scene.toml");
+    std::fs::copy("examples/scenes/stacked-balls.toml", &scene).expect("copied");
     let out = folder.path().join("out");
-    let run = carom().arg("report").arg(&file).arg("--out").arg(&out).args(["--title", "<i>"]).output().expect("runs");
+    let run = carom()
+        .arg("report")
+        .arg(&file)
+        .args(["--out", out.to_str().expect("UTF-8"), "--title", "<i> \\input{z} `x`"])
+        .args(["--plot", &format!("velocities \"{}\"", scene.display()), "--table", "--ratio 2 -e 1 -n 1"])
+        .output()
+        .expect("runs");
     // The second claim is refuted where the file expects it proved.
-    assert_eq!(run.status.code(), Some(1), "{}", String::from_utf8_lossy(&run.stderr));
-    let page = std::fs::read_to_string(out.join("index.html")).expect("the page");
-    for markup in ["<script", "<img", "<h1></", "</p><b>", "<i>"] {
+    assert_eq!(run.status.code(), Some(1), "{}", said(&run));
+    let files = files(&out);
+    sound(&files);
+    let page = text(&files, "index.html");
+    for markup in ["<script", "<img", "<h1></", "</p><b>", "<i>", "<b>", "<h1> #"] {
         assert!(!page.contains(markup), "{markup}");
     }
     assert!(page.contains("&lt;script&gt;") && page.contains("not as expected"));
     assert!(page.contains("It fails at <code>x = 1</code>"));
-    assert_eq!(unbalanced(&page), Vec::<String>::new());
-    assert!(std::fs::read_to_string(out.join("report.md")).expect("Markdown").contains("| strange"));
-    let document = std::fs::read_to_string(out.join("report.tex")).expect("LaTeX");
-    assert!(document.contains("\\end{document}") && document.contains("\\textless{}script\\textgreater{}"));
+    assert!(page.contains("plot velocities a &lt;b&gt;&amp;\u{201d} scene.toml"));
+    let markdown = text(&files, "report.md");
+    assert!(markdown.contains("| strange") && !markdown.contains("\n# `"));
+    for markup in ["<img", "<script", "<i>", "<b>", "</p>", "![x]", "[x]", "`code`"] {
+        for (at, _) in markdown.match_indices(markup) {
+            let in_code = markdown[..at].rsplit('\n').next().is_some_and(|line| line.starts_with("`carom"));
+            assert!(markdown[..at].ends_with('\\') || in_code, "{markup} in {}", &markdown[at..]);
+        }
+    }
+    let document = text(&files, "report.tex");
+    assert!(document.contains("\\textless{}script\\textgreater{}") && document.contains("[U+043C]"));
+    assert_eq!(document.matches("\\end{document}").count(), 1);
+    assert!(!document.contains("\\input{") && !document.contains("\\begin{document}\\input"));
+    // What was shown by whom, in each form, and counted.
+    for form in [&page, &markdown, &document] {
+        assert!(form.contains("checked by the kernel") && form.contains("not in Coq"));
+        assert!(form.contains("refuted by the prover alone"));
+    }
+    assert!(
+        page.contains("The kernel accepted 2 of the 2 proofs in this run.")
+            && page.contains("No verdict has a theorem in Coq.")
+    );
+    assert!(page.contains("1 verdict rests on the prover alone."));
+    assert!(page.contains("certificates/f%27.cert") && !files.keys().any(|name| name.starts_with("coq/")));
+    let check = carom().arg("check").arg(out.join("certificates")).arg("--claims").arg(&file).output().expect("runs");
+    assert_eq!(check.status.code(), Some(0), "{}", said(&check));
 }
 
 #[test]
-fn nothing_is_written_where_a_file_is_broken() {
+fn nothing_is_written_where_something_is_broken() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("broken.claim");
     std::fs::write(&file, "claim broken \"t\"\nprove (\n").expect("written");
     let out = folder.path().join("out");
-    let run = carom().arg("report").arg(&file).arg("--out").arg(&out).output().expect("runs");
-    assert_eq!(run.status.code(), Some(2));
-    assert!(!out.exists());
+    let broken = file.to_str().expect("UTF-8");
+    for (arguments, code, message) in [
+        (vec![broken], 2, "broken.claim"),
+        (vec!["--table", "--ratio 2 -e 1"], 2, "eta depends on n"),
+        (vec!["--table", "--ratio 2 -e 1 -n 1 --output x.csv"], 2, "--output"),
+        (vec!["--table", "--ratio '2 -e 1 -n 1"], 2, "quotation mark"),
+        (vec!["--table", "--ratio 1:2000:1 -e 1 -n 1"], 3, "rows of a table in a report: 1000 allowed"),
+        (vec!["--plot", "map -n 2"], 2, "-n has no place"),
+        (vec!["--plot", "velocities /nowhere.toml"], 2, "nowhere.toml"),
+    ] {
+        let run = carom().arg("report").args(&arguments).arg("--out").arg(&out).output().expect("runs");
+        assert_eq!(run.status.code(), Some(code), "{arguments:?}: {}", said(&run));
+        assert!(said(&run).contains(message), "{arguments:?}: {}", said(&run));
+        assert!(!out.exists(), "{arguments:?}");
+    }
 }
 
 #[test]
-fn the_catalogue_has_a_section_for_each_claim() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let run = carom().arg("report").arg("--out").arg(folder.path()).output().expect("runs");
-    assert_eq!(run.status.code(), Some(0));
-    let page = std::fs::read_to_string(folder.path().join("index.html")).expect("the page");
-    assert_eq!(unbalanced(&page), Vec::<String>::new());
+fn the_catalogue_has_a_section_for_each_claim_and_every_reference_is_there() {
+    let (_, files) = catalogue();
+    sound(files);
+    let page = text(files, "index.html");
     assert!(page.matches("<section class=\"claim\"").count() >= 84);
-    assert!(page.contains("<svg") && page.contains("id=\"eq13\"") && page.contains("id=\"findings\""));
-    assert!(!page.contains("http-equiv=\"refresh\"") && !page.contains("<link"));
+    assert!(
+        page.contains("id=\"eq13\"") && page.contains("id=\"page.findings\"") && page.contains("id=\"page.graph\"")
+    );
+    for entry in ["page.table.3", "page.plot.4"] {
+        assert!(page.contains(&format!("id=\"{entry}\"")), "{entry}");
+    }
+    assert_eq!(page.matches("Every cell accepted by the kernel").count(), 3);
+    assert!(page.contains("<td class=\"number\">0.267769</td><td>162/605</td>"));
+    // The theorem in full, and its proof.
+    assert!(
+        page.contains("Theorem eq13 :\n  forall (m1 m2 mu : R)") && page.contains("Theorem eq13 : statements.eq13.")
+    );
+    // The one claim that Coq cannot say is refuted: nobody but the prover vouches for that.
+    assert_eq!(page.matches("refuted by the prover alone</span>").count(), 1);
+    assert!(page.contains("1 verdict rests on the prover alone."));
+}
+
+#[test]
+fn certificates_and_tables_of_the_folder_are_accepted() {
+    let (folder, files) = catalogue();
+    let page = text(files, "index.html");
+    let certificates: Vec<&String> = files.keys().filter(|name| name.starts_with("certificates/")).collect();
+    assert_eq!(page.matches("checked by the kernel</span>").count(), certificates.len());
+    let check = carom().arg("check").arg("--quiet").arg(folder.path().join("certificates")).output().expect("runs");
+    assert_eq!(check.status.code(), Some(0), "{}", said(&check));
+    assert!(said(&check).contains(&format!("{0} of {0} certificates accepted", certificates.len())));
+    for place in 1..=3 {
+        let table = folder.path().join(format!("tables/table-{place}.jsonl"));
+        let check = carom().arg("check").arg(&table).output().expect("runs");
+        assert_eq!(check.status.code(), Some(0), "{}", said(&check));
+    }
+    // What lies in the folder is what the project committed, and its digests are those that the page shows.
+    for name in certificates {
+        let here = text(files, name);
+        assert_eq!(here, std::fs::read_to_string(Path::new("proofs").join(name)).expect("committed"), "{name}");
+        let digest = here.lines().find_map(|l| l.strip_prefix("statement sha256 ")).expect("a digest");
+        assert!(page.contains(digest), "{name}");
+    }
+    for (name, bytes) in files.iter().filter(|f| f.0.starts_with("coq/")) {
+        assert_eq!(*bytes, std::fs::read(Path::new("proofs").join(name)).expect("committed"), "{name}");
+    }
+}
+
+#[test]
+fn the_folder_is_the_same_at_every_time_and_place() {
+    let (folder, files_before) = catalogue();
+    let other = tempfile::tempdir().expect("a folder");
+    let run = carom().current_dir(other.path()).args(["report", "--out", "deeper/out"]).output().expect("runs");
+    assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+    let again = files(&other.path().join("deeper/out"));
+    assert_eq!(files_before.keys().collect::<Vec<_>>(), again.keys().collect::<Vec<_>>());
+    for (name, bytes) in &again {
+        assert!(files_before.get(name) == Some(bytes), "{name} differs");
+        let text = String::from_utf8_lossy(bytes);
+        for place in [folder.path(), other.path(), Path::new(env!("CARGO_MANIFEST_DIR"))] {
+            assert!(!text.contains(&place.display().to_string()), "{name} holds {}", place.display());
+        }
+    }
+}
+
+/// A folder with a program `pdflatex` that is a script.
+#[cfg(unix)]
+fn pretended(script: &str) -> tempfile::TempDir {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("pdflatex");
+    std::fs::write(&program, format!("#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n{script}\n")).expect("written");
+    std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).expect("permissions");
+    folder
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pdf_is_made_by_latex_without_shell_escape_and_its_lack_loses_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.claim");
+    std::fs::write(&file, "claim a \"t\"\ngiven x > 0\nprove x^2 > 0\n").expect("written");
+    let out = folder.path().join("out");
+    let report = |path: &Path| {
+        let mut run = carom();
+        run.arg("report").arg(&file).arg("--pdf").arg("--out").arg(&out).env("PATH", path);
+        run.output().expect("runs")
+    };
+    // None is there: the rest is written, and an older PDF is not touched.
+    let none = tempfile::tempdir().expect("a folder");
+    let run = report(none.path());
+    assert_eq!(run.status.code(), Some(2), "{}", said(&run));
+    assert!(said(&run).contains("needs pdflatex or lualatex") && said(&run).contains("texlive-latex-recommended"));
+    assert!(["index.html", "report.md", "report.tex"].iter().all(|name| out.join(name).is_file()));
+    assert!(!out.join("report.pdf").exists());
+    // One that writes what it was asked.
+    let good = pretended("[ -f report.tex ] || exit 1\necho \"$@ $openin_any $openout_any\" > report.pdf");
+    let run = report(good.path());
+    assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+    let asked = std::fs::read_to_string(out.join("report.pdf")).expect("the PDF");
+    assert!(asked.contains("-no-shell-escape") && asked.trim_end().ends_with("p p"), "{asked}");
+    // One that fails: its words are shown, and the PDF from before is there still.
+    let bad = pretended("echo '! LaTeX Error: File `booktabs.sty missing' > report.log\nexit 1");
+    let run = report(bad.path());
+    assert_eq!(run.status.code(), Some(2));
+    assert!(said(&run).contains("booktabs.sty missing"), "{}", said(&run));
+    assert_eq!(std::fs::read_to_string(out.join("report.pdf")).expect("the PDF"), asked);
+}
+
+#[test]
+fn a_claim_of_the_catalogue_in_a_users_file_has_its_theorem_and_a_changed_one_has_none() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = std::fs::read_to_string("proofs/ricardo-lee-2015/eq01.claim").expect("the claim");
+    for (name, statement, theorem) in
+        [("same", source.clone(), true), ("other", source.replace("claim eq01", "claim eq02"), false)]
+    {
+        let file = folder.path().join(format!("{name}.claim"));
+        std::fs::write(&file, statement).expect("written");
+        let out = folder.path().join(name);
+        let run = carom().arg("report").arg(&file).arg("--out").arg(&out).output().expect("runs");
+        assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+        let files = files(&out);
+        let page = text(&files, "index.html");
+        assert_eq!(page.contains("proved in Coq</span>"), theorem, "{name}");
+        assert_eq!(files.contains_key("coq/claims.v"), theorem, "{name}");
+        assert!(page.contains("checked by the kernel</span>"), "{name}");
+        // The certificate is that of the statement in the file, whatever its name promises.
+        let claims =
+            carom().arg("check").arg(out.join("certificates")).arg("--claims").arg(&file).output().expect("runs");
+        assert_eq!(claims.status.code(), Some(0), "{}", said(&claims));
+    }
 }

@@ -14,14 +14,20 @@
 //! Method: monomials with exponents from an ordered group form the group's algebra, which has no
 //! zero divisors. The order on exponents is that of rational functions with each symbol infinitely
 //! larger than all before it; because primitive sums have a positive leading coefficient, the sign of
-//! an exponent in that order is the sign of its coefficient.
+//! an exponent in that order is the sign of its coefficient. Exponents of which that is not known, as
+//! with √2 or √(1 − x) in them, come after all others and have an order of their own
+//! ([`Ring::exponent_order`]): quotients of sums with such exponents may not be found, and one that is
+//! found is right whatever the order is.
 //!
 //! Cost: that of expanding: products of term counts, bounded by [`Ring::terms_limit`].
 
+use super::Instant;
 use malachite::Natural;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Floor, Lcm, Parity, Pow, Reciprocal};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::comparison::traits::PartialOrdAbs;
+use malachite::base::num::logic::traits::SignificantBits;
 use rustc_hash::FxHashMap as HashMap;
 use std::cmp::Ordering;
 use std::rc::Rc;
@@ -66,6 +72,16 @@ impl Exponent {
         self.number().and_then(|q| i64::try_from(q).ok())
     }
 
+    /// Whether it is an even integer, of any size.
+    pub fn is_even(&self) -> bool {
+        self.number().is_some_and(|q| *q.denominator_ref() == 1 && q.numerator_ref().even())
+    }
+
+    /// Whether it is an integer, of any size.
+    pub fn is_integer(&self) -> bool {
+        self.number().is_some_and(|q| *q.denominator_ref() == 1)
+    }
+
     /// The exponent as a form.
     pub fn form(&self) -> Form {
         match self {
@@ -79,7 +95,7 @@ impl Exponent {
         if form.powers.is_empty() { Exponent::Number(form.coefficient) } else { Exponent::Symbolic(Rc::new(form)) }
     }
 
-    /// Its sign in the order of the ring: that of its coefficient.
+    /// The sign of a number; for a form that of its coefficient, which is how it is written, not what it is.
     pub fn order_sign(&self) -> Ordering {
         match self {
             Exponent::Number(q) => q.partial_cmp(&0).unwrap_or(Ordering::Equal),
@@ -187,6 +203,47 @@ pub struct Ring {
     exponent_sums: HashMap<(Exponent, Exponent), Exponent>,
     /// Quotients of sums that were tried before, by the atoms of the sums.
     quotients: HashMap<(AtomId, AtomId), Option<Form>>,
+    /// Whether each atom may stand in exponents that are ordered by their leading coefficients.
+    ordered: Vec<bool>,
+    /// When to give up.
+    pub deadline: Option<Instant>,
+    /// Terms that were added up, for a look at the clock now and then.
+    accumulated: u32,
+}
+
+/// The largest size of a number in an exponent: it fits in 64 bits with room to add, and what is whole is seen to be whole.
+const LARGEST_EXPONENT: u64 = 1 << 31;
+
+/// The most bits of a coefficient in a product or a sum.
+const COEFFICIENT_BITS: u64 = 1_000_000;
+
+fn too_large(q: &Rational) -> bool {
+    q.gt_abs(&Rational::from(LARGEST_EXPONENT))
+}
+
+/// The exponent, where no number in it is too large.
+fn bounded(exponent: Exponent) -> Result<Exponent> {
+    let number = match &exponent {
+        Exponent::Number(q) => q,
+        Exponent::Symbolic(form) => &form.coefficient,
+    };
+    if too_large(number) { Err(Limit("exponent")) } else { Ok(exponent) }
+}
+
+/// An order of exponents as they are written.
+fn written_order(a: &Exponent, b: &Exponent) -> Ordering {
+    match (a, b) {
+        (Exponent::Number(a), Exponent::Number(b)) => a.cmp(b),
+        (Exponent::Number(_), Exponent::Symbolic(_)) => Ordering::Less,
+        (Exponent::Symbolic(_), Exponent::Number(_)) => Ordering::Greater,
+        (Exponent::Symbolic(a), Exponent::Symbolic(b)) => {
+            let mut pairs = a.powers.iter().zip(&b.powers);
+            let first = pairs.find_map(|(p, q)| {
+                Some(p.0.cmp(&q.0).then_with(|| written_order(&p.1, &q.1))).filter(|order| order.is_ne())
+            });
+            first.unwrap_or(a.powers.len().cmp(&b.powers.len())).then_with(|| a.coefficient.cmp(&b.coefficient))
+        }
+    }
 }
 
 /// The most sums of exponents that are kept.
@@ -202,6 +259,9 @@ impl Default for Ring {
             bits_limit: 100_000,
             exponent_sums: HashMap::default(),
             quotients: HashMap::default(),
+            ordered: Vec::new(),
+            deadline: None,
+            accumulated: 0,
         }
     }
 }
@@ -215,6 +275,16 @@ impl Ring {
             return id;
         }
         let id = u32::try_from(self.atoms.len()).unwrap_or(u32::MAX);
+        let ordered = match &atom {
+            Atom::Variable(_) => true,
+            Atom::Member(_, index) => self.is_ordered(index),
+            // The opposite of a primitive sum, made to have a positive base, has a negative leading coefficient.
+            Atom::Sum(poly) => {
+                poly.terms.first().is_some_and(|t| t.1 > 0) && poly.terms.iter().all(|t| self.are_ordered(&t.0))
+            }
+            _ => false,
+        };
+        self.ordered.push(ordered);
         let atom = Rc::new(atom);
         self.atoms.push(atom.clone());
         self.index.insert(atom, id);
@@ -244,7 +314,7 @@ impl Ring {
     /// a + b.
     pub fn exponent_sum(&mut self, a: &Exponent, b: &Exponent) -> Result<Exponent> {
         if let (Exponent::Number(a), Exponent::Number(b)) = (a, b) {
-            return Ok(Exponent::Number(a + b));
+            return bounded(Exponent::Number(a + b));
         }
         if a.is_zero() {
             return Ok(b.clone());
@@ -256,7 +326,7 @@ impl Ring {
         if let Some(sum) = self.exponent_sums.get(&key) {
             return Ok(sum.clone());
         }
-        let sum = Exponent::of(self.add(&[a.form(), b.form()])?);
+        let sum = bounded(Exponent::of(self.add(&[a.form(), b.form()])?))?;
         if self.exponent_sums.len() < REMEMBERED {
             self.exponent_sums.insert(key, sum.clone());
         }
@@ -266,9 +336,9 @@ impl Ring {
     /// a · b.
     pub fn exponent_product(&mut self, a: &Exponent, b: &Exponent) -> Result<Exponent> {
         if let (Exponent::Number(a), Exponent::Number(b)) = (a, b) {
-            return Ok(Exponent::Number(a * b));
+            return bounded(Exponent::Number(a * b));
         }
-        Ok(Exponent::of(self.mul(&a.form(), &b.form())?))
+        bounded(Exponent::of(self.mul(&a.form(), &b.form())?))
     }
 
     /// −a.
@@ -279,13 +349,37 @@ impl Ring {
         }
     }
 
-    /// The order of the ring: that of a − b.
+    fn are_ordered(&self, powers: &Monomial) -> bool {
+        powers.iter().all(|(atom, exponent)| {
+            self.ordered.get(*atom as usize) == Some(&true)
+                && match exponent {
+                    Exponent::Number(_) => true,
+                    Exponent::Symbolic(form) => self.is_ordered(form),
+                }
+        })
+    }
+
+    fn is_ordered(&self, form: &Form) -> bool {
+        self.are_ordered(&form.powers)
+    }
+
+    /// The order of the ring: that of a − b. The others are larger than those for which that is an order, and among
+    /// themselves are ordered as they are written: a total order, but none that sums keep.
     pub fn exponent_order(&mut self, a: &Exponent, b: &Exponent) -> Result<Ordering> {
         if let (Exponent::Number(a), Exponent::Number(b)) = (a, b) {
             return Ok(a.cmp(b));
         }
         if a == b {
             return Ok(Ordering::Equal);
+        }
+        let ordered = |e: &Exponent| match e {
+            Exponent::Number(_) => true,
+            Exponent::Symbolic(form) => self.is_ordered(form),
+        };
+        match (ordered(a), ordered(b)) {
+            (true, true) => {}
+            (false, false) => return Ok(written_order(a, b)),
+            (first, second) => return Ok(second.cmp(&first)),
         }
         let minus = self.exponent_negated(b);
         Ok(self.exponent_sum(a, &minus)?.order_sign())
@@ -342,10 +436,10 @@ impl Ring {
         let (mut i, mut j) = (0, 0);
         while i < a.len() || j < b.len() {
             if j >= b.len() || (i < a.len() && a[i].0 < b[j].0) {
-                return Ok(a[i].1.order_sign());
+                return self.exponent_order(&a[i].1, &Exponent::integer(0));
             }
             if i >= a.len() || b[j].0 < a[i].0 {
-                return Ok(b[j].1.order_sign().reverse());
+                return self.exponent_order(&Exponent::integer(0), &b[j].1);
             }
             match self.exponent_order(&a[i].1, &b[j].1)? {
                 Ordering::Equal => {}
@@ -378,42 +472,61 @@ impl Ring {
         }
     }
 
-    /// Adds c·monomial·p to the terms, expanding powers of sums whose exponent has an integer part.
+    /// Adds c·monomial to the terms, expanding powers of sums whose exponent has an integer part.
     fn accumulate(&mut self, into: &mut HashMap<Monomial, Rational>, monomial: Monomial, c: &Rational) -> Result<()> {
-        for (place, (atom, exponent)) in monomial.iter().enumerate() {
+        self.look_at_the_clock()?;
+        let mut c = c.clone();
+        let mut kept = Vec::with_capacity(monomial.len());
+        let mut expanded: Option<Poly> = None;
+        for (atom, exponent) in &monomial {
             let kind = self.atom(*atom);
             if !matches!(*kind, Atom::Sum(_) | Atom::Prime(_)) {
+                kept.push((*atom, exponent.clone()));
                 continue;
             }
             let (rest, k) = self.split_integer(exponent)?;
-            if k == 0 {
-                continue;
+            if !rest.is_zero() {
+                kept.push((*atom, rest));
             }
-            let mut reduced = monomial.clone();
-            if rest.is_zero() {
-                reduced.remove(place);
-            } else {
-                reduced[place].1 = rest;
+            match &*kind {
+                _ if k == 0 => {}
+                Atom::Prime(p) => c *= self.rational_power(&Rational::from(p.clone()), k)?,
+                Atom::Sum(_) if k < 0 => return Err(Limit("negative power of a sum inside a sum")),
+                Atom::Sum(poly) => {
+                    let power = self.poly_power(poly, u32::try_from(k).map_err(|_| Limit("degree"))?)?;
+                    // One after the other, so that like terms meet before the next is multiplied out.
+                    expanded = Some(match expanded {
+                        Some(before) => self.poly_product(&before, &power)?,
+                        None => power,
+                    });
+                }
+                _ => {}
             }
-            if let Atom::Prime(p) = &*kind {
-                let c = c * self.rational_power(&Rational::from(p.clone()), k)?;
-                return self.accumulate(into, reduced, &c);
-            }
-            if k < 0 {
-                return Err(Limit("negative power of a sum inside a sum"));
-            }
-            let Atom::Sum(poly) = &*kind else { return Ok(()) };
-            let power = self.poly_power(poly, u32::try_from(k).map_err(|_| Limit("degree"))?)?;
-            for (other, d) in &power.terms {
-                let product = self.monomial_product(&reduced, other)?;
-                self.accumulate(into, product, &(c * d))?;
+        }
+        if let Some(sum) = expanded {
+            for (other, d) in &sum.terms {
+                let product = self.monomial_product(&kept, other)?;
+                self.accumulate(into, product, &(&c * d))?;
             }
             return Ok(());
         }
         if into.len() > self.terms_limit {
             return Err(Limit("terms"));
         }
-        *into.entry(monomial).or_insert(Rational::ZERO) += c;
+        let sum = into.entry(kept).or_insert(Rational::ZERO);
+        *sum += c;
+        if sum.significant_bits() > COEFFICIENT_BITS { Err(Limit("digits")) } else { Ok(()) }
+    }
+
+    /// Gives up where the time is over.
+    fn look_at_the_clock(&mut self) -> Result<()> {
+        self.accumulated = self.accumulated.wrapping_add(1);
+        if self.accumulated.is_multiple_of(1024)
+            && let Some(deadline) = self.deadline
+            && Instant::now() > deadline
+        {
+            return Err(Limit("time"));
+        }
         Ok(())
     }
 
@@ -441,7 +554,6 @@ impl Ring {
     }
 
     fn rational_power(&self, base: &Rational, k: i64) -> Result<Rational> {
-        use malachite::base::num::logic::traits::SignificantBits;
         let bits = base.significant_bits();
         if bits.saturating_mul(k.unsigned_abs()) > self.bits_limit && bits > 2 {
             return Err(Limit("digits"));
@@ -536,7 +648,11 @@ impl Ring {
             if rest.len() > self.terms_limit {
                 return Err(Limit("terms"));
             }
-            quotient.insert(monomial, factor);
+            // Where sums do not keep the order a term may come up again. What was subtracted so far is the product with
+            // all terms, each counted once.
+            if quotient.insert(monomial, factor).is_some() {
+                return Ok(None);
+            }
         }
         Ok(None)
     }
@@ -640,6 +756,9 @@ impl Ring {
         if a.is_zero() || b.is_zero() {
             return Ok(Form::integer(0));
         }
+        if a.coefficient.significant_bits() + b.coefficient.significant_bits() > COEFFICIENT_BITS {
+            return Err(Limit("digits"));
+        }
         let powers = self.monomial_product(&a.powers, &b.powers)?;
         self.normalise(Form { coefficient: &a.coefficient * &b.coefficient, powers })
     }
@@ -661,6 +780,9 @@ impl Ring {
 
     /// a^E. The caller sees to it that the power is defined and distributes over the product.
     pub fn power(&mut self, a: &Form, exponent: &Exponent) -> Result<Form> {
+        if exponent.number().is_some_and(too_large) {
+            return Err(Limit("exponent"));
+        }
         if exponent.is_zero() {
             return Ok(Form::integer(1));
         }
@@ -702,7 +824,13 @@ impl Ring {
             _ => {}
         }
         if forms.iter().all(|f| f.powers == forms[0].powers) {
-            let coefficient = forms.iter().fold(Rational::ZERO, |sum, f| sum + &f.coefficient);
+            let mut coefficient = Rational::ZERO;
+            for form in &forms {
+                coefficient += &form.coefficient;
+                if coefficient.significant_bits() > COEFFICIENT_BITS {
+                    return Err(Limit("digits"));
+                }
+            }
             return Ok(if coefficient == 0 {
                 Form::integer(0)
             } else {

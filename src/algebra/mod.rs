@@ -28,6 +28,11 @@ pub use polynomial::Polynomial;
 pub use univariate::Univariate;
 
 use std::fmt;
+// A browser has a clock, but not behind the standard library's type.
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+pub use std::time::Instant;
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+pub use web_time::Instant;
 
 /// The number of a variable.
 pub type Var = u32;

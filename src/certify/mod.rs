@@ -8,6 +8,7 @@
 //! Signs come from the engine's factorisation and certificates of positivity, as explicit identities.
 
 mod powers;
+pub mod several;
 mod signs;
 mod write;
 
@@ -487,7 +488,7 @@ impl Certifier {
                 c.show(body)
             }),
             PropKind::Exists(bindings, body) => {
-                let point = crate::prove::refute::example(bindings, body).ok_or("no witness was found")?;
+                let point = crate::prove::refute::example(bindings, body, None).ok_or("no witness was found")?;
                 let values: Vec<(Name, Expr)> = point
                     .into_iter()
                     .map(|(n, v)| (Name { text: n, span: Span::default() }, crate::prove::refute::literal(&v)))

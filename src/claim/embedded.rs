@@ -71,6 +71,12 @@ pub fn coq_files() -> Vec<File> {
     out
 }
 
+/// The script that checks the Coq files from nothing.
+pub fn coq_check() -> &'static str {
+    let named = |f: &&include_dir::File| f.path().file_name().is_some_and(|n| n == "check");
+    COQ.files().find(named).and_then(|f| f.contents_utf8()).unwrap_or_default()
+}
+
 /// The name of the claim in a file.
 pub fn stem(path: &str) -> &str {
     let name = path.rsplit_once('/').map_or(path, |(_, name)| name);

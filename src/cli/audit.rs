@@ -3,11 +3,10 @@
 use super::load::{self, Source};
 use super::progress::Progress;
 use super::{Exit, Format, print, write_file};
-use crate::certify::certify;
+use crate::certify::several::Collection;
 use crate::claim::diagnostic::{Diagnostic, Fault as Wrong, nearest};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
-use crate::kernel::Accepted;
 use crate::prove::catalogue::{Catalogue, Limits};
 use crate::prove::outcome::{Fault, Outcome, Verdict};
 use crate::report::{self, Audit, Entry, Problem};
@@ -89,13 +88,21 @@ impl Loaded {
     }
 }
 
+/// What the kernel is asked about proved claims.
+pub struct Kernel<'a> {
+    /// Where to write certificates.
+    pub certificates: Option<&'a Path>,
+    /// Whether a proof counts only with a certificate that the kernel accepts.
+    pub checked: bool,
+}
+
 /// Runs the command.
 pub fn run(
     paths: &[PathBuf],
     only: &[String],
     format: Format,
     output: Option<&Path>,
-    certificates: Option<&Path>,
+    kernel: &Kernel<'_>,
     limits: &Limits,
 ) -> Result<u8, Exit> {
     let mut loaded = match load(paths, only) {
@@ -110,8 +117,8 @@ pub fn run(
         }
     };
     let (mut audit, messages) = judge_all(&mut loaded, only, limits);
-    if let Some(folder) = certificates {
-        write_certificates(&loaded.catalogue, &mut audit.entries, folder)?;
+    if kernel.checked || kernel.certificates.is_some() {
+        ask_the_kernel(&loaded.catalogue, &mut audit.entries, kernel)?;
     }
     write(&audit, format, output)?;
     if !messages.is_empty() {
@@ -120,10 +127,19 @@ pub fn run(
     Ok(code(&audit))
 }
 
-/// Judges the built-in catalogue or the given files as a whole.
-pub fn all(paths: &[PathBuf], limits: &Limits) -> Result<Audit, Exit> {
-    let (audit, messages) = judge_all(&mut load(paths, &[])?, &[], limits);
-    if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
+/// Judges the built-in catalogue or the given files as a whole; also the proved claims, cited ones first.
+pub fn all(paths: &[PathBuf], limits: &Limits) -> Result<(Audit, Vec<Claim>), Exit> {
+    let mut loaded = load(paths, &[])?;
+    let (audit, messages) = judge_all(&mut loaded, &[], limits);
+    if !messages.is_empty() {
+        return Err(Exit::usage(messages.join("\n")));
+    }
+    let proved: Vec<Claim> = proved(&audit.entries);
+    Ok((audit, loaded.catalogue.in_order(&proved)))
+}
+
+fn proved(entries: &[Entry]) -> Vec<Claim> {
+    entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).map(|e| e.claim.clone()).collect()
 }
 
 /// The audit, and what to print of the claims that could not be judged.
@@ -164,35 +180,44 @@ pub fn code(audit: &Audit) -> u8 {
     }
 }
 
-/// Writes a certificate for each claim that was proved, and says for which none was found.
-fn write_certificates(catalogue: &Catalogue, entries: &mut [Entry], folder: &Path) -> Result<(), Exit> {
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
-    let proved: Vec<Claim> =
-        entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).map(|e| e.claim.clone()).collect();
-    let mut accepted: BTreeMap<String, Result<Accepted, String>> = BTreeMap::new();
-    for claim in catalogue.in_order(&proved) {
-        let cited: Vec<&Accepted> =
-            claim.using.iter().filter_map(|n| accepted.get(&n.text).and_then(|r| r.as_ref().ok())).collect();
-        let result = match certify(&claim, &cited) {
-            Ok((certificate, shown)) => {
-                let path = folder.join(format!("{}.cert", claim.name.text));
-                write_file(&path, &crate::certificate::text::write(&certificate))?;
-                for entry in entries.iter_mut().filter(|e| e.claim.name.text == claim.name.text) {
-                    entry.certificate = Some(path.display().to_string());
-                }
-                Ok(shown)
-            }
-            Err(reason) => Err(reason),
-        };
-        accepted.insert(claim.name.text.clone(), result);
+/// Finds a certificate that the kernel accepts for each claim that was proved, writes it where that is wanted, and says
+/// for which there is none.
+fn ask_the_kernel(catalogue: &Catalogue, entries: &mut [Entry], kernel: &Kernel<'_>) -> Result<(), Exit> {
+    if let Some(folder) = kernel.certificates {
+        std::fs::create_dir_all(folder)
+            .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
     }
-    let missing: Vec<String> = accepted
-        .iter()
-        .filter_map(|(name, result)| result.as_ref().err().map(|reason| format!("  {name}: {reason}")))
-        .collect();
-    let mut message =
-        format!("{} of {} proved claims have a certificate", accepted.len() - missing.len(), accepted.len());
+    let proved = proved(entries);
+    // A certificate that comes with the program is as good as a new one, unless it is to be written.
+    let held: BTreeMap<String, &str> =
+        if kernel.certificates.is_none() { embedded::certificates().into_iter().collect() } else { BTreeMap::new() };
+    let (mut collection, mut found, mut missing) = (Collection::default(), 0, Vec::new());
+    for claim in catalogue.in_order(&proved) {
+        let name = &claim.name.text;
+        let at_hand = held.get(name).and_then(|text| crate::certificate::text::read(text).ok());
+        let result = collection.add(&claim, at_hand).map(|(certificate, _)| certificate);
+        match result {
+            Ok(certificate) => {
+                if let Some(folder) = kernel.certificates {
+                    let path = folder.join(format!("{name}.cert"));
+                    write_file(&path, &crate::certificate::text::write(&certificate))?;
+                    for entry in entries.iter_mut().filter(|e| e.claim.name.text == *name) {
+                        entry.certificate = Some(path.display().to_string());
+                    }
+                }
+                found += 1;
+            }
+            Err(reason) => {
+                missing.push(format!("  {name}: {reason}"));
+                for entry in entries.iter_mut().filter(|e| kernel.checked && e.claim.name.text == *name) {
+                    entry.outcome.verdict = Verdict::Undecided;
+                    entry.outcome.reason =
+                        Some(format!("the search found a proof, but no certificate that the kernel accepts: {reason}"));
+                }
+            }
+        }
+    }
+    let mut message = format!("{found} of {} proved claims have a certificate", found + missing.len());
     if !missing.is_empty() {
         message += &format!("; proved, no certificate:\n{}", missing.join("\n"));
     }

@@ -8,8 +8,10 @@ mod check;
 mod eval;
 mod explain;
 mod export;
+mod figures;
 mod fmt;
 mod interrupt;
+mod latex;
 mod load;
 mod output;
 mod partial;
@@ -24,12 +26,13 @@ mod statements;
 mod table;
 mod table_certificate;
 mod table_check;
+mod table_contents;
 mod table_merge;
 mod table_rows;
 mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
-use output::{print, write_file};
+use output::{print, write_bytes, write_file};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -61,6 +64,9 @@ enum Command {
         /// Write a certificate for each proved claim into this folder
         #[arg(long, value_name = "DIR")]
         certificates: Option<PathBuf>,
+        /// Let a proof count only where the kernel accepts a certificate of it; others are undecided
+        #[arg(long)]
+        checked: bool,
         #[command(flatten)]
         limits: LimitFlags,
     },
@@ -102,19 +108,9 @@ enum Command {
     Table(table::Flags),
     /// Print what each collision of a scene does, blank and as an answer key
     Worksheet(worksheet::Flags),
-    /// Write an audit as a page to hand in: HTML that needs nothing else, Markdown, LaTeX
-    Report {
-        /// Claim files and folders; the built-in catalogue if none is given
-        paths: Vec<PathBuf>,
-        /// The folder to write to
-        #[arg(long, value_name = "DIR")]
-        out: PathBuf,
-        /// The title
-        #[arg(long)]
-        title: Option<String>,
-        #[command(flatten)]
-        limits: LimitFlags,
-    },
+    /// Write an audit as a folder to hand in: HTML that needs nothing else, Markdown, LaTeX or PDF, certificates, Coq
+    /// proofs, certified tables and pictures
+    Report(report::Flags),
     /// Draw a picture as SVG or PNG
     #[cfg(feature = "plot")]
     Plot(plot::Flags),
@@ -274,8 +270,9 @@ pub fn run() -> ExitCode {
 
 fn dispatch(command: Command) -> Result<u8, Exit> {
     match command {
-        Command::Audit { paths, only, format, output, certificates, limits } => {
-            audit::run(&paths, &only, format, output.as_deref(), certificates.as_deref(), &limits.limits())
+        Command::Audit { paths, only, format, output, certificates, checked, limits } => {
+            let kernel = audit::Kernel { certificates: certificates.as_deref(), checked };
+            audit::run(&paths, &only, format, output.as_deref(), &kernel, &limits.limits())
         }
         Command::Check { paths, claims, quiet } => check::run(&paths, &claims, quiet),
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
@@ -287,7 +284,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Test(flags) => properties::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format } => statements::run(&claims, format),
-        Command::Report { paths, out, title, limits } => report::run(&paths, &out, title.as_deref(), &limits.limits()),
+        Command::Report(flags) => report::run(&flags),
         Command::Export { language, ids, from, theorems, list } => export::run(language, &ids, &from, theorems, list),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Replay(arguments) => replay::run(&arguments),

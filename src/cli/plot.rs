@@ -2,7 +2,7 @@
 
 use super::eval::load_scene;
 use super::output::write_bytes;
-use super::{Exit, table::grid};
+use super::{Exit, table_contents::grid};
 use crate::chain::best::{Best, best};
 use crate::chain::{ChainError, Positive, Restitution};
 use crate::number::NumberError;
@@ -15,9 +15,9 @@ use crate::table::worksheet::Worksheet;
 use malachite::Rational;
 use std::path::PathBuf;
 
-/// The arguments.
+/// The arguments that say what is drawn.
 #[derive(clap::Args)]
-pub struct Flags {
+pub struct Contents {
     /// What to draw
     #[arg(value_enum)]
     picture: Picture,
@@ -32,6 +32,13 @@ pub struct Flags {
     /// The numbers of inserted bodies (eta-x, threshold), or the greatest one (eta-n)
     #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
     n: Option<String>,
+}
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Flags {
+    #[command(flatten)]
+    contents: Contents,
     /// The file to write: .svg or .png
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
@@ -85,7 +92,7 @@ fn all(grid: &Grid) -> Vec<Rational> {
     (0..grid.len()).filter_map(|i| grid.value(i)).collect()
 }
 
-impl Flags {
+impl Contents {
     /// The ends of the range of ratios.
     fn range(&self) -> Result<(Positive, Positive), Exit> {
         let list = values("--ratio", self.ratio.as_deref(), "1/1000,1000")?;
@@ -119,7 +126,11 @@ impl Flags {
         list.into_iter().map(Restitution::new).collect::<Result<_, _>>().map_err(|e| failure("-e", &e))
     }
 
-    fn draw(&self) -> Result<Page, Exit> {
+    /// The picture.
+    ///
+    /// # Errors
+    /// Flags that have no place in it, values out of their range, a limit.
+    pub fn draw(&self) -> Result<Page, Exit> {
         let refuse = |given: bool, flag: &str| {
             if given { Err(Exit::usage(format!("error: {flag} has no place in this picture"))) } else { Ok(()) }
         };
@@ -153,6 +164,17 @@ impl Flags {
             }
         };
         page.map_err(|e| failure("the picture", &e))
+    }
+
+    /// The claims of the catalogue that the drawn formulas are of.
+    pub fn claims(&self) -> &'static [&'static str] {
+        match self.picture {
+            Picture::EtaX => &["eq25"],
+            Picture::EtaN => &["eq25", "b-best"],
+            Picture::Threshold => &["eq19"],
+            Picture::Map => &["eq19", "b-best"],
+            Picture::Velocities => &["eq05", "eq06"],
+        }
     }
 
     fn eta_of_number(&self) -> Result<Result<Page, ChainError>, Exit> {
@@ -195,7 +217,7 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         };
         files.push((path, form));
     }
-    let page = flags.draw()?;
+    let page = flags.contents.draw()?;
     let mut bytes = Vec::new();
     for (_, form) in &files {
         bytes.push(match form {

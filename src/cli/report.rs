@@ -1,22 +1,99 @@
 //! `carom report`
 
-use super::{Exit, audit, write_file};
-use crate::prove::catalogue::Limits;
-use crate::report::{document, markdown, page};
+use super::progress::Progress;
+use super::{Exit, audit, figures, latex, write_bytes};
+use crate::report::handout::{Handout, evidence};
 use std::path::{Path, PathBuf};
 
-/// Runs the command: judges everything first, so that nothing is written where that fails.
-pub fn run(paths: &[PathBuf], out: &Path, title: Option<&str>, limits: &Limits) -> Result<u8, Exit> {
-    let audit = audit::all(paths, limits)?;
-    let title = title.unwrap_or(match paths {
-        [] => "Audit of Ricardo & Lee, Maximizing kinetic energy transfer in one-dimensional many-body collisions",
-        _ => "Audit",
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Flags {
+    /// Claim files and folders; the built-in catalogue if none is given
+    paths: Vec<PathBuf>,
+    /// The folder to write to
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// The title
+    #[arg(long)]
+    title: Option<String>,
+    /// Add a table: the words that follow `carom table`, as in --table '--ratio 1,2,10 -e 0.9 -n 1:3:1'
+    #[arg(long, value_name = "WORDS", allow_hyphen_values = true)]
+    table: Vec<String>,
+    /// Add a picture: the words that follow `carom plot`, as in --plot 'eta-n --ratio 100'
+    #[cfg(feature = "plot")]
+    #[arg(long, value_name = "WORDS")]
+    plot: Vec<String>,
+    /// Also make report.pdf, with an installed LaTeX
+    #[arg(long)]
+    pdf: bool,
+    #[command(flatten)]
+    limits: super::LimitFlags,
+}
+
+/// Runs the command: everything is judged and computed first, so that nothing is written where that fails. The PDF comes
+/// last, so that the rest is there where LaTeX is not.
+pub fn run(flags: &Flags) -> Result<u8, Exit> {
+    let handout = made(flags)?;
+    let files = handout.files();
+    for (path, bytes) in &files {
+        let path = flags.out.join(path);
+        if let Some(folder) = path.parent() {
+            let made = std::fs::create_dir_all(folder);
+            made.map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
+        }
+        write_bytes(&path, bytes)?;
+    }
+    strangers(&flags.out.join("certificates"), &files);
+    let mut list = "index.html, report.md, report.tex".to_string();
+    if flags.pdf {
+        let needed: Vec<&(String, Vec<u8>)> =
+            files.iter().filter(|f| f.0 == "report.tex" || f.0.ends_with(".png")).collect();
+        write_bytes(&flags.out.join("report.pdf"), &latex::pdf(&needed)?)?;
+        list.push_str(", report.pdf");
+    }
+    super::print(&format!(
+        "{}: {list} and {} in {}\n{}\n",
+        handout.audit.count(),
+        crate::report::counted(files.len() - 3, "file") + " that they link to",
+        flags.out.display(),
+        handout.vouched().join(" ")
+    ))?;
+    Ok(audit::code(&handout.audit))
+}
+
+/// The report.
+fn made(flags: &Flags) -> Result<Handout, Exit> {
+    let catalogue = flags.paths.is_empty();
+    // What is asked for in words is read before anything is judged: a slip there costs no time.
+    let defaults = |list: &[&str]| if catalogue { list.iter().map(ToString::to_string).collect() } else { Vec::new() };
+    let tables: Vec<String> = [defaults(&figures::TABLES), flags.table.clone()].concat();
+    let tables = tables.iter().map(|words| figures::table(words)).collect::<Result<_, _>>()?;
+    #[cfg(feature = "plot")]
+    let plots = {
+        let words: Vec<String> = [defaults(&figures::PLOTS), flags.plot.clone()].concat();
+        words.iter().enumerate().map(|(place, words)| figures::plot(place, words)).collect::<Result<_, _>>()?
+    };
+    #[cfg(not(feature = "plot"))]
+    let plots = Vec::new();
+    let (audit, proved) = audit::all(&flags.paths, &flags.limits.limits())?;
+    let progress = Progress::start(proved.len() as u64);
+    let evidence = evidence::gather(&audit, &proved, &|done, name| progress.now(done as u64, name));
+    progress.finish();
+    let title = flags.title.as_deref().unwrap_or(match catalogue {
+        true => "Audit of Ricardo & Lee, Maximizing kinetic energy transfer in one-dimensional many-body collisions",
+        false => "Audit",
     });
-    std::fs::create_dir_all(out)
-        .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", out.display())))?;
-    write_file(&out.join("index.html"), &page::page(&audit, title))?;
-    write_file(&out.join("report.md"), &markdown::report(&audit))?;
-    write_file(&out.join("report.tex"), &document::document(&audit, title))?;
-    super::print(&format!("{}: index.html, report.md, report.tex in {}\n", audit.count(), out.display()))?;
-    Ok(audit::code(&audit))
+    Ok(Handout { audit, title: title.to_string(), evidence, catalogue, tables, plots })
+}
+
+/// Says which certificates in the folder are not of this report: `carom check` of the folder would read them.
+fn strangers(folder: &Path, files: &[(String, Vec<u8>)]) {
+    let ours = |name: &str| files.iter().any(|f| f.0.strip_prefix("certificates/") == Some(name));
+    let Ok(entries) = std::fs::read_dir(folder) else { return };
+    let names = entries.filter_map(|e| e.ok()?.file_name().into_string().ok());
+    let mut strange: Vec<String> = names.filter(|n| n.ends_with(".cert") && !ours(n)).collect();
+    strange.sort();
+    if !strange.is_empty() {
+        eprintln!("note: {} holds certificates that are not of this report: {}", folder.display(), strange.join(", "));
+    }
 }

@@ -4,16 +4,17 @@ use super::interrupt::{INTERRUPTED, Interrupt};
 use super::output::{Output, place};
 use super::partial::{self, Partial, Target};
 use super::progress::Progress;
-use super::table_rows::{self as rows, Rows};
+use super::table_contents::{Contents, grid};
+use super::table_rows::{self, Rows};
 use super::{Exit, table_check, table_merge};
 use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
 use crate::number::interval::Interval;
-use crate::report::table::{Form, Head, LATEX_ROWS, Writer, entries};
-use crate::table::grid::{Grid, GridError, Shape};
+use crate::report::table::{Entry, Form, Head, LATEX_ROWS, Writer, entries};
+use crate::table::grid::{Grid, Shape};
 use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
-use crate::table::{Found, Plan, Printing, Quantity, Row, TableError, Value};
+use crate::table::{Found, Plan, Quantity, Row, TableError, Value};
 use malachite::Integer;
 use serde_json::json;
 use std::io::{self, BufWriter, Write};
@@ -23,30 +24,8 @@ use std::path::{Path, PathBuf};
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Flags {
-    /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
-    #[arg(long, value_name = "GRID", required_unless_present_any = ["check", "merge"], allow_hyphen_values = true)]
-    ratio: Option<String>,
-    /// Coefficients of restitution, for eta and best-n
-    #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
-    e: Option<String>,
-    /// Numbers of inserted bodies, for eta and threshold
-    #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
-    n: Option<String>,
-    /// The quantity
-    #[arg(long, value_enum, default_value = "eta")]
-    want: Want,
-    /// Significant digits
-    #[arg(long, value_name = "D", default_value_t = 6, conflicts_with = "places")]
-    digits: u64,
-    /// Digits after the point, instead of significant ones
-    #[arg(long, value_name = "P")]
-    places: Option<u64>,
-    /// The direction of rounding
-    #[arg(long, value_enum, default_value = "nearest-even")]
-    round: Round,
-    /// Show so many further digits beside the value, with a bound
-    #[arg(long, value_name = "K", default_value_t = 0)]
-    extra: u64,
+    #[command(flatten)]
+    contents: Contents,
     /// The form of the table
     #[arg(long, value_enum, default_value = "text")]
     format: Form,
@@ -71,60 +50,8 @@ pub struct Flags {
     check: Option<PathBuf>,
 }
 
-/// The quantities.
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Want {
-    /// The share of the energy handed on, (25)
-    Eta,
-    /// The least restitution with which the n-th body helps, (19)
-    Threshold,
-    /// The best number of inserted bodies
-    BestN,
-}
-
-/// The directions of rounding.
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Round {
-    /// To the nearest, ties to the even digit
-    #[value(alias = "nearest")]
-    NearestEven,
-    /// Never below the value
-    Up,
-    /// Never above the value
-    Down,
-    /// Towards zero
-    Zero,
-    /// Away from zero
-    Away,
-}
-
-impl Round {
-    fn rounding(self) -> Rounding {
-        match self {
-            Round::NearestEven => Rounding::Nearest,
-            Round::Up => Rounding::Up,
-            Round::Down => Rounding::Down,
-            Round::Zero => Rounding::Zero,
-            Round::Away => Rounding::Away,
-        }
-    }
-}
-
-/// A grid of the command line.
-pub fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
-    let fault = |text: &str, e: &GridError| {
-        let shown: String = text.chars().take(SHOWN).collect();
-        let rest = if shown.len() < text.len() { "…" } else { "" };
-        Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {flag} {shown}{rest}: {e}") }
-    };
-    text.map(|text| Grid::parse(text).map_err(|e| fault(text, &e))).transpose()
-}
-
-/// Characters of a grid that an error repeats.
-const SHOWN: usize = 200;
-
 /// The error of a table, with the flag that it is about.
-fn exit(error: &TableError) -> Exit {
+pub fn exit(error: &TableError) -> Exit {
     let of_axis = |axis: &str| if axis == "e" { "-e: " } else { "-n: " };
     let flag = match error {
         TableError::Lacks(_, axis) | TableError::Independent(_, axis) => of_axis(axis),
@@ -143,23 +70,15 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     if !flags.merge.is_empty() {
         return table_merge::run(&flags.merge, flags.output.as_deref());
     }
-    let ratio = grid("--ratio", flags.ratio.as_deref())?;
-    let e = grid("-e", flags.e.as_deref())?;
-    let n = grid("-n", flags.n.as_deref())?;
-    let rounding = flags.round.rounding();
     if let Some(path) = &flags.check {
-        let given = table_check::Given { ratio, e, n };
+        let given = &flags.contents;
+        let ratio = grid("--ratio", given.ratio.as_deref())?;
+        let given =
+            table_check::Given { ratio, e: grid("-e", given.e.as_deref())?, n: grid("-n", given.n.as_deref())? };
+        let rounding = flags.contents.round.rounding();
         return table_check::run(path, &given, rounding, flags.format, flags.output.as_deref());
     }
-    let quantity = match flags.want {
-        Want::Eta => Quantity::Eta,
-        Want::Threshold => Quantity::Threshold,
-        Want::BestN => Quantity::BestN,
-    };
-    let digits = flags.places.map_or(Digits::Significant(flags.digits), Digits::Places);
-    let printing = Printing { digits, rounding, extra: flags.extra };
-    let Some(ratio) = ratio else { return Err(Exit::usage("error: give a grid of mass ratios: --ratio GRID")) };
-    let plan = Plan::new(quantity, ratio, e, n, printing).map_err(|e| exit(&e))?;
+    let plan = flags.contents.plan()?;
     if flags.format == Form::Latex && plan.rows() > LATEX_ROWS {
         let message =
             format!("limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed, {} asked for", plan.rows());
@@ -194,8 +113,9 @@ impl<'a> Job<'a> {
         if flags.format != Form::Csv {
             return Err(Exit::usage("error: --shard makes CSV, which can be merged: add --format csv"));
         }
+        let given = &flags.contents;
         let axes =
-            Axes { ratio: flags.ratio.as_deref().unwrap_or_default(), e: flags.e.as_deref(), n: flags.n.as_deref() };
+            Axes { ratio: given.ratio.as_deref().unwrap_or_default(), e: given.e.as_deref(), n: given.n.as_deref() };
         Ok(Job { plan, rows: shard.rows(plan.rows()), binding: Some(Binding::new(plan, axes, shard)) })
     }
 
@@ -213,7 +133,7 @@ impl<'a> Job<'a> {
 fn standard(job: &Job<'_>, writer: Writer, certificate: Option<&Path>) -> Result<u8, Exit> {
     let mut out = BufWriter::new(io::stdout().lock());
     let mut certificate = certificate.map(whole).transpose()?;
-    let end = write(job, writer, 0, &mut out, certificate.as_mut());
+    let end = write(job, writer, 0, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
     match end.and_then(|end| out.flush().map(|()| end).map_err(Stop::Write)) {
         Ok(End::Complete) => certificate.map_or(Ok(()), Target::finish).map(|()| 0),
         Ok(End::Interrupted(_)) => Ok(INTERRUPTED),
@@ -274,9 +194,9 @@ fn rounding_name(rounding: Rounding) -> &'static str {
 /// Writes to a file, which is complete or as it was.
 fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
     let grows = |path: &Path| flags.format == Form::Csv && partial::can_grow(path);
-    let targets: Vec<(&Path, rows::Form, String)> = [
-        Some((path, rows::Form::Csv, writer.csv_head())),
-        flags.certificate.as_deref().map(|path| (path, rows::Form::Certificate, job.certificate_head())),
+    let targets: Vec<(&Path, table_rows::Form, String)> = [
+        Some((path, table_rows::Form::Csv, writer.csv_head())),
+        flags.certificate.as_deref().map(|path| (path, table_rows::Form::Certificate, job.certificate_head())),
     ]
     .into_iter()
     .flatten()
@@ -311,7 +231,7 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
     }
     let mut certificate = if open.len() > 1 { open.pop() } else { None };
     let Some(mut out) = open.pop() else { return Err(Exit::usage("error: give a file: --output FILE")) };
-    let result = write(job, writer, from, &mut out, certificate.as_mut());
+    let result = write(job, writer, from, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
     match result {
         Ok(End::Complete) => {
             if let Some(certificate) = certificate {
@@ -353,6 +273,38 @@ fn apart(output: &Path, certificate: Option<&Path>) -> Result<(), Exit> {
     Ok(())
 }
 
+/// A table in memory: its comma-separated values and its certificate.
+///
+/// # Errors
+/// A limit, or Ctrl-C.
+pub fn in_memory(plan: &Plan) -> Result<(String, String), Exit> {
+    let job = Job { plan, rows: 0..plan.rows(), binding: None };
+    let (mut csv, mut certificate) = (Vec::new(), Vec::new());
+    match write(&job, Writer::new(Form::Csv, Head::of(plan)), 0, &mut csv, Some(&mut certificate)) {
+        Ok(End::Complete) => {
+            Ok((String::from_utf8_lossy(&csv).into_owned(), String::from_utf8_lossy(&certificate).into_owned()))
+        }
+        Ok(End::Interrupted(_)) => {
+            Err(Exit { code: INTERRUPTED, message: "interrupted: nothing is written".to_owned() })
+        }
+        Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write the table: {e}"))),
+        Err(Stop::Table(e)) => Err(exit(&e)),
+    }
+}
+
+/// The rows of a table.
+///
+/// # Errors
+/// A limit.
+pub fn rows(plan: &Plan) -> Result<Vec<Vec<Entry>>, Exit> {
+    let mut factors = Factors::new(plan);
+    let one = |row: u64| {
+        let found = factors.value(row)?;
+        Ok(entries(plan, plan.row(row, found)?.0))
+    };
+    (0..plan.rows()).map(one).collect::<Result<_, TableError>>().map_err(|e| exit(&e))
+}
+
 /// How the work ended.
 enum End {
     Complete,
@@ -384,7 +336,7 @@ fn write(
     mut writer: Writer,
     from: u64,
     out: &mut dyn Write,
-    mut certificate: Option<&mut Target>,
+    mut certificate: Option<&mut dyn Write>,
 ) -> Result<End, Stop> {
     let Job { plan, rows, .. } = job;
     if from == 0 {

@@ -192,7 +192,8 @@ fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> En
         log: Vec::new(),
         depth: 0,
         used: 0,
-        deadline: Some(Instant::now() + limits.time),
+        // No deadline where the clock does not reach that far.
+        deadline: Instant::now().checked_add(limits.time),
         steps: limits.steps,
         cited,
         limit: None,
@@ -202,6 +203,7 @@ fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> En
     engine.ring.degree_limit = limits.degree;
     engine.ring.terms_limit = limits.terms;
     engine.ring.bits_limit = limits.digits;
+    engine.ring.deadline = engine.deadline;
     engine
 }
 

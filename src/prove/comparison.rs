@@ -177,7 +177,7 @@ impl Engine<'_> {
                 relation = mirrored(relation);
                 continue;
             }
-            let even = exponent.as_integer().is_some_and(|k| k % 2 == 0);
+            let even = exponent.is_even();
             if even && exponent.order_sign().is_lt() {
                 continue;
             }

@@ -15,7 +15,7 @@ use malachite::base::num::conversion::traits::IsInteger;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -24,6 +24,12 @@ pub const PRECISION: u64 = 192;
 
 /// The largest exponent and index that is evaluated.
 pub const LARGEST: i64 = 400;
+
+/// How many expressions are evaluated at one point.
+pub const STEPS: u32 = 100_000;
+
+/// The most bits of an exact value.
+const EXACT_BITS: u64 = 100_000;
 
 /// A number known exactly or between two others.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,10 +52,12 @@ pub enum Missing {
 type Result<T> = std::result::Result<T, Missing>;
 
 /// A point: values of variables and of members of families.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Assignment {
-    /// Variables and bound indices.
+    /// Variables.
     pub values: HashMap<String, Rational>,
+    /// Bound indices: they hide variables in what they bind, but not in the definitions of sequences and ranges.
+    pub indices: HashMap<String, Rational>,
     /// Families: the values that members take in turn.
     pub families: HashMap<String, Vec<Rational>>,
     /// Families that are geometric: the ratio of a member to the one before it; the first of the
@@ -63,6 +71,24 @@ pub struct Assignment {
     pub ranges: HashMap<String, (Expr, Expr)>,
     /// The members that were looked up.
     pub seen: RefCell<BTreeMap<(String, i64), Rational>>,
+    /// How many expressions may still be evaluated, here and in copies of the point.
+    pub steps: Rc<Cell<u32>>,
+}
+
+impl Default for Assignment {
+    fn default() -> Assignment {
+        Assignment {
+            values: HashMap::default(),
+            indices: HashMap::default(),
+            families: HashMap::default(),
+            ratios: HashMap::default(),
+            identities: Rc::default(),
+            sequences: BTreeMap::new(),
+            ranges: HashMap::default(),
+            seen: RefCell::default(),
+            steps: Rc::new(Cell::new(STEPS)),
+        }
+    }
 }
 
 /// A scalar or a matrix of numbers.
@@ -126,7 +152,7 @@ fn rounded(q: &Rational, up: bool) -> Rational {
     let shift = q.denominator_ref().significant_bits() + PRECISION;
     let shift =
         i64::try_from(shift).unwrap_or(i64::MAX) - i64::try_from(q.numerator_ref().significant_bits()).unwrap_or(0);
-    let scale = Rational::from(2).pow(shift.max(0));
+    let scale = Rational::from(2).pow(shift);
     let scaled = q * &scale;
     let whole = if up {
         malachite::base::num::arithmetic::traits::Ceiling::ceiling(scaled)
@@ -140,9 +166,24 @@ fn between(a: Rational, b: Rational) -> Number {
     if a == b { Number::Exact(a) } else { Number::Between(rounded(&a, false), rounded(&b, true)) }
 }
 
+/// The number, or an enclosure where it is too long.
+fn exact(q: Rational) -> Number {
+    if q.significant_bits() > EXACT_BITS {
+        Number::Between(rounded(&q, false), rounded(&q, true))
+    } else {
+        Number::Exact(q)
+    }
+}
+
+/// The number, unless its ends are too long, which rounding does not mend for the very large and the very small.
+fn of_some_size(x: Number) -> Result<Number> {
+    let (low, high) = x.ends();
+    if low.significant_bits().max(high.significant_bits()) > 2 * EXACT_BITS { Err(Missing::Unknown) } else { Ok(x) }
+}
+
 fn add(a: &Number, b: &Number) -> Number {
     match (a, b) {
-        (Number::Exact(a), Number::Exact(b)) => Number::Exact(a + b),
+        (Number::Exact(a), Number::Exact(b)) => exact(a + b),
         _ => {
             let ((a, b), (c, d)) = (a.ends(), b.ends());
             between(a + c, b + d)
@@ -159,7 +200,7 @@ fn negate(a: &Number) -> Number {
 
 fn multiply(a: &Number, b: &Number) -> Number {
     match (a, b) {
-        (Number::Exact(a), Number::Exact(b)) => Number::Exact(a * b),
+        (Number::Exact(a), Number::Exact(b)) => exact(a * b),
         (Number::Exact(q), _) | (_, Number::Exact(q)) if *q == 0 => Number::Exact(Rational::ZERO),
         _ => {
             let ((a, b), (c, d)) = (a.ends(), b.ends());
@@ -293,9 +334,16 @@ impl Assignment {
 
     fn value(&self, e: &Expr) -> Result<Value> {
         use ExprKind::*;
+        match self.steps.get().checked_sub(1) {
+            Some(left) => self.steps.set(left),
+            None => return Err(Missing::Unknown),
+        }
         Ok(Value::Scalar(match &e.kind {
             Number(text) => self::Number::Exact(rational::parse(text).map_err(|_| Missing::Unknown)?),
-            Name(name) => self::Number::Exact(self.values.get(name).cloned().ok_or(Missing::Unknown)?),
+            Name(name) => {
+                let value = self.indices.get(name).or_else(|| self.values.get(name));
+                self::Number::Exact(value.cloned().ok_or(Missing::Unknown)?)
+            }
             Negate(a) => match self.value(a)? {
                 Value::Scalar(a) => negate(&a),
                 Value::Matrix(rows) => {
@@ -314,7 +362,7 @@ impl Assignment {
                     };
                     sum = Some(match (sum, value) {
                         (None, value) => value,
-                        (Some(Value::Scalar(a)), Value::Scalar(b)) => Value::Scalar(add(&a, &b)),
+                        (Some(Value::Scalar(a)), Value::Scalar(b)) => Value::Scalar(of_some_size(add(&a, &b))?),
                         (Some(Value::Matrix(a)), Value::Matrix(b)) => Value::Matrix(
                             a.iter().zip(&b).map(|(r, s)| r.iter().zip(s).map(|(x, y)| add(x, y)).collect()).collect(),
                         ),
@@ -334,7 +382,7 @@ impl Assignment {
                             } else {
                                 b
                             };
-                            Value::Scalar(multiply(&a, &b))
+                            Value::Scalar(of_some_size(multiply(&a, &b))?)
                         }
                         (Value::Matrix(m), Value::Scalar(b)) | (Value::Scalar(b), Value::Matrix(m)) => {
                             let b = if *operator == Factor::Over {
@@ -367,19 +415,20 @@ impl Assignment {
             SumOver(index, body) | ProductOver(index, body) => {
                 let is_sum = matches!(&e.kind, SumOver(..));
                 let (from, to) = (self.whole(&index.from)?, self.whole(&index.to)?);
-                if to < from - 1 {
+                let Some(length) = to.checked_sub(from) else { return Err(Missing::Unknown) };
+                if length < -1 {
                     return Err(Missing::Undefined(format!("the range of {} ends before it begins", index.name.text)));
                 }
-                if to - from > LARGEST {
+                if length > LARGEST {
                     return Err(Missing::Unknown);
                 }
                 let mut total = self::Number::Exact(if is_sum { Rational::ZERO } else { Rational::ONE });
                 for k in from..=to {
                     let mut inner = self.clone();
-                    inner.values.insert(index.name.text.clone(), Rational::from(k));
+                    inner.indices.insert(index.name.text.clone(), Rational::from(k));
                     let value = inner.number(body)?;
                     self.seen.borrow_mut().extend(inner.seen.into_inner());
-                    total = if is_sum { add(&total, &value) } else { multiply(&total, &value) };
+                    total = of_some_size(if is_sum { add(&total, &value) } else { multiply(&total, &value) })?;
                 }
                 total
             }
@@ -468,7 +517,8 @@ impl Assignment {
                     return Err(Missing::Undefined(format!("{} has no member {index}", name.text)));
                 }
                 if let Some((from, to)) = self.ranges.get(text)
-                    && !(self.whole(from)? <= index && index <= self.whole(to)?)
+                    && let point = self.without_indices()
+                    && !(point.whole(from)? <= index && index <= point.whole(to)?)
                 {
                     return Err(Missing::Undefined(format!("{text}({index}) lies outside the range of {text}")));
                 }
@@ -493,17 +543,24 @@ impl Assignment {
         }))
     }
 
+    /// The point as definitions see it: the claim's variables alone.
+    fn without_indices(&self) -> Assignment {
+        Assignment { indices: HashMap::default(), ..self.clone() }
+    }
+
     /// u(k), each member evaluated once: the step may mention the member before it, which is bound
     /// as a value of its own.
     fn member(&self, sequence: &Sequence, index: i64) -> Result<Number> {
         if !sequence.steps_once() {
             return Err(Missing::Unknown);
         }
-        let mut value = self.number(&sequence.initial)?;
+        let outer = self.without_indices();
+        let mut value = outer.number(&sequence.initial)?;
+        self.seen.borrow_mut().extend(outer.seen.take());
         for k in 0..index {
             let Number::Exact(known) = &value else { return Err(Missing::Unknown) };
-            let mut inner = self.clone();
-            inner.values.insert(sequence.index.clone(), Rational::from(k));
+            let mut inner = outer.clone();
+            inner.indices.insert(sequence.index.clone(), Rational::from(k));
             inner.sequences.remove(&sequence.name);
             inner.families.insert(sequence.name.clone(), vec![known.clone()]);
             value = inner.number(&sequence.step)?;
@@ -636,7 +693,7 @@ impl Assignment {
             return Err(Missing::Unknown);
         }
         let mut inner = self.clone();
-        inner.values.insert(name.text.clone(), Rational::ZERO);
+        inner.indices.insert(name.text.clone(), Rational::ZERO);
         inner.truth(body)
     }
 
@@ -664,7 +721,7 @@ impl Assignment {
         let fine = relations.iter().all(|r| *r == Relation::Equal) && sides.iter().all(|e| monomial(self, e, name));
         for k in [0, 1] {
             let mut inner = self.clone();
-            inner.values.insert(name.to_string(), Rational::from(k));
+            inner.indices.insert(name.to_string(), Rational::from(k));
             if !inner.truth(body)? {
                 return Ok(false);
             }

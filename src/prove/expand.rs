@@ -247,6 +247,10 @@ impl Substitution {
             None => None,
         };
         let text = renamed.as_ref().unwrap_or(&variable.text);
+        // A sequence in the body may be made of what the variable would become, unless that is a name of our own.
+        if renamed.as_ref().is_some_and(|name| !name.trim_end_matches('\'').contains('\'')) && has_member(body) {
+            return Err(MOVES);
+        }
         let mut names = BTreeSet::new();
         names_in(body, &mut names);
         names.remove(&variable.text);

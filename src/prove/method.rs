@@ -497,7 +497,7 @@ impl Engine<'_> {
     /// Existence without a stated witness: small exact values are tried.
     pub fn existence(&mut self, cx: &mut Context, bindings: &[Binding], body: &Prop) -> Result<()> {
         let goal = Prop { kind: PropKind::Exists(bindings.to_vec(), Box::new(body.clone())), span: body.span };
-        let Some(point) = super::refute::example(bindings, body) else { return Err(not_shown(&goal)) };
+        let Some(point) = super::refute::example(bindings, body, self.deadline) else { return Err(not_shown(&goal)) };
         let values: Vec<(Name, Expr)> = point
             .into_iter()
             .map(|(name, value)| (Name { text: name, span: body.span }, super::refute::literal(&value)))

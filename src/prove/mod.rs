@@ -21,8 +21,4 @@ pub mod show;
 pub mod sign;
 pub mod translate;
 
-// A browser has a clock, but not behind the standard library's type.
-#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-use std::time::Instant;
-#[cfg(all(target_family = "wasm", target_os = "unknown"))]
-use web_time::Instant;
+use crate::algebra::Instant;

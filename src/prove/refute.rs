@@ -6,7 +6,7 @@
 
 use super::Instant;
 use super::context::{Context, Engine};
-use super::evaluate::{Assignment, Missing};
+use super::evaluate::{Assignment, Missing, STEPS};
 use super::expand::Statement;
 use super::outcome::{Broken, Point, Witness};
 use super::series::Tends;
@@ -18,6 +18,8 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::conversion::traits::IsInteger;
 use rustc_hash::FxHashSet as HashSet;
+use std::cell::Cell;
+use std::rc::Rc;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
@@ -149,10 +151,7 @@ impl Search {
                         if tried > POINTS {
                             return false;
                         }
-                        if tried % 64 == 0
-                            && let Some(deadline) = deadline
-                            && Instant::now() > deadline
-                        {
+                        if deadline.is_some_and(|deadline| Instant::now() > deadline) {
                             return false;
                         }
                         if let Some(point) = self.point(&ranks)
@@ -193,7 +192,7 @@ impl Search {
     }
 
     fn point(&self, ranks: &[usize]) -> Option<Assignment> {
-        let mut point = self.base.clone();
+        let mut point = Assignment { steps: Rc::new(Cell::new(STEPS)), ..self.base.clone() };
         for ((name, _), (rank, values)) in self.names.iter().zip(ranks.iter().zip(&self.values)) {
             point.values.insert(name.clone(), values[*rank].clone());
         }
@@ -325,7 +324,8 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
     let goal = without_derivatives(engine, cx, &goal);
     let about_limits = has_limit(&goal);
     let goal = without_limits(engine, cx, &goal);
-    search.base.identities = std::rc::Rc::new(identities(engine, cx, &goal));
+    // Shown under the hypotheses, so that only the goal is looked at by them: a hypothesis must hold by itself.
+    let identities = Rc::new(identities(engine, cx, &goal));
     let mut found = None;
     // Limits that depend on the other variables are found point by point.
     let mut limits_left = if has_limit(&goal) { LIMITS } else { 0 };
@@ -339,6 +339,7 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
             None
         };
         let goal = there.as_ref().unwrap_or(&goal);
+        let point = &Assignment { identities: identities.clone(), ..point.clone() };
         let broken = match point.truth(goal) {
             Ok(false) => {
                 let mut list = Vec::new();
@@ -384,11 +385,11 @@ pub fn falsified(statement: &Statement) -> Option<Witness> {
 }
 
 /// Values for the variables of an `exists` that make its body certainly true.
-pub fn example(bindings: &[Binding], body: &Prop) -> Option<Vec<(String, Rational)>> {
+pub fn example(bindings: &[Binding], body: &Prop, deadline: Option<Instant>) -> Option<Vec<(String, Rational)>> {
     let mut search = Search::new(bindings, None);
     let names: Vec<String> = search.names.iter().map(|n| n.0.clone()).collect();
     let mut found = None;
-    search.run(None, &mut |point| {
+    search.run(deadline, &mut |point| {
         if point.truth(body) != Ok(true) {
             return false;
         }

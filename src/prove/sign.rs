@@ -290,12 +290,12 @@ pub fn decided(signs: Signs) -> bool {
 /// The signs of a power, where it is defined.
 pub fn power_signs(base: Signs, exponent: &Exponent) -> Signs {
     let negative = exponent.order_sign().is_lt();
-    let signs = match exponent.as_integer() {
-        Some(k) if k % 2 == 0 => base.squared(),
-        Some(_) => base,
+    let signs = match exponent {
+        _ if exponent.is_even() => base.squared(),
+        _ if exponent.is_integer() => base,
         // Other powers exist only for non-negative bases; symbolic ones only for positive bases.
-        None if exponent.number().is_some() => base.and(Signs::NOT_NEGATIVE),
-        None => Signs::POSITIVE,
+        Exponent::Number(_) => base.and(Signs::NOT_NEGATIVE),
+        Exponent::Symbolic(_) => Signs::POSITIVE,
     };
     if negative { signs.and(Signs::NOT_ZERO) } else { signs }
 }

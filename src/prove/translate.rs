@@ -775,15 +775,26 @@ fn split_constant(engine: &mut Engine, form: &Form) -> Result<(Form, i64)> {
     Ok((engine.ring.add(&rest)?, c))
 }
 
-/// Whether an equation among the hypotheses holds a variable and another one: it may determine one by the other.
+/// Whether an equation among the hypotheses, or a proposition that may hold one, has a variable and another name in it:
+/// it may determine one by the other. Derivatives are partial all the same, all other variables held fast; this only
+/// refuses to speak of them where a reader could think of another derivative.
 fn tied(cx: &Context, variable: &str) -> bool {
     cx.facts.iter().filter(|f| f.origin != Origin::Derived).any(|fact| {
-        let PropKind::Compare(_, relations) = &fact.prop.kind else { return false };
+        let equation = match &fact.prop.kind {
+            // 1 <= x*y <= 1 is an equation as well.
+            PropKind::Compare(sides, relations) => {
+                relations.contains(&Relation::Equal)
+                    || sides
+                        .iter()
+                        .enumerate()
+                        .any(|(i, side)| sides.iter().skip(i + 1).any(|other| text_of(other) == text_of(side)))
+            }
+            _ => true,
+        };
         let mut names = std::collections::BTreeSet::new();
         super::expand::names_in_prop(&fact.prop, &mut names);
-        relations.contains(&Relation::Equal)
-            && names.contains(variable)
-            && cx.variables.iter().any(|(other, _)| other != variable && names.contains(other))
+        names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
+        equation && names.contains(variable) && names.len() > 1
     })
 }
 

@@ -1,5 +1,6 @@
 //! One claim with its whole argument, for `carom explain`.
 
+use super::latex::{code, escape};
 use super::{Entry, markdown, statement, visible};
 use crate::claim::print::Style;
 use crate::claim::syntax::Claim;
@@ -50,7 +51,7 @@ pub fn text(entry: &Entry) -> String {
 
 /// What follows the argument: where it fails, why it is undecided, what was used, a point where the
 /// hypotheses hold, and the notes; each with its title.
-fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
+pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
     let at = |point: &Point| point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect::<Vec<_>>().join(", ");
     let mut out = Vec::new();
@@ -85,10 +86,10 @@ pub fn latex(entry: &Entry) -> String {
         out.push_str("\\begin{itemize}\n");
         for line in &outcome.argument {
             out.push_str(&format!(
-                "  \\item \\hspace*{{{}em}}\\textit{{{}}}: \\texttt{{{}}}\n",
+                "  \\item \\hspace*{{{}em}}\\textit{{{}}}: {}\n",
                 2 * line.depth,
                 escape(line.rule),
-                escape(&line.text)
+                code(&line.text)
             ));
         }
         out.push_str("\\end{itemize}\n");
@@ -98,7 +99,7 @@ pub fn latex(entry: &Entry) -> String {
             out.push_str(&format!("\nNote: {}\n", escape(&lines.join(" "))));
             continue;
         }
-        let lines: Vec<String> = lines.iter().map(|l| format!("\\texttt{{{}}}", escape(l))).collect();
+        let lines: Vec<String> = lines.iter().map(|l| code(l)).collect();
         out.push_str(&format!("\n{title}: {}.\n", lines.join("; ")));
     }
     out
@@ -147,30 +148,6 @@ pub fn markdown(entry: &Entry) -> String {
         for line in lines {
             let line = if title == "Notes" { markdown::escape(&line) } else { code(&line) };
             out.push_str(&format!("- {line}\n"));
-        }
-    }
-    out
-}
-
-/// Text that LaTeX shows as it stands, whatever the fonts.
-pub fn escape(text: &str) -> String {
-    let mut out = String::new();
-    for c in text.chars() {
-        match c {
-            '&' | '%' | '$' | '#' | '_' | '{' | '}' => {
-                out.push('\\');
-                out.push(c);
-            }
-            '^' => out.push_str("\\^{}"),
-            '~' => out.push_str("\\~{}"),
-            '\\' => out.push_str("\\textbackslash{}"),
-            // These have no sign in the fonts that LaTeX takes when nothing else is said.
-            '≤' => out.push_str("$\\le$"),
-            '≥' => out.push_str("$\\ge$"),
-            '≠' => out.push_str("$\\ne$"),
-            '<' => out.push_str("\\textless{}"),
-            '>' => out.push_str("\\textgreater{}"),
-            c => out.push(c),
         }
     }
     out

@@ -15,13 +15,19 @@ pub fn report(audit: &Audit) -> String {
         s.unexpected,
         if audit.problems.is_empty() { String::new() } else { format!("; {}", counted(audit.problems.len(), "error")) }
     );
+    sections(&mut out, audit);
+    out
+}
+
+/// A table for each section, then what could not be judged.
+pub fn sections(out: &mut String, audit: &Audit) {
     for (section, entries) in audit.sections() {
         out.push_str(&format!(
             "\n## {}\n\n| claim | no. | verdict | reading | statement | remarks |\n|---|---|---|---|---|---|\n",
             escape(section)
         ));
         for entry in entries {
-            row(&mut out, entry);
+            row(out, entry);
         }
     }
     if !audit.problems.is_empty() {
@@ -30,7 +36,6 @@ pub fn report(audit: &Audit) -> String {
     for problem in &audit.problems {
         out.push_str(&format!("\n{}\n\n```text\n{}\n```\n", escape(&problem.name), problem.message));
     }
-    out
 }
 
 fn row(out: &mut String, entry: &Entry) {

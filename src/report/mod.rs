@@ -1,17 +1,17 @@
-//! An audit as text, JSON, Markdown and JUnit, one claim's argument, the answers to a scene, and a replay in words
-//! and pictures.
+//! An audit as text, JSON, Markdown and JUnit, and as a folder to hand in; one claim's argument, the answers to a
+//! scene, and a replay in words and pictures.
 
 pub mod answers;
 pub mod argument;
-pub mod document;
-pub mod graph;
+#[cfg(feature = "cli")]
+pub mod handout;
 pub mod json;
 #[cfg(feature = "cli")]
 pub mod junit;
+pub mod latex;
 pub mod markdown;
 pub mod markup;
 pub mod mathml;
-pub mod page;
 #[cfg(feature = "svg")]
 pub mod plot;
 pub mod replay;

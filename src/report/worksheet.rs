@@ -140,7 +140,7 @@ fn paragraph(text: &str, form: Form) -> String {
 }
 
 fn latex(text: &str) -> String {
-    super::argument::escape(text)
+    super::latex::escape(text)
 }
 
 fn table(rows: &[Vec<String>], form: Form) -> String {

@@ -1,5 +1,6 @@
 //! A frame with two scales, their ticks and labels, and a legend.
 
+use super::letters::plain;
 use super::shape::{Anchor, BLACK, Colour, DASHES, PALE, PALETTE, Page, Shape, WHITE};
 
 /// The size of the page.
@@ -46,6 +47,17 @@ impl Scale {
         Scale { whole: true, ..Scale::even(from, to, label) }
     }
 
+    /// The scale in words.
+    fn words(&self) -> String {
+        let kind = if self.logarithmic { ", logarithmic" } else { "" };
+        let end = |v: f64| match v.abs() {
+            0.0 | 1e-4..1e6 => v.to_string(),
+            _ => format!("{v:e}"),
+        };
+        let (from, to) = (end(self.ends.0).replace('-', "−"), end(self.ends.1).replace('-', "−"));
+        format!("{} from {from} to {to}{kind}", plain(&self.label))
+    }
+
     /// The share of the way from one end to the other.
     fn share(&self, value: f64) -> f64 {
         let (from, to) = self.ends;
@@ -87,15 +99,16 @@ pub struct Chart {
     page: Page,
     x: Scale,
     y: Scale,
-    legend: usize,
+    legend: Vec<String>,
 }
 
 impl Chart {
     /// A frame with its scales and ticks; `grid` draws fine lines at the ticks.
     #[must_use]
     pub fn new(title: &str, x: Scale, y: Scale, grid: bool) -> Chart {
-        let page = Page { width: WIDTH, height: HEIGHT, title: title.to_owned(), shapes: Vec::new() };
-        let mut chart = Chart { page, x, y, legend: 0 };
+        let (title, description) = (title.to_owned(), String::new());
+        let page = Page { width: WIDTH, height: HEIGHT, title, description, shapes: Vec::new() };
+        let mut chart = Chart { page, x, y, legend: Vec::new() };
         if grid {
             chart.grid();
         }
@@ -157,20 +170,20 @@ impl Chart {
     }
 
     /// The place of the next line of the legend, right of the frame.
-    fn entry(&mut self) -> (f32, f32) {
-        self.legend += 1;
-        (WIDTH - RIGHT + 14.0, TOP + 20.0 * self.legend as f32)
+    fn entry(&mut self, text: &str) -> (f32, f32) {
+        self.legend.push(plain(text));
+        (WIDTH - RIGHT + 14.0, TOP + 20.0 * self.legend.len() as f32)
     }
 
     /// A title over the legend.
     pub fn legend_title(&mut self, text: &str) {
-        let (x, y) = self.entry();
+        let (x, y) = self.entry(text);
         self.text((x, y), text, Anchor::Start);
     }
 
     /// A curve in the legend.
     pub fn legend_curve(&mut self, number: usize, text: &str) {
-        let (x, y) = self.entry();
+        let (x, y) = self.entry(text);
         let (colour, dash) = (PALETTE[number % PALETTE.len()], DASHES[number % DASHES.len()]);
         let points = vec![(x, y - 4.0), (x + 28.0, y - 4.0)];
         self.page.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
@@ -179,7 +192,7 @@ impl Chart {
 
     /// A dot in the legend.
     pub fn legend_dot(&mut self, number: usize, full: bool, text: &str) {
-        let (x, y) = self.entry();
+        let (x, y) = self.entry(text);
         let colour = PALETTE[number % PALETTE.len()];
         self.page.shapes.push(Shape::Dot { at: (x + 8.0, y - 4.0), radius: 4.0, colour, full });
         self.text((x + 20.0, y), text, Anchor::Start);
@@ -187,7 +200,7 @@ impl Chart {
 
     /// A filled area in the legend.
     pub fn legend_area(&mut self, colour: Colour, text: &str) {
-        let (x, y) = self.entry();
+        let (x, y) = self.entry(text);
         let points = vec![(x, y - 11.0), (x + 18.0, y - 11.0), (x + 18.0, y + 2.0), (x, y + 2.0)];
         let mut border = points.clone();
         border.push(points[0]);
@@ -236,6 +249,7 @@ impl Chart {
         let centre = ((LEFT + WIDTH - RIGHT) / 2.0, (TOP + HEIGHT - BOTTOM) / 2.0);
         self.page.shapes.push(label((centre.0, HEIGHT - 18.0), &x.label, false));
         self.page.shapes.push(label((24.0, centre.1), &y.label, true));
+        self.page.description = format!("{} against {}. Legend: {}.", y.words(), x.words(), self.legend.join("; "));
         let title = self.page.title.clone();
         self.page.shapes.push(label((centre.0, 26.0), &title, false));
         self.page

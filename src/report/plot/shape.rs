@@ -91,8 +91,10 @@ pub struct Page {
     pub width: f32,
     /// Its height.
     pub height: f32,
-    /// What it shows, for readers who cannot see it.
+    /// What it shows, in a few words.
     pub title: String,
+    /// Its scales and its legend in words, for readers who cannot see it.
+    pub description: String,
     /// The shapes.
     pub shapes: Vec<Shape>,
 }

@@ -9,19 +9,26 @@ use std::fmt::Write;
 /// The text of the file.
 #[must_use]
 pub fn render(page: &Page) -> String {
+    inline(page, "")
+}
+
+/// The same to stand in a document with other pictures: its identifiers begin with a prefix.
+#[must_use]
+pub fn inline(page: &Page, prefix: &str) -> String {
     let letters = Letters::new();
     let (mut used, mut body) = (BTreeMap::new(), String::new());
     for shape in &page.shapes {
-        one(shape, &letters, &mut used, &mut body);
+        one(shape, &letters, prefix, &mut used, &mut body);
     }
     let (width, height) = (page.width, page.height);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\">\n\
-         <title>{}</title>\n<defs>\n",
-        escape(&plain(&page.title))
+         <title>{}</title>\n<desc>{}</desc>\n<defs>\n",
+        escape(&plain(&page.title)),
+        escape(&page.description)
     );
     for (id, glyph) in &used {
-        let _ = writeln!(out, "<path id=\"g{id}\" d=\"{}\"/>", outline(&letters.outline(*glyph)));
+        let _ = writeln!(out, "<path id=\"{prefix}g{id}\" d=\"{}\"/>", outline(&letters.outline(*glyph)));
     }
     let _ =
         write!(out, "</defs>\n<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>\n{body}</svg>\n", hex(WHITE));
@@ -30,7 +37,7 @@ pub fn render(page: &Page) -> String {
 
 type Used = BTreeMap<u16, ttf_parser::GlyphId>;
 
-fn one(shape: &Shape, letters: &Letters, used: &mut Used, out: &mut String) {
+fn one(shape: &Shape, letters: &Letters, prefix: &str, used: &mut Used, out: &mut String) {
     // Writing to a text cannot fail.
     let _ = match shape {
         Shape::Line { points, colour, width, dash } => {
@@ -68,7 +75,7 @@ fn one(shape: &Shape, letters: &Letters, used: &mut Used, out: &mut String) {
                 let (x, y, s) = (letter.x, letter.y, letter.scale);
                 let _ = writeln!(
                     out,
-                    "<use href=\"#g{}\" transform=\"translate({x:.2} {y:.2}) scale({s:.5} -{s:.5})\"/>",
+                    "<use href=\"#{prefix}g{}\" transform=\"translate({x:.2} {y:.2}) scale({s:.5} -{s:.5})\"/>",
                     letter.glyph.0
                 );
             }

@@ -4,7 +4,7 @@
 //! is computed from the entries, so that no column is wider than it needs to be.
 
 use super::{Entry, Head};
-use crate::report::argument::escape;
+use crate::report::latex::escape;
 use std::io::{self, Write};
 
 pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {

@@ -169,7 +169,7 @@ impl Entry {
     }
 
     /// The mantissa without its small digits, the small digits, and the exponent with its sign.
-    fn parts(&self) -> (&str, &str, &str) {
+    pub(super) fn parts(&self) -> (&str, &str, &str) {
         let Self::Small(text, small) = self else { return (self.plain(), "", "") };
         let (mantissa, exponent) = text.split_once('e').map_or((text.as_str(), ""), |(m, e)| (m, e));
         // A point among the small digits is carried along.

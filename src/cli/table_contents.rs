@@ -1,0 +1,110 @@
+//! What a table holds, as `carom table` and `carom report --table` are told it.
+
+use super::Exit;
+use super::table::exit;
+use crate::number::decimal::{Digits, Rounding};
+use crate::table::grid::{Grid, GridError};
+use crate::table::{Plan, Printing, Quantity};
+
+/// The arguments that say what a table holds.
+#[derive(clap::Args)]
+pub struct Contents {
+    /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+    pub ratio: Option<String>,
+    /// Coefficients of restitution, for eta and best-n
+    #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
+    pub e: Option<String>,
+    /// Numbers of inserted bodies, for eta and threshold
+    #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
+    pub n: Option<String>,
+    /// The quantity
+    #[arg(long, value_enum, default_value = "eta")]
+    want: Want,
+    /// Significant digits
+    #[arg(long, value_name = "D", default_value_t = 6, conflicts_with = "places")]
+    digits: u64,
+    /// Digits after the point, instead of significant ones
+    #[arg(long, value_name = "P")]
+    places: Option<u64>,
+    /// The direction of rounding
+    #[arg(long, value_enum, default_value = "nearest-even")]
+    pub round: Round,
+    /// Show so many further digits beside the value, with a bound
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    extra: u64,
+}
+
+impl Contents {
+    /// The table that is asked for.
+    ///
+    /// # Errors
+    /// A grid that is missing, cannot be read, or is out of its range.
+    pub fn plan(&self) -> Result<Plan, Exit> {
+        let ratio = grid("--ratio", self.ratio.as_deref())?;
+        let e = grid("-e", self.e.as_deref())?;
+        let n = grid("-n", self.n.as_deref())?;
+        let Some(ratio) = ratio else { return Err(Exit::usage("error: give a grid of mass ratios: --ratio GRID")) };
+        let quantity = match self.want {
+            Want::Eta => Quantity::Eta,
+            Want::Threshold => Quantity::Threshold,
+            Want::BestN => Quantity::BestN,
+        };
+        let digits = self.places.map_or(Digits::Significant(self.digits), Digits::Places);
+        let printing = Printing { digits, rounding: self.round.rounding(), extra: self.extra };
+        Plan::new(quantity, ratio, e, n, printing).map_err(|e| exit(&e))
+    }
+}
+
+/// The quantities.
+#[derive(Clone, Copy, clap::ValueEnum)]
+pub enum Want {
+    /// The share of the energy handed on, (25)
+    Eta,
+    /// The least restitution with which the n-th body helps, (19)
+    Threshold,
+    /// The best number of inserted bodies
+    BestN,
+}
+
+/// The directions of rounding.
+#[derive(Clone, Copy, clap::ValueEnum)]
+pub enum Round {
+    /// To the nearest, ties to the even digit
+    #[value(alias = "nearest")]
+    NearestEven,
+    /// Never below the value
+    Up,
+    /// Never above the value
+    Down,
+    /// Towards zero
+    Zero,
+    /// Away from zero
+    Away,
+}
+
+impl Round {
+    /// The rule of rounding.
+    pub fn rounding(self) -> Rounding {
+        match self {
+            Round::NearestEven => Rounding::Nearest,
+            Round::Up => Rounding::Up,
+            Round::Down => Rounding::Down,
+            Round::Zero => Rounding::Zero,
+            Round::Away => Rounding::Away,
+        }
+    }
+}
+
+/// A grid of the command line.
+pub fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
+    let fault = |text: &str, e: &GridError| {
+        let shown: String = text.chars().take(SHOWN).collect();
+        let rest = if shown.len() < text.len() { "…" } else { "" };
+        Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {flag} {shown}{rest}: {e}") }
+    };
+    text.map(|text| Grid::parse(text).map_err(|e| fault(text, &e))).transpose()
+}
+
+/// Characters of a grid that an error repeats.
+const SHOWN: usize = 200;

@@ -1,0 +1,38 @@
+//! What a reader of the paper should know first: hidden hypotheses, damaged lines, what is false.
+
+use crate::claim::syntax::Reading;
+use crate::prove::outcome::{Point, Verdict};
+use crate::report::Audit;
+
+/// A finding.
+pub struct Finding<'a> {
+    /// The claim's name.
+    pub name: &'a str,
+    /// The claim's title.
+    pub title: &'a str,
+    /// Its kind in a few words.
+    pub kind: &'static str,
+    /// What was found, in words.
+    pub says: Vec<&'a str>,
+    /// Where the claim fails.
+    pub fails_at: Option<&'a Point>,
+}
+
+/// The findings of an audit, in the order of the claims.
+pub fn of(audit: &Audit) -> Vec<Finding<'_>> {
+    let mut out = Vec::new();
+    for entry in &audit.entries {
+        let (claim, outcome) = (&entry.claim, &entry.outcome);
+        let kind = match (claim.reading, outcome.verdict) {
+            (Reading::Extracted, Verdict::Refuted) => "a damaged line of the text",
+            (_, Verdict::Refuted) => "false as stated",
+            (_, Verdict::Undecided) => "undecided",
+            _ if !claim.notes.is_empty() => "note",
+            _ => continue,
+        };
+        let says = claim.notes.iter().chain(&outcome.reason).map(String::as_str).collect();
+        let fails_at = outcome.witness.as_ref().map(|w| &w.point);
+        out.push(Finding { name: &claim.name.text, title: &claim.title, kind, says, fails_at });
+    }
+    out
+}

@@ -1,0 +1,189 @@
+//! An audit as a folder to hand in: a page, Markdown, LaTeX, certificates, Coq proofs, certified tables and pictures.
+//!
+//! Contract: [`Handout::files`] is all that stands in the folder, the same on every machine and at every time. Links
+//! lead to files of the folder or to places of their own page, never elsewhere, and what stands in a claim file is
+//! escaped in each form. Who vouches for a verdict is said beside it ([`evidence`]).
+
+mod document;
+pub mod evidence;
+mod findings;
+mod markdown;
+pub mod numbers;
+mod page;
+
+use super::{Audit, counted};
+use crate::claim::embedded;
+use crate::prove::outcome::Verdict;
+use evidence::{Evidence, Kernel};
+use numbers::{Plot, Table};
+use std::collections::BTreeMap;
+
+/// What a folder is made of.
+pub struct Handout {
+    /// The audit.
+    pub audit: Audit,
+    /// The title.
+    pub title: String,
+    /// Who else has shown each claim.
+    pub evidence: BTreeMap<String, Evidence>,
+    /// Whether the claims are those of the built-in catalogue.
+    pub catalogue: bool,
+    /// Its tables.
+    pub tables: Vec<Table>,
+    /// Its pictures.
+    pub plots: Vec<Plot>,
+}
+
+/// How many claims others than the prover have shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Proved, and accepted by the kernel.
+    pub kernel: usize,
+    /// Proved or refuted, and so by a theorem of Coq.
+    pub coq: usize,
+    /// Proved or refuted by the prover alone.
+    pub alone: usize,
+}
+
+impl Handout {
+    /// The files of the folder with their paths in it, which hold `/` between names.
+    #[must_use]
+    pub fn files(&self) -> Vec<(String, Vec<u8>)> {
+        let mut out = vec![
+            ("index.html".to_string(), page::page(self).into_bytes()),
+            ("report.md".to_string(), markdown::report(self).into_bytes()),
+            ("report.tex".to_string(), document::document(self).into_bytes()),
+        ];
+        for (name, evidence) in &self.evidence {
+            if let Kernel::Accepted { certificate, .. } = &evidence.kernel {
+                out.push((certificate_of(name), certificate.clone().into_bytes()));
+            }
+        }
+        if self.evidence.values().any(|e| e.coq.is_ok()) {
+            out.extend(embedded::coq_files().iter().map(|f| (coq_file(f.path), f.text.as_bytes().to_vec())));
+            out.push((COQ_CHECK.to_string(), embedded::coq_check().as_bytes().to_vec()));
+        }
+        for (place, table) in self.tables.iter().enumerate() {
+            out.push((table_file(place, "csv"), table.csv.clone().into_bytes()));
+            out.push((table_file(place, "jsonl"), table.certificate.clone().into_bytes()));
+        }
+        for (place, plot) in self.plots.iter().enumerate() {
+            out.push((plot_file(place, "svg"), plot.svg.clone().into_bytes()));
+            out.push((plot_file(place, "png"), plot.png.clone()));
+        }
+        out
+    }
+
+    /// Counts over some claims.
+    #[must_use]
+    pub fn counts<'a>(&self, entries: impl Iterator<Item = &'a super::Entry>) -> Counts {
+        let mut out = Counts::default();
+        for entry in entries.filter(|e| e.outcome.verdict != Verdict::Undecided) {
+            let Some(evidence) = self.evidence.get(&entry.claim.name.text) else { continue };
+            out.kernel += usize::from(evidence.is_checked());
+            out.coq += usize::from(evidence.coq.is_ok());
+            out.alone += usize::from(evidence.is_alone());
+        }
+        out
+    }
+
+    /// Who vouches for the verdicts, in one sentence each.
+    #[must_use]
+    pub fn vouched(&self) -> Vec<String> {
+        let counts = self.counts(self.audit.entries.iter());
+        let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
+        let (has, rests) = match counts.alone {
+            1 => ("verdict", "rests"),
+            _ => ("verdicts", "rest"),
+        };
+        vec![
+            format!("The kernel accepted {} of the {} in this run.", counts.kernel, counted(proved, "proof")),
+            match counts.coq {
+                0 => "No verdict has a theorem in Coq.".to_string(),
+                some => format!(
+                    "The Coq files beside this report prove {some} of the {}.",
+                    counted(self.audit.entries.len(), "verdict")
+                ),
+            },
+            format!("{} {has} {rests} on the prover alone.", counts.alone),
+        ]
+    }
+
+    /// How to check everything again.
+    #[must_use]
+    pub fn again(&self) -> Vec<(String, &'static str)> {
+        let mut out = Vec::new();
+        if self.evidence.values().any(Evidence::is_checked) {
+            let claims = if self.catalogue { "" } else { " --claims PATH…" };
+            out.push((
+                format!("carom check certificates{claims}"),
+                match self.catalogue {
+                    true => "the kernel, on the certificates in this folder",
+                    false => "the kernel, on the certificates in this folder; PATH is where the claim files are",
+                },
+            ));
+        }
+        if !self.tables.is_empty() {
+            out.push(("carom check tables/*.jsonl".to_string(), "the kernel, on every cell of the tables"));
+        }
+        if self.evidence.values().any(|e| e.coq.is_ok()) {
+            out.push((
+                "bash coq/check --fast".to_string(),
+                "Coq, on the proofs, and what axioms they rest on; this report did not run Coq",
+            ));
+        }
+        out
+    }
+}
+
+/// The script that compiles the Coq files and prints their axioms.
+const COQ_CHECK: &str = "coq/check";
+
+fn certificate_of(claim: &str) -> String {
+    format!("certificates/{claim}.cert")
+}
+
+fn coq_file(module: &str) -> String {
+    format!("coq/{module}.v")
+}
+
+fn table_file(place: usize, form: &str) -> String {
+    format!("tables/table-{}.{form}", place + 1)
+}
+
+fn plot_file(place: usize, form: &str) -> String {
+    format!("plots/plot-{}.{form}", place + 1)
+}
+
+/// A path of the folder as an address relative to it.
+fn address(path: &str) -> String {
+    let plain = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'/' | b'-' | b'.' | b'_');
+    path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
+}
+
+/// What is said of a table: whence its numbers are, and who checked them. Names of claims stand between backquotes.
+fn provenance(handout: &Handout, table: &Table) -> Vec<String> {
+    let mut out = vec![format!("{}; {}", table.fact("formula"), named(handout, table.claims()))];
+    let rounding = table.fact("rounding");
+    if !rounding.is_empty() {
+        out.push(format!("Rounding: {rounding}"));
+    }
+    out.push(match table.checked() {
+        Ok([]) => "Every cell accepted by the kernel".to_string(),
+        Ok(claims) => format!("Every cell accepted by the kernel; it rests on {}", named(handout, claims)),
+        Err(reason) => format!("Not checked by the kernel: {reason}"),
+    });
+    out
+}
+
+/// Claims with their verdicts, the names between backquotes.
+fn named(handout: &Handout, claims: &[&str]) -> String {
+    let one = |name: &&str| {
+        let found = handout.audit.entries.iter().find(|e| handout.catalogue && e.claim.name.text == **name);
+        match found {
+            Some(entry) => format!("claim `{name}` ({})", entry.outcome.verdict.name()),
+            None => format!("claim `{name}` of the built-in catalogue"),
+        }
+    };
+    claims.iter().map(one).collect::<Vec<_>>().join(", ")
+}

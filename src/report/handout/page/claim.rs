@@ -1,0 +1,135 @@
+//! The section of a claim: statement, witness, argument, and who else has shown it.
+
+use super::point;
+use crate::claim::print::{self, Style};
+use crate::report::handout::evidence::{Evidence, Kernel};
+use crate::report::handout::{Handout, address, certificate_of, coq_file};
+use crate::report::markup::escape;
+use crate::report::{Entry, mathml, reading};
+
+/// Writes the section.
+pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
+    let verdict = outcome.verdict.name();
+    let evidence = handout.evidence.get(&claim.name.text);
+    let mark = |(text, good)| format!(" <span class=\"mark {}\">{text}</span>", if good { "good" } else { "lack" });
+    let marks: Vec<String> =
+        evidence.map(|e| e.marks(outcome.verdict)).unwrap_or_default().into_iter().map(mark).collect();
+    let number = claim.number.map_or(String::new(), |n| format!("({n}) "));
+    out.push_str(&format!(
+        "<section class=\"claim\" aria-labelledby=\"{0}\">\n<h3 id=\"{0}\">{number}{1} \
+         <span class=\"verdict {verdict}\">{verdict}</span>{2}</h3>\n<p class=\"meta\">{0}",
+        escape(&claim.name.text),
+        escape(&claim.title),
+        marks.concat(),
+    ));
+    if let Some(source) = &claim.source {
+        out.push_str(&format!(" · {}", escape(source)));
+    }
+    out.push_str(&format!(" · {}", reading(claim)));
+    if !outcome.method.is_empty() {
+        out.push_str(&format!(" · by {}", escape(&outcome.method)));
+    }
+    if !entry.as_expected() {
+        out.push_str(" · <strong>not as expected</strong>");
+    }
+    out.push_str("</p>\n");
+    if !claim.items.is_empty() {
+        out.push_str("<details><summary>Hypotheses and definitions</summary>\n");
+        for item in &claim.items {
+            let text = escape(&Style::Unicode.item(item));
+            out.push_str(&format!(
+                "<div class=\"math\" role=\"group\" aria-label=\"{text}\">{}</div>\n",
+                mathml::item(item)
+            ));
+        }
+        out.push_str("</details>\n");
+    }
+    let goal = escape(&print::prop(&claim.goal));
+    out.push_str(&format!(
+        "<div class=\"math\" role=\"group\" aria-label=\"{goal}\">{}</div>\n",
+        mathml::statement(&claim.goal)
+    ));
+    if let Some(witness) = &outcome.witness {
+        out.push_str(&format!("<div class=\"witness\">\n<p>It fails at {}.</p>\n<ul>\n", point(&witness.point)));
+        for broken in &witness.broken {
+            out.push_str(&format!("<li><code>{}</code>", escape(&broken.statement)));
+            if !broken.right.is_empty() {
+                let (left, right) = (escape(&broken.left), escape(&broken.right));
+                out.push_str(&format!(": left side <code>{left}</code>, right side <code>{right}</code>"));
+            }
+            out.push_str("</li>\n");
+        }
+        out.push_str("</ul>\n</div>\n");
+    }
+    if let Some(reason) = &outcome.reason {
+        out.push_str(&format!("<p>{}</p>\n", escape(reason)));
+    }
+    for note in &claim.notes {
+        out.push_str(&format!("<p>{}</p>\n", escape(note)));
+    }
+    if !outcome.argument.is_empty() && outcome.witness.is_none() {
+        out.push_str("<details><summary>Argument</summary>\n<ol class=\"argument\">\n");
+        for line in &outcome.argument {
+            out.push_str(&format!(
+                "<li style=\"padding-left:{}em\"><span class=\"rule\">{}</span>: <code>{}</code></li>\n",
+                2 * line.depth.min(20),
+                escape(line.rule),
+                escape(&line.text)
+            ));
+        }
+        out.push_str("</ol></details>\n");
+    }
+    for (title, list) in [("Used", &outcome.used), ("Stated but not needed", &outcome.unused)] {
+        if !list.is_empty() {
+            let list: Vec<String> = list.iter().map(|h| format!("<code>{}</code>", escape(h))).collect();
+            out.push_str(&format!("<p class=\"meta\">{title}: {}</p>\n", list.join("; ")));
+        }
+    }
+    if let Some(sample) = &outcome.sample {
+        out.push_str(&format!("<p class=\"meta\">The hypotheses hold, for instance, at {}.</p>\n", point(sample)));
+    }
+    if !claim.using.is_empty() {
+        let list: Vec<String> =
+            claim.using.iter().map(|n| format!("<a href=\"#{0}\">{0}</a>", escape(&n.text))).collect();
+        out.push_str(&format!("<p class=\"meta\">Rests on {}.</p>\n", list.join(", ")));
+    }
+    if let Some(evidence) = evidence {
+        shown_by(out, &claim.name.text, evidence);
+    }
+    out.push_str("</section>\n");
+}
+
+/// Certificate and theorem, or why there is none.
+fn shown_by(out: &mut String, name: &str, evidence: &Evidence) {
+    let link = |path: &str| format!("<a href=\"{}\">{}</a>", address(path), escape(path));
+    match &evidence.kernel {
+        Kernel::Accepted { digest, rests_on, .. } => {
+            out.push_str(&format!(
+                "<p class=\"meta\">Checked by the kernel: {}, SHA-256 of the statement <code>{digest}</code>{}.</p>\n",
+                link(&certificate_of(name)),
+                match rests_on.as_slice() {
+                    [] => String::new(),
+                    list => format!("; rests on {}", escape(&list.join(", "))),
+                }
+            ));
+        }
+        Kernel::Without(reason) => {
+            out.push_str(&format!("<p class=\"meta\">Not checked by the kernel: {}.</p>\n", escape(reason)));
+        }
+        Kernel::NotAsked => {}
+    }
+    match &evidence.coq {
+        Ok(theorem) => out.push_str(&format!(
+            "<p class=\"meta\">Coq: theorem <code>{}</code>, stated in {}, proved in {}.</p>\n\
+             <details><summary>The theorem and its proof in Coq</summary>\n\
+             <pre><code>{}</code></pre>\n<pre><code>{}</code></pre>\n</details>\n",
+            escape(&theorem.name),
+            link(&coq_file("claims")),
+            link(&coq_file(&theorem.module)),
+            escape(&theorem.statement),
+            escape(&theorem.proof)
+        )),
+        Err(reason) => out.push_str(&format!("<p class=\"meta\">Not in Coq: {}.</p>\n", escape(reason))),
+    }
+}
