@@ -302,6 +302,8 @@ fn batches_answer_line_by_line() {
             "{before:?}"
         );
     }
+    let folder = carom(&["eval", "--batch", env!("CARGO_MANIFEST_DIR")]);
+    assert_eq!((folder.status.code(), folder.stdout.len()), (Some(2), 0));
     let twice = with_input(&["eval", "--batch", "-"], "m1,m2,e,n\nm1,m2,e,n\n");
     assert_eq!(twice.status.code(), Some(2));
     let folder = tempfile::tempdir().unwrap();

@@ -279,24 +279,26 @@ struct Batch {
 impl Batch {
     /// Answers line by line, the heading first.
     fn answers(&self, input: &mut dyn BufRead, path: &Path, out: &mut dyn Write) -> Result<(), Stop> {
-        out.write_all(self.header().as_bytes())?;
         let shown = path.display();
-        let fault = |code: u8, place: &str, what: &str| {
-            Stop::Input(Exit { code, message: format!("error: {shown}{place}: {what}") })
+        let fault = |code: u8, line: u64, what: &str| {
+            Stop::Input(Exit { code, message: format!("error: {shown}:{line}: {what}") })
         };
         let (mut bytes, mut number, mut first) = (Vec::new(), 0_u64, true);
         loop {
             bytes.clear();
             let read = (&mut *input).take(MAX_LINE as u64).read_until(b'\n', &mut bytes);
-            if read.map_err(|e| Stop::Input(load::cannot_read(path, &e)))? == 0 {
+            let read = read.map_err(|e| Stop::Input(load::cannot_read(path, &e)))?;
+            if number == 0 {
+                out.write_all(self.header().as_bytes())?;
+            }
+            if read == 0 {
                 return Ok(());
             }
             number += 1;
-            let place = format!(":{number}");
             if bytes.len() >= MAX_LINE {
-                return Err(fault(3, &place, &format!("limit reached: {MAX_LINE} bytes in a line")));
+                return Err(fault(3, number, &format!("limit reached: {MAX_LINE} bytes in a line")));
             }
-            let text = std::str::from_utf8(&bytes).map_err(|_| fault(2, &place, "this is not UTF-8 text"))?;
+            let text = std::str::from_utf8(&bytes).map_err(|_| fault(2, number, "this is not UTF-8 text"))?;
             let text = if number == 1 { text.trim_start_matches('\u{feff}') } else { text }.trim();
             if text.is_empty() || text.starts_with('#') {
                 continue;
@@ -306,7 +308,7 @@ impl Batch {
                 continue;
             }
             let answer = self.answer(text).map_err(|exit| {
-                fault(exit.code, &place, exit.message.strip_prefix("error: ").unwrap_or(&exit.message))
+                fault(exit.code, number, exit.message.strip_prefix("error: ").unwrap_or(&exit.message))
             })?;
             out.write_all(answer.as_bytes())?;
         }
