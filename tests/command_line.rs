@@ -223,6 +223,20 @@ fn output_goes_through_links_and_into_devices() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_reported() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let batch = file(&folder, "batch.csv", b"10,1,1/2,3\n").display().to_string();
+    let broken = file(&folder, "broken.csv", b"10,1,1/2,3\n10,1\n").display().to_string();
+    let long = file(&folder, "long.csv", "10,1,1/2,3\n".repeat(5_000).as_bytes()).display().to_string();
+    for arguments in [&["eval", "--batch", &batch][..], &["eval", "--batch", &long], &["eval", "--batch", "/dev/null"]]
+    {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");
+        let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).stdout(full).output().expect("it runs");
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains("cannot write to standard output"), "{}", text(&out.stderr));
+    }
+    let out = carom(&["eval", "--batch", &broken]);
+    assert_eq!(out.status.code(), Some(2));
+    assert_eq!(text(&out.stdout).lines().count(), 2, "what was answered before a bad line stays");
     for arguments in [&["audit", "--only", "eq05"][..], &["help", "language"], &["explain", "eq05"], &["help", "audit"]]
     {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");
@@ -448,4 +462,57 @@ fn a_terminal_gets_colours_unless_no_color_is_set() {
     assert!(run("").contains('\u{1b}'), "the control");
     let plain = run("1");
     assert!(plain.contains("proved") && !plain.contains('\u{1b}'), "{plain:?}");
+}
+
+#[test]
+fn foreign_text_cannot_steer_a_terminal() {
+    let steering = "red \u{1b}[31m, up \u{1b}[1A, bell \u{7}, back \u{8}, turned \u{202e}, C1 \u{9b}2J";
+    let shown = "red \\u{1b}[31m, up \\u{1b}[1A, bell \\u{7}, back \\u{8}, turned \\u{202e}, C1 \\u{9b}2J";
+    let folder = tempfile::tempdir().expect("a folder");
+    let claim =
+        format!("claim c \"{steering}\"\nnote \"{steering}\"\nsection \"{steering}\"\ngiven x > 0\nprove x = x\n");
+    let claim = file(&folder, "a.claim", claim.as_bytes()).display().to_string();
+    let scene = "title = \"a \\u001b[31m b\"\n[[body]]\nmass = 1\nposition = 0\n";
+    let scene = file(&folder, "a.toml", scene.as_bytes()).display().to_string();
+    for (arguments, sign) in
+        [(&["audit", &claim][..], shown), (&["explain", "c", &claim], shown), (&["replay", &scene], "a \\u{1b}[31m b")]
+    {
+        let out = carom(arguments);
+        let said = text(&out.stdout) + &text(&out.stderr);
+        assert!(!said.contains(['\u{1b}', '\u{7}', '\u{8}', '\u{202e}', '\u{9b}']), "{arguments:?}: {said:?}");
+        assert!(said.contains(sign), "{arguments:?}: {said}");
+    }
+    // With colours the program's own escapes stay.
+    let out = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(["audit", &claim])
+        .env_remove("NO_COLOR")
+        .env("CLICOLOR_FORCE", "1")
+        .output()
+        .expect("it runs");
+    assert!(!text(&out.stdout).contains("[1A") || text(&out.stdout).contains("\\u{1b}[1A"), "{}", text(&out.stdout));
+}
+
+#[test]
+fn scenes_of_another_command_are_told_which_one_reads_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bodies = file(&folder, "bodies.toml", b"[[body]]\nmass = 1\nposition = 0\n").display().to_string();
+    let chain = file(&folder, "chain.toml", b"[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n").display().to_string();
+    for (command, scene, sign) in [
+        ("eval", &bodies, "`carom replay`"),
+        ("worksheet", &bodies, "`carom replay`"),
+        ("replay", &chain, "`carom eval`"),
+    ] {
+        let out = carom(&[command, scene]);
+        assert_eq!(out.status.code(), Some(2));
+        assert!(text(&out.stderr).contains(sign), "{command}: {}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn a_number_of_bits_agrees_with_its_noun() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = b"restitution = 1\n[[body]]\nmass = 1\nposition = 0\nvelocity = 1\n[[body]]\nmass = 1\nposition = 1\n";
+    let scene = file(&folder, "a.toml", scene).display().to_string();
+    let out = carom(&["replay", &scene]);
+    assert!(text(&out.stdout).contains("exact state: 1 bit\n"), "{}", text(&out.stdout));
 }

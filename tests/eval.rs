@@ -127,9 +127,6 @@ fn only_what_is_wanted_is_computed() {
     let helps = explain("helps");
     assert_eq!(helps["computed"], serde_json::json!(["helps"]));
     assert_eq!(helps["levels"]["helps"], "double");
-    let nothing = explain("");
-    assert_eq!(nothing["computed"], serde_json::json!([]));
-    assert!(nothing["level"].is_null());
     assert_eq!(explain("velocities")["computed"], serde_json::json!(["pass", "velocities", "recollides"]));
 }
 
@@ -218,7 +215,7 @@ fn rounding_follows_the_flag() {
 
 #[test]
 fn bad_input_says_what_where_and_what_would_be_right() {
-    let cases: [(&str, i32, &[&str]); 13] = [
+    let cases: [(&str, i32, &[&str]); 15] = [
         ("want = [\"eta\"]\n", 2, &["[chain]"]),
         ("wnat = []\n[chain]\n", 2, &["unknown key wnat", "want", ":1:1"]),
         ("[chain]\nfirst = 0.1\nlast = 1\nrestitution = 1\n", 2, &["not exact", "\"0.1\"", ":2:9"]),
@@ -232,6 +229,8 @@ fn bad_input_says_what_where_and_what_would_be_right() {
         ("digits = 100000000\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 3, &["limit reached"]),
         ("[chain]\nfirst = 2\nlast = 1\ninserted = 1000000000000000000000000000000\nrestitution = 1\n", 2, &["-:"]),
         ("[chain\n", 2, &["TOML"]),
+        ("want = []\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 2, &["-:1:8", "name at least one of eta"]),
+        ("digits = 0\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 2, &["-:1:10", "digits must be at least 1"]),
     ];
     for (scene, code, words) in cases {
         let out = with_input(&["eval", "-"], scene);
@@ -251,7 +250,7 @@ fn bad_input_says_what_where_and_what_would_be_right() {
 
 #[test]
 fn flags_are_checked_as_well() {
-    let cases: [(&[&str], i32, &str); 8] = [
+    let cases: [(&[&str], i32, &str); 13] = [
         (&["--m2", "1", "-e", "1", "-n", "1"], 2, "--m1 is missing"),
         (&["--m1", "-3", "--m2", "1", "-e", "1", "-n", "1"], 2, "above 0"),
         (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "x"], 2, "natural number"),
@@ -260,6 +259,15 @@ fn flags_are_checked_as_well() {
         (&["--m1", "2", "--m2", "1", "-e", "1,1/2", "-n", "1", "--want", "helps"], 2, "one coefficient"),
         (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "2000000", "--want", "masses"], 3, "listed bodies"),
         (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--digits", "100000000"], 3, "limit reached"),
+        (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--digits", "0"], 2, "--digits 0"),
+        (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--want", ""], 2, "--want: name at least one of eta"),
+        (
+            &["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--want", "velocities", "--speed", "-3"],
+            2,
+            "velocities: this is defined for a first body that moves forward",
+        ),
+        (&["--batch", "/dev/null", "--format", "json"], 2, "--format json"),
+        (&["--batch", "/dev/null", "--explain"], 2, "--explain"),
     ];
     for (flags, code, word) in cases {
         let arguments: Vec<&str> = std::iter::once("eval").chain(flags.iter().copied()).collect();
@@ -282,6 +290,28 @@ fn batches_answer_line_by_line() {
     let wrong = with_input(&["eval", "--batch", "-"], "1,1,1,1\n1,1,2,1\n");
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("-:2: e:"), "{}", text(&wrong.stderr));
+    // A byte order mark, comments before the heading, and blank lines change nothing.
+    for before in
+        ["\u{feff}", "\u{feff}m1,m2,e,n\n", "# a comment\n\nm1, m2, e, n\n", "\u{feff}# a comment\nm1,m2,e,n\n"]
+    {
+        let out = with_input(&["eval", "--batch", "-", "--digits", "6"], &format!("{before}10,1,9/10,7\n"));
+        assert_eq!(out.status.code(), Some(0), "{before:?}: {}", text(&out.stderr));
+        assert_eq!(
+            text(&out.stdout).lines().nth(1),
+            Some("10,1,9/10,7,0.373138,0.373137511,0.373137512"),
+            "{before:?}"
+        );
+    }
+    let folder = carom(&["eval", "--batch", env!("CARGO_MANIFEST_DIR")]);
+    assert_eq!((folder.status.code(), folder.stdout.len()), (Some(2), 0));
+    let twice = with_input(&["eval", "--batch", "-"], "m1,m2,e,n\nm1,m2,e,n\n");
+    assert_eq!(twice.status.code(), Some(2));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bytes.csv");
+    std::fs::write(&path, b"1,1,1,1\n1,1,\xff,1\n").unwrap();
+    let bytes = carom(&["eval", "--batch", path.to_str().unwrap()]);
+    assert_eq!((bytes.status.code(), text(&bytes.stdout).lines().count()), (Some(2), 2));
+    assert!(text(&bytes.stderr).contains("bytes.csv:2: this is not UTF-8 text"), "{}", text(&bytes.stderr));
 }
 
 #[test]

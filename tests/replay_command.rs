@@ -215,3 +215,10 @@ position = "1e-9000"
     let out = replay(THREE, &["--until", "0"]);
     assert!(text(&out.stdout).contains("complete: 0 collisions"));
 }
+
+#[test]
+fn numbers_of_any_length_are_aligned() {
+    let out = replay(THREE, &["--digits", "70000"]);
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    assert!(text(&out.stdout).lines().any(|l| l.len() > 70_000));
+}

@@ -109,7 +109,10 @@ fn thousands_of_random_cells_are_accepted() {
     let mut cells = 0;
     for round in 0..14 {
         let mut list = |count: u64, make: &mut dyn FnMut(&mut Random) -> String| {
-            (0..count).map(|_| make(&mut random)).collect::<Vec<_>>().join(",")
+            // A grid has no number twice.
+            let mut seen = std::collections::HashSet::new();
+            let list = (0..count).map(|_| make(&mut random)).filter(|x| seen.insert(parse(x).unwrap()));
+            list.collect::<Vec<_>>().join(",")
         };
         let ratios = list(12, &mut Random::ratio);
         let e = list(4, &mut |random| {
@@ -485,4 +488,35 @@ fn enclosures_of_any_size_are_answered() {
     let many = many.replace("\"n\":\"1\"", &format!("\"n\":\"1{}\"", "0".repeat(5_000)));
     assert_ne!(many, text);
     assert_eq!(checked(&many), Err((1, Failure::Declined("bits of a number of bodies"))));
+}
+
+#[test]
+fn no_cell_is_given_twice() {
+    for (arguments, axis, twice) in [
+        ("--want threshold --ratio 2 -n 3", "ratio", "2"),
+        ("--want threshold --ratio 2 -n 3", "n", "3"),
+        ("--want eta --ratio 2 -e 1/2 -n 1", "e", "1/2"),
+    ] {
+        let text = table(arguments);
+        assert_eq!(checked(&text), Ok(1));
+        let (head, row) = text.split_once('\n').unwrap();
+        let rows = format!("{row}{}", row.replacen("\"row\":0,", "\"row\":1,", 1));
+        let single = format!("\"{axis}\":{{\"list\":[\"{twice}\"]}}");
+        assert!(head.contains(&single), "{head}");
+        for values in [
+            format!("{{\"list\":[\"{twice}\",\"{twice}\"]}}"),
+            format!("{{\"start\":\"{twice}\",\"step\":\"0\",\"count\":2}}"),
+            format!("{{\"start\":\"{twice}\",\"factor\":\"1\",\"count\":2}}"),
+        ] {
+            let head =
+                head.replacen(&single, &format!("\"{axis}\":{values}"), 1).replacen("\"rows\":1", "\"rows\":2", 1);
+            let found = checked(&format!("{head}\n{rows}"));
+            let Err((0, Failure::Rejected(reason))) = found else { panic!("{values}: {found:?}") };
+            assert!(reason.contains("twice"), "{reason}");
+        }
+    }
+    // The program does not write such a table.
+    let output = carom(&["table", "--want", "threshold", "--ratio", "2,3,4/2", "-n", "3"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said(&output).contains("4/2 is given twice"), "{}", said(&output));
 }

@@ -167,15 +167,21 @@ fn the_best_number_is_where_the_greatest_share_is() {
     }
 }
 
+/// A list without the numbers that it has already.
+fn distinct(list: &str) -> String {
+    let mut seen = std::collections::HashSet::new();
+    list.split(',').filter(|x| seen.insert(q(x))).collect::<Vec<_>>().join(",")
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
     #[test]
     fn shared_work_changes_no_row(
         p in 1u32..5000, r in 1u32..5000, e in 0u32..=100, n in 0u64..12, digits in 1u64..30, direction in 0usize..5
     ) {
-        let ratio = format!("{p}/{r},{r},1e-200,1e250");
+        let ratio = distinct(&format!("{p}/{r},{r},1e-200,1e250"));
         let e = format!("{e}/100,1/3");
-        let n = format!("{n},1,{}", n * 7);
+        let n = distinct(&format!("{n},1,{}", n * 7));
         let table = plan(Quantity::Eta, &ratio, Some(&e), Some(&n), Digits::Significant(digits), Rounding::ALL[direction]);
         let mut factors = Factors::new(&table);
         for row in 0..table.rows() {
@@ -254,6 +260,8 @@ fn bad_tables_are_refused_with_what_would_be_right() {
         (&["--ratio", "1:2", "-e", "1", "-n", "1"], "three parts"),
         (&["--ratio", "1", "-e", "1", "-n", "1", "--resume", "--output", "x.txt"], "--format csv"),
         (&["--ratio", "1", "-e", "1", "-n", "1", "--digits", "0"], "digit"),
+        (&["--ratio", "2,10", "-e", "0.9", "--want", "best-n", "--extra", "2"], "no further digits"),
+        (&["--ratio", "2,1,4/2", "-e", "1", "-n", "1"], "4/2 is given twice"),
         (&["--check", "/no/such.csv"], "cannot read"),
         (&[], "--ratio"),
     ] {
@@ -264,6 +272,43 @@ fn bad_tables_are_refused_with_what_would_be_right() {
     }
     let out = carom(&["table", "--ratio", "2", "-e", "1", "-n", "1", "--digits", "100000000"]);
     assert_eq!(out.status.code(), Some(3), "{}", text(&out.stderr));
+    // What is wrong is said with its flag, and a number below 0 is a number.
+    for (arguments, sign) in [
+        (&["--ratio", "1"][..], "error: -e: eta depends on e"),
+        (&["--ratio", "-1", "-e", "1", "-n", "1"], "error: --ratio: a ratio of masses is above 0, not -1"),
+        (&["--ratio", "-1:1:1", "-e", "1", "-n", "1"], "error: --ratio: a ratio of masses is above 0, not -1"),
+        (&["--ratio", "1", "-e", "-0.5", "-n", "1"], "error: -e: a restitution e lies from 0 to 1, not -1/2"),
+        (&["--ratio", "1", "-e", "1", "-n", "-3"], "error: -n: a number n of inserted bodies is at least 0"),
+        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "error: -n: n counts bodies"),
+        (&["--ratio", "1", "-e", "1", "-n", "1", "--want", "best-n"], "error: -n: best-n does not depend on n"),
+    ] {
+        let out = carom(&[&["table"], arguments].concat());
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains(sign), "{arguments:?}: {}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn limits_are_told_from_bad_input() {
+    for (ratio, n) in
+        [("0:1:1e-30", "1"), ("1e99999", "1"), ("1:1e9999:x1.00000000000000000000000000001", "1"), ("1", "1e19")]
+    {
+        let out = carom(&["table", "--ratio", ratio, "-e", "1", "-n", n]);
+        assert_eq!(out.status.code(), Some(3), "{ratio} {n}: {}", text(&out.stderr));
+    }
+    let long = format!("0.{}", "1".repeat(20_000));
+    for (content, code, sign) in [
+        ("ratio,e,n,eta\n1e99999,1,1,1\n", 3, "line 2: limit reached: exponent of a numeral"),
+        ("ratio,e,n,eta\n1,1,1,1e99999\n", 3, "line 2: limit reached: exponent of a numeral"),
+        (&format!("ratio,e,n,eta\n1,1,1,{long}\n"), 3, "line 2: limit reached: digits of a numeral"),
+        ("ratio,e,n,eta\n1,1,1e19,1\n", 3, "line 2: limit reached: inserted bodies"),
+        ("ratio,n,threshold\n64,0,0.5\n", 2, "n >= 1"),
+        ("ratio,n,threshold\n64,1/2,0.5\n", 2, "n counts bodies"),
+    ] {
+        let (found, _, said) = checked(content, &[]);
+        assert_eq!(found, Some(code), "{said}");
+        assert!(said.contains(sign), "{said}");
+    }
 }
 
 fn checked(content: &str, more: &[&str]) -> (Option<i32>, String, String) {
@@ -295,6 +340,16 @@ fn somebodys_table_is_judged_cell_by_cell() {
     }
     let (code, shown, _) = checked("n,eta\n2,0.1926\n", &["--ratio", "64", "-e", "0.9", "--round", "down"]);
     assert_eq!(code, Some(0), "{shown}");
+    let (code, shown, _) = checked("ratio,e,n,eta\n64,.9,2,.1927\n64,+.9,2,.193\n", &[]);
+    assert_eq!(code, Some(0), "{shown}");
+    assert!(shown.contains("   .1927 "), "as it is written: {shown}");
+    // What could steer a terminal is shown by its number.
+    for form in ["text", "csv", "markdown", "latex", "json"] {
+        let (code, shown, _) = checked("ratio,e,n,eta\n64,.9,2,\u{1b}[31m\u{202e}x\u{7}\n", &["--format", form]);
+        assert_eq!(code, Some(1), "{shown}");
+        assert!(!shown.contains(['\u{1b}', '\u{7}']), "{form}: {shown:?}");
+        assert!(form != "text" || shown.contains("\\u{1b}[31m\\u{202e}x\\u{7}"), "{shown}");
+    }
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,5\n64,1,inf\n", &[]);
     assert_eq!(code, Some(0), "{shown}");
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,6\n", &["--format", "json"]);
@@ -333,11 +388,18 @@ fn tables_that_cannot_be_checked_say_why() {
         ("m1,m2,e,n,eta\n1,0,1,1,1\n", "m2 is 0"),
         ("ratio,e,n,eta\n1,1,1\n", "3 fields"),
         ("ratio,e,n,eta\n", "no cell"),
+        (
+            "m1,m2,ratio,e,n,eta\n2,1,10,0.9,7,0.373137511773739\n",
+            "given twice: by the columns m1 and m2, and in a column",
+        ),
     ] {
         let (code, _, said) = checked(content, &[]);
         assert_eq!(code, Some(2), "{content}: {said}");
         assert!(said.contains(sign), "{content}: {said}");
     }
+    let (code, _, said) = checked("m1,m2,e,n,eta\n2,1,0.9,7,0.373137511773739\n", &["--ratio", "10"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("given twice: by the columns m1 and m2, and by --ratio"), "{said}");
 }
 
 #[test]
@@ -402,6 +464,129 @@ fn a_run_that_was_cut_off_is_resumed_to_the_same_bytes() {
     let out = run(&resume);
     assert_eq!(out.status.code(), Some(2));
     assert!(text(&out.stderr).contains("other settings"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn what_an_earlier_run_left_is_gone_on_with_only_where_every_row_fits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (path, partial) = (folder.path().join("u.csv"), folder.path().join("u.csv.partial"));
+    let (certificate, grown) = (folder.path().join("u.jsonl"), folder.path().join("u.jsonl.partial"));
+    let of = |grid: [&str; 3], more: &[&str]| {
+        let [ratio, e, n] = grid;
+        let (path, certificate) = (path.display().to_string(), certificate.display().to_string());
+        let base = ["table", "--ratio", ratio, "-e", e, "-n", n, "--format", "csv", "--output", &path];
+        carom(&[&base[..], &["--certificate", &certificate], more].concat())
+    };
+    let asked = ["500,600,700", "0.5,0.9", "3"];
+    let made = |grid| {
+        let out = of(grid, &[]);
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        [&path, &certificate].map(|path| {
+            let content = std::fs::read_to_string(path).expect("written");
+            std::fs::remove_file(path).expect("there");
+            content
+        })
+    };
+    let (right, other) = (made(asked), made(["100,200,300", "0.5,0.9", "7"]));
+    let shorter = made(["500,600", "0.5,0.9", "3"]);
+    let longer = made(["500,600,700,800", "0.5,0.9", "3"]);
+    let resumed = |table: &str, cells: &str| {
+        std::fs::write(&partial, table).expect("written");
+        std::fs::write(&grown, cells).expect("written");
+        of(asked, &["--resume"])
+    };
+    let lines = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let joined = |lines: &[String]| lines.iter().map(|l| format!("{l}\n")).collect::<String>();
+    let head = lines(&right[0]).iter().position(|l| l.starts_with("ratio,")).expect("a heading") + 1;
+    let changed = |file: usize, change: &dyn Fn(&mut Vec<String>)| {
+        let mut all = lines(&right[file]);
+        change(&mut all);
+        joined(&all)
+    };
+    // The table's rows, then those of its certificate: of another grid, of a longer one, lost, doubled, altered, empty.
+    let tables = [
+        other[0].clone(),
+        longer[0].clone(),
+        changed(0, &|all| drop(all.remove(head + 1))),
+        changed(0, &|all| all.insert(head + 1, all[head].clone())),
+        changed(0, &|all| all[head + 2] = all[head + 2].replacen("600", "601", 1)),
+        changed(0, &|all| all[head] = "500,0.5,3".to_owned()),
+        changed(0, &|all| all[head] = "500,0.5,3,,".to_owned()),
+        changed(0, &|all| all[head].clear()),
+    ];
+    let cells = [
+        other[1].clone(),
+        longer[1].clone(),
+        changed(1, &|all| drop(all.remove(2))),
+        changed(1, &|all| all[3] = all[3].replacen("600", "601", 1)),
+        changed(1, &|all| all[3].truncate(60)),
+    ];
+    let pairs = tables.iter().map(|t| (t, &right[1])).chain(cells.iter().map(|c| (&right[0], c)));
+    for (table, cells) in pairs {
+        let out = resumed(table, cells);
+        assert_eq!(out.status.code(), Some(2), "{table}{cells}");
+        assert!(text(&out.stderr).contains("begun with other settings"), "{}", text(&out.stderr));
+        assert!(!path.exists() && !certificate.exists());
+        let left = [&partial, &grown].map(|path| std::fs::read_to_string(path).expect("there"));
+        assert!(left == [table.clone(), cells.clone()], "nothing of it is touched");
+    }
+    // The first rows of the same table are kept, also of a grid that goes on otherwise, and a line cut off is dropped.
+    for (table, cells) in [(&right[0], &right[1]), (&shorter[0], &right[1])] {
+        for cut in [0, 3] {
+            let out = resumed(&table[..table.len() - cut], cells);
+            assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+            assert!([&path, &certificate].map(|p| std::fs::read_to_string(p).expect("there")) == right);
+        }
+    }
+}
+
+#[test]
+fn a_table_and_its_certificate_go_into_two_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sub = folder.path().join("sub");
+    std::fs::create_dir(&sub).expect("made");
+    std::fs::write(folder.path().join("old.csv"), "old\n").expect("written");
+    let run = |output: &str, certificate: &str| {
+        Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["table", "--ratio", "2", "-e", "1", "-n", "1", "--format", "csv"])
+            .args(["--output", output, "--certificate", certificate])
+            .current_dir(folder.path())
+            .output()
+            .expect("it starts")
+    };
+    for (output, certificate) in [
+        ("old.csv", "old.csv"),
+        ("old.csv", "./old.csv"),
+        ("old.csv", "sub/../old.csv"),
+        ("old.csv", "old.csv.partial"),
+        ("old.csv.partial", "old.csv"),
+        ("new.csv", "./new.csv"),
+        ("new.csv", "sub/../new.csv.partial"),
+    ] {
+        let out = run(output, certificate);
+        assert_eq!(out.status.code(), Some(2), "{output} {certificate}");
+        assert!(text(&out.stderr).contains("overwrite each other"), "{}", text(&out.stderr));
+        let mut names: Vec<_> =
+            std::fs::read_dir(folder.path()).expect("there").flatten().map(|e| e.file_name()).collect();
+        names.sort();
+        assert_eq!(names, ["old.csv", "sub"]);
+        assert_eq!(std::fs::read_to_string(folder.path().join("old.csv")).expect("there"), "old\n");
+    }
+    assert_eq!(run("a.csv", "sub/a.csv").status.code(), Some(0), "the control");
+    #[cfg(unix)]
+    assert_eq!(run("/dev/null", "/dev/null").status.code(), Some(0), "nothing is overwritten");
+}
+
+#[test]
+fn cells_of_any_length_are_aligned() {
+    for format in ["text", "markdown", "latex", "csv"] {
+        let out = carom(&["table", "--ratio", "2", "-e", "1/2", "-n", "1", "--digits", "70000", "--format", format]);
+        assert_eq!(out.status.code(), Some(0), "{format}: {}", text(&out.stderr));
+        assert!(out.stdout.len() > 70_000);
+    }
+    let (code, shown, said) = checked(&format!("ratio,e,n,eta\n2,1/2,1,{}\n", "x".repeat(70_000)), &[]);
+    assert_eq!(code, Some(1), "{said}");
+    assert!(shown.contains("1 wrong"));
 }
 
 #[cfg(unix)]
@@ -564,6 +749,24 @@ fn what_is_missing_doubled_or_strange_is_no_table() {
     refused(&with(1, "rounded", second.replace("6 significant", "7 significant")), "digits, rounding or version");
     refused(&with(1, "axes", second.replace("0,0.50,1/3,1", "0,0.5,1/3,1")), "different tables");
     refused(&with(1, "nothing", String::new()), "no part of a table");
+    let named = lines.iter().find(|l| l.starts_with("# table: ")).expect("it is bound");
+    refused(&with(1, "bound twice", format!("{named}\n{second}")), "two lines begin with `# table:`");
+    let shard = lines.iter().find(|l| l.starts_with("# shard: ")).expect("it is bound");
+    refused(
+        &with(1, "placed twice", second.replace(shard, &format!("{shard}\n{shard}"))),
+        "two lines begin with `# shard:`",
+    );
+    let mut empty = lines.clone();
+    let labels: Vec<&str> = empty[head].split(',').take(3).collect();
+    let without = format!("{},,", labels.join(","));
+    empty[head] = &without;
+    refused(&with(1, "without a value", joined(&empty)), "row 46 of the table");
+    #[cfg(unix)]
+    {
+        let pipe = folder.path().join("pipe");
+        assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo is there").success());
+        refused(&[pipe.display().to_string()], "not a regular file");
+    }
     refused(&with(1, "none", "ratio,e,n,eta\n1,1,1,1\n".to_owned()), "no part of a table");
     let mut mixed = tables.clone();
     mixed[3].clone_from(&certificates[3]);

@@ -156,6 +156,10 @@ fn every_picture_is_drawn_in_both_forms() {
         // The size stands in the header: 690 by 440 points, two pixels each.
         assert_eq!((&png[16..20], &png[20..24]), (&1380u32.to_be_bytes()[..], &880u32.to_be_bytes()[..]));
     }
+    // What is raised is said to be.
+    let svg = text(&drawn(folder.path(), &["map", "--ratio", "1/1000,1000"], "svg"));
+    assert!(svg.contains("aria-label=\"10^2\"") && svg.contains("aria-label=\"10^−2\""), "ticks are powers of ten");
+    assert!(svg.contains("mass ratio m1/m2"), "{svg}");
     // n* = 6 for 100 : 1 at 0.9 (the published value) is what the legend says.
     let svg = text(&drawn(folder.path(), &["eta-n", "-e", "0.9"], "svg"));
     assert!(svg.contains("e = 0.9, n* = 6"), "n* is marked");
@@ -174,7 +178,14 @@ fn pictures_that_cannot_be_drawn_are_refused() {
         (vec!["velocities", "-o", "PICTURE.svg"], 2, "scene file"),
         (vec!["map", "-e", "1", "-o", "PICTURE.svg"], 2, "no place"),
         (vec!["map", "--scale", "1000", "-o", "PICTURE.png"], 3, "limit reached"),
-        (vec!["map", "--scale", "NaN", "-o", "PICTURE.png"], 3, "limit reached"),
+        (vec!["map", "--scale", "inf", "-o", "PICTURE.png"], 3, "limit reached"),
+        (vec!["map", "--scale", "NaN", "-o", "PICTURE.png"], 2, "--scale: scale NaN: a picture has at least one pixel"),
+        (vec!["map", "--scale", "0", "-o", "PICTURE.png"], 2, "--scale: scale 0: a picture has at least one pixel"),
+        (vec!["map", "--scale", "-1", "-o", "PICTURE.png"], 2, "--scale: scale -1: a picture has at least one pixel"),
+        (vec!["eta-x", "--ratio", "1e99999,2", "-o", "PICTURE.svg"], 3, "limit reached"),
+        (vec!["eta-x", "--ratio", "-1,2", "-o", "PICTURE.svg"], 2, "--ratio: a mass must be above 0"),
+        (vec!["eta-x", "-e", "-0.5", "-o", "PICTURE.svg"], 2, "-e: a coefficient of restitution"),
+        (vec!["eta-n", "-e", "0.5,1/2", "-o", "PICTURE.svg"], 2, "1/2 is given twice"),
     ] {
         let arguments: Vec<String> =
             arguments.iter().map(|a| if a.starts_with("PICTURE") { path(a) } else { (*a).to_owned() }).collect();
@@ -268,5 +279,80 @@ mod random {
             prop_assert!(m.iter().all(|m| *m.value() > 0u32));
             prop_assert!(*e.value() >= 0u32 && *e.value() <= 1u32);
         }
+    }
+}
+
+/// What the program prints within some seconds; it is ended where it does not end.
+fn within(seconds: u64, arguments: &[&str]) -> String {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(arguments)
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let started = std::time::Instant::now();
+    while child.try_wait().expect("it can be asked").is_none() {
+        if started.elapsed().as_secs() >= seconds {
+            child.kill().expect("it runs");
+            child.wait().expect("it ends");
+            panic!("{arguments:?} does not end");
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let out = child.wait_with_output().expect("it ends");
+    assert_eq!(out.status.code(), Some(0), "{arguments:?}");
+    text(&out.stdout)
+}
+
+#[test]
+fn rational_entries_of_irrational_chains_are_known_to_be_rational() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("tie.toml").display().to_string();
+    let sheet = |chain: &str, digits: &str| {
+        std::fs::write(&path, format!("[chain]\n{chain}\n")).expect("written");
+        let more: &[&str] = if digits == "exact" { &["--exact"] } else { &["--digits", digits] };
+        let shown = within(20, &[&["worksheet", &path, "--sheet", "key"], more].concat());
+        let rows = shown.lines().map(|l| l.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
+        rows.filter(|r| r.len() >= 7).collect::<Vec<_>>()
+    };
+    // Energies of the first body, and of both, end in a tie: 6172.5 and 0.50025.
+    let rows = sheet("first = \"12345\"\nlast = \"1\"\ninserted = 1\nrestitution = \"1\"", "4");
+    assert_eq!(rows.iter().filter(|r| r.concat().contains("6172")).count(), 2, "{rows:?}");
+    let rows = sheet("first = \"1.0005\"\nlast = \"1\"\ninserted = 1\nrestitution = \"1\"", "4");
+    assert!(rows.iter().flatten().any(|c| c == "0.5002"), "{rows:?}");
+    let rows = sheet("first = 1\nlast = 2\ninserted = 3\nspeed = \"1.0005\"\nrestitution = \"1/3\"", "4");
+    assert!(rows.iter().flatten().any(|c| c == "1.000"), "{rows:?}");
+    // x² = 1/5 and e = 1/7: the second body loses m1·320/2401 in the second collision, though x is irrational.
+    let chain = "first = \"7.50350015625\"\nlast = \"37.51750078125\"\ninserted = 1\nrestitution = \"1/7\"";
+    let rows = sheet(chain, "5");
+    let second: Vec<_> = rows.iter().filter(|r| r[0] == "2").collect();
+    assert_eq!(second[1].last().map(String::as_str), Some("-1.0000"), "{rows:?}");
+    let chain = "first = \"2401\"\nlast = \"12005\"\ninserted = 1\nrestitution = \"1/7\"";
+    let rows = sheet(chain, "exact");
+    let second: Vec<_> = rows.iter().filter(|r| r[0] == "2").collect();
+    assert_eq!(second[1].last().map(String::as_str), Some("-320"), "{rows:?}");
+    assert_ne!(second[0].last().map(String::as_str), Some("-320"));
+    // The same with more bodies and other collisions: x² = 1/5 with e = 1/10 in the third, 1/6 with 1857/10033 in the fourth.
+    for (last, inserted, e, place) in [("25", 3, "1/10", 2), ("216", 5, "1857/10033", 3), ("625", 7, "29/275", 4)] {
+        let x2 = if last == "216" { 6.0 } else { 5.0 };
+        let (x, e_value) = (f64::sqrt(1.0 / x2), e.split_once('/').expect("p/q"));
+        let e_value = e_value.0.parse::<f64>().expect("p") / e_value.1.parse::<f64>().expect("q");
+        let chain = format!("first = 1\nlast = {last}\ninserted = {inserted}\nrestitution = \"{e}\"");
+        let rows = sheet(&chain, "12");
+        let arrival = ((1.0 + e_value) * x / (1.0 + x)).powi(place);
+        let energy = 0.5 * x.powi(-place) * arrival * arrival;
+        let wanted = energy * (((x - e_value) / (x + 1.0)).powi(2) - 1.0);
+        let row = rows.iter().filter(|r| r[0] == (place + 1).to_string()).nth(usize::from(place > 0)).expect("a row");
+        let found: f64 = row.last().expect("a cell").parse().expect("a number");
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}: {rows:?}");
+    }
+}
+
+#[test]
+fn worksheets_have_cells_of_any_length() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("long.toml").display().to_string();
+    std::fs::write(&path, "[chain]\nfirst = 2\nlast = 1\ninserted = [1]\nrestitution = \"1/3\"\n").expect("written");
+    for format in ["text", "markdown", "latex"] {
+        assert!(good(&["worksheet", &path, "--digits", "70000", "--format", format]).len() > 70_000);
     }
 }

@@ -21,7 +21,7 @@ pub struct Plan {
 }
 
 fn grid(name: &str, text: &str) -> Result<Grid, Refusal> {
-    Grid::parse(text).map_err(|error| match error {
+    Grid::sample(text).map_err(|error| match error {
         GridError::Limit { .. } => Refusal::Limit(format!("{name}: {error}")),
         error => Refusal::at(name, error),
     })

@@ -92,7 +92,7 @@ pub enum ChainError {
         /// For what.
         quantity: &'static str,
     },
-    /// The energy transfer is defined for a moving first body and all others at rest.
+    /// What is asked for is defined for a first body that moves forward and all others at rest.
     NotAtRest,
     /// A quantity that is not computed for measured inputs.
     Measured {
@@ -128,7 +128,10 @@ impl fmt::Display for ChainError {
                 write!(f, "{quantity} is defined for one coefficient of restitution at all collisions")
             }
             Self::NotAtRest => {
-                write!(f, "eta is defined for a first body that moves and others that are at rest")
+                write!(
+                    f,
+                    "this is defined for a first body that moves forward, its velocity above 0, and others that are at rest"
+                )
             }
             Self::Measured { quantity } => {
                 write!(f, "{quantity} is not computed for measured inputs: give exact masses and coefficients")

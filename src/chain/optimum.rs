@@ -196,6 +196,9 @@ impl Optimum {
     /// `∏_(j<=i)(1 + e_j)·(x/(1+x))^i·v1`.
     #[must_use]
     pub fn arrival(&self, i: u64, speed: &Rational) -> Real {
+        if i == 0 || *speed == Rational::ZERO {
+            return Real::rational(speed.clone());
+        }
         if let Some(x) = self.step.as_rational()
             && self.exact_size(x, i) <= MAX_EXACT_BITS
         {
@@ -306,7 +309,68 @@ impl Optimum {
             energy.divide(&below, work).multiply_rational(&share, bits + 4)
         })
     }
+
+    /// The kinetic energy of both bodies of collision `i` (from 0) after it, for `e_i < 1`, where it is rational and `x` is
+    /// not: with the energy `E` before, `E·(e_i² + x)/(1 + x)`.
+    #[must_use]
+    pub fn rational_energy_after(&self, i: u64, speed: &Rational) -> Option<Rational> {
+        let e = self.restitutions.at(i)?;
+        let found = self.rational_quotient(i, &e.value().square(), 1, 2 * i + 1)?;
+        Some(self.energy_factor(i, speed) * found)
+    }
+
+    /// The change of the kinetic energy of the body that strikes in collision `i` (from 0), for `e_i < 1`, where it is
+    /// rational and `x` is not: with its energy `E` before, `−E·(1 + e_i)·(1 − e_i + 2x)/(1 + x)²`.
+    #[must_use]
+    pub fn rational_energy_change(&self, i: u64, speed: &Rational) -> Option<Rational> {
+        let e = self.restitutions.at(i)?;
+        let found = self.rational_quotient(i, &(Rational::ONE - e.value()), 2, 2 * i + 2)?;
+        Some(-self.energy_factor(i, speed) * e.plus_one() * found)
+    }
+
+    /// The energy with which body `i` arrives, `m1·v1²/2·∏_(j<=i)(1 + e_j)²·x^i/(1 + x)^(2i)`, without its powers of `x` and
+    /// `1 + x`.
+    fn energy_factor(&self, i: u64, speed: &Rational) -> Rational {
+        self.first.value() * (self.exact_gain(i) * speed).square() / Rational::TWO
+    }
+
+    /// `x^i·(constant + slope·x)/(1 + x)^power` where that is rational and `x` is not; `constant` and `slope` differ, and
+    /// neither is below 0.
+    ///
+    /// Let `k >= 2` be least with `x^k` rational. For `k >= 3` the powers of `x` in `(1 + x)^power` fill at least three classes
+    /// of exponents modulo `k` (two for `power = 1`), those above at most two, and by the lemma in [`super`] no multiple of
+    /// the one is the other. For `k = 2`, let `(1 + x)^power = a + b·x`; the two parts above must be as `a` to `b`.
+    fn rational_quotient(&self, i: u64, constant: &Rational, slope: u64, power: u64) -> Option<Rational> {
+        let Step::Root(r, _) = &self.step else { return None };
+        let half = self.collisions() / 2;
+        // For an odd number of collisions a rational x² makes x rational.
+        let square = exact_root(r, half).filter(|_| 2 * half == self.collisions())?;
+        if exact_bits(&square, power) > MAX_QUOTIENT_BITS {
+            return None;
+        }
+        let (a, b) = power_of_one_plus_root(&square, power);
+        let slope = Rational::from(slope);
+        // The part above that goes with `below`, and the other part with what goes with it.
+        let (above, below, other, beside) =
+            if i.is_multiple_of(2) { (slope, b, constant, a) } else { (slope * &square, a, constant, b) };
+        (&above * beside == other * &below).then(|| above / below * square.pow(i / 2))
+    }
 }
+
+/// `(a, b)` with `(1 + √s)^power = a + b·√s`.
+fn power_of_one_plus_root(s: &Rational, power: u64) -> (Rational, Rational) {
+    let (mut a, mut b) = (Rational::ONE, Rational::ZERO);
+    for place in (0..power.significant_bits()).rev() {
+        (a, b) = ((&a).square() + (&b).square() * s, Rational::TWO * &a * &b);
+        if power >> place & 1 == 1 {
+            (a, b) = (&a + &b * s, a + b);
+        }
+    }
+    (a, b)
+}
+
+/// The most bits of a power of `1 + x` that is formed to see whether an energy is rational.
+const MAX_QUOTIENT_BITS: u64 = 1 << 18;
 
 /// The most bits of a product that a closed form writes out.
 const MAX_TEXT_BITS: u64 = 400;

@@ -62,7 +62,8 @@ pub struct EvalFlags {
     #[arg(long)]
     explain: bool,
     /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed",
+        "explain"])]
     batch: Option<PathBuf>,
 }
 
@@ -125,7 +126,7 @@ fn from_file(flags: &EvalFlags, path: &Path) -> Result<Scene, Exit> {
         scene.want = wants(want)?;
     }
     if flags.digits.is_some() || flags.places.is_some() {
-        scene.digits = digits(flags);
+        scene.digits = digits(flags)?;
     }
     if flags.round.is_some() {
         scene.rounding = rounding(flags)?;
@@ -162,21 +163,28 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
     };
     let chain = Chain::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
     let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
-    Ok(Scene { want, digits: digits(flags), rounding: rounding(flags)?, chain })
+    Ok(Scene { want, digits: digits(flags)?, rounding: rounding(flags)?, chain })
 }
 
 fn wants(text: &str) -> Result<Vec<Quantity>, Exit> {
-    text.split(',')
+    let list = text
+        .split(',')
         .map(str::trim)
         .filter(|name| !name.is_empty())
         .map(|name| Quantity::of_name(name).map_err(|message| Exit::usage(format!("error: --want: {message}"))))
-        .collect()
+        .collect::<Result<Vec<_>, _>>()?;
+    if list.is_empty() {
+        let names: Vec<&str> = Quantity::names().collect();
+        return Err(Exit::usage(format!("error: --want: name at least one of {}", names.join(", "))));
+    }
+    Ok(list)
 }
 
-fn digits(flags: &EvalFlags) -> Digits {
-    match flags.places {
-        Some(places) => Digits::Places(places),
-        None => Digits::Significant(flags.digits.unwrap_or(DEFAULT_DIGITS)),
+fn digits(flags: &EvalFlags) -> Result<Digits, Exit> {
+    match (flags.places, flags.digits) {
+        (Some(places), _) => Ok(Digits::Places(places)),
+        (None, Some(0)) => Err(Exit::usage("error: --digits 0: give at least one significant digit")),
+        (None, digits) => Ok(Digits::Significant(digits.unwrap_or(DEFAULT_DIGITS))),
     }
 }
 
@@ -215,6 +223,9 @@ fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
 
 /// Answers a stream of chains, a line each; memory stays flat.
 fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
+    if let ValueFormat::Json = flags.format {
+        return Err(Exit::usage("error: --batch writes CSV: leave --format json out"));
+    }
     let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
     let streamed = [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN];
     if let Some(other) = want.iter().find(|q| !streamed.contains(q)) {
@@ -229,39 +240,33 @@ fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
     } else {
         Box::new(BufReader::with_capacity(1 << 16, std::fs::File::open(path).map_err(fail)?))
     };
-    let batch = Batch { want, digits: digits(flags), rounding: rounding(flags)? };
+    let batch = Batch { want, digits: digits(flags)?, rounding: rounding(flags)? };
     let mut out = BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
-    let mut header = batch.header();
-    let mut line = String::new();
-    let mut number = 0_u64;
-    loop {
-        line.clear();
-        if (&mut input).take(MAX_LINE as u64).read_line(&mut line).map_err(fail)? == 0 {
-            break;
-        }
-        number += 1;
-        let text = line.trim();
-        if line.len() >= MAX_LINE {
-            let message = format!("error: {}:{number}: limit reached: {MAX_LINE} bytes in a line", path.display());
-            return Err(Exit { code: 3, message });
-        }
-        if text.is_empty() || text.starts_with('#') || (number == 1 && text.replace(' ', "") == "m1,m2,e,n") {
-            continue;
-        }
-        let answer = batch.answer(text).map_err(|exit| Exit {
-            message: exit.message.replacen("error: ", &format!("error: {}:{number}: ", path.display()), 1),
-            ..exit
-        });
-        // What was answered so far stays, also when a line is wrong.
-        let written = out.write_all(std::mem::take(&mut header).as_bytes());
-        let answer = answer?;
-        if written.and_then(|()| out.write_all(answer.as_bytes())).is_err() {
-            // The reader has gone away.
-            return Ok(0);
-        }
+    let ended = batch.answers(&mut input, path, &mut out);
+    // What was answered so far stays, also when a line is wrong.
+    let ended = match (ended, out.flush()) {
+        (Ok(()), Err(e)) => Err(Stop::Write(e)),
+        (ended, _) => ended,
+    };
+    match ended {
+        Ok(()) => Ok(0),
+        // The reader has gone away.
+        Err(Stop::Write(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => Ok(0),
+        Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write to standard output: {e}"))),
+        Err(Stop::Input(exit)) => Err(exit),
     }
-    let _ = out.write_all(header.as_bytes()).and_then(|()| out.flush());
-    Ok(0)
+}
+
+/// Why a batch ended early.
+enum Stop {
+    Write(std::io::Error),
+    Input(Exit),
+}
+
+impl From<std::io::Error> for Stop {
+    fn from(error: std::io::Error) -> Stop {
+        Stop::Write(error)
+    }
 }
 
 /// What a batch asks of each line.
@@ -272,6 +277,43 @@ struct Batch {
 }
 
 impl Batch {
+    /// Answers line by line, the heading first.
+    fn answers(&self, input: &mut dyn BufRead, path: &Path, out: &mut dyn Write) -> Result<(), Stop> {
+        let shown = path.display();
+        let fault = |code: u8, line: u64, what: &str| {
+            Stop::Input(Exit { code, message: format!("error: {shown}:{line}: {what}") })
+        };
+        let (mut bytes, mut number, mut first) = (Vec::new(), 0_u64, true);
+        loop {
+            bytes.clear();
+            let read = (&mut *input).take(MAX_LINE as u64).read_until(b'\n', &mut bytes);
+            let read = read.map_err(|e| Stop::Input(load::cannot_read(path, &e)))?;
+            if number == 0 {
+                out.write_all(self.header().as_bytes())?;
+            }
+            if read == 0 {
+                return Ok(());
+            }
+            number += 1;
+            if bytes.len() >= MAX_LINE {
+                return Err(fault(3, number, &format!("limit reached: {MAX_LINE} bytes in a line")));
+            }
+            let text = std::str::from_utf8(&bytes).map_err(|_| fault(2, number, "this is not UTF-8 text"))?;
+            let text = if number == 1 { text.trim_start_matches('\u{feff}') } else { text }.trim();
+            if text.is_empty() || text.starts_with('#') {
+                continue;
+            }
+            // The first line that is none of these may be the heading.
+            if std::mem::take(&mut first) && text.replace(' ', "") == "m1,m2,e,n" {
+                continue;
+            }
+            let answer = self.answer(text).map_err(|exit| {
+                fault(exit.code, number, exit.message.strip_prefix("error: ").unwrap_or(&exit.message))
+            })?;
+            out.write_all(answer.as_bytes())?;
+        }
+    }
+
     fn header(&self) -> String {
         let mut columns = vec!["m1,m2,e,n"];
         columns.extend(self.want.iter().map(|q| match q {

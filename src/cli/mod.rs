@@ -28,6 +28,7 @@ mod table_certificate;
 mod table_check;
 mod table_contents;
 mod table_merge;
+mod table_rows;
 mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};

@@ -99,6 +99,18 @@ fn followed(path: &Path) -> Result<PathBuf, Exit> {
     Err(Exit::usage(format!("error: cannot write {}: its symbolic links form a circle", path.display())))
 }
 
+/// The file that a path leads to, which need not exist: one name for all its paths.
+///
+/// # Errors
+/// Symbolic links in a circle.
+pub fn place(path: &Path) -> Result<PathBuf, Exit> {
+    let target = followed(path)?;
+    let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    // A folder that is not there is an error when the file is opened.
+    let folder = std::fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
+    Ok(folder.join(target.file_name().unwrap_or_default()))
+}
+
 /// Writes a file as a whole.
 pub fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
     write_bytes(path, text.as_bytes())

@@ -28,32 +28,102 @@ fn cannot(path: &Path, e: &io::Error) -> Exit {
     Exit::usage(format!("error: cannot write {}: {e}", path.display()))
 }
 
-impl Partial {
-    /// Begins anew, with nothing.
-    pub fn begin(target: &Path) -> Result<Partial, Exit> {
-        Partial::open(target, |_| Ok(0))
-    }
+/// The longest line that is read back.
+const MAX_LINE: u64 = 1 << 26;
 
-    /// Goes on after so many lines below the head.
-    pub fn resume(target: &Path, head: &str, lines: u64) -> Result<Partial, Exit> {
-        let from = head.len() as u64;
-        Partial::open(target, |file| Ok(from + length(file, from, lines)?))
-    }
-
-    /// Opens the growing file and cuts it after as many bytes as are kept.
-    fn open(target: &Path, kept: impl FnOnce(&mut File) -> io::Result<u64>) -> Result<Partial, Exit> {
-        let path = name(target);
-        let fail = |e: io::Error| cannot(&path, &e);
-        let mut file =
-            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(fail)?;
+/// Opens a file and locks it.
+///
+/// Between the one and the other, another run may have put the file in its place, or removed it. What is locked is then no
+/// longer what the path names, and the work begins anew with what it names now.
+fn locked(path: &Path, mut open: impl FnMut(&Path) -> io::Result<File>) -> Result<File, Exit> {
+    loop {
+        let file = open(path).map_err(|e| cannot(path, &e))?;
         if file.try_lock().is_err() {
             return Err(Exit::usage(format!("error: another run is writing {}", path.display())));
         }
-        let end = kept(&mut file).map_err(fail)?;
-        file.set_len(end).map_err(fail)?;
-        file.seek(SeekFrom::Start(end)).map_err(fail)?;
+        if is_at(&file, path) {
+            return Ok(file);
+        }
+    }
+}
+
+/// Whether a path names an open file. Where files have no numbers, they cannot be moved while they are open.
+fn is_at(file: &File, path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let number = |m: std::fs::Metadata| (m.dev(), m.ino());
+        let (here, there) = (file.metadata().map(number), std::fs::metadata(path).map(number));
+        matches!((here, there), (Ok(here), Ok(there)) if here == there)
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = (file, path);
+        true
+    }
+}
+
+impl Partial {
+    /// Opens the growing file, with what an earlier run left in it.
+    pub fn open(target: &Path) -> Result<Partial, Exit> {
+        let path = name(target);
+        let file =
+            locked(&path, |path| OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path))?;
         let file = BufWriter::with_capacity(1 << 16, file);
         Ok(Partial { target: target.to_path_buf(), path, file })
+    }
+
+    /// How many whole lines stand below the head; `fits` is asked of each, by its number from 0.
+    ///
+    /// # Errors
+    /// It was begun with another head, or holds a line that does not fit: another table, another rounding, another
+    /// version, or lines that were changed since.
+    pub fn lines(&mut self, head: &str, fits: impl Fn(u64, &[u8]) -> bool) -> Result<u64, Exit> {
+        let Partial { path, file, .. } = self;
+        let fail = |e: io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
+        let other = |what: String| {
+            let path = path.display();
+            let message = format!(
+                "error: {path} was begun with other settings{what}; remove it, or leave out --resume to begin anew"
+            );
+            Exit::usage(message)
+        };
+        let file = file.get_mut();
+        file.seek(SeekFrom::Start(0)).map_err(fail)?;
+        let mut reader = BufReader::with_capacity(1 << 16, file);
+        let mut line = Vec::new();
+        reader.by_ref().take(head.len() as u64).read_to_end(&mut line).map_err(fail)?;
+        if line.len() < head.len() && head.as_bytes().starts_with(&line) {
+            return Ok(0);
+        }
+        if line != head.as_bytes() {
+            return Err(other(String::new()));
+        }
+        let mut lines = 0;
+        loop {
+            line.clear();
+            reader.by_ref().take(MAX_LINE).read_until(b'\n', &mut line).map_err(fail)?;
+            // What was cut off in the middle of a line is dropped.
+            if !line.ends_with(b"\n") && (line.len() as u64) < MAX_LINE {
+                return Ok(lines);
+            }
+            if !fits(lines, &line) {
+                return Err(other(format!(", or changed: line {} below its head is no such row", lines + 1)));
+            }
+            lines += 1;
+        }
+    }
+
+    /// Keeps the head and so many lines, and nothing if there are none, and goes on after them.
+    pub fn keep(&mut self, head: &str, lines: u64) -> Result<(), Exit> {
+        let Partial { path, file, .. } = self;
+        let fail = |e: io::Error| cannot(path, &e);
+        let from = head.len() as u64;
+        let file = file.get_mut();
+        let end = if lines == 0 { 0 } else { from + length(file, from, lines).map_err(fail)? };
+        file.set_len(end).map_err(fail)?;
+        file.seek(SeekFrom::Start(end)).map_err(fail)?;
+        Ok(())
     }
 
     /// Leaves the lines where they are, for a later run.
@@ -97,43 +167,6 @@ fn length(file: &mut File, from: u64, lines: u64) -> io::Result<u64> {
     Ok(total)
 }
 
-/// How many whole lines stand below the head in what an earlier run left; `None` where there is nothing.
-///
-/// # Errors
-/// It was begun with another head: another table, another rounding, another version.
-pub fn lines(target: &Path, head: &str) -> Result<Option<u64>, Exit> {
-    let path = name(target);
-    let fail = |e: io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let file = match File::open(&path) {
-        Ok(file) => file,
-        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
-        Err(e) => return Err(fail(e)),
-    };
-    let mut reader = BufReader::new(file);
-    let mut begun = Vec::new();
-    reader.by_ref().take(head.len() as u64).read_to_end(&mut begun).map_err(fail)?;
-    if begun.len() < head.len() && head.as_bytes().starts_with(&begun) {
-        return Ok(None);
-    }
-    if begun != head.as_bytes() {
-        let message = format!(
-            "error: {} was begun with other settings; remove it, or leave out --resume to begin anew",
-            path.display()
-        );
-        return Err(Exit::usage(message));
-    }
-    let mut lines = 0;
-    loop {
-        let buffer = reader.fill_buf().map_err(fail)?;
-        if buffer.is_empty() {
-            return Ok(Some(lines));
-        }
-        lines += buffer.iter().filter(|b| **b == b'\n').count() as u64;
-        let length = buffer.len();
-        reader.consume(length);
-    }
-}
-
 /// Whether a path can grow beside itself: it is new, or a regular file.
 pub fn can_grow(path: &Path) -> bool {
     std::fs::symlink_metadata(path).map_or(true, |m| m.is_file())
@@ -173,5 +206,30 @@ impl Write for Target {
             Target::Grows(partial) => partial.flush(),
             Target::Whole(output) => output.flush(),
         }
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_another_run_puts_in_its_place_before_it_is_locked_is_left_alone() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (path, done) = (folder.path().join("t.csv.partial"), folder.path().join("t.csv"));
+        std::fs::write(&path, "whole\n").expect("written");
+        let mut opened = 0;
+        let file = locked(&path, |path| {
+            opened += 1;
+            let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
+            if opened == 1 {
+                std::fs::rename(path, &done)?;
+            }
+            file
+        });
+        let file = file.map_err(|e| e.message).expect("the second one is locked");
+        file.set_len(0).expect("it is open");
+        assert_eq!((opened, std::fs::read_to_string(&done).expect("there").as_str()), (2, "whole\n"));
+        assert!(is_at(&file, &path) && !is_at(&file, &done));
     }
 }

@@ -7,8 +7,9 @@ use crate::chain::best::{Best, best};
 use crate::chain::{ChainError, Positive, Restitution};
 use crate::number::NumberError;
 use crate::report::plot::charts::{self, CURVES};
+use crate::report::plot::png::{self, PngError};
 use crate::report::plot::shape::Page;
-use crate::report::plot::{png, svg};
+use crate::report::plot::svg;
 use crate::table::grid::Grid;
 use crate::table::worksheet::Worksheet;
 use malachite::Rational;
@@ -23,13 +24,13 @@ pub struct Contents {
     /// A scene file, for the picture of velocities
     scene: Option<PathBuf>,
     /// The mass ratio m1/m2 (eta-n), or the range of ratios FROM,TO (the others)
-    #[arg(long, value_name = "R[,R]")]
+    #[arg(long, value_name = "R[,R]", allow_hyphen_values = true)]
     ratio: Option<String>,
     /// The restitution (eta-x), or several (eta-n)
-    #[arg(short, long = "restitution", value_name = "GRID")]
+    #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
     e: Option<String>,
     /// The numbers of inserted bodies (eta-x, threshold), or the greatest one (eta-n)
-    #[arg(short, long = "inserted", value_name = "GRID")]
+    #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
     n: Option<String>,
 }
 
@@ -42,7 +43,7 @@ pub struct Flags {
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
     /// Pixels of a PNG for each point of the page, which has 690 by 440 points
-    #[arg(long, value_name = "S", default_value_t = 2.0)]
+    #[arg(long, value_name = "S", default_value_t = 2.0, allow_hyphen_values = true)]
     scale: f32,
 }
 
@@ -68,9 +69,10 @@ enum Form {
     Png,
 }
 
-fn failure(error: &ChainError) -> Exit {
+/// The error of a flag or a file, which it names.
+fn failure(of: &str, error: &ChainError) -> Exit {
     let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
-    Exit { code: if limit { 3 } else { 2 }, message: format!("error: {error}") }
+    Exit { code: if limit { 3 } else { 2 }, message: format!("error: {of}: {error}") }
 }
 
 /// The values of a grid, or of the default one.
@@ -95,12 +97,14 @@ impl Contents {
     fn range(&self) -> Result<(Positive, Positive), Exit> {
         let list = values("--ratio", self.ratio.as_deref(), "1/1000,1000")?;
         let ends: Result<Vec<Positive>, ChainError> = list.into_iter().map(Positive::new).collect();
-        match ends.map_err(|e| failure(&e))?.as_slice() {
+        match ends.map_err(|e| failure("--ratio", &e))?.as_slice() {
             [from, to] if from < to => {
                 let bound = Rational::from(10u32);
                 let large =
                     |x: &Positive| *x.value() > malachite::base::num::arithmetic::traits::Pow::pow(&bound, 300i64);
-                if large(to) || large(&Positive::new(Rational::from(1u32)).map_err(|e| failure(&e))?.over(from)) {
+                if large(to)
+                    || large(&Positive::new(Rational::from(1u32)).map_err(|e| failure("--ratio", &e))?.over(from))
+                {
                     return Err(Exit::usage("error: --ratio: a picture reaches from 1e-300 to 1e300 at most"));
                 }
                 Ok((from.clone(), to.clone()))
@@ -119,7 +123,7 @@ impl Contents {
 
     fn restitutions(&self, default: &str) -> Result<Vec<Restitution>, Exit> {
         let list = values("-e", self.e.as_deref(), default)?;
-        list.into_iter().map(Restitution::new).collect::<Result<_, _>>().map_err(|e| failure(&e))
+        list.into_iter().map(Restitution::new).collect::<Result<_, _>>().map_err(|e| failure("-e", &e))
     }
 
     /// The picture.
@@ -153,13 +157,13 @@ impl Contents {
             Picture::Velocities => {
                 let Some(path) = &self.scene else { return Err(Exit::usage("error: give a scene file")) };
                 let scene = load_scene(path)?;
-                let worksheet = Worksheet::of(&scene.chain).map_err(|e| failure(&e))?;
+                let worksheet = Worksheet::of(&scene.chain).map_err(|e| failure(&path.display().to_string(), &e))?;
                 let name =
                     path.file_stem().map_or("scene".to_owned(), |s| s.to_string_lossy().replace(['-', '_'], " "));
                 Ok(charts::velocities(&worksheet, &format!("Velocities: {name}")))
             }
         };
-        page.map_err(|e| failure(&e))
+        page.map_err(|e| failure("the picture", &e))
     }
 
     /// The claims of the catalogue that the drawn formulas are of.
@@ -176,7 +180,7 @@ impl Contents {
     fn eta_of_number(&self) -> Result<Result<Page, ChainError>, Exit> {
         let ratio = values("--ratio", self.ratio.as_deref(), "100")?;
         let [ratio] = ratio.as_slice() else { return Err(Exit::usage("error: --ratio: give one mass ratio")) };
-        let ratio = Positive::new(ratio.clone()).map_err(|e| failure(&e))?;
+        let ratio = Positive::new(ratio.clone()).map_err(|e| failure("--ratio", &e))?;
         let list = self.restitutions("0.5,0.8,0.9,0.95,1")?;
         let most = match self.n {
             Some(_) => match self.numbers("", 1)?.as_slice() {
@@ -187,7 +191,7 @@ impl Contents {
                 // Twice as far as the best one.
                 let mut most = 8;
                 for e in &list {
-                    if let Best::Finite { count, .. } = best(&ratio, e).map_err(|e| failure(&e))?.0 {
+                    if let Best::Finite { count, .. } = best(&ratio, e).map_err(|e| failure("-e", &e))?.0 {
                         most = most.max(u64::try_from(&count).unwrap_or(u64::MAX / 4).saturating_mul(2));
                     }
                 }
@@ -219,7 +223,9 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         bytes.push(match form {
             Form::Svg => svg::render(&page).into_bytes(),
             Form::Png => {
-                png::render(&page, flags.scale).map_err(|e| Exit { code: 3, message: format!("error: {e}") })?
+                let code = |e: &PngError| if let PngError::Small { .. } = e { 2 } else { 3 };
+                png::render(&page, flags.scale)
+                    .map_err(|e| Exit { code: code(&e), message: format!("error: --scale: {e}") })?
             }
         });
     }

@@ -1,10 +1,11 @@
 //! `carom table`
 
 use super::interrupt::{INTERRUPTED, Interrupt};
-use super::output::Output;
+use super::output::{Output, place};
 use super::partial::{self, Partial, Target};
 use super::progress::Progress;
 use super::table_contents::{Contents, grid};
+use super::table_rows::{self, Rows};
 use super::{Exit, table_check, table_merge};
 use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
@@ -49,9 +50,19 @@ pub struct Flags {
     check: Option<PathBuf>,
 }
 
-/// The end for a table that cannot be made.
+/// The error of a table, with the flag that it is about.
 pub fn exit(error: &TableError) -> Exit {
-    Exit { code: if error.is_limit() { 3 } else { 2 }, message: format!("error: {error}") }
+    let of_axis = |axis: &str| if axis == "e" { "-e: " } else { "-n: " };
+    let flag = match error {
+        TableError::Lacks(_, axis) | TableError::Independent(_, axis) => of_axis(axis),
+        TableError::Range { axis: "a ratio", .. } => "--ratio: ",
+        TableError::Range { axis: "a restitution e", .. } => "-e: ",
+        TableError::Range { .. } | TableError::NotIntegral => "-n: ",
+        TableError::Whole(_) => "--extra: ",
+        TableError::Digits(_) => "--digits or --places: ",
+        TableError::TooManyRows | TableError::Row { .. } => "",
+    };
+    Exit { code: if error.is_limit() { 3 } else { 2 }, message: format!("error: {flag}{error}") }
 }
 
 /// Runs the command.
@@ -183,37 +194,43 @@ fn rounding_name(rounding: Rounding) -> &'static str {
 /// Writes to a file, which is complete or as it was.
 fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
     let grows = |path: &Path| flags.format == Form::Csv && partial::can_grow(path);
-    let (head, heading) = (writer.csv_head(), job.certificate_head());
-    let mut from = 0;
-    if flags.resume {
-        let unable =
-            |path: &Path| Exit::usage(format!("error: {} is no regular file, it cannot be resumed", path.display()));
-        if !grows(path) {
-            return Err(unable(path));
-        }
-        from = partial::lines(path, &head)?.unwrap_or(0);
-        if let Some(certificate) = &flags.certificate {
-            if !grows(certificate) {
-                return Err(unable(certificate));
-            }
-            from = from.min(partial::lines(certificate, &heading)?.unwrap_or(0));
-        }
-        from = from.min(job.rows.end - job.rows.start);
+    let targets: Vec<(&Path, table_rows::Form, String)> = [
+        Some((path, table_rows::Form::Csv, writer.csv_head())),
+        flags.certificate.as_deref().map(|path| (path, table_rows::Form::Certificate, job.certificate_head())),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    apart(path, flags.certificate.as_deref())?;
+    if flags.resume
+        && let Some((path, ..)) = targets.iter().find(|(path, ..)| !grows(path))
+    {
+        return Err(Exit::usage(format!("error: {} is no regular file, it cannot be resumed", path.display())));
     }
-    let open = |path: &Path, head: &str| -> Result<Target, Exit> {
+    let mut from = if flags.resume { job.rows.end - job.rows.start } else { 0 };
+    let mut open = Vec::new();
+    for (path, form, head) in &targets {
         if !grows(path) {
-            whole(path)
-        } else if from > 0 {
-            Partial::resume(path, head, from).map(Target::Grows)
-        } else {
-            Partial::begin(path).map(Target::Grows)
+            open.push(whole(path)?);
+            continue;
         }
-    };
-    let mut out = open(path, &head)?;
-    let mut certificate = match &flags.certificate {
-        Some(path) => Some(open(path, &heading)?),
-        None => None,
-    };
+        let mut partial = Partial::open(path)?;
+        if flags.resume {
+            let rows = Rows::new(job.plan, *form, head);
+            let belongs = |line: u64| job.rows.start.checked_add(line).filter(|row| *row < job.rows.end);
+            let lines = partial.lines(head, |line, text| belongs(line).is_some_and(|row| rows.has(row, text)))?;
+            from = from.min(lines);
+        }
+        open.push(Target::Grows(partial));
+    }
+    // Nothing is cut off before all that is kept has been read.
+    for (target, (.., head)) in open.iter_mut().zip(&targets) {
+        if let Target::Grows(partial) = target {
+            partial.keep(head, from)?;
+        }
+    }
+    let mut certificate = if open.len() > 1 { open.pop() } else { None };
+    let Some(mut out) = open.pop() else { return Err(Exit::usage("error: give a file: --output FILE")) };
     let result = write(job, writer, from, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
     match result {
         Ok(End::Complete) => {
@@ -235,6 +252,25 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
         Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write {}: {e}", path.display()))),
         Err(Stop::Table(e)) => Err(exit(&e)),
     }
+}
+
+/// Refuses a certificate that would take the place of the table, or of the file in which it grows, and the other way round.
+fn apart(output: &Path, certificate: Option<&Path>) -> Result<(), Exit> {
+    let Some(certificate) = certificate else { return Ok(()) };
+    // What is no regular file, such as /dev/null, is not replaced.
+    if std::fs::metadata(output).is_ok_and(|m| !m.is_file()) {
+        return Ok(());
+    }
+    let names = |path: &Path| Ok::<_, Exit>([place(path)?, place(&partial::name(path))?]);
+    let (table, other) = (names(output)?, names(certificate)?);
+    if table.iter().any(|name| other.contains(name)) {
+        let (output, certificate) = (output.display(), certificate.display());
+        let message = format!(
+            "error: --output {output} and --certificate {certificate} would overwrite each other; give two files, neither of which is the other's .partial"
+        );
+        return Err(Exit::usage(message));
+    }
+    Ok(())
 }
 
 /// A table in memory: its comma-separated values and its certificate.

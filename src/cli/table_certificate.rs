@@ -1,5 +1,6 @@
 //! `carom check` for certificates of tables: read line by line, in memory that does not grow with the table.
 
+use super::table_merge::SHARD;
 use super::{Exit, print};
 use crate::kernel::Failure;
 use crate::kernel::table::text::LINE_LIMIT;
@@ -91,6 +92,11 @@ fn line<'a>(
     }))
 }
 
+/// Whether a head is that of a part, which `carom table --shard` writes.
+fn is_part(head: &[u8]) -> bool {
+    serde_json::from_slice::<serde_json::Value>(head).is_ok_and(|head| head.get(SHARD).is_some())
+}
+
 fn check(path: &Path) -> Result<Result<AcceptedTable, Stopped>, Exit> {
     let mut file = BufReader::with_capacity(1 << 16, File::open(path).map_err(|e| unread(path, &e))?);
     let mut bytes = Vec::new();
@@ -101,6 +107,10 @@ fn check(path: &Path) -> Result<Result<AcceptedTable, Stopped>, Exit> {
     };
     let mut checker = match head {
         Ok(checker) => checker,
+        Err(_) if is_part(&bytes) => {
+            let what = "this is a part of a table: put the parts together first, with carom table --merge";
+            return stopped("head", Failure::Rejected(what.to_owned()));
+        }
         Err(failure) => return stopped("head", failure),
     };
     while let Some(row) = line(&mut file, path, &mut bytes)? {

@@ -2,14 +2,15 @@
 
 use super::output::Output;
 use super::{Exit, print};
-use crate::chain::{Positive, Restitution};
+use crate::chain::{ChainError, MAX_INSERTED, Positive, Restitution};
+use crate::number::NumberError;
 use crate::number::decimal::Rounding;
 use crate::number::rational;
 use crate::report::counted;
 use crate::report::table::{Column, Entry, Form, Head, LATEX_ROWS, Writer};
 use crate::table::check::{Agreement, judge};
-use crate::table::foreign::{Fields, Foreign, Role};
-use crate::table::grid::Grid;
+use crate::table::foreign::{Fields, Foreign, ForeignError, Role, completed};
+use crate::table::grid::{Grid, beyond_limits};
 use crate::table::{Place, Quantity, Value, value};
 use malachite::Rational;
 use std::fs::File;
@@ -40,7 +41,9 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
     let shown = path.display();
     let fail = |e: &dyn std::fmt::Display| Exit::usage(format!("error: {shown}: {e}"));
     let file = File::open(path).map_err(|e| Exit::usage(format!("error: cannot read {shown}: {e}")))?;
-    let mut table = Foreign::open(BufReader::new(file)).map_err(|e| fail(&e))?;
+    let foreign =
+        |e: ForeignError| Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {shown}: {e}") };
+    let mut table = Foreign::open(BufReader::new(file)).map_err(foreign)?;
     let places = Places::of(&table, given).map_err(|e| fail(&e))?;
     let mut out: Vec<u8> = Vec::new();
     let mut writer = Writer::new(form, head(&places, rounding));
@@ -58,12 +61,14 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
     };
     let unwritten = |e: std::io::Error| Exit::usage(format!("error: cannot write: {e}"));
     writer.begin(&mut out).map_err(unwritten)?;
-    while let Some(row) = table.row().map_err(|e| fail(&e))? {
+    while let Some(row) = table.row().map_err(foreign)? {
         for (column, quantity) in &places.values {
             let entries = cell(&row, *column, *quantity, &places, rounding, &mut tally).map_err(|e| match e {
                 Failure::Input(e) => fail(&format!("line {}: {e}", row.line)),
                 Failure::Limit(e) => Exit { code: 3, message: format!("error: {shown}: line {}: {e}", row.line) },
             })?;
+            // JSON writes control characters by their numbers itself.
+            let entries = if form == Form::Json { entries } else { entries.into_iter().map(Entry::visible).collect() };
             writer.row(entries, &mut out).map_err(unwritten)?;
             rows += 1;
             if form == Form::Latex && rows > LATEX_ROWS {
@@ -159,8 +164,11 @@ impl Places {
             }
         };
         let mut ratio = from(Role::Ratio, "--ratio", &given.ratio)?;
-        if let (From::Nowhere, Some(first), Some(last)) = (&ratio, table.column(Role::First), table.column(Role::Last))
-        {
+        if let (Some(first), Some(last)) = (table.column(Role::First), table.column(Role::Last)) {
+            if !matches!(ratio, From::Nowhere) {
+                let other = if given.ratio.is_some() { "by --ratio" } else { "in a column of its own" };
+                return Err(format!("the mass ratio is given twice: by the columns m1 and m2, and {other}"));
+            }
             ratio = From::Quotient(first, last);
         }
         let (e, n) = (from(Role::E, "-e", &given.e)?, from(Role::N, "-n", &given.n)?);
@@ -189,7 +197,10 @@ enum Failure {
 fn number(from: &From, row: &Fields) -> Result<Option<Rational>, Failure> {
     let at = |column: usize| {
         let text = row.fields.get(column).map_or("", String::as_str);
-        rational::parse(text).map_err(|e| Failure::Input(format!("{text:?} is no number: {e}")))
+        rational::parse(&completed(text)).map_err(|e| match beyond_limits(&e) {
+            Some(limit) => Failure::Limit(limit.to_string()),
+            None => Failure::Input(format!("{text:?} is no number: {e}")),
+        })
     };
     Ok(match from {
         From::Column(column) => Some(at(*column)?),
@@ -217,9 +228,14 @@ fn cell(
     let input = |e: &dyn std::fmt::Display| Failure::Input(e.to_string());
     let (ratio, e, n) = (number(&places.ratio, row)?, number(&places.e, row)?, number(&places.n, row)?);
     let count = match &n {
-        Some(n) if quantity.needs_n() => {
-            Some(u64::try_from(n).map_err(|_| input(&format!("n counts bodies, {n} does not")))?)
-        }
+        Some(n) if quantity.needs_n() => match u64::try_from(n) {
+            Ok(n) => Some(n),
+            Err(_) if *n > MAX_INSERTED && *n.denominator_ref() == 1u32 => {
+                let what = format!("limit reached: inserted bodies: {MAX_INSERTED} allowed, {n} asked for");
+                return Err(Failure::Limit(what));
+            }
+            Err(_) => return Err(input(&format!("n counts bodies, {n} does not"))),
+        },
         _ => None,
     };
     let place = Place {
@@ -231,20 +247,29 @@ fn cell(
         n: count,
     };
     let written = row.fields.get(column).map_or("", String::as_str);
-    let limit = |e: &dyn std::fmt::Display| Failure::Limit(e.to_string());
-    let (said, certified) = match value(quantity, &place).map_err(|e| limit(&e))? {
+    let number = |e: NumberError| match e {
+        NumberError::LimitReached { .. } => Failure::Limit(e.to_string()),
+        NumberError::Undefined { .. } => Failure::Input(e.to_string()),
+    };
+    let chain = |e: ChainError| match e {
+        ChainError::Number(e) => number(e),
+        e => Failure::Input(e.to_string()),
+    };
+    let (said, certified) = match value(quantity, &place).map_err(chain)? {
         _ if written.is_empty() => ("empty".to_owned(), String::new()),
         Value::Count(best) => {
             let certified = crate::table::count_text(&best).0;
             let same = match written.to_lowercase().as_str() {
                 "infinite" | "infinity" | "inf" | "∞" => certified == "infinite",
-                other => rational::parse(other).is_ok_and(|v| v.to_string() == certified) || other == certified,
+                other => {
+                    rational::parse(&completed(other)).is_ok_and(|v| v.to_string() == certified) || other == certified
+                }
             };
             tally.count(if same { &Agreement::Right } else { &Agreement::Wrong(None) });
             (if same { "right" } else { "wrong" }.to_owned(), certified)
         }
         Value::Real(real) => {
-            let (agreement, certified) = judge(written, &real, rounding).map_err(|e| limit(&e))?;
+            let (agreement, certified) = judge(written, &real, rounding).map_err(number)?;
             tally.count(&agreement);
             (agreement.text(), certified)
         }

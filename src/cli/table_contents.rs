@@ -3,20 +3,20 @@
 use super::Exit;
 use super::table::exit;
 use crate::number::decimal::{Digits, Rounding};
-use crate::table::grid::Grid;
+use crate::table::grid::{Grid, GridError};
 use crate::table::{Plan, Printing, Quantity};
 
 /// The arguments that say what a table holds.
 #[derive(clap::Args)]
 pub struct Contents {
     /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
-    #[arg(long, value_name = "GRID")]
+    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub ratio: Option<String>,
     /// Coefficients of restitution, for eta and best-n
-    #[arg(short, long = "restitution", value_name = "GRID")]
+    #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
     pub e: Option<String>,
     /// Numbers of inserted bodies, for eta and threshold
-    #[arg(short, long = "inserted", value_name = "GRID")]
+    #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
     pub n: Option<String>,
     /// The quantity
     #[arg(long, value_enum, default_value = "eta")]
@@ -98,5 +98,13 @@ impl Round {
 
 /// A grid of the command line.
 pub fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
-    text.map(|text| Grid::parse(text).map_err(|e| Exit::usage(format!("error: {flag} {text}: {e}")))).transpose()
+    let fault = |text: &str, e: &GridError| {
+        let shown: String = text.chars().take(SHOWN).collect();
+        let rest = if shown.len() < text.len() { "…" } else { "" };
+        Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {flag} {shown}{rest}: {e}") }
+    };
+    text.map(|text| Grid::parse(text).map_err(|e| fault(text, &e))).transpose()
 }
+
+/// Characters of a grid that an error repeats.
+const SHOWN: usize = 200;

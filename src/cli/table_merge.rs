@@ -2,13 +2,15 @@
 //!
 //! **Contract.** What is written is, byte for byte, what one run without `--shard` writes. It is written only where the
 //! heads of all files describe the same table, every part of it is there once, and each file holds its own rows, each at
-//! its place: the values of the axes (of a certificate: the numbers of the rows) are compared with those that belong there,
-//! and a row has as many fields as the heading. The order of the files does not matter. The certified digits themselves
+//! its place: the values of the axes are compared with those that belong there, a row has as many fields as the heading,
+//! and a value. The order of the files does not matter. The certified digits themselves
 //! are not computed again.
 
 use super::Exit;
 use super::load::cannot_read;
 use super::output::Output;
+use super::table_rows::{Form, Rows};
+use crate::report::visible;
 use crate::table::Plan;
 use crate::table::shard::{Binding, Shard};
 use serde_json::{Map, Value, json};
@@ -44,22 +46,6 @@ struct Part<'a> {
     form: Form,
 }
 
-/// What a file holds.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
-    Csv,
-    Certificate,
-}
-
-impl Form {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Csv => "a table",
-            Self::Certificate => "a certificate",
-        }
-    }
-}
-
 fn fault(path: &Path, what: &str) -> Exit {
     Exit::usage(format!("error: {}: {what}", path.display()))
 }
@@ -93,6 +79,10 @@ pub fn run(files: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
 
 impl<'a> Part<'a> {
     fn open(path: &'a Path) -> Result<Part<'a>, Exit> {
+        // It is read twice, and opening a pipe waits for its writer.
+        if !std::fs::metadata(path).map_err(|e| cannot_read(path, &e))?.is_file() {
+            return Err(fault(path, "this is not a regular file"));
+        }
         let mut reader = BufReader::new(File::open(path).map_err(|e| cannot_read(path, &e))?.take(MAX_HEAD));
         let mut line = || -> Result<String, Exit> {
             let mut line = String::new();
@@ -109,10 +99,13 @@ impl<'a> Part<'a> {
                 break Form::Certificate;
             }
             let named = |name: &str| Some(text.strip_prefix(&format!("# {name}: "))?.strip_suffix('\n')?.to_owned());
-            if let Some(text) = named(TABLE) {
-                table = Some(text);
-            } else if let Some(text) = named(SHARD) {
-                shard = Some(text);
+            if let Some((name, slot, text)) = [(TABLE, &mut table), (SHARD, &mut shard)]
+                .into_iter()
+                .find_map(|(name, slot)| Some((name, slot, named(name)?)))
+            {
+                if slot.replace(text).is_some() {
+                    return Err(fault(path, &format!("its head is damaged: two lines begin with `# {name}:`")));
+                }
             } else {
                 head.push_str(&text);
                 if !text.starts_with('#') {
@@ -131,22 +124,17 @@ impl<'a> Part<'a> {
         let failed = |e: io::Error| Stop::Part(cannot_read(self.path, &e));
         let mut reader = BufReader::with_capacity(1 << 16, File::open(self.path).map_err(failed)?);
         io::copy(&mut reader.by_ref().take(self.length), &mut io::sink()).map_err(failed)?;
-        let fields = self.head.lines().last().unwrap_or_default().matches(',').count();
+        let rows = Rows::new(&self.plan, self.form, &self.head);
         let mut line = Vec::new();
         for row in self.shard.rows(self.plan.rows()) {
             line.clear();
             reader.read_until(b'\n', &mut line).map_err(failed)?;
-            let begin = match self.form {
-                Form::Csv => format!("{},", self.plan.labels(row).join(",")),
-                Form::Certificate => format!("{{\"row\":{row},"),
-            };
-            let whole = line.ends_with(b"\n");
-            let fits = self.form == Form::Certificate || line.iter().filter(|b| **b == b',').count() == fields;
-            if !(whole && fits && line.starts_with(begin.as_bytes())) {
+            if !rows.has(row, &line) {
+                let whole = line.ends_with(b"\n");
                 let found = match (line.is_empty(), whole) {
                     (true, _) => "the file ends before it".to_owned(),
                     (_, false) => "the file ends inside of it".to_owned(),
-                    _ => format!("there stands {}", String::from_utf8_lossy(&line).trim_end()),
+                    _ => format!("there stands {}", visible(String::from_utf8_lossy(&line).trim_end())),
                 };
                 let what = format!("row {} of the table, {}, is missing: {found}", row + 1, self.plan.in_words(row));
                 return Err(Stop::Part(fault(self.path, &what)));
@@ -158,7 +146,7 @@ impl<'a> Part<'a> {
         if line.is_empty() {
             return Ok(());
         }
-        let what = format!("there is more than its rows: {}", String::from_utf8_lossy(&line).trim_end());
+        let what = format!("there is more than its rows: {}", visible(String::from_utf8_lossy(&line).trim_end()));
         Err(Stop::Part(fault(self.path, &what)))
     }
 }

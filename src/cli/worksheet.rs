@@ -54,6 +54,9 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         Exit { code: if limit { 3 } else { 2 }, message: format!("error: {}: {error}", flags.scene.display()) }
     };
     let worksheet = Worksheet::of(&scene.chain).map_err(fail)?;
+    if flags.places.is_none() && flags.digits == 0 {
+        return Err(Exit::usage("error: --digits 0: give at least one significant digit"));
+    }
     let digits = flags.places.map_or(Digits::Significant(flags.digits), Digits::Places);
     let style = Style { form: flags.format, digits, exact: flags.exact };
     let title = flags.scene.file_stem().map_or("scene".to_owned(), |s| s.to_string_lossy().replace(['-', '_'], " "));

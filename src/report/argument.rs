@@ -1,7 +1,7 @@
 //! One claim with its whole argument, for `carom explain`.
 
 use super::latex::{code, escape};
-use super::{Entry, markdown, statement};
+use super::{Entry, markdown, statement, visible};
 use crate::claim::print::Style;
 use crate::claim::syntax::Claim;
 use crate::prove::outcome::Point;
@@ -9,9 +9,9 @@ use crate::prove::outcome::Point;
 /// As text, with Unicode signs.
 pub fn text(entry: &Entry) -> String {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
-    let mut out = format!("{}  {}\n", claim.name.text, claim.title);
+    let mut out = format!("{}  {}\n", claim.name.text, visible(&claim.title));
     if let Some(source) = &claim.source {
-        out.push_str(&format!("{source}\n"));
+        out.push_str(&format!("{}\n", visible(source)));
     }
     out.push('\n');
     for line in statement(claim, Style::Unicode) {
@@ -44,7 +44,7 @@ pub fn text(entry: &Entry) -> String {
         out.push_str(&format!("\nThe hypotheses hold, for instance, at {}\n", at.join(", ")));
     }
     for note in &claim.notes {
-        out.push_str(&format!("\nNote: {note}\n"));
+        out.push_str(&format!("\nNote: {}\n", visible(note)));
     }
     out
 }

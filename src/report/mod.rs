@@ -22,6 +22,7 @@ pub mod worksheet;
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};
 use crate::prove::outcome::{Outcome, Verdict};
+use std::borrow::Cow;
 
 /// A claim and what the audit says of it.
 pub struct Entry {
@@ -86,6 +87,25 @@ impl Audit {
 /// A number with its noun.
 pub fn counted(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
+/// Foreign text for a terminal: what is no visible character, and could steer the terminal or turn the text around, is shown
+/// by its number, as `\u{1b}`.
+#[must_use]
+pub fn visible(text: &str) -> Cow<'_, str> {
+    let steers = |c: char| c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    if !text.contains(steers) {
+        return Cow::Borrowed(text);
+    }
+    let shown = |c: char| if steers(c) { c.escape_unicode().to_string() } else { c.to_string() };
+    Cow::Owned(text.chars().map(shown).collect())
+}
+
+/// A text filled up with spaces to so many characters, on its left or on its right. (The widths of `format!` end at
+/// 65,535, and there are longer numbers.)
+pub(crate) fn padded(text: &str, width: usize, to_the_right: bool) -> String {
+    let space = " ".repeat(width.saturating_sub(text.chars().count()));
+    if to_the_right { space + text } else { text.to_owned() + &space }
 }
 
 /// The counts of an audit.

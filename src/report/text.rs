@@ -1,6 +1,6 @@
 //! An audit for a terminal.
 
-use super::{Audit, Entry, counted, reading, summary};
+use super::{Audit, Entry, counted, reading, summary, visible};
 use crate::claim::print::Style;
 use crate::prove::outcome::Verdict;
 
@@ -15,7 +15,7 @@ const PLAIN: &str = "\x1b[0m";
 pub fn report(audit: &Audit) -> String {
     let mut out = String::new();
     for (place, (section, entries)) in audit.sections().into_iter().enumerate() {
-        out.push_str(&format!("{}{BOLD}{section}{PLAIN}\n", if place == 0 { "" } else { "\n" }));
+        out.push_str(&format!("{}{BOLD}{}{PLAIN}\n", if place == 0 { "" } else { "\n" }, visible(section)));
         for entry in entries {
             one(&mut out, entry);
         }
@@ -51,7 +51,8 @@ fn one(out: &mut String, entry: &Entry) {
     let extracted = if reading(claim) == "extracted" { ", as extracted" } else { "" };
     out.push_str(&format!(
         "  {colour}{mark}{PLAIN} {number:>5} {BOLD}{}{PLAIN}  {}{extracted}\n",
-        claim.name.text, claim.title
+        claim.name.text,
+        visible(&claim.title)
     ));
     let goal = entry.goal(Style::Unicode);
     let goal = if goal.chars().count() > 150 { goal.chars().take(147).collect::<String>() + "..." } else { goal };
@@ -76,10 +77,10 @@ fn one(out: &mut String, entry: &Entry) {
         out.push_str(&format!("                  {reason}\n"));
     }
     if outcome.verdict == Verdict::Proved && !outcome.unused.is_empty() {
-        out.push_str(&format!("                  not needed: {}\n", outcome.unused.join("; ")));
+        out.push_str(&format!("                  not needed: {}\n", visible(&outcome.unused.join("; "))));
     }
     for note in &claim.notes {
-        out.push_str(&format!("                  note: {note}\n"));
+        out.push_str(&format!("                  note: {}\n", visible(note)));
     }
     if !entry.as_expected() {
         out.push_str(&format!("                  {RED}not as expected{PLAIN}\n"));

@@ -3,7 +3,7 @@
 //! A blank sheet gives the masses, the coefficients of restitution and the velocities before the first
 //! collision of each body; everything else is to be found.
 
-use super::markdown;
+use super::{markdown, padded};
 use crate::chain::recollision::WARNING;
 use crate::number::NumberError;
 use crate::number::decimal::{Decimal, Digits, Rounding};
@@ -153,7 +153,7 @@ fn table(rows: &[Vec<String>], form: Form) -> String {
             };
             let widths: Vec<usize> = (0..HEADINGS.len()).map(width).collect();
             let line = |cells: &mut dyn Iterator<Item = &str>| {
-                let cells: Vec<String> = cells.zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
+                let cells: Vec<String> = cells.zip(&widths).map(|(cell, width)| padded(cell, *width, true)).collect();
                 format!("{}\n", cells.join("  "))
             };
             out.push_str(&line(&mut HEADINGS.into_iter()));

@@ -79,10 +79,21 @@ pub fn scene(text: &str) -> Result<Scene, SceneFault> {
     let document = DeTable::parse(text)
         .map_err(|e| fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), None))?;
     let table = document.get_ref();
+    if let Some(body) = find(table, "body") {
+        let help = "`carom replay` reads it; a chain has a table [chain]".to_owned();
+        return Err(fault(body.span(), "this scene has bodies on a line, and is no chain", Some(help)));
+    }
     known_keys(table, &SCENE_KEYS, "the scene")?;
     let want = match find(table, "want") {
         None => vec![Quantity::Eta],
-        Some(value) => list(value, "want", quantity)?,
+        Some(value) => {
+            let want = list(value, "want", quantity)?;
+            if want.is_empty() {
+                let help = format!("name at least one of {}", Quantity::names().collect::<Vec<_>>().join(", "));
+                return Err(fault(value.span(), "want asks for nothing", Some(help)));
+            }
+            want
+        }
     };
     let digits = match (find(table, "digits"), find(table, "places")) {
         (Some(_), Some(places)) => {
@@ -93,7 +104,10 @@ pub fn scene(text: &str) -> Result<Scene, SceneFault> {
             ));
         }
         (None, Some(places)) => Digits::Places(natural(places, "places")?),
-        (Some(digits), None) => Digits::Significant(natural(digits, "digits")?),
+        (Some(digits), None) => match natural(digits, "digits")? {
+            0 => return Err(fault(digits.span(), "digits must be at least 1, not 0", None)),
+            count => Digits::Significant(count),
+        },
         (None, None) => Digits::Significant(DEFAULT_DIGITS),
     };
     let rounding = find(table, "rounding").map(direction).transpose()?.unwrap_or_default();

@@ -73,6 +73,10 @@ pub fn read(text: &str) -> Result<Scene, SceneError> {
     })?;
     let whole = 0..text.len().min(1);
     let table = Table { text, table: root.get_ref(), span: whole.clone() };
+    if let Some(chain) = table.get("chain") {
+        let help = "`carom eval` and `carom worksheet` read it; here bodies stand in [[body]]".to_string();
+        return Err(fault(chain.span(), "this scene is a chain".to_string(), Some(help)));
+    }
     table.only(&["title", "restitution", "body", "wall"], "the scene")?;
     let title = table.get("title").map(|v| match v.get_ref() {
         DeValue::String(s) => Ok(s.to_string()),

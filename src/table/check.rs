@@ -4,6 +4,8 @@
 //! written*, in the given direction of rounding: it is right, or right if rounded in another direction, or
 //! wrong from a digit on. A written fraction must be the exact value.
 
+use super::foreign::completed;
+use super::grid::beyond_limits;
 use super::rounded;
 use crate::number::NumberError;
 use crate::number::decimal::{Decimal, Digits, Rounding};
@@ -42,11 +44,15 @@ impl Agreement {
 /// A written number judged, and the certified value to as many places, or exactly.
 ///
 /// # Errors
-/// [`NumberError::LimitReached`].
+/// [`NumberError::LimitReached`], also where the written number is too long to be read: it may be right.
 pub fn judge(written: &str, value: &Real, rounding: Rounding) -> Result<(Agreement, String), NumberError> {
+    let written = &*completed(written);
     let number = match rational::parse(written) {
         Ok(number) => number,
         Err(error) => {
+            if let Some(limit) = beyond_limits(&error) {
+                return Err(limit);
+            }
             let (decimal, _) = rounded(value, Digits::Significant(10), rounding)?;
             return Ok((Agreement::Unreadable(error), decimal.to_string()));
         }
@@ -91,7 +97,8 @@ fn first_difference(a: &Rational, b: &Rational, places: u64) -> Option<u64> {
     let digits = |x: &Rational| (x.abs() * Rational::from(10).pow(places)).floor().unsigned_abs().to_string();
     let (a, b) = (digits(a), digits(b));
     let width = a.len().max(b.len());
-    let (a, b) = (format!("{a:0>width$}"), format!("{b:0>width$}"));
+    let filled = |digits: &str| "0".repeat(width - digits.len()) + digits;
+    let (a, b) = (filled(&a), filled(&b));
     let place = a.bytes().zip(b.bytes()).position(|(x, y)| x != y)?;
     Some(place as u64 + 1)
 }
@@ -128,6 +135,10 @@ mod tests {
         assert_eq!(said("4", "4/9"), "wrong from significant digit 1 on");
         assert_eq!(said("-0.44", "4/9"), "wrong");
         assert_eq!(said("4/8", "4/9"), "wrong");
+        assert_eq!(said(".4444", "4/9"), "right");
+        assert_eq!(said("-.44", "4/9"), "wrong");
+        let beyond = |text: &str| judge(text, &Real::rational(Rational::from(1)), Rounding::Nearest).is_err();
+        assert!(beyond("1e99999") && beyond(&format!("0.{}", "3".repeat(20_000))));
         assert!(said("0,44", "4/9").starts_with("not a number"));
         assert!(said("", "4/9").starts_with("not a number"));
     }

@@ -5,6 +5,7 @@
 //! commas. Lines are read one at a time, of [`MAX_LINE`] bytes at most.
 
 use super::Quantity;
+use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, BufRead, Read};
 
@@ -45,6 +46,14 @@ const NAMES: &[(&str, Role)] = &[
     ("best-n", Role::Value(Quantity::BestN)),
     ("n*", Role::Value(Quantity::BestN)),
 ];
+
+/// A number as tables write it, with the digit before the point that a numeral needs: `.9` is 0.9.
+#[must_use]
+pub fn completed(text: &str) -> Cow<'_, str> {
+    let rest = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let (sign, rest) = text.split_at(text.len() - rest.len());
+    if rest.starts_with('.') { Cow::Owned(format!("{sign}0{rest}")) } else { Cow::Borrowed(text) }
+}
 
 /// Why a file is no table.
 #[derive(Debug)]
@@ -101,6 +110,14 @@ impl fmt::Display for ForeignError {
 }
 
 impl std::error::Error for ForeignError {}
+
+impl ForeignError {
+    /// Whether a stated limit is the reason.
+    #[must_use]
+    pub fn is_limit(&self) -> bool {
+        matches!(self, Self::Long { .. })
+    }
+}
 
 /// A table that is being read.
 pub struct Foreign<R> {

@@ -1,17 +1,19 @@
 //! The axis of a table: exact values, listed or in steps.
 //!
-//! **Contract.** A grid is a list `a,b,c`, an arithmetic run `start:stop:step` or a geometric run
+//! **Contract.** A grid is a list `a,b,c` of different numbers, an arithmetic run `start:stop:step` or a geometric run
 //! `start:stop:xFACTOR`. Every value is exact: `0.1` is one tenth, and the tenth step from 0 is 1. A run
 //! includes its stop where it meets it. The values of an arithmetic run are made when they are asked for,
 //! so that an axis of 10^8 values takes no memory.
 //!
 //! **Limits.** A geometric run holds its values: at most [`MAX_GEOMETRIC`] of them and [`MAX_BITS`] bits in all.
 
+use crate::number::NumberError;
 use crate::number::rational::{self, NumeralError};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Floor};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
+use std::collections::HashSet;
 use std::fmt;
 
 /// The most values of a geometric run.
@@ -68,6 +70,11 @@ pub enum GridError {
     Shape,
     /// Commas and colons together.
     Mixed,
+    /// A list holds a number twice.
+    Twice {
+        /// The number as it stands there the second time.
+        part: String,
+    },
     /// The step is 0, or the factor 1.
     Still,
     /// The run never comes nearer to its stop.
@@ -86,10 +93,14 @@ pub enum GridError {
 impl fmt::Display for GridError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Numeral { part, error } => write!(f, "{part:?} is no number: {error}"),
+            Self::Numeral { part, error } => match beyond_limits(error) {
+                Some(limit) => write!(f, "{limit}"),
+                None => write!(f, "{part:?} is no number: {error}"),
+            },
             Self::Missing => write!(f, "a number is missing; write a,b,c or start:stop:step or start:stop:xFACTOR"),
             Self::Shape => write!(f, "a run has three parts: start:stop:step or start:stop:xFACTOR"),
             Self::Mixed => write!(f, "commas and colons cannot be mixed; write a list or one run"),
+            Self::Twice { part } => write!(f, "{part} is given twice; leave one of them out"),
             Self::Still => write!(f, "the run stands still; write a step other than 0 or a factor other than 1"),
             Self::Away => {
                 write!(f, "the run leads away from its stop; turn the sign of the step, or invert the factor")
@@ -101,6 +112,36 @@ impl fmt::Display for GridError {
 }
 
 impl std::error::Error for GridError {}
+
+impl GridError {
+    /// Whether a stated limit is the reason.
+    #[must_use]
+    pub fn is_limit(&self) -> bool {
+        match self {
+            Self::Limit { .. } => true,
+            Self::Numeral { error, .. } => beyond_limits(error).is_some(),
+            _ => false,
+        }
+    }
+}
+
+/// The limit that a numeral exceeds, where that is what keeps it from being read.
+#[must_use]
+pub fn beyond_limits(error: &NumeralError) -> Option<NumberError> {
+    match error {
+        NumeralError::TooManyDigits { allowed, needed } => Some(NumberError::LimitReached {
+            limit: "digits of a numeral",
+            allowed: *allowed as u64,
+            needed: needed.to_string(),
+        }),
+        NumeralError::ExponentTooLarge { allowed, .. } => Some(NumberError::LimitReached {
+            limit: "exponent of a numeral",
+            allowed: *allowed,
+            needed: "more".to_owned(),
+        }),
+        _ => None,
+    }
+}
 
 fn number(part: &str) -> Result<Rational, GridError> {
     match part.trim() {
@@ -127,6 +168,22 @@ impl Grid {
     /// # Errors
     /// [`GridError`] says what is wrong and what would be right.
     pub fn parse(text: &str) -> Result<Grid, GridError> {
+        let grid = Grid::sample(text)?;
+        if let Values::List(list) = &grid.values {
+            let mut seen = HashSet::new();
+            if let Some((part, _)) = list.iter().find(|(_, value)| !seen.insert(value)) {
+                return Err(GridError::Twice { part: part.clone() });
+            }
+        }
+        Ok(grid)
+    }
+
+    /// The same for a list of measured or drawn values, in which a number may come again: an axis of numbers that are
+    /// computed with, not of a table that is certified.
+    ///
+    /// # Errors
+    /// [`GridError`] but for [`GridError::Twice`].
+    pub fn sample(text: &str) -> Result<Grid, GridError> {
         if !text.contains(':') {
             let list = text.split(',').map(|part| Ok((part.trim().to_owned(), number(part)?)));
             let values = Values::List(list.collect::<Result<_, _>>()?);
@@ -327,6 +384,9 @@ mod tests {
     fn bad_grids_say_what_would_be_right() {
         assert!(fault("").contains("missing"));
         assert!(fault("1,,2").contains("missing"));
+        assert!(fault("1,2,3,1").contains("1 is given twice"));
+        assert!(fault("0.5,1/2").contains("1/2 is given twice"));
+        assert_eq!(Grid::sample("0.5,1/2,0.5").map(|grid| grid.len()), Ok(3));
         assert!(fault("1:2").contains("three parts"));
         assert!(fault("1:2:3:4").contains("three parts"));
         assert!(fault("1,2:3:1").contains("mixed"));
@@ -337,6 +397,9 @@ mod tests {
         assert!(fault("0:2:x2").contains("positive"));
         assert!(fault("1.2(3)").contains("uncertainty"));
         assert!(fault("one").contains("\"one\""));
+        assert!(Grid::parse("0:1:1e-30").is_err_and(|e| e.is_limit()));
+        assert!(Grid::parse("1e99999").is_err_and(|e| e.is_limit()));
+        assert!(!Grid::parse("1,x").is_err_and(|e| e.is_limit()));
         assert!(fault("0:1:1e-30").contains("limit reached"));
         assert!(fault("1:1e9999:x1.00000000000000000000000000001").contains("limit reached"));
     }

@@ -28,6 +28,9 @@ use std::fmt;
 /// The longest `p/q` that a row shows, in characters.
 pub const MAX_EXACT: usize = 60;
 
+/// The name of the axis of numbers of bodies in [`TableError::Range`].
+const BODIES: &str = "a number n of inserted bodies";
+
 /// The quantity of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -125,6 +128,8 @@ pub enum TableError {
     },
     /// The numbers of inserted bodies are not all integers.
     NotIntegral,
+    /// Further digits are asked of a whole number.
+    Whole(Quantity),
     /// So many digits cannot be printed.
     Digits(NumberError),
     /// More rows than a machine word counts.
@@ -147,6 +152,9 @@ impl fmt::Display for TableError {
             }
             Self::Range { axis, value, wanted } => write!(f, "{axis} {wanted}, not {value}"),
             Self::NotIntegral => write!(f, "n counts bodies: its values are integers"),
+            Self::Whole(quantity) => {
+                write!(f, "{} is a whole number, it has no further digits: leave them out", quantity.name())
+            }
             Self::Digits(error) => write!(f, "{error}"),
             Self::TooManyRows => write!(f, "limit reached: rows of a table: {} allowed", u64::MAX),
             Self::Row { row, error } => write!(f, "{row}: {error}"),
@@ -162,6 +170,7 @@ impl TableError {
     pub fn is_limit(&self) -> bool {
         match self {
             Self::TooManyRows | Self::Digits(NumberError::LimitReached { .. }) => true,
+            Self::Range { axis: BODIES, value, .. } => *value > crate::chain::MAX_INSERTED,
             Self::Row { error, .. } => matches!(**error, ChainError::Number(NumberError::LimitReached { .. })),
             _ => false,
         }
@@ -251,6 +260,9 @@ impl Plan {
                 _ => {}
             }
         }
+        if quantity == Quantity::BestN && printing.extra > 0 {
+            return Err(TableError::Whole(quantity));
+        }
         let range = |axis, value, wanted| Err(TableError::Range { axis, value, wanted });
         let (low, _) = ratio.bounds();
         if low <= Rational::ZERO {
@@ -270,13 +282,13 @@ impl Plan {
             let least = if quantity == Quantity::Threshold { Rational::ONE } else { Rational::ZERO };
             if low < least {
                 let wanted = if quantity == Quantity::Threshold { "is at least 1" } else { "is at least 0" };
-                return range("a number n of inserted bodies", low, wanted);
-            }
-            if high > crate::chain::MAX_INSERTED {
-                return range("a number n of inserted bodies", high, "is at most 10^18");
+                return range(BODIES, low, wanted);
             }
             if !grid.is_integral() {
                 return Err(TableError::NotIntegral);
+            }
+            if high > crate::chain::MAX_INSERTED {
+                return range(BODIES, high, "is at most 10^18 (limit reached)");
             }
         }
         // Refuses numbers of digits that no row could have.

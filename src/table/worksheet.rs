@@ -113,7 +113,7 @@ fn of_pass(pass: &Pass, restitutions: &Restitutions) -> Result<Worksheet, ChainE
         let ([m1, m2], Some(e)) = (pair, restitutions.at(i as u64)) else { continue };
         let velocities = [[&found.before.0, &found.after.0], [&found.before.1, &found.after.1]];
         let velocities = velocities.map(|pair| pair.map(exact));
-        collisions.push(collision(i as u64, e.value(), [exact(m1.value()), exact(m2.value())], velocities, None));
+        collisions.push(collision(i as u64, e.value(), [exact(m1.value()), exact(m2.value())], velocities));
     }
     Ok(Worksheet { collisions, again: recollision::of_velocities(&pass.velocities_after()?) })
 }
@@ -125,30 +125,43 @@ fn of_optimum(optimum: &Optimum, speed: &Rational) -> Result<Worksheet, ChainErr
         let masses = [i, i + 1].map(|i| Arc::new(optimum.mass(i)));
         let struck = [exact(&Rational::ZERO), Arc::new(optimum.arrival(i + 1, speed))];
         let velocities = [[Arc::new(optimum.arrival(i, speed)), Arc::new(optimum.velocity(i, speed))], struck];
-        let loss = Arc::new(optimum.loss(i + 1, speed));
-        collisions.push(collision(i, e.value(), masses, velocities, Some(loss)));
+        let mut found = collision(i, e.value(), masses, velocities);
+        known_energies(&mut found, optimum, i, speed);
+        collisions.push(found);
     }
     Ok(Worksheet { collisions, again: recollision::of_optimum(optimum)?.0 })
 }
 
-/// The entries of one collision; the loss where rounding could not tell that it is zero.
-fn collision(
-    i: u64,
-    e: &Rational,
-    masses: [Shared; 2],
-    velocities: [[Shared; 2]; 2],
-    loss: Option<Shared>,
-) -> Collision {
+/// Puts in the energies that enclosures cannot tell to be rational: a rational number on the edge between two decimals
+/// would be enclosed more and more narrowly for ever.
+///
+/// All other entries of a chain with irrational `x` are irrational, or products of rational ones (lemma in
+/// [`crate::chain`]): up to rational factors and powers of `x`, momenta are `1/(1 + x)^j` or `(x − e)/(1 + x)^j`, and energies
+/// their products with velocities.
+fn known_energies(found: &mut Collision, optimum: &Optimum, i: u64, speed: &Rational) {
+    let loss = optimum.loss(i + 1, speed);
+    if loss.as_rational() == Some(&Rational::ZERO) {
+        found.energy.after = found.energy.before.clone();
+    } else {
+        if let Some(after) = optimum.rational_energy_after(i, speed) {
+            found.energy.after = exact(&after);
+        }
+        if let Some(change) = optimum.rational_energy_change(i, speed) {
+            found.bodies[0].energy.change = exact(&change);
+        }
+    }
+    found.energy.change = scaled(&Arc::new(loss), &-Rational::ONE);
+}
+
+/// The entries of one collision.
+fn collision(i: u64, e: &Rational, masses: [Shared; 2], velocities: [[Shared; 2]; 2]) -> Collision {
     let [m1, m2] = masses;
     let [first, second] = velocities;
     let bodies = [body(i + 1, m1, first), body(i + 2, m2, second)];
     let [a, b] = &bodies;
     let momentum = sum(&a.momentum.before, &b.momentum.before);
     let before = sum(&a.energy.before, &b.energy.before);
-    let change = match loss {
-        Some(loss) => scaled(&loss, &-Rational::ONE),
-        None => sum(&a.energy.change, &b.energy.change),
-    };
+    let change = sum(&a.energy.change, &b.energy.change);
     let energy = Change { after: sum(&a.energy.after, &b.energy.after), before, change };
     let momentum = Change { before: momentum.clone(), after: momentum, change: exact(&Rational::ZERO) };
     Collision { e: e.clone(), momentum, energy, bodies }

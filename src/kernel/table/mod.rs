@@ -27,6 +27,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use rounding::{Digits, Rounding, of_end, of_ratio};
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 use text::{Head, Quantity, Row, Values};
 use value::{Cell, Form};
 
@@ -73,7 +74,16 @@ struct Axis {
 }
 
 impl Axis {
+    /// Its values differ: a cell that is given twice could hide that another one is missing.
     fn new(name: String, values: Values) -> Result<Axis, Failure> {
+        let differ = match &values {
+            Values::List(list) => list.iter().collect::<BTreeSet<_>>().len() == list.len(),
+            Values::Steps(_, step, _) => !step.is_zero(),
+            Values::Factors(start, factor, _) => !start.is_zero() && factor.is_positive() && !factor.is_one(),
+        };
+        if !differ {
+            return rejected(&format!("the axis {name} has a value twice"));
+        }
         let first = match &values {
             Values::List(list) => list.first().cloned(),
             Values::Steps(start, _, count) | Values::Factors(start, _, count) => (*count > 0).then(|| start.clone()),

@@ -96,10 +96,10 @@ impl Default for Letters {
     }
 }
 
-/// A text without its marks for lowering and raising.
+/// A text without its marks for lowering; what is raised stands after `^`.
 #[must_use]
 pub fn plain(text: &str) -> String {
-    text.replace("_{", "").replace("^{", "").replace('}', "")
+    text.replace("_{", "").replace("^{", "^").replace('}', "")
 }
 
 struct Pen(Vec<Piece>);

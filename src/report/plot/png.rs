@@ -11,7 +11,12 @@ pub const MAX_PIXELS: u32 = 10_000;
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PngError {
-    /// More pixels than allowed, or none.
+    /// Less than one pixel.
+    Small {
+        /// The scale that was asked for.
+        scale: f32,
+    },
+    /// More pixels than allowed.
     Size {
         /// The longer side that was asked for.
         needed: f32,
@@ -23,6 +28,7 @@ pub enum PngError {
 impl fmt::Display for PngError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Small { scale } => write!(f, "scale {scale}: a picture has at least one pixel, write for instance 2"),
             Self::Size { needed } => {
                 write!(f, "limit reached: pixels of a side: {MAX_PIXELS} allowed, {needed} asked for")
             }
@@ -40,7 +46,11 @@ impl std::error::Error for PngError {}
 pub fn render(page: &Page, scale: f32) -> Result<Vec<u8>, PngError> {
     let needed = page.width.max(page.height) * scale;
     let too_large = || PngError::Size { needed };
-    if !(1.0..=MAX_PIXELS as f32).contains(&needed) {
+    // What is no number is no scale either.
+    if !(1.0..).contains(&needed) {
+        return Err(PngError::Small { scale });
+    }
+    if needed > MAX_PIXELS as f32 {
         return Err(too_large());
     }
     let (width, height) = ((page.width * scale).ceil() as u32, (page.height * scale).ceil() as u32);

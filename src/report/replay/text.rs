@@ -2,6 +2,7 @@
 
 use super::{Replay, decimal, name, pair};
 use crate::chain::replay::{Collapse, Contact, Limit, Status, Value};
+use crate::report::{counted, padded, visible};
 use std::fmt::Write;
 
 /// The report.
@@ -11,7 +12,7 @@ pub fn report(replay: &Replay) -> String {
     let n = |v: &Value| replay.numbers.write(v);
     let mut out = String::new();
     if let Some(title) = replay.title {
-        let _ = writeln!(out, "{title}\n");
+        let _ = writeln!(out, "{}\n", visible(title));
     }
     collisions(replay, &mut out);
     let _ = writeln!(out, "{}", verdict(replay));
@@ -40,7 +41,8 @@ pub fn report(replay: &Replay) -> String {
     let _ = writeln!(out, "\nEnergy    {} before, {} after, {} lost", n(&e.initial), n(&e.last), n(&e.lost));
     let _ = writeln!(out, "Momentum  {} before, {} after", n(&o.momentum.0), n(&o.momentum.1));
     if let Some((_, largest)) = o.growth.last() {
-        let _ = writeln!(out, "Largest numerator or denominator of an exact state: {largest} bits");
+        let bits = counted(usize::try_from(*largest).unwrap_or(usize::MAX), "bit");
+        let _ = writeln!(out, "Largest numerator or denominator of an exact state: {bits}");
     }
     out
 }
@@ -80,7 +82,7 @@ fn table(rows: &[Vec<String>], out: &mut String) {
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     for row in rows {
-        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, w)| format!("{cell:<w$}")).collect();
+        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| padded(cell, *width, false)).collect();
         let _ = writeln!(out, "  {}", cells.join("  ").trim_end());
     }
 }

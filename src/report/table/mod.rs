@@ -10,6 +10,7 @@ mod latex;
 mod markdown;
 mod text;
 
+use super::visible;
 use crate::number::decimal::Digits;
 use crate::table::{Plan, Quantity, Row};
 use std::io::{self, Write};
@@ -155,6 +156,15 @@ impl Entry {
         match self {
             Self::Plain(text) | Self::Small(text, _) => text,
             Self::Empty => "",
+        }
+    }
+
+    /// The entry for a terminal, if it is somebody else's text: see [`visible`].
+    #[must_use]
+    pub fn visible(self) -> Entry {
+        match self {
+            Self::Plain(text) => Self::Plain(visible(&text).into_owned()),
+            other => other,
         }
     }
 

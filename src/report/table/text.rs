@@ -1,6 +1,7 @@
 //! Aligned columns: numbers to the right, words to the left.
 
 use super::{Entry, Head};
+use crate::report::padded;
 use std::io::{self, Write};
 
 pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
@@ -34,9 +35,7 @@ pub fn heading(head: &Head, widths: &[usize], out: &mut dyn Write) -> io::Result
 }
 
 pub fn row(head: &Head, row: &[Entry], widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
-    let cells = row.iter().zip(&head.columns).zip(widths).map(|((entry, column), width)| {
-        let text = shown(entry);
-        if column.numeric { format!("{text:>width$}") } else { format!("{text:<width$}") }
-    });
+    let cells = row.iter().zip(&head.columns).zip(widths);
+    let cells = cells.map(|((entry, column), width)| padded(&shown(entry), *width, column.numeric));
     writeln!(out, "{}", cells.collect::<Vec<_>>().join("  ").trim_end())
 }
