@@ -4,7 +4,7 @@
 //! ordinary range (`r` from 2^-400 to 2^400, `N <= `[`MAX_COLLISIONS`], eta above 2^-400) the relative width is at most
 //! 2^-50; elsewhere the enclosure comes from intervals, and for arguments that are no chain it is NaN.
 //!
-//! **Method.** A guess `t` of `r^(1/N)` from libm; `ρ = t^N/r − 1` in double-double; then
+//! **Method.** A guess `t` of `r^(1/N)`; `ρ = t^N/r − 1` in double-double; then
 //! `r^(1/N) = t·(1 + ε)`, `1 + ε = (1 + ρ)^(−1/N)`, so `ε = −ρ/N + θ`, `|θ| <= 2ρ²/N` ([`crate::number::root`]). Let
 //! `eta_0 = ((1+e)/(1+t))^(2N)·r` be eta's formula at the guess. With `s = t/(1+t)`,
 //! `eta = eta_0·(1 + ε·s)^(−2N) = eta_0·(1 + 2ρ·s + κ)`: the exponent `−2N·ln(1 + ε·s)` is `2ρ·s` within `4ρ² + 2ρ²/N`, and
@@ -22,6 +22,11 @@
 //!
 //! In all less than `16N·E + 16u·|ρ| + 22ρ²`, for `N <= 2^16` and `|ρ| <= 2^-36` below `2^-81 + 2^-85 + 2^-67`. `SLACK` is
 //! `2^-64`, which is far below the two roundings that make the ends doubles.
+//!
+//! **Side by side.** Cells that take the same steps share instructions, eight at a time where the processor has registers
+//! for four doubles and fused products (asked at run time). A fused product gives the error of a product as Dekker's
+//! splitting does, exactly, and nothing else is fused: up to `SORTED` collisions, beyond which libm guesses, every machine
+//! gives the same ends.
 
 use super::{Positive, Restitution, Restitutions, transfer};
 use malachite::Rational;
@@ -40,166 +45,231 @@ const NEAR: f64 = f64::from_bits((1023 - 36) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
 const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
 
-/// What the double-double formulas need of a number: a double, or several side by side.
-trait Value: Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {}
-
-impl Value for f64 {}
-impl Value for Lanes {}
-
-/// Cells that are computed side by side: what one waits for fills the time of another, and two share an instruction.
-const LANES: usize = 4;
-
-/// A double of each of [`LANES`] cells.
+/// A double of each of `N` cells, computed side by side: what one waits for fills the time of another, and some share an
+/// instruction. `FUSED` where the processor multiplies and adds in one: otherwise that would be slow. Both give the same.
 #[derive(Clone, Copy)]
-struct Lanes([f64; LANES]);
+struct Lanes<const N: usize, const FUSED: bool>([f64; N]);
 
-impl Lanes {
+impl<const N: usize, const FUSED: bool> Lanes<N, FUSED> {
     #[inline(always)]
-    fn each(mut self, other: Lanes, with: impl Fn(f64, f64) -> f64) -> Lanes {
+    fn map(self, with: impl Fn(f64) -> f64) -> Self {
+        Lanes(self.0.map(with))
+    }
+
+    #[inline(always)]
+    fn each(mut self, other: Self, with: impl Fn(f64, f64) -> f64) -> Self {
         for (a, b) in self.0.iter_mut().zip(other.0) {
             *a = with(*a, b);
         }
         self
     }
-}
 
-impl From<f64> for Lanes {
+    /// `self = high + low` with 26 bits each (Veltkamp).
     #[inline(always)]
-    fn from(x: f64) -> Lanes {
-        Lanes([x; LANES])
+    fn split(self) -> (Self, Self) {
+        let c = Lanes::from(134_217_729.0) * self;
+        let high = c - (c - self);
+        (high, self - high)
+    }
+
+    /// `self·b` exactly.
+    #[inline(always)]
+    fn product(self, b: Self) -> Pair<N, FUSED> {
+        let p = self * b;
+        let low = if FUSED {
+            Lanes(std::array::from_fn(|i| self.0[i].mul_add(b.0[i], -p.0[i])))
+        } else {
+            // Dekker.
+            let ((ah, al), (bh, bl)) = (self.split(), b.split());
+            ((ah * bh - p) + ah * bl + al * bh) + al * bl
+        };
+        Pair { high: p, low }
+    }
+
+    /// `self + b = s + error` for `|self| >= |b|` (Dekker).
+    #[inline(always)]
+    fn fast_sum(self, b: Self) -> Pair<N, FUSED> {
+        let s = self + b;
+        Pair { high: s, low: b - (s - self) }
+    }
+
+    /// `self^(1/collisions)`, nearly, for positive doubles that are not subnormal.
+    #[inline(always)]
+    fn guessed_root(self, collisions: u64) -> Self {
+        match collisions {
+            1 => self,
+            2..=SORTED => (self.guessed_log2() * Lanes::from(1.0 / collisions as f64)).guessed_exp2(),
+            // Here ρ = N·(the relative error) leaves less room.
+            _ => self.map(|r| r.powf(1.0 / collisions as f64)),
+        }
+    }
+
+    /// The logarithm to base 2 within `2^-41`, as `r = 2^k·m`, `m` between `√½` and `√2`, and
+    /// `ln m = 2·(s + s³/3 + s⁵/5 + …)`, `s = (m − 1)/(m + 1)`, where `s² < 0.03`.
+    #[inline(always)]
+    fn guessed_log2(self) -> Self {
+        const fn term(j: u32) -> f64 {
+            2.0 / ((2 * j + 1) as f64 * std::f64::consts::LN_2)
+        }
+        let low = std::f64::consts::FRAC_1_SQRT_2.to_bits();
+        let scaled = self.0.map(|r| r.to_bits().wrapping_sub(low).wrapping_add(1023 << 52));
+        let k = Lanes(scaled.map(|bits| f64::from_bits(bits >> 52 | WHOLE.to_bits()) - (WHOLE + 1023.0)));
+        let m = Lanes(scaled.map(|bits| f64::from_bits((bits & ((1 << 52) - 1)) + low)));
+        let s = (m - Lanes::from(1.0)) / (m + Lanes::from(1.0));
+        let q = s * s;
+        k + s
+            * (q.cubic(const { [term(0), term(1), term(2), term(3)] })
+                + (q * q) * (q * q) * q.cubic(const { [term(4), term(5), term(6), term(7)] }))
+    }
+
+    /// 2 to the power of this within a factor of `1 ± 2^-46`, for exponents that a double has: `2^(k + f) = 2^k·e^(f·ln 2)`
+    /// with `|f| <= 1/2`, and the first twelve terms of the series of `e^z`, `|z| < 0.35`.
+    #[inline(always)]
+    fn guessed_exp2(self) -> Self {
+        const fn term(j: u32) -> f64 {
+            if j == 0 { 1.0 } else { term(j - 1) * std::f64::consts::LN_2 / j as f64 }
+        }
+        // The sum's last bits are the nearest whole number.
+        let shifted = self + Lanes::from(1.5 * WHOLE);
+        let f = self - (shifted - Lanes::from(1.5 * WHOLE));
+        let fourth = (f * f) * (f * f);
+        let power = f.cubic(const { [term(0), term(1), term(2), term(3)] })
+            + fourth
+                * (f.cubic(const { [term(4), term(5), term(6), term(7)] })
+                    + fourth * f.cubic(const { [term(8), term(9), term(10), term(11)] }));
+        Lanes(std::array::from_fn(|i| f64::from_bits(power.0[i].to_bits().wrapping_add(shifted.0[i].to_bits() << 52))))
+    }
+
+    /// `a + b·x + c·x² + d·x³`.
+    #[inline(always)]
+    fn cubic(self, [a, b, c, d]: [f64; 4]) -> Self {
+        (Lanes::from(a) + Lanes::from(b) * self) + (self * self) * (Lanes::from(c) + Lanes::from(d) * self)
     }
 }
 
-impl Add for Lanes {
-    type Output = Lanes;
+/// `2^52`: doubles from here to its double are whole, and end with their bits.
+const WHOLE: f64 = f64::from_bits((1023 + 52) << 52);
+
+impl<const N: usize, const FUSED: bool> From<f64> for Lanes<N, FUSED> {
     #[inline(always)]
-    fn add(self, other: Lanes) -> Lanes {
+    fn from(x: f64) -> Self {
+        Lanes([x; N])
+    }
+}
+
+impl<const N: usize, const FUSED: bool> Add for Lanes<N, FUSED> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
         self.each(other, |a, b| a + b)
     }
 }
 
-impl Sub for Lanes {
-    type Output = Lanes;
+impl<const N: usize, const FUSED: bool> Sub for Lanes<N, FUSED> {
+    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: Lanes) -> Lanes {
+    fn sub(self, other: Self) -> Self {
         self.each(other, |a, b| a - b)
     }
 }
 
-impl Mul for Lanes {
-    type Output = Lanes;
+impl<const N: usize, const FUSED: bool> Mul for Lanes<N, FUSED> {
+    type Output = Self;
     #[inline(always)]
-    fn mul(self, other: Lanes) -> Lanes {
+    fn mul(self, other: Self) -> Self {
         self.each(other, |a, b| a * b)
     }
 }
 
-impl Div for Lanes {
-    type Output = Lanes;
+impl<const N: usize, const FUSED: bool> Div for Lanes<N, FUSED> {
+    type Output = Self;
     #[inline(always)]
-    fn div(self, other: Lanes) -> Lanes {
+    fn div(self, other: Self) -> Self {
         self.each(other, |a, b| a / b)
     }
 }
 
 /// `high + low`, not evaluated.
 #[derive(Clone, Copy)]
-struct Pair<T> {
-    high: T,
-    low: T,
+struct Pair<const N: usize, const FUSED: bool> {
+    high: Lanes<N, FUSED>,
+    low: Lanes<N, FUSED>,
 }
 
-/// `a = high + low` with 26 bits each (Veltkamp).
-#[inline(always)]
-fn split<T: Value>(a: T) -> (T, T) {
-    let c = T::from(134_217_729.0) * a;
-    let high = c - (c - a);
-    (high, a - high)
-}
-
-/// `a + b = s + error` for `|a| >= |b|` (Dekker).
-#[inline(always)]
-fn fast_sum<T: Value>(a: T, b: T) -> Pair<T> {
-    let s = a + b;
-    Pair { high: s, low: b - (s - a) }
-}
-
-/// `a·b` exactly (Dekker).
-#[inline(always)]
-fn product<T: Value>(a: T, b: T) -> Pair<T> {
-    let p = a * b;
-    let ((ah, al), (bh, bl)) = (split(a), split(b));
-    Pair { high: p, low: ((ah * bh - p) + ah * bl + al * bh) + al * bl }
-}
-
-impl<T: Value> Pair<T> {
+impl<const N: usize, const FUSED: bool> Pair<N, FUSED> {
     #[inline(always)]
-    fn exact(x: T) -> Self {
-        Pair { high: x, low: T::from(0.0) }
+    fn exact(x: Lanes<N, FUSED>) -> Self {
+        Pair { high: x, low: Lanes::from(0.0) }
     }
 
     #[inline(always)]
     fn square(self) -> Self {
-        let (a, two) = (self.high, T::from(2.0));
-        let p = a * a;
-        let (h, l) = split(a);
-        let error = ((h * h - p) + two * (h * l)) + l * l;
-        fast_sum(p, error + two * (a * self.low))
+        let p = self.high.product(self.high);
+        p.high.fast_sum(p.low + Lanes::from(2.0) * (self.high * self.low))
     }
 
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        let p = product(self.high, other.high);
-        fast_sum(p.high, p.low + (self.high * other.low + self.low * other.high))
+        let p = self.high.product(other.high);
+        p.high.fast_sum(p.low + (self.high * other.low + self.low * other.high))
     }
 
     #[inline(always)]
-    fn times_double(self, other: T) -> Self {
-        let p = product(self.high, other);
-        fast_sum(p.high, p.low + self.low * other)
+    fn times_double(self, other: Lanes<N, FUSED>) -> Self {
+        let p = self.high.product(other);
+        p.high.fast_sum(p.low + self.low * other)
     }
 
     #[inline(always)]
     fn over(self, other: Self) -> Self {
         let q = self.high / other.high;
-        let p = product(q, other.high);
+        let p = q.product(other.high);
         // self.high − p.high is exact: the two agree to a few ulps.
         let rest = ((self.high - p.high) - p.low) + (self.low - q * other.low);
-        fast_sum(q, rest / other.high)
+        q.fast_sum(rest / other.high)
     }
-}
 
-/// Two powers with the same exponent, at least 1; side by side they keep the processor busy.
-#[inline(always)]
-fn powers<T: Value>(a: Pair<T>, b: Pair<T>, exponent: u64) -> (Pair<T>, Pair<T>) {
-    let (mut x, mut y) = (a, b);
-    let mut mask = (1_u64 << exponent.ilog2()) >> 1;
-    while mask != 0 {
-        (x, y) = (x.square(), y.square());
-        if exponent & mask != 0 {
-            (x, y) = (x.times(a), y.times(b));
+    /// Two powers with the same exponent, at least 1; side by side they keep the processor busy.
+    #[inline(always)]
+    fn powers(a: Self, b: Self, exponent: u64) -> (Self, Self) {
+        let (mut x, mut y) = (a, b);
+        let mut mask = (1_u64 << exponent.ilog2()) >> 1;
+        while mask != 0 {
+            (x, y) = (x.square(), y.square());
+            if exponent & mask != 0 {
+                (x, y) = (x.times(a), y.times(b));
+            }
+            mask >>= 1;
         }
-        mask >>= 1;
+        (x, y)
     }
-    (x, y)
 }
 
-/// eta in double-double and `ρ`, from the guess, which is `big/small`'s or its reciprocal; `above` says `r > 1`.
+/// eta in double-double for cells with as many collisions, at least 1, and `ρ`, from a guess of the root; `above` says
+/// `r > 1`.
 #[inline(always)]
-fn corrected<T: Value>(e: T, r: T, guess: T, (big, small): (T, T), collisions: u64, above: bool) -> (Pair<T>, T) {
-    let sum = fast_sum(big, small);
-    let up = fast_sum(T::from(1.0), e);
+fn corrected<const N: usize, const FUSED: bool>(
+    e: Lanes<N, FUSED>,
+    r: Lanes<N, FUSED>,
+    guess: Lanes<N, FUSED>,
+    collisions: u64,
+    above: bool,
+) -> (Pair<N, FUSED>, Lanes<N, FUSED>) {
+    let one = Lanes::from(1.0);
+    // The larger one first.
+    let sum = guess.each(one, f64::max).fast_sum(guess.each(one, f64::min));
+    let up = one.fast_sum(e);
     // For r > 1 as (q·t)^(2N)/r, so that nothing overflows on the way.
     let base = if above { up.times_double(guess) } else { up }.over(sum);
-    let (power, root) = powers(Pair::exact(guess), base, collisions);
+    let (power, root) = Pair::powers(Pair::exact(guess), base, collisions);
     // The difference is exact where the power is near r, and where it is not, ρ is refused.
     let rho = ((power.high - r) + power.low) / r;
     let (found, correction) = if above {
-        (root.square().over(Pair::exact(r)), T::from(-2.0) * rho / sum.high)
+        (root.square().over(Pair::exact(r)), Lanes::from(-2.0) * rho / sum.high)
     } else {
-        (root.square().times_double(r), T::from(2.0) * rho * (guess / sum.high))
+        (root.square().times_double(r), Lanes::from(2.0) * rho * (guess / sum.high))
     };
-    (fast_sum(found.high, found.low + found.high * correction), rho)
+    (found.high.fast_sum(found.low + found.high * correction), rho)
 }
 
 /// Encloses eta for optimal masses: restitution `e`, mass ratio `r = m1/m2`, `collisions = n + 1`.
@@ -214,10 +284,11 @@ fn corrected<T: Value>(e: T, r: T, guess: T, (big, small): (T, T), collisions: u
 #[must_use]
 #[inline]
 pub fn eta(e: f64, r: f64, collisions: u64) -> (f64, f64) {
-    match quick(e, r, collisions) {
-        Some(found) => found,
-        None => careful(e, r, collisions),
-    }
+    let found = match collisions {
+        1..=MAX_COLLISIONS => quick::<1, false>([e], [r], collisions, r > 1.0)[0],
+        _ => None,
+    };
+    found.unwrap_or_else(|| careful(e, r, collisions))
 }
 
 /// [`eta`] for slices of equal length; of slices of unequal length the shortest one counts.
@@ -225,9 +296,37 @@ pub fn eta(e: f64, r: f64, collisions: u64) -> (f64, f64) {
 /// The cells of a block with as many collisions and `r` on the same side of 1 follow the same steps: they are taken
 /// some at a time. Each gets exactly what [`eta`] gives it.
 pub fn etas(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
+    #[cfg(target_arch = "x86_64")]
+    if let pulp::Arch::V3(wide) = pulp::Arch::new() {
+        return pulp::Simd::vectorize(wide, Wide { e, r, collisions, out });
+    }
+    blocks::<4, false>(e, r, collisions, out);
+}
+
+/// [`etas`] for processors with fused products and registers for four doubles: compiled for those, where it is called.
+#[cfg(target_arch = "x86_64")]
+struct Wide<'a> {
+    e: &'a [f64],
+    r: &'a [f64],
+    collisions: &'a [u64],
+    out: &'a mut [(f64, f64)],
+}
+
+#[cfg(target_arch = "x86_64")]
+impl pulp::NullaryFnOnce for Wide<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        blocks::<8, true>(self.e, self.r, self.collisions, self.out);
+    }
+}
+
+#[inline(always)]
+fn blocks<const N: usize, const FUSED: bool>(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
     let blocks = e.chunks(BLOCK).zip(r.chunks(BLOCK)).zip(collisions.chunks(BLOCK)).zip(out.chunks_mut(BLOCK));
     for (((e, r), collisions), out) in blocks {
-        block(e, r, collisions, out);
+        block::<N, FUSED>(e, r, collisions, out);
     }
 }
 
@@ -235,18 +334,19 @@ pub fn etas(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
 const BLOCK: usize = 2048;
 
 /// Collisions up to which cells are put in order by their number; more are rare, and costly one by one too.
-const SORTED: usize = 128;
+const SORTED: u64 = 128;
 
 /// [`etas`] for at most [`BLOCK`] cells.
-fn block(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
+#[inline(always)]
+fn block<const N: usize, const FUSED: bool>(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
     let count = e.len().min(r.len()).min(collisions.len()).min(out.len());
     // A key is twice the number of collisions, and one more where r > 1; 0 for what is not sorted.
-    let key = |i: usize| match usize::try_from(collisions[i]) {
-        Ok(n) if n <= SORTED => 2 * n + usize::from(r[i] > 1.0),
+    let key = |i: usize| match collisions[i] {
+        n @ ..=SORTED => 2 * n as usize + usize::from(r[i] > 1.0),
         _ => 0,
     };
     // Counting sort: where the cells of each key begin, then their numbers in that order.
-    let mut ends = [0_usize; 2 * SORTED + 2];
+    let mut ends = [0_usize; 2 * SORTED as usize + 2];
     for i in 0..count {
         ends[key(i)] += 1;
     }
@@ -265,15 +365,17 @@ fn block(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
     for (key, to) in ends.into_iter().enumerate() {
         let same = order.get(from..to).unwrap_or_default();
         from = to;
-        for some in same.chunks(LANES) {
-            match <[usize; LANES]>::try_from(some) {
-                Ok(lanes) if key >= 2 => {
-                    let found = quick_lanes(lanes.map(|i| e[i]), lanes.map(|i| r[i]), (key / 2) as u64, key % 2 == 1);
-                    for (i, found) in lanes.into_iter().zip(found) {
-                        out[i] = found.unwrap_or_else(|| careful(e[i], r[i], collisions[i]));
-                    }
-                }
-                _ => some.iter().for_each(|&i| out[i] = eta(e[i], r[i], collisions[i])),
+        if key < 2 {
+            same.iter().for_each(|&i| out[i] = eta(e[i], r[i], collisions[i]));
+            continue;
+        }
+        for some in same.chunks(N) {
+            // The last ones are filled up with a cell among them.
+            let lanes: [usize; N] = std::array::from_fn(|k| *some.get(k).unwrap_or(&some[0]));
+            let (count, above) = ((key / 2) as u64, key % 2 == 1);
+            let found = quick::<N, FUSED>(lanes.map(|i| e[i]), lanes.map(|i| r[i]), count, above);
+            for (&i, found) in some.iter().zip(found) {
+                out[i] = found.unwrap_or_else(|| careful(e[i], r[i], collisions[i]));
             }
         }
     }
@@ -283,50 +385,34 @@ fn ordinary(e: f64, r: f64) -> bool {
     (0.0..=1.0).contains(&e) && (SMALL..=LARGE).contains(&r)
 }
 
-/// `r^(1/collisions)`, nearly; and 1 and that in order.
-#[inline(always)]
-fn guessed(r: f64, collisions: u64) -> (f64, (f64, f64)) {
-    let guess = if collisions == 1 { r } else { r.powf(1.0 / collisions as f64) };
-    (guess, if guess >= 1.0 { (guess, 1.0) } else { (1.0, guess) })
-}
-
 /// The ends, where the bounds hold.
 #[inline(always)]
-fn ends(guess: f64, rho: f64, found: Pair<f64>) -> Option<(f64, f64)> {
+fn ends(guess: f64, rho: f64, high: f64, low: f64) -> Option<(f64, f64)> {
     // Each comparison refuses NaN too.
-    let holds = (SMALL..=LARGE).contains(&guess) && rho.abs() <= NEAR && (SMALL..=2.0).contains(&found.high);
+    let holds = (SMALL..=LARGE).contains(&guess) && rho.abs() <= NEAR && (SMALL..=2.0).contains(&high);
     if !holds {
         return None;
     }
-    let slack = found.high * SLACK;
+    let slack = high * SLACK;
     // Each end: a rounding of the inner difference (far below an ulp) and one of the outer, undone by a step.
     // Both are positive and normal, so a step is one unit of their bits.
-    let lo = f64::from_bits((found.high + (found.low - slack)).to_bits() - 1);
-    let hi = f64::from_bits((found.high + (found.low + slack)).to_bits() + 1);
+    let lo = f64::from_bits((high + (low - slack)).to_bits() - 1);
+    let hi = f64::from_bits((high + (low + slack)).to_bits() + 1);
     Some((lo, hi))
 }
 
+/// The ends for cells with as many collisions, at least 1, and `r` on the same side of 1, where words suffice.
 #[inline(always)]
-fn quick(e: f64, r: f64, collisions: u64) -> Option<(f64, f64)> {
-    if !ordinary(e, r) || collisions.wrapping_sub(1) >= MAX_COLLISIONS {
-        return None;
-    }
-    let (guess, parts) = guessed(r, collisions);
-    let (found, rho) = corrected(e, r, guess, parts, collisions, r > 1.0);
-    ends(guess, rho, found)
-}
-
-/// [`quick`] for cells with as many collisions, at most [`SORTED`], and `r` on the same side of 1.
-#[inline]
-fn quick_lanes(e: [f64; LANES], r: [f64; LANES], collisions: u64, above: bool) -> [Option<(f64, f64)>; LANES] {
-    let guesses = r.map(|r| guessed(r, collisions));
-    let (guess, big, small) = (guesses.map(|g| g.0), guesses.map(|g| g.1.0), guesses.map(|g| g.1.1));
-    let parts = (Lanes(big), Lanes(small));
-    let (found, rho) = corrected(Lanes(e), Lanes(r), Lanes(guess), parts, collisions, above);
-    std::array::from_fn(|i| {
-        let pair = Pair { high: found.high.0[i], low: found.low.0[i] };
-        if ordinary(e[i], r[i]) { ends(guess[i], rho.0[i], pair) } else { None }
-    })
+fn quick<const N: usize, const FUSED: bool>(
+    e: [f64; N],
+    r: [f64; N],
+    collisions: u64,
+    above: bool,
+) -> [Option<(f64, f64)>; N] {
+    let lanes = Lanes::<N, FUSED>;
+    let guess = lanes(r).guessed_root(collisions);
+    let (Pair { high, low }, rho) = corrected(lanes(e), lanes(r), guess, collisions, above);
+    std::array::from_fn(|i| if ordinary(e[i], r[i]) { ends(guess.0[i], rho.0[i], high.0[i], low.0[i]) } else { None })
 }
 
 /// The same by intervals.
@@ -414,4 +500,42 @@ fn step_down(x: f64) -> f64 {
 #[inline(always)]
 fn step_up(x: f64) -> f64 {
     x * (1.0 + f64::EPSILON) + f64::from_bits(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Ordinary restitutions and ratios, the latter evenly in their logarithm.
+    fn ordinary_cells() -> impl Strategy<Value = (f64, f64)> {
+        (0.0..=1.0_f64, -399.9..399.9_f64).prop_map(|(e, power)| (e, power.exp2()))
+    }
+
+    proptest! {
+        #[test]
+        fn guesses_are_near(power in -1000.0..1000.0_f64, small in -1.0..1.0_f64) {
+            let of = |x: f64| Lanes::<1, false>([x]);
+            for power in [power, small, small * 1e-9] {
+                let r = power.exp2();
+                prop_assert!((of(r).guessed_log2().0[0] - r.log2()).abs() <= 2f64.powi(-41));
+                prop_assert!((of(power).guessed_exp2().0[0] / r - 1.0).abs() <= 2f64.powi(-46));
+            }
+        }
+
+        /// No ordinary cell whose eta is not tiny needs intervals; and fused products, and cells beside one, change nothing.
+        #[test]
+        fn words_suffice_and_all_ways_agree((e, r) in ordinary_cells(), beside in ordinary_cells(), n in prop_oneof![1..=130_u64, 1..=MAX_COLLISIONS]) {
+            let above = r > 1.0;
+            let alone = quick::<1, false>([e], [r], n, above)[0];
+            // eta is ((1 + e)/2)^(2N) times a factor that grows with N from 4r/(1 + r)², which exceeds r or 1/r.
+            if 2.0 * n as f64 * (0.5 + e / 2.0).log2() - r.log2().abs() > -399.0 {
+                prop_assert!(alone.is_some());
+            }
+            let (mut es, mut rs) = ([beside.0; 8], [beside.1; 8]);
+            (es[3], rs[3]) = (e, r);
+            prop_assert_eq!(quick::<8, true>(es, rs, n, above)[3], alone);
+            prop_assert_eq!(quick::<8, false>(es, rs, n, above)[3], alone);
+        }
+    }
 }
