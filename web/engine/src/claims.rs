@@ -85,7 +85,7 @@ fn judge(catalogue: &mut Catalogue, name: &str) -> Result<Result<Entry, Diagnost
         return Err(Fault::new(format!("no claim is called {name:?}")));
     };
     Ok(match outcome {
-        Ok(outcome) => Ok(Entry { claim, outcome }),
+        Ok(outcome) => Ok(Entry { claim, outcome, certificate: None }),
         Err(outcome::Fault::Contradictory { hypotheses }) => Err(Diagnostic::new(
             diagnostic::Fault::Other {
                 message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
