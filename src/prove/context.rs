@@ -187,6 +187,8 @@ pub struct Context {
     pub indices: HashMap<String, Form>,
     /// The facts.
     pub facts: Vec<Fact>,
+    /// Facts that an induction set aside: they hold, but not of the variable's next value.
+    pub aside: Vec<Fact>,
     /// Signs of atoms that follow from facts.
     pub signs: HashMap<AtomId, (Signs, Sources)>,
     /// Comparisons of products of several atoms.

@@ -686,10 +686,14 @@ impl Assignment {
         };
         let constant = self.families.values().all(|list| list.iter().all(|q| *q == list[0]));
         let [(name, None)] = names.as_slice() else { return Err(Missing::Unknown) };
-        if !self.ratios.is_empty() && constraints.is_empty() {
+        // A member out of its range has no value.
+        if !constraints.is_empty() || !self.ranges.is_empty() {
+            return Err(Missing::Unknown);
+        }
+        if !self.ratios.is_empty() {
             return self.for_all_powers(body, &name.text);
         }
-        if !constant || !constraints.is_empty() || !self.only_index(body, &name.text) || !self.ranges.is_empty() {
+        if !constant || !self.only_index(body, &name.text) {
             return Err(Missing::Unknown);
         }
         let mut inner = self.clone();
@@ -700,13 +704,6 @@ impl Assignment {
     /// `for all k natural: A = B` where families are geometric and both sides are products of powers
     /// of members with indices k + c: then A = a·ρ^k and B = b·σ^k, equal for all k if for 0 and 1.
     fn for_all_powers(&self, body: &Prop, name: &str) -> Result<bool> {
-        fn shifted(e: &Expr) -> bool {
-            match &e.kind {
-                ExprKind::Name(_) | ExprKind::Number(_) => true,
-                ExprKind::Sum(list) => list.iter().all(|(sign, a)| *sign == Sign::Plus && shifted(a)),
-                _ => false,
-            }
-        }
         fn monomial(point: &Assignment, e: &Expr, index: &str) -> bool {
             match &e.kind {
                 ExprKind::Name(n) => n != index,
@@ -733,7 +730,7 @@ impl Assignment {
         fn inside(point: &Assignment, e: &Expr, name: &str) -> bool {
             match &e.kind {
                 ExprKind::Name(n) => n != name,
-                ExprKind::Apply(f, _) if point.families.contains_key(&f.text) => true,
+                ExprKind::Apply(f, list) if point.families.contains_key(&f.text) => list.iter().all(shifted),
                 _ => {
                     let mut fine = true;
                     super::expand::parts(e, &mut |part| fine &= inside(point, part, name));
@@ -776,6 +773,15 @@ impl Assignment {
             }
             _ => {}
         }
+    }
+}
+
+/// Whether an index is a natural number for all natural values of what stands in it, if it is for one.
+fn shifted(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Name(_) | ExprKind::Number(_) => true,
+        ExprKind::Sum(list) => list.iter().all(|(sign, a)| *sign == Sign::Plus && shifted(a)),
+        _ => false,
     }
 }
 

@@ -289,12 +289,25 @@ impl Substitution {
         Ok((Index { name, from, to }, body))
     }
 
-    /// The binding with the names in its constraints replaced.
+    /// The binding with the names in its constraints replaced. There the index of a family is bound.
     pub fn binding(&mut self, binding: &Binding) -> Result<Binding> {
-        let indices: Vec<&Name> = binding.names.iter().filter_map(|n| n.1.as_ref()).collect();
-        let mut inner = self.clone();
-        for index in &indices {
-            inner.map.remove(&index.text);
+        let range = match &binding.indices {
+            Some((a, b)) => Some((self.expr(a)?, self.expr(b)?)),
+            None => None,
+        };
+        // Families that are declared together may have one name for their indices.
+        let mut own: Vec<&Name> = Vec::new();
+        for index in binding.names.iter().filter_map(|n| n.1.as_ref()) {
+            if own.iter().all(|other| other.text != index.text) {
+                own.push(index);
+            }
+        }
+        let (mut inner, renamed) = self.enter(&own);
+        let mut names = binding.names.clone();
+        for index in names.iter_mut().filter_map(|n| n.1.as_mut()) {
+            if let Some(place) = own.iter().position(|other| other.text == index.text) {
+                *index = renamed[place].clone();
+            }
         }
         let constraints = binding
             .constraints
@@ -312,12 +325,8 @@ impl Substitution {
                 })
             })
             .collect::<Result<_>>()?;
-        let indices = match &binding.indices {
-            Some((a, b)) => Some((inner.expr(a)?, inner.expr(b)?)),
-            None => None,
-        };
         self.leave(inner);
-        Ok(Binding { constraints, indices, ..binding.clone() })
+        Ok(Binding { names, constraints, indices: range, ..binding.clone() })
     }
 
     fn quantified(&mut self, bindings: &[Binding], body: &Prop) -> Result<(Vec<Binding>, Box<Prop>)> {

@@ -75,22 +75,8 @@ impl Engine<'_> {
 
     /// Refuses hypotheses that keep the variable from growing.
     fn unbounded(&mut self, cx: &Context, variable: &Name) -> Result<()> {
-        for fact in cx.facts.iter().filter(|f| f.origin != Origin::Derived) {
-            let mut names = BTreeSet::new();
-            names_in_prop(&fact.prop, &mut names);
-            if !names.contains(&variable.text) {
-                continue;
-            }
-            let lower = match &fact.prop.kind {
-                PropKind::Compare(sides, relations) => {
-                    sides.len() == 2
-                        && matches!(relations[0], Relation::Greater | Relation::GreaterEqual)
-                        && matches!(&sides[0].kind, ExprKind::Name(n) if *n == variable.text)
-                        && matches!(&sides[1].kind, ExprKind::Number(_))
-                }
-                _ => false,
-            };
-            if !lower {
+        for fact in cx.facts.iter().chain(&cx.aside).filter(|f| f.origin != Origin::Derived) {
+            if !lets_grow(&fact.prop, &variable.text) {
                 let text = format!(
                     "{} must be free to grow, but a hypothesis says {}",
                     variable.text,
@@ -179,4 +165,18 @@ impl Engine<'_> {
             None
         })
     }
+}
+
+/// Whether a hypothesis says nothing of a variable, or only that it is above a number.
+pub fn lets_grow(prop: &Prop, variable: &str) -> bool {
+    let mut names = BTreeSet::new();
+    names_in_prop(prop, &mut names);
+    if !names.contains(variable) {
+        return true;
+    }
+    let PropKind::Compare(sides, relations) = &prop.kind else { return false };
+    sides.len() == 2
+        && matches!(relations[0], Relation::Greater | Relation::GreaterEqual)
+        && matches!(&sides[0].kind, ExprKind::Name(n) if *n == variable)
+        && matches!(&sides[1].kind, ExprKind::Number(_))
 }

@@ -191,7 +191,7 @@ impl Engine<'_> {
             }
         }
         let (mut base, mut least) = (number(0), Rational::ZERO);
-        let mut kept = Vec::new();
+        let (mut kept, mut aside) = (Vec::new(), cx.aside.clone());
         for fact in &cx.facts {
             let mut names = BTreeSet::new();
             names_in_prop(&fact.prop, &mut names);
@@ -219,6 +219,7 @@ impl Engine<'_> {
                 }
                 kept.push(fact.clone());
             } else {
+                aside.push(fact.clone());
                 // Keeps the numbering of facts.
                 let nothing = Prop { kind: PropKind::And(Vec::new()), span: fact.prop.span };
                 kept.push(Fact { prop: std::rc::Rc::new(nothing), label: None, origin: fact.origin });
@@ -226,6 +227,7 @@ impl Engine<'_> {
         }
         let mut clean = cx.clone();
         clean.facts = kept;
+        clean.aside = aside;
         clean.environment.clear();
         clean.contradiction = None;
         self.rebuild(&mut clean)?;
@@ -446,12 +448,14 @@ impl Engine<'_> {
             self.quietly(&inner, &compare(member.clone(), Relation::Equal, member.clone()))?;
             let variable = Name { text: "'member".to_string(), span: name.span };
             let single = Binding { names: vec![(variable.clone(), None)], indices: None, ..binding.clone() };
-            let mut put = Substitution::default();
+            // The bounds are those of the cited claim, and the member is already one of this claim: it is put in last.
+            let (mut place, mut put) = (Substitution::default(), Substitution::default());
+            place.replace(&index.text, name_expr(&bound));
             put.replace(&variable.text, member);
-            put.replace(&index.text, name_expr(&bound));
             for prop in super::assume::domain(&single) {
-                let prop = put.prop(&prop)?;
+                let prop = place.prop(&prop)?;
                 let prop = map.prop(&prop)?;
+                let prop = put.prop(&prop)?;
                 self.quietly(&inner, &prop)?;
             }
         }

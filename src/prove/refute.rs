@@ -278,12 +278,13 @@ pub fn sample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Optio
 pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<Witness> {
     let mut search = Search::new(&statement.bindings, Some(statement));
     search.determine(engine, cx);
-    let mut goal = statement.goal.clone();
+    let (mut goal, mut bound) = (statement.goal.clone(), statement.bindings.clone());
     // Quantifiers in front and the variables of an extremum are searched like the others.
     loop {
         goal = match goal.kind {
             PropKind::ForAll(bindings, body) => {
                 search.declare(&bindings);
+                bound.extend(bindings);
                 *body
             }
             PropKind::Extremum(extremum) => {
@@ -293,6 +294,7 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
                 }
                 let there = at.expr(&extremum.of).ok()?;
                 search.declare(&extremum.over);
+                bound.extend(extremum.over.iter().cloned());
                 let relation = if extremum.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
                 let mut list = vec![
                     super::method::compare(there, Relation::Equal, extremum.value.clone()),
@@ -320,6 +322,9 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
                 break;
             }
         };
+    }
+    if ties_what_moves(statement, &bound, &goal) {
+        return None;
     }
     let goal = without_derivatives(engine, cx, &goal);
     let about_limits = has_limit(&goal);
@@ -530,6 +535,53 @@ fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
         other => other.clone(),
     };
     Prop { kind, span: prop.span }
+}
+
+/// Whether a hypothesis or a domain keeps the variable of a limit from growing or ties the variable of a derivative to
+/// others: then what holds at a point says nothing of either.
+fn ties_what_moves(statement: &Statement, bindings: &[Binding], goal: &Prop) -> bool {
+    let (mut limits, mut derivatives) = (Vec::new(), Vec::new());
+    moving(goal, &mut limits, &mut derivatives);
+    if limits.is_empty() && derivatives.is_empty() {
+        return false;
+    }
+    let mut said: Vec<Prop> = statement.assumptions.iter().map(|a| a.1.clone()).collect();
+    said.extend(bindings.iter().flat_map(super::assume::domain));
+    let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
+    let mut of_families = std::collections::BTreeSet::new();
+    families.for_each(|family| super::expand::names_in_binding(family, &mut of_families));
+    limits.iter().any(|v| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v)))
+        || derivatives.iter().any(|v| said.iter().any(|prop| super::translate::ties(prop, v)))
+}
+
+/// The variables of limits and of derivatives.
+fn moving(prop: &Prop, limits: &mut Vec<String>, derivatives: &mut Vec<String>) {
+    fn by(e: &Expr, into: &mut Vec<String>) {
+        if let ExprKind::Derivative(_, names) = &e.kind {
+            into.extend(names.iter().map(|n| n.text.clone()));
+        }
+        super::expand::parts(e, &mut |part| by(part, into));
+    }
+    match &prop.kind {
+        PropKind::Compare(sides, _) => sides.iter().for_each(|e| by(e, derivatives)),
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+            list.iter().for_each(|p| moving(p, limits, derivatives));
+        }
+        PropKind::Not(p) | PropKind::Exists(_, p) | PropKind::ForAll(_, p) => moving(p, limits, derivatives),
+        PropKind::Implies(p, q) => {
+            moving(p, limits, derivatives);
+            moving(q, limits, derivatives);
+        }
+        PropKind::Extremum(extremum) => {
+            [&extremum.of, &extremum.value].into_iter().for_each(|e| by(e, derivatives));
+            extremum.at.iter().for_each(|(_, e)| by(e, derivatives));
+        }
+        PropKind::Limit(limit) => {
+            limits.push(limit.variable.text.clone());
+            by(&limit.of, derivatives);
+            by(&limit.value, derivatives);
+        }
+    }
 }
 
 fn differentiates(e: &Expr) -> bool {

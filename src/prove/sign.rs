@@ -205,21 +205,28 @@ impl Engine<'_> {
         }
     }
 
-    /// Whether an index is known to lie in the range of a family.
+    /// Whether an index is known to lie in the range of a family, and not to be negative.
     pub fn in_range(&mut self, cx: &mut Context, family: &Family, index: &Form) -> Result<bool> {
+        if !self.not_negative(cx, index)? {
+            return Ok(false);
+        }
         let Some((from, to)) = &family.binding.indices else { return Ok(true) };
         let mut outer = cx.clone();
         outer.indices.clear();
         let (from, to) =
             (self.scalar(&mut outer, from, &mut Vec::new())?, self.scalar(&mut outer, to, &mut Vec::new())?);
         for difference in [self.ring.sub(index, &from)?, self.ring.sub(&to, index)?] {
-            if !self.signs(cx, &difference)?.within(Signs::NOT_NEGATIVE)
-                && !self.searched_form_signs(cx, &difference)?.within(Signs::NOT_NEGATIVE)
-            {
+            if !self.not_negative(cx, &difference)? {
                 return Ok(false);
             }
         }
         Ok(true)
+    }
+
+    /// Whether a form is known not to be negative.
+    pub fn not_negative(&mut self, cx: &mut Context, form: &Form) -> Result<bool> {
+        Ok(self.signs(cx, form)?.within(Signs::NOT_NEGATIVE)
+            || self.searched_form_signs(cx, form)?.within(Signs::NOT_NEGATIVE))
     }
 
     /// The signs of the body of a sum or product, with its index in its range; nothing that is found there stays.

@@ -700,7 +700,7 @@ impl Engine<'_> {
             Atom::Variable(_) | Atom::Prime(_) | Atom::Euler => true,
             Atom::Member(name, index) => match cx.families.get(name).cloned() {
                 Some(family) => self.in_range(cx, &family, index)?,
-                None => true,
+                None => self.not_negative(cx, index)?,
             },
             Atom::Sum(poly) => {
                 for (a, e) in poly.terms.iter().flat_map(|term| &term.0) {
@@ -775,27 +775,25 @@ fn split_constant(engine: &mut Engine, form: &Form) -> Result<(Form, i64)> {
     Ok((engine.ring.add(&rest)?, c))
 }
 
-/// Whether an equation among the hypotheses, or a proposition that may hold one, has a variable and another name in it:
-/// it may determine one by the other. Derivatives are partial all the same, all other variables held fast; this only
-/// refuses to speak of them where a reader could think of another derivative.
+/// Whether a hypothesis may tie a variable to others.
 fn tied(cx: &Context, variable: &str) -> bool {
-    cx.facts.iter().filter(|f| f.origin != Origin::Derived).any(|fact| {
-        let equation = match &fact.prop.kind {
-            // 1 <= x*y <= 1 is an equation as well.
-            PropKind::Compare(sides, relations) => {
-                relations.contains(&Relation::Equal)
-                    || sides
-                        .iter()
-                        .enumerate()
-                        .any(|(i, side)| sides.iter().skip(i + 1).any(|other| text_of(other) == text_of(side)))
-            }
-            _ => true,
-        };
-        let mut names = std::collections::BTreeSet::new();
-        super::expand::names_in_prop(&fact.prop, &mut names);
-        names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
-        equation && names.contains(variable) && names.len() > 1
-    })
+    let mut said = cx.facts.iter().chain(&cx.aside).filter(|f| f.origin != Origin::Derived);
+    said.any(|fact| ties(&fact.prop, variable))
+}
+
+/// Whether a hypothesis, other than a strict comparison, has a variable and another name in it: alone or with others it
+/// may determine one by the other, as `x*y <= 1` and `x*y >= 1` do. Derivatives are partial all the same, all other
+/// variables held fast; this only refuses to speak of them where a reader could think of another derivative.
+pub fn ties(prop: &Prop, variable: &str) -> bool {
+    let strict = [Relation::Less, Relation::Greater, Relation::NotEqual];
+    let open = match &prop.kind {
+        PropKind::Compare(_, relations) => relations.iter().all(|r| strict.contains(r)),
+        _ => false,
+    };
+    let mut names = std::collections::BTreeSet::new();
+    super::expand::names_in_prop(prop, &mut names);
+    names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
+    !open && names.contains(variable) && names.len() > 1
 }
 
 /// The text of an expression.

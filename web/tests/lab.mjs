@@ -344,6 +344,8 @@ test("offline the lab works after a reload", async () => {
     await shows(page, ".quantity.helps .decimal", "exactly on the threshold");
     await page.click("#tab-claims");
     await shows(page, "#verdicts .badge", "refuted");
+    // The address follows a moment after the page.
+    await page.waitForFunction(() => location.hash.includes("room=claims"));
     await page.reload();
     await shows(page, "#verdicts .badge", "refuted");
     const caches = await page.evaluate(() => caches.keys());
