@@ -586,8 +586,11 @@ impl Engine<'_> {
             }
             return self.combined(&parts, is_sum);
         }
-        // The index counts as a natural number.
-        conditions.push(Condition { form: from.clone(), relation: Relation::GreaterEqual, text: text.clone() });
+        // Below, the index counts as a natural number. A range that begins below 0 has its meaning all the same: that it
+        // does not is nothing that a hypothesis says by mentioning it.
+        if !self.not_negative(cx, &from)? {
+            return Err(Failure::NotShown(format!("{text} begins at 0 or above")));
+        }
         // The part from `first + low` to `last`, and members split off at either end.
         let mut from = from;
         let mut low = low;
