@@ -643,9 +643,12 @@ impl Engine<'_> {
         for (a, e) in &form.powers {
             let factor = Form { coefficient: Rational::ONE, powers: vec![(*a, e.clone())] };
             if self.ring.mentions(&factor, &|x| x == atom) {
+                // An empty product is 1 even where an exponent has no value.
                 let fixed = match e {
                     Exponent::Number(_) => true,
-                    Exponent::Symbolic(e) => !self.ring.mentions(e, &|x| x == atom),
+                    Exponent::Symbolic(e) => {
+                        !is_sum && !self.ring.mentions(e, &|x| x == atom) && self.powers_have_values(cx, e)?
+                    }
                 };
                 if is_sum || !fixed {
                     within = self.ring.mul(&within, &factor)?;
@@ -659,10 +662,12 @@ impl Engine<'_> {
                     let power = self.ring.power(&Form::atom(product), e)?;
                     outside = self.ring.mul(&outside, &power)?;
                 }
+            } else if !self.has_value(cx, *a, e)? {
+                // An empty sum is 0, and an empty product 1, even where members would have no value: what is taken out
+                // has one anyway.
+                within = self.ring.mul(&within, &factor)?;
             } else if is_sum {
-                // An empty sum is 0 even where its members would have no value: what is taken out has one anyway.
-                let side = if self.has_value(cx, *a, e)? { &mut outside } else { &mut within };
-                *side = self.ring.mul(side, &factor)?;
+                outside = self.ring.mul(&outside, &factor)?;
             } else {
                 let power = self.raise(cx, &factor, &count.form(), &text, conditions)?;
                 outside = self.ring.mul(&outside, &power)?;
@@ -699,6 +704,11 @@ impl Engine<'_> {
         {
             return Ok(false);
         }
+        if let Exponent::Symbolic(form) = exponent
+            && !self.powers_have_values(cx, form)?
+        {
+            return Ok(false);
+        }
         Ok(match &*self.ring.atom(atom) {
             Atom::Variable(_) | Atom::Prime(_) | Atom::Euler => true,
             Atom::Member(name, index) => match cx.families.get(name).cloned() {
@@ -720,6 +730,16 @@ impl Engine<'_> {
             // The signs that hold within its range are not known here.
             Atom::SumOver(over) | Atom::ProductOver(over) => self.polynomial(&over.body),
         })
+    }
+
+    /// Whether all factors of a form have values.
+    fn powers_have_values(&mut self, cx: &mut Context, form: &Form) -> Result<bool> {
+        for (atom, exponent) in &form.powers {
+            if !self.has_value(cx, *atom, exponent)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Whether a form is made by adding and multiplying alone.
