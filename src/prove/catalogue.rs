@@ -225,6 +225,8 @@ fn idle_assumptions(
         let mut engine = engine(done.cited, limits);
         // As much work as the proof took, and a little more.
         engine.steps = 2 * (limits.steps - done.steps.min(limits.steps)) + 1_000;
+        // The time is that of the whole claim; where it is short, a hypothesis counts as used.
+        engine.deadline = done.deadline;
         let mut cx = Context::default();
         if hypotheses(&mut engine, &mut cx, &without, &mut Vec::new()).is_ok()
             && engine.follow(&mut cx, &without.goal, &without.proof).is_ok()

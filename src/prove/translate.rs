@@ -619,9 +619,7 @@ impl Engine<'_> {
             from = Form::integer(low);
         }
         let mut inner = cx.clone();
-        inner.binders += 1;
-        let bound = format!("#{}", inner.binders);
-        let atom = self.ring.intern(Atom::Variable(bound.clone()));
+        let (bound, atom) = self.free_index(&mut inner);
         inner.indices.insert(name.clone(), Form::atom(atom));
         inner.variables.push((bound.clone(), true));
         // Within the body the index lies in its range.
@@ -689,6 +687,22 @@ impl Engine<'_> {
         }
         parts.push(outside);
         self.combined(&parts, is_sum)
+    }
+
+    /// A name for the index of a sum or product: the first that no sum around it has, whose index may stand in what the
+    /// names of the scope are short for.
+    fn free_index(&mut self, cx: &mut Context) -> (String, u32) {
+        loop {
+            cx.binders += 1;
+            let name = format!("#{}", cx.binders);
+            let atom = self.ring.intern(Atom::Variable(name.clone()));
+            let mut values = cx.indices.values().chain(cx.environment.values().map(|v| &v.0));
+            let taken =
+                cx.variables.iter().any(|v| v.0 == name) || values.any(|f| self.ring.mentions(f, &|a| a == atom));
+            if !taken {
+                return (name, atom);
+            }
+        }
     }
 
     /// Whether a power of an atom, which has a value in the body of a sum, has one outside it, too.
