@@ -118,11 +118,18 @@ impl Engine<'_> {
             PropKind::And(list) => list.iter().try_for_each(|p| self.show_goal(cx, p)),
             PropKind::Or(list) => self.disjunction(cx, goal, list),
             PropKind::Not(inner) => {
-                // A value that fails is not enough: what is denied has to say something for all.
-                if let PropKind::ForAll(bindings, body) = &inner.kind {
-                    let mut there = cx.clone();
-                    self.declare_valued(&mut there, bindings)?;
-                    self.defined(&mut there, body)?;
+                match &inner.kind {
+                    // A value that fails is not enough: what is denied has to say something for all.
+                    PropKind::ForAll(bindings, body) => {
+                        let mut there = cx.clone();
+                        self.declare_valued(&mut there, bindings)?;
+                        self.defined(&mut there, body)?;
+                    }
+                    PropKind::Exists(_, body) if !quantifies(body) => {}
+                    PropKind::Not(_) => {}
+                    // Deeper inside it would have to be looked at as well.
+                    _ if quantifies(inner) => return Err(not_shown(goal)),
+                    _ => {}
                 }
                 match negation(inner) {
                     Some(prop) => self.show_goal(cx, &prop),
@@ -650,4 +657,15 @@ fn normal(reduced: &Reduced) -> Reduced {
 /// The failure that names what was not shown.
 pub fn not_shown(goal: &Prop) -> Failure {
     Failure::NotShown(print::prop(goal))
+}
+
+/// Whether a quantifier stands in a proposition.
+fn quantifies(prop: &Prop) -> bool {
+    match &prop.kind {
+        PropKind::Compare(..) | PropKind::Limit(_) => false,
+        PropKind::ForAll(..) | PropKind::Exists(..) | PropKind::Extremum(_) => true,
+        PropKind::Not(p) => quantifies(p),
+        PropKind::Implies(p, q) => quantifies(p) || quantifies(q),
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().any(quantifies),
+    }
 }

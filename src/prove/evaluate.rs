@@ -58,6 +58,8 @@ pub struct Assignment {
     pub values: HashMap<String, Rational>,
     /// Bound indices: they hide variables in what they bind, but not in the definitions of sequences and ranges.
     pub indices: HashMap<String, Rational>,
+    /// Variables that are natural numbers by their declaration.
+    pub naturals: Rc<HashSet<String>>,
     /// Families: the values that members take in turn.
     pub families: HashMap<String, Vec<Rational>>,
     /// Families that are geometric: the ratio of a member to the one before it; the first of the
@@ -80,6 +82,7 @@ impl Default for Assignment {
         Assignment {
             values: HashMap::default(),
             indices: HashMap::default(),
+            naturals: Rc::default(),
             families: HashMap::default(),
             ratios: HashMap::default(),
             identities: Rc::default(),
@@ -363,6 +366,9 @@ impl Assignment {
                     sum = Some(match (sum, value) {
                         (None, value) => value,
                         (Some(Value::Scalar(a)), Value::Scalar(b)) => Value::Scalar(of_some_size(add(&a, &b))?),
+                        (Some(Value::Matrix(a)), Value::Matrix(b)) if !same_size(&a, &b) => {
+                            return Err(Missing::Unknown);
+                        }
                         (Some(Value::Matrix(a)), Value::Matrix(b)) => Value::Matrix(
                             a.iter().zip(&b).map(|(r, s)| r.iter().zip(s).map(|(x, y)| add(x, y)).collect()).collect(),
                         ),
@@ -466,6 +472,10 @@ impl Assignment {
             return Err(Missing::Unknown);
         };
         let (low, high) = a.ends();
+        // Powers of negative numbers exist for exponents that are whole by what they are made of, not by chance.
+        if *low < 0 && k == 1 && !matches!(&e.kind, ExprKind::Power(_, exponent) if self.is_whole(exponent)) {
+            return Err(Missing::Unknown);
+        }
         if k == 1 && p.unsigned_abs() > LARGEST.unsigned_abs() {
             return large_power(a, p, *q < 0, text);
         }
@@ -483,6 +493,18 @@ impl Assignment {
         };
         let power = whole_power(&base, p.unsigned_abs())?;
         if *q < 0 { invert(&power, text) } else { Ok(power) }
+    }
+
+    /// Whether an expression is a whole number wherever it has a value.
+    fn is_whole(&self, e: &Expr) -> bool {
+        match &e.kind {
+            ExprKind::Name(name) => self.indices.contains_key(name) || self.naturals.contains(name),
+            ExprKind::Number(text) => rational::parse(text).is_ok_and(|q| (&q).is_integer()),
+            ExprKind::Negate(a) => self.is_whole(a),
+            ExprKind::Sum(list) => list.iter().all(|(_, a)| self.is_whole(a)),
+            ExprKind::Product(list) => list.iter().all(|(operator, a)| *operator == Factor::Times && self.is_whole(a)),
+            _ => false,
+        }
     }
 
     fn apply(&self, name: &Name, arguments: &[Expr], e: &Expr) -> Result<Value> {
@@ -774,6 +796,11 @@ impl Assignment {
             _ => {}
         }
     }
+}
+
+/// Whether two matrices have as many rows and columns.
+fn same_size(a: &[Vec<Number>], b: &[Vec<Number>]) -> bool {
+    a.iter().map(Vec::len).eq(b.iter().map(Vec::len))
 }
 
 /// Whether an index is a natural number for all natural values of what stands in it, if it is for one.

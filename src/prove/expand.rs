@@ -329,9 +329,19 @@ impl Substitution {
         Ok(Binding { names, constraints, indices: range, ..binding.clone() })
     }
 
+    /// Families that got another name on entering a scope have it where members are named, too.
+    fn rename_families(&mut self, bindings: &[Binding], renamed: &[Name]) {
+        for ((name, index), new) in bindings.iter().flat_map(|b| &b.names).zip(renamed) {
+            if index.is_some() && name.text != new.text {
+                self.rename_family(&name.text, &new.text);
+            }
+        }
+    }
+
     fn quantified(&mut self, bindings: &[Binding], body: &Prop) -> Result<(Vec<Binding>, Box<Prop>)> {
         let names: Vec<&Name> = bindings.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
         let (mut inner, renamed) = self.enter(&names);
+        inner.rename_families(bindings, &renamed);
         let mut renamed = renamed.into_iter();
         let mut out = Vec::new();
         for binding in bindings {
@@ -373,6 +383,7 @@ impl Substitution {
                 let value = self.expr(&extremum.value)?;
                 let names: Vec<&Name> = extremum.over.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
                 let (mut inner, renamed) = self.enter(&names);
+                inner.rename_families(&extremum.over, &renamed);
                 let rename: HashMap<String, Name> = names.iter().map(|n| n.text.clone()).zip(renamed).collect();
                 let mut over = Vec::new();
                 for binding in &extremum.over {

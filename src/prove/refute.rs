@@ -19,6 +19,7 @@ use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::conversion::traits::IsInteger;
 use rustc_hash::FxHashSet as HashSet;
 use std::cell::Cell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
@@ -79,6 +80,9 @@ impl Search {
                     }
                 } else {
                     self.names.push((name.text.clone(), binding.natural));
+                    if binding.natural {
+                        Rc::make_mut(&mut self.base.naturals).insert(name.text.clone());
+                    }
                 }
             }
             self.hypotheses.extend(super::assume::domain(binding));
@@ -98,46 +102,56 @@ impl Search {
         self.names.retain(|n| !self.determined.iter().any(|d| d.0 == n.0));
     }
 
-    /// Candidate values for each variable, those kept that its own constant bounds allow.
-    fn candidates(&mut self) {
-        self.values.clear();
+    /// Candidate values for each variable, the first `most` of those that its own constant bounds allow.
+    fn candidates(&mut self, most: usize) {
         let reals: Vec<Rational> = REALS.iter().filter_map(|t| rational::parse(t).ok()).collect();
+        let naturals: Vec<Rational> = (0..8).map(Rational::from).collect();
+        let mentioned: Vec<BTreeSet<String>> = self
+            .hypotheses
+            .iter()
+            .map(|h| {
+                let mut names = BTreeSet::new();
+                super::expand::names_in_prop(h, &mut names);
+                names
+            })
+            .collect();
+        let kept = |name: &String, natural: bool, fits: &dyn Fn(&Assignment) -> bool| {
+            let all = if natural { &naturals } else { &reals };
+            let allowed = |value: &&Rational| {
+                let mut alone = Assignment::default();
+                alone.values.insert(name.clone(), (*value).clone());
+                fits(&alone)
+            };
+            all.iter().filter(allowed).take(most).cloned().collect()
+        };
+        let mut values: Vec<Vec<Rational>> = Vec::new();
         for (name, natural) in &self.names {
-            let all: Vec<Rational> = if *natural { (0..8).map(Rational::from).collect() } else { reals.clone() };
-            let kept = all
-                .into_iter()
-                .filter(|value| {
-                    let mut alone = Assignment::default();
-                    alone.values.insert(name.clone(), value.clone());
-                    self.hypotheses.iter().all(|h| alone.truth(h) != Ok(false))
-                })
-                .collect();
-            self.values.push(kept);
+            // Hypotheses without the name say the same whatever its value is; those with others mostly nothing yet.
+            let own: Vec<&Prop> =
+                self.hypotheses.iter().zip(&mentioned).filter(|h| h.1.contains(name)).map(|h| h.0).collect();
+            values.push(kept(name, *natural, &|alone| own.iter().all(|h| alone.truth(h) != Ok(false))));
         }
         for (name, natural, domain) in &self.families {
-            let all: Vec<Rational> = if *natural { (0..8).map(Rational::from).collect() } else { reals.clone() };
-            let kept: Vec<Rational> = all
-                .into_iter()
-                .filter(|value| {
-                    let mut alone = Assignment::default();
-                    alone.values.insert(name.clone(), value.clone());
-                    domain.iter().all(|h| alone.truth(h) == Ok(true))
-                })
-                .collect();
-            self.values.push(kept);
+            values.push(kept(name, *natural, &|alone| domain.iter().all(|h| alone.truth(h) == Ok(true))));
         }
+        self.values = values;
     }
 
     /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
     fn run(&mut self, deadline: Option<Instant>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
-        self.candidates();
+        // The simplest point needs the first value of each only, and mostly it is enough.
+        self.candidates(1);
         let width = self.values.len();
         if self.values.iter().any(Vec::is_empty) {
             return false;
         }
+        if self.point(&vec![0; width]).is_some_and(|point| visit(&point)) {
+            return true;
+        }
+        self.candidates(usize::MAX);
         let largest: usize = self.values.iter().map(|v| v.len() - 1).sum();
-        let mut tried = 0;
-        for total in 0..=largest {
+        let mut tried = 1;
+        for total in 1..=largest {
             let mut ranks = vec![0usize; width];
             let mut stack = vec![(0usize, total)];
             // All ways to share `total` among the variables.
@@ -548,10 +562,12 @@ fn ties_what_moves(statement: &Statement, bindings: &[Binding], goal: &Prop) -> 
     let mut said: Vec<Prop> = statement.assumptions.iter().map(|a| a.1.clone()).collect();
     said.extend(bindings.iter().flat_map(super::assume::domain));
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
-    let mut of_families = std::collections::BTreeSet::new();
+    let mut of_families = BTreeSet::new();
     families.for_each(|family| super::expand::names_in_binding(family, &mut of_families));
     limits.iter().any(|v| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v)))
-        || derivatives.iter().any(|v| said.iter().any(|prop| super::translate::ties(prop, v)))
+        || derivatives
+            .iter()
+            .any(|v| of_families.contains(v) || said.iter().any(|prop| super::translate::ties(prop, v)))
 }
 
 /// The variables of limits and of derivatives.

@@ -76,7 +76,10 @@ impl Engine<'_> {
     pub fn limit_by_series(&mut self, cx: &mut Context, form: &Form, name: &str) -> Result<Option<Tends>> {
         let variable = self.ring.intern(Atom::Variable(name.to_string()));
         let Some(series) = self.series_of(cx, form, variable)? else {
-            // What grows like an exponential has a reciprocal that tends to 0.
+            // What grows like an exponential has a reciprocal that tends to 0; what may be 0 has none.
+            if !self.not_zero(cx, form)? {
+                return Ok(None);
+            }
             let reciprocal = self.ring.inverse(form)?;
             let vanishes = self.series_of(cx, &reciprocal, variable)?.is_some_and(|s| s.order > 0);
             return Ok(vanishes.then_some(Tends::Infinitely));

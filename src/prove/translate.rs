@@ -815,7 +815,13 @@ fn split_constant(engine: &mut Engine, form: &Form) -> Result<(Form, i64)> {
 /// Whether a hypothesis may tie a variable to others.
 fn tied(cx: &Context, variable: &str) -> bool {
     let mut said = cx.facts.iter().chain(&cx.aside).filter(|f| f.origin != Origin::Derived);
-    said.any(|fact| ties(&fact.prop, variable))
+    // What a declaration says of the members of a family is not among the facts.
+    let members = cx.families.values().any(|family| {
+        let mut names = std::collections::BTreeSet::new();
+        super::expand::names_in_binding(&family.binding, &mut names);
+        names.contains(variable)
+    });
+    members || said.any(|fact| ties(&fact.prop, variable))
 }
 
 /// Whether a hypothesis, other than a strict comparison, has a variable and another name in it: alone or with others it
