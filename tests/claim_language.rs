@@ -103,6 +103,10 @@ fn faults_are_said_where_they_are() {
         ("", "1:1 no claim found in this file (a claim begins with: claim NAME \"Title\")"),
         ("clam c \"t\"", "1:1 expected `claim`, found `clam` (did you mean `claim`?)"),
         (&with("prove (x + y = 1"), "4:1 expected `)` to close the parenthesis, found the end of the file"),
+        (
+            &with("given z > 0 for k in 1..3\nprove x = y"),
+            "3:17 k is not the index of a family declared here (a range is for the index of a family: `mu(k) > 0 for k in 1..n`)",
+        ),
         (&with("prove 2x = y"), "3:8 expected a comparison sign such as = or >=, found `x` (write 2*x)"),
         (
             &with("prove x == y"),
@@ -135,6 +139,16 @@ fn faults_are_said_where_they_are() {
         }
         assert_eq!(fault(source), expected, "{source}");
     }
+}
+
+#[test]
+fn superfluous_parentheses_change_nothing() {
+    let goal = |text: &str| parse(&format!("claim c \"t\"\ngiven x, y > 0\nprove {text}\n")).unwrap()[0].goal.clone();
+    let plain = carom::claim::print::prop(&goal("not (x = y or x > 1)"));
+    for text in ["not ((x = y or x > 1))", "(not (((x = y)) or (x > 1)))", "(((not (x = y or (x > 1)))))"] {
+        assert_eq!(carom::claim::print::prop(&goal(text)), plain, "{text}");
+    }
+    assert_eq!(carom::claim::print::prop(&goal("(((x + 1))*y) = ((2))")), "(x + 1)*y = 2");
 }
 
 #[test]

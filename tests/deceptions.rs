@@ -85,7 +85,11 @@ fn end_with_a_verdict() {
         for name in names {
             let verdict = catalogue.audit(&name, &limits).unwrap().verdict;
             // Of these alone the answer is within reach.
-            assert!(verdict == Verdict::Undecided || ["h4", "d12", "h6"].contains(&name.as_str()), "{}", path.display());
+            assert!(
+                verdict == Verdict::Undecided || ["h4", "d12", "h6"].contains(&name.as_str()),
+                "{}",
+                path.display()
+            );
         }
         count += 1;
     }
@@ -97,4 +101,19 @@ fn a_time_limit_beyond_the_clock_is_none() {
     let limits = Limits { time: Duration::MAX, ..Limits::default() };
     let mut catalogue = Catalogue::new(parse("claim c \"t\"\ngiven x > 0\nprove x/x = 1\n").unwrap()).unwrap();
     assert_eq!(catalogue.audit("c", &limits).unwrap().verdict, Verdict::Proved);
+}
+
+/// A hypothesis of several parts is used where one of them is.
+#[test]
+fn hypotheses_that_are_used_in_parts_are_used() {
+    for said in ["x > 0 and x < 1", "0 < x < 1", "not x <= 0 and (x < 1 and 1 = 1)"] {
+        let text = format!("claim c \"t\"\ngiven x, y real\nassume h: {said}\nassume y > 3\nprove x*(1 - x) > 0\n");
+        let outcome = Catalogue::new(parse(&text).unwrap()).unwrap().audit("c", &Limits::default()).unwrap();
+        assert!(outcome.verdict == Verdict::Proved, "{said}");
+        assert!(outcome.used.iter().any(|u| u.starts_with("h: ")), "{said}: {:?}", outcome.used);
+        assert!(
+            outcome.unused.iter().all(|u| !u.contains("h: ")) && outcome.unused.iter().any(|u| u.contains("y > 3")),
+            "{said}"
+        );
+    }
 }

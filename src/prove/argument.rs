@@ -384,6 +384,7 @@ impl Engine<'_> {
             return Ok(());
         }
         for part in list {
+            self.tick()?;
             let mut inner = cx.clone();
             inner.splits = SPLITS;
             if self.attempt(|engine| engine.show_goal(&mut inner, part)).is_ok() {
@@ -392,6 +393,7 @@ impl Engine<'_> {
         }
         // If all others fail, this one holds. The parts must have values all the same.
         for (i, part) in list.iter().enumerate() {
+            self.tick()?;
             let mut inner = cx.clone();
             let mut fine = true;
             let result = self.attempt(|engine| {
@@ -581,7 +583,8 @@ fn excluded_middle(list: &[Prop]) -> bool {
         }
         _ => None,
     };
-    let singles: Vec<_> = list.iter().filter_map(single).collect();
+    // Each is compared with each; nobody writes so many.
+    let singles: Vec<_> = list.iter().filter_map(single).take(200).collect();
     singles.iter().enumerate().any(|(i, (a, r, b))| {
         singles[..i].iter().any(|(c, s, d)| {
             let all = |x: Relation, y: Relation| {

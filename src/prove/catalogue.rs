@@ -292,7 +292,10 @@ fn judge(
                 if text.is_empty() {
                     continue;
                 }
-                let used = engine.used & source(place) != 0 && !idle.iter().any(|range| range.contains(&place));
+                // A hypothesis of several parts is used where one of them is.
+                let whole = assumed.iter().find(|range| range.start == place).cloned().unwrap_or(place..place + 1);
+                let used = whole.into_iter().any(|part| engine.used & source(part) != 0)
+                    && !idle.iter().any(|range| range.contains(&place));
                 if used { outcome.used.push(text) } else { outcome.unused.push(text) }
             }
             outcome.argument = engine.log.clone();

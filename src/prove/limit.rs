@@ -5,7 +5,7 @@
 
 use super::argument::not_shown;
 use super::context::*;
-use super::expand::{names_in_binding, names_in_prop};
+use super::expand::{names_in, names_in_binding, names_in_prop};
 use super::method::{compare, sequence_names};
 use super::series::Tends;
 use crate::algebra::form::{Atom, Exponent, Form};
@@ -41,8 +41,10 @@ impl Engine<'_> {
         let form = self.scalar(cx, &limit.of, &mut conditions)?;
         self.show_conditions(cx, conditions)?;
         // What was obtained may depend on the variable.
+        let mut names = BTreeSet::new();
+        names_in(&limit.of, &mut names);
         for name in cx.obtained.clone() {
-            if name == limit.variable.text || !self.free_of(&form, &name) {
+            if name == limit.variable.text || names.contains(&name) || !self.free_of(&form, &name) {
                 return Err(Failure::NotShown(format!("a limit with {name}, which was obtained")));
             }
         }
@@ -102,7 +104,10 @@ impl Engine<'_> {
                 return Err(Failure::NotShown(text));
             }
         }
-        if cx.environment.contains_key(&variable.text) {
+        // An equation may have determined it, or another variable by it.
+        let atom = self.ring.intern(Atom::Variable(variable.text.clone()));
+        let tied = cx.environment.values().any(|(value, _)| self.ring.mentions(value, &|a| a == atom));
+        if tied || cx.environment.contains_key(&variable.text) {
             return Err(Failure::NotShown(format!("{} is determined by the hypotheses", variable.text)));
         }
         Ok(())

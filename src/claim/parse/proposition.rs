@@ -95,7 +95,7 @@ impl Parser {
             let kind = PropKind::Limit(Box::new(Limit { of, variable, value }));
             return Ok(Prop { kind, span: self.since(start) });
         }
-        if matches!(self.peek(), Kind::Sign("(")) && self.parenthesis_holds_prop() {
+        if matches!(self.peek(), Kind::Sign("(")) && self.parenthesis_holds_prop(self.at) {
             self.advance();
             let inner = self.prop()?;
             self.need_sign(")", "to close the parenthesis")?;
@@ -104,10 +104,20 @@ impl Parser {
         self.comparison()
     }
 
-    /// Whether the parenthesis here holds a relation or a word of logic at its own level.
-    fn parenthesis_holds_prop(&self) -> bool {
+    /// Whether a parenthesis holds a relation or a word of logic at its own level, or begins with such a parenthesis.
+    fn parenthesis_holds_prop(&self, mut at: usize) -> bool {
+        while self.tokens.get(at).is_some_and(|token| matches!(token.kind, Kind::Sign("("))) {
+            if self.holds_relation(at) {
+                return true;
+            }
+            at += 1;
+        }
+        false
+    }
+
+    fn holds_relation(&self, at: usize) -> bool {
         let mut level = 0usize;
-        for token in &self.tokens[self.at..] {
+        for token in &self.tokens[at..] {
             match &token.kind {
                 Kind::Sign("(" | "[" | "{") => level += 1,
                 Kind::Sign(")" | "]" | "}") => {
@@ -249,7 +259,12 @@ impl Parser {
         }
         let mut indices = None;
         if self.word("for") {
-            self.name("the index")?;
+            let index = self.name("the index")?;
+            if names.iter().all(|name| name.1.as_ref().is_none_or(|own| own.text != index.text)) {
+                let help = Some("a range is for the index of a family: `mu(k) > 0 for k in 1..n`");
+                let message = format!("{} is not the index of a family declared here", index.text);
+                return Err(self.other(&message, help, index.span));
+            }
             self.need_word("in")?;
             let from = self.expr()?;
             self.need_sign("..", "between the first and the last index")?;
