@@ -143,7 +143,11 @@ fn faults_are_said_where_they_are() {
 
 #[test]
 fn superfluous_parentheses_change_nothing() {
-    let goal = |text: &str| parse(&format!("claim c \"t\"\ngiven x, y > 0\nprove {text}\n")).unwrap()[0].goal.clone();
+    let goal = |text: &str| {
+        parse(&format!("claim c \"t\"\ngiven x, y > 0\nprove {text}\n")).expect("the claim is well-formed")[0]
+            .goal
+            .clone()
+    };
     let plain = carom::claim::print::prop(&goal("not (x = y or x > 1)"));
     for text in ["not ((x = y or x > 1))", "(not (((x = y)) or (x > 1)))", "(((not (x = y or (x > 1)))))"] {
         assert_eq!(carom::claim::print::prop(&goal(text)), plain, "{text}");
