@@ -95,7 +95,7 @@ impl Parser {
             let kind = PropKind::Limit(Box::new(Limit { of, variable, value }));
             return Ok(Prop { kind, span: self.since(start) });
         }
-        if matches!(self.peek(), Kind::Sign("(")) && self.parenthesis_holds_prop(self.at) {
+        if matches!(self.peek(), Kind::Sign("(")) && self.parenthesis_holds_prop() {
             self.advance();
             let inner = self.prop()?;
             self.need_sign(")", "to close the parenthesis")?;
@@ -104,30 +104,25 @@ impl Parser {
         self.comparison()
     }
 
-    /// Whether a parenthesis holds a relation or a word of logic at its own level, or begins with such a parenthesis.
-    fn parenthesis_holds_prop(&self, mut at: usize) -> bool {
-        while self.tokens.get(at).is_some_and(|token| matches!(token.kind, Kind::Sign("("))) {
-            if self.holds_relation(at) {
-                return true;
-            }
-            at += 1;
-        }
-        false
-    }
-
-    fn holds_relation(&self, at: usize) -> bool {
-        let mut level = 0usize;
-        for token in &self.tokens[at..] {
+    /// Whether the parenthesis here, or one of those with which it begins, holds a relation or a word of logic at its own
+    /// level.
+    fn parenthesis_holds_prop(&self) -> bool {
+        let tokens = &self.tokens[self.at..];
+        let first = tokens.iter().take_while(|token| matches!(token.kind, Kind::Sign("("))).count();
+        // Of the parentheses that stand here first, so many are open; the others are inside them.
+        let (mut level, mut open) = (first, first);
+        for token in &tokens[first..] {
             match &token.kind {
                 Kind::Sign("(" | "[" | "{") => level += 1,
                 Kind::Sign(")" | "]" | "}") => {
                     level -= 1;
+                    open = open.min(level);
                     if level == 0 {
                         return false;
                     }
                 }
                 Kind::Word(w)
-                    if level == 1
+                    if level == open
                         && matches!(
                             w.as_str(),
                             "and" | "or" | "not" | "exists" | "for" | "limit" | "maximum" | "minimum"
@@ -135,7 +130,7 @@ impl Parser {
                 {
                     return true;
                 }
-                Kind::Sign("<" | "<=" | ">" | ">=" | "=" | "==" | "!=" | "=>" | "<=>") if level == 1 => return true,
+                Kind::Sign("<" | "<=" | ">" | ">=" | "=" | "==" | "!=" | "=>" | "<=>") if level == open => return true,
                 Kind::End => return false,
                 _ => {}
             }
