@@ -19,16 +19,17 @@ The standard library suffices, except for limits: those need mpmath (`pip instal
 """
 import argparse
 import ast
+import itertools
 import json
 import math
 import operator
 import random
-import re
 import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 from typing import Callable
 
 POINTS = 300
@@ -96,10 +97,12 @@ def show(e):
 
 
 def point(v):
+    """The bounds of a rational number."""
     return Fraction(v), Fraction(v)
 
 
 def exact(v):
+    """Whether bounds are the value itself."""
     return isinstance(v[0], Fraction)
 
 
@@ -123,6 +126,7 @@ class Evaluator:
         self.functions, self.number, self.relative, self.least = functions, number, relative, least
 
     def widened(self, low, high):
+        """Bounds that hold the value although they were rounded."""
         low, high = self.number(low), self.number(high)
         low, high = low - abs(low) * self.relative - self.least, high + abs(high) * self.relative + self.least
         if low - low != 0 or high - high != 0:
@@ -130,12 +134,14 @@ class Evaluator:
         return low, high
 
     def value(self, e, env):
+        """The bounds of an expression at a point; NoValue, or Unclear beyond the numbers of the machine too."""
         try:
             return self.evaluate(e, env)
         except (OverflowError, ValueError):
             raise Unclear from None
 
     def evaluate(self, e, env):
+        """The same, but for numbers that overflow."""
         if isinstance(e, str):
             return env[e]
         if not isinstance(e, tuple):
@@ -152,7 +158,7 @@ class Evaluator:
             return self.power(*values, isinstance(parts[1], Fraction))
         if op in ("sqrt", "cbrt"):
             return self.power(values[0], point(Fraction(1, 2 if op == "sqrt" else 3)), True)
-        return self.function(op, values[0]) if op in ("exp", "ln", "tanh") else self.combine(op, *values)
+        return self.function(op, values[0]) if op in ("exp", "ln") else self.combine(op, *values)
 
     def combine(self, op, a, b=None):
         """The four operations, and the opposite."""
@@ -182,7 +188,8 @@ class Evaluator:
         return total
 
     def function(self, name, v):
-        argument, result = {"exp": (0, 1), "ln": (1, 0), "tanh": (0, 0)}[name]
+        """exp and ln, exact at 0 and 1."""
+        argument, result = {"exp": (0, 1), "ln": (1, 0)}[name]
         if exact(v) and v[0] == argument:
             return point(result)
         if name == "ln" and v[0] <= 0:
@@ -196,6 +203,7 @@ class Evaluator:
         return self.widened(apply(low), apply(high))
 
     def whole_power(self, b, n):
+        """A power with a whole exponent; anything to the power 0 is 1."""
         if n < 0:
             return self.combine("/", point(1), self.whole_power(b, -n))
         if exact(b) and n * (b[0].numerator.bit_length() + b[0].denominator.bit_length() - 2) <= BITS:
@@ -213,8 +221,7 @@ class Evaluator:
                 raise NoValue
             raise Unclear
         if exact(b) and exact(q) and q[0].denominator < 10 and abs(q[0].numerator) < 10:
-            r = root(b[0], q[0].denominator)
-            if r is not None:
+            if (r := root(b[0], q[0].denominator)) is not None:
                 return point(r ** q[0].numerator)
         return self.function("exp", self.combine("*", q, self.function("ln", b)))
 
@@ -247,6 +254,7 @@ class Domain:
     near: list = field(default_factory=list)
 
     def show(self):
+        """The domain as it stands after a name."""
         if self.natural:
             return f"natural >= {self.low}" if self.low else "natural"
         if self.low is not None and self.high is not None:
@@ -265,6 +273,7 @@ class Domain:
         return inside and not (self.natural and (v[0] < 0 or v[0] != int(v[0])))
 
     def sample(self, rng, env):
+        """A value of the domain, often at or near an end of it."""
         if self.natural:
             return Fraction((self.low or 0) + rng.randrange(4))
         low, high = (None if end is None else FLOATS.value(end, env)[0] for end in (self.low, self.high))
@@ -293,34 +302,36 @@ class Family(dict):
 
 
 class Sequence(dict):
-    """Terms of a sequence: the first, and the step from `u(k)` to `u(k + 1)`."""
+    """Terms of a sequence: the first, and the step from `u(k)` to `u(k + 1)`, none after one without a value."""
 
     def __init__(self, first, step, env):
         self.first, self.step, self.env = first, step, env
 
     def __missing__(self, k):
-        env = {**self.env, "k": point(k - 1)}
-        self[k] = FLOATS.value(self.first if k == 0 else self.step, env)
-        return self[k]
+        if k == 0:
+            return self.setdefault(0, FLOATS.value(self.first, self.env))
+        _ = self[k - 1]
+        return self.setdefault(k, FLOATS.value(self.step, {**self.env, "k": point(k - 1)}))
 
 
 @dataclass
 class Claim:
-    """A claim: what it declares, its hypotheses, its goal as text and as a test at a point."""
+    """A claim: what it declares, its hypotheses, its goal (a statement, or a test at a point and its text)."""
 
     variables: dict
-    prove: str
-    holds: Callable
+    goal: tuple | Callable
     assumed: list = field(default_factory=list)
+    prove: str = ""
     family: tuple = None
     inside: bool = False
     sequence: tuple = None
     points: int = POINTS
 
     def text(self, name):
+        """The claim as a claim file has it."""
         lines = [f'claim {name} "A random claim"']
         lines += ["given " + "; ".join(f"{v} {domain.show()}" for v, domain in self.variables.items())]
-        goal = self.prove
+        goal = self.prove or show(self.goal)
         if self.family:
             domain, ends = self.family
             binding = f"mu(k) {domain.show()}" + (f" for k in {show(ends[0])}..{show(ends[1])}" if ends else "")
@@ -340,7 +351,7 @@ class Claim:
             env[name] = point(given[name]) if name in given else point(domain.sample(rng, env))
         if self.family:
             env["mu"] = Family(*self.family, env, rng)
-            env["mu"].update({int(name[3:-1]): point(v) for name, v in given.items() if re.fullmatch(r"mu\(\d+\)", name)})
+            env["mu"].update({int(name[3:-1]): point(v) for name, v in given.items() if name.startswith("mu(")})
         if self.sequence:
             env["u"] = Sequence(*self.sequence, env)
         return env
@@ -358,7 +369,7 @@ class Claim:
     def outcome(self, env):
         """Of the goal: True, False, "no value", or None where that is unclear."""
         try:
-            return self.holds(env)
+            return self.goal(env) if callable(self.goal) else FLOATS.truth(self.goal, env)
         except NoValue:
             return "no value"
         except Unclear:
@@ -378,6 +389,7 @@ class Grower:
         self.rng, self.leaf, self.operations, self.exponents, self.ends = rng, leaf, operations, exponents, ends
 
     def expression(self, depth, bound=()):
+        """An expression that is at most so deep."""
         if depth <= 0 or self.rng.random() < 0.15:
             return self.leaf(bound)
         op = self.rng.choice(self.operations)
@@ -392,35 +404,25 @@ class Grower:
         return (op, first, self.expression(depth - 1, bound)) if op in "+-*/" else (op, first)
 
     def comparison(self, depth, relations=("=", "=", ">=", ">=", "!=", "<", "<=", ">")):
+        """A comparison with a right side that is often the simpler one."""
         right = self.expression(self.rng.choice([0, 1, depth]))
         return self.rng.choice(relations), self.expression(depth), right
 
     def hypothesis(self):
-        kind = self.rng.choice(["=", "=", "=", "zero", "any", "any", "or", "=>", "<=>", "not"])
-        if kind == "=":
-            return self.comparison(self.rng.choice([1, 2]), ("=",))
-        if kind == "zero":
-            return "=", ("*", self.expression(1), self.expression(1)), 0
-        if kind == "any":
-            return self.comparison(1)
-        if kind == "not":
-            return kind, (self.rng.choice(["and", "=>"]), self.comparison(1), self.comparison(1))
-        return kind, self.comparison(1), self.comparison(1)
+        """An equation, mostly."""
+        equation, zero = self.comparison(2, ("=",)), ("=", ("*", self.expression(1), self.expression(1)), 0)
+        one, other = self.comparison(1), self.comparison(1)
+        joined = (self.rng.choice(["or", "=>", "<=>"]), one, other)
+        return self.rng.choice([equation, equation, equation, zero, one, one, joined, joined, ("not", joined)])
 
     def goal(self):
         """A comparison, one that is rewritten by a plausible rule, or several in a statement."""
-        kind = self.rng.choice("plain plain rewritten rewritten both both both => => <=> or not".split())
-        if kind == "plain":
-            return self.comparison(2)
-        if kind == "rewritten":
-            e = self.expression(3)
-            return self.rng.choice(["=", "=", "<=", ">="]), e, self.rewritten(e)
-        first = self.comparison(1)
-        if kind == "both":
-            return self.rng.choice(["=>", "<=>"]), *self.rng.sample([first, self.applied(first)], 2)
-        if kind == "not":
-            return kind, (self.rng.choice(["and", "or", "=>", "<=>"]), first, self.comparison(1))
-        return kind, first, self.comparison(1)
+        e, one, other = self.expression(3), self.comparison(1), self.comparison(1)
+        rewritten = (self.rng.choice(["=", "=", "<=", ">="]), e, self.rewritten(e))
+        both = (self.rng.choice(["=>", "<=>"]), *self.rng.sample([one, self.applied(one)], 2))
+        joined = (self.rng.choice(["and", "or", "=>", "=>", "<=>"]), one, other)
+        plain = self.comparison(2)
+        return self.rng.choice([plain, plain, rewritten, rewritten, both, both, both, joined, joined, ("not", joined)])
 
     def applied(self, comparison):
         """The comparison with the same done to both of its sides."""
@@ -431,16 +433,13 @@ class Grower:
 
     def rewritten(self, e):
         """The expression with rules applied here and there, of which some hold only for positive numbers."""
-        if not isinstance(e, tuple) or e[0] in ("sum", "product", "of"):
+        if not isinstance(e, tuple) or e[0] in ("sum", "product", "of") or self.rng.random() < 0.2:
             return e
-        op, *parts = map(self.rewritten, e) if e[0] not in RELATIONS else e
-        if self.rng.random() < 0.3:
-            return (op, *parts)
-        match (op, *parts):
-            case ("sqrt", ("^", a, 2)):
-                return a
-            case ("sqrt" | "cbrt", ("*" | "/" as inner, a, b)):
+        match (e[0], *map(self.rewritten, e[1:])):
+            case ("sqrt" | "cbrt" as op, ("*" | "/" as inner, a, b)):
                 return inner, (op, a), (op, b)
+            case ("sqrt", ("^", a, 2)) | ("ln", ("exp", a)) | ("exp", ("ln", a)):
+                return a
             case ("^", ("*" | "/" as inner, a, b), q):
                 return inner, ("^", a, q), ("^", b, q)
             case ("^", ("^", a, 2 | 3 | 4 as q), 2 | 3 | -1 as r):
@@ -449,20 +448,20 @@ class Grower:
                 return "+" if inner == "*" else "-", ("ln", a), ("ln", b)
             case ("ln", ("^", a, q)):
                 return "*", q, ("ln", a)
-            case ("ln", ("exp", a)) | ("exp", ("ln", a)):
-                return a
             case ("exp", ("+" | "-" as inner, a, b)):
                 return "*" if inner == "+" else "/", ("exp", a), ("exp", b)
             case ("/", a, b):
                 return "*", a, ("^", b, -1)
-            case ("-" | "*" as inner, a, b):
+            case ("+" | "-" | "*" as inner, a, b):
                 return inner, b, a
-        return (op, *parts)
+            case same:
+                return same
 
 
 def real_domain(rng):
-    bounds = [(0, None), (0, None), (None, 0), (None, None), (None, None), (1, None), (-1, 1), (0, 1), (-2, 1), (-3, -1)]
-    low, high = rng.choice(bounds)
+    """A domain of real numbers, with fixed ends."""
+    bounds = [(0, None), (0, None), (None, 0), (None, None), (None, None), (1, None), (-1, 1), (0, 1), (-2, 1)]
+    low, high = rng.choice([*bounds, (-3, -1)])
     but = rng.choice([None, 0, 1]) if low is None and high is None else None
     return Domain(low, high, rng.choice("[(") + rng.choice(")]"), but=but)
 
@@ -476,7 +475,7 @@ def scalars(rng):
     }
     operations, exponents = ["+", "-", "*", "*", "/", "^", "^", "neg"], [2, 2, 3, 4, 6, -1, -2]
     if rng.random() < 0.6:
-        operations += ["sqrt", "exp", "ln", "cbrt", "tanh", "^"] + ["sum", "product"] * bool(naturals)
+        operations += ["sqrt", "exp", "ln", "cbrt", "^"] + ["sum", "product"] * bool(naturals)
         exponents += [Fraction(q) for q in ("1/2", "3/2", "-1/2", "2/3", "1/4")] + names
 
     def leaf(bound):
@@ -485,7 +484,7 @@ def scalars(rng):
     grower = Grower(rng, leaf, operations, lambda bound: exponents + list(bound), naturals or (2,))
     assumed = [grower.hypothesis() for _ in range(rng.choice([0, 1, 1, 2]))]
     goal = grower.goal()
-    return Claim(variables, show(goal), lambda env: FLOATS.truth(goal, env), assumed)
+    return Claim(variables, goal, assumed)
 
 
 def sums(rng):
@@ -530,7 +529,7 @@ def sums(rng):
         assumed.append(grower.comparison(rng.choice([1, 2])))
         goal = rng.choice([goal, rng.choice(sides)])
     variables = {"n": Domain(0, natural=True), "m": Domain(0, natural=True), "x": Domain(), "y": Domain(0)}
-    return Claim(variables, show(goal), lambda env: FLOATS.truth(goal, env), assumed, (domain, ends), inside)
+    return Claim(variables, goal, assumed, family=(domain, ends), inside=inside)
 
 
 def sequences(rng):
@@ -553,56 +552,51 @@ def sequences(rng):
     right = rng.choice([0, goals.expression(1), goals.expression(2)])
     goal = (rng.choice([">=", ">", "=", "<=", "!="]), goals.expression(rng.choice([0, 1, 1, 2])), right)
     text = show(goal) + rng.choice(["", " by induction on n"])
-    return Claim(variables, text, lambda env: FLOATS.truth(goal, env), sequence=(first, step))
+    return Claim(variables, goal, prove=text, sequence=(first, step))
 
 
 def limits(rng):
     """Limits of sequences with two parameters, mostly beside a value that fits at some of their values."""
-    deep = deep_evaluator()
-    variables = {"a": real_domain(rng), "b": real_domain(rng), "n": Domain(rng.choice([1, 2, 5]), natural=True)}
-    powers = [2, 3, -1, "n", "n", ("+", "n", 1), "b", *(Fraction(q) for q in ("1/2", "1/3", "3/2", "-1/2"))]
-    powers += [tree(q) for q in ("1/n", "a*n", "a/n", "-n", "2*n", "n/2")]
-    operations = ["+", "+", "-", "-", "*", "*", "/", "/", "/", "^", "^", "exp", "ln", "sqrt"]
-
-    def leaf(_):
-        return rng.choice(["n", "n", "n", "a", "b", 1, 2, 3, tree("a + b"), tree("a/n"), tree("(a - b)*n"), tree("-n")])
-
-    grower = Grower(rng, leaf, operations, lambda _: powers)
-    e = grower.expression(rng.choice([2, 3, 3, 4]))
-    values = "0 1 a b a/b a*b exp(a) a+b a-b sqrt(a) ln(a) 1/2 2 a^2 exp(-a) 1/a a/2 ln(a)-ln(b) exp(a*b)".split()
-
-    def tends(value, env):
-        deep.value(e, env)
-        limit = deep.widened(*deep.value(value, env))
-        gaps = []
-        for n in (10**6, 10**9):
-            at = deep.combine("-", deep.widened(*deep.value(e, {**env, "n": point(n)})), limit)
-            if at[1] - at[0] > 1e-20 * (1 + abs(limit[0])):
-                raise Unclear
-            gaps.append(max(abs(at[0]), abs(at[1])))
-        if gaps[1] > 1e-2 * (1 + abs(limit[0])) and gaps[1] > 0.99 * gaps[0]:
-            return False
-        if gaps[1] < 1e-20 or gaps[1] < min(gaps[0] / 5, 1e-2):
-            return True
-        raise Unclear
-
-    candidates = [tree(value) for value in values]
-    trial = Claim(variables, "", None)
-    places = [trial.place(rng, {}) for _ in range(2)]
-    fits = [sum(Claim(variables, "", lambda env: tends(v, env)).outcome(p) is True for p in places) for v in candidates]
-    value = candidates[max(range(len(candidates)), key=lambda i: fits[i] + rng.random())]
-    return Claim(variables, f"limit of {show(e)} as n -> infinity is {show(value)}", lambda env: tends(value, env), points=20)
-
-
-def deep_evaluator():
-    """An evaluator with 80 digits, for limits."""
     try:
         import mpmath
     except ImportError:
         print("limits are judged with mpmath, which is not installed: pip install mpmath", file=sys.stderr)
         sys.exit(2)
     mpmath.mp.dps = 80
-    return Evaluator(mpmath.mp, lambda v: mpmath.mpf(v.numerator) / v.denominator if isinstance(v, Fraction) else v, 1e-75, 0)
+
+    def digits(v):
+        return mpmath.mpf(v.numerator) / v.denominator if isinstance(v, Fraction) else v
+
+    deep = Evaluator(mpmath, digits, 1e-75, 0)
+    variables = {"a": real_domain(rng), "b": real_domain(rng), "n": Domain(rng.choice([1, 2, 5]), natural=True)}
+    powers = [2, 3, -1, "n", "n", ("+", "n", 1), "b", *map(Fraction, ("1/2", "1/3", "3/2", "-1/2"))]
+    powers += map(tree, ("1/n", "a*n", "a/n", "-n", "2*n", "n/2"))
+    leaves = ["n", "n", "n", "a", "b", 1, 2, 3, *map(tree, ("a + b", "a/n", "(a - b)*n", "-n"))]
+    operations = ["+", "+", "-", "-", "*", "*", "/", "/", "/", "^", "^", "exp", "ln", "sqrt"]
+    e = Grower(rng, lambda _: rng.choice(leaves), operations, lambda _: powers).expression(rng.choice([2, 3, 3, 4]))
+
+    def tends(env, value):
+        """Whether the terms at a million and at a billion come near the value, and the second far nearer."""
+        deep.value(e, env)
+        limit, gaps = deep.widened(*deep.value(value, env)), []
+        for n in (10**6, 10**9):
+            gap = deep.combine("-", deep.widened(*deep.value(e, {**env, "n": point(n)})), limit)
+            if gap[1] - gap[0] > 1e-20 * (1 + abs(limit[0])):
+                raise Unclear
+            gaps.append(max(map(abs, gap)))
+        if gaps[1] > 1e-2 * (1 + abs(limit[0])) and gaps[1] > 0.99 * gaps[0]:
+            return False
+        if gaps[1] > 1e-20 and gaps[1] > min(gaps[0] / 5, 1e-2):
+            raise Unclear
+        return True
+
+    values = "0 1 a b a/b a*b exp(a) a+b a-b sqrt(a) ln(a) 1/2 2 a^2 exp(-a) 1/a a/2 ln(a)-ln(b) exp(a*b)".split()
+    claims = [
+        Claim(variables, partial(tends, value=v), prove=f"limit of {show(e)} as n -> infinity is {show(v)}", points=20)
+        for v in map(tree, values)
+    ]
+    places = [claims[0].place(rng, {}) for _ in range(2)]
+    return max(claims, key=lambda claim: sum(claim.outcome(env) is True for env in places) + rng.random())
 
 
 def signs(rng):
@@ -610,17 +604,14 @@ def signs(rng):
     roots = [Fraction(v) for v in ("0", "1", "-1", "1/2", "2", "3/2", "1/3")]
     coefficients, chosen = [Fraction(rng.choice([1, 1, -1, 2]))], []
     for _ in range(rng.randrange(1, 5)):
-        factor = [Fraction(rng.choice([1, 2, 5, -1, -2, -3])), Fraction(rng.choice([0, -1, 1, 2])), Fraction(1)]
-        times = 1
+        factor, times = [rng.choice([1, 2, 5, -1, -2, -3]), rng.choice([0, -1, 1, 2]), 1], 1
         if rng.random() < 0.6:
             chosen.append(rng.choice(roots))
-            factor, times = [-chosen[-1], Fraction(1)], rng.choice([1, 1, 2, 3])
+            factor, times = [-chosen[-1], 1], rng.choice([1, 1, 2, 3])
         for _ in range(times):
-            product = [Fraction(0)] * (len(coefficients) + len(factor) - 1)
-            for i, c in enumerate(coefficients):
-                for j, d in enumerate(factor):
-                    product[i + j] += c * d
-            coefficients = product
+            places = range(len(coefficients) + len(factor) - 1)
+            pairs = [[(k - i, i) for i in range(len(factor)) if 0 <= k - i < len(coefficients)] for k in places]
+            coefficients = [sum(coefficients[i] * factor[j] for i, j in pair) for pair in pairs]
     if rng.random() < 0.2:
         coefficients[0] += rng.choice([-1, 1]) * Fraction(1, 1000)
     low, high = sorted(rng.sample(sorted(set(chosen + roots)), 2))
@@ -630,54 +621,45 @@ def signs(rng):
     polynomial = Fraction(0)
     for power, c in enumerate(coefficients):
         polynomial = ("+", polynomial, ("*", c, ("^", "x", power))) if c else polynomial
-    goal = (rng.choice([">=", ">=", "<=", "<=", ">", "<", "!="]), polynomial, 0)
-    return Claim({"x": domain}, show(goal), lambda env: FLOATS.truth(goal, env))
+    return Claim({"x": domain}, (rng.choice([">=", ">=", "<=", "<=", ">", "<", "!="]), polynomial, 0))
 
 
 def extrema(rng):
     """The maximum or minimum over one or two variables, said to be at a point that often is right."""
-    known = {"t*(c - t)": "c/2", "(t - c)^2": "c", "t/(t + c)^2": "c", "t + c/t": "sqrt(c)", "-(t - c)^2*(t - 1)^2": "c"}
-    known |= {"t^2/(t^2 + c)": "0", "sqrt(t)*(c - t)": "c/3", "t^3 - 3*c^2*t": "c", "(t - c)/(t^2 + 1)": "c + 1"}
-    known |= {"t*s - s^2 - t^2/c": "0", "(t - c)^2 + (s - t)^2": "c", "s*t*(c - s - t)": "c/3"}
+    known = {"t*(c - t)": "c/2", "(t - c)^2": "c", "t/(t + c)^2": "c", "t + c/t": "sqrt(c)"}
+    known |= {"-(t - c)^2*(t - 1)^2": "c", "t^2/(t^2 + c)": "0", "sqrt(t)*(c - t)": "c/3", "t^3 - 3*c^2*t": "c"}
+    known |= {"(t - c)/(t^2 + 1)": "c + 1", "t*s - s^2 - t^2/c": "0", "(t - c)^2 + (s - t)^2": "c", "s*t*(c - s - t)": "c/3"}
     points = [tree(p) for p in "0;1;a;b;a/2;sqrt(a);(a + b)/2;a + b;-a;2;1/2;a - b;(a + b)/3;a/3".split(";")]
     form, c = rng.choice(list(known)), tree(rng.choice(["a", "a", "b", "1", "2", "a + b", "a - b"]))
-    body, best = tree(form, c=c), tree(known[form], c=c)
+    body, right = tree(form, c=c), tree(known[form], c=c)
     moving = ["t", "s"] if " s" in show(body) or "(s" in show(body) else ["t"]
-    at = dict.fromkeys(moving, best) if rng.random() < 0.7 else {v: rng.choice(points) for v in moving}
+    at = dict.fromkeys(moving, right) if rng.random() < 0.7 else {v: rng.choice(points) for v in moving}
     bounds = [(0, 1), (0, "a"), ("a", "b"), (-1, 1), (0, tree("a + 1")), (None, None), (0, None), (0, None), (1, 2)]
     domain = Domain(*rng.choice(bounds), rng.choice("[(") + rng.choice(")]"))
-    relation, kind = rng.choice([(">", "maximum"), ("<", "minimum")])
-    only = rng.random() < 0.5
-    value = put_in(body, at)
+    kind, only, value = rng.choice(["maximum", "minimum"]), rng.random() < 0.5, put_in(body, at)
 
-    def holds(env):
+    def best(env):
+        """Whether the point lies in the domain and no point of a grid is better, or as good where that counts."""
         place = {v: FLOATS.value(at[v], env) for v in moving}
         if not all(domain.contains(v, env) for v in place.values()):
             return False
-        top = FLOATS.value(body, {**env, **place})
-        low, high = (None if end is None else FLOATS.value(end, env)[0] for end in (domain.low, domain.high))
-        low = low if low is not None else Fraction(-4)
-        steps = [low + ((high if high is not None else low + 10) - low) * Fraction(i, 16) for i in range(13)]
-        steps = [v for v in [*map(point, steps), *place.values()] if domain.contains(v, env)]
-        doubt = False
-        for t in steps:
-            for s in steps if "s" in moving else [None]:
-                here = {"t": t, "s": s}
-                try:
-                    found = FLOATS.value(body, {**env, **here})
-                    if FLOATS.truth((relation, "found", "top"), {"found": found, "top": top}):
-                        return False
-                    elsewhere = any(FLOATS.truth(("!=", "u", "v"), {"u": here[v], "v": place[v]}) for v in moving)
-                    if only and elsewhere and exact(found) and found == top:
-                        return False
-                except Unclear:
-                    doubt = True
+        top, low, high = (None if e is None else FLOATS.value(e, env) for e in (value, domain.low, domain.high))
+        low = low[0] if low else Fraction(-4)
+        steps = [point(low + ((high[0] if high else low + 10) - low) * Fraction(i, 12)) for i in range(13)]
+        steps = [v for v in [*steps, *place.values()] if domain.contains(v, env)]
+        for spot in itertools.product(steps, repeat=len(moving)):
+            found = FLOATS.value(body, {**env, **dict(zip(moving, spot))})
+            if found[0] > top[1] if kind == "maximum" else found[1] < top[0]:
+                return False
+            apart = any(exact(v) and exact(w) and v != w for v, w in zip(spot, place.values()))
+            if only and apart and found == top and exact(top):
+                return False
         raise Unclear
 
     over = "; ".join(f"{v} {domain.show()}" for v in moving)
     there = ", ".join(f"{v} = {show(at[v])}" for v in moving)
     text = f"{kind} of {show(body)} over {over} {'only ' if only else ''}at {there} is {show(value)}"
-    return Claim({"a": real_domain(rng), "b": real_domain(rng)}, text, holds, points=20)
+    return Claim({"a": real_domain(rng), "b": real_domain(rng)}, best, prove=text, points=20)
 
 
 KINDS = {"scalars": scalars, "sums": sums, "sequences": sequences, "limits": limits, "signs": signs, "extrema": extrema}
@@ -685,7 +667,7 @@ KINDS = {"scalars": scalars, "sums": sums, "sequences": sequences, "limits": lim
 
 def finding(claim, verdict, witness):
     """What is wrong with a verdict, or nothing."""
-    rng = random.Random(claim.prove)
+    rng = random.Random(claim.text(""))
     if verdict != "refuted":
         for _ in range(claim.points if verdict != "undecided" else 0):
             env = claim.place(rng, {})
