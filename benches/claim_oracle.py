@@ -15,7 +15,7 @@ not hold there (or nowhere, where no witness is printed); hypotheses that are sa
 a point; an audit that breaks off. Each wrong claim is printed. Exit code 0 if there is none, 1 if there is one, 2 for
 bad usage. The same seed writes the same claims.
 
-The standard library suffices, except for limits: those need mpmath (`pip install mpmath`).
+The standard library of Python 3.10 suffices, except for limits: those need mpmath (`pip install mpmath`).
 """
 import argparse
 import ast
@@ -66,13 +66,6 @@ def tree(text, **put):
         return node.value
 
     return walk(ast.parse(text.replace("^", "**"), mode="eval").body)
-
-
-def put_in(e, values):
-    """The expression with others in the place of names."""
-    if isinstance(e, tuple):
-        return (e[0], *(put_in(part, values) for part in e[1:]))
-    return values.get(e, e)
 
 
 def show(e):
@@ -134,14 +127,7 @@ class Evaluator:
         return low, high
 
     def value(self, e, env):
-        """The bounds of an expression at a point; NoValue, or Unclear beyond the numbers of the machine too."""
-        try:
-            return self.evaluate(e, env)
-        except (OverflowError, ValueError):
-            raise Unclear from None
-
-    def evaluate(self, e, env):
-        """The same, but for numbers that overflow."""
+        """The bounds of an expression at a point; raises NoValue where it certainly has none."""
         if isinstance(e, str):
             return env[e]
         if not isinstance(e, tuple):
@@ -150,8 +136,8 @@ class Evaluator:
         if op in ("sum", "product"):
             return self.fold(*e, env)
         if op == "of":
-            return env[parts[0]][int(self.evaluate(parts[1], env)[0])]
-        values = [self.evaluate(part, env) for part in parts]
+            return env[parts[0]][int(self.value(parts[1], env)[0])]
+        values = [self.value(part, env) for part in parts]
         if op == "^":
             if whole(parts[1]):
                 return self.whole_power(values[0], int(values[1][0]))
@@ -179,12 +165,12 @@ class Evaluator:
 
     def fold(self, op, index, first, last, body, env):
         """A sum or product; a range that ends before its beginning by more than one has none."""
-        first, last = (int(self.evaluate(end, env)[0]) for end in (first, last))
+        first, last = (int(self.value(end, env)[0]) for end in (first, last))
         if first < 0 or last < first - 1:
             raise NoValue
         total = point(op == "product")
         for k in range(first, last + 1):
-            total = self.combine("*" if op == "product" else "+", total, self.evaluate(body, {**env, index: point(k)}))
+            total = self.combine("*" if op == "product" else "+", total, self.value(body, {**env, index: point(k)}))
         return total
 
     def function(self, name, v):
@@ -357,29 +343,30 @@ class Claim:
         return env
 
     def allowed(self, env):
-        """Whether domains and hypotheses hold: True, False, or None where that is unclear."""
-        try:
-            inside = all(domain.contains(env[name], env) for name, domain in self.variables.items())
-            return inside and all(FLOATS.truth(h, env) for h in self.assumed)
-        except NoValue:
-            return False
-        except Unclear:
-            return None
+        """Whether domains and hypotheses hold."""
+        inside = all(domain.contains(env[name], env) for name, domain in self.variables.items())
+        return inside and all(FLOATS.truth(h, env) for h in self.assumed)
 
-    def outcome(self, env):
-        """Of the goal: True, False, "no value", or None where that is unclear."""
-        try:
-            return self.goal(env) if callable(self.goal) else FLOATS.truth(self.goal, env)
-        except NoValue:
-            return "no value"
-        except Unclear:
-            return None
+    def holds(self, env):
+        """Whether the goal holds."""
+        return self.goal(env) if callable(self.goal) else FLOATS.truth(self.goal, env)
+
+
+def settled(test, env):
+    """What a test says of a point: True, False, "no value" or "unclear"."""
+    try:
+        return test(env)
+    except NoValue:
+        return "no value"
+    except (Unclear, OverflowError):
+        return "unclear"
 
 
 def printed(env):
     """A point as text."""
-    texts = {name: v[0] if isinstance(v, tuple) else {k: str(u[0]) for k, u in v.items()} for name, v in env.items()}
-    return ", ".join(f"{name} = {text}" for name, text in texts.items())
+    members = [(f"{name}({k})", v) for name, vs in env.items() if isinstance(vs, dict) for k, v in vs.items()]
+    numbers = [(name, v) for name, v in env.items() if isinstance(v, tuple)]
+    return ", ".join(f"{name} = {v[0]}" for name, v in numbers + members)
 
 
 class Grower:
@@ -596,7 +583,7 @@ def limits(rng):
         for v in map(tree, values)
     ]
     places = [claims[0].place(rng, {}) for _ in range(2)]
-    return max(claims, key=lambda claim: sum(claim.outcome(env) is True for env in places) + rng.random())
+    return max(claims, key=lambda claim: sum(settled(claim.holds, env) is True for env in places) + rng.random())
 
 
 def signs(rng):
@@ -636,7 +623,7 @@ def extrema(rng):
     at = dict.fromkeys(moving, right) if rng.random() < 0.7 else {v: rng.choice(points) for v in moving}
     bounds = [(0, 1), (0, "a"), ("a", "b"), (-1, 1), (0, tree("a + 1")), (None, None), (0, None), (0, None), (1, 2)]
     domain = Domain(*rng.choice(bounds), rng.choice("[(") + rng.choice(")]"))
-    kind, only, value = rng.choice(["maximum", "minimum"]), rng.random() < 0.5, put_in(body, at)
+    kind, only, value = rng.choice(["maximum", "minimum"]), rng.random() < 0.5, tree(form, c=c, **at)
 
     def best(env):
         """Whether the point lies in the domain and no point of a grid is better, or as good where that counts."""
@@ -668,46 +655,50 @@ KINDS = {"scalars": scalars, "sums": sums, "sequences": sequences, "limits": lim
 def finding(claim, verdict, witness):
     """What is wrong with a verdict, or nothing."""
     rng = random.Random(claim.text(""))
-    if verdict != "refuted":
-        for _ in range(claim.points if verdict != "undecided" else 0):
-            env = claim.place(rng, {})
-            if claim.allowed(env) is not True:
-                continue
-            if verdict == "contradictory":
-                return f"hypotheses said to contradict each other, which hold at {printed(env)}"
-            if claim.outcome(env) in (False, "no value"):
-                return f"proved, but {'false' if claim.outcome(env) is False else 'without a value'} at {printed(env)}"
-        return None
-    try:
-        given = {name: Fraction(v) for name, v in (witness or {}).items()}
-    except ValueError:
-        return None
-    places = [claim.place(rng, given) for _ in range(1 if witness else claim.points)]
-    found = [(claim.allowed(env), claim.outcome(env)) for env in places]
-    if any(len(env.get("mu", ())) > sum(name.startswith("mu(") for name in given) for env in places):
-        return None  # The witness leaves out members that are asked for: not judged.
-    if all(allowed is False for allowed, _ in found):
-        return f"refuted, but its hypotheses do not hold at {printed(places[0])}"
-    if witness and found[0][1] is True:
-        return f"refuted, but it holds at {printed(places[0])}"
+    if verdict == "refuted":
+        try:
+            given = {name: Fraction(v) for name, v in (witness or {}).items()}
+        except ValueError:
+            return None  # Rounded values are no witness to evaluate at.
+        places = [claim.place(rng, given) for _ in range(1 if witness else claim.points)]
+        found = [(settled(claim.allowed, env), settled(claim.holds, env)) for env in places]
+        if any(len(env.get("mu", ())) > sum(name.startswith("mu(") for name in given) for env in places):
+            return None  # The witness leaves out members that are asked for.
+        if all(allowed in (False, "no value") for allowed, _ in found):
+            return f"refuted, but its hypotheses do not hold at {printed(places[0])}"
+        return f"refuted, but it holds at {printed(places[0])}" if witness and found[0][1] is True else None
+    for _ in range(claim.points if verdict != "undecided" else 0):
+        env = claim.place(rng, {})
+        if settled(claim.allowed, env) is not True:
+            continue
+        if verdict == "contradictory":
+            return f"hypotheses said to contradict each other, which hold at {printed(env)}"
+        if (held := settled(claim.holds, env)) in (False, "no value"):
+            return f"proved, but {held or 'false'} at {printed(env)}"
     return None
 
 
 def judged(carom, claims):
-    """The verdict and the witness of each claim, by its place in the list."""
+    """The verdict and the witness of each claim, by its place in the list; ends the program where one has none."""
     with tempfile.NamedTemporaryFile("w", suffix=".claim") as file:
         file.write("\n".join(claim.text(f"c{i}") for i, claim in enumerate(claims)))
         file.flush()
         command = [carom, "audit", "--format", "json", "--time", "1", "--max-steps", "10000", file.name]
-        out = subprocess.run(command, capture_output=True, text=True)
-    if out.returncode not in (0, 1, 2, 3) or not out.stdout:
-        return None, f"exit code {out.returncode}: {out.stderr[:2000]}"
-    report = json.loads(out.stdout)
-    verdicts = {int(c["id"][1:]): (c["verdict"], c["witness"]) for c in report["claims"]}
-    for error in report["errors"]:
-        if "cannot all hold" in error["message"]:
-            verdicts[int(error["claim"][1:])] = ("contradictory", None)
-    return verdicts, "\n".join(error["message"] for error in report["errors"])
+        try:
+            out = subprocess.run(command, capture_output=True, text=True)
+        except OSError as error:
+            print(f"{carom}: {error}", file=sys.stderr)
+            sys.exit(2)
+        report = json.loads(out.stdout or '{"claims": [], "errors": []}')
+        verdicts = {int(c["id"][1:]): (c["verdict"], c["witness"]) for c in report["claims"]}
+        for error in report["errors"]:
+            if "cannot all hold" in error["message"]:
+                verdicts[int(error["claim"][1:])] = ("contradictory", None)
+        if len(verdicts) < len(claims):
+            missing = next(claim for i, claim in enumerate(claims) if i not in verdicts)
+            print(f"# NO VERDICT, exit code {out.returncode}: {out.stderr[:2000]}\n{missing.text('missing')}")
+            sys.exit(2 if out.returncode == 2 else 1)
+    return verdicts
 
 
 def main():
@@ -724,11 +715,7 @@ def main():
         counts = dict.fromkeys(("proved", "refuted", "undecided", "contradictory", "wrong"), 0)
         for done in range(0, a.claims, BATCH):
             claims = [KINDS[kind](rng) for _ in range(min(BATCH, a.claims - done))]
-            verdicts, errors = judged(a.carom, claims)
-            if verdicts is None or len(verdicts) < len(claims):
-                print(errors)
-                sys.exit(2)
-            for i, (verdict, witness) in sorted(verdicts.items()):
+            for i, (verdict, witness) in sorted(judged(a.carom, claims).items()):
                 counts[verdict] += 1
                 reason = finding(claims[i], verdict, witness)
                 if reason:
