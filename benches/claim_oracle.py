@@ -9,11 +9,12 @@ with ranges, sums and products over their members), `sequences` (defined by recu
 `signs` (polynomials of one variable with roots at the ends of its domain), `extrema`; `--claims` counts for each.
 
 Values are fractions as long as they are rational, and beyond that enclosures that are widened by more than the
-rounding, so that a comparison is either certain or left out. Wrong is: a claim that is proved and fails, or has no
+rounding, so that a comparison is either certain or left out; limits are looked at at n = 10^6 and 10^9, extrema on a
+grid, which can deny that a point is the best, not confirm it. Wrong is: a claim that is proved and fails, or has no
 value, at a point where its hypotheses hold; a claim that is refuted and holds at the witness, or whose hypotheses do
-not hold there (or nowhere, where no witness is printed); hypotheses that are said to contradict each other and hold at
-a point; an audit that breaks off. Each wrong claim is printed. Exit code 0 if there is none, 1 if there is one, 2 for
-bad usage. The same seed writes the same claims.
+not hold there (or at no point, where no witness is printed); hypotheses that are said to contradict each other and hold
+at a point; an audit that gives no verdict. Each wrong claim is printed. Exit code 0 if there is none, 1 if there is
+one, 2 for bad usage. The same seed writes the same claims.
 
 The standard library of Python 3.10 suffices, except for limits: those need mpmath (`pip install mpmath`).
 """
@@ -344,8 +345,9 @@ class Claim:
 
     def allowed(self, env):
         """Whether domains and hypotheses hold."""
-        inside = all(domain.contains(env[name], env) for name, domain in self.variables.items())
-        return inside and all(FLOATS.truth(h, env) for h in self.assumed)
+        inside = [domain.contains(env[name], env) for name, domain in self.variables.items()]
+        inside += [self.family[0].contains(v, {**env, "k": point(k)}) for k, v in env.get("mu", {}).items()]
+        return all(inside) and all(FLOATS.truth(h, env) for h in self.assumed)
 
     def holds(self, env):
         """Whether the goal holds."""
@@ -596,9 +598,10 @@ def signs(rng):
             chosen.append(rng.choice(roots))
             factor, times = [-chosen[-1], 1], rng.choice([1, 1, 2, 3])
         for _ in range(times):
-            places = range(len(coefficients) + len(factor) - 1)
-            pairs = [[(k - i, i) for i in range(len(factor)) if 0 <= k - i < len(coefficients)] for k in places]
-            coefficients = [sum(coefficients[i] * factor[j] for i, j in pair) for pair in pairs]
+            coefficients = [
+                sum(c * factor[k - i] for i, c in enumerate(coefficients) if 0 <= k - i < len(factor))
+                for k in range(len(coefficients) + len(factor) - 1)
+            ]
     if rng.random() < 0.2:
         coefficients[0] += rng.choice([-1, 1]) * Fraction(1, 1000)
     low, high = sorted(rng.sample(sorted(set(chosen + roots)), 2))
@@ -613,20 +616,24 @@ def signs(rng):
 
 def extrema(rng):
     """The maximum or minimum over one or two variables, said to be at a point that often is right."""
-    known = {"t*(c - t)": "c/2", "(t - c)^2": "c", "t/(t + c)^2": "c", "t + c/t": "sqrt(c)"}
-    known |= {"-(t - c)^2*(t - 1)^2": "c", "t^2/(t^2 + c)": "0", "sqrt(t)*(c - t)": "c/3", "t^3 - 3*c^2*t": "c"}
-    known |= {"(t - c)/(t^2 + 1)": "c + 1", "t*s - s^2 - t^2/c": "0", "(t - c)^2 + (s - t)^2": "c", "s*t*(c - s - t)": "c/3"}
+    maxima = {"t*(c - t)": "c/2", "t/(t + c)^2": "c", "-(t - c)^2*(t - 1)^2": "c", "sqrt(t)*(c - t)": "c/3"}
+    maxima |= {"t*s - s^2 - t^2/c": "0", "s*t*(c - s - t)": "c/3", "(t - c)/(t^2 + 1)": "c + 1"}
+    minima = {"(t - c)^2": "c", "t + c/t": "sqrt(c)", "t^2/(t^2 + c)": "0", "t^3 - 3*c^2*t": "c"}
+    minima |= {"(t - c)^2 + (s - t)^2": "c", "t^2 + c*s^2 + s": "0", "t*ln(t/c)": "c*exp(-1)"}
+    kind, known = rng.choice([("maximum", maxima), ("minimum", minima)])
     points = [tree(p) for p in "0;1;a;b;a/2;sqrt(a);(a + b)/2;a + b;-a;2;1/2;a - b;(a + b)/3;a/3".split(";")]
     form, c = rng.choice(list(known)), tree(rng.choice(["a", "a", "b", "1", "2", "a + b", "a - b"]))
     body, right = tree(form, c=c), tree(known[form], c=c)
-    moving = ["t", "s"] if " s" in show(body) or "(s" in show(body) else ["t"]
+    moving = ["t", "s"] if "s" in form.replace("sqrt", "") else ["t"]
     at = dict.fromkeys(moving, right) if rng.random() < 0.7 else {v: rng.choice(points) for v in moving}
-    bounds = [(0, 1), (0, "a"), ("a", "b"), (-1, 1), (0, tree("a + 1")), (None, None), (0, None), (0, None), (1, 2)]
-    domain = Domain(*rng.choice(bounds), rng.choice("[(") + rng.choice(")]"))
-    kind, only, value = rng.choice(["maximum", "minimum"]), rng.random() < 0.5, tree(form, c=c, **at)
+    bounds = [(0, 1), (0, "a"), ("a", "b"), (-1, 1), (0, tree("a + 1")), (None, None), (None, None)]
+    domain = Domain(*rng.choice([*bounds, (0, None), (0, None), (0, None)]), rng.choice("[(") + rng.choice(")]"))
+    kind = rng.choice([kind, kind, kind, "maximum", "minimum"])
+    only, value = rng.random() < 0.5, tree(form, c=c, **at)
 
     def best(env):
         """Whether the point lies in the domain and no point of a grid is better, or as good where that counts."""
+        # What no point of the grid denies stays open: such a claim may hold or not.
         place = {v: FLOATS.value(at[v], env) for v in moving}
         if not all(domain.contains(v, env) for v in place.values()):
             return False
