@@ -533,7 +533,20 @@ fn nodes_in(expr: &Expr) -> usize {
 }
 
 /// All names that occur in a proposition.
-pub fn names_in_prop(prop: &Prop, into: &mut BTreeSet<String>) {
+pub fn names_of_prop(prop: &Prop) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    names_in_prop(prop, &mut names);
+    names
+}
+
+/// All names that occur in a binding.
+pub fn names_of_binding(binding: &Binding) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    names_in_binding(binding, &mut names);
+    names
+}
+
+fn names_in_prop(prop: &Prop, into: &mut BTreeSet<String>) {
     use PropKind::*;
     match &prop.kind {
         Compare(sides, _) => sides.iter().for_each(|e| names_in(e, into)),
@@ -561,8 +574,7 @@ pub fn names_in_prop(prop: &Prop, into: &mut BTreeSet<String>) {
     }
 }
 
-/// All names that occur in a binding.
-pub fn names_in_binding(binding: &Binding, into: &mut BTreeSet<String>) {
+fn names_in_binding(binding: &Binding, into: &mut BTreeSet<String>) {
     into.extend(binding.names.iter().map(|n| n.0.text.clone()));
     for constraint in &binding.constraints {
         match constraint {

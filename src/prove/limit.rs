@@ -5,7 +5,7 @@
 
 use super::argument::not_shown;
 use super::context::*;
-use super::expand::{names_in, names_in_binding, names_in_prop};
+use super::expand::{names_in, names_of_binding, names_of_prop};
 use super::method::{compare, sequence_names};
 use super::series::Tends;
 use crate::algebra::form::{Atom, Exponent, Form};
@@ -89,9 +89,7 @@ impl Engine<'_> {
         }
         // Facts about families and the definitions of sequences are not among the facts.
         for family in cx.families.values() {
-            let mut names = BTreeSet::new();
-            names_in_binding(&family.binding, &mut names);
-            if names.contains(&variable.text) {
+            if names_of_binding(&family.binding).contains(&variable.text) {
                 return Err(Failure::NotShown(format!(
                     "{} must be free to grow: a family depends on it",
                     variable.text
@@ -174,9 +172,7 @@ impl Engine<'_> {
 
 /// Whether a hypothesis says nothing of a variable, or only that it is above a number.
 pub fn lets_grow(prop: &Prop, variable: &str) -> bool {
-    let mut names = BTreeSet::new();
-    names_in_prop(prop, &mut names);
-    if !names.contains(variable) {
+    if !names_of_prop(prop).contains(variable) {
         return true;
     }
     let PropKind::Compare(sides, relations) = &prop.kind else { return false };

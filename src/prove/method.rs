@@ -9,7 +9,7 @@
 
 use super::argument::not_shown;
 use super::context::*;
-use super::expand::{Substitution, names_in_prop};
+use super::expand::{Substitution, names_of_prop};
 use crate::algebra::form::{Atom, Form};
 use crate::claim::print;
 use crate::claim::syntax::*;
@@ -179,9 +179,7 @@ impl Engine<'_> {
         }
         // A family or sequence that depends on the variable is another one at n + 1.
         for family in cx.families.values() {
-            let mut names = BTreeSet::new();
-            super::expand::names_in_binding(&family.binding, &mut names);
-            if names.contains(&variable.text) {
+            if super::expand::names_of_binding(&family.binding).contains(&variable.text) {
                 return Err(Failure::NotShown(format!("induction on {}: a family depends on it", variable.text)));
             }
         }
@@ -193,9 +191,7 @@ impl Engine<'_> {
         let (mut base, mut least) = (number(0), Rational::ZERO);
         let (mut kept, mut aside) = (Vec::new(), cx.aside.clone());
         for fact in &cx.facts {
-            let mut names = BTreeSet::new();
-            names_in_prop(&fact.prop, &mut names);
-            if !names.contains(&variable.text) {
+            if !names_of_prop(&fact.prop).contains(&variable.text) {
                 kept.push(fact.clone());
                 continue;
             }

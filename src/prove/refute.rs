@@ -106,15 +106,7 @@ impl Search {
     fn candidates(&mut self, most: usize) {
         let reals: Vec<Rational> = REALS.iter().filter_map(|t| rational::parse(t).ok()).collect();
         let naturals: Vec<Rational> = (0..8).map(Rational::from).collect();
-        let mentioned: Vec<BTreeSet<String>> = self
-            .hypotheses
-            .iter()
-            .map(|h| {
-                let mut names = BTreeSet::new();
-                super::expand::names_in_prop(h, &mut names);
-                names
-            })
-            .collect();
+        let mentioned: Vec<BTreeSet<String>> = self.hypotheses.iter().map(super::expand::names_of_prop).collect();
         let kept = |name: &String, natural: bool, fits: &dyn Fn(&Assignment) -> bool| {
             let all = if natural { &naturals } else { &reals };
             let allowed = |value: &&Rational| {
@@ -562,8 +554,7 @@ fn ties_what_moves(statement: &Statement, bindings: &[Binding], goal: &Prop) -> 
     let mut said: Vec<Prop> = statement.assumptions.iter().map(|a| a.1.clone()).collect();
     said.extend(bindings.iter().flat_map(super::assume::domain));
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
-    let mut of_families = BTreeSet::new();
-    families.for_each(|family| super::expand::names_in_binding(family, &mut of_families));
+    let of_families: BTreeSet<String> = families.flat_map(super::expand::names_of_binding).collect();
     limits.iter().any(|v| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v)))
         || derivatives
             .iter()

@@ -645,7 +645,7 @@ impl Engine<'_> {
                 let fixed = match e {
                     Exponent::Number(_) => true,
                     Exponent::Symbolic(e) => {
-                        !is_sum && !self.ring.mentions(e, &|x| x == atom) && self.powers_have_values(cx, e)?
+                        !is_sum && !self.ring.mentions(e, &|x| x == atom) && self.have_values(cx, &e.powers)?
                     }
                 };
                 if is_sum || !fixed {
@@ -719,7 +719,7 @@ impl Engine<'_> {
             return Ok(false);
         }
         if let Exponent::Symbolic(form) = exponent
-            && !self.powers_have_values(cx, form)?
+            && !self.have_values(cx, &form.powers)?
         {
             return Ok(false);
         }
@@ -730,8 +730,8 @@ impl Engine<'_> {
                 None => self.not_negative(cx, index)?,
             },
             Atom::Sum(poly) => {
-                for (a, e) in poly.terms.iter().flat_map(|term| &term.0) {
-                    if !self.has_value(cx, *a, e)? {
+                for (monomial, _) in &poly.terms {
+                    if !self.have_values(cx, monomial)? {
                         return Ok(false);
                     }
                 }
@@ -746,9 +746,9 @@ impl Engine<'_> {
         })
     }
 
-    /// Whether all factors of a form have values.
-    fn powers_have_values(&mut self, cx: &mut Context, form: &Form) -> Result<bool> {
-        for (atom, exponent) in &form.powers {
+    /// Whether all these powers have values.
+    fn have_values(&mut self, cx: &mut Context, powers: &[(u32, Exponent)]) -> Result<bool> {
+        for (atom, exponent) in powers {
             if !self.has_value(cx, *atom, exponent)? {
                 return Ok(false);
             }
@@ -816,11 +816,8 @@ fn split_constant(engine: &mut Engine, form: &Form) -> Result<(Form, i64)> {
 fn tied(cx: &Context, variable: &str) -> bool {
     let mut said = cx.facts.iter().chain(&cx.aside).filter(|f| f.origin != Origin::Derived);
     // What a declaration says of the members of a family is not among the facts.
-    let members = cx.families.values().any(|family| {
-        let mut names = std::collections::BTreeSet::new();
-        super::expand::names_in_binding(&family.binding, &mut names);
-        names.contains(variable)
-    });
+    let members =
+        cx.families.values().any(|family| super::expand::names_of_binding(&family.binding).contains(variable));
     members || said.any(|fact| ties(&fact.prop, variable))
 }
 
@@ -833,8 +830,7 @@ pub fn ties(prop: &Prop, variable: &str) -> bool {
         PropKind::Compare(_, relations) => relations.iter().all(|r| strict.contains(r)),
         _ => false,
     };
-    let mut names = std::collections::BTreeSet::new();
-    super::expand::names_in_prop(prop, &mut names);
+    let mut names = super::expand::names_of_prop(prop);
     names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
     !open && names.contains(variable) && names.len() > 1
 }
