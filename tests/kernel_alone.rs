@@ -96,6 +96,7 @@ fn the_kernel_imports_nothing_else() {
         "rounding",
         "text",
         "value",
+        "work",
         "PropKind",
         "ExprKind",
     ];

@@ -520,3 +520,56 @@ fn no_cell_is_given_twice() {
     assert_eq!(output.status.code(), Some(2));
     assert!(said(&output).contains("4/2 is given twice"), "{}", said(&output));
 }
+
+/// What would rewrite a line of a terminal, or turn it around.
+const HOSTILE: [&str; 5] = ["\r", "\u{1b}[K", "\u{202e}", "\u{9b}2K", "\u{2066}"];
+
+/// What `carom check` writes for a terminal that wants colours: only ends of lines may steer it.
+fn steered(path: &Path) -> (Option<i32>, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(["check", path.to_str().unwrap()])
+        .env("CLICOLOR_FORCE", "1")
+        .output()
+        .unwrap();
+    let shown = said(&output);
+    let steers = |c: char| c.is_control() && c != '\n' || ('\u{2028}'..='\u{202e}').contains(&c) || c == '\u{2066}';
+    assert!(!shown.contains(steers), "{shown:?}");
+    (output.status.code(), shown)
+}
+
+#[test]
+fn no_reason_steers_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("t.jsonl");
+    let certificate = include_str!("../proofs/certificates/eq13.cert");
+    let tables = ["--want eta --ratio 2 -e 0.5 -n 1 --digits 3", "--want best-n --ratio 64 -e 0.9"].map(table);
+    let mut quoted = 0;
+    for text in tables.iter().map(String::as_str).chain([certificate]) {
+        let places: Vec<usize> = text.char_indices().map(|(place, _)| place).chain([text.len()]).collect();
+        for (turn, place) in places.iter().enumerate().step_by(3) {
+            let mark = HOSTILE[turn / 3 % HOSTILE.len()];
+            std::fs::write(&path, format!("{}{mark}{}", &text[..*place], &text[*place..])).unwrap();
+            let (code, shown) = steered(&path);
+            // The head may say anything of the program that wrote it, and a claim's certificate has spaces where it likes.
+            let program = text[..*place].contains("\"program\":") && !text[..*place].contains("\"version\":");
+            assert!(code != Some(0) || program || text == certificate, "{place}: {shown}");
+            quoted += usize::from(shown.contains("\\u{"));
+        }
+    }
+    assert!(quoted > 100, "{quoted} of the messages quote what was put in");
+    // The whole line would read `accepted`.
+    let text = tables[0].replacen("\"printed\":\"", "\"printed\":\"\u{202e}", 1);
+    std::fs::write(&path, &text).unwrap();
+    let (code, shown) = steered(&path);
+    assert_eq!(code, Some(1), "{shown}");
+    assert!(shown.starts_with("rejected") && shown.contains("\\u{202e}"), "{shown}");
+}
+
+#[test]
+fn a_table_of_costly_rows_is_declined_as_a_whole() {
+    // Each row alone is checked; the file costs more than its length explains.
+    let text = table("--want eta --ratio 1 -e 1/3 -n 200000:200400:1 --digits 1");
+    assert!(matches!(checked(&text), Err((row, Failure::Declined("work for the whole table"))) if row > 2));
+    let one = table("--want eta --ratio 1 -e 1/3 -n 200000 --digits 1");
+    assert_eq!(checked(&one), Ok(1));
+}

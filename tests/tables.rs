@@ -302,6 +302,11 @@ fn limits_are_told_from_bad_input() {
         ("ratio,e,n,eta\n1,1,1,1e99999\n", 3, "line 2: limit reached: exponent of a numeral"),
         (&format!("ratio,e,n,eta\n1,1,1,{long}\n"), 3, "line 2: limit reached: digits of a numeral"),
         ("ratio,e,n,eta\n1,1,1e19,1\n", 3, "line 2: limit reached: inserted bodies"),
+        (
+            &format!("ratio,e,best-n\n64,0.9,5.{}\n", "0".repeat(10_001)),
+            3,
+            "line 2: limit reached: digits of a numeral",
+        ),
         ("ratio,n,threshold\n64,0,0.5\n", 2, "n >= 1"),
         ("ratio,n,threshold\n64,1/2,0.5\n", 2, "n counts bodies"),
     ] {
@@ -334,7 +339,7 @@ fn somebodys_table_is_judged_cell_by_cell() {
         "wrong from significant digit 3 on",
         "not a number",
         "0.1927",
-        "5 cells: 2 right, 1 not rounded as asked, 2 wrong; 1 empty",
+        "5 cells: 2 right, 1 not rounded as asked, 1 wrong; 1 unreadable; 1 empty",
     ] {
         assert!(shown.contains(sign), "{sign}: {shown}");
     }
@@ -352,6 +357,9 @@ fn somebodys_table_is_judged_cell_by_cell() {
     }
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,5\n64,1,inf\n", &[]);
     assert_eq!(code, Some(0), "{shown}");
+    let (code, shown, _) = checked("ratio\te\tn\teta\tbest-n\n64\t0.9\t2\t19.27%\t80%\n64\t0.9\t2\t0,19\t5\n", &[]);
+    assert_eq!(code, Some(1), "{shown}");
+    assert!(shown.contains("4 cells: 1 right, 0 not rounded as asked, 0 wrong; 3 unreadable"), "{shown}");
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,6\n", &["--format", "json"]);
     assert_eq!(code, Some(1));
     let value: serde_json::Value = serde_json::from_str(&shown).expect("JSON");
@@ -586,7 +594,7 @@ fn cells_of_any_length_are_aligned() {
     }
     let (code, shown, said) = checked(&format!("ratio,e,n,eta\n2,1/2,1,{}\n", "x".repeat(70_000)), &[]);
     assert_eq!(code, Some(1), "{said}");
-    assert!(shown.contains("1 wrong"));
+    assert!(shown.contains("0 wrong; 1 unreadable"));
 }
 
 #[cfg(unix)]

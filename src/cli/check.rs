@@ -7,6 +7,7 @@ use crate::claim::diagnostic::Diagnostic;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::kernel::{self, Accepted, Verdict};
+use crate::report::visible_lines;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -77,7 +78,8 @@ fn check_claims(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8
         }
     }
     out += &format!("{good} of {} certificates accepted\n", asked.len());
-    print(&out)?;
+    // Reasons and names quote the files.
+    print(&visible_lines(&out))?;
     Ok(code)
 }
 

@@ -262,7 +262,7 @@ pub fn run() -> ExitCode {
     match result {
         Ok(code) => ExitCode::from(code),
         Err(exit) => {
-            let _ = writeln!(anstream::stderr(), "{}", exit.message);
+            let _ = writeln!(anstream::stderr(), "{}", output::message(&exit.message, load::colour()));
             ExitCode::from(exit.code)
         }
     }

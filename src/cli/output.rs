@@ -6,6 +6,7 @@
 //! written in place.
 
 use super::Exit;
+use crate::report::visible_lines;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -121,6 +122,26 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Exit> {
     let mut output = Output::file(path)?;
     output.write_all(bytes).map_err(|e| cannot(path, e))?;
     output.finish()
+}
+
+/// A message for the terminal: what it quotes of a file cannot steer it. Where errors have colours, these stay: `ESC [`,
+/// the numbers of a colour or of bold letters, `m`.
+pub fn message(text: &str, colours: bool) -> String {
+    let mut pieces = text.split('\u{1b}');
+    let mut out = visible_lines(pieces.next().unwrap_or("")).into_owned();
+    for piece in pieces {
+        match piece.split_once('m').filter(|(style, _)| colours && is_colour(style)) {
+            Some((style, rest)) => out += &format!("\u{1b}{style}m{}", visible_lines(rest)),
+            None => out += &visible_lines(&format!("\u{1b}{piece}")),
+        }
+    }
+    out
+}
+
+/// Whether these are the signs between `ESC` and `m` of a style that hides nothing.
+fn is_colour(style: &str) -> bool {
+    let Some(codes) = style.strip_prefix('[') else { return false };
+    codes.is_empty() || matches!(codes.parse(), Ok(0 | 1 | 31..=37 | 90..=97)) || codes.starts_with("38;5;")
 }
 
 /// Writes to standard output; colours are dropped where they are not wanted.

@@ -5,6 +5,7 @@ use super::{Exit, print};
 use crate::kernel::Failure;
 use crate::kernel::table::text::LINE_LIMIT;
 use crate::kernel::table::{AcceptedTable, Checker};
+use crate::report::visible_lines;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -46,7 +47,7 @@ pub fn run(paths: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
     let mut code = 0;
     for path in paths {
         let name = path.display();
-        match check(path)? {
+        let text = match check(path)? {
             Ok(table) => {
                 let rests_on = match table.rests_on() {
                     [] => String::new(),
@@ -57,17 +58,19 @@ pub fn run(paths: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
                 if !quiet {
                     text.extend(table.text().lines().map(|line| format!("    {line}\n")));
                 }
-                print(&text)?;
+                text
             }
             Err(Stopped { place, failure: Failure::Rejected(reason) }) => {
                 code = 1;
-                print(&format!("rejected  {name}: {place}: {reason}\n"))?;
+                format!("rejected  {name}: {place}: {reason}\n")
             }
             Err(Stopped { place, failure: Failure::Declined(limit) }) => {
                 code = if code == 1 { 1 } else { 3 };
-                print(&format!("declined  {name}: {place}: limit reached: {limit}\n"))?;
+                format!("declined  {name}: {place}: limit reached: {limit}\n")
             }
-        }
+        };
+        // A reason quotes the file.
+        print(&visible_lines(&text))?;
     }
     Ok(code)
 }

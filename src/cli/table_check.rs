@@ -8,7 +8,7 @@ use crate::number::decimal::Rounding;
 use crate::number::rational;
 use crate::report::counted;
 use crate::report::table::{Column, Entry, Form, Head, LATEX_ROWS, Writer};
-use crate::table::check::{Agreement, judge};
+use crate::table::check::{Agreement, judge, judge_count};
 use crate::table::foreign::{Fields, Foreign, ForeignError, Role, completed};
 use crate::table::grid::{Grid, beyond_limits};
 use crate::table::{Place, Quantity, Value, value};
@@ -33,6 +33,7 @@ struct Tally {
     right: usize,
     rounded: usize,
     wrong: usize,
+    unreadable: usize,
     empty: usize,
 }
 
@@ -81,15 +82,8 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
         }
     }
     writer.end(&mut out).map_err(unwritten)?;
-    let cells = tally.right + tally.rounded + tally.wrong;
-    let summary = format!(
-        "{}: {} right, {} not rounded as asked, {} wrong{}",
-        counted(cells, "cell"),
-        tally.right,
-        tally.rounded,
-        tally.wrong,
-        if tally.empty == 0 { String::new() } else { format!("; {} empty", tally.empty) }
-    );
+    let cells = tally.right + tally.rounded + tally.wrong + tally.unreadable;
+    let summary = tally.summary(cells);
     if form == Form::Text {
         writeln!(out, "\n{summary}").map_err(unwritten)?;
     }
@@ -104,7 +98,7 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
     if let Some(file) = target {
         file.finish()?;
     }
-    Ok(u8::from(tally.rounded + tally.wrong > 0))
+    Ok(u8::from(tally.right < cells))
 }
 
 fn head(places: &Places, rounding: Rounding) -> Head {
@@ -259,14 +253,9 @@ fn cell(
         _ if written.is_empty() => ("empty".to_owned(), String::new()),
         Value::Count(best) => {
             let certified = crate::table::count_text(&best).0;
-            let same = match written.to_lowercase().as_str() {
-                "infinite" | "infinity" | "inf" | "∞" => certified == "infinite",
-                other => {
-                    rational::parse(&completed(other)).is_ok_and(|v| v.to_string() == certified) || other == certified
-                }
-            };
-            tally.count(if same { &Agreement::Right } else { &Agreement::Wrong(None) });
-            (if same { "right" } else { "wrong" }.to_owned(), certified)
+            let agreement = judge_count(written, &certified).map_err(number)?;
+            tally.count(&agreement);
+            (agreement.text(), certified)
         }
         Value::Real(real) => {
             let (agreement, certified) = judge(written, &real, rounding).map_err(number)?;
@@ -296,7 +285,25 @@ impl Tally {
         match agreement {
             Agreement::Right => self.right += 1,
             Agreement::Rounded(_) => self.rounded += 1,
-            Agreement::Wrong(_) | Agreement::Unreadable(_) => self.wrong += 1,
+            Agreement::Wrong(_) => self.wrong += 1,
+            Agreement::Unreadable(_) => self.unreadable += 1,
         }
+    }
+
+    /// The last line of a report.
+    fn summary(&self, cells: usize) -> String {
+        let mut out = format!(
+            "{}: {} right, {} not rounded as asked, {} wrong",
+            counted(cells, "cell"),
+            self.right,
+            self.rounded,
+            self.wrong,
+        );
+        for (count, what) in [(self.unreadable, "unreadable"), (self.empty, "empty")] {
+            if count > 0 {
+                out += &format!("; {count} {what}");
+            }
+        }
+        out
     }
 }

@@ -79,6 +79,22 @@ pub fn judge(written: &str, value: &Real, rounding: Rounding) -> Result<(Agreeme
     Ok((Agreement::Wrong(first_difference(&number, &certified.value(), places)), shown))
 }
 
+/// A written number of bodies judged beside the certified one, which may be `infinite`.
+///
+/// # Errors
+/// As of [`judge`].
+pub fn judge_count(written: &str, certified: &str) -> Result<Agreement, NumberError> {
+    let agreement = |same| if same { Agreement::Right } else { Agreement::Wrong(None) };
+    match written.to_lowercase().as_str() {
+        "infinite" | "infinity" | "inf" | "∞" => Ok(agreement(certified == "infinite")),
+        other if other == certified => Ok(Agreement::Right),
+        other => match rational::parse(&completed(other)) {
+            Ok(number) => Ok(agreement(number.to_string() == certified)),
+            Err(error) => beyond_limits(&error).map_or(Ok(Agreement::Unreadable(error)), Err),
+        },
+    }
+}
+
 /// How many places after the point a decimal is written to; `2.50e-3` has five.
 fn places(written: &str) -> u64 {
     let (mantissa, exponent) = written.split_once(['e', 'E']).unwrap_or((written, "0"));
@@ -123,6 +139,24 @@ mod tests {
         assert_eq!(said("0.666", "2/3"), "not rounded as asked: it is the value rounded down");
         assert_eq!(said("0.100", "0.09996"), "right");
         assert_eq!(said("0.0999", "0.09996"), "not rounded as asked: it is the value rounded down");
+    }
+
+    #[test]
+    fn numbers_of_bodies_are_compared_as_numbers() {
+        let said = |written: &str, certified: &str| judge_count(written, certified).map(|a| a.text());
+        for (written, certified) in [("5", "5"), ("5.0", "5"), ("10/2", "5"), ("INF", "infinite"), ("any", "any")] {
+            assert_eq!(said(written, certified), Ok("right".to_owned()), "{written}");
+        }
+        for (written, certified) in [("6", "5"), ("inf", "5"), ("5", "any"), ("4.9", "5")] {
+            assert_eq!(said(written, certified), Ok("wrong".to_owned()), "{written}");
+        }
+        for written in ["80%", "0,52", "many", "any"] {
+            assert!(said(written, "5").is_ok_and(|text| text.starts_with("not a number")), "{written}");
+        }
+        // It may be right: it is not read.
+        for written in [format!("5.{}", "0".repeat(10_001)), format!("{}5", "0".repeat(10_001))] {
+            assert!(said(&written, "5").is_err(), "{} characters", written.len());
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! the lower one cut downwards and the upper one upwards.
 
 use super::super::{Failure, declined};
+use super::work::Work;
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -160,11 +161,13 @@ impl Dyadic {
     }
 
     /// The power by products, each cut; for `n >= 1`.
-    pub fn power(&self, n: &BigUint, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
+    pub fn power(&self, n: &BigUint, bits: u64, toward: Toward, work: &Work) -> Result<Dyadic, Failure> {
         let mut out = self.clone();
         for place in (0..n.bits().saturating_sub(1)).rev() {
+            work.product(out.mantissa.bits(), out.mantissa.bits())?;
             out = out.times(&out, bits, toward)?;
             if n.bit(place) {
+                work.product(out.mantissa.bits(), self.mantissa.bits())?;
                 out = out.times(self, bits, toward)?;
             }
         }
@@ -250,7 +253,7 @@ impl Interval {
     }
 
     /// `x^n`, for `n >= 1`.
-    pub fn power(&self, n: &BigUint, bits: u64) -> Result<Interval, Failure> {
-        Ok(Interval { lo: self.lo.power(n, bits, Toward::Down)?, hi: self.hi.power(n, bits, Toward::Up)? })
+    pub fn power(&self, n: &BigUint, bits: u64, work: &Work) -> Result<Interval, Failure> {
+        Ok(Interval { lo: self.lo.power(n, bits, Toward::Down, work)?, hi: self.hi.power(n, bits, Toward::Up, work)? })
     }
 }

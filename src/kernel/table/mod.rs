@@ -19,6 +19,7 @@ pub mod root;
 pub mod rounding;
 pub mod text;
 pub mod value;
+pub mod work;
 
 use super::{Failure, declined, rejected};
 use dyadic::{Interval, Toward};
@@ -30,6 +31,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use text::{Head, Quantity, Row, Values};
 use value::{Cell, Form};
+use work::Work;
 
 /// The longest fraction that a table shows beside a value, in characters.
 const EXACT_LENGTH: usize = 60;
@@ -101,11 +103,18 @@ impl Axis {
     }
 
     /// Goes on to the next value, or back to the first: then the answer is true.
-    fn advance(&mut self) -> Result<bool, Failure> {
+    fn advance(&mut self, work: &Work) -> Result<bool, Failure> {
         self.place += 1;
         let wraps = self.place >= self.count();
         if wraps {
             self.place = 0;
+        }
+        if let Values::Steps(_, by, _) | Values::Factors(_, by, _) = &self.values
+            && !wraps
+        {
+            // The sum or product in lowest terms, and its digits.
+            let size = |x: &BigRational| x.numer().bits().max(x.denom().bits());
+            work.reduction(size(&self.value) + size(by))?;
         }
         let next = match &self.values {
             Values::List(list) => usize::try_from(self.place).ok().and_then(|place| list.get(place)).cloned(),
@@ -207,9 +216,9 @@ impl Axes {
     }
 
     /// Goes on to the next row: the last axis runs fastest.
-    fn advance(&mut self) -> Result<(), Failure> {
+    fn advance(&mut self, work: &Work) -> Result<(), Failure> {
         for axis in self.0.iter_mut().rev() {
-            if !axis.advance()? {
+            if !axis.advance(work)? {
                 break;
             }
         }
@@ -223,6 +232,7 @@ pub struct Checker {
     head: Head,
     axes: Axes,
     next: u64,
+    work: Work,
 }
 
 impl Checker {
@@ -231,7 +241,9 @@ impl Checker {
     /// What it says in words about the formula and the rounding has to be what the kernel says of the same; the remarks
     /// `further` and `program` say nothing that a row depends on.
     pub fn new(line: &str) -> Result<Checker, Failure> {
-        let head = text::head(line)?;
+        let work = Work::default();
+        work.read(line.len());
+        let head = text::head(line, &work)?;
         let axes = Axes::of(&head)?;
         let wanted = remarks(&head)?;
         if head.remarks.iter().filter(|(name, _)| name == "further").count() > 1 {
@@ -247,7 +259,7 @@ impl Checker {
         if !given.map(|(name, _)| name.as_str()).eq(["program"]) {
             return rejected("the head ends with the program's name");
         }
-        Ok(Checker { head, axes, next: 0 })
+        Ok(Checker { head, axes, next: 0, work })
     }
 
     /// The place of the next row in words.
@@ -261,6 +273,7 @@ impl Checker {
         if self.next >= self.head.rows {
             return rejected(&format!("the table has {} rows, and here is another", self.head.rows));
         }
+        self.work.read(line.len());
         let row = text::row(line)?;
         if row.row != self.next {
             return rejected(&format!("row {} stands where row {} belongs", row.row, self.next));
@@ -268,7 +281,7 @@ impl Checker {
         self.axes.matches(&row)?;
         let ratio = self.axes.ratio()?;
         match self.head.quantity {
-            Quantity::BestN => best_cell(&row, ratio, &self.axes.restitution()?)?,
+            Quantity::BestN => best_cell(&row, ratio, &self.axes.restitution()?, &self.work)?,
             Quantity::Eta => {
                 let cell = Cell::Eta(ratio, self.axes.restitution()?, self.axes.inserted(0)? + 1u32);
                 self.real(&row, &cell)?;
@@ -276,7 +289,7 @@ impl Checker {
             Quantity::Threshold => self.real(&row, &Cell::Threshold(ratio, self.axes.inserted(1)?))?,
         }
         self.next += 1;
-        self.axes.advance()
+        self.axes.advance(&self.work)
     }
 
     fn real(&self, row: &Row<'_>, cell: &Cell) -> Result<(), Failure> {
@@ -291,9 +304,9 @@ impl Checker {
         if enclosure.lo.compare(&enclosure.hi)? == Ordering::Greater {
             return rejected("the enclosure is empty");
         }
-        match cell.form() {
-            Form::Exact(value) => exact_cell(row, &value, &enclosure, digits, rounding),
-            form => enclosed_cell(row, cell, matches!(form, Form::Long), &enclosure, digits, rounding),
+        match cell.form(&self.work)? {
+            Form::Exact(value) => exact_cell(row, &value, &enclosure, digits, rounding, &self.work),
+            form => enclosed_cell(row, cell, matches!(form, Form::Long), &enclosure, digits, rounding, &self.work),
         }
     }
 
@@ -318,7 +331,11 @@ fn exact_cell(
     enclosure: &Interval,
     digits: Digits,
     rounding: Rounding,
+    work: &Work,
 ) -> Result<(), Failure> {
+    for end in [&enclosure.lo, &enclosure.hi] {
+        work.product(end.parts().0.bits(), value.denom().bits())?;
+    }
     if enclosure.lo.compare_ratio(value)? == Ordering::Greater || enclosure.hi.compare_ratio(value)? == Ordering::Less {
         return rejected("the value does not lie in the enclosure");
     }
@@ -329,7 +346,7 @@ fn exact_cell(
         let wanted = exact.as_deref().unwrap_or("not shown");
         return rejected(&format!("the exact value is {wanted}, not {}", row.exact.unwrap_or("missing")));
     }
-    same(row, &of_ratio(value, digits, rounding)?)
+    same(row, &of_ratio(value, digits, rounding, work)?)
 }
 
 /// A value that is enclosed. The kernel's own enclosure is narrowed until it lies inside that of the file, which then
@@ -343,13 +360,14 @@ fn enclosed_cell(
     enclosure: &Interval,
     digits: Digits,
     rounding: Rounding,
+    work: &Work,
 ) -> Result<(), Failure> {
     if row.exact.is_some() {
         return rejected("the value is no short fraction");
     }
     let mut bits = first_bits(cell, enclosure)?;
     let own = loop {
-        if let Some(own) = cell.enclosed(bits)? {
+        if let Some(own) = cell.enclosed(bits, work)? {
             if own.hi.compare(&enclosure.lo)? == Ordering::Less || own.lo.compare(&enclosure.hi)? == Ordering::Greater {
                 return rejected("the value does not lie in the enclosure");
             }
@@ -360,7 +378,8 @@ fn enclosed_cell(
         bits *= 2;
     };
     let ends = |of: &Interval| -> Result<(String, String), Failure> {
-        Ok((of_end(&of.lo, digits, rounding, Toward::Down)?, of_end(&of.hi, digits, rounding, Toward::Up)?))
+        let end = |x, toward| of_end(x, digits, rounding, toward, work);
+        Ok((end(&of.lo, Toward::Down)?, end(&of.hi, Toward::Up)?))
     };
     let (mut lower, mut upper) = ends(enclosure)?;
     if lower != upper && long {
@@ -399,7 +418,7 @@ fn same(row: &Row<'_>, wanted: &str) -> Result<(), Failure> {
 ///
 /// With `e = 1` there is nothing to compare: `L_n <= 1` for all `n` (claim b-grow-bounded), so that infinitely many are
 /// counted; for equal masses `L_n = 1 = e`, so that no number is better than another.
-fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational) -> Result<(), Failure> {
+fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational, work: &Work) -> Result<(), Failure> {
     if row.lower.is_some() || row.upper.is_some() {
         return rejected("a number of bodies has no enclosure");
     }
@@ -417,11 +436,12 @@ fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational) -> Result<(), F
             return declined("bits of a number of bodies");
         }
         let (before, after) = (count.clone(), &count + 1u32);
-        let at = if count.is_zero() { Ordering::Less } else { Cell::Threshold(ratio.clone(), before).compare(e)? };
+        let at =
+            if count.is_zero() { Ordering::Less } else { Cell::Threshold(ratio.clone(), before).compare(e, work)? };
         if at == Ordering::Greater {
             return rejected(&format!("L_{count} is greater than e: the best number is smaller"));
         }
-        if Cell::Threshold(ratio, after).compare(e)? != Ordering::Greater {
+        if Cell::Threshold(ratio, after).compare(e, work)? != Ordering::Greater {
             return rejected(&format!("L_{} is not greater than e: the best number is greater", &count + 1u32));
         }
         (row.printed, Some(row.printed), at == Ordering::Equal)

@@ -5,6 +5,7 @@
 
 use super::super::{Failure, declined, rejected};
 use super::dyadic::{Dyadic, Toward};
+use super::work::Work;
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -57,8 +58,10 @@ fn integer(above: &BigUint, below: &BigUint, rounding: Rounding) -> BigUint {
     if next { quotient + 1u32 } else { quotient }
 }
 
-fn power_of_ten(places: u64) -> BigUint {
-    BigUint::from(10u32).pow(u32::try_from(places).unwrap_or(u32::MAX))
+fn power_of_ten(places: u64, work: &Work) -> Result<BigUint, Failure> {
+    // Fewer than four bits for each place; the squares before the last one take less than that one.
+    work.product(4 * places, 4 * places)?;
+    Ok(BigUint::from(10u32).pow(u32::try_from(places).unwrap_or(u32::MAX)))
 }
 
 /// The decimal of a number of which `scaled(p)` is `10^p` times, as a fraction; `top` is about its binary logarithm.
@@ -70,11 +73,19 @@ fn decimal(
     top: i64,
     digits: Digits,
     rounding: Rounding,
+    work: &Work,
 ) -> Result<String, Failure> {
+    // The quotient, and its digits.
+    let divided = |above: &BigUint, below: &BigUint| {
+        let bits = above.bits().saturating_sub(below.bits());
+        work.quotient(bits, below.bits())?;
+        work.quotient(bits, bits)
+    };
     let wanted = match digits {
         Digits::Places(places) => {
             let places = i64::try_from(places).unwrap_or(i64::MAX);
             let (above, below) = scaled(places)?;
+            divided(&above, &below)?;
             return written(integer(&above, &below, rounding).to_string(), -places, true);
         }
         Digits::Significant(wanted) => i64::try_from(wanted).unwrap_or(i64::MAX),
@@ -85,6 +96,7 @@ fn decimal(
     for _ in 0..12 {
         let places = wanted - 1 - leading;
         let (above, below) = scaled(places)?;
+        divided(&above, &below)?;
         let whole = integer(&above, &below, Rounding::Down);
         let length = if whole.is_zero() { 0 } else { i64::try_from(whole.to_string().len()).unwrap_or(i64::MAX) };
         if length == wanted {
@@ -123,43 +135,45 @@ fn written(digits: String, exponent: i64, plain: bool) -> Result<String, Failure
 }
 
 /// The decimal of a rational, exactly.
-pub fn of_ratio(x: &BigRational, digits: Digits, rounding: Rounding) -> Result<String, Failure> {
+pub fn of_ratio(x: &BigRational, digits: Digits, rounding: Rounding, work: &Work) -> Result<String, Failure> {
     let (above, below) = (x.numer().magnitude(), x.denom().magnitude());
     let scaled = |places: i64| {
         if places.unsigned_abs() > SCALE_LIMIT {
             return declined("powers of ten of an exact value");
         }
-        let power = power_of_ten(places.unsigned_abs());
+        let power = power_of_ten(places.unsigned_abs(), work)?;
+        work.product(power.bits(), if places >= 0 { above.bits() } else { below.bits() })?;
         Ok(if places >= 0 { (above * power, below.clone()) } else { (above.clone(), below * power) })
     };
     let top = |x: &BigUint| i64::try_from(x.bits()).unwrap_or(i64::MAX);
-    decimal(scaled, top(above) - top(below), digits, rounding)
+    decimal(scaled, top(above) - top(below), digits, rounding, work)
 }
 
 /// The decimal of a number that bounds `x`: from below for [`Toward::Down`], from above for [`Toward::Up`].
 ///
 /// It is `x` itself where the power of ten that it is scaled by is exact; else that power is rounded, and so is the number,
 /// in the direction asked for. So the decimals of a lower and an upper end that agree are those of what lies between.
-pub fn of_end(x: &Dyadic, digits: Digits, rounding: Rounding, toward: Toward) -> Result<String, Failure> {
+pub fn of_end(x: &Dyadic, digits: Digits, rounding: Rounding, toward: Toward, work: &Work) -> Result<String, Failure> {
     if x.is_zero() && matches!(digits, Digits::Significant(_)) {
         return rejected("an enclosure that reaches 0 has no significant digits");
     }
     let scaled = |places: i64| {
         let size = places.unsigned_abs();
         let (mantissa, _) = x.parts();
-        let work = if size <= EXACT_POWER { u64::MAX } else { mantissa.bits() + 64 };
+        let wide = if size <= EXACT_POWER { u64::MAX } else { mantissa.bits() + 64 };
         if places < 0 && size > EXACT_POWER {
             return declined("powers of ten of an enclosure");
         }
         // 10^p is 5^p·2^p.
         let five = Dyadic::new(BigUint::from(5u32), 0);
-        let power = if size == 0 { Dyadic::one() } else { five.power(&size.into(), work, toward)? };
+        let power = if size == 0 { Dyadic::one() } else { five.power(&size.into(), wide, toward, work)? };
         let (times, below) = if places < 0 { (Dyadic::one(), power) } else { (power, Dyadic::one()) };
+        work.product(mantissa.bits(), times.parts().0.bits())?;
         let (above, exponent) = x.times(&times, u64::MAX, toward)?.scaled(places)?.into_parts();
         let below = below.into_parts().0;
         fraction(above, exponent, below)
     };
-    decimal(scaled, x.top(), digits, rounding)
+    decimal(scaled, x.top(), digits, rounding, work)
 }
 
 /// `above·2^exponent/below` as a fraction.

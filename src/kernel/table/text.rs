@@ -6,6 +6,7 @@
 use super::super::{Failure, declined, rejected};
 use super::dyadic::Dyadic;
 use super::rounding::{DIGITS_LIMIT, Digits, Rounding};
+use super::work::Work;
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -164,35 +165,36 @@ fn natural(digits: &str) -> Read<BigUint> {
 }
 
 /// `p` or `p/q` in lowest terms, perhaps negative.
-fn ratio(text: &str) -> Read<BigRational> {
+fn ratio(text: &str, work: &Work) -> Read<BigRational> {
     let (negative, size) = text.strip_prefix('-').map_or((false, text), |size| (true, size));
     let (above, below) = size.split_once('/').unwrap_or((size, "1"));
     let (above, below) = (natural(above)?, natural(below)?);
     if below.is_zero() {
         return rejected("a denominator is 0");
     }
+    work.reduction(above.bits().max(below.bits()))?;
     let number = BigRational::new(BigInt::from(above), BigInt::from(below));
     let number = if negative { -number } else { number };
     if number.to_string() == text { Ok(number) } else { rejected(&format!("{text} is not in lowest terms")) }
 }
 
-fn values(at: &mut Cursor<'_>) -> Read<Values> {
+fn values(at: &mut Cursor<'_>, work: &Work) -> Read<Values> {
     if at.found("{\"list\":[") {
-        let mut list = vec![ratio(at.text()?)?];
+        let mut list = vec![ratio(at.text()?, work)?];
         while at.found(",") {
-            list.push(ratio(at.text()?)?);
+            list.push(ratio(at.text()?, work)?);
         }
         at.word("]}")?;
         return Ok(Values::List(list));
     }
     at.word("{\"start\":")?;
-    let start = ratio(at.text()?)?;
+    let start = ratio(at.text()?, work)?;
     at.word(",\"")?;
     let steps = at.found("step\":");
     if !steps {
         at.word("factor\":")?;
     }
-    let by = ratio(at.text()?)?;
+    let by = ratio(at.text()?, work)?;
     at.word(",\"count\":")?;
     let count = at.count()?;
     at.word("}")?;
@@ -200,7 +202,7 @@ fn values(at: &mut Cursor<'_>) -> Read<Values> {
 }
 
 /// Reads the first line.
-pub fn head(line: &str) -> Read<Head> {
+pub fn head(line: &str, work: &Work) -> Read<Head> {
     let mut at = Cursor { rest: line };
     at.word("{\"certificate\":\"table\",\"want\":")?;
     let quantity = match at.text()? {
@@ -227,7 +229,7 @@ pub fn head(line: &str) -> Read<Head> {
         }
         let name = at.text()?.to_string();
         at.word(":")?;
-        axes.push((name, values(&mut at)?));
+        axes.push((name, values(&mut at, work)?));
     }
     at.word(",\"digits\":")?;
     let digits = digits(&mut at)?;

@@ -10,6 +10,7 @@
 use super::super::{Failure, declined};
 use super::dyadic::{Dyadic, Interval};
 use super::root::{enclosure, rational};
+use super::work::Work;
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, Pow, ToPrimitive};
@@ -43,10 +44,14 @@ pub enum Form {
 }
 
 /// `x^n` where that is short enough.
-fn power(x: &BigRational, n: &BigUint) -> Option<BigRational> {
-    let size = BigUint::from(x.numer().bits().max(x.denom().bits()));
-    let n = if x.is_one() { Some(1) } else { n.to_u32().filter(|_| size * n <= BigUint::from(EXACT_BITS)) }?;
-    Some(Pow::pow(x, n))
+fn power(x: &BigRational, n: &BigUint, work: &Work) -> Result<Option<BigRational>, Failure> {
+    let bits = x.numer().bits().max(x.denom().bits()) * n;
+    let bits = bits.to_u64().filter(|bits| *bits <= EXACT_BITS);
+    let short = if x.is_one() { Some((1, 0)) } else { n.to_u32().zip(bits) };
+    let Some((n, bits)) = short else { return Ok(None) };
+    // Numerator and denominator; the squares before the last one take less than that one.
+    (0..4).try_for_each(|_| work.product(bits / 2, bits / 2))?;
+    Ok(Some(Pow::pow(x, n)))
 }
 
 fn half_sum(x: &BigRational) -> BigRational {
@@ -55,55 +60,67 @@ fn half_sum(x: &BigRational) -> BigRational {
 
 impl Cell {
     /// Whether the value is rational, as far as its roots tell, and the value.
-    pub fn form(&self) -> Form {
+    pub fn form(&self, work: &Work) -> Result<Form, Failure> {
         let exact = |value: Option<BigRational>| value.map_or(Form::Long, Form::Exact);
-        match self {
+        let size = |x: &BigRational| x.numer().bits().max(x.denom().bits());
+        Ok(match self {
             Cell::Eta(r, e, count) => {
-                let Some(t) = rational(r, count) else { return Form::Irrational };
+                let Some(t) = rational(r, count, work)? else { return Ok(Form::Irrational) };
+                // The four products and quotients below, of no more bits than the last of them.
+                (0..4).try_for_each(|_| work.reduction(2 * size(e) + 3 * size(&t) + 4))?;
                 let (gain, sum) = (half_sum(e), half_sum(&t));
-                exact(power(&(&gain * &gain * t / (&sum * &sum)), count))
+                exact(power(&(&gain * &gain * t / (&sum * &sum)), count, work)?)
             }
             // (1 + 1)^(n+1)/(1 + 1)^n − 1.
             Cell::Threshold(r, _) if r.is_one() => Form::Exact(BigRational::one()),
             Cell::Threshold(r, n) => {
                 let next = n + 1u32;
-                let (Some(a), Some(b)) = (rational(r, &next), rational(r, n)) else { return Form::Irrational };
-                let (above, below) = (power(&half_sum(&a), &next), power(&half_sum(&b), n));
-                exact(above.zip(below).map(|(above, below)| above / below * BigInt::from(2) - BigRational::one()))
+                let (Some(a), Some(b)) = (rational(r, &next, work)?, rational(r, n, work)?) else {
+                    return Ok(Form::Irrational);
+                };
+                let (above, below) = (power(&half_sum(&a), &next, work)?, power(&half_sum(&b), n, work)?);
+                let Some((above, below)) = above.zip(below) else { return Ok(Form::Long) };
+                // A quotient, a product and a difference.
+                (0..3).try_for_each(|_| work.reduction(size(&above) + size(&below)))?;
+                Form::Exact(above / below * BigInt::from(2) - BigRational::one())
             }
-        }
+        })
     }
 
     /// An enclosure with about `bits` bits: of eta, or of `L_n + 1`.
     ///
     /// A root is computed with as many bits more as its exponent has, since a power multiplies the error in
     /// proportion by its exponent.
-    fn computed(&self, bits: u64) -> Result<Interval, Failure> {
+    fn computed(&self, bits: u64, work: &Work) -> Result<Interval, Failure> {
         match self {
             Cell::Eta(r, e, count) => {
-                let work = bits + count.bits() + 14;
-                let gain = Interval::ratio(&half_sum(e), work)?;
-                let t = enclosure(r, count, work)?;
+                let wide = bits + count.bits() + 14;
+                work.quotient(wide, e.numer().bits().max(e.denom().bits()))?;
+                (0..16).try_for_each(|_| work.quotient(wide, wide))?;
+                let gain = Interval::ratio(&half_sum(e), wide)?;
+                let t = enclosure(r, count, wide, work)?;
                 // t/((1+t)/2)^2 falls and rises with t: the quotient takes the ends of t apart.
-                let sum = t.plus_one(work)?.scaled(-1)?;
-                let share = t.over(&sum.times(&sum, work)?, work)?;
-                gain.times(&gain, work)?.times(&share, work)?.power(count, work)
+                let sum = t.plus_one(wide)?.scaled(-1)?;
+                let share = t.over(&sum.times(&sum, wide)?, wide)?;
+                gain.times(&gain, wide)?.times(&share, wide)?.power(count, wide, work)
             }
             Cell::Threshold(r, n) => {
                 let next = n + 1u32;
-                let work = bits + next.bits() + 14;
-                let factor = |k: &BigUint| enclosure(r, k, work)?.plus_one(work)?.scaled(-1)?.power(k, work);
-                factor(&next)?.over(&factor(n)?, work)?.scaled(1)
+                let wide = bits + next.bits() + 14;
+                (0..8).try_for_each(|_| work.quotient(wide, wide))?;
+                let factor =
+                    |k: &BigUint| enclosure(r, k, wide, work)?.plus_one(wide)?.scaled(-1)?.power(k, wide, work);
+                factor(&next)?.over(&factor(n)?, wide)?.scaled(1)
             }
         }
     }
 
     /// An enclosure of the value; `None` if so few bits do not tell it from 0.
-    pub fn enclosed(&self, bits: u64) -> Result<Option<Interval>, Failure> {
+    pub fn enclosed(&self, bits: u64, work: &Work) -> Result<Option<Interval>, Failure> {
         if bits > PRECISION_LIMIT {
             return declined("bits of a cell");
         }
-        let found = self.computed(bits)?;
+        let found = self.computed(bits, work)?;
         match self {
             Cell::Eta(..) => Ok(Some(found)),
             Cell::Threshold(..) => {
@@ -116,14 +133,15 @@ impl Cell {
 
     /// The order of the value and a rational that is not negative. Enclosures are narrowed until they tell; a value that
     /// is equal to it is recognised if it is known exactly.
-    pub fn compare(&self, number: &BigRational) -> Result<Ordering, Failure> {
-        if let Form::Exact(value) = self.form() {
+    pub fn compare(&self, number: &BigRational, work: &Work) -> Result<Ordering, Failure> {
+        if let Form::Exact(value) = self.form(work)? {
             return Ok(value.cmp(number));
         }
         let (Cell::Eta(.., n) | Cell::Threshold(_, n)) = self;
         let mut bits = 64 + 2 * n.bits();
         loop {
-            if let Some(found) = self.enclosed(bits)? {
+            if let Some(found) = self.enclosed(bits, work)? {
+                (0..2).try_for_each(|_| work.quotient(bits, number.denom().bits()))?;
                 if found.hi.compare_ratio(number)? == Ordering::Less {
                     return Ok(Ordering::Less);
                 }
