@@ -1,0 +1,153 @@
+//! Statements of other people's papers: `tests/corpus` holds them by kind, each with the verdict that is right.
+//!
+//! Prints how many are decided, by kind (`cargo test --test corpus -- --nocapture`). Fails where a verdict is wrong, and
+//! where a claim that `decided.txt` lists is no longer decided, or no longer by a certificate that the kernel accepts.
+//! `CAROM_WRITE=1` writes that list again. `tests/corpus/check.py` shows by evaluation that the verdicts are right.
+
+#![allow(clippy::unwrap_used)] // a test stops where it fails
+
+use carom::certify::several::Collection;
+use carom::claim::parse::parse;
+use carom::claim::syntax::{Claim, Expectation};
+use carom::prove::catalogue::{Catalogue, Limits};
+use carom::prove::outcome::Verdict;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// What became of a claim.
+struct Judged {
+    name: String,
+    expected: Verdict,
+    /// The verdict, or why there is none.
+    verdict: Result<Verdict, String>,
+    /// Whether the kernel accepts a certificate of the proof.
+    accepted: bool,
+    /// How long the verdict and the certificate took.
+    time: Duration,
+}
+
+impl Judged {
+    fn is_right(&self) -> bool {
+        self.verdict.as_ref().is_ok_and(|v| *v == self.expected)
+    }
+
+    fn is_wrong(&self) -> bool {
+        !self.is_right() && self.verdict != Ok(Verdict::Undecided)
+    }
+
+    /// The line of `decided.txt` about a claim that is decided rightly.
+    fn line(&self) -> String {
+        let how = match self.expected {
+            Verdict::Refuted => "refuted",
+            _ if self.accepted => "proved, accepted",
+            _ => "proved",
+        };
+        format!("{}: {how}", self.name)
+    }
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus")
+}
+
+/// The kinds with their claims: a file to each.
+fn kinds() -> BTreeMap<String, Vec<Claim>> {
+    let paths = fs::read_dir(folder()).unwrap().map(|e| e.unwrap().path());
+    paths
+        .filter(|p| p.extension().is_some_and(|e| e == "claim"))
+        .map(|path| {
+            let claims = parse(&fs::read_to_string(&path).unwrap());
+            let claims = claims.unwrap_or_else(|f| panic!("{}: {}", path.display(), f[0].message()));
+            (path.file_stem().unwrap().to_str().unwrap().to_owned(), claims)
+        })
+        .collect()
+}
+
+fn judge(claim: &Claim) -> Judged {
+    let limits = Limits { time: Duration::from_secs(3), steps: 40_000, ..Limits::default() };
+    let name = claim.name.text.clone();
+    let begin = Instant::now();
+    let mut catalogue = Catalogue::new(vec![claim.clone()]).unwrap_or_else(|f| panic!("{name}: {}", f[0].1.message()));
+    let verdict = catalogue.audit(&name, &limits).map(|o| o.verdict).map_err(|fault| format!("{fault:?}"));
+    let accepted = verdict == Ok(Verdict::Proved) && Collection::default().add(claim, None).is_ok();
+    let expected = if claim.expect == Expectation::Refuted { Verdict::Refuted } else { Verdict::Proved };
+    Judged { name, expected, verdict, accepted, time: begin.elapsed() }
+}
+
+/// One line of the table: what was decided of these claims.
+fn row(title: &str, claims: &[&Judged]) -> String {
+    let count = |test: &dyn Fn(&Judged) -> bool| claims.iter().filter(|c| test(c)).count();
+    let is_true = |c: &Judged| c.expected == Verdict::Proved;
+    let mut times: Vec<Duration> = claims.iter().map(|c| c.time).collect();
+    times.sort();
+    let ms = |t: Duration| t.as_secs_f64() * 1000.0;
+    format!(
+        "{title:<24}{:>5} of {:<4}{:>8}{:>8} of {:<4}{:>8}{:>8}{:>9.1}{:>10.1}",
+        count(&|c| is_true(c) && c.is_right()),
+        count(&is_true),
+        count(&|c| c.accepted),
+        count(&|c| !is_true(c) && c.is_right()),
+        count(&|c| !is_true(c)),
+        count(&|c| c.verdict == Ok(Verdict::Undecided)),
+        count(&Judged::is_wrong),
+        ms(times[times.len() / 2]),
+        ms(times[times.len() - 1]),
+    )
+}
+
+#[test]
+fn no_verdict_on_other_papers_is_wrong_and_none_is_lost() {
+    // With the stack that every face of the program gives.
+    let worker = std::thread::Builder::new().stack_size(64 << 20).spawn(judge_all);
+    worker.unwrap().join().unwrap();
+}
+
+fn judge_all() {
+    let kinds: Vec<(String, Vec<Judged>)> =
+        kinds().into_iter().map(|(kind, claims)| (kind, claims.iter().map(judge).collect())).collect();
+    let all: Vec<&Judged> = kinds.iter().flat_map(|(_, claims)| claims).collect();
+    assert!(all.len() >= 500, "{}", all.len());
+
+    println!("kind                       proved     accepted   refuted   undecided   wrong  median ms  slowest");
+    for (kind, claims) in &kinds {
+        println!("{}", row(kind, &claims.iter().collect::<Vec<_>>()));
+    }
+    println!("{}", row("all", &all));
+
+    let wrong: Vec<String> = all
+        .iter()
+        .filter(|c| c.is_wrong())
+        .map(|c| format!("{}: {:?}, but it is {}", c.name, c.verdict, c.expected.name()))
+        .collect();
+    assert!(wrong.is_empty(), "wrong verdicts:\n{}", wrong.join("\n"));
+
+    let path = folder().join("decided.txt");
+    let decided: BTreeSet<String> = all.iter().filter(|c| c.is_right()).map(|c| c.line()).collect();
+    let listed: BTreeSet<String> = fs::read_to_string(&path).unwrap_or_default().lines().map(str::to_owned).collect();
+    let gained = decided.difference(&listed).count();
+    if std::env::var_os("CAROM_WRITE").is_some() {
+        fs::write(&path, decided.into_iter().map(|line| line + "\n").collect::<String>()).unwrap();
+        return;
+    }
+    // A claim that was proved and is now accepted as well is not lost.
+    let lost: Vec<&String> = listed
+        .iter()
+        .filter(|line| !decided.contains(*line) && !decided.contains(&format!("{line}, accepted")))
+        .collect();
+    assert!(lost.is_empty(), "decided before, and no longer:\n{lost:#?}");
+    if gained > 0 {
+        println!("{gained} more than decided.txt lists; CAROM_WRITE=1 cargo test --test corpus lists them");
+    }
+}
+
+#[test]
+fn every_claim_of_the_corpus_has_its_own_name() {
+    let mut names = BTreeSet::new();
+    for (kind, claims) in kinds() {
+        for claim in claims {
+            assert!(names.insert(claim.name.text.clone()), "{} of {kind} is there twice", claim.name.text);
+        }
+    }
+}
