@@ -1,0 +1,44 @@
+//! The second worked paper, `proofs/redner-2004`: made by the means that a user has, apart from the built-in catalogue.
+
+#![allow(clippy::unwrap_used)] // a test stops where it fails
+
+use carom::certify::several::Collection;
+use carom::claim::format::format;
+use carom::claim::parse::parse;
+use carom::prove::catalogue::{Catalogue, Limits};
+use carom::prove::outcome::Verdict;
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn every_claim_of_the_second_paper_has_the_expected_verdict() {
+    // With the stack that every face of the program gives.
+    let worker = std::thread::Builder::new().stack_size(64 << 20).spawn(judge_all);
+    worker.unwrap().join().unwrap();
+}
+
+fn judge_all() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/redner-2004");
+    let (mut count, mut accepted, mut refuted) = (0, 0, 0);
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|e| e != "claim") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        assert_eq!(format(&text).unwrap(), text, "{} is not formatted", path.display());
+        let claims = parse(&text).unwrap();
+        let [claim] = &claims[..] else { panic!("{}: one claim to a file", path.display()) };
+        let name = claim.name.text.as_str();
+        assert_eq!(path.file_stem().unwrap(), name);
+        assert!(claim.source.is_some() && claim.section.is_some(), "{name}");
+        let outcome = Catalogue::new(claims.clone()).unwrap().audit(name, &Limits::default()).unwrap();
+        assert!(outcome.verdict.is_expected(claim.expect), "{name}: {:?}", outcome.reason);
+        let proved = outcome.verdict == Verdict::Proved;
+        accepted += usize::from(proved && Collection::default().add(claim, None).is_ok());
+        refuted += usize::from(!proved);
+        count += 1;
+    }
+    // Those without a certificate: products of several roots, and an equivalence of squares.
+    assert!(count >= 32 && refuted == 2 && accepted >= 26, "{count} claims, {refuted} refuted, {accepted} accepted");
+}
