@@ -10,6 +10,7 @@ use crate::report::plot::charts::{self, CURVES};
 use crate::report::plot::png::{self, PngError};
 use crate::report::plot::shape::Page;
 use crate::report::plot::svg;
+use crate::report::plot::unclear::Unclear;
 use crate::table::grid::Grid;
 use crate::table::worksheet::Worksheet;
 use malachite::Rational;
@@ -42,7 +43,7 @@ pub struct Flags {
     /// The file to write: .svg or .png
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
-    /// Pixels of a PNG for each point of the page, which has 690 by 440 points
+    /// Pixels of a PNG for each point of the page, which has 690 by 440 points, and more for long labels
     #[arg(long, value_name = "S", default_value_t = 2.0, allow_hyphen_values = true)]
     scale: f32,
 }
@@ -73,6 +74,14 @@ enum Form {
 fn failure(of: &str, error: &ChainError) -> Exit {
     let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
     Exit { code: if limit { 3 } else { 2 }, message: format!("error: {of}: {error}") }
+}
+
+/// The error of a picture that cannot show what is asked for.
+fn unclear(error: &Unclear) -> Exit {
+    match error {
+        Unclear::Chain(error) => failure("the picture", error),
+        other => Exit::usage(format!("error: the picture: {other}")),
+    }
 }
 
 /// The values of a grid, or of the default one.
@@ -106,6 +115,11 @@ impl Contents {
                     || large(&Positive::new(Rational::from(1u32)).map_err(|e| failure("--ratio", &e))?.over(from))
                 {
                     return Err(Exit::usage("error: --ratio: a picture reaches from 1e-300 to 1e300 at most"));
+                }
+                if to.value() / from.value() < Rational::from_signeds(1_000_001, 1_000_000) {
+                    return Err(Exit::usage(
+                        "error: --ratio: the two ends differ by less than a millionth; write a wider range",
+                    ));
                 }
                 Ok((from.clone(), to.clone()))
             }
@@ -160,10 +174,10 @@ impl Contents {
                 let worksheet = Worksheet::of(&scene.chain).map_err(|e| failure(&path.display().to_string(), &e))?;
                 let name =
                     path.file_stem().map_or("scene".to_owned(), |s| s.to_string_lossy().replace(['-', '_'], " "));
-                Ok(charts::velocities(&worksheet, &format!("Velocities: {name}")))
+                charts::velocities(&worksheet, &format!("Velocities: {name}"))
             }
         };
-        page.map_err(|e| failure("the picture", &e))
+        page.map_err(|e| unclear(&e))
     }
 
     /// The claims of the catalogue that the drawn formulas are of.
@@ -177,7 +191,7 @@ impl Contents {
         }
     }
 
-    fn eta_of_number(&self) -> Result<Result<Page, ChainError>, Exit> {
+    fn eta_of_number(&self) -> Result<Result<Page, Unclear>, Exit> {
         let ratio = values("--ratio", self.ratio.as_deref(), "100")?;
         let [ratio] = ratio.as_slice() else { return Err(Exit::usage("error: --ratio: give one mass ratio")) };
         let ratio = Positive::new(ratio.clone()).map_err(|e| failure("--ratio", &e))?;

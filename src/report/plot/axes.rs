@@ -1,257 +1,355 @@
 //! A frame with two scales, their ticks and labels, and a legend.
+//!
+//! Contract: every text lies on the page, no two texts overlap, each axis has two numbers at least, and what is drawn lies
+//! in the frame; what cannot be drawn so is [`Unclear`]. Text is measured before the page is laid out: the page is
+//! wider for a long legend, and long titles and notes take several lines.
 
-use super::letters::plain;
+use super::letters::{Letters, plain};
+use super::scale::{Scale, Ticks};
 use super::shape::{Anchor, BLACK, Colour, DASHES, PALE, PALETTE, Page, Shape, WHITE};
+use super::unclear::Unclear;
 
-/// The size of the page.
-const WIDTH: f32 = 690.0;
-const HEIGHT: f32 = 440.0;
-/// The frame's distances from the page's edges.
+/// The size of the frame.
+const FRAME: (f32, f32) = (432.0, 334.0);
+/// The frame's least distances from the page's edges.
 const LEFT: f32 = 78.0;
 const RIGHT: f32 = 180.0;
 const TOP: f32 = 44.0;
 const BOTTOM: f32 = 62.0;
+/// The least distance of a text from the page's edge.
+const EDGE: f32 = 8.0;
+/// The least distance of two labels of an axis.
+const GAP: f32 = 8.0;
 /// Sizes of letters.
 const SMALL: f32 = 12.0;
 const LARGE: f32 = 14.0;
+/// From one line of text to the next.
+const LINE: f32 = 18.0;
+/// From one line of the legend to the next.
+const ENTRY: f32 = 20.0;
+/// From the frame to the legend.
+const ASIDE: f32 = 14.0;
+/// From the left edge to the line on which the label of the vertical axis stands, and the room that it takes.
+const UPRIGHT: (f32, f32) = (24.0, 34.0);
 
-/// A scale.
-#[derive(Clone, Debug)]
-pub struct Scale {
-    /// The values at its two ends.
-    pub ends: (f64, f64),
-    /// Whether it is logarithmic.
-    pub logarithmic: bool,
-    /// Whether only whole numbers have ticks.
-    pub whole: bool,
-    /// What it measures.
-    pub label: String,
+/// What stands before a line of the legend.
+enum Key {
+    Nothing,
+    Curve(usize),
+    Dot(usize, bool),
+    Area(Colour),
 }
 
-impl Scale {
-    /// An even scale.
-    #[must_use]
-    pub fn even(from: f64, to: f64, label: &str) -> Scale {
-        Scale { ends: (from, to), logarithmic: false, whole: false, label: label.to_owned() }
-    }
-
-    /// A logarithmic scale; its ends are above 0.
-    #[must_use]
-    pub fn logarithmic(from: f64, to: f64, label: &str) -> Scale {
-        Scale { logarithmic: true, ..Scale::even(from, to, label) }
-    }
-
-    /// An even scale of whole numbers.
-    #[must_use]
-    pub fn whole(from: f64, to: f64, label: &str) -> Scale {
-        Scale { whole: true, ..Scale::even(from, to, label) }
-    }
-
-    /// The scale in words.
-    fn words(&self) -> String {
-        let kind = if self.logarithmic { ", logarithmic" } else { "" };
-        let end = |v: f64| match v.abs() {
-            0.0 | 1e-4..1e6 => v.to_string(),
-            _ => format!("{v:e}"),
-        };
-        let (from, to) = (end(self.ends.0).replace('-', "−"), end(self.ends.1).replace('-', "−"));
-        format!("{} from {from} to {to}{kind}", plain(&self.label))
-    }
-
-    /// The share of the way from one end to the other.
-    fn share(&self, value: f64) -> f64 {
-        let (from, to) = self.ends;
-        if self.logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
-    }
-
-    /// Ticks with their labels, and fine ticks without.
-    fn ticks(&self) -> (Vec<(f64, String)>, Vec<f64>) {
-        let (from, to) = self.ends;
-        let inside = |v: &f64| (-1e-9..=1.0 + 1e-9).contains(&self.share(*v));
-        if self.logarithmic {
-            let (low, high) = (from.log10().ceil() as i32, to.log10().floor() as i32);
-            let step = ((high - low) / 8 + 1).max(1);
-            let decades = (low..=high).filter(|k| k.rem_euclid(step) == 0);
-            let label =
-                |k: i32| if (0..=1).contains(&k) { 10f64.powi(k).to_string() } else { format!("10^{{{}}}", minus(k)) };
-            let main: Vec<(f64, String)> = decades.map(|k| (10f64.powi(k), label(k))).collect();
-            let fine = (low - 1..=high).flat_map(|k| (2..10).map(move |d| f64::from(d) * 10f64.powi(k)));
-            return (main, if step == 1 { fine.filter(inside).collect() } else { Vec::new() });
+impl Key {
+    fn width(&self) -> f32 {
+        match self {
+            Key::Nothing => 0.0,
+            Key::Curve(_) => 34.0,
+            Key::Dot(..) => 20.0,
+            Key::Area(_) => 24.0,
         }
-        let raw = (to - from) / 6.0;
-        let power = 10f64.powf(raw.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].map(|s| s * power).into_iter().find(|s| *s >= raw).unwrap_or(raw);
-        let step = if self.whole { step.round().max(1.0) } else { step };
-        let places = if step >= 1.0 { 0 } else { (-step.log10()).ceil() as usize };
-        let (first, last) = ((from / step).ceil() as i64, (to / step + 1e-9).floor() as i64);
-        let main = (first..=last).map(|k| k as f64 * step).map(|v| (v, format!("{v:.places$}").replace('-', "−")));
-        (main.collect(), Vec::new())
     }
 }
 
-/// A whole number with a true minus sign.
-fn minus(k: i32) -> String {
-    k.to_string().replace('-', "−")
+/// What is drawn in the frame, by values.
+enum Mark {
+    Curve(usize, Vec<(f64, f64)>),
+    Border(Vec<(f64, f64)>),
+    Area(Vec<(f64, f64)>, Colour),
+    Dot { number: usize, at: (f64, f64), full: bool, radius: f32 },
 }
 
 /// A picture in the making.
 pub struct Chart {
-    page: Page,
+    title: String,
     x: Scale,
     y: Scale,
-    legend: Vec<String>,
+    grid: bool,
+    marks: Vec<Mark>,
+    legend: Vec<(Key, String)>,
+    note: Option<String>,
 }
 
 impl Chart {
-    /// A frame with its scales and ticks; `grid` draws fine lines at the ticks.
+    /// A frame with its scales; `grid` draws fine lines at the ticks.
     #[must_use]
     pub fn new(title: &str, x: Scale, y: Scale, grid: bool) -> Chart {
-        let (title, description) = (title.to_owned(), String::new());
-        let page = Page { width: WIDTH, height: HEIGHT, title, description, shapes: Vec::new() };
-        let mut chart = Chart { page, x, y, legend: Vec::new() };
-        if grid {
-            chart.grid();
-        }
-        chart
+        Chart { title: title.to_owned(), x, y, grid, marks: Vec::new(), legend: Vec::new(), note: None }
     }
 
-    /// The point on the page of a pair of values.
-    #[must_use]
-    pub fn at(&self, x: f64, y: f64) -> (f32, f32) {
-        let (a, b) = (self.x.share(x) as f32, self.y.share(y) as f32);
-        (LEFT + a * (WIDTH - LEFT - RIGHT), HEIGHT - BOTTOM - b * (HEIGHT - TOP - BOTTOM))
-    }
-
-    fn line(&mut self, points: Vec<(f32, f32)>, colour: Colour, width: f32) {
-        self.page.shapes.push(Shape::Line { points, colour, width, dash: &[] });
-    }
-
-    fn grid(&mut self) {
-        let (x, y) = (self.x.clone(), self.y.clone());
-        for (v, _) in x.ticks().0 {
-            self.line(vec![self.at(v, y.ends.0), self.at(v, y.ends.1)], PALE, 0.7);
-        }
-        for (v, _) in y.ticks().0 {
-            self.line(vec![self.at(x.ends.0, v), self.at(x.ends.1, v)], PALE, 0.7);
-        }
-    }
-
-    /// A text on the page.
-    pub fn text(&mut self, at: (f32, f32), text: &str, anchor: Anchor) {
-        let text = text.to_owned();
-        self.page.shapes.push(Shape::Text { at, text, size: SMALL, anchor, upwards: false });
-    }
-
-    /// A curve in the colour and dashes of its number; values beyond the frame are cut off.
+    /// A curve in the colour and dashes of its number.
     pub fn curve(&mut self, number: usize, points: &[(f64, f64)]) {
-        let dash = DASHES[number % DASHES.len()];
-        let colour = PALETTE[number % PALETTE.len()];
-        let inside = |p: &&(f64, f64)| (-1e-6..=1.0 + 1e-6).contains(&self.y.share(p.1));
-        let points: Vec<(f32, f32)> = points.iter().filter(inside).map(|p| self.at(p.0, p.1)).collect();
-        self.page.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
+        self.marks.push(Mark::Curve(number, points.to_vec()));
     }
 
     /// A thin white line between two areas.
     pub fn border(&mut self, points: &[(f64, f64)]) {
-        let points = points.iter().map(|p| self.at(p.0, p.1)).collect();
-        self.line(points, WHITE, 0.9);
+        self.marks.push(Mark::Border(points.to_vec()));
     }
 
     /// A dot in the colour of a curve.
     pub fn dot(&mut self, number: usize, x: f64, y: f64, full: bool, radius: f32) {
-        let (at, colour) = (self.at(x, y), PALETTE[number % PALETTE.len()]);
-        self.page.shapes.push(Shape::Dot { at, radius, colour, full });
+        self.marks.push(Mark::Dot { number, at: (x, y), full, radius });
     }
 
     /// A filled area through pairs of values.
     pub fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
-        let points = points.iter().map(|p| self.at(p.0, p.1)).collect();
-        self.page.shapes.push(Shape::Area { points, colour });
+        self.marks.push(Mark::Area(points.to_vec(), colour));
     }
 
-    /// The place of the next line of the legend, right of the frame.
-    fn entry(&mut self, text: &str) -> (f32, f32) {
-        self.legend.push(plain(text));
-        (WIDTH - RIGHT + 14.0, TOP + 20.0 * self.legend.len() as f32)
+    /// A line under the picture.
+    pub fn note(&mut self, text: &str) {
+        self.note = Some(text.to_owned());
     }
 
     /// A title over the legend.
     pub fn legend_title(&mut self, text: &str) {
-        let (x, y) = self.entry(text);
-        self.text((x, y), text, Anchor::Start);
+        self.legend.push((Key::Nothing, text.to_owned()));
     }
 
     /// A curve in the legend.
     pub fn legend_curve(&mut self, number: usize, text: &str) {
-        let (x, y) = self.entry(text);
-        let (colour, dash) = (PALETTE[number % PALETTE.len()], DASHES[number % DASHES.len()]);
-        let points = vec![(x, y - 4.0), (x + 28.0, y - 4.0)];
-        self.page.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
-        self.text((x + 34.0, y), text, Anchor::Start);
+        self.legend.push((Key::Curve(number), text.to_owned()));
     }
 
     /// A dot in the legend.
     pub fn legend_dot(&mut self, number: usize, full: bool, text: &str) {
-        let (x, y) = self.entry(text);
-        let colour = PALETTE[number % PALETTE.len()];
-        self.page.shapes.push(Shape::Dot { at: (x + 8.0, y - 4.0), radius: 4.0, colour, full });
-        self.text((x + 20.0, y), text, Anchor::Start);
+        self.legend.push((Key::Dot(number, full), text.to_owned()));
     }
 
     /// A filled area in the legend.
     pub fn legend_area(&mut self, colour: Colour, text: &str) {
-        let (x, y) = self.entry(text);
-        let points = vec![(x, y - 11.0), (x + 18.0, y - 11.0), (x + 18.0, y + 2.0), (x, y + 2.0)];
-        let mut border = points.clone();
-        border.push(points[0]);
-        self.page.shapes.push(Shape::Area { points, colour });
-        self.line(border, BLACK, 0.5);
-        self.text((x + 24.0, y), text, Anchor::Start);
+        self.legend.push((Key::Area(colour), text.to_owned()));
     }
 
     /// The finished page: frame, ticks, labels and title are drawn above everything else.
-    #[must_use]
-    pub fn finish(mut self) -> Page {
-        let (x, y) = (self.x.clone(), self.y.clone());
-        let corner = |c: &Chart, a: bool, b: bool| {
-            c.at(if a { x.ends.1 } else { x.ends.0 }, if b { y.ends.1 } else { y.ends.0 })
-        };
-        let frame = [(false, false), (true, false), (true, true), (false, true), (false, false)];
-        let frame = frame.map(|(a, b)| corner(&self, a, b)).to_vec();
-        self.line(frame, BLACK, 1.0);
-        let (main, fine) = x.ticks();
-        for (value, label) in main {
-            let (px, py) = self.at(value, y.ends.0);
-            self.line(vec![(px, py), (px, py + 6.0)], BLACK, 1.0);
-            self.text((px, py + 20.0), &label, Anchor::Middle);
+    ///
+    /// # Errors
+    /// [`Unclear`]: a value that has no place in the frame, an axis without two numbers.
+    pub fn finish(self) -> Result<Page, Unclear> {
+        let mut drawing = Drawing::laid_out(&self)?;
+        if self.grid {
+            drawing.grid();
         }
-        for value in fine {
-            let (px, py) = self.at(value, y.ends.0);
+        for mark in &self.marks {
+            drawing.mark(mark)?;
+        }
+        for (place, (key, text)) in self.legend.iter().enumerate() {
+            drawing.entry(place, key, text);
+        }
+        drawing.frame();
+        drawing.words(&self);
+        let legend: Vec<String> = self.legend.iter().map(|(_, text)| plain(text)).collect();
+        Ok(Page {
+            width: drawing.width,
+            height: drawing.height,
+            title: self.title.clone(),
+            description: format!("{} against {}. Legend: {}.", self.y.words(), self.x.words(), legend.join("; ")),
+            shapes: drawing.shapes,
+        })
+    }
+}
+
+/// A text in lines of at most so many points; words that are longer are broken.
+fn lines(letters: &Letters, text: &str, size: f32, room: f32) -> Vec<String> {
+    let mut out = vec![String::new()];
+    for word in text.split_whitespace() {
+        let mut word = word.to_owned();
+        loop {
+            let last = out.last().map_or("", String::as_str);
+            let joined = if last.is_empty() { word.clone() } else { format!("{last} {word}") };
+            if letters.width(&joined, size) <= room {
+                out.pop();
+                out.push(joined);
+                break;
+            }
+            if !last.is_empty() {
+                out.push(String::new());
+                continue;
+            }
+            let fits = |(end, _): &(usize, char)| *end == 0 || letters.width(&word[..*end], size) <= room;
+            let end = word.char_indices().skip(1).take_while(fits).last().map_or(word.len(), |(end, _)| end);
+            let rest = word.split_off(end);
+            out.pop();
+            out.extend([std::mem::replace(&mut word, rest), String::new()]);
+            if word.is_empty() {
+                break;
+            }
+        }
+    }
+    out
+}
+
+/// A page with its measures.
+struct Drawing<'a> {
+    width: f32,
+    height: f32,
+    /// The left and the upper edge of the frame.
+    corner: (f32, f32),
+    x: &'a Scale,
+    y: &'a Scale,
+    across: Ticks,
+    upright: Ticks,
+    title: Vec<String>,
+    note: Vec<String>,
+    shapes: Vec<Shape>,
+}
+
+impl<'a> Drawing<'a> {
+    /// The measures of the page, from those of its texts.
+    fn laid_out(chart: &'a Chart) -> Result<Drawing<'a>, Unclear> {
+        let letters = Letters::new();
+        let small = |text: &str| letters.width(text, SMALL);
+        let upright = chart.y.choices().into_iter().find(|ticks| {
+            let places: Vec<f32> = ticks.main.iter().map(|t| chart.y.share(t.value) as f32 * FRAME.1).collect();
+            places.windows(2).all(|pair| pair[1] - pair[0] >= SMALL + GAP)
+        });
+        let upright = upright.ok_or_else(|| Unclear::Axis(plain(&chart.y.label)))?;
+        let widest = upright.main.iter().map(|t| small(&t.label)).fold(0.0, f32::max);
+        let left = LEFT.max(UPRIGHT.1 + widest + 9.0).ceil();
+        let aside = chart.legend.iter().map(|(key, text)| key.width() + small(text)).fold(0.0, f32::max);
+        let right = RIGHT.max(ASIDE + aside + EDGE).ceil();
+        let width = left + FRAME.0 + right;
+        let across = chart.x.choices().into_iter().find(|ticks| {
+            let boxes = ticks.main.iter().map(|t| {
+                let (middle, half) = (left + chart.x.share(t.value) as f32 * FRAME.0, small(&t.label) / 2.0);
+                (middle - half, middle + half)
+            });
+            let boxes: Vec<(f32, f32)> = boxes.collect();
+            boxes.windows(2).all(|pair| pair[1].0 - pair[0].1 >= GAP)
+                && boxes.iter().all(|b| b.0 >= EDGE && b.1 <= width - EDGE)
+        });
+        let across = across.ok_or_else(|| Unclear::Axis(plain(&chart.x.label)))?;
+        let room = width - 2.0 * EDGE;
+        let title = lines(&letters, &chart.title, LARGE, room);
+        let note = chart.note.as_ref().map_or_else(Vec::new, |note| lines(&letters, note, SMALL, room));
+        let top = TOP + LINE * (title.len() as f32 - 1.0);
+        let height = top + FRAME.1 + BOTTOM + LINE * note.len() as f32;
+        let (x, y, corner) = (&chart.x, &chart.y, (left, top));
+        Ok(Drawing { width, height, corner, x, y, across, upright, title, note, shapes: Vec::new() })
+    }
+
+    /// The point on the page at these shares of the frame's width and height.
+    fn point(&self, across: f64, up: f64) -> (f32, f32) {
+        (self.corner.0 + across as f32 * FRAME.0, self.corner.1 + FRAME.1 - up as f32 * FRAME.1)
+    }
+
+    /// The point on the page of a pair of values, which lie in the frame but for rounding.
+    fn at(&self, (x, y): (f64, f64)) -> Result<(f32, f32), Unclear> {
+        let (across, up) = (self.x.share(x), self.y.share(y));
+        if [across, up].iter().any(|share| !(-1e-3..=1.0 + 1e-3).contains(share)) {
+            return Err(Unclear::Outside);
+        }
+        Ok(self.point(across.clamp(0.0, 1.0), up.clamp(0.0, 1.0)))
+    }
+
+    fn all(&self, points: &[(f64, f64)]) -> Result<Vec<(f32, f32)>, Unclear> {
+        points.iter().map(|p| self.at(*p)).collect()
+    }
+
+    fn line(&mut self, points: Vec<(f32, f32)>, colour: Colour, width: f32) {
+        self.shapes.push(Shape::Line { points, colour, width, dash: &[] });
+    }
+
+    fn text(&mut self, at: (f32, f32), text: &str, size: f32, anchor: Anchor, upwards: bool) {
+        self.shapes.push(Shape::Text { at, text: text.to_owned(), size, anchor, upwards });
+    }
+
+    fn grid(&mut self) {
+        for share in self.across.main.iter().map(|t| self.x.share(t.value)).collect::<Vec<_>>() {
+            self.line(vec![self.point(share, 0.0), self.point(share, 1.0)], PALE, 0.7);
+        }
+        for share in self.upright.main.iter().map(|t| self.y.share(t.value)).collect::<Vec<_>>() {
+            self.line(vec![self.point(0.0, share), self.point(1.0, share)], PALE, 0.7);
+        }
+    }
+
+    fn mark(&mut self, mark: &Mark) -> Result<(), Unclear> {
+        let style = |number: usize| (PALETTE[number % PALETTE.len()], DASHES[number % DASHES.len()]);
+        match mark {
+            Mark::Curve(number, points) => {
+                let ((colour, dash), points) = (style(*number), self.all(points)?);
+                self.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
+            }
+            Mark::Border(points) => self.line(self.all(points)?, WHITE, 0.9),
+            Mark::Area(points, colour) => {
+                let points = self.all(points)?;
+                self.shapes.push(Shape::Area { points, colour: *colour });
+            }
+            Mark::Dot { number, at, full, radius } => {
+                let (at, colour) = (self.at(*at)?, style(*number).0);
+                self.shapes.push(Shape::Dot { at, radius: *radius, colour, full: *full });
+            }
+        }
+        Ok(())
+    }
+
+    /// A line of the legend, right of the frame.
+    fn entry(&mut self, place: usize, key: &Key, text: &str) {
+        let x = self.corner.0 + FRAME.0 + ASIDE;
+        let y = self.corner.1 + ENTRY * (place as f32 + 1.0);
+        match key {
+            Key::Nothing => {}
+            Key::Curve(number) => {
+                let (colour, dash) = (PALETTE[number % PALETTE.len()], DASHES[number % DASHES.len()]);
+                let points = vec![(x, y - 4.0), (x + 28.0, y - 4.0)];
+                self.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
+            }
+            Key::Dot(number, full) => {
+                let colour = PALETTE[number % PALETTE.len()];
+                self.shapes.push(Shape::Dot { at: (x + 8.0, y - 4.0), radius: 4.0, colour, full: *full });
+            }
+            Key::Area(colour) => {
+                let points = vec![(x, y - 11.0), (x + 18.0, y - 11.0), (x + 18.0, y + 2.0), (x, y + 2.0)];
+                let mut border = points.clone();
+                border.push(points[0]);
+                self.shapes.push(Shape::Area { points, colour: *colour });
+                self.line(border, BLACK, 0.5);
+            }
+        }
+        self.text((x + key.width(), y), text, SMALL, Anchor::Start, false);
+    }
+
+    /// The frame with the ticks and numbers of both axes.
+    fn frame(&mut self) {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)];
+        self.line(corners.map(|(a, b)| self.point(a, b)).to_vec(), BLACK, 1.0);
+        let (across, upright) = (self.across.clone(), self.upright.clone());
+        for tick in &across.main {
+            let (px, py) = self.point(self.x.share(tick.value), 0.0);
+            self.line(vec![(px, py), (px, py + 6.0)], BLACK, 1.0);
+            self.text((px, py + 20.0), &tick.label, SMALL, Anchor::Middle, false);
+        }
+        for value in &across.fine {
+            let (px, py) = self.point(self.x.share(*value), 0.0);
             self.line(vec![(px, py), (px, py + 3.0)], BLACK, 0.7);
         }
-        let (main, fine) = y.ticks();
-        for (value, label) in main {
-            let (px, py) = self.at(x.ends.0, value);
+        for tick in &upright.main {
+            let (px, py) = self.point(0.0, self.y.share(tick.value));
             self.line(vec![(px - 6.0, py), (px, py)], BLACK, 1.0);
-            self.text((px - 9.0, py + 4.0), &label, Anchor::End);
+            self.text((px - 9.0, py + 4.0), &tick.label, SMALL, Anchor::End, false);
         }
-        for value in fine {
-            let (px, py) = self.at(x.ends.0, value);
+        for value in &upright.fine {
+            let (px, py) = self.point(0.0, self.y.share(*value));
             self.line(vec![(px - 3.0, py), (px, py)], BLACK, 0.7);
         }
-        let label = |at, text: &str, upwards| Shape::Text {
-            at,
-            text: text.to_owned(),
-            size: LARGE,
-            anchor: Anchor::Middle,
-            upwards,
-        };
-        let centre = ((LEFT + WIDTH - RIGHT) / 2.0, (TOP + HEIGHT - BOTTOM) / 2.0);
-        self.page.shapes.push(label((centre.0, HEIGHT - 18.0), &x.label, false));
-        self.page.shapes.push(label((24.0, centre.1), &y.label, true));
-        self.page.description = format!("{} against {}. Legend: {}.", y.words(), x.words(), self.legend.join("; "));
-        let title = self.page.title.clone();
-        self.page.shapes.push(label((centre.0, 26.0), &title, false));
-        self.page
+    }
+
+    /// The axes' labels, the note and the title, which is centred over the frame where that leaves it on the page.
+    fn words(&mut self, chart: &Chart) {
+        let (centre, middle) = (self.corner.0 + FRAME.0 / 2.0, self.corner.1 + FRAME.1 / 2.0);
+        let bottom = self.corner.1 + FRAME.1 + BOTTOM;
+        self.text((centre, bottom - 18.0), &chart.x.label, LARGE, Anchor::Middle, false);
+        self.text((UPRIGHT.0, middle), &chart.y.label, LARGE, Anchor::Middle, true);
+        for (place, line) in std::mem::take(&mut self.note).iter().enumerate() {
+            self.text((self.width / 2.0, bottom + LINE * place as f32 + 4.0), line, SMALL, Anchor::Middle, false);
+        }
+        let letters = Letters::new();
+        for (place, line) in std::mem::take(&mut self.title).iter().enumerate() {
+            let half = letters.width(line, LARGE) / 2.0;
+            let inside = centre - half >= EDGE && centre + half <= self.width - EDGE;
+            let at = if inside { centre } else { self.width / 2.0 };
+            self.text((at, 26.0 + LINE * place as f32), line, LARGE, Anchor::Middle, false);
+        }
     }
 }

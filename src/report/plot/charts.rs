@@ -1,7 +1,9 @@
 //! The pictures.
 
-use super::axes::{Chart, Scale};
-use super::shape::{Anchor, Colour, Page};
+use super::axes::Chart;
+use super::scale::{Scale, Spread, from_zero, shares};
+use super::shape::{Colour, Page};
+use super::unclear::{NUMBER, Unclear};
 use crate::chain::best::{Best, best};
 use crate::chain::recollision::WARNING;
 use crate::chain::threshold::threshold;
@@ -17,8 +19,15 @@ use malachite::base::rounding_modes::RoundingMode;
 const POINTS: u32 = 240;
 /// Bits of an enclosure whose middle is drawn.
 const BITS: u64 = 64;
+/// Places after the point that a number of a title may have.
+const MOST_PLACES: i64 = 400;
+/// What is not farther from 0 is not drawn.
+const TINY: f64 = 1e-290;
 /// The most curves of a picture: as many as there are colours.
 pub const CURVES: usize = super::shape::PALETTE.len();
+
+/// A curve through pairs of values.
+type Curve = Vec<(f64, f64)>;
 
 /// The middle of a narrow enclosure, to be drawn.
 fn drawn(x: &Real) -> f64 {
@@ -33,124 +42,187 @@ fn float(x: &Rational) -> f64 {
 fn ratios(from: &Positive, to: &Positive) -> Vec<Positive> {
     let (low, high) = (float(from.value()).ln(), float(to.value()).ln());
     let at = |k: u32| (low + (high - low) * f64::from(k) / f64::from(POINTS)).exp();
-    (0..=POINTS).filter_map(|k| Positive::new(Rational::try_from(at(k)).ok()?).ok()).collect()
-}
-
-fn ends(from: &Positive, to: &Positive) -> (f64, f64) {
-    (float(from.value()), float(to.value()))
+    let between = (1..POINTS).filter_map(|k| Positive::new(Rational::try_from(at(k)).ok()?).ok());
+    std::iter::once(from.clone()).chain(between).chain(std::iter::once(to.clone())).collect()
 }
 
 fn bodies(n: u64) -> String {
     format!("n = {n}")
 }
 
+/// A number for a title or legend; a long one whose digits are mostly zeros as a multiple of a power of ten.
+fn number(name: &'static str, value: &Rational) -> Result<String, Unclear> {
+    let text = decimal_or_fraction(value);
+    let characters = text.len();
+    if characters <= NUMBER {
+        return Ok(text);
+    }
+    let (mut scaled, mut exponent) = (value.clone(), 0i64);
+    while *scaled.denominator_ref() != 1u32 && exponent > -MOST_PLACES {
+        scaled *= Rational::from(10u32);
+        exponent -= 1;
+    }
+    let whole = scaled.to_string();
+    let digits = whole.trim_end_matches('0');
+    exponent += whole.len() as i64 - digits.len() as i64;
+    if digits.len() > NUMBER / 2 || *scaled.denominator_ref() != 1u32 {
+        return Err(Unclear::Long { name, characters });
+    }
+    let factor = if digits == "1" { String::new() } else { format!("{digits}·") };
+    Ok(format!("{factor}10^{{{}}}", exponent.to_string().replace('-', "−")))
+}
+
+/// A page with a curve for each number, against the mass ratio.
+fn of_ratio(
+    title: &str,
+    quantity: &str,
+    (from, to): (&Positive, &Positive),
+    numbers: &[u64],
+    value: impl Fn(&Positive, u64) -> Result<Real, ChainError>,
+) -> Result<Page, Unclear> {
+    let points = ratios(from, to);
+    let curve = |n: &u64| points.iter().map(|r| Ok((float(r.value()), drawn(&value(r, *n)?)))).collect();
+    let curves = numbers.iter().map(curve).collect::<Result<Vec<Curve>, ChainError>>()?;
+    let mut chart = Chart::new(title, across(from, to), told_apart(&curves, quantity)?, true);
+    for (place, (n, points)) in numbers.iter().zip(&curves).enumerate() {
+        chart.curve(place, points);
+        chart.legend_curve(place, &bodies(*n));
+    }
+    chart.finish()
+}
+
+/// The scale of mass ratios.
+fn across(from: &Positive, to: &Positive) -> Scale {
+    Scale::logarithmic(float(from.value()), float(to.value()), "mass ratio m_{1}/m_{2}")
+}
+
+/// The scale on which curves of shares are told apart.
+fn told_apart(curves: &[Curve], quantity: &str) -> Result<Scale, Unclear> {
+    let values = || curves.iter().flatten().map(|p| p.1);
+    if values().all(|value| value < TINY) {
+        return Err(Unclear::Tiny);
+    }
+    if curves.len() > 1 && Spread::of(values()) == Spread::Flat {
+        return Err(Unclear::Same);
+    }
+    let (from, to) = shares(curves);
+    Ok(Scale::even(from, to, quantity))
+}
+
 /// eta against the mass ratio, a curve for each number of inserted bodies.
 ///
 /// # Errors
-/// A limit.
-pub fn eta_of_ratio(from: &Positive, to: &Positive, e: &Restitution, numbers: &[u64]) -> Result<Page, ChainError> {
-    let title = format!("Energy handed on through n optimal bodies, e = {}", decimal_or_fraction(e.value()));
-    let (low, high) = ends(from, to);
-    let mut chart =
-        Chart::new(&title, Scale::logarithmic(low, high, "mass ratio m_{1}/m_{2}"), Scale::even(0.0, 1.0, "η"), true);
+/// [`Unclear`].
+pub fn eta_of_ratio(from: &Positive, to: &Positive, e: &Restitution, numbers: &[u64]) -> Result<Page, Unclear> {
+    let title = format!("Energy handed on through n optimal bodies, e = {}", number("e", e.value())?);
     let all = Restitutions::Same(e.clone());
-    for (place, n) in numbers.iter().enumerate() {
-        let points: Result<Vec<_>, ChainError> =
-            ratios(from, to).iter().map(|r| Ok((float(r.value()), drawn(&transfer::optimal(r, &all, *n)?)))).collect();
-        chart.curve(place, &points?);
-        chart.legend_curve(place, &bodies(*n));
+    of_ratio(&title, "η", (from, to), numbers, |ratio, n| transfer::optimal(ratio, &all, n))
+}
+
+/// The numbers from 0 to the greatest one at which eta is drawn: in even steps, and closer at the beginning, where it
+/// changes.
+fn counts(most: u64) -> Vec<u64> {
+    let step = (most / u64::from(POINTS)).max(1);
+    let mut list: Vec<u64> = (0..=most / step).map(|k| k * step).collect();
+    let mut next = 1u64;
+    while next < most {
+        list.push(next);
+        next = (next + 1).max(next.saturating_add(next / 12));
     }
-    Ok(chart.finish())
+    list.push(most);
+    list
 }
 
 /// eta against the number of inserted bodies, a row of dots for each restitution, with the best one marked.
 ///
 /// # Errors
-/// A limit.
-pub fn eta_of_number(ratio: &Positive, restitutions: &[Restitution], most: u64) -> Result<Page, ChainError> {
-    let title = format!("The best number of inserted bodies, m_{{1}}/m_{{2}} = {}", decimal_or_fraction(ratio.value()));
-    let mut chart = Chart::new(
-        &title,
-        Scale::whole(0.0, most.max(1) as f64, "number n of inserted bodies"),
-        Scale::even(0.0, 1.0, "η"),
-        true,
-    );
-    let step = (most / POINTS as u64).max(1);
-    for (place, e) in restitutions.iter().enumerate() {
+/// [`Unclear`].
+pub fn eta_of_number(ratio: &Positive, restitutions: &[Restitution], most: u64) -> Result<Page, Unclear> {
+    let most = most.max(1);
+    let title = format!("The best number of inserted bodies, m_{{1}}/m_{{2}} = {}", number("m1/m2", ratio.value())?);
+    let mut curves: Vec<Curve> = Vec::new();
+    let mut labels = Vec::new();
+    for e in restitutions {
         let all = Restitutions::Same(e.clone());
-        let share = |n: u64| Ok::<_, ChainError>((n as f64, drawn(&transfer::optimal(ratio, &all, n)?)));
-        let points = (0..=most / step).map(|k| share(k * step)).collect::<Result<Vec<_>, _>>()?;
-        chart.curve(place, &points);
+        let mut label = format!("e = {}", number("e", e.value())?);
+        let mut found = None;
+        if let Best::Finite { count, .. } = best(ratio, e)?.0 {
+            found = u64::try_from(&count).ok().filter(|n| *n <= most);
+            label.push_str(&format!(", n* = {count}"));
+        }
+        let mut counts = counts(most);
+        counts.extend(found);
+        counts.sort_unstable();
+        counts.dedup();
+        let share = |n: &u64| Ok((*n as f64, drawn(&transfer::optimal(ratio, &all, *n)?)));
+        curves.push(counts.iter().map(share).collect::<Result<_, ChainError>>()?);
+        labels.push((label, found));
+    }
+    let x = Scale::whole(0.0, most as f64, "number n of inserted bodies");
+    let mut chart = Chart::new(&title, x, told_apart(&curves, "η")?, true);
+    for (place, (points, (label, found))) in curves.iter().zip(&labels).enumerate() {
+        chart.curve(place, points);
         if most <= 40 {
             points.iter().for_each(|p| chart.dot(place, p.0, p.1, true, 2.2));
         }
-        let mut label = format!("e = {}", decimal_or_fraction(e.value()));
-        if let Best::Finite { count, .. } = best(ratio, e)?.0 {
-            if let Some(n) = u64::try_from(&count).ok().filter(|n| *n <= most) {
-                let (x, y) = share(n)?;
-                chart.dot(place, x, y, false, 5.0);
-            }
-            label.push_str(&format!(", n* = {count}"));
+        if let Some((x, y)) = found.and_then(|n| points.iter().find(|p| p.0 == n as f64)) {
+            chart.dot(place, *x, *y, false, 5.0);
         }
-        chart.legend_curve(place, &label);
+        chart.legend_curve(place, label);
     }
-    chart.legend_dot(4, false, "n* (best)");
-    Ok(chart.finish())
+    if labels.iter().any(|(_, found)| found.is_some()) {
+        chart.legend_dot(4, false, "n* (best)");
+    }
+    chart.finish()
 }
 
 /// `L_n` against the mass ratio, a curve for each number.
 ///
 /// # Errors
-/// A limit.
-pub fn thresholds(from: &Positive, to: &Positive, numbers: &[u64]) -> Result<Page, ChainError> {
-    let (low, high) = ends(from, to);
-    let mut chart = Chart::new(
-        "Least restitution with which the n-th body helps",
-        Scale::logarithmic(low, high, "mass ratio m_{1}/m_{2}"),
-        Scale::even(0.0, 1.0, "L_{n}"),
-        true,
-    );
-    for (place, n) in numbers.iter().enumerate() {
-        let points: Result<Vec<_>, ChainError> =
-            ratios(from, to).iter().map(|r| Ok((float(r.value()), drawn(&threshold(r, *n)?)))).collect();
-        chart.curve(place, &points?);
-        chart.legend_curve(place, &bodies(*n));
-    }
-    Ok(chart.finish())
+/// [`Unclear`].
+pub fn thresholds(from: &Positive, to: &Positive, numbers: &[u64]) -> Result<Page, Unclear> {
+    of_ratio("Least restitution with which the n-th body helps", "L_{n}", (from, to), numbers, |ratio, n| {
+        Ok(threshold(ratio, n)?)
+    })
 }
 
 /// Areas of the map: `n* = 0`, `1`, … and the last one for all more.
 const AREAS: u64 = 11;
+/// Borders that all lie so close to an end of the restitutions cannot be seen there: their neighbourhood is drawn.
+const CROWDED: f64 = 0.1;
 
 /// The map of restitution and mass ratio, coloured by the best number of inserted bodies. Its borders are the
 /// curves `e = L_n`.
 ///
 /// # Errors
-/// A limit.
-pub fn map(from: &Positive, to: &Positive) -> Result<Page, ChainError> {
-    let (low, high) = ends(from, to);
-    let x = Scale::logarithmic(low, high, "mass ratio m_{1}/m_{2}");
-    let mut chart = Chart::new("Best number n* of inserted bodies", x, Scale::even(0.0, 1.0, "restitution e"), false);
+/// [`Unclear`].
+pub fn map(from: &Positive, to: &Positive) -> Result<Page, Unclear> {
     let points = ratios(from, to);
     let at = |r: &Positive| float(r.value());
-    let mut lower: Vec<(f64, f64)> = points.iter().map(|r| (at(r), 0.0)).collect();
+    let border = |n: u64| points.iter().map(|r| Ok((at(r), drawn(&threshold(r, n)?)))).collect();
+    let borders = (1..AREAS).map(border).collect::<Result<Vec<Curve>, ChainError>>()?;
+    let (bottom, top) = match Spread::of(borders.iter().flatten().map(|p| p.1)) {
+        Spread::Over(lo, hi) if hi < CROWDED || lo > 1.0 - CROWDED => shares(&borders),
+        _ => (0.0, 1.0),
+    };
+    let (bottom, top) = (bottom.max(0.0), top.min(1.0));
+    let y = Scale::even(bottom, top, "restitution e");
+    let mut chart = Chart::new("Best number n* of inserted bodies", across(from, to), y, false);
+    let level = |e: f64| points.iter().map(|r| (at(r), e)).collect::<Curve>();
     chart.legend_title("n*");
     for n in 0..AREAS {
-        let last = n + 1 == AREAS;
-        let upper = points.iter().map(|r| Ok((at(r), if last { 1.0 } else { drawn(&threshold(r, n + 1)?) })));
-        let upper = upper.collect::<Result<Vec<_>, ChainError>>()?;
+        let lower = n.checked_sub(1).and_then(|k| borders.get(k as usize)).cloned().unwrap_or_else(|| level(bottom));
         // The next area covers what this one has too much: no gaps between neighbours.
-        let mut area: Vec<(f64, f64)> = lower.clone();
-        area.extend(points.iter().rev().map(|r| (at(r), 1.0)));
+        let mut area = lower.clone();
+        area.extend(level(top).into_iter().rev());
         let colour = viridis(n as f64 / (AREAS - 1) as f64);
         chart.area(&area, colour);
         if n > 0 {
             chart.border(&lower);
         }
-        chart.legend_area(colour, &if last { format!("{n} or more") } else { n.to_string() });
-        lower = upper;
+        chart.legend_area(colour, &if n + 1 == AREAS { format!("{n} or more") } else { n.to_string() });
     }
-    Ok(chart.finish())
+    chart.finish()
 }
 
 /// The colours of the map `viridis`: even steps of lightness, from dark to light, also without colours.
@@ -172,8 +244,10 @@ fn viridis(share: f64) -> Colour {
 }
 
 /// The velocities of a chain's bodies: as each one is about to strike the next, and after the pass.
-#[must_use]
-pub fn velocities(worksheet: &Worksheet, title: &str) -> Page {
+///
+/// # Errors
+/// [`Unclear`].
+pub fn velocities(worksheet: &Worksheet, title: &str) -> Result<Page, Unclear> {
     let mut arriving = Vec::new();
     let mut after = Vec::new();
     for (place, collision) in worksheet.collisions.iter().enumerate() {
@@ -184,14 +258,17 @@ pub fn velocities(worksheet: &Worksheet, title: &str) -> Page {
     if let Some(last) = worksheet.collisions.last() {
         after.push((worksheet.collisions.len() as f64 + 1.0, drawn(&last.bodies[1].velocity.after)));
     }
-    let all = || arriving.iter().chain(&after).map(|p: &(f64, f64)| p.1);
-    let (low, high) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
-    // Room above for the note.
-    let share = if worksheet.again { 0.16 } else { 0.08 };
-    let margin = (high - low).max(f64::MIN_POSITIVE) * share;
-    let bottom = if low < 0.0 { low - margin } else { 0.0 };
+    let all = arriving.iter().chain(&after).map(|p: &(f64, f64)| p.1);
+    if all.clone().any(|v| v.is_nan() || v.abs() > 1e300) {
+        return Err(Unclear::Outside);
+    }
+    let moves = worksheet.collisions.iter().any(|c| drawn(&c.bodies[0].velocity.before) != 0.0);
+    if moves && all.clone().all(|v| v.abs() < TINY) {
+        return Err(Unclear::Tiny);
+    }
+    let (bottom, top) = from_zero(all, 0.08);
     let x = Scale::whole(0.5, after.len() as f64 + 0.5, "body");
-    let mut chart = Chart::new(title, x, Scale::even(bottom, high + margin, "velocity"), true);
+    let mut chart = Chart::new(title, x, Scale::even(bottom, top, "velocity"), true);
     for (place, points) in [&arriving, &after].into_iter().enumerate() {
         chart.curve(place, points);
         points.iter().for_each(|p| chart.dot(place, p.0, p.1, place == 1, 4.0));
@@ -199,8 +276,7 @@ pub fn velocities(worksheet: &Worksheet, title: &str) -> Page {
     chart.legend_dot(0, false, "before it strikes");
     chart.legend_dot(1, true, "after the pass");
     if worksheet.again {
-        let at = chart.at(0.5, high + margin);
-        chart.text((at.0 + 6.0, at.1 + 16.0), &format!("Note: {WARNING}."), Anchor::Start);
+        chart.note(&format!("Note: {WARNING}."));
     }
     chart.finish()
 }

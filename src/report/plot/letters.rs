@@ -46,7 +46,25 @@ impl Letters {
     /// The letters of a text with their places.
     #[must_use]
     pub fn set(&self, text: &str, size: f32, anchor: Anchor) -> Vec<Letter> {
-        let Some(face) = &self.face else { return Vec::new() };
+        let (mut out, width) = self.row(text, size);
+        let back = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => width / 2.0,
+            Anchor::End => width,
+        };
+        out.iter_mut().for_each(|letter| letter.x -= back);
+        out
+    }
+
+    /// How wide a text is.
+    #[must_use]
+    pub fn width(&self, text: &str, size: f32) -> f32 {
+        self.row(text, size).1
+    }
+
+    /// The letters of a text that begins at 0, and where it ends. A character that the font lacks is its empty box.
+    fn row(&self, text: &str, size: f32) -> (Vec<Letter>, f32) {
+        let Some(face) = &self.face else { return (Vec::new(), 0.0) };
         let unit = size / f32::from(face.units_per_em());
         let mut out = Vec::new();
         let (mut x, mut level) = (0.0, 0i8);
@@ -59,7 +77,7 @@ impl Letters {
                 }
                 ('}', _) if level != 0 => level = 0,
                 (c, _) => {
-                    let Some(glyph) = face.glyph_index(c) else { continue };
+                    let glyph = face.glyph_index(c).unwrap_or(GlyphId(0));
                     let (scale, y) = match level {
                         -1 => (unit * 0.7, size * 0.2),
                         1 => (unit * 0.7, size * -0.36),
@@ -70,13 +88,7 @@ impl Letters {
                 }
             }
         }
-        let back = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => x / 2.0,
-            Anchor::End => x,
-        };
-        out.iter_mut().for_each(|letter| letter.x -= back);
-        out
+        (out, x)
     }
 
     /// The outline of a letter.
