@@ -331,6 +331,69 @@ fn a_pdf_is_made_by_latex_without_shell_escape_and_its_lack_loses_nothing() {
     assert_eq!(std::fs::read_to_string(out.join("report.pdf")).expect("the PDF"), asked);
 }
 
+#[cfg(unix)]
+#[test]
+fn latex_that_was_stopped_is_not_blamed_on_packages() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.claim");
+    std::fs::write(&file, "claim a \"t\"\ngiven x > 0\nprove x^2 > 0\n").expect("written");
+    let stopped = pretended("kill -9 $$");
+    let mut run = carom();
+    run.arg("report").arg(&file).arg("--pdf").arg("--out").arg(folder.path().join("out")).env("PATH", stopped.path());
+    let run = run.output().expect("runs");
+    assert_eq!(run.status.code(), Some(2), "{}", said(&run));
+    assert!(said(&run).contains("was stopped from outside (signal: 9"), "{}", said(&run));
+    assert!(!said(&run).contains("packages"), "{}", said(&run));
+}
+
+/// Ctrl-C, sent to the program alone.
+#[cfg(unix)]
+fn interrupted(mut command: std::process::Command, ready: impl Fn() -> bool) -> std::process::Output {
+    use std::process::Stdio;
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("it starts");
+    let begun = std::time::Instant::now();
+    while !ready() && begun.elapsed().as_secs() < 120 {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.expect("kill is there").success());
+    child.wait_with_output().expect("it ends")
+}
+
+#[cfg(unix)]
+#[test]
+fn one_ctrl_c_ends_a_report() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // During the tables, during the audit of the catalogue: nothing is written.
+    for wait in [50u64, 400, 1000] {
+        let out = folder.path().join(format!("out-{wait}"));
+        let mut command = carom();
+        command.arg("report").arg("--out").arg(&out);
+        let begun = std::time::Instant::now();
+        let run = interrupted(command, || begun.elapsed().as_millis() as u64 >= wait);
+        // Before the program listens, the signal ends it by itself.
+        assert!(matches!(run.status.code(), Some(130) | None), "{wait}: {} {}", run.status, said(&run));
+        assert!(!out.exists(), "{wait}: nothing is written");
+    }
+    // During LaTeX: it is stopped as well, and the rest is there.
+    let slow = pretended("echo $$ > \"$STARTED\"\nexec sleep 100");
+    let (out, started) = (folder.path().join("out"), folder.path().join("started"));
+    let file = folder.path().join("a.claim");
+    std::fs::write(&file, "claim a \"t\"\ngiven x > 0\nprove x^2 > 0\n").expect("written");
+    let mut command = carom();
+    let path = format!("{}:/bin:/usr/bin", slow.path().display());
+    command.arg("report").arg(&file).arg("--pdf").arg("--out").arg(&out).env("PATH", path).env("STARTED", &started);
+    let begun = std::time::Instant::now();
+    let run = interrupted(command, || std::fs::read_to_string(&started).is_ok_and(|t| t.ends_with('\n')));
+    assert_eq!(run.status.code(), Some(130), "{}", said(&run));
+    assert!(said(&run).contains("interrupted: everything but report.pdf is written"), "{}", said(&run));
+    assert!(out.join("index.html").is_file() && !out.join("report.pdf").exists());
+    assert!(begun.elapsed().as_secs() < 90, "it did not wait for LaTeX");
+    let latex = std::fs::read_to_string(&started).expect("its number");
+    let alive = std::process::Command::new("kill").args(["-0", latex.trim()]).status().expect("kill is there");
+    assert!(!alive.success(), "LaTeX goes on");
+}
+
 #[test]
 fn a_claim_of_the_catalogue_in_a_users_file_has_its_theorem_and_a_changed_one_has_none() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,32 +1,72 @@
-//! Ctrl-C during long work: the first one asks for an end at the next whole row, the second one ends at once.
+//! Ctrl-C during long work.
+//!
+//! Contract: from [`at_once`] on, Ctrl-C ends the program, and its exit code is [`INTERRUPTED`]. From
+//! [`Interrupt::listen`] on, the first one asks for an end, which the work looks for at its next whole row or file, and
+//! a second one ends at once. There is one state for the whole program: what is asked for is never forgotten.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use super::Exit;
+use std::sync::Once;
+use std::sync::atomic::{AtomicU8, Ordering};
 
 /// The exit code of a program that was interrupted.
 pub const INTERRUPTED: u8 = 130;
 
-/// Whether somebody has asked for an end.
-#[derive(Clone)]
-pub struct Interrupt(Arc<AtomicBool>);
+/// Ctrl-C ends the program.
+const AT_ONCE: u8 = 0;
+/// Ctrl-C asks for an end.
+const LISTENING: u8 = 1;
+/// It has been asked for.
+const ASKED: u8 = 2;
+
+static STATE: AtomicU8 = AtomicU8::new(AT_ONCE);
+
+/// Where that cannot be had, Ctrl-C ends the program as it would without.
+fn handle() {
+    static HANDLED: Once = Once::new();
+    HANDLED.call_once(|| {
+        let _ = ctrlc::set_handler(|| {
+            let exchanged = STATE.compare_exchange(LISTENING, ASKED, Ordering::SeqCst, Ordering::SeqCst);
+            match exchanged {
+                Ok(_) => return,
+                Err(AT_ONCE) => eprintln!("interrupted: nothing is written"),
+                Err(_) => {}
+            }
+            std::process::exit(i32::from(INTERRUPTED));
+        });
+    });
+}
+
+/// An end that was asked for; `what` says what is left behind.
+pub fn interrupted(what: &str) -> Exit {
+    Exit { code: INTERRUPTED, message: format!("interrupted: {what}") }
+}
+
+/// Ctrl-C ends the program from now on.
+///
+/// # Errors
+/// An end has been asked for.
+pub fn at_once() -> Result<(), Exit> {
+    handle();
+    match STATE.swap(AT_ONCE, Ordering::SeqCst) {
+        ASKED => Err(interrupted("nothing is written")),
+        _ => Ok(()),
+    }
+}
+
+/// Work that looks at whether somebody has asked for an end.
+#[derive(Clone, Copy)]
+pub struct Interrupt(());
 
 impl Interrupt {
-    /// Listens from now on. Where that cannot be had, Ctrl-C ends the program as it would without.
+    /// Listens from now on.
     pub fn listen() -> Interrupt {
-        let asked = Arc::new(AtomicBool::new(false));
-        let shared = asked.clone();
-        let handler = move || {
-            if shared.swap(true, Ordering::SeqCst) {
-                std::process::exit(i32::from(INTERRUPTED));
-            }
-        };
-        // A second handler in one process is refused; there is only this one.
-        let _ = ctrlc::set_handler(handler);
-        Interrupt(asked)
+        handle();
+        let _ = STATE.compare_exchange(AT_ONCE, LISTENING, Ordering::SeqCst, Ordering::SeqCst);
+        Interrupt(())
     }
 
     /// Whether an end is asked for.
-    pub fn asked(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+    pub fn asked(self) -> bool {
+        STATE.load(Ordering::SeqCst) == ASKED
     }
 }

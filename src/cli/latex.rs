@@ -3,11 +3,12 @@
 //! Contract: the document is compiled in a folder of its own, which is removed afterwards, by a program that may start
 //! no other and reads and writes only there. No time and no path enters the PDF.
 
+use super::interrupt::{Interrupt, interrupted};
 use super::{Exit, output::write_bytes};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 /// Programs that compile the document, the first that is found.
@@ -16,14 +17,16 @@ const PROGRAMS: [&str; 2] = ["pdflatex", "lualatex"];
 const PASSES: usize = 4;
 /// How long one pass may take.
 const TIME: Duration = Duration::from_secs(300);
+/// What is left behind where the work on the PDF ends early.
+pub const BUT_THE_PDF: &str = "everything but report.pdf is written";
 /// The most bytes of its protocol that are looked at for an error.
 const PROTOCOL: u64 = 16 << 20;
 
 /// The PDF of `report.tex`, given with the pictures that it shows: paths in the folder and what the files hold.
 ///
 /// # Errors
-/// No LaTeX on this machine, packages that it lacks, a limit of time.
-pub fn pdf(files: &[&(String, Vec<u8>)]) -> Result<Vec<u8>, Exit> {
+/// No LaTeX on this machine, packages that it lacks, a limit of time, Ctrl-C.
+pub fn pdf(files: &[&(String, Vec<u8>)], interrupt: Interrupt) -> Result<Vec<u8>, Exit> {
     let folder = tempfile::tempdir().map_err(|e| Exit::usage(format!("error: cannot make a temporary folder: {e}")))?;
     for (path, bytes) in files {
         let path = folder.path().join(path);
@@ -42,7 +45,7 @@ pub fn pdf(files: &[&(String, Vec<u8>)]) -> Result<Vec<u8>, Exit> {
     };
     let mut before = None;
     for _ in 0..PASSES {
-        pass(program, folder.path())?;
+        pass(program, folder.path(), interrupt)?;
         let after = std::fs::read(folder.path().join("report.aux")).unwrap_or_default();
         if before.as_ref() == Some(&after) {
             break;
@@ -61,7 +64,7 @@ fn is_installed(program: &str, folder: &Path) -> bool {
 }
 
 /// Compiles once.
-fn pass(program: &str, folder: &Path) -> Result<(), Exit> {
+fn pass(program: &str, folder: &Path, interrupt: Interrupt) -> Result<(), Exit> {
     let mut command = Command::new(program);
     command
         .args(["-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error", "report.tex"])
@@ -74,25 +77,16 @@ fn pass(program: &str, folder: &Path) -> Result<(), Exit> {
         .stdout(Stdio::null())
         .stderr(Stdio::null());
     let cannot = |e: std::io::Error| Exit::usage(format!("error: cannot run {program}: {e}"));
-    let mut child = command.spawn().map_err(cannot)?;
-    let begun = Instant::now();
-    let status = loop {
-        match child.try_wait() {
-            Ok(Some(status)) => break status,
-            Ok(None) if begun.elapsed() < TIME => std::thread::sleep(Duration::from_millis(20)),
-            Err(e) if e.kind() != ErrorKind::Interrupted => return Err(cannot(e)),
-            Err(_) => {}
-            Ok(None) => {
-                // It is of no use any more, whether or not it can be stopped.
-                let _ = child.kill().and_then(|()| child.wait());
-                let message =
-                    format!("limit reached: {} seconds for {program}; report.tex was written", TIME.as_secs());
-                return Err(Exit { code: 3, message });
-            }
-        }
-    };
+    let status = ended(command.spawn().map_err(cannot)?, program, interrupt)?;
     if status.success() {
         return Ok(());
+    }
+    // Ctrl-C on a terminal reaches LaTeX as well, which then fails.
+    if interrupt.asked() {
+        return Err(interrupted(BUT_THE_PDF));
+    }
+    if status.code().is_none() {
+        return Err(Exit::usage(format!("error: {program} was stopped from outside ({status}); {BUT_THE_PDF}")));
     }
     let mut protocol = Vec::new();
     let _ = File::open(folder.join("report.log")).and_then(|f| f.take(PROTOCOL).read_to_end(&mut protocol));
@@ -103,4 +97,27 @@ fn pass(program: &str, folder: &Path) -> Result<(), Exit> {
          (Debian and Ubuntu: apt install texlive-latex-recommended); everything else was written",
         fault.unwrap_or("it says nothing more")
     )))
+}
+
+/// How the program ended, which Ctrl-C and too much time end.
+fn ended(mut child: Child, program: &str, interrupt: Interrupt) -> Result<ExitStatus, Exit> {
+    let begun = Instant::now();
+    let reason = loop {
+        match child.try_wait() {
+            Ok(Some(status)) => return Ok(status),
+            Err(e) if e.kind() != ErrorKind::Interrupted => {
+                return Err(Exit::usage(format!("error: cannot run {program}: {e}")));
+            }
+            _ if interrupt.asked() => break interrupted(BUT_THE_PDF),
+            _ if begun.elapsed() < TIME => std::thread::sleep(Duration::from_millis(20)),
+            _ => {
+                let message =
+                    format!("limit reached: {} seconds for {program}; report.tex was written", TIME.as_secs());
+                break Exit { code: 3, message };
+            }
+        }
+    };
+    // It is of no use any more, whether or not it can be stopped.
+    let _ = child.kill().and_then(|()| child.wait());
+    Err(reason)
 }

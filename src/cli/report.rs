@@ -1,5 +1,6 @@
 //! `carom report`
 
+use super::interrupt::{Interrupt, at_once, interrupted};
 use super::progress::Progress;
 use super::{Exit, audit, figures, latex, write_bytes};
 use crate::report::handout::{Handout, evidence};
@@ -31,10 +32,13 @@ pub struct Flags {
 }
 
 /// Runs the command: everything is judged and computed first, so that nothing is written where that fails. The PDF comes
-/// last, so that the rest is there where LaTeX is not.
+/// last, so that the rest is there where LaTeX is not. Ctrl-C ends the work at once before anything is written, and
+/// after all of it once something is.
 pub fn run(flags: &Flags) -> Result<u8, Exit> {
+    at_once()?;
     let handout = made(flags)?;
     let files = handout.files();
+    let interrupt = Interrupt::listen();
     for (path, bytes) in &files {
         let path = flags.out.join(path);
         if let Some(folder) = path.parent() {
@@ -45,10 +49,13 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     }
     strangers(&flags.out.join("certificates"), &files);
     let mut list = "index.html, report.md, report.tex".to_string();
+    if interrupt.asked() {
+        return Err(interrupted(if flags.pdf { latex::BUT_THE_PDF } else { "everything is written" }));
+    }
     if flags.pdf {
         let needed: Vec<&(String, Vec<u8>)> =
             files.iter().filter(|f| f.0 == "report.tex" || f.0.ends_with(".png")).collect();
-        write_bytes(&flags.out.join("report.pdf"), &latex::pdf(&needed)?)?;
+        write_bytes(&flags.out.join("report.pdf"), &latex::pdf(&needed, interrupt)?)?;
         list.push_str(", report.pdf");
     }
     super::print(&format!(
@@ -68,6 +75,8 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     let defaults = |list: &[&str]| if catalogue { list.iter().map(ToString::to_string).collect() } else { Vec::new() };
     let tables: Vec<String> = [defaults(&figures::TABLES), flags.table.clone()].concat();
     let tables = tables.iter().map(|words| figures::table(words)).collect::<Result<_, _>>()?;
+    // A table listens while it is made.
+    at_once()?;
     #[cfg(feature = "plot")]
     let plots = {
         let words: Vec<String> = [defaults(&figures::PLOTS), flags.plot.clone()].concat();

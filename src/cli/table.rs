@@ -1,6 +1,6 @@
 //! `carom table`
 
-use super::interrupt::{INTERRUPTED, Interrupt};
+use super::interrupt::{INTERRUPTED, Interrupt, interrupted};
 use super::output::{Output, place};
 use super::partial::{self, Partial, Target};
 use super::progress::Progress;
@@ -240,14 +240,14 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
             out.finish().map(|()| 0)
         }
         Ok(End::Interrupted(rows)) => {
-            let mut message = "interrupted: nothing is left behind".to_owned();
+            let mut ended = interrupted("nothing is left behind");
             for target in certificate.into_iter().chain([out]) {
                 if let Target::Grows(partial) = target {
                     let left = partial.leave()?;
-                    message = format!("interrupted after {rows} rows; --resume goes on with {}", left.display());
+                    ended.message = format!("interrupted after {rows} rows; --resume goes on with {}", left.display());
                 }
             }
-            Err(Exit { code: INTERRUPTED, message })
+            Err(ended)
         }
         Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write {}: {e}", path.display()))),
         Err(Stop::Table(e)) => Err(exit(&e)),
@@ -284,9 +284,7 @@ pub fn in_memory(plan: &Plan) -> Result<(String, String), Exit> {
         Ok(End::Complete) => {
             Ok((String::from_utf8_lossy(&csv).into_owned(), String::from_utf8_lossy(&certificate).into_owned()))
         }
-        Ok(End::Interrupted(_)) => {
-            Err(Exit { code: INTERRUPTED, message: "interrupted: nothing is written".to_owned() })
-        }
+        Ok(End::Interrupted(_)) => Err(interrupted("nothing is written")),
         Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write the table: {e}"))),
         Err(Stop::Table(e)) => Err(exit(&e)),
     }
