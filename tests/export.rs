@@ -278,18 +278,73 @@ fn smt_scripts_are_well_formed_and_say_the_hypotheses() {
     }
 }
 
+/// What a run of the program gives: exit code, standard output, standard error.
+fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("it starts");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (out.status.code(), text(&out.stdout), text(&out.stderr))
+}
+
 #[test]
-fn a_named_claim_that_cannot_be_said_is_a_stated_limit() {
-    let run =
-        |arguments: &[&str]| Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("it starts");
-    let out = run(&["export", "coq", "eq20-extracted"]);
-    assert_eq!(out.status.code(), Some(3));
-    assert!(out.stdout.is_empty());
-    assert_eq!(run(&["export", "coq", "no-such-claim"]).status.code(), Some(2));
-    assert_eq!(run(&["export", "prolog"]).status.code(), Some(2));
-    let out = run(&["export", "coq", "eq13"]);
-    assert_eq!(out.status.code(), Some(0));
-    assert!(String::from_utf8_lossy(&out.stdout).contains("Definition eq13 : Prop :="));
-    let out = run(&["export", "smt2", "--list"]);
-    assert!(String::from_utf8_lossy(&out.stdout).contains("eq22: no, a sequence"));
+fn a_named_claim_that_cannot_be_said_is_an_error_and_no_limit() {
+    let (code, out, said) = run(&["export", "coq", "eq20-extracted"]);
+    assert_eq!((code, out.as_str()), (Some(2), ""), "{said}");
+    assert!(said.starts_with("error: eq20-extracted cannot be exported to coq: a family on a part"), "{said}");
+    let (code, _, said) = run(&["export", "smt2", "b-grow"]);
+    assert_eq!(code, Some(2));
+    assert!(said.contains("to smt2: a natural variable; `carom export coq b-grow` can say it"), "{said}");
+    assert_eq!(run(&["export", "coq", "no-such-claim"]).0, Some(2));
+    assert_eq!(run(&["export", "prolog"]).0, Some(2));
+    let (code, out, _) = run(&["export", "coq", "eq13"]);
+    assert_eq!(code, Some(0));
+    assert!(out.contains("Definition eq13 : Prop :="));
+}
+
+#[test]
+fn the_list_that_an_export_recommends_is_there() {
+    let (_, _, said) = run(&["export", "smt2"]);
+    let command = said.split('`').nth(1).expect("a command");
+    let words: Vec<&str> = command.split(' ').skip(1).collect();
+    assert_eq!(words, ["export", "smt2", "--list"], "{said}");
+    let (code, out, said) = run(&words);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(out.contains("eq22: no, a sequence") && out.contains("\neq13: yes\n"), "{out}");
+    let (code, out, said) = run(&["export", "--list"]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(out.contains("coq eq22: yes\nsmt2 eq22: no, a sequence"), "{out}");
+    assert_eq!(run(&["export"]).0, Some(2));
+}
+
+#[test]
+fn several_scripts_are_one_script() {
+    let (_, out, _) = run(&["export", "smt2", "eq13", "eq15", "eq02"]);
+    let scripts: Vec<&str> = out.split("\n(reset)\n").collect();
+    assert_eq!(scripts.len(), 3, "{out}");
+    for script in scripts {
+        assert_eq!((script.matches("(set-logic").count(), script.matches("(check-sat)").count()), (1, 1), "{script}");
+    }
+    let (_, all, _) = run(&["export", "smt2"]);
+    assert_eq!(all.matches("(reset)").count() + 1, all.matches("(set-logic").count());
+}
+
+#[test]
+fn theorems_are_those_that_are_proved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let own = folder.path().join("own.claim");
+    let path = own.to_str().expect("a name");
+    // A claim of the user's with the name of another that is proved has no proof.
+    std::fs::write(&own, "claim eq13 \"t\"\ngiven x > 0\nprove x + x = 2*x\n").expect("written");
+    let (code, out, said) = run(&["export", "coq", "--theorems", "--from", path]);
+    assert_eq!((code, out.as_str()), (Some(2), ""), "{said}");
+    assert!(said.contains("no proof of any of these claims"), "{said}");
+    std::fs::write(&own, committed("proofs/ricardo-lee-2015/eq01.claim")).expect("written");
+    let (code, out, said) = run(&["export", "coq", "--theorems", "--from", path]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(out.contains("Theorem eq01 :"), "{out}");
+    let (code, _, said) = run(&["export", "smt2", "--theorems"]);
+    assert_eq!(code, Some(2));
+    assert!(said.contains("carom export coq --theorems"), "{said}");
+    let (code, _, said) = run(&["export", "coq", "--from", path, "mine"]);
+    assert_eq!(code, Some(2));
+    assert!(said.contains(&format!("`carom export coq mine --from {path}`")), "{said}");
 }

@@ -8,49 +8,142 @@ use crate::export::{Unsupported, coq, smt2};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+/// Between two scripts for one solver: it forgets the first one, with its logic and its names.
+const RESET: &str = "\n(reset)\n";
+
+impl Language {
+    /// Its name on the command line.
+    fn name(self) -> &'static str {
+        match self {
+            Language::Coq => "coq",
+            Language::Smt2 => "smt2",
+        }
+    }
+
+    /// The other one.
+    fn other(self) -> Language {
+        match self {
+            Language::Coq => Language::Smt2,
+            Language::Smt2 => Language::Coq,
+        }
+    }
+
+    /// Why a claim cannot be said in it.
+    fn refusal(self, claim: &Claim) -> Option<Unsupported> {
+        match self {
+            Language::Coq => coq::statement(claim).err(),
+            Language::Smt2 => smt2::script(claim).err(),
+        }
+    }
+}
+
 /// Runs the command.
 ///
-/// Without names, what cannot be said is left out and counted on standard error; a named claim that
-/// cannot be said is a stated limit.
-pub fn run(language: Language, ids: &[String], from: &[PathBuf], theorems: bool, list: bool) -> Result<u8, Exit> {
+/// Without names, what cannot be said is left out and counted on standard error; a named claim that cannot be said is an
+/// error, or a stated limit.
+pub fn run(
+    language: Option<Language>,
+    ids: &[String],
+    from: &[PathBuf],
+    theorems: bool,
+    listed: bool,
+) -> Result<u8, Exit> {
+    names_after_from(ids, from)?;
     let loaded = load(from, ids)?;
     let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
     let claims: Vec<&Claim> = loaded.catalogue.claims().iter().filter(wanted).collect();
+    let language = match language {
+        Some(language) if listed => return print(&list(&claims, &[language])).map(|()| 0),
+        Some(language) => language,
+        None => return print(&list(&claims, &[Language::Coq, Language::Smt2])).map(|()| 0),
+    };
+    if theorems && language != Language::Coq {
+        return Err(Exit::usage("error: --theorems are for Coq: write `carom export coq --theorems`"));
+    }
     let mut refusals: Vec<(&Claim, Unsupported)> = Vec::new();
     let text = match language {
         Language::Coq => {
             let statements = said(&claims, &mut refusals, coq::statement);
-            let proved: BTreeMap<String, String> =
-                embedded::coq_files().iter().flat_map(|f| coq::proofs_in(f.path, f.text)).collect();
-            if theorems { coq::theorems(&statements, &proved) } else { coq::definitions(&statements) }
+            if theorems { proved(statements, !from.is_empty())? } else { coq::definitions(&statements) }
         }
-        Language::Smt2 => {
-            let scripts = said(&claims, &mut refusals, smt2::script);
-            scripts.join("\n")
-        }
+        Language::Smt2 => said(&claims, &mut refusals, smt2::script).join(RESET),
     };
-    if list {
-        let mut out = String::new();
-        for claim in &claims {
-            let name = &claim.name.text;
-            match refusals.iter().find(|(c, _)| c.name.text == *name) {
-                Some((_, refusal)) => out.push_str(&format!("{name}: no, {}\n", refusal.reason)),
-                None => out.push_str(&format!("{name}: yes\n")),
-            }
-        }
-        print(&out)?;
-        return Ok(0);
-    }
-    let lines: Vec<String> =
-        refusals.iter().map(|(c, r)| format!("{} cannot be exported: {}", c.name.text, r.reason)).collect();
-    if !ids.is_empty() && !lines.is_empty() {
-        return Err(Exit { code: 3, message: format!("limit reached: {}", lines.join("\n")) });
+    if !ids.is_empty() && !refusals.is_empty() {
+        return Err(refused(language, &refusals));
     }
     print(&text)?;
-    if !lines.is_empty() {
-        eprintln!("left out: {} of {} claims; `carom export --list` gives the reasons", lines.len(), claims.len());
+    if !refusals.is_empty() {
+        let (out, all, name) = (refusals.len(), claims.len(), language.name());
+        eprintln!("left out: {out} of {all} claims; `carom export {name} --list` gives the reasons");
     }
     Ok(0)
+}
+
+/// Every word after --from is taken for a path, a name as well.
+fn names_after_from(ids: &[String], from: &[PathBuf]) -> Result<(), Exit> {
+    let [first, .., last] = from else { return Ok(()) };
+    let is_name = |path: &PathBuf| {
+        path.to_str().is_some_and(|p| p.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_'".contains(&b)))
+    };
+    if !ids.is_empty() || !is_name(last) || last.exists() {
+        return Ok(());
+    }
+    let (name, file) = (last.display(), first.display());
+    Err(Exit::usage(format!(
+        "error: cannot read {name}: there is no such file; if it is the name of a claim, write it before --from, as in \
+         `carom export coq {name} --from {file}`"
+    )))
+}
+
+/// Of each claim, whether it can be said in these languages, and why not.
+fn list(claims: &[&Claim], languages: &[Language]) -> String {
+    let mut out = String::new();
+    for claim in claims {
+        for language in languages {
+            let label = if languages.len() > 1 { format!("{} ", language.name()) } else { String::new() };
+            let answer = match language.refusal(claim) {
+                Some(refusal) => format!("no, {}", refusal.reason),
+                None => "yes".to_owned(),
+            };
+            out += &format!("{label}{}: {answer}\n", claim.name.text);
+        }
+    }
+    out
+}
+
+/// The error for named claims that cannot be said.
+fn refused(language: Language, refusals: &[(&Claim, Unsupported)]) -> Exit {
+    let mut lines = Vec::new();
+    for (claim, refusal) in refusals {
+        let (name, other) = (&claim.name.text, language.other());
+        let mut line = format!("error: {name} cannot be exported to {}: {}", language.name(), refusal.reason);
+        if other.refusal(claim).is_none() {
+            line += &format!("; `carom export {} {name}` can say it", other.name());
+        }
+        lines.push(line);
+    }
+    Exit::faults(&lines, refusals.iter().all(|(_, refusal)| refusal.limit))
+}
+
+/// The theorems of these statements. Those of a user's own claims are proved in Coq if the catalogue has the same statement
+/// under the same name.
+fn proved(mut statements: Vec<coq::Statement>, own: bool) -> Result<String, Exit> {
+    let files = embedded::coq_files();
+    let proofs: BTreeMap<String, String> = files.iter().flat_map(|f| coq::proofs_in(f.path, f.text)).collect();
+    if own {
+        let stated = |s: &coq::Statement| {
+            let beside = format!("(* statement sha256 {} *)\nDefinition {} :", s.digest, s.name);
+            files.iter().any(|file| file.text.contains(&beside))
+        };
+        statements.retain(stated);
+    }
+    if !statements.iter().any(|s| proofs.contains_key(&s.name)) {
+        return Err(Exit::usage(
+            "error: --theorems: proofs/coq has no proof of any of these claims; without --theorems their statements are \
+             printed, to be proved",
+        ));
+    }
+    Ok(coq::theorems(&statements, &proofs))
 }
 
 /// What the claims are in another language; those that cannot be said go to the refusals.

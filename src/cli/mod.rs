@@ -119,15 +119,16 @@ enum Command {
     Test(properties::Flags),
     /// Print statements for other provers: for Coq, or for SMT solvers
     Export {
-        /// The language
-        #[arg(value_enum)]
-        language: Language,
+        /// The language; with --list it may be left out
+        #[arg(value_enum, required_unless_present = "list")]
+        language: Option<Language>,
         /// The claims; all that can be said in the language if none is given
         ids: Vec<String>,
         /// Claim files and folders; the built-in catalogue if none is given
         #[arg(long, value_name = "PATH", num_args = 1..)]
         from: Vec<PathBuf>,
-        /// For Coq: theorems with the places of their proofs in proofs/coq, instead of definitions
+        /// For Coq: theorems with the places of their proofs in proofs/coq, instead of definitions; claims without a
+        /// proof there are left out
         #[arg(long)]
         theorems: bool,
         /// Say of each claim whether it can be exported, and why not
@@ -178,7 +179,8 @@ enum ValueFormat {
 enum Language {
     /// Coq, over its real numbers
     Coq,
-    /// SMT-LIB 2 in the logic QF_NRA: the negation, to be found unsatisfiable
+    /// SMT-LIB 2 in the logic QF_NRA: the negation, to be found unsatisfiable; several claims are one script, with a
+    /// reset between them
     Smt2,
 }
 

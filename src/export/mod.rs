@@ -18,10 +18,19 @@ pub struct Unsupported {
     pub reason: String,
     /// Where it stands.
     pub span: Span,
+    /// Whether it is a limit of this program, and the language could say it.
+    pub limit: bool,
+}
+
+impl Unsupported {
+    /// A limit that was reached.
+    fn limit(name: &str, span: Span) -> Unsupported {
+        Unsupported { reason: format!("limit reached: {name}"), span, limit: true }
+    }
 }
 
 type Result<T> = std::result::Result<T, Unsupported>;
 
 fn unsupported<T>(span: Span, reason: impl Into<String>) -> Result<T> {
-    Err(Unsupported { reason: reason.into(), span })
+    Err(Unsupported { reason: reason.into(), span, limit: false })
 }
