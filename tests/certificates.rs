@@ -8,7 +8,8 @@ use carom::certificate::Certificate;
 use carom::certificate::text::{digest, read, write};
 use carom::claim::embedded;
 use carom::claim::syntax::*;
-use carom::kernel::{Accepted, Verdict, check};
+use carom::kernel::marks::Source;
+use carom::kernel::{Accepted, Checker, Verdict, check};
 use std::collections::BTreeMap;
 
 /// Proved claims of the catalogue without a certificate, in order: none, and it shall stay so.
@@ -411,4 +412,130 @@ fn what_a_reader_of_the_kernel_tried_is_rejected() {
         let said = slipped(&format!("claim a \"false\"\n{claim}"), steps);
         assert!(said.contains(reason), "{claim}: {said}");
     }
+}
+
+/// The claim without one of its hypotheses; labels of the certificate name the facts that are left.
+fn without(claim: &Claim, certificate: &Certificate, fact: usize) -> (Claim, Certificate) {
+    let (mut claim, mut certificate) = (claim.clone(), certificate.clone());
+    let mut place = 0;
+    for item in &mut claim.items {
+        match item {
+            Item::Given(bindings) => {
+                let split = |b: &Binding| -> Vec<Binding> {
+                    b.names.iter().map(|n| Binding { names: vec![n.clone()], ..b.clone() }).collect()
+                };
+                *bindings = bindings.iter().flat_map(split).collect();
+                for binding in bindings.iter_mut().filter(|b| b.names[0].1.is_none()) {
+                    binding.constraints = binding.constraints.iter().flat_map(single).collect();
+                    let count = binding.constraints.len();
+                    if (place..place + count).contains(&fact) {
+                        binding.constraints.remove(fact - place);
+                    }
+                    place += count;
+                }
+            }
+            Item::Assume { prop, .. } => {
+                if place == fact {
+                    let zero = Expr { kind: ExprKind::Number("0".to_string()), span: Span::default() };
+                    prop.kind = PropKind::Compare(vec![zero.clone(), zero], vec![Relation::Equal]);
+                }
+                place += 1;
+            }
+            _ => {}
+        }
+    }
+    assert!(fact < place, "{}: there is no hypothesis {fact}", claim.name.text);
+    let assumed = claim.items.iter().filter(|i| matches!(i, Item::Assume { .. })).count();
+    // A hypothesis that is assumed became `0 = 0` and keeps its label; a domain is gone.
+    if fact < place - assumed {
+        let renamed = |label: &mut String| {
+            if let Some(number) = label.strip_prefix('h').and_then(|n| n.parse::<usize>().ok())
+                && number > fact + 1
+            {
+                *label = format!("h{}", number - 1);
+            }
+        };
+        for step in &mut certificate.steps {
+            step.from.iter_mut().for_each(renamed);
+            step.terms.iter_mut().flat_map(|t| &mut t.facts).for_each(renamed);
+        }
+    }
+    (claim, certificate)
+}
+
+/// A constraint as those that each say one thing.
+fn single(constraint: &Constraint) -> Vec<Constraint> {
+    match constraint.clone() {
+        Constraint::Relation(..) => vec![constraint.clone()],
+        Constraint::Interval { from, from_closed, to, to_closed } => vec![
+            Constraint::Relation(if from_closed { Relation::GreaterEqual } else { Relation::Greater }, from),
+            Constraint::Relation(if to_closed { Relation::LessEqual } else { Relation::Less }, to),
+        ],
+        Constraint::Range(from, to) => {
+            vec![Constraint::Relation(Relation::GreaterEqual, from), Constraint::Relation(Relation::LessEqual, to)]
+        }
+    }
+}
+
+/// What the marks call unneeded is: the same steps show the claim without it.
+#[test]
+fn a_hypothesis_that_is_called_unneeded_can_be_left_out() {
+    deep(|| {
+        let (list, accepted) = all();
+        let (mut spare, mut bound) = (0, 0);
+        for (claim, text) in &list {
+            let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
+            let (certificate, shown) = (read(text).unwrap(), &accepted[&claim.name.text]);
+            let statement = shown.statement();
+            let domains: usize = statement.bindings.iter().map(|b| carom::kernel::statement::domain(b).len()).sum();
+            for fact in 0..domains + statement.assumptions.len() {
+                if shown.needed().contains(&Source::Hypothesis(fact)) {
+                    continue;
+                }
+                spare += 1;
+                let (fewer, renamed) = without(claim, &certificate, fact);
+                let said = check(&fewer, &renamed, &cited);
+                assert!(matches!(said, Verdict::Accepted(_)), "{} without h{}: {said:?}", claim.name.text, fact + 1);
+            }
+            // A kind that is not needed: the variables are real, the members of the families anything.
+            for place in 0..statement.bindings.len() {
+                if shown.needed().contains(&Source::Binding(place)) {
+                    continue;
+                }
+                bound += 1;
+                let mut fewer = claim.clone();
+                let mut at = 0;
+                for item in &mut fewer.items {
+                    let Item::Given(bindings) = item else { continue };
+                    for binding in bindings {
+                        if at == place {
+                            binding.natural = false;
+                            if binding.names.iter().all(|n| n.1.is_some()) {
+                                binding.constraints.clear();
+                            }
+                        }
+                        at += 1;
+                    }
+                }
+                let said = check(&fewer, &certificate, &cited);
+                assert!(matches!(said, Verdict::Accepted(_)), "{}, binding {place}: {said:?}", claim.name.text);
+            }
+        }
+        println!("{spare} hypotheses and {bound} kinds are not needed");
+        assert!(spare > 50 && bound > 50, "hypotheses were left out");
+    });
+}
+
+#[test]
+fn a_draft_is_never_accepted() {
+    let claim = carom::claim::parse::parse("claim a \"a\"\ngiven x real\nprove x = x\n").unwrap().remove(0);
+    let zeros = "0".repeat(64);
+    let text = format!("carom-certificate 1\nclaim a\nstatement sha256 {zeros}\n1 sign: x = x\nqed\n");
+    let step = &read(&text).unwrap().steps[0];
+    let mut draft = Checker::draft(&claim, &[]).unwrap();
+    assert!(draft.step(step).is_ok());
+    assert!(draft.finish().is_err(), "a draft counts its work anew at each step");
+    let mut check = Checker::new(&claim, &[]).unwrap();
+    assert!(check.step(step).is_ok());
+    assert!(check.finish().is_ok());
 }

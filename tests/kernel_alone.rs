@@ -89,6 +89,7 @@ fn the_kernel_imports_nothing_else() {
         "num_traits",
         "std",
         "fraction",
+        "marks",
         "order",
         "statement",
         "translate",

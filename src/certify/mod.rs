@@ -15,15 +15,15 @@ mod write;
 use crate::certificate::{Certificate, Rule, Step, Term};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::{at_the_point, weighted_mean};
-use crate::kernel::fraction::Work;
 use crate::kernel::logic::negation;
+use crate::kernel::marks::{Source, Sources, needed};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{
     Substitution, compare, domain, expr, name, numeral, one_minus, power, product, prop, sum,
 };
-use crate::kernel::{Accepted, Checker, text};
+use crate::kernel::{Accepted, Checker, Fact, text};
 use crate::prove::expand;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 use write::{named, negated, say};
 
@@ -39,11 +39,12 @@ const TRIES: usize = 20_000;
 /// The first thing that could not be shown in the kernel's rules.
 pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accepted), Fail> {
     let statement = expand::Statement::of(claim).map_err(|limit| format!("limit reached: {}", limit.0))?;
-    let checker = Checker::new(claim, cited).map_err(say)?;
+    let checker = Checker::draft(claim, cited).map_err(say)?;
     let digest = crate::certificate::text::digest(&checker.statement().text());
     let mut certifier = Certifier {
         checker,
         steps: Vec::new(),
+        trail: Vec::new(),
         generators: Vec::new(),
         exponentials: Vec::new(),
         labels: Vec::new(),
@@ -59,74 +60,72 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
     let goal = certifier.checker.statement().goal.clone();
     certifier.begin(&statement)?;
     certifier.follow(&goal, &statement.proof)?;
-    let certificate = Certificate { claim: claim.name.text.clone(), statement: digest, steps: certifier.steps };
-    let certificate = pruned(claim, certificate, cited);
+    let goal = certifier.checker.facts().iter().find(|f| f.key() == text::prop(&goal)).map(Fact::source);
+    let needed = goal.map(|goal| needed(&certifier.trail, goal)).ok_or("the goal is not among the facts")?;
+    let whole = Certificate { claim: claim.name.text.clone(), statement: digest, steps: certifier.steps };
+    // The marks only propose: where the kernel wants more steps, they stay.
+    let swept = pruned(&whole, &needed);
+    let swept = match accepted(claim, &swept, cited) {
+        Ok(shown) => spared(claim, swept, &shown, cited),
+        Err(_) => whole,
+    };
     // What counts is what is written: the text is read back and checked from nothing.
-    let written = crate::certificate::text::write(&certificate);
+    let written = crate::certificate::text::write(&swept);
     let read = crate::certificate::text::read(&written).map_err(|m| format!("line {}: {}", m.line, m.message))?;
-    match crate::kernel::check(claim, &read, cited) {
-        crate::kernel::Verdict::Accepted(accepted) => Ok((read, *accepted)),
+    let shown = accepted(claim, &read, cited)?;
+    Ok((read, shown))
+}
+
+fn accepted(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Result<Accepted, Fail> {
+    match crate::kernel::check(claim, certificate, cited) {
+        crate::kernel::Verdict::Accepted(shown) => Ok(*shown),
         other => Err(format!("what was written is not accepted: {other:?}")),
     }
 }
 
-/// The certificate without steps that are not needed, its labels in order.
-///
-/// Steps are tried from the last to the first, so what stands before a step is still as it was found: the
-/// kernel's state there is kept (of a few hundred places), and only what follows is checked again.
-fn pruned(claim: &Claim, certificate: Certificate, cited: &[&Accepted]) -> Certificate {
-    const STATES: usize = 300;
-    let mut best = certificate;
-    let Ok(mut checker) = Checker::new(claim, cited) else { return best };
-    let stride = best.steps.len() / STATES + 1;
-    let mut states = Vec::new();
-    for (place, step) in best.steps.iter().enumerate() {
-        if place % stride == 0 {
-            states.push(checker.clone());
-        }
-        checker.work = Work::default();
-        if checker.step(step).is_err() {
-            return best;
-        }
-    }
-    let accepted = |c: &Certificate, at: usize| {
-        let Some(mut checker) = states.get(at / stride).cloned() else { return false };
-        c.steps.iter().skip(at / stride * stride).all(|step| {
-            checker.work = Work::default();
-            checker.step(step).is_ok()
-        }) && checker.finish().is_ok()
-    };
-    let mut at = best.steps.len();
-    while at > 0 {
-        at -= 1;
-        let Some(step) = best.steps.get(at) else { continue };
-        if step.rule == Rule::End {
+/// The certificate without steps that others can do without although they looked at them: one that no step cites, but
+/// that changed how something is written or what is known of a sign. Each is tried, the last one first.
+fn spared(claim: &Claim, mut best: Certificate, shown: &Accepted, cited: &[&Accepted]) -> Certificate {
+    let mut needed = shown.needed().clone();
+    let mut place = best.steps.len();
+    loop {
+        // With fewer steps around, more of them may be seen to be spare.
+        let fewer = pruned(&best, &needed);
+        if fewer.steps.len() < best.steps.len()
+            && let Ok(shown) = accepted(claim, &fewer, cited)
+        {
+            place = (0..place).filter(|at| needed.contains(&Source::Step(*at))).count();
+            needed = shown.needed().clone();
+            best = fewer;
             continue;
         }
-        // A block goes as a whole.
-        let mut end = at + 1;
-        if matches!(step.rule, Rule::Suppose | Rule::Let) {
-            let mut depth = 1;
-            while depth > 0 {
-                match best.steps.get(end).map(|s| s.rule) {
-                    Some(Rule::Suppose | Rule::Let) => depth += 1,
-                    Some(Rule::End) => depth -= 1,
-                    Some(_) => {}
-                    None => break,
-                }
-                end += 1;
-            }
-        }
+        let earlier = best.steps.get(..place).unwrap_or_default();
+        let Some(at) = earlier.iter().rposition(|step| is_silent(step, &best.steps)) else { return fewer };
+        place = at;
         let mut shorter = best.clone();
-        shorter.steps.drain(at..end);
-        if accepted(&shorter, at) {
+        shorter.steps.remove(at);
+        if let Ok(shown) = accepted(claim, &shorter, cited) {
+            needed = shown.needed().clone();
             best = shorter;
         }
     }
-    let mut names = std::collections::HashMap::new();
+}
+
+/// Whether a step is one that no other cites by its label.
+fn is_silent(step: &Step, all: &[Step]) -> bool {
+    let cites =
+        |other: &Step| other.from.iter().chain(other.terms.iter().flat_map(|t| &t.facts)).any(|l| *l == step.label);
+    matches!(step.rule, Rule::Replace | Rule::Note | Rule::Sign | Rule::Combination) && !all.iter().any(cites)
+}
+
+/// The steps that are needed, their labels in order.
+fn pruned(certificate: &Certificate, needed: &BTreeSet<Source>) -> Certificate {
+    let kept = certificate.steps.iter().enumerate().filter(|(place, _)| needed.contains(&Source::Step(*place)));
+    let mut out = Certificate { steps: kept.map(|(_, step)| step.clone()).collect(), ..certificate.clone() };
+    let mut names: HashMap<String, String> = HashMap::new();
     let mut count = 0;
-    for step in &mut best.steps {
-        let renamed = |label: &String, names: &std::collections::HashMap<String, String>| match names.get(label) {
+    for step in &mut out.steps {
+        let renamed = |label: &String, names: &HashMap<String, String>| match names.get(label) {
             Some(new) => new.clone(),
             // A supposition or domain of a block: the block's label with a suffix.
             None => names
@@ -152,13 +151,15 @@ fn pruned(claim: &Claim, certificate: Certificate, cited: &[&Accepted]) -> Certi
             step.label = fresh;
         }
     }
-    best
+    out
 }
 
 /// The search for one certificate.
 pub struct Certifier {
     checker: Checker,
     steps: Vec<Step>,
+    /// What each of them used.
+    trail: Vec<Sources>,
     generators: Vec<powers::Generator>,
     /// Atoms that are powers, as they are written.
     exponentials: Vec<(usize, Expr)>,
@@ -200,11 +201,11 @@ impl Certifier {
     /// Takes a step, if the kernel does; returns its label.
     fn step(&mut self, mut step: Step) -> Result<String, Fail> {
         self.tick()?;
-        self.checker.work = Work::default();
         if step.rule != Rule::End {
             step.label = format!("x{}", self.counter + 1);
         }
-        self.checker.step(&step).map_err(|f| format!("{}: {f:?}", step.rule.name()))?;
+        let used = self.checker.step(&step).map_err(|f| format!("{}: {f:?}", step.rule.name()))?;
+        self.trail.push(used);
         self.counter += 1;
         let label = step.label.clone();
         self.steps.push(step);
@@ -258,6 +259,7 @@ impl Certifier {
         if result.is_err() {
             self.checker = mark.checker;
             self.steps.truncate(mark.steps);
+            self.trail.truncate(mark.steps);
             self.generators = mark.generators;
             self.exponentials.truncate(mark.exponentials);
             self.labels.truncate(mark.labels);
@@ -295,13 +297,13 @@ impl Certifier {
         exprs_in_proof(&statement.proof, &mut exprs);
         self.prepare(&exprs.iter().collect::<Vec<_>>())?;
         // The domains and hypotheses, not the powers that were introduced beside them.
-        let given = self.checker.facts.iter().filter(|f| f.label.starts_with('h'));
-        let list: Vec<(String, Prop)> = given.map(|f| (f.label.clone(), (*f.prop).clone())).collect();
+        let given = self.checker.facts().iter().filter(|f| f.label().starts_with('h'));
+        let list: Vec<(String, Prop)> = given.map(|f| (f.label().to_string(), (**f.prop()).clone())).collect();
         for (label, prop) in &list {
             self.suppose(label, prop)?;
         }
-        for (variable, _) in self.checker.variables.clone() {
-            if let Ok(f) = self.checker.scalar(&name(&variable)) {
+        for variable in self.checker.variables().to_vec() {
+            if let Ok(f) = self.checker.scalar(&name(variable.name())) {
                 for poly in f.factors.keys() {
                     let _ = self.settle(poly, 1);
                 }
@@ -355,12 +357,12 @@ impl Certifier {
 
     /// The facts known now, by label: steps taken while they are walked through add others.
     fn facts(&self) -> Vec<(String, Rc<Prop>)> {
-        self.checker.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect()
+        self.checker.facts().iter().map(|f| (f.label().to_string(), f.prop().clone())).collect()
     }
 
     fn label_of(&self, fact: &Prop) -> Option<String> {
         let key = text::prop(fact);
-        self.checker.facts.iter().rev().find(|f| f.key == key).map(|f| f.label.clone())
+        self.checker.facts().iter().rev().find(|f| f.key() == key).map(|f| f.label().to_string())
     }
 
     /// Shows a goal with an argument.
@@ -507,10 +509,10 @@ impl Certifier {
     fn enter(&mut self, block: &str) -> Result<(), Fail> {
         let list: Vec<(String, Prop)> = self
             .checker
-            .facts
+            .facts()
             .iter()
-            .filter(|f| f.label.strip_prefix(block).is_some_and(|rest| rest.starts_with('d')))
-            .map(|f| (f.label.clone(), (*f.prop).clone()))
+            .filter(|f| f.label().strip_prefix(block).is_some_and(|rest| rest.starts_with('d')))
+            .map(|f| (f.label().to_string(), (**f.prop()).clone()))
             .collect();
         list.iter().try_for_each(|(label, fact)| self.suppose(label, fact))
     }
@@ -652,14 +654,14 @@ impl Certifier {
             _ => return Err("no chain".to_string()),
         };
         let mut edges: Vec<(Expr, Expr, String, bool)> = Vec::new();
-        for fact in &self.checker.facts {
-            let PropKind::Compare(sides, relations) = &fact.prop.kind else { continue };
+        for fact in self.checker.facts() {
+            let PropKind::Compare(sides, relations) = &fact.prop().kind else { continue };
             let ([x, y], [r]) = (sides.as_slice(), relations.as_slice()) else { continue };
             if matches!(r, Relation::Greater | Relation::GreaterEqual | Relation::Equal) {
-                edges.push((x.clone(), y.clone(), fact.label.clone(), true));
+                edges.push((x.clone(), y.clone(), fact.label().to_string(), true));
             }
             if matches!(r, Relation::Less | Relation::LessEqual | Relation::Equal) {
-                edges.push((y.clone(), x.clone(), fact.label.clone(), false));
+                edges.push((y.clone(), x.clone(), fact.label().to_string(), false));
             }
         }
         let mut paths: Vec<(Expr, Vec<(String, bool)>)> = vec![(from.clone(), Vec::new())];
@@ -900,7 +902,7 @@ impl Certifier {
     fn induction(&mut self, goal: &Prop, variable: &Name, steps: &Proof) -> Result<(), Fail> {
         // The bound variable of the induction must be new.
         let mut fresh = format!("{}_step", variable.text);
-        while self.checker.variables.iter().any(|v| v.0 == fresh) {
+        while self.checker.variables().iter().any(|v| v.name() == fresh) {
             fresh += "_";
         }
         let statement = self.checker.statement().clone();

@@ -423,7 +423,7 @@ impl Certifier {
         let mut atoms: Vec<usize> = poly.atoms().collect::<BTreeSet<_>>().into_iter().collect();
         let order = |c: &Self, atom: usize| match c.checker.atom(atom) {
             Some(Atom::Variable(name)) => {
-                c.checker.variables.iter().position(|v| v.0 == *name && !v.1).map_or(0, |p| p + 1)
+                c.checker.variables().iter().position(|v| v.name() == name && !v.is_natural()).map_or(0, |p| p + 1)
             }
             _ => 0,
         };

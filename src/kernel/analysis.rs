@@ -7,7 +7,7 @@ use super::statement::{
     prop, sum,
 };
 use super::translate::Atom;
-use super::{Checker, Failure, rejected, text};
+use super::{Checker, Failure, Power, Replaced, rejected, text};
 use crate::certificate::Step;
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;
@@ -82,7 +82,7 @@ impl Checker {
             }
             value
         };
-        self.powers.push((log, value));
+        self.powers.push(Power { log, value, source: self.now });
         self.know(&step.label, goal.clone())
     }
 
@@ -115,11 +115,11 @@ impl Checker {
         };
         let value = self.scalar(right)?;
         if let ExprKind::Name(variable) = &left.kind
-            && self.variables.iter().any(|v| v.0 == *variable)
+            && self.variable(variable).is_some()
         {
             // A variable may be replaced again.
             let atom = self.intern(Atom::Variable(variable.clone()));
-            self.replaced.push((atom, value));
+            self.replaced.push(Replaced { atom, value, source: Some(self.now) });
             return Ok(());
         }
         let left = self.scalar(left)?;
@@ -133,7 +133,7 @@ impl Checker {
             _ => None,
         };
         let Some(atom) = single else { return rejected("the left side is not an atom") };
-        self.replaced.push((atom, value));
+        self.replaced.push(Replaced { atom, value, source: Some(self.now) });
         Ok(())
     }
 
@@ -198,7 +198,14 @@ impl Checker {
                         let other = checker.scalar(e)?;
                         Ok(other.minus(&value, &checker.work)?.is_zero())
                     };
-                    if matches(self, &last).unwrap_or(false) { last } else { first }
+                    // What is tried in vain is not used.
+                    let used = self.used.clone();
+                    if matches(self, &last).unwrap_or(false) {
+                        last
+                    } else {
+                        self.used = used;
+                        first
+                    }
                 }
             }
             _ => return rejected("a member of a sequence, a sum or a product is needed"),
@@ -375,12 +382,12 @@ impl Checker {
         let goal = Self::shown(step)?;
         let PropKind::Limit(limit) = &goal.kind else { return rejected("a limit is needed") };
         let variable = limit.variable.text.clone();
-        if !self.variables.iter().any(|v| v.0 == variable) {
+        if self.variable(&variable).is_none() {
             return rejected(&format!("{variable} is not declared here"));
         }
         self.unbounded(&variable)?;
         let atom = self.intern(Atom::Variable(variable.clone()));
-        if self.replaced.iter().any(|r| r.0 == atom) {
+        if self.replaced.iter().any(|r| r.atom == atom) {
             return rejected("the variable that grows is replaced");
         }
         let (f, value) = (self.scalar(&limit.of)?, self.scalar(&limit.value)?);

@@ -37,6 +37,11 @@ impl Work {
         self.0.set(self.0.get().saturating_add(u64::try_from(amount).unwrap_or(u64::MAX)));
     }
 
+    /// How much was counted.
+    pub fn done(&self) -> u64 {
+        self.0.get()
+    }
+
     /// Counts some work.
     pub fn count(&self, amount: usize) -> Result<(), Failure> {
         self.spend(amount);

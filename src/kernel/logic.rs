@@ -33,7 +33,7 @@ impl Checker {
         }
         self.open(step, goal.clone());
         for binding in bindings {
-            self.declare(binding)?;
+            self.declare(binding, self.now)?;
         }
         for (place, fact) in bindings.iter().flat_map(domain).enumerate() {
             self.has_values(&fact)?;
@@ -43,7 +43,7 @@ impl Checker {
     }
 
     fn open(&mut self, step: &Step, goal: Prop) {
-        self.blocks.push(Block { label: step.label.clone(), goal, kept: self.sizes() });
+        self.blocks.push(Block { label: step.label.clone(), goal, kept: self.sizes(), source: self.now });
     }
 
     /// Rule `end`: closes a block whose conclusion is a fact; what it shows is known outside.
@@ -58,6 +58,7 @@ impl Checker {
             _ => return rejected("no block is open"),
         }
         let Some(block) = self.blocks.pop() else { return rejected("no block is open") };
+        self.consult(block.source);
         self.forget(block.kept);
         self.know(&block.label, block.goal)
     }
@@ -325,7 +326,9 @@ impl Checker {
 
     /// Whether a family here has the domain of a cited one, word for word.
     fn same_domain(&self, binding: &Binding, other: &str) -> Result<(), Failure> {
-        let Some((here, _)) = self.family(other) else { return rejected(&format!("{other} is not a family here")) };
+        let Some(family) = self.family(other) else { return rejected(&format!("{other} is not a family here")) };
+        let here = family.binding;
+        self.consult(family.source);
         let key = |b: &Binding| -> Vec<String> { constraints(b, &name("member")).iter().map(text::prop).collect() };
         let mut names = BTreeSet::new();
         constraints(binding, &numeral(0)).iter().for_each(|p| names_in_prop(p, &mut names));

@@ -19,6 +19,7 @@
 pub mod analysis;
 pub mod fraction;
 pub mod logic;
+pub mod marks;
 pub mod order;
 pub mod statement;
 pub mod table;
@@ -27,9 +28,11 @@ pub mod translate;
 
 use crate::certificate::{Certificate, Rule, Step};
 use crate::claim::syntax::{Binding, Claim, Prop, PropKind};
-use fraction::{Fraction, Poly, Work};
-use order::Signs;
+use fraction::{Fraction, Work};
+use marks::{Source, Sources};
+use order::Note;
 use statement::Statement;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use translate::Atom;
@@ -63,6 +66,7 @@ pub fn declined<T>(limit: &'static str) -> Result<T, Failure> {
 pub struct Accepted {
     statement: Statement,
     rests_on: BTreeSet<String>,
+    needed: BTreeSet<Source>,
 }
 
 impl Accepted {
@@ -71,9 +75,19 @@ impl Accepted {
         self.statement.text()
     }
 
+    /// The same as data.
+    pub fn statement(&self) -> &Statement {
+        &self.statement
+    }
+
     /// The cited claims and analytic lemmas that it rests on, those of cited claims included.
     pub fn rests_on(&self) -> &BTreeSet<String> {
         &self.rests_on
+    }
+
+    /// The hypotheses that the proof needs, and the steps, by their places in the certificate.
+    pub fn needed(&self) -> &BTreeSet<Source> {
+        &self.needed
     }
 }
 
@@ -122,15 +136,92 @@ pub fn check(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> V
     }
 }
 
-/// Something known.
+/// Something known. Only the kernel makes one.
 #[derive(Clone, Debug)]
 pub struct Fact {
-    /// Its label.
-    pub label: String,
-    /// What holds.
-    pub prop: Rc<Prop>,
+    label: String,
+    prop: Rc<Prop>,
     /// The same as text: facts are compared by it.
-    pub key: String,
+    key: String,
+    source: Source,
+}
+
+impl Fact {
+    /// Its label.
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// What holds.
+    pub fn prop(&self) -> &Rc<Prop> {
+        &self.prop
+    }
+
+    /// What holds, as the kernel writes it.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// From where it is known.
+    pub fn source(&self) -> Source {
+        self.source
+    }
+}
+
+/// A variable in scope.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    name: String,
+    natural: bool,
+    /// What says so; the index of a sum or product needs nothing.
+    source: Option<Source>,
+}
+
+impl Variable {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether it is a natural number.
+    pub fn is_natural(&self) -> bool {
+        self.natural
+    }
+}
+
+/// A family of the claim.
+struct Family<'s> {
+    binding: &'s Binding,
+    index: &'s str,
+    source: Source,
+}
+
+/// exp of `log` is `value`, as a step of rule `power` has shown.
+#[derive(Clone, Debug)]
+struct Power {
+    log: Fraction,
+    value: Fraction,
+    source: Source,
+}
+
+/// An atom that is written as something else; that an index stands for itself needs no step.
+#[derive(Clone, Debug)]
+struct Replaced {
+    atom: usize,
+    value: Fraction,
+    source: Option<Source>,
+}
+
+/// The most work in all attempts of one search for a certificate.
+pub const DRAFT_LIMIT: u64 = 200 * fraction::WORK_LIMIT;
+
+/// How much work is allowed.
+#[derive(Clone)]
+enum Budget {
+    /// [`fraction::WORK_LIMIT`] for the whole check.
+    Whole,
+    /// As much for each step of a draft, and [`DRAFT_LIMIT`] for all, those of failed attempts among them.
+    EachStep(Rc<Cell<u64>>),
 }
 
 /// A block that is open, with what is forgotten at its end.
@@ -139,37 +230,91 @@ struct Block {
     label: String,
     goal: Prop,
     kept: [usize; 5],
+    source: Source,
 }
 
 /// The state of a check.
+///
+/// Whoever holds one can read its facts and take steps. Nobody outside the kernel can make a fact, a fresh budget or
+/// an acceptance. This claim is false; its goal is no fact, and `finish` says so:
+///
+/// ```
+/// use carom::{claim::parse::parse, kernel::Checker};
+/// let claims = parse("claim false \"x = x + 1\"\ngiven x real\nprove x = x + 1\n").unwrap_or_default();
+/// let Ok(checker) = Checker::new(&claims[0], &[]) else { panic!("no checker") };
+/// assert!(checker.facts().is_empty());
+/// assert!(checker.finish().is_err());
+/// ```
+///
+/// Nor can the goal be slipped in among them:
+///
+/// ```compile_fail,E0616
+/// use carom::{claim::parse::parse, kernel::Checker};
+/// let claims = parse("claim false \"x = x + 1\"\ngiven x real\nprove x = x + 1\n").unwrap_or_default();
+/// let Ok(mut checker) = Checker::new(&claims[0], &[]) else { panic!("no checker") };
+/// let mut fact = checker.facts()[0].clone();
+/// fact.prop = std::rc::Rc::new(claims[0].goal.clone());
+/// checker.facts.push(fact);
+/// assert!(checker.finish().is_ok());
+/// ```
+///
+/// Nor can a fact be made from nothing, nor the count of work be set back:
+///
+/// ```compile_fail,E0451
+/// use carom::{claim::parse::parse_prop, kernel::Fact};
+/// let prop = std::rc::Rc::new(parse_prop("x = x + 1").unwrap_or_else(|_| unreachable!()));
+/// let fact = Fact { label: String::new(), prop, key: String::new(), source: unreachable!() };
+/// ```
+///
+/// ```compile_fail,E0616
+/// use carom::kernel::{Checker, fraction::Work};
+/// fn again(checker: &mut Checker) {
+///     checker.work = Work::default();
+/// }
+/// ```
 #[derive(Clone)]
 pub struct Checker {
     statement: Rc<Statement>,
     cited: Rc<Vec<Accepted>>,
     rests_on: BTreeSet<String>,
-    /// The facts.
-    pub facts: Vec<Fact>,
+    facts: Vec<Fact>,
     blocks: Vec<Block>,
-    /// Variables in scope; the flag says natural.
-    pub variables: Vec<(String, bool)>,
+    variables: Vec<Variable>,
     atoms: Vec<Atom>,
     atom_index: BTreeMap<Atom, usize>,
     /// Polynomials of known signs.
-    signs: Vec<(Poly, Signs)>,
-    /// exp L = value.
-    powers: Vec<(Fraction, Fraction)>,
-    /// Atoms that are written as something else.
-    replaced: Vec<(usize, Fraction)>,
+    signs: Vec<Note>,
+    powers: Vec<Power>,
+    replaced: Vec<Replaced>,
     /// How many indices of sums and products are in scope.
     binders: usize,
+    /// How many steps were tried.
     steps: usize,
-    /// How much arithmetic was done.
-    pub work: Work,
+    /// How many were taken.
+    taken: usize,
+    /// What the steps that were taken used; a draft keeps no record.
+    trail: Vec<Sources>,
+    /// What was consulted since the last step.
+    used: RefCell<Sources>,
+    /// From where that is known which is noted now.
+    now: Source,
+    work: Work,
+    budget: Budget,
 }
 
 impl Checker {
     /// The state before the first step: the hypotheses are the facts `h1`, `h2`, …
     pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
+        Checker::within(claim, cited, Budget::Whole)
+    }
+
+    /// The same for a search, which tries many steps: each has a budget of its own, and nothing is accepted in the end.
+    /// What was found is written down, and checked from nothing.
+    pub fn draft(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
+        Checker::within(claim, cited, Budget::EachStep(Rc::default()))
+    }
+
+    fn within(claim: &Claim, cited: &[&Accepted], budget: Budget) -> Result<Checker, Failure> {
         let statement = Statement::of(claim)?;
         if statement.bindings.iter().map(|b| b.names.len()).sum::<usize>() + statement.sequences.len() > NAMES_LIMIT {
             return declined("names");
@@ -191,11 +336,16 @@ impl Checker {
             replaced: Vec::new(),
             binders: 0,
             steps: 0,
+            taken: 0,
+            trail: Vec::new(),
+            used: RefCell::default(),
+            now: Source::Hypothesis(0),
             work: Work::default(),
+            budget,
         };
         let statement = checker.statement.clone();
-        for binding in &statement.bindings {
-            checker.declare(binding)?;
+        for (place, binding) in statement.bindings.iter().enumerate() {
+            checker.declare(binding, Source::Binding(place))?;
         }
         // A sequence speaks of what the claim declares, never of a variable that a block introduces later, nor of
         // a sequence that is defined after it; and of itself only by the member before.
@@ -218,6 +368,7 @@ impl Checker {
         let domains = statement.bindings.iter().flat_map(statement::domain);
         for prop in domains.chain(statement.assumptions.iter().cloned()) {
             let label = format!("h{}", checker.facts.len() + 1);
+            checker.now = Source::Hypothesis(checker.facts.len());
             checker.know(&label, prop)?;
         }
         // Every member has a value, so that a member is one wherever its index is a natural number.
@@ -238,8 +389,50 @@ impl Checker {
         self.cited.iter().find(|a| a.statement.name == name).map(|a| a.statement.clone())
     }
 
-    /// Takes one step, or says why not; then nothing is changed but the list of atoms.
-    pub fn step(&mut self, step: &Step) -> Result<(), Failure> {
+    /// The facts that are known now, those of open blocks among them.
+    pub fn facts(&self) -> &[Fact] {
+        &self.facts
+    }
+
+    /// The variables in scope.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn variable(&self, name: &str) -> Option<&Variable> {
+        self.variables.iter().find(|v| v.name == name)
+    }
+
+    /// Notes that something was consulted.
+    fn consult(&self, source: Source) {
+        self.used.borrow_mut().add(source);
+    }
+
+    fn consult_all(&self, sources: &Sources) {
+        self.used.borrow_mut().extend(sources);
+    }
+
+    /// Takes one step and says what it used, or says why not; then nothing is changed but the list of atoms.
+    pub fn step(&mut self, step: &Step) -> Result<Sources, Failure> {
+        if let Budget::EachStep(total) = &self.budget {
+            total.set(total.get().saturating_add(self.work.done()));
+            if total.get() > DRAFT_LIMIT {
+                return declined("work of a search");
+            }
+            self.work = Work::default();
+        }
+        self.used = RefCell::default();
+        self.now = Source::Step(self.taken);
+        self.take(step)?;
+        self.taken += 1;
+        let used = self.used.take();
+        if let Budget::Whole = self.budget {
+            self.trail.push(used.clone());
+        }
+        Ok(used)
+    }
+
+    fn take(&mut self, step: &Step) -> Result<(), Failure> {
         self.steps += 1;
         if self.steps > STEPS_LIMIT {
             return declined("steps");
@@ -287,14 +480,16 @@ impl Checker {
 
     /// Whether the goal is shown.
     pub fn finish(self) -> Result<Accepted, Failure> {
+        if let Budget::EachStep(_) = self.budget {
+            return rejected("a draft is not accepted: its steps are written down and checked from nothing");
+        }
         if !self.blocks.is_empty() {
             return rejected("a block is open at the end");
         }
         self.work.count(0)?;
-        if !self.knows(&self.statement.goal) {
-            return rejected("the goal is not among the facts");
-        }
-        Ok(Accepted { statement: (*self.statement).clone(), rests_on: self.rests_on })
+        let Some(goal) = self.find(&self.statement.goal) else { return rejected("the goal is not among the facts") };
+        let needed = marks::needed(&self.trail, goal.source);
+        Ok(Accepted { needed, statement: (*self.statement).clone(), rests_on: self.rests_on })
     }
 
     /// A step has the fields that its rule reads and no others.
@@ -344,6 +539,7 @@ impl Checker {
         match self.facts.iter().find(|f| f.label == label) {
             Some(fact) => {
                 self.work.count(fact.key.len())?;
+                self.consult(fact.source);
                 Ok(fact.prop.clone())
             }
             None => rejected(&format!("there is no fact {label}")),
@@ -352,9 +548,16 @@ impl Checker {
 
     /// Whether this very proposition is a fact.
     pub fn knows(&self, prop: &Prop) -> bool {
+        self.find(prop).is_some()
+    }
+
+    /// The fact that says this, the first if there are several.
+    fn find(&self, prop: &Prop) -> Option<&Fact> {
         let key = text::prop(prop);
         self.work.spend(key.len() + self.facts.len());
-        self.facts.iter().any(|f| f.key == key)
+        let found = self.facts.iter().find(|f| f.key == key);
+        found.iter().for_each(|fact| self.consult(fact.source));
+        found
     }
 
     /// A fact that a rule needs must be known word for word.
@@ -367,42 +570,47 @@ impl Checker {
     /// Adds a fact; the sign of what it compares is noted where it can be translated.
     fn know(&mut self, label: &str, prop: Prop) -> Result<(), Failure> {
         if let PropKind::Compare(..) = &prop.kind {
-            match self.note_comparison(&prop, false) {
+            // What the note needs is needed where the note is, not for the step.
+            let used = self.used.take();
+            let noted = self.note_comparison(&prop, false);
+            self.used = RefCell::new(used);
+            match noted {
                 Ok(()) | Err(Failure::Rejected(_)) => {}
                 Err(limit) => return Err(limit),
             }
         }
         let key = text::prop(&prop);
-        self.facts.push(Fact { label: label.to_string(), prop: Rc::new(prop), key });
+        self.facts.push(Fact { label: label.to_string(), prop: Rc::new(prop), key, source: self.now });
         Ok(())
     }
 
-    fn declare(&mut self, binding: &Binding) -> Result<(), Failure> {
+    fn declare(&mut self, binding: &Binding, source: Source) -> Result<(), Failure> {
         for (name, index) in &binding.names {
             if index.is_none() {
                 if self.is_declared(&name.text) {
                     return rejected(&format!("the name {} is in use", name.text));
                 }
-                self.variables.push((name.text.clone(), binding.natural));
+                let name = name.text.clone();
+                self.variables.push(Variable { name, natural: binding.natural, source: Some(source) });
             }
         }
         if self.variables.len() > NAMES_LIMIT { declined("names") } else { Ok(()) }
     }
 
     fn is_declared(&self, name: &str) -> bool {
-        self.variables.iter().any(|v| v.0 == name) || self.is_family(name)
+        self.variable(name).is_some() || self.is_family(name)
     }
 
     fn is_family(&self, name: &str) -> bool {
         self.family(name).is_some() || self.statement.sequences.iter().any(|s| s.name == name)
     }
 
-    fn family(&self, name: &str) -> Option<(&Binding, &str)> {
+    fn family(&self, name: &str) -> Option<Family<'_>> {
         // Families are declared by the claim only, never in a block.
-        let list = self.statement.bindings.iter().flat_map(|b| b.names.iter().map(move |n| (b, n)));
-        list.filter_map(|(b, n)| n.1.as_ref().map(|index| (b, n, index)))
-            .find(|x| x.1.0.text == name)
-            .map(|(binding, _, index)| (binding, index.text.as_str()))
+        let index_in = |b: &'_ Binding| b.names.iter().position(|n| n.0.text == name && n.1.is_some());
+        let (place, binding) = self.statement.bindings.iter().enumerate().find(|(_, b)| index_in(b).is_some())?;
+        let index = binding.names.get(index_in(binding)?)?.1.as_ref()?;
+        Some(Family { binding, index: &index.text, source: Source::Binding(place) })
     }
 
     fn sizes(&self) -> [usize; 5] {

@@ -1,6 +1,7 @@
 //! Signs: of polynomials by their terms and by facts, and the two rules that show comparisons.
 
 use super::fraction::{Fraction, Poly};
+use super::marks::Sources;
 use super::statement::{constraints, name};
 use super::translate::{Atom, Value};
 use super::{Checker, Failure, declined, rejected, text};
@@ -8,7 +9,8 @@ use crate::certificate::Step;
 use crate::claim::syntax::*;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// How deep signs of products over an index may nest.
 const NESTING: usize = 20;
@@ -99,69 +101,137 @@ impl Signs {
     }
 }
 
+/// A polynomial of known signs.
+#[derive(Clone, Debug)]
+pub(super) struct Note {
+    poly: Rc<Poly>,
+    signs: Signs,
+    /// What says so.
+    because: Rc<Sources>,
+}
+
+/// Signs with what they are known from.
+#[derive(Clone)]
+struct Seen {
+    signs: Signs,
+    because: Sources,
+}
+
+impl Seen {
+    fn of(signs: Signs) -> Seen {
+        Seen { signs, because: Sources::default() }
+    }
+
+    /// The signs in both, from no more than is needed: the first alone, else the second alone, else both.
+    fn and(mut self, other: Seen) -> Seen {
+        if other.signs.within(self.signs) && self.signs != other.signs {
+            return other;
+        }
+        if !self.signs.within(other.signs) {
+            self.because.extend(&other.because);
+        }
+        Seen { signs: self.signs.and(other.signs), because: self.because }
+    }
+}
+
 /// The signs of atoms found so far in one question.
-type Found = BTreeMap<usize, Signs>;
+type Found = BTreeMap<usize, Seen>;
 
 impl Checker {
     /// The signs of a fraction: the product of the signs of its factors.
     pub fn signs_of(&self, f: &Fraction) -> Result<Signs, Failure> {
-        self.fraction_signs(f, NESTING, &mut BTreeMap::new())
+        let seen = self.fraction_signs(f, NESTING, &mut BTreeMap::new())?;
+        self.consult_all(&seen.because);
+        Ok(seen.signs)
     }
 
-    fn fraction_signs(&self, f: &Fraction, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
-        let mut signs = Signs::of_number(&f.coefficient);
+    fn fraction_signs(&self, f: &Fraction, depth: usize, found: &mut Found) -> Result<Seen, Failure> {
+        let mut out = Seen::of(Signs::of_number(&f.coefficient));
         for (poly, k) in &f.factors {
-            signs = signs.times(self.poly_signs_in(poly, depth, found)?.power(*k));
+            let seen = self.poly_signs_in(poly, depth, found)?;
+            out.signs = out.signs.times(seen.signs.power(*k));
+            out.because.extend(&seen.because);
         }
-        Ok(signs)
+        Ok(out)
     }
 
     /// The signs of a polynomial: those noted of it, and those of the sum of its terms.
     pub fn poly_signs(&self, poly: &Poly) -> Result<Signs, Failure> {
-        self.poly_signs_in(poly, NESTING, &mut BTreeMap::new())
+        let seen = self.poly_signs_in(poly, NESTING, &mut BTreeMap::new())?;
+        self.consult_all(&seen.because);
+        Ok(seen.signs)
     }
 
-    fn noted(&self, poly: &Poly) -> Result<Signs, Failure> {
+    fn noted(&self, poly: &Poly) -> Result<Seen, Failure> {
         self.work.count(self.signs.len() + poly.size())?;
-        Ok(self.signs.iter().filter(|s| s.0 == *poly).fold(Signs::ANY, |all, s| all.and(s.1)))
+        let mut kept: Vec<&Note> = Vec::new();
+        let all = |notes: &[&Note]| notes.iter().fold(Signs::ANY, |all, note| all.and(note.signs));
+        for note in self.signs.iter().filter(|note| *note.poly == *poly) {
+            if !all(&kept).within(note.signs) {
+                kept.push(note);
+            }
+        }
+        let signs = all(&kept);
+        // An earlier note may say less than a later one.
+        for place in (0..kept.len()).rev() {
+            let mut fewer = kept.clone();
+            fewer.remove(place);
+            if all(&fewer) == signs {
+                kept = fewer;
+            }
+        }
+        let mut seen = Seen::of(signs);
+        kept.iter().for_each(|note| seen.because.extend(&note.because));
+        Ok(seen)
     }
 
-    fn poly_signs_in(&self, poly: &Poly, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
+    fn poly_signs_in(&self, poly: &Poly, depth: usize, found: &mut Found) -> Result<Seen, Failure> {
         if let Some(atom) = poly.single_atom() {
             return self.atom_signs(atom, depth, found);
         }
-        let mut sum = Signs::ZERO;
+        let mut sum = Seen::of(Signs::ZERO);
         for (monomial, c) in poly.terms() {
             let mut term = Signs::of_number(c);
             for (atom, k) in monomial {
-                term = term.times(self.atom_signs(*atom, depth, found)?.power(i64::from(*k)));
+                term = term.times(self.atom_signs(*atom, depth, found)?.signs.power(i64::from(*k)));
             }
-            sum = sum.plus(term);
+            sum.signs = sum.signs.plus(term);
+        }
+        if sum.signs != Signs::ANY {
+            for atom in poly.atoms().collect::<BTreeSet<_>>() {
+                found.get(&atom).iter().for_each(|seen| sum.because.extend(&seen.because));
+            }
         }
         Ok(sum.and(self.noted(poly)?))
     }
 
     /// The signs of an atom, sought once in each question: an atom may stand in every term, and what it is
     /// made of in every term of that.
-    fn atom_signs(&self, atom: usize, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
-        if let Some(signs) = found.get(&atom) {
-            return Ok(*signs);
+    fn atom_signs(&self, atom: usize, depth: usize, found: &mut Found) -> Result<Seen, Failure> {
+        if let Some(seen) = found.get(&atom) {
+            return Ok(seen.clone());
         }
-        let signs = self.noted(&Poly::atom(atom))?.and(self.structural(atom, depth, found)?);
-        found.insert(atom, signs);
-        Ok(signs)
+        let seen = self.structural(atom, depth, found)?.and(self.noted(&Poly::atom(atom))?);
+        found.insert(atom, seen.clone());
+        Ok(seen)
     }
 
     /// What the kind of an atom says of its sign: naturals are not negative, exponentials positive, a
     /// logarithm has the sign of its argument less 1, a
     /// member of a family lies in its domain, and products (sums) of positive bodies are positive
     /// (not negative: a range may be empty).
-    fn structural(&self, atom: usize, depth: usize, found: &mut Found) -> Result<Signs, Failure> {
+    fn structural(&self, atom: usize, depth: usize, found: &mut Found) -> Result<Seen, Failure> {
         let Some(depth) = depth.checked_sub(1) else { return declined("nesting of products") };
         Ok(match self.atom(atom) {
-            Some(Atom::Variable(name)) if self.variables.iter().any(|v| v.0 == *name && v.1) => Signs::NOT_NEGATIVE,
-            Some(Atom::Bound(_)) => Signs::NOT_NEGATIVE,
-            Some(Atom::Exponential(_)) => Signs::POSITIVE,
+            Some(Atom::Variable(name)) => match self.variable(name).filter(|v| v.natural) {
+                Some(variable) => {
+                    let because = variable.source.map_or_else(Sources::default, Sources::one);
+                    Seen { signs: Signs::NOT_NEGATIVE, because }
+                }
+                None => Seen::of(Signs::ANY),
+            },
+            Some(Atom::Bound(_)) => Seen::of(Signs::NOT_NEGATIVE),
+            Some(Atom::Exponential(_)) => Seen::of(Signs::POSITIVE),
             // ln p rises with p, and ln 1 = 0.
             Some(Atom::Logarithm(inner)) => {
                 let one = Fraction::integer(-1);
@@ -169,24 +239,26 @@ impl Checker {
                 self.fraction_signs(&shifted, depth, found)?
             }
             Some(Atom::Member(name, _)) => self.family_signs(name),
-            Some(Atom::Over(true, _, _, _, body)) => {
+            Some(Atom::Over(is_sum, _, _, _, body)) => {
                 let body = self.fraction_signs(body, depth, found)?;
-                if body.within(Signs::NOT_NEGATIVE) { Signs::NOT_NEGATIVE } else { Signs::ANY }
+                let kinds = match is_sum {
+                    true => vec![Signs::NOT_NEGATIVE],
+                    false => vec![Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO],
+                };
+                match kinds.into_iter().find(|kind| body.signs.within(*kind)) {
+                    Some(signs) => Seen { signs, ..body },
+                    None => Seen::of(Signs::ANY),
+                }
             }
-            Some(Atom::Over(false, _, _, _, body)) => {
-                let body = self.fraction_signs(body, depth, found)?;
-                let kinds = [Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO];
-                kinds.into_iter().find(|kind| body.within(*kind)).unwrap_or(Signs::ANY)
-            }
-            _ => Signs::ANY,
+            None => Seen::of(Signs::ANY),
         })
     }
 
     /// The signs that the domain of a family allows, from comparisons with numerals.
-    fn family_signs(&self, family: &str) -> Signs {
-        let Some((binding, _)) = self.family(family) else { return Signs::ANY };
-        let mut signs = if binding.natural { Signs::NOT_NEGATIVE } else { Signs::ANY };
-        for prop in constraints(binding, &name(family)) {
+    fn family_signs(&self, family: &str) -> Seen {
+        let Some(family_of) = self.family(family) else { return Seen::of(Signs::ANY) };
+        let mut signs = if family_of.binding.natural { Signs::NOT_NEGATIVE } else { Signs::ANY };
+        for prop in constraints(family_of.binding, &name(family)) {
             let PropKind::Compare(sides, relations) = &prop.kind else { continue };
             let (Some(Expr { kind: ExprKind::Number(bound), .. }), Some(relation)) = (sides.get(1), relations.first())
             else {
@@ -196,7 +268,7 @@ impl Checker {
             // x relation b with b ≥ 0: x is the sum of x − b and b.
             signs = signs.and(Signs::of(*relation).plus(Signs::of_number(&bound)));
         }
-        signs
+        Seen { signs, because: Sources::one(family_of.source) }
     }
 
     /// The difference of the two sides of a single comparison.
@@ -212,7 +284,7 @@ impl Checker {
     /// Notes what a fact `a relation b` says of the sign of the one factor of a − b that is open.
     ///
     /// With `granted` its divisors are noted to be other than 0 first: a fact has values on both sides.
-    pub fn note_comparison(&mut self, prop: &Prop, granted: bool) -> Result<(), Failure> {
+    pub(super) fn note_comparison(&mut self, prop: &Prop, granted: bool) -> Result<(), Failure> {
         if granted {
             for divisor in divisors(prop) {
                 let f = self.scalar(&divisor)?;
@@ -227,13 +299,24 @@ impl Checker {
         let mut rest = Signs::of_number(&f.coefficient);
         let mut open = Vec::new();
         for (poly, k) in &f.factors {
-            let signs = self.poly_signs(poly)?.power(*k);
+            let seen = self.poly_signs_in(poly, NESTING, &mut BTreeMap::new())?;
+            let signs = seen.signs.power(*k);
             let strict = signs.within(Signs::POSITIVE) || signs.within(Signs(1));
-            if strict { rest = rest.times(signs) } else { open.push((poly.clone(), *k)) }
+            if strict {
+                rest = rest.times(signs);
+                self.consult_all(&seen.because);
+            } else {
+                open.push((Rc::new(poly.clone()), *k));
+            }
         }
+        // What the translation and the signs of the other factors needed, and what is noted here.
+        let mut because = self.used.borrow().clone();
+        because.add(self.now);
+        let because = Rc::new(because);
+        let note = |poly: &Rc<Poly>, signs| Note { poly: poly.clone(), signs, because: because.clone() };
         if allowed.within(Signs::NOT_ZERO) {
             // A product that is not 0 has no factor that is.
-            self.signs.extend(open.iter().map(|(poly, _)| (poly.clone(), Signs::NOT_ZERO)));
+            self.signs.extend(open.iter().map(|(poly, _)| note(poly, Signs::NOT_ZERO)));
         }
         if let [(poly, k)] = open.as_slice()
             && rest.within(Signs::NOT_ZERO)
@@ -243,7 +326,7 @@ impl Checker {
                 .into_iter()
                 .filter(|s| !(*k < 0 && *s == Signs::ZERO) && s.power(*k).times(rest).within(allowed))
                 .fold(Signs(0), |all, s| Signs(all.0 | s.0));
-            self.signs.push((poly.clone(), signs));
+            self.signs.push(note(poly, signs));
         }
         Ok(())
     }
@@ -351,10 +434,11 @@ impl Checker {
         let Some(Expr { kind: ExprKind::Apply(function, arguments), .. }) = sides.first() else {
             return rejected("the left side is a member of a family");
         };
-        let (Some((binding, index)), [argument]) = (self.family(&function.text), arguments.as_slice()) else {
+        let (Some(family), [argument]) = (self.family(&function.text), arguments.as_slice()) else {
             return rejected(&format!("{} is not a family", function.text));
         };
-        let (binding, index) = (binding.clone(), index.to_string());
+        self.consult(family.source);
+        let (binding, index) = (family.binding.clone(), family.index.to_string());
         let mut map = super::statement::Substitution::default();
         map.replace(&index, argument);
         let member = sides.first().cloned().unwrap_or_else(|| name(""));

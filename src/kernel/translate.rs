@@ -8,7 +8,7 @@
 use super::fraction::{Fraction, Poly};
 use super::order::Signs;
 use super::statement::{DEPTH_LIMIT, NODES_LIMIT};
-use super::{Checker, Failure, declined, rejected, text};
+use super::{Checker, Failure, Replaced, Variable, declined, rejected, text};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -44,7 +44,7 @@ pub enum Value {
 
 impl Checker {
     /// The number of an atom.
-    pub fn intern(&mut self, atom: Atom) -> usize {
+    pub(super) fn intern(&mut self, atom: Atom) -> usize {
         if let Some(place) = self.atom_index.get(&atom) {
             return *place;
         }
@@ -60,8 +60,11 @@ impl Checker {
 
     /// The atom, or what it is replaced by.
     pub fn resolved(&self, place: usize) -> Fraction {
-        let replaced = self.replaced.iter().rev().find(|r| r.0 == place);
-        replaced.map_or_else(|| Fraction::atom(place), |r| r.1.clone())
+        let Some(replaced) = self.replaced.iter().rev().find(|r| r.atom == place) else {
+            return Fraction::atom(place);
+        };
+        replaced.source.iter().for_each(|source| self.consult(*source));
+        replaced.value.clone()
     }
 
     fn atom_value(&mut self, atom: Atom) -> Fraction {
@@ -107,7 +110,7 @@ impl Checker {
                 Fraction::number(number)
             }
             ExprKind::Name(name) => {
-                if !self.variables.iter().any(|v| v.0 == *name) {
+                if self.variable(name).is_none() {
                     return rejected(&format!("{name} is not declared here"));
                 }
                 self.atom_value(Atom::Variable(name.clone()))
@@ -281,8 +284,8 @@ impl Checker {
     /// A member of a family or sequence, whose index is a natural number.
     fn member_value(&mut self, name: &str, index: &Fraction) -> Result<Fraction, Failure> {
         let index = self.natural(index)?;
-        if let Some((binding, _)) = self.family(name)
-            && binding.indices.is_some()
+        if let Some(family) = self.family(name)
+            && family.binding.indices.is_some()
         {
             return rejected(&format!("{name} has members for some indices only, which the kernel does not follow"));
         }
@@ -291,7 +294,7 @@ impl Checker {
 
     /// Whether a fraction is a natural number: a polynomial with whole coefficients in natural
     /// variables, which is not negative.
-    pub fn natural(&mut self, index: &Fraction) -> Result<Poly, Failure> {
+    pub(super) fn natural(&mut self, index: &Fraction) -> Result<Poly, Failure> {
         let poly = self.whole(index)?;
         if !self.signs_of(index)?.within(Signs::NOT_NEGATIVE) {
             return rejected("an index that is not shown to be at least 0");
@@ -300,10 +303,16 @@ impl Checker {
     }
 
     /// A polynomial with whole coefficients in natural variables has whole values.
-    pub fn whole(&mut self, index: &Fraction) -> Result<Poly, Failure> {
+    pub(super) fn whole(&mut self, index: &Fraction) -> Result<Poly, Failure> {
         let poly = index.expanded(&self.work)?;
         let natural = |atom: usize| match self.atoms.get(atom) {
-            Some(Atom::Variable(name)) => self.variables.iter().any(|v| v.0 == *name && v.1),
+            Some(Atom::Variable(name)) => match self.variable(name).filter(|v| v.natural) {
+                Some(variable) => {
+                    variable.source.iter().for_each(|source| self.consult(*source));
+                    true
+                }
+                None => false,
+            },
             Some(Atom::Bound(_)) => true,
             _ => false,
         };
@@ -363,8 +372,8 @@ impl Checker {
         }
         let value = self.intern(atom);
         let variable = self.intern(Atom::Variable(name.to_string()));
-        self.variables.push((name.to_string(), true));
-        self.replaced.push((variable, Fraction::atom(value)));
+        self.variables.push(Variable { name: name.to_string(), natural: true, source: None });
+        self.replaced.push(Replaced { atom: variable, value: Fraction::atom(value), source: None });
         let result = self.scalar_in(body, depth);
         self.replaced.pop();
         self.variables.pop();
@@ -372,7 +381,7 @@ impl Checker {
     }
 
     /// A power: whole exponents by multiplication, others as exp(E·ln b) with b > 0.
-    pub fn raised(&mut self, base: &Fraction, exponent: &Fraction) -> Result<Fraction, Failure> {
+    pub(super) fn raised(&mut self, base: &Fraction, exponent: &Fraction) -> Result<Fraction, Failure> {
         if let Some(k) = exponent.as_integer() {
             if k < 0 && !self.signs_of(base)?.within(Signs::NOT_ZERO) {
                 return rejected("a negative power of what may be 0");
@@ -384,7 +393,7 @@ impl Checker {
     }
 
     /// ln c·∏ pᵢ^kᵢ = ln c + Σ kᵢ·ln pᵢ, if every pᵢ is shown to be positive; ln exp L = L.
-    pub fn logarithm_of(&mut self, x: &Fraction) -> Result<Fraction, Failure> {
+    pub(super) fn logarithm_of(&mut self, x: &Fraction) -> Result<Fraction, Failure> {
         if x.coefficient <= BigRational::zero() {
             return rejected("a logarithm or power of what is not shown to be positive");
         }
@@ -415,13 +424,15 @@ impl Checker {
             return Ok(Fraction::integer(1));
         }
         self.work.count(self.powers.len())?;
-        if let Some((_, value)) = self.powers.iter().rev().find(|p| p.0 == *log) {
-            return Ok(value.clone());
+        if let Some(power) = self.powers.iter().rev().find(|p| p.log == *log) {
+            self.consult(power.source);
+            return Ok(power.value.clone());
         }
         // The same exponent may stand in other factors.
-        for (known, value) in self.powers.iter().rev() {
-            if known.minus(log, &self.work)?.is_zero() {
-                return Ok(value.clone());
+        for power in self.powers.iter().rev() {
+            if power.log.minus(log, &self.work)?.is_zero() {
+                self.consult(power.source);
+                return Ok(power.value.clone());
             }
         }
         rejected("a power that no step of rule `power` has introduced")
@@ -440,7 +451,7 @@ impl Checker {
     /// bases that are positive stay so; there the rules of differentiation hold.
     fn derivative(&mut self, f: &Fraction, by: &str, depth: usize) -> Result<Fraction, Failure> {
         let Some(depth) = depth.checked_sub(1) else { return declined("depth") };
-        if !self.variables.iter().any(|v| v.0 == *by && !v.1) {
+        if self.variable(by).is_none_or(|v| v.natural) {
             return rejected("a derivative by what is not a real variable");
         }
         let dependence = self.dependence();
@@ -522,7 +533,7 @@ impl Checker {
                 _ => false,
             }
         };
-        let bad = self.replaced.iter().find(|(place, value)| !always(*place, value));
+        let bad = self.replaced.iter().find(|r| !always(r.atom, &r.value));
         bad.map(|_| "a derivative where an atom is replaced by means of a hypothesis".to_string())
     }
 }
