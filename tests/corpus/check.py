@@ -3,14 +3,18 @@
 
     pip install mpmath
     python3 tests/corpus/check.py [FILE ...]
+    python3 tests/corpus/check.py --unneeded REPORT [FILE ...]   # of `carom audit --format json FILE ... > REPORT`
 
 Reads the claim files with a parser of its own and shares nothing with Carom. A claim without `expect refuted` must
 hold at every point that is tried: the points of its `# holds at` comments, and random points at which its hypotheses
 hold (equations are solved by Newton's method for variables picked at random; recurrences are followed). A claim with
 `expect refuted` must fail at the point of its `# false at` comment or, where it has none, at some point that is tried.
 Numbers have 200 digits; two that agree to 50 count as equal, in hypotheses to 150. Limits are looked at far out, extrema on random grids.
-A comment `# by hand: ...` gives the proof of what points cannot show. Exit code 0 if every claim passes, 1 if not.
+With `--unneeded`, each hypothesis that the report calls not needed is dropped, and a point is looked for
+at which the claim fails without it. A comment `# by hand: ...` gives the proof of what points cannot show. Exit code 0 if every claim passes, 1 if not.
 """
+import copy
+import json
 import pathlib
 import random
 import re
@@ -23,8 +27,10 @@ mpmath.mp.dps = 200
 CLOSE = mpf(10) ** -50
 SOLVED = mpf(10) ** -150
 POINTS = 40
-TOKEN = re.compile(r"\s*(?:(\d+(?:\.(?!\.)\d+)?)|([A-Za-z][\w']*)|(<=>|=>|->|<=|>=|!=|\.\.|[-+*/^()\[\],;:=<>]))")
-FUNCTIONS = {name: getattr(mpmath, name) for name in ("exp", "cosh", "sinh", "tanh", "sech")}
+TOKEN = re.compile(r"\s*(?:(\d+(?:\.(?!\.)\d+)?)|([A-Za-z][\w']*)|(<=>|=>|->|<=|>=|!=|\.\.|[-+*/^()\[\],;:=<>|!]))")
+FUNCTIONS = {name: getattr(mpmath, name) for name in ("exp", "cosh", "sinh", "tanh", "sech", "sin", "cos", "tan", "factorial")}
+FUNCTIONS |= {"abs": abs, "floor": mpmath.floor}
+SEVERAL = {"min": min, "max": max, "binomial": mpmath.binomial}
 
 
 class Undefined(Exception):
@@ -150,6 +156,8 @@ class Parser:
             return "range", opening, low, high, self.take("]", ")")
         if self.next("natural"):
             return "natural", self.sum() if self.next(">=") else ("number", mpf(0)), None
+        if self.next("integer"):
+            return ("integer",)
         if self.next("real"):
             return ("but", self.sum()) if self.next("!=") else ("real",)
         sign, bound = self.take(">", ">=", "<", "<="), self.sum()
@@ -172,6 +180,8 @@ class Parser:
 
     def power(self):
         base = self.primary()
+        while self.next("!"):
+            base = "call", "factorial", base
         return ("^", base, self.unary()) if self.next("^") else base
 
     def primary(self):
@@ -180,6 +190,10 @@ class Parser:
             inner = self.sum()
             self.take(")")
             return inner
+        if word == "|":
+            inner = self.sum()
+            self.take("|")
+            return "call", "abs", inner
         if word == "[":
             rows = [[self.sum()]]
             while (sign := self.take(",", ";", "]")) != "]":
@@ -206,6 +220,11 @@ class Parser:
             while self.next(","):
                 out.append(self.take())
             out = tuple(out)
+        elif word in SEVERAL:
+            out = [self.sum()]
+            while self.next(","):
+                out.append(self.sum())
+            out = "several", word, out
         else:
             out = "call", word, self.sum()
         self.take(")")
@@ -232,7 +251,7 @@ def value(e, env):
     if op == "number":
         return e[1]
     if op == "name":
-        return env[e[1]]
+        return +mpmath.pi if e[1] == "pi" else env[e[1]]
     if op == "negative":
         return -value(e[1], env)
     if op in ("sum", "product"):
@@ -252,6 +271,8 @@ def value(e, env):
         return [[value(x, env) for x in row] for row in e[1]]
     if op == "call":
         return call(e[1], e[2], env)
+    if op == "several":
+        return SEVERAL[e[1]](*(value(x, env) for x in e[2]))
     a, b = value(e[1], env), value(e[2], env)
     if isinstance(a, list) or isinstance(b, list):
         return matrices(op, a, b)
@@ -382,6 +403,8 @@ def inside(domain, v, env):
         _, opening, low, high, closing = domain
         left = low is None or compare(">=" if opening == "[" else ">", v, value(low, env))
         return left and (high is None or compare("<=" if closing == "]" else "<", v, value(high, env)))
+    if kind == "integer":
+        return v == int(v)
     return kind != "but" or v != value(domain[1], env)
 
 
@@ -390,6 +413,8 @@ def draw(domain, env, rng):
     if domain[0] == "natural":
         low = int(value(domain[1], env))
         return mpf(rng.randint(low, int(value(domain[2], env)))) if domain[2] else mpf(low + rng.choice([0, 1, 2, 3, 4, 5, 9, 17]))
+    if domain[0] == "integer":
+        return mpf(rng.randint(-6, 6))
     low = high = None
     if domain[0] == "range":
         low, high = (None if e is None else value(e, env) for e in domain[2:4])
@@ -446,16 +471,64 @@ class Claim:
         self.by_hand = re.search(r"^# by hand: ", text, re.M) is not None
         self.points = [dict(part.split(" = ") for part in line.split(", ")) for line in re.findall(r"^# (?:holds|false) at (.*)", text, re.M)]
         body = re.sub(r"#.*", "", text)
-        clauses = re.split(r"^(?=given|assume|prove|expect|claim)", body, flags=re.M)
+        clauses = re.split(r"^(?=given|assume|let|prove|expect|claim|source|section|number|reading|note)", body, flags=re.M)
         read = lambda word: [" ".join(c.split()[1:]) for c in clauses if c.startswith(word)]
         self.domains = [d for g in read("given") for d in Parser(g + " :").bindings(":")]
         self.families = {name for name, family, _ in self.domains if family}
-        assumed = [Parser(a).statement() for a in read("assume")]
+        self.names = {}
+        for text in read("let"):
+            name, right = text.split(" = ", 1)
+            self.names[name] = self.replaced(Parser(right).sum())
+        assumed = [self.replaced(Parser(re.sub(r"^\w+: ", "", a)).statement()) for a in read("assume")]
+        self.written = list(zip((re.sub(r"^\w+: ", "", a) for a in read("assume")), assumed))
+        assumed = [part for a in assumed for part in (a[1:] if a[0] == "and" else [a])]
         self.recurrences = [a for a in assumed if self.defines(a)]
         self.assumed = [a for a in assumed if a not in self.recurrences and a[0] != "all"]
         self.open = [a for a in assumed if a[0] == "all" and a not in self.recurrences]
         (goal,) = read("prove")
-        self.goal = Parser(goal).statement()
+        # What follows `by` is an argument, of which only the witness of `exists` is of use here.
+        goal, _, argument = goal.partition(" by ")
+        self.goal = self.replaced(Parser(goal).statement())
+        if self.goal[0] == "exists" and argument.startswith("witness "):
+            for text in re.split(r", (?=\w+ = )", argument.removeprefix("witness ")):
+                name, right = text.split(" = ", 1)
+                self.names[name] = self.replaced(Parser(right).sum())
+            self.goal = self.replaced(self.goal[2])
+
+    def replaced(self, tree):
+        """A tree with what its abbreviations stand for."""
+        if isinstance(tree, tuple) and len(tree) == 2 and tree[0] == "name":
+            return self.names.get(tree[1], tree)
+        if isinstance(tree, (tuple, list)):
+            return type(tree)(self.replaced(part) for part in tree)
+        return {n: self.replaced(e) for n, e in tree.items()} if isinstance(tree, dict) else tree
+
+    def without(self, text):
+        """The claim without the hypothesis that a report prints so, or None if there is none such."""
+        same = lambda a, b: a.replace(" ", "") == b.replace(" ", "")
+        other = copy.copy(self)
+        for written, tree in self.written:
+            if same(written, re.sub(r"^\w+: ", "", text)):
+                other.assumed = [a for a in self.assumed if a is not tree]
+                return other if len(other.assumed) < len(self.assumed) else None
+        match = re.fullmatch(r"(\w+)(?:\(\w\))? (>=|>|<=|<) \S+", text)
+        if not match:
+            return None
+        other.domains = [(n, f, relaxed(d, match[2])) if n == match[1] else (n, f, d) for n, f, d in self.domains]
+        return other if other.domains != self.domains else None
+
+    def counterexample(self):
+        """A point at which the hypotheses hold and the claim does not, or None."""
+        rng = random.Random(self.name)
+        for _ in range(1500):
+            try:
+                env = self.start(rng, {})
+                env = self.solved(env, rng) if rng.random() < 0.7 else env
+                if self.allowed(env, rng) and not self.holds(env, rng):
+                    return ", ".join(f"{n} = {mpmath.nstr(v, 12)}" for n, v in env.items() if not callable(v))
+            except (Undefined, ValueError, ZeroDivisionError, OverflowError, TypeError):
+                continue
+        return None
 
     def defines(self, a):
         """Whether a hypothesis gives members of a family: `u(0) = ...` or `for all k natural: u(k + 1) = ...`."""
@@ -554,6 +627,34 @@ class Claim:
             return False
 
 
+def relaxed(domain, sign):
+    """A domain without its lower or its upper bound."""
+    if domain[0] == "natural" and domain[2] is None:
+        return "natural", ("number", mpf(0)), None
+    if domain[0] != "range":
+        return domain
+    _, opening, low, high, closing = domain
+    if ">" in sign:
+        return ("range", "", None, high, closing) if high is not None else ("real",)
+    return ("range", opening, low, None, "") if low is not None else ("real",)
+
+
+def unneeded(report, paths):
+    """Prints what a report calls not needed, and is: without it the claim fails at a point."""
+    known = {claim.name: claim for path in paths for claim in claims(path)}
+    checked = wrong = 0
+    for entry in json.loads(pathlib.Path(report).read_text())["claims"]:
+        for text in entry["unused"] if entry["id"] in known else []:
+            other = known[entry["id"]].without(text)
+            found = other and other.counterexample()
+            checked += other is not None
+            if found:
+                wrong += 1
+                print(f"{entry['id']}: without {text} it fails at {found}")
+    print(f"{checked} hypotheses said not to be needed, {wrong} wrongly")
+    return wrong
+
+
 def claims(path):
     for text in re.split(r"^(?=claim )", path.read_text(), flags=re.M)[1:]:
         yield Claim(text)
@@ -561,7 +662,10 @@ def claims(path):
 
 def main():
     folder = pathlib.Path(__file__).parent
-    paths = [pathlib.Path(p) for p in sys.argv[1:]] or sorted(folder.glob("*.claim"))
+    report = sys.argv[2] if sys.argv[1:2] == ["--unneeded"] else None
+    paths = [pathlib.Path(p) for p in sys.argv[3 if report else 1 :]] or sorted(folder.glob("*.claim"))
+    if report:
+        sys.exit(1 if unneeded(report, paths) else 0)
     wrong = count = points = hand = 0
     for path in paths:
         for claim in claims(path):
