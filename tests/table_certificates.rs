@@ -573,3 +573,36 @@ fn a_table_of_costly_rows_is_declined_as_a_whole() {
     let one = table("--want eta --ratio 1 -e 1/3 -n 200000 --digits 1");
     assert_eq!(checked(&one), Ok(1));
 }
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_checked_like_the_file() {
+    use std::process::Stdio;
+    let table = table("--want eta --ratio 2 -e 0.5 -n 1 --digits 3");
+    let certificate = include_str!("../proofs/certificates/eq13.cert");
+    for (text, sign) in [(table.as_str(), "accepted  -: 1 row"), (certificate, "accepted  eq13")] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["check", "--quiet", "-"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::io::Write::write_all(&mut child.stdin.take().unwrap(), text.as_bytes()).unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        assert!(said(&output).starts_with(sign), "{}", said(&output));
+        // As a shell gives `<(…)`.
+        let folder = tempfile::tempdir().unwrap();
+        let (file, pipe) = (folder.path().join("t"), folder.path().join("pipe"));
+        std::fs::write(&file, text).unwrap();
+        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let feed = std::thread::spawn({
+            let (file, pipe) = (file.clone(), pipe.clone());
+            move || std::fs::write(pipe, std::fs::read(file).unwrap())
+        });
+        let output = carom(&["check", "--quiet", pipe.to_str().unwrap()]);
+        feed.join().unwrap().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        assert_eq!(said(&output).contains("row"), text.starts_with('{'), "{}", said(&output));
+    }
+}

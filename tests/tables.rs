@@ -905,3 +905,40 @@ fn doubles_around_a_cell_are_its_neighbours() {
     assert_eq!((found[1], found[3], found[5]), ((0.0, infinity), (infinity, infinity), (infinity, infinity)));
     assert!([0, 2, 4].iter().all(|i| found[*i].0 == found[*i].1 && found[*i].0.fract() == 0.0));
 }
+
+#[test]
+fn the_form_is_that_of_the_files_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let small = ["table", "--ratio", "2", "-e", "1/2", "-n", "1"];
+    for (name, sign) in
+        [("t.csv", "ratio,e,n,eta"), ("t.json", "\"rows\""), ("t.tex", "\\toprule"), ("t.md", "| --: |")]
+    {
+        let path = folder.path().join(name).display().to_string();
+        assert_eq!(carom(&[&small[..], &["--output", &path]].concat()).status.code(), Some(0));
+        let written = std::fs::read_to_string(&path).expect("written");
+        assert!(written.contains(sign), "{name}: {written}");
+        // What is asked for in words counts.
+        assert_eq!(carom(&[&small[..], &["--output", &path, "--format", "text"]].concat()).status.code(), Some(0));
+        assert!(!std::fs::read_to_string(&path).expect("written").contains(sign), "{name}");
+    }
+    let out = carom(&[&small[..], &["--output", "-"]].concat());
+    assert_eq!((out.status.code(), text(&out.stdout).contains("eta")), (Some(0), true));
+    assert!(!std::path::Path::new("-").exists());
+    // The error of a missing folder names no temporary file.
+    let out = carom(&[&small[..], &["--output", "/nonexistent/t.csv"]].concat());
+    assert_eq!(out.status.code(), Some(2));
+    assert!(!text(&out.stderr).contains(".tmp"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn a_table_longer_than_a_page_goes_on_with_its_heading() {
+    let latex = |n: &str| text(&carom(&["table", "--ratio", "2", "-e", "1/2", "-n", n, "--format", "latex"]).stdout);
+    let (short, long) = (latex("1:40:1"), latex("1:41:1"));
+    assert!(short.contains("\\begin{tabular}") && !short.contains("{longtable}"), "{short}");
+    assert!(
+        long.contains("\\begin{longtable}") && long.contains("\\midrule\n\\endhead\n\\bottomrule\n\\endfoot"),
+        "{long}"
+    );
+    assert_eq!(long.matches("\\bottomrule").count(), 1);
+    assert!(long.trim_end().ends_with("\\end{longtable}\n\\endgroup"), "{long}");
+}

@@ -114,6 +114,8 @@ fn a_blank_sheet_gives_nothing_away_and_every_form_is_whole() {
     assert_eq!(both.matches("| total |").count(), 6, "{both}");
     let latex = good(&["worksheet", &scene("stacked-balls"), "--format", "latex", "--sheet", "key"]);
     assert_eq!(latex.matches("\\toprule").count(), 3);
+    let sheets = good(&["worksheet", &scene("stacked-balls"), "--format", "latex"]);
+    assert!(sheets.contains("\\newpage\n\\section*{stacked balls: answer key}"), "pupils do not get the key");
     let out = carom(&["worksheet", &scene("elastic-limit")]);
     assert_eq!(out.status.code(), Some(3), "1001 collisions: {}", text(&out.stderr));
     let out = carom(&["worksheet", &scene("measured-restitution")]);
@@ -188,6 +190,16 @@ fn pictures_that_cannot_be_drawn_are_refused() {
         (vec!["eta-x", "--ratio", "-1,2", "-o", "PICTURE.svg"], 2, "--ratio: a mass must be above 0"),
         (vec!["eta-x", "-e", "-0.5", "-o", "PICTURE.svg"], 2, "-e: a coefficient of restitution"),
         (vec!["eta-n", "-e", "0.5,1/2", "-o", "PICTURE.svg"], 2, "1/2 is given twice"),
+        (
+            vec!["map", "--ratio", "1,1.0", "-o", "PICTURE.svg"],
+            2,
+            "--ratio 1,1.0: the two ends are the same; write a range",
+        ),
+        (
+            vec!["velocities", "examples/scenes/measured-restitution.toml", "-o", "PICTURE.svg"],
+            2,
+            "picture of velocities",
+        ),
     ] {
         let arguments: Vec<String> =
             arguments.iter().map(|a| if a.starts_with("PICTURE") { path(a) } else { (*a).to_owned() }).collect();

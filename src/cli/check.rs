@@ -1,5 +1,6 @@
 //! `carom check`: certificates of claims, and of tables (`table_certificate`).
 
+use super::table_certificate::Other;
 use super::{Exit, load, print, table_certificate};
 use crate::certificate::Certificate;
 use crate::certificate::text::{FILE_LIMIT, digest, read};
@@ -27,8 +28,9 @@ enum Outcome {
 /// Runs the command: exit 1 if a certificate is rejected, 3 if a limit was reached.
 pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
     let (tables, others) = table_certificate::told_apart(paths)?;
-    let of_tables = table_certificate::run(&tables, quiet)?;
-    if others.is_empty() && !tables.is_empty() {
+    let only_tables = others.is_empty() && !tables.is_empty();
+    let of_tables = table_certificate::run(tables, quiet)?;
+    if only_tables {
         return Ok(of_tables);
     }
     let of_claims = check_claims(&others, claims, quiet)?;
@@ -36,7 +38,7 @@ pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exi
     Ok(if of_tables == 1 || of_claims == 1 { 1 } else { of_tables.max(of_claims) })
 }
 
-fn check_claims(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
     let claims: Vec<Claim> = if claims.is_empty() {
         let broken = |faults: Vec<Diagnostic>| {
             Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
@@ -85,7 +87,7 @@ fn check_claims(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8
 
 /// The certificates to judge, and those of the claims that they cite, which are looked for beside them under
 /// their claims' names. Other files there are not read.
-fn certificates(paths: &[PathBuf], claims: &[Claim]) -> Result<(Vec<String>, BTreeMap<String, Found>), Exit> {
+fn certificates(paths: &[Other], claims: &[Claim]) -> Result<(Vec<String>, BTreeMap<String, Found>), Exit> {
     let mut found = BTreeMap::new();
     let mut asked = Vec::new();
     if paths.is_empty() {
@@ -97,22 +99,32 @@ fn certificates(paths: &[PathBuf], claims: &[Claim]) -> Result<(Vec<String>, BTr
         return Ok((asked, found));
     }
     let mut beside: Vec<PathBuf> = Vec::new();
+    let mut add = |file: &Path, text: &str| -> Result<(), Exit> {
+        let origin = file.display().to_string();
+        let certificate = parsed(&origin, text)?;
+        asked.push(certificate.claim.clone());
+        match found.insert(certificate.claim.clone(), Found { origin: origin.clone(), certificate }) {
+            None => Ok(()),
+            Some(other) => {
+                let other = other.origin;
+                Err(Exit::usage(format!("error: {other} and {origin} are certificates of the same claim")))
+            }
+        }
+    };
     for path in paths {
+        let path = match path {
+            Other::Path(path) => path,
+            Other::Text(path, bytes) => {
+                add(path, &utf8(path, bytes.clone())?)?;
+                continue;
+            }
+        };
         let files = if path.is_dir() { listed(path)? } else { vec![path.clone()] };
         if files.is_empty() {
             return Err(Exit::usage(format!("error: no .cert files in {}", path.display())));
         }
         for file in files {
-            let certificate = parsed(&file.display().to_string(), &text_of(&file)?)?;
-            asked.push(certificate.claim.clone());
-            let origin = file.display().to_string();
-            if let Some(other) = found.insert(certificate.claim.clone(), Found { origin: origin.clone(), certificate })
-            {
-                return Err(Exit::usage(format!(
-                    "error: {} and {origin} are certificates of the same claim",
-                    other.origin
-                )));
-            }
+            add(&file, &text_of(&file)?)?;
             beside.extend(
                 file.parent().map(|p| if p.as_os_str().is_empty() { PathBuf::from(".") } else { p.to_path_buf() }),
             );
@@ -153,6 +165,10 @@ fn listed(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
 
 fn text_of(path: &Path) -> Result<String, Exit> {
     let bytes = load::bounded(path, FILE_LIMIT).map_err(|e| load::cannot_read(path, &e))?;
+    utf8(path, bytes)
+}
+
+fn utf8(path: &Path, bytes: Vec<u8>) -> Result<String, Exit> {
     String::from_utf8(bytes).map_err(|_| Exit::usage(format!("error: {} is not UTF-8 text", path.display())))
 }
 

@@ -91,6 +91,12 @@ fn failure(place: &str, error: &ChainError) -> Exit {
     Exit { code: if limit { 3 } else { 2 }, message: format!("error: {place}: {error}") }
 }
 
+/// What a sheet or a picture of a scene is called: its file's name.
+pub fn scene_title(path: &Path) -> String {
+    let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().replace(['-', '_'], " "));
+    if stem.trim().is_empty() { "scene".to_owned() } else { stem }
+}
+
 /// Reads a scene file.
 pub fn load_scene(path: &Path) -> Result<Scene, Exit> {
     let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));

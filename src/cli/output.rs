@@ -43,6 +43,8 @@ impl Output {
             }
         }
         let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        // The error of a temporary file would name it.
+        std::fs::metadata(folder).map_err(|e| cannot(path, e))?;
         let file = beside(folder, old.as_ref()).map_err(|e| cannot(path, e))?;
         Ok(Output::Whole(target, file))
     }

@@ -1,11 +1,11 @@
 //! `carom plot`
 
-use super::eval::load_scene;
+use super::eval::{load_scene, scene_title};
 use super::output::write_bytes;
 use super::{Exit, table_contents::grid};
 use crate::chain::best::{Best, best};
 use crate::chain::{ChainError, Positive, Restitution};
-use crate::number::NumberError;
+use crate::number::{NumberError, rational};
 use crate::report::plot::charts::{self, CURVES};
 use crate::report::plot::png::{self, PngError};
 use crate::report::plot::shape::Page;
@@ -104,7 +104,17 @@ fn all(grid: &Grid) -> Vec<Rational> {
 impl Contents {
     /// The ends of the range of ratios.
     fn range(&self) -> Result<(Positive, Positive), Exit> {
-        let list = values("--ratio", self.ratio.as_deref(), "1/1000,1000")?;
+        let text = self.ratio.as_deref().unwrap_or("1/1000,1000");
+        // A grid has no number twice, but here neither of them is to be left out.
+        if let Some((from, to)) = text.split_once(',')
+            && let (Ok(from), Ok(to)) = (rational::parse(from.trim()), rational::parse(to.trim()))
+            && from == to
+        {
+            return Err(Exit::usage(format!(
+                "error: --ratio {text}: the two ends are the same; write a range, as in 1/100,100"
+            )));
+        }
+        let list = values("--ratio", Some(text), "")?;
         let ends: Result<Vec<Positive>, ChainError> = list.into_iter().map(Positive::new).collect();
         match ends.map_err(|e| failure("--ratio", &e))?.as_slice() {
             [from, to] if from < to => {
@@ -172,9 +182,7 @@ impl Contents {
                 let Some(path) = &self.scene else { return Err(Exit::usage("error: give a scene file")) };
                 let scene = load_scene(path)?;
                 let worksheet = Worksheet::of(&scene.chain).map_err(|e| failure(&path.display().to_string(), &e))?;
-                let name =
-                    path.file_stem().map_or("scene".to_owned(), |s| s.to_string_lossy().replace(['-', '_'], " "));
-                charts::velocities(&worksheet, &format!("Velocities: {name}"))
+                charts::velocities(&worksheet, &format!("Velocities: {}", scene_title(path)))
             }
         };
         page.map_err(|e| unclear(&e))

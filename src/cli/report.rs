@@ -47,7 +47,7 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         }
         write_bytes(&path, bytes)?;
     }
-    strangers(&flags.out.join("certificates"), &files);
+    strangers(&flags.out, &files);
     let mut list = "index.html, report.md, report.tex".to_string();
     if interrupt.asked() {
         return Err(interrupted(if flags.pdf { latex::BUT_THE_PDF } else { "everything is written" }));
@@ -95,14 +95,17 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     Ok(Handout { audit, title: title.to_string(), evidence, catalogue, tables, plots })
 }
 
-/// Says which certificates in the folder are not of this report: `carom check` of the folder would read them.
-fn strangers(folder: &Path, files: &[(String, Vec<u8>)]) {
-    let ours = |name: &str| files.iter().any(|f| f.0.strip_prefix("certificates/") == Some(name));
-    let Ok(entries) = std::fs::read_dir(folder) else { return };
-    let names = entries.filter_map(|e| e.ok()?.file_name().into_string().ok());
-    let mut strange: Vec<String> = names.filter(|n| n.ends_with(".cert") && !ours(n)).collect();
+/// Says what an earlier report left in the folder: `carom check` would read its certificates, and a reader its pictures.
+fn strangers(out: &Path, files: &[(String, Vec<u8>)]) {
+    let mut strange = Vec::new();
+    for (folder, end) in [("certificates", ".cert"), ("tables", ""), ("plots", "")] {
+        let Ok(entries) = std::fs::read_dir(out.join(folder)) else { continue };
+        let names = entries.filter_map(|e| e.ok()?.file_name().into_string().ok());
+        let names = names.filter(|name| name.ends_with(end)).map(|name| format!("{folder}/{name}"));
+        strange.extend(names.filter(|name| files.iter().all(|file| file.0 != *name)));
+    }
     strange.sort();
     if !strange.is_empty() {
-        eprintln!("note: {} holds certificates that are not of this report: {}", folder.display(), strange.join(", "));
+        eprintln!("note: {} holds files that are not of this report: {}", out.display(), strange.join(", "));
     }
 }

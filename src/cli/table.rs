@@ -26,10 +26,10 @@ use std::path::{Path, PathBuf};
 pub struct Flags {
     #[command(flatten)]
     contents: Contents,
-    /// The form of the table
-    #[arg(long, value_enum, default_value = "text")]
-    format: Form,
-    /// Write the table to a file; with CSV, what an interrupted run leaves is FILE.partial
+    /// The form of the table; if not given, that of the file's name (.csv, .json, .md, .tex), else text
+    #[arg(long, value_enum)]
+    format: Option<Form>,
+    /// Write the table to a file, - for standard output; with CSV, what an interrupted run leaves is FILE.partial
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Store the exact enclosure of every cell in a file, one JSON object a line
@@ -50,6 +50,25 @@ pub struct Flags {
     check: Option<PathBuf>,
 }
 
+impl Flags {
+    /// Where the table goes; `None` is standard output.
+    fn output(&self) -> Option<&Path> {
+        self.output.as_deref().filter(|path| path.as_os_str() != "-")
+    }
+
+    fn form(&self) -> Form {
+        let end = self.output().and_then(Path::extension).map(|end| end.to_ascii_lowercase());
+        let named = match end.as_ref().and_then(|end| end.to_str()) {
+            Some("csv") => Form::Csv,
+            Some("json") => Form::Json,
+            Some("md" | "markdown") => Form::Markdown,
+            Some("tex") => Form::Latex,
+            _ => Form::Text,
+        };
+        self.format.unwrap_or(named)
+    }
+}
+
 /// The error of a table, with the flag that it is about.
 pub fn exit(error: &TableError) -> Exit {
     let of_axis = |axis: &str| if axis == "e" { "-e: " } else { "-n: " };
@@ -68,7 +87,7 @@ pub fn exit(error: &TableError) -> Exit {
 /// Runs the command.
 pub fn run(flags: &Flags) -> Result<u8, Exit> {
     if !flags.merge.is_empty() {
-        return table_merge::run(&flags.merge, flags.output.as_deref());
+        return table_merge::run(&flags.merge, flags.output());
     }
     if let Some(path) = &flags.check {
         let given = &flags.contents;
@@ -76,15 +95,15 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         let given =
             table_check::Given { ratio, e: grid("-e", given.e.as_deref())?, n: grid("-n", given.n.as_deref())? };
         let rounding = flags.contents.round.rounding();
-        return table_check::run(path, &given, rounding, flags.format, flags.output.as_deref());
+        return table_check::run(path, &given, rounding, flags.form(), flags.output());
     }
     let plan = flags.contents.plan()?;
-    if flags.format == Form::Latex && plan.rows() > LATEX_ROWS {
+    if flags.form() == Form::Latex && plan.rows() > LATEX_ROWS {
         let message =
             format!("limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed, {} asked for", plan.rows());
         return Err(Exit { code: 3, message });
     }
-    if flags.resume && flags.format != Form::Csv {
+    if flags.resume && flags.form() != Form::Csv {
         return Err(Exit::usage("error: --resume goes on with CSV: add --format csv"));
     }
     let job = Job::new(&plan, flags)?;
@@ -92,8 +111,8 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     if let Some(binding) = &job.binding {
         head.facts.extend([(table_merge::TABLE, binding.table.clone()), (table_merge::SHARD, binding.shard.clone())]);
     }
-    let writer = Writer::new(flags.format, head);
-    match &flags.output {
+    let writer = Writer::new(flags.form(), head);
+    match flags.output() {
         None => standard(&job, writer, flags.certificate.as_deref()),
         Some(path) => file(&job, writer, path, flags),
     }
@@ -110,7 +129,7 @@ impl<'a> Job<'a> {
     fn new(plan: &'a Plan, flags: &Flags) -> Result<Job<'a>, Exit> {
         let Some(text) = &flags.shard else { return Ok(Job { plan, rows: 0..plan.rows(), binding: None }) };
         let shard = Shard::parse(text).map_err(|e| Exit::usage(format!("error: --shard {text}: {e}")))?;
-        if flags.format != Form::Csv {
+        if flags.form() != Form::Csv {
             return Err(Exit::usage("error: --shard makes CSV, which can be merged: add --format csv"));
         }
         let given = &flags.contents;
@@ -193,7 +212,7 @@ fn rounding_name(rounding: Rounding) -> &'static str {
 
 /// Writes to a file, which is complete or as it was.
 fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
-    let grows = |path: &Path| flags.format == Form::Csv && partial::can_grow(path);
+    let grows = |path: &Path| flags.form() == Form::Csv && partial::can_grow(path);
     let targets: Vec<(&Path, table_rows::Form, String)> = [
         Some((path, table_rows::Form::Csv, writer.csv_head())),
         flags.certificate.as_deref().map(|path| (path, table_rows::Form::Certificate, job.certificate_head())),

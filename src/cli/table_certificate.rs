@@ -2,6 +2,7 @@
 
 use super::table_merge::SHARD;
 use super::{Exit, print};
+use crate::certificate::text::FILE_LIMIT;
 use crate::kernel::Failure;
 use crate::kernel::table::text::LINE_LIMIT;
 use crate::kernel::table::{AcceptedTable, Checker};
@@ -13,23 +14,52 @@ use std::path::{Path, PathBuf};
 /// How the certificate of a table begins; no other certificate does.
 const BEGIN: &[u8] = b"{";
 
-/// The files that are certificates of tables, and the other paths.
-pub fn told_apart(paths: &[PathBuf]) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Exit> {
+/// The certificate of a table: a file, or what stands at the beginning of a pipe that was opened.
+pub struct Table {
+    path: PathBuf,
+    opened: Option<Box<dyn Read>>,
+}
+
+/// Something else: a path, or the text of a pipe.
+pub enum Other {
+    /// A file or folder.
+    Path(PathBuf),
+    /// A pipe's name and what it holds, up to one byte more than a certificate may have.
+    Text(PathBuf, Vec<u8>),
+}
+
+/// What are certificates of tables, and what is not. Standard input is `-`; a pipe is opened only once.
+pub fn told_apart(paths: &[PathBuf]) -> Result<(Vec<Table>, Vec<Other>), Exit> {
     let mut tables = Vec::new();
     let mut others = Vec::new();
     for path in paths {
-        let list = if path.is_file() && begins(path)? { &mut tables } else { &mut others };
-        list.push(path.clone());
+        let input = path.as_os_str() == "-";
+        let kind = if input { None } else { std::fs::metadata(path).ok() };
+        let mut opened: Box<dyn Read> = match &kind {
+            _ if input => Box::new(std::io::stdin()),
+            Some(kind) if kind.is_file() || !kind.is_dir() => Box::new(File::open(path).map_err(|e| unread(path, &e))?),
+            _ => {
+                others.push(Other::Path(path.clone()));
+                continue;
+            }
+        };
+        let mut start = Vec::new();
+        opened.by_ref().take(BEGIN.len() as u64).read_to_end(&mut start).map_err(|e| unread(path, &e))?;
+        let is_table = start == BEGIN;
+        let mut opened = std::io::Cursor::new(start).chain(opened);
+        match kind.is_some_and(|kind| kind.is_file()) {
+            // Files are opened again one by one, however many there are.
+            true if is_table => tables.push(Table { path: path.clone(), opened: None }),
+            true => others.push(Other::Path(path.clone())),
+            false if is_table => tables.push(Table { path: path.clone(), opened: Some(Box::new(opened)) }),
+            false => {
+                let mut bytes = Vec::new();
+                opened.by_ref().take(FILE_LIMIT as u64 + 1).read_to_end(&mut bytes).map_err(|e| unread(path, &e))?;
+                others.push(Other::Text(path.clone(), bytes));
+            }
+        }
     }
     Ok((tables, others))
-}
-
-/// Whether the file begins as the certificate of a table does.
-fn begins(path: &Path) -> Result<bool, Exit> {
-    let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(BEGIN.len() as u64).read_to_end(&mut start));
-    read.map_err(|e| unread(path, &e))?;
-    Ok(start == BEGIN)
 }
 
 fn unread(path: &Path, error: &std::io::Error) -> Exit {
@@ -43,11 +73,11 @@ struct Stopped {
 }
 
 /// Checks tables one after another: 1 if one is rejected, else 3 if a limit was reached.
-pub fn run(paths: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+pub fn run(tables: Vec<Table>, quiet: bool) -> Result<u8, Exit> {
     let mut code = 0;
-    for path in paths {
+    for Table { path, opened } in tables {
         let name = path.display();
-        let text = match check(path)? {
+        let text = match check(&path, opened)? {
             Ok(table) => {
                 let rests_on = match table.rests_on() {
                     [] => String::new(),
@@ -100,8 +130,12 @@ fn is_part(head: &[u8]) -> bool {
     serde_json::from_slice::<serde_json::Value>(head).is_ok_and(|head| head.get(SHARD).is_some())
 }
 
-fn check(path: &Path) -> Result<Result<AcceptedTable, Stopped>, Exit> {
-    let mut file = BufReader::with_capacity(1 << 16, File::open(path).map_err(|e| unread(path, &e))?);
+fn check(path: &Path, opened: Option<Box<dyn Read>>) -> Result<Result<AcceptedTable, Stopped>, Exit> {
+    let opened = match opened {
+        Some(opened) => opened,
+        None => Box::new(File::open(path).map_err(|e| unread(path, &e))?),
+    };
+    let mut file = BufReader::with_capacity(1 << 16, opened);
     let mut bytes = Vec::new();
     let stopped = |place: &str, failure| Ok(Err(Stopped { place: place.to_owned(), failure }));
     let head = match line(&mut file, path, &mut bytes)? {

@@ -1,6 +1,6 @@
 //! `carom worksheet`
 
-use super::eval::load_scene;
+use super::eval::{load_scene, scene_title};
 use super::output::write_file;
 use super::{Exit, print};
 use crate::chain::ChainError;
@@ -59,12 +59,13 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     }
     let digits = flags.places.map_or(Digits::Significant(flags.digits), Digits::Places);
     let style = Style { form: flags.format, digits, exact: flags.exact };
-    let title = flags.scene.file_stem().map_or("scene".to_owned(), |s| s.to_string_lossy().replace(['-', '_'], " "));
+    let title = scene_title(&flags.scene);
     let mut text = String::new();
     for (which, filled) in [(Which::Blank, false), (Which::Key, true)] {
         if flags.sheet == which || flags.sheet == Which::Both {
             if !text.is_empty() {
-                text.push('\n');
+                // Pupils do not get the key.
+                text.push_str(if flags.format == Form::Latex { "\\newpage\n" } else { "\n" });
             }
             text.push_str(&sheet(&worksheet, &title, style, filled).map_err(|e| fail(e.into()))?);
         }

@@ -121,7 +121,7 @@ fn spelled(name: &str) -> String {
 /// # Errors
 /// The construct that cannot be said, with its place.
 pub fn statement(claim: &Claim) -> Result<Statement> {
-    let expanded = expand::Statement::of(claim).map_err(|limit| Unsupported::limit(&limit.0, claim.name.span))?;
+    let expanded = expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
     let mut printer = Printer {
         kinds: of_claim(claim),
         words: BTreeMap::new(),
@@ -325,7 +325,7 @@ impl Printer {
     }
 
     fn in_place(&mut self, expr: &Expr) -> Result<Expr> {
-        let limit = |l: crate::algebra::form::Limit| Unsupported::limit(&l.0, expr.span);
+        let limit = |l: crate::algebra::form::Limit| Unsupported::limit(l.0, expr.span);
         self.definitions.expr(expr).map_err(limit)
     }
 
@@ -807,7 +807,7 @@ impl Printer {
                         }
                     }
                     // That the body has a value is part of what exists.
-                    let placed = p.definitions.prop(body).map_err(|l| Unsupported::limit(&l.0, body.span))?;
+                    let placed = p.definitions.prop(body).map_err(|l| Unsupported::limit(l.0, body.span))?;
                     let mut values = Collector::new(p.kinds.clone());
                     values.prop(&placed);
                     for need in p.conditions(&values.found)? {

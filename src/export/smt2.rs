@@ -43,7 +43,7 @@ enum Value {
 /// # Errors
 /// The construct that does not fit the logic, with its place.
 pub fn script(claim: &Claim) -> Result<String> {
-    let statement = expand::Statement::of(claim).map_err(|limit| Unsupported::limit(&limit.0, claim.name.span))?;
+    let statement = expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
     if !statement.sequences.is_empty() {
         return unsupported(claim.name.span, "a sequence");
     }
@@ -489,7 +489,7 @@ impl Writer {
                 parts.extend(self.domain(value, binding)?);
             }
         }
-        let there = at.expr(&extremum.of).map_err(|limit| Unsupported::limit(&limit.0, extremum.of.span))?;
+        let there = at.expr(&extremum.of).map_err(|limit| Unsupported::limit(limit.0, extremum.of.span))?;
         parts.push(self.compare(&there, Relation::Equal, &extremum.value)?);
         // In the domain the bound variables have the signs that it gives them.
         self.positive.declare(&extremum.over);

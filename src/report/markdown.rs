@@ -1,6 +1,6 @@
 //! An audit as Markdown.
 
-use super::{Audit, Entry, counted, reading, summary};
+use super::{Audit, Entry, counted, reading_of_source, summary};
 use crate::claim::print::Style;
 
 /// The report: a table for each section, then what could not be judged.
@@ -54,7 +54,7 @@ fn row(out: &mut String, entry: &Entry) {
         escape(&claim.title),
         outcome.verdict.name(),
         if entry.as_expected() { "" } else { " (not as expected)" },
-        reading(claim),
+        reading_of_source(claim).unwrap_or_default(),
         entry.goal(Style::Unicode).replace('|', "\\|").replace('`', "'"),
         escape(&remarks.join("; ")),
     ));

@@ -149,6 +149,11 @@ pub fn summary(entries: &[Entry]) -> Summary {
     out
 }
 
+/// The same where it says something: a claim without a source was restored from none.
+pub fn reading_of_source(claim: &Claim) -> Option<&'static str> {
+    (claim.source.is_some() || claim.reading != Reading::Restored).then(|| reading(claim))
+}
+
 /// `restored`, `extracted` or `beyond`.
 pub fn reading(claim: &Claim) -> &'static str {
     match claim.reading {

@@ -178,7 +178,7 @@ fn table(rows: &[Vec<String>], form: Form) -> String {
                 let cells: Vec<String> = row.iter().map(|c| math(c)).collect();
                 out.push_str(&format!("{rule}{} \\\\\n", cells.join(" & ")));
             }
-            out.push_str("\\bottomrule\n\\end{tabular}\n");
+            out.push_str("\\bottomrule\n\\end{tabular}\n\n");
         }
     }
     out

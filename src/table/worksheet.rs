@@ -76,12 +76,12 @@ impl Worksheet {
     /// [`ChainError::Measured`]; a pass in which a collision does not take place; more than [`MAX_COLLISIONS`].
     pub fn of(chain: &Chain) -> Result<Worksheet, ChainError> {
         if !chain.is_exact() {
-            return Err(ChainError::Measured { quantity: "a worksheet" });
+            return Err(ChainError::Measured { quantity: "a worksheet or picture of velocities" });
         }
         let count = chain.count().saturating_add(1);
         if count > MAX_COLLISIONS {
             let needed = count.to_string();
-            let limit = "collisions of a worksheet";
+            let limit = "collisions of a worksheet or picture";
             return Err(NumberError::LimitReached { limit, allowed: MAX_COLLISIONS, needed }.into());
         }
         let restitutions = chain.restitutions().0;

@@ -12,7 +12,8 @@ use crate::prove::outcome::Verdict;
 use crate::report::argument::remarks;
 use crate::report::latex::{code, escape};
 use crate::report::table::Entry as Cell;
-use crate::report::{Entry, reading, statement, summary};
+use crate::report::table::latex::PAGE;
+use crate::report::{Entry, reading_of_source, statement, summary};
 
 /// `\formula{…}` sets a formula: on a line of its own if it fits, else broken over lines; `\argument{depth}{…}` a step.
 const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
@@ -33,9 +34,6 @@ const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
   \else{\raggedright\hangindent=2em\hangafter=1\noindent\small\lineskip=3pt$\displaystyle #1$\par}\fi\fi\smallskip}
 \newcommand{\argument}[2]{{\footnotesize\raggedright\leftskip=#1em\hangindent=1.5em\hangafter=1\noindent#2\par}}
 ";
-
-/// The most rows of a table that stands on one page.
-const SHORT: usize = 40;
 
 /// The document.
 pub fn document(handout: &Handout) -> String {
@@ -112,7 +110,7 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         escape(&claim.title),
         code(&claim.name.text)
     ));
-    for part in [claim.source.as_deref(), Some(reading(claim))].into_iter().flatten() {
+    for part in [claim.source.as_deref(), reading_of_source(claim)].into_iter().flatten() {
         out.push_str(&format!("; {}", escape(part)));
     }
     if !outcome.method.is_empty() {
@@ -193,7 +191,7 @@ fn table(out: &mut String, handout: &Handout, place: usize, table: &Table) {
     let columns = format!("{{@{{}}{columns}@{{}}}}");
     // A short table stands in one piece.
     out.push_str(&match table.rows.len() {
-        0..=SHORT => format!(
+        0..=PAGE => format!(
             "{{\\centering\\small\\begin{{tabular}}{columns}\n\\toprule\n{heading}\\midrule\n{body}\\bottomrule\n\\end{{tabular}}\\par}}\n"
         ),
         _ => format!(

@@ -1,4 +1,4 @@
-//! A table for LaTeX with the packages booktabs and siunitx (version 3).
+//! A table for LaTeX with the packages booktabs, longtable and siunitx (version 3).
 //!
 //! The numbers are final: siunitx only aligns them, and its own rounding is switched off. `table-format`
 //! is computed from the entries, so that no column is wider than it needs to be.
@@ -7,11 +7,14 @@ use super::{Entry, Head};
 use crate::report::latex::escape;
 use std::io::{self, Write};
 
+/// The most rows of a table that stands on one page.
+pub const PAGE: usize = 40;
+
 pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     for (name, text) in &head.facts {
         writeln!(out, "% {name}: {text}")?;
     }
-    writeln!(out, "% \\usepackage{{booktabs,siunitx}}")
+    writeln!(out, "% \\usepackage{{booktabs,longtable,siunitx}}")
 }
 
 pub fn rows(head: &Head, rows: &[Vec<Entry>], out: &mut dyn Write) -> io::Result<()> {
@@ -19,7 +22,10 @@ pub fn rows(head: &Head, rows: &[Vec<Entry>], out: &mut dyn Write) -> io::Result
     if !head.latex.is_empty() {
         writeln!(out, "% ${}$", head.latex)?;
     }
-    write!(out, "\\begin{{tabular}}{{@{{}}")?;
+    // A table that is longer than a page goes on with its heading on the next one.
+    let long = rows.len() > PAGE;
+    let environment = if long { "longtable" } else { "tabular" };
+    write!(out, "\\begin{{{environment}}}{{@{{}}")?;
     let mut aligned = Vec::new();
     for (place, column) in head.columns.iter().enumerate() {
         let entries = || rows.iter().filter_map(|row| row.get(place));
@@ -37,11 +43,14 @@ pub fn rows(head: &Head, rows: &[Vec<Entry>], out: &mut dyn Write) -> io::Result
     writeln!(out, " @{{}}}}\n\\toprule")?;
     let headings: Vec<String> = head.columns.iter().map(|c| format!("{{{}}}", c.latex)).collect();
     writeln!(out, "{} \\\\\n\\midrule", headings.join(" & "))?;
+    if long {
+        writeln!(out, "\\endhead\n\\bottomrule\n\\endfoot")?;
+    }
     for row in rows {
         let cells: Vec<String> = row.iter().zip(&aligned).map(|(entry, aligned)| cell(entry, *aligned)).collect();
         writeln!(out, "{} \\\\", cells.join(" & "))?;
     }
-    writeln!(out, "\\bottomrule\n\\end{{tabular}}\n\\endgroup")
+    writeln!(out, "{}\\end{{{environment}}}\n\\endgroup", if long { "" } else { "\\bottomrule\n" })
 }
 
 /// An entry; in a column that siunitx aligns, what is no decimal stands in braces.

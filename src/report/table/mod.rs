@@ -6,7 +6,7 @@
 
 mod csv;
 mod json;
-mod latex;
+pub(in crate::report) mod latex;
 mod markdown;
 mod text;
 

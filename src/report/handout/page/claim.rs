@@ -5,7 +5,7 @@ use crate::claim::print::{self, Style};
 use crate::report::handout::evidence::{Evidence, Kernel};
 use crate::report::handout::{Handout, address, certificate_of, coq_file};
 use crate::report::markup::escape;
-use crate::report::{Entry, mathml, reading};
+use crate::report::{Entry, mathml, reading_of_source};
 
 /// Writes the section.
 pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
@@ -26,7 +26,9 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
     if let Some(source) = &claim.source {
         out.push_str(&format!(" · {}", escape(source)));
     }
-    out.push_str(&format!(" · {}", reading(claim)));
+    if let Some(reading) = reading_of_source(claim) {
+        out.push_str(&format!(" · {reading}"));
+    }
     if !outcome.method.is_empty() {
         out.push_str(&format!(" · by {}", escape(&outcome.method)));
     }
