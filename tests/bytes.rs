@@ -1,4 +1,5 @@
-//! Damaged bytes for every reader: the laws of the fuzz targets, for a few hundred mutants of their corpus each.
+//! Damaged bytes for every reader: the laws of the fuzz targets, for a few hundred mutants of their corpus each, or as many
+//! times more as the environment variable `CAROM_MUTANTS` says.
 #![allow(missing_docs)]
 
 #[path = "bytes/laws.rs"]
@@ -85,6 +86,7 @@ fn mutant(corpus: &[Vec<u8>], which: usize, changes: &[Change]) -> Vec<u8> {
 
 /// The law holds for the corpus, and for so many mutants of it.
 fn holds(target: &str, cases: u32, law: fn(&[u8])) {
+    let times = std::env::var("CAROM_MUTANTS").map_or(1, |times| times.parse().expect("a number"));
     let corpus = corpus(target);
     assert!(!corpus.is_empty(), "{target} has a corpus");
     corpus.iter().for_each(|bytes| law(bytes));
@@ -92,7 +94,7 @@ fn holds(target: &str, cases: u32, law: fn(&[u8])) {
     // What fails is kept in tests/bytes.proptest-regressions.
     let kept = FileFailurePersistence::WithSource("proptest-regressions");
     let config = ProptestConfig {
-        cases,
+        cases: cases * times,
         source_file: Some(file!()),
         failure_persistence: Some(Box::new(kept)),
         ..ProptestConfig::default()
