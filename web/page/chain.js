@@ -1,14 +1,15 @@
 // The room of the chain: inputs, answers, replay, pictures.
 
 import { Client, clientWith } from "./client.js";
-import { $, announce, later, make, save, sentence, showFault } from "./dom.js";
-import { cell, number, written } from "./numbers.js";
+import { $, announce, later, make, outdated, save, sentence, settle, showFault } from "./dom.js";
+import { cell, number, plain, short, written } from "./numbers.js";
+import * as predict from "./predict.js";
 import { COUNT, MASS, RESTITUTION, attach, move } from "./sliders.js";
 import * as stage from "./stage.js";
 import * as state from "./state.js";
 import { whyButton } from "./why.js";
 
-const BEGINNING = { m1: "10", m2: "1", e: "9/10", n: "7", inserted: "optimal", masses: "", digits: "15", picture: "eta-n" };
+const BEGINNING = { m1: "10", m2: "1", e: "9/10", n: "7", inserted: "optimal", masses: "", velocities: "", digits: "15", picture: "eta-n" };
 const EXAMPLES = [
   ["Ten to one, seven bodies between", { m1: "10", m2: "1", e: "9/10", n: "7" }],
   ["Exactly on the threshold", { m1: "64", m2: "1", e: "44/81", n: "2" }],
@@ -18,12 +19,16 @@ const EXAMPLES = [
   ["Measured restitution", { m1: "57.1 ± 0.1", m2: "1", e: "[0.88, 0.92]", n: "3" }],
   ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
   ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
+  ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1" }],
 ];
+/** Collisions that are listed. */
+const MOST_ROWS = 300;
 /** Collisions that get a slider each. */
 const MOST_SLIDERS = 12;
 
-const engine = clientWith($("chain-busy"));
-const replayer = new Client();
+// What a visitor waits for comes from the small part of the engine.
+const engine = clientWith($("chain-busy"), "first");
+const replayer = clientWith($("replay-busy"), "first");
 const painter = new Client();
 const form = $("chain-form");
 let answers = null;
@@ -31,17 +36,21 @@ let replay = null;
 let pictureUrl = null;
 let pictureText = "";
 
-/** The elements of a list; commas in brackets belong to ranges. */
+/** The elements of a list, for the sliders; commas in brackets belong to ranges. What the list means, the engine says. */
 function elements(text) {
+  const separator = text.includes(";") ? ";" : ",";
   const list = [""];
   let depth = 0;
   for (const c of text) {
     depth += (c === "[") - (c === "]");
-    if (c === "," && depth <= 0) list.push("");
+    if (c === separator && depth <= 0) list.push("");
     else list[list.length - 1] += c;
   }
   return list.map((element) => element.trim());
 }
+
+/** A list as it is typed: where an element has a decimal comma, semicolons separate. */
+const joined = (list) => list.join(list.some((element) => /^[^[]*,/.test(element)) ? "; " : ", ");
 
 const fields = () => ({
   m1: $("m1").value,
@@ -50,6 +59,7 @@ const fields = () => ({
   n: $("n").value,
   inserted: $("given").checked ? "given" : "optimal",
   masses: $("masses").value,
+  velocities: $("moving").checked ? $("v0").value : "",
   digits: $("digits").value,
 });
 
@@ -68,14 +78,15 @@ function showEach() {
       slider.addEventListener("input", () => {
         const now = elements($("e").value);
         now[i] = RESTITUTION.text(Number(slider.value));
-        $("e").value = now.join(", ");
+        $("e").value = joined(now);
         ask();
       });
       return make("label", {}, `e${i + 1}`, slider);
     }));
   }
   [...box.querySelectorAll("input")].forEach((slider, i) => {
-    const [above, below = "1"] = list[i].split("/");
+    const text = answers?.plain.e.length === list.length ? answers.plain.e[i] : list[i];
+    const [above, below = "1"] = text.split("/");
     const near = Number(above) / Number(below);
     if (Number.isFinite(near) && !slider.matches(":active")) slider.value = String(RESTITUTION.position(near));
   });
@@ -89,14 +100,30 @@ function fit() {
   const list = elements($("e").value).filter(Boolean);
   if (!list.length) return;
   while (list.length < count + 1) list.push(list[list.length - 1]);
-  $("e").value = list.slice(0, count + 1).join(", ");
+  $("e").value = joined(list.slice(0, count + 1));
 }
+
+/** As many velocities as bodies: more bodies rest. */
+function fitVelocities() {
+  if (!$("moving").checked) return;
+  const count = $("given").checked ? elements($("masses").value).filter(Boolean).length : Number($("n").value);
+  if (!Number.isInteger(count) || count < 0 || count > 200) return;
+  const list = elements($("v0").value).filter(Boolean);
+  if (!list.length) list.push("1");
+  while (list.length < count + 2) list.push("0");
+  $("v0").value = joined(list.slice(0, count + 2));
+}
+
+/** Whether a text is a list at first sight: a comma with a blank after it, or more than a decimal comma. */
+const several = (text) => elements(text).length > (/^[^,;[]*,\S[^,;]*$/.test(text) && !/[./%]/.test(text) ? 2 : 1);
 
 function restore() {
   for (const key of ["m1", "m2", "e", "n", "digits"]) $(key).value = state.get(key, BEGINNING[key]);
   $("masses").value = state.get("masses", "");
   $("given").checked = state.get("inserted", "optimal") === "given";
-  $("each").checked = elements($("e").value).length > 1;
+  $("v0").value = state.get("velocities", "");
+  $("moving").checked = Boolean($("v0").value);
+  $("each").checked = several($("e").value);
   $("picture").value = state.get("picture", BEGINNING.picture);
   if (!$("picture").value) $("picture").value = BEGINNING.picture;
   layout();
@@ -104,16 +131,25 @@ function restore() {
 
 function layout() {
   $("masses-field").hidden = !$("given").checked;
+  $("velocities-field").hidden = !$("moving").checked;
   form.querySelector('[data-field="n"]').hidden = $("given").checked;
   showEach();
 }
 
-const title = (quantity) => ({
-  eta: ["η", "share of the energy that the last body gets"],
-  threshold: [make("span", {}, "L", make("sub", {}, answers.n)), `least restitution with which body ${answers.n} helps`],
-  helps: ["Help", `does the ${answers.n === "1" ? "inserted" : "last inserted"} body help?`],
-  "best-n": ["n*", "best number of inserted bodies"],
-})[quantity];
+/** An inserted body as the paper and as the stage count it. */
+const ORDINALS = ["", "st", "nd", "rd"];
+const ordinal = (k) => `${k}${(k % 100 - k % 10 !== 10 && ORDINALS[k % 10]) || "th"}`;
+const inserted = (k, n) => (n === 1 ? "the inserted body (body 2)" : `the ${ordinal(k)} inserted body (body ${k + 1})`);
+
+const title = (quantity) => {
+  const n = Number(answers.n);
+  return {
+    eta: ["η", "share of the energy that the last body gets"],
+    threshold: [make("span", {}, "L", make("sub", {}, answers.n)), `least restitution with which ${inserted(n, n)} helps`],
+    helps: ["Does it help?", `does inserting ${inserted(n, n)} pass on more energy?`],
+    "best-n": ["n*", answers.optimal ? "best number of inserted bodies" : "best number of inserted bodies of optimal masses"],
+  }[quantity];
+};
 
 function best(value) {
   const [low, high] = value.enclosure;
@@ -126,16 +162,21 @@ function best(value) {
   return make("div", { class: "number" }, make("p", { class: "decimal" }, shown), make("p", { class: "hint" }, note));
 }
 
-const HELPS = { yes: "it hands on more than one body fewer would", no: "one body fewer would hand on more", depends: "depends on the measured inputs",
+const HELPS = { yes: "it passes on more than one body fewer would", no: "one body fewer would pass on more", depends: "depends on the measured inputs",
   "exactly on the threshold": "e = L exactly: with or without it, the same" };
 
 function card(quantity) {
   const { value, error, mathml: formula } = answers.answers[quantity];
+  const list = Array.isArray(value);
   const [sign, words] = title(quantity);
   const head = make("div", { class: "card-head" }, make("h2", {}, make("span", { class: "sign" }, sign), " ", make("small", {}, words)),
     whyButton(words, answers.why[quantity]));
   let body;
   if (error) body = make("p", { class: "refusal" }, sentence(error));
+  else if (list) {
+    body = make("ul", { class: "each-body" }, value.map((one, i) => make("li", {},
+      `body ${i + 2}: `, typeof one === "string" ? one : one.decimal ? cell(one) : `from ${one.enclosure[0]} to ${one.enclosure[1]}`)));
+  }
   else if (quantity === "best-n") body = best(value);
   else if (quantity === "helps") {
     body = make("div", { class: "number" }, make("p", { class: "decimal" }, value), make("p", { class: "hint" }, HELPS[value] ?? ""));
@@ -145,30 +186,55 @@ function card(quantity) {
   return section;
 }
 
+/** The name of a body of the stage: the first and the last are not inserted. */
+const role = (i, count) => (i === 0 ? "first" : i === count - 1 ? "last" : count === 3 ? "inserted" : `inserted ${i}`);
+
 function showBodies() {
   const { masses, velocities, losses } = answers.answers;
+  const { energy } = answers;
   const card = $("bodies-card");
   card.hidden = !masses;
   if (!masses) return;
   const again = replay?.again;
   const { why } = answers;
   const closed = $("closed").checked;
+  const heat = energy?.heat ?? losses?.value;
   const head = [["Body"], ["Mass ", whyButton("the masses", why.masses)],
     ["Velocity after the pass ", whyButton("the velocities", why.velocities)],
     again ? ["Velocity in the end ", whyButton("bodies meet again", why.recollides)] : null,
-    ["Energy lost to the next ", whyButton("the energy lost", why.losses)]];
+    energy ? ["Share of the energy it keeps"] : null,
+    [energy ? "Share lost as heat in the collision with the next " : "Heat of the collision with the next ", whyButton("the heat of a collision", why.losses)]];
+  const count = (masses.value ?? []).length;
   const rows = (masses.value ?? []).map((mass, i) => make("tr", {},
-    make("th", { scope: "row" }, `${i + 1}`),
+    make("th", { scope: "row" }, `${i + 1} `, make("span", { class: "role" }, role(i, count))),
     make("td", {}, cell(mass, closed, masses.mathml?.[i])),
     make("td", {}, velocities?.value ? cell(velocities.value[i], closed, velocities.mathml?.[i]) : "–"),
     again ? make("td", {}, replay.final[i] ? written(replay.final[i]) : "–") : null,
-    make("td", {}, losses?.value?.[i] ? cell(losses.value[i], closed) : "–")));
+    energy ? make("td", {}, cell(energy.kept[i])) : null,
+    make("td", {}, heat?.[i] ? cell(heat[i], closed) : "–")));
+  const foot = energy ? make("tfoot", {}, make("tr", {}, make("th", { scope: "row", colSpan: again ? 4 : 3 }, "all together"),
+    make("td", {}, cell(energy.kept_in_all)), make("td", {}, cell(energy.heat_in_all)))) : null;
   $("bodies").replaceChildren(
     make("thead", {}, make("tr", {}, head.filter(Boolean).map((parts) => make("th", { scope: "col" }, parts)))),
-    make("tbody", {}, rows));
-  const refused = [masses, velocities, losses].map((a) => a?.error).filter(Boolean).map(sentence);
-  const rounded = again && replay.rounded ? `Velocities in the end: of the replay, with masses of ${replay.rounded} digits.` : "";
-  $("bodies-note").textContent = [...new Set(refused.map((text) => `${text}.`)), rounded].filter(Boolean).join(" ");
+    make("tbody", {}, rows), ...(foot ? [foot] : []));
+  const notes = [...new Set([masses, velocities, losses].map((a) => a?.error).filter(Boolean).map((e) => `${sentence(e)}.`))];
+  if (energy) {
+    notes.push(`A share is a part of the kinetic energy before the first collision, which is ${energy.total}. `
+      + "What all bodies keep and what all collisions lose add up to 1 exactly.");
+  }
+  $("bodies-note").textContent = notes.join(" ");
+}
+
+/** The answers in one line, beside the stage. */
+function showSummary() {
+  const { eta: share, helps, "best-n": most } = answers.answers;
+  const parts = [];
+  if (share?.value?.decimal) parts.push(make("span", {}, "η = ", make("strong", {}, short(share.value))));
+  else if (share?.value) parts.push(make("span", {}, "η from ", short({ decimal: share.value.enclosure[0] }), " to ", short({ decimal: share.value.enclosure[1] })));
+  if (typeof helps?.value === "string") parts.push(make("span", {}, "helps: ", make("strong", {}, helps.value)));
+  const best = most?.value?.exact;
+  if (best) parts.push(make("span", {}, "n* = ", make("strong", {}, best === "infinite" ? "∞" : best)));
+  $("summary").replaceChildren(...parts);
 }
 
 function showAgain() {
@@ -190,8 +256,8 @@ function showAgain() {
 function showCollisions() {
   $("collisions-card").hidden = !replay;
   if (!replay) return;
-  const head = [["No."], ["Bodies"], ["Time"], ["Velocities before", 2], ["Velocities after", 2], ["Energy lost"]];
-  const rows = replay.events.slice(0, 300).map((c, i) => make("tr", { class: c.of_the_pass ? "" : "later" },
+  const head = [["No."], ["Bodies"], ["Time"], ["Velocities before", 2], ["Velocities after", 2], ["Lost as heat"]];
+  const rows = replay.events.slice(0, MOST_ROWS).map((c, i) => make("tr", { class: c.of_the_pass ? "" : "later" },
     make("td", {}, String(i + 1)), make("td", {}, c.pair),
     [c.time, c.before[0], c.before[1], c.after[0], c.after[1], c.lost].map((x) => make("td", {}, written(x)))));
   $("collisions").replaceChildren(
@@ -206,11 +272,15 @@ async function askReplay(request) {
   const notes = [];
   if (found.error) notes.push(`No replay: ${sentence(found.error)}.`);
   else {
-    notes.push(`In the end: ${found.end}.`);
-    if (found.rounded) notes.push(`The inserted masses are irrational; the replay takes them with ${found.rounded} digits and is exact for those.`);
-    if (!found.exact) notes.push("Numbers that became too long are enclosed; count and order of the collisions are certain.");
-    notes.push("The bodies are rods one unit apart; their lengths, chosen for the eye, change no velocity.");
+    notes.push(`After ${found.count} collision${found.count === 1 ? "" : "s"}: ${found.end}.`);
+    if (found.rounded) {
+      notes.push(`The optimal masses are irrational. The replay takes them with ${found.rounded} digits; its numbers, marked ≈, are near the chain's own. `
+        + "The velocities in the table are the chain's own.");
+    } else if (!found.exact) notes.push("Numbers that became too long are enclosed; count and order of the collisions are certain.");
+    notes.push("The bodies start one unit apart. Their sizes are chosen for the eye and change no velocity.");
   }
+  $("totals").textContent = found.error ? "" : `Kinetic energy at the start ${plain(found.energy)}, lost as heat in all ${plain(found.lost)}. `
+    + `Momentum ${plain(found.momentum)}, the same at all times.`;
   $("replay-note").textContent = notes.join(" ");
   if (answers) {
     showAgain();
@@ -226,7 +296,7 @@ const ALTS = {
   threshold: "The least restitution with which the n-th body helps, against the mass ratio",
   map: "A map of restitution and mass ratio, coloured by the best number of inserted bodies",
   velocities: "The velocities of the bodies before they strike and after the pass",
-  "space-time": "Space-time diagram of the replay: place to the right, time upward",
+  "space-time": "Space–time diagram of the replay: place to the right, time upward",
 };
 let painted = "";
 
@@ -261,10 +331,11 @@ async function ask() {
   const request = fields();
   state.keep({ ...request, masses: $("given").checked ? request.masses : "", picture: $("picture").value }, BEGINNING);
   showEach();
+  predict.changed();
   const found = await engine.ask("answers", request);
   if (!found) return;
   showFault(form, $("chain-error"), found.error);
-  document.querySelector(".results").classList.toggle("stale", Boolean(found.error));
+  for (const part of document.querySelectorAll(".results > .card:not(#prediction), #quantities, #summary, #again, #stage, #player")) outdated(part, Boolean(found.error));
   if (found.error) {
     announce(sentence(found.error));
     return;
@@ -272,6 +343,7 @@ async function ask() {
   answers = found;
   const cards = ["eta", "threshold", "helps", "best-n"].filter((quantity) => found.answers[quantity]).map(card);
   $("quantities").replaceChildren(...cards);
+  showSummary();
   move($("m1-slider"), MASS, found.places.m1);
   move($("m2-slider"), MASS, found.places.m2);
   move($("e-slider"), RESTITUTION, found.places.e);
@@ -279,18 +351,26 @@ async function ask() {
   showAgain();
   showBodies();
   document.documentElement.dataset.firstAnswer ??= performance.now().toFixed(0);
+  settle($("panel-chain"));
   const eta = found.answers.eta.value;
-  announce(`eta ${eta?.decimal ?? eta?.enclosure?.join(" to ") ?? "unknown"}, best number ${found.answers["best-n"]?.value?.exact ?? "unknown"}`
-    + (found.answers.recollides?.value === true ? ", bodies meet again after the pass" : ""));
+  if (!predict.waits()) {
+    announce(`eta ${eta?.decimal ?? eta?.enclosure?.join(" to ") ?? "unknown"}, best number ${found.answers["best-n"]?.value?.exact ?? "unknown"}`
+      + (found.answers.recollides?.value === true ? ", bodies meet again after the pass" : ""));
+  }
   askReplay(request);
   paint();
 }
 
+/** The same question for the command line, in the spelling that it reads; null where it has none. */
 const command = () => {
-  const quote = (text) => (/^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
-  const { m1, m2, e, n, inserted: kind, masses, digits } = fields();
-  const inserted = kind === "given" ? `--masses ${quote(masses)}` : `-n ${quote(n)}`;
-  return `carom eval --m1 ${quote(m1)} --m2 ${quote(m2)} -e ${quote(e)} ${inserted} --digits ${quote(digits)} --want eta,threshold,helps,best-n,masses,velocities`;
+  if (!answers) return null;
+  const { m1, m2, e, n, masses, velocities } = answers.plain;
+  if (velocities.length) return null;
+  const quote = (text) => (/^[\w./,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+  const kind = masses ? `--masses ${quote(masses.join(","))}` : `-n ${quote(n)}`;
+  const want = ["eta", ...(answers.answers.threshold ? ["threshold", "helps"] : []), "best-n", "masses", "velocities"]
+    .filter((quantity) => !answers.answers[quantity]?.error);
+  return `carom eval --m1 ${quote(m1)} --m2 ${quote(m2)} -e ${quote(e.join(","))} ${kind} --digits ${quote($("digits").value)} --want ${want.join(",")}`;
 };
 
 async function copy(text, what) {
@@ -310,19 +390,32 @@ export function start() {
     for (const key of ["m1", "m2", "e", "n"]) $(key).value = example[key] ?? BEGINNING[key];
     $("masses").value = example.masses ?? "";
     $("given").checked = Boolean(example.masses);
-    $("each").checked = elements($("e").value).length > 1;
+    $("v0").value = example.velocities ?? "";
+    $("moving").checked = Boolean(example.velocities);
+    $("each").checked = several($("e").value);
     layout();
+    const { picture, digits } = { picture: $("picture").value, digits: $("digits").value };
+    state.step({ ...fields(), masses: $("masses").value, picture, digits }, BEGINNING);
     ask();
   });
+  // Once something is changed by hand, it is no longer that example.
+  form.addEventListener("input", (event) => { if (event.target !== $("preset")) $("preset").value = ""; });
   attach($("m1-slider"), $("m1"), MASS, ask);
   attach($("m2-slider"), $("m2"), MASS, ask);
   attach($("e-slider"), $("e"), RESTITUTION, ask);
-  attach($("n-slider"), $("n"), COUNT, () => { fit(); ask(); });
-  for (const id of ["m1", "m2", "e", "digits"]) $(id).addEventListener("input", ask);
-  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); ask(); });
+  attach($("n-slider"), $("n"), COUNT, () => { fit(); fitVelocities(); ask(); });
+  for (const id of ["m1", "m2", "e", "v0", "digits"]) $(id).addEventListener("input", ask);
+  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); ask(); });
+  $("moving").addEventListener("change", () => {
+    // Velocities of all bodies go with given masses.
+    if ($("moving").checked && !$("given").checked) $("given").click();
+    fitVelocities();
+    layout();
+    ask();
+  });
   $("each").addEventListener("change", () => {
     if ($("each").checked) fit();
-    else $("e").value = elements($("e").value)[0];
+    else $("e").value = elements($("e").value)[0] || BEGINNING.e;
     layout();
     ask();
   });
@@ -332,6 +425,7 @@ export function start() {
       $("masses").value = list.slice(1, -1).map((m) => (m.exact?.length <= 16 ? m.exact : m.decimal ?? m.enclosure[0])).join(", ");
     }
     fit();
+    fitVelocities();
     layout();
     ask();
   });
@@ -340,8 +434,13 @@ export function start() {
   $("picture").addEventListener("change", () => { state.keep({ picture: $("picture").value }, BEGINNING); paint(); });
   $("picture-save").addEventListener("click", () => save(pictureText, `carom-${$("picture").value}.svg`, "image/svg+xml"));
   $("copy-link").addEventListener("click", () => copy(state.link(), "Link"));
-  $("copy-command").addEventListener("click", () => copy(command(), "Command"));
+  $("copy-command").addEventListener("click", () => {
+    const text = command();
+    if (text) copy(text, "Command");
+    else $("copied").textContent = "The command line reads velocities from a scene file: see carom eval --help.";
+  });
   state.onRestore(() => { restore(); ask(); });
+  predict.start(fields, stage.play);
   stage.show(null);
   restore();
   return ask();

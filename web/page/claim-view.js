@@ -23,9 +23,9 @@ function witness(found) {
   const table = make("table", { class: "witness" },
     make("thead", {}, make("tr", {}, ["What fails there", "left side", "right side"].map((t) => make("th", { scope: "col" }, t)))),
     make("tbody", {}, found.broken.map(([statement, left, right]) =>
-      make("tr", {}, make("td", {}, make("code", {}, statement)), make("td", {}, left), make("td", {}, right)))));
+      make("tr", {}, make("td", {}, make("code", {}, statement)), make("td", {}, make("code", {}, left)), make("td", {}, make("code", {}, right))))));
   return make("div", { class: "counterexample" },
-    make("p", {}, make("strong", {}, "Counterexample: "), ...values(found.point)), make("div", { class: "scroll" }, table));
+    make("p", {}, make("strong", {}, "Counterexample: "), ...values(found.point)), make("div", { class: "scroll", role: "group", "aria-label": "The counterexample's numbers" }, table));
 }
 
 /** The view; `open` is called with the name of a cited claim. */
@@ -44,6 +44,10 @@ export function claimView(claim, open, level = "h3") {
   box.append(formula(claim.statement, claim.mathml));
   if (claim.witness) box.append(witness(claim.witness));
   if (claim.reason) box.append(make("p", {}, claim.reason));
+  if (claim.verdict === "undecided") {
+    box.append(make("p", { class: "hint" }, "Undecided says that neither a proof nor a counterexample was found, no more. "
+      + "Try narrower domains, state a step as a claim of its own and cite it with using, or name a method with by."));
+  }
   for (const note of claim.notes) box.append(make("p", { class: "note" }, note));
   if (claim.argument.length && !claim.witness) {
     const steps = claim.argument.map(([depth, rule, text]) => {

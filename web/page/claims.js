@@ -1,10 +1,11 @@
 // The room of claims: an editor with live verdicts, and the catalogue.
 
-import { claimView } from "./claim-view.js";
+import { badge, claimView } from "./claim-view.js";
 import { Client, clientWith } from "./client.js";
-import { $, announce, later, make, sentence } from "./dom.js";
+import { $, announce, later, make, outdated, sentence, settle } from "./dom.js";
+import { markdown } from "./markdown.js";
 import * as state from "./state.js";
-import { open } from "./why.js";
+import { judged, open } from "./why.js";
 
 const EXAMPLES = [
   ["Equal masses exchange everything? (refuted)", `claim mine "Equal masses exchange everything?"
@@ -28,12 +29,12 @@ let u(k) = (x*(1 + e)/(x + 1))^k*v1
 prove u(i + 1)*u(i + 1) = u(i)*u(i + 2)
 `],
 ];
-/** Longer texts are not put into a link. */
-const LINKED = 6000;
-
 const engine = clientWith($("claims-busy"));
 const text = $("claim-text");
 let listed = [];
+/** The verdicts of the catalogue, as they come. */
+const verdicts = new Map();
+const badges = new Map();
 
 /** The text behind the editor, with the places of faults marked. */
 function mirror(faults) {
@@ -55,19 +56,30 @@ function showFaults({ list, more }) {
   if (list.length) text.setAttribute("aria-invalid", "true");
   else text.removeAttribute("aria-invalid");
   $("faults").replaceChildren(...list.map((fault) => make("div", { class: "fault" },
-    make("p", {}, make("strong", {}, "Error: "), fault.message, " ", make("button", {
+    make("p", {}, make("strong", {}, "Error: "), fault.message, fault.help ? ` (${fault.help}) ` : " ", make("button", {
       type: "button", class: "small",
       onclick: () => { text.focus(); text.setSelectionRange(fault.start, Math.max(fault.end, fault.start)); },
     }, `line ${fault.line}, column ${fault.column}`)),
-    make("pre", { class: "caret", tabIndex: 0 }, fault.rendered))),
+    make("pre", { class: "caret", tabIndex: 0 }, fault.excerpt))),
     ...(more ? [make("p", {}, `and ${more} more`)] : []));
 }
 
+let serial = 0;
+
 async function judge() {
+  const mine = ++serial;
   const source = text.value;
-  state.keep({ claim: source.length <= LINKED ? source : "" }, { claim: EXAMPLES[0][1] });
+  state.keep({ claim: source }, { claim: EXAMPLES[0][1] });
+  if (!/\S/.test(source) || !/^\s*claim\b/m.test(source)) {
+    engine.stop();
+    showFaults({ list: [], more: 0 });
+    fresh(true);
+    $("verdicts").replaceChildren(make("p", { class: "hint" }, "A claim begins with its name and title and ends with what it says: "), template());
+    return;
+  }
   const found = await engine.ask("audit", { text: source });
-  if (!found) return;
+  if (!found || mine !== serial) return;
+  fresh(true);
   if (found.error) {
     showFaults({ list: [], more: 0 });
     $("faults").replaceChildren(make("p", { class: "notice error-box" }, sentence(found.error)));
@@ -76,30 +88,77 @@ async function judge() {
   }
   showFaults(found.faults);
   $("verdicts").replaceChildren(...(found.claims.length ? found.claims.map((claim) => claimView(claim, null))
-    : [make("p", { class: "hint" }, found.faults.list.length ? "No verdict before the error is mended." : "No claims.")]));
+    : [make("p", { class: "hint" }, found.faults.list.length ? "No verdict before the error is corrected." : "No claims.")]));
+  settle($("verdicts"));
   announce(found.claims.map((c) => `${c.id} ${c.verdict}`).join(", "));
 }
 
 const soon = later(judge, 250);
+
+/** Whether the verdicts are about the text as it stands. */
+function fresh(on) {
+  $("verdicts-stale").hidden = on;
+  outdated($("verdicts"), !on);
+}
+
+const TEMPLATE = `claim mine "What it says, in words"
+given m1, m2 > 0;  e in [0, 1]
+prove m1*(1 + e)/(m1 + m2) >= 0
+`;
+
+function template() {
+  return make("div", { class: "buttons" }, make("pre", { class: "language" }, TEMPLATE), make("button", {
+    type: "button", onclick: () => { text.value = TEMPLATE; text.focus(); edited(); },
+  }, "Begin with this"));
+}
+
+/** The text has changed: what is shown is about another one. */
+function edited() {
+  mirror([]);
+  if ($("verdicts").children.length) fresh(false);
+  soon();
+}
 
 function restore() {
   text.value = state.get("claim", EXAMPLES[0][1]);
   mirror([]);
 }
 
+const sign = (id) => (verdicts.has(id) ? badge(verdicts.get(id)) : make("span", { class: "badge waiting" }, "…"));
+
 function showCatalogue() {
   const wanted = $("filter").value.trim().toLowerCase();
-  const fits = (c) => !wanted || `${c.id} ${c.title} ${c.section ?? ""}`.toLowerCase().includes(wanted);
+  const fits = (c) => !wanted || `${c.id} ${c.title} ${c.section ?? ""} ${verdicts.get(c.id) ?? ""}`.toLowerCase().includes(wanted);
   const sections = new Map();
   for (const c of listed.filter(fits)) {
     const name = c.section ?? "Lemmas";
     sections.set(name, [...(sections.get(name) ?? []), c]);
   }
+  badges.clear();
   $("catalogue").replaceChildren(...[...sections].map(([name, claims]) => make("section", {},
     make("h3", {}, name),
-    make("ul", {}, claims.map((c) => make("li", {},
-      make("button", { type: "button", class: "link", onclick: () => open(c.title, [c.id]) }, c.id), " ", c.title))))));
+    make("ul", {}, claims.map((c) => {
+      const mark = make("span", {}, sign(c.id));
+      badges.set(c.id, mark);
+      return make("li", {}, make("button", { type: "button", class: "link", onclick: () => open(c.title, [c.id]) }, c.id), " ", c.title, " ", mark);
+    })))));
   if (!sections.size) $("catalogue").replaceChildren(make("p", { class: "hint" }, "No claim fits."));
+}
+
+/** Judges the catalogue, claim by claim, beside everything else. */
+async function judgeAll() {
+  const client = new Client();
+  const counts = new Map();
+  for (const { id } of listed) {
+    const answer = await judged(id, client);
+    const verdict = answer?.claim?.verdict ?? "undecided";
+    verdicts.set(id, verdict);
+    counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
+    badges.get(id)?.replaceChildren(sign(id));
+    const done = verdicts.size === listed.length;
+    const text = ["proved", "refuted", "undecided"].filter((v) => counts.has(v)).map((v) => `${counts.get(v)} ${v}`).join(", ");
+    if (done || verdicts.size % 10 === 0) $("tally").textContent = done ? `${listed.length} claims: ${text}.` : `${verdicts.size} of ${listed.length} judged: ${text}.`;
+  }
 }
 
 export async function start() {
@@ -109,19 +168,28 @@ export async function start() {
     if (!example) return;
     text.value = example[1];
     $("example").value = "";
+    state.step({ claim: example[1] }, { claim: EXAMPLES[0][1] });
     mirror([]);
+    fresh(false);
     judge();
   });
-  text.addEventListener("input", () => { mirror([]); soon(); });
+  text.addEventListener("input", edited);
   text.addEventListener("scroll", () => { $("mirror").scrollTop = text.scrollTop; $("mirror").scrollLeft = text.scrollLeft; });
   $("filter").addEventListener("input", showCatalogue);
-  state.onRestore(() => { restore(); judge(); });
+  state.onRestore(() => {
+    if (text.value === state.get("claim", EXAMPLES[0][1])) return;
+    restore();
+    fresh(false);
+    judge();
+  });
+  addEventListener("resize", later(() => settle($("panel-claims")), 200));
   restore();
   judge();
   const found = await new Client().ask("catalogue", {});
   if (found?.claims) {
     listed = found.claims;
-    $("language").textContent = found.language;
+    $("language").replaceChildren(...markdown(found.language));
     showCatalogue();
+    judgeAll();
   }
 }

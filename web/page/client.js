@@ -10,9 +10,13 @@ const LONGEST = 60;
 const failure = (message, help = null) => ({ error: { field: null, message, help, limit: true } });
 
 export class Client {
-  /** @param busy called with true when a job takes long, with false when it has ended */
-  constructor(busy = () => {}) {
+  /**
+   * @param busy called with true when a job takes long, with false when it has ended
+   * @param part the part of the engine: `first` answers about a chain and replays it, `whole` does everything else
+   */
+  constructor(busy = () => {}, part = "whole") {
     this.busy = busy;
+    this.part = part;
     this.serial = 0;
   }
 
@@ -58,7 +62,7 @@ export class Client {
         if (worker === this.worker) this.end(failure(`the engine could not be started: ${event.message ?? "no reason given"}`));
       };
       try {
-        worker.postMessage({ module: await compiled });
+        worker.postMessage({ part: this.part, module: await compiled(this.part) });
       } catch (error) {
         if (worker === this.worker) this.end(failure(`the engine could not be loaded: ${error.message}`));
         return;
@@ -96,8 +100,8 @@ export class Client {
 }
 
 /** A client whose long jobs show a box with a button to stop them. */
-export function clientWith(box) {
-  const client = new Client((busy) => { box.hidden = !busy; });
+export function clientWith(box, part = "whole") {
+  const client = new Client((busy) => { box.hidden = !busy; }, part);
   box.querySelector("button").addEventListener("click", () => client.stop());
   return client;
 }

@@ -1,13 +1,33 @@
-// The engine, compiled while the page's other modules are still on their way; shared by all workers.
+// The engine's two parts, each compiled once, while the page's other modules are still on their way, and shared by all
+// workers: `first` answers about a chain and replays it, which is what a visitor waits for; `whole` does everything else.
 
-async function compile() {
-  const response = await fetch("engine_bg.wasm");
-  if (!response.ok) throw new Error(`engine_bg.wasm: ${response.status}`);
+const parts = new Map();
+
+async function compile(part) {
+  const response = await fetch(`${part}_bg.wasm`);
+  if (!response.ok) throw new Error(`${part}_bg.wasm: ${response.status}`);
   // Not every server names the type of the file.
   const typed = response.headers.get("Content-Type")?.startsWith("application/wasm");
   return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-export const compiled = compile();
-// Whoever asks for the engine says why it could not be loaded.
-compiled.catch(() => {});
+/** A part, fetched when it is first asked for. */
+export function compiled(part) {
+  if (!parts.has(part)) {
+    const found = compile(part);
+    // Whoever asks for the engine says why it could not be loaded.
+    found.catch(() => {});
+    parts.set(part, found);
+  }
+  return parts.get(part);
+}
+
+// What the room that is shown first will ask for.
+const soon = ["table", "claims"].includes(new URLSearchParams(location.hash.slice(1)).get("room")) ? "whole" : "first";
+compiled(soon);
+
+/** Both parts, one after the other, so that neither waits for the other's bytes. */
+export async function everything() {
+  await compiled(soon);
+  await compiled(soon === "first" ? "whole" : "first");
+}

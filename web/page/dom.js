@@ -77,6 +77,31 @@ export function later(work, milliseconds) {
 /** Says something to those who listen instead of looking. */
 export const announce = later((text) => { $("announcer").textContent = text; }, 700);
 
+/** Scroll boxes that hold more than they show can be reached with the keyboard; a formula is set smaller before it is cut. */
+export function settle(root) {
+  for (const box of root.querySelectorAll(".scroll")) {
+    if (!box.clientWidth) continue;
+    const formula = box.querySelector(":scope > math");
+    if (formula) {
+      formula.style.fontSize = "";
+      const share = box.clientWidth / box.scrollWidth;
+      if (share < 1) formula.style.fontSize = `${Math.max(0.62, Math.floor(share * 97) / 100)}em`;
+    }
+    const more = box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight + 1;
+    if (more) box.tabIndex = 0;
+    else box.removeAttribute("tabindex");
+    box.classList.toggle("more", more);
+  }
+}
+
+/** Answers to an input that is no longer there: dimmed, and neither read out nor reached. */
+export function outdated(box, on) {
+  box.classList.toggle("stale", on);
+  box.inert = on;
+  if (on) box.setAttribute("aria-hidden", "true");
+  else box.removeAttribute("aria-hidden");
+}
+
 /** Shows a fault: in its field if it has one that is on the form, else in the box. */
 export function showFault(form, box, error) {
   for (const field of form.querySelectorAll(".field")) {

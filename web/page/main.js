@@ -2,15 +2,18 @@
 
 import * as chain from "./chain.js";
 import * as claims from "./claims.js";
+import { everything } from "./compiled.js";
 import { $ } from "./dom.js";
 import * as state from "./state.js";
 import * as table from "./table.js";
 
-const ROOMS = { chain, table, claims };
+const ROOMS = new Map([["chain", chain], ["table", table], ["claims", claims]]);
+const TITLES = new Map([["chain", "Chain"], ["table", "Table"], ["claims", "Claims"]]);
 const begun = new Set();
-const tabs = Object.keys(ROOMS).map((name) => $(`tab-${name}`));
+const tabs = [...ROOMS.keys()].map((name) => $(`tab-${name}`));
 
 function enter(name) {
+  document.title = `${TITLES.get(name)} – Carom lab`;
   for (const tab of tabs) {
     const here = tab.id === `tab-${name}`;
     tab.setAttribute("aria-selected", String(here));
@@ -19,16 +22,16 @@ function enter(name) {
   }
   if (!begun.has(name)) {
     begun.add(name);
-    ROOMS[name].start();
+    ROOMS.get(name).start();
   }
 }
 
-const wanted = () => (state.get("room", "chain") in ROOMS ? state.get("room", "chain") : "chain");
+const wanted = () => (ROOMS.has(state.get("room", "chain")) ? state.get("room", "chain") : "chain");
 
 for (const tab of tabs) {
   const go = () => {
     const name = tab.id.slice(4);
-    state.keep({ room: name }, { room: "chain" });
+    state.step({ room: name }, { room: "chain" });
     enter(name);
   };
   tab.addEventListener("click", go);
@@ -47,6 +50,8 @@ enter(wanted());
 if ("serviceWorker" in navigator) {
   addEventListener("load", async () => {
     try {
+      // What the page needs now comes first; the cache asks for what has come already without fetching it again.
+      await everything();
       await navigator.serviceWorker.register("sw.js");
       await navigator.serviceWorker.ready;
       $("offline").textContent = "The lab is kept for use offline.";

@@ -26,13 +26,41 @@ export function exactForm(number) {
   return number.radical ? long(number.radical) : null;
 }
 
-/** Groups of five digits after the point, for the eye; the text stays one number. */
-function grouped(decimal) {
-  const match = /^(-?\d+)\.(\d{6,})(e.*)?$/.exec(decimal);
-  if (!match) return [decimal.replace("-", "−")];
-  const [, whole, digits, power] = match;
-  const groups = digits.match(/.{1,5}/g).map((group) => make("span", { class: "group" }, group));
-  return [`${whole.replace("-", "−")}.`, ...groups, power ?? ""];
+/** A power of ten for the eye; copied, it is `e-45`, which every program reads. */
+const power = (exponent) => make("span", {},
+  make("span", { class: "power" }, "×10", make("sup", {}, exponent.replace("-", "−"))),
+  make("span", { class: "visually-hidden" }, `e${exponent}`));
+
+/** A decimal in words for a screen reader, as one number. */
+const spoken = (mantissa, exponent) => `${mantissa.replace("-", "−")}${exponent ? ` times ten to the power ${exponent.replace("-", "−")}` : ""}`;
+
+/** A decimal: groups of five digits after the point for the eye, one number for everybody else. */
+export function decimal(text, group = true) {
+  const [mantissa, exponent] = text.split("e");
+  const match = group ? /^(-?\d+)\.(\d{6,})$/.exec(mantissa) : null;
+  if (!match && !exponent) return document.createTextNode(mantissa.replace("-", "−"));
+  const digits = match ? [`${match[1].replace("-", "−")}.`, ...match[2].match(/.{1,5}/g).map((five) => make("span", { class: "group" }, five))]
+    : [mantissa.replace("-", "−")];
+  return make("span", { role: "math", "aria-label": spoken(mantissa, exponent) },
+    make("span", { "aria-hidden": "true" }, digits, exponent ? power(exponent) : null));
+}
+
+/** The first digits of a number; what is cut off is marked. */
+export function short({ decimal: text, exact }, digits = 6) {
+  const [mantissa, exponent] = text.split("e");
+  const match = /^(-?[0.]*)(\d[\d.]*)$/.exec(mantissa);
+  if (!match) return text;
+  let [seen, cut] = [0, match[2].length];
+  for (let i = 0; i < match[2].length; i++) {
+    if (match[2][i] === ".") continue;
+    if (seen === digits) { cut = i; break; }
+    seen++;
+  }
+  // Digits before the point are never cut.
+  if (match[2].indexOf(".", cut) >= 0) return text;
+  const rest = match[2].slice(cut);
+  const kept = `${match[1]}${match[2].slice(0, cut)}`.replace("-", "−");
+  return `${kept}${/[1-9]/.test(rest) || (rest && (exact ?? null) === null) ? "…" : ""}${exponent ? ` · 10^${exponent.replace("-", "−")}` : ""}`;
 }
 
 /** A number in full: decimal, exact form, what is certain of it. */
@@ -41,10 +69,10 @@ export function number(value, options = {}) {
   if (value.decimal !== null && value.decimal !== undefined) {
     const whole = value.exact !== null && value.exact === value.decimal;
     const many = value.decimal.length > 60;
-    box.append(make("p", { class: many ? "decimal many" : "decimal", tabIndex: many ? 0 : undefined }, ...grouped(value.decimal)));
+    box.append(make("p", { class: many ? "decimal many" : "decimal", tabIndex: many ? 0 : undefined }, decimal(value.decimal)));
     const typeset = options.formula ? mathml(options.formula) : null;
     const exact = typeset ?? exactForm(value);
-    if (typeset) box.append(make("div", { class: "formula scroll", role: "group", "aria-label": value.radical, tabIndex: 0 }, typeset));
+    if (typeset) box.append(make("div", { class: "formula scroll", role: "group", "aria-label": value.radical }, typeset));
     else if (exact) box.append(make("p", { class: "exact-line" }, make("span", { class: "equals" }, "= "), exact));
     box.append(make("p", { class: "hint" }, whole ? "exact"
       : value.exact !== null ? `exact; the decimal is rounded to ${value.digits} digits`
@@ -64,11 +92,14 @@ export function cell(value, closed = false, formula = null) {
   if (exact && !value.exact.includes("/")) return exact;
   const form = exact ?? (closed ? (formula && mathml(formula)) || exactForm(value) : null);
   if (form?.localName === "math") form.removeAttribute("display");
-  return make("span", {}, make("span", { class: "digits" }, value.decimal.replace("-", "−")),
+  return make("span", {}, make("span", { class: "digits" }, decimal(value.decimal, false)),
     form ? make(exact ? "span" : "div", { class: "exact" }, " = ", form) : null);
 }
 
-/** A number of the replay: `text` is exact or a decimal of certified digits. */
-export const written = ({ text, exact }) =>
+/** A number of the replay: `text` is exact, or a decimal of certified digits, or an approximation and marked as one. */
+export const written = ({ text, exact, approximate }) =>
   exact ? (text.includes("/") && !text.includes("√") && text.length <= 24 ? fraction(text) : document.createTextNode(text.replace("-", "−")))
-    : make("span", { class: "digits" }, text.replace("-", "−"));
+    : make("span", { class: "digits" }, approximate && text !== "0" ? "≈ " : "", decimal(text, false));
+
+/** The same as plain text. */
+export const plain = ({ text, approximate }) => `${approximate && text !== "0" ? "≈ " : ""}${text.replace("-", "−")}`;

@@ -1,15 +1,18 @@
 // The bodies on their line, moved by the exact replay.
 //
 // The engine gives the corners of every worldline as doubles; between two corners a body moves in a straight line.
-// The numbers in words below the picture are the engine's, exact or certified.
+// Arrows and bars have lengths from doubles, too. The numbers in words are the engine's, exact or certified.
 
-import { $, make } from "./dom.js";
+import { $, announce, make } from "./dom.js";
 import { written } from "./numbers.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777"];
-const WIDTH = 900;
+/** Seconds of a replay at speed 1, and between two rounds. */
 const SECONDS = 7;
+const PAUSE = 0.8;
+/** The height of the lane for arrows above the bodies. */
+const LANE = 16;
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 let data = null;
@@ -17,8 +20,13 @@ let all = false;
 let now = 0;
 let playing = false;
 let last = 0;
+let resting = 0;
 let discs = [];
+let arrows = [];
+let centre = null;
 let across = (x) => x;
+let state = { past: -1 };
+let sounds = null;
 
 const shape = (name, attributes, text) => {
   const node = document.createElementNS(SVG, name);
@@ -46,8 +54,36 @@ function place(corners, t) {
   return t1 > t0 ? x0 + (x1 - x0) * Math.min(1, (t - t0) / (t1 - t0)) : x1;
 }
 
+/** The velocities after so many collisions, and the heat of these, as doubles. */
+function motion(past) {
+  const { start, masses } = data.drawn;
+  const velocities = [...start];
+  for (const c of data.events.slice(0, past)) {
+    if (!c.drawn_after) continue;
+    [c.left - 1, c.left].forEach((body, side) => { if (body in velocities) velocities[body] = c.drawn_after[side]; });
+  }
+  const energies = velocities.map((v, i) => (masses[i] * v * v) / 2);
+  const momenta = velocities.map((v, i) => masses[i] * v);
+  return { velocities, energies, momenta };
+}
+
+const sum = (list) => list.reduce((all, x) => all + x, 0);
+
+/** The largest velocity, and momentum to one side, that is to be drawn. */
+function extremes() {
+  let [speed, left, right] = [0, 0, 0];
+  for (let past = 0; past <= Math.min(data.events.length, 400); past++) {
+    const { velocities, momenta } = motion(past);
+    speed = Math.max(speed, ...velocities.map(Math.abs));
+    right = Math.max(right, sum(momenta.filter((p) => p > 0)));
+    left = Math.max(left, -sum(momenta.filter((p) => p < 0)));
+  }
+  return { speed: speed || 1, left, right, whole: sum(motion(0).energies) || 1 };
+}
+
 function build() {
   const stage = $("stage");
+  const width = Math.max(stage.clientWidth, 280);
   const { worldlines, half } = data.drawn;
   // The window: where the bodies are until the end, as far as they have not flown off.
   const end = stop();
@@ -63,22 +99,88 @@ function build() {
   const room = Math.max((to - from) * 0.05, 0.3);
   from -= room;
   to += room * 2;
-  const unit = WIDTH / (to - from);
+  const unit = width / (to - from);
   across = (x) => (x - from) * unit;
   const largest = Math.max(...half) * unit;
-  const height = Math.max(70, 2 * largest + 44);
-  const ground = height - 22;
-  stage.setAttribute("viewBox", `0 0 ${WIDTH} ${height}`);
-  stage.replaceChildren(shape("line", { x1: 0, x2: WIDTH, y1: ground - largest, y2: ground - largest, class: "rail" }));
+  const lane = $("arrows").checked ? LANE : 4;
+  const rail = lane + Math.max(largest, 6) + 2;
+  const height = rail + Math.max(largest, 6) + 20;
+  stage.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  stage.style.height = `${height}px`;
+  stage.replaceChildren(shape("line", { x1: 0, x2: width, y1: rail, y2: rail, class: "rail" }));
+  arrows = [];
+  // Numbers as long as there is room for them.
+  const numbered = width / worldlines.length >= 16;
   discs = worldlines.map((_, i) => {
     const radius = Math.max(half[i] * unit, 3);
     const group = shape("g", {});
-    group.append(shape("circle", { cy: ground - largest, r: radius, fill: COLOURS[i % COLOURS.length], class: "body" }));
-    if (worldlines.length <= 14) group.append(shape("text", { y: height - 4, class: "body-number" }, String(i + 1)));
+    group.append(shape("circle", { cy: rail, r: radius, fill: COLOURS[i % COLOURS.length], class: "body" }));
+    if (numbered) group.append(shape("text", { y: height - 4, class: "body-number" }, String(i + 1)));
+    const arrow = shape("path", { class: "arrow", stroke: COLOURS[i % COLOURS.length], fill: COLOURS[i % COLOURS.length] });
+    arrow.toggleAttribute("hidden", !$("arrows").checked);
+    group.append(arrow);
+    arrows.push(arrow);
     stage.append(group);
     return group;
   });
+  centre = $("centre").checked ? shape("path", { class: "centre", d: `M0 ${rail - 9}l6 9l-6 9l-6 -9z` }) : null;
+  if (centre) stage.append(centre);
+  state = { past: -1, most: extremes(), longest: Math.min(70, width / 6) };
   draw();
+}
+
+/** The arrow of a velocity: its length from the engine's double. */
+function arrowPath(v) {
+  const length = (v / state.most.speed) * state.longest;
+  if (Math.abs(length) < 0.5) return "";
+  const y = LANE / 2, sign = Math.sign(length);
+  const tip = Math.max(Math.abs(length), 5) * sign;
+  return `M0 ${y - 1}H${tip - 4 * sign}V${y - 4}L${tip} ${y}L${tip - 4 * sign} ${y + 4}V${y + 1}H0z`;
+}
+
+/** Bars of kinetic energy and momentum, one piece for each body. */
+function bars({ energies, momenta }) {
+  const box = $("bars");
+  const width = Math.max(box.clientWidth, 280);
+  const piece = (x, y, w, i, more = {}) => shape("rect", {
+    x: x.toFixed(2), y, width: Math.max(w, 0).toFixed(2), height: 16, fill: COLOURS[i % COLOURS.length], class: "piece", ...more });
+  const { whole, left, right } = state.most;
+  const parts = [shape("text", { x: 0, y: 12, class: "bar-name" }, "kinetic energy, and heat of the collisions so far")];
+  let x = 0;
+  energies.forEach((energy, i) => {
+    const w = (energy / whole) * width;
+    parts.push(piece(x, 17, w, i));
+    x += w;
+  });
+  if (width - x > 0.5) parts.push(piece(x, 17, width - x, 0, { fill: "", class: "piece heat" }));
+  const scale = width / (left + right || 1);
+  const zero = left * scale;
+  parts.push(shape("text", { x: 0, y: 52, class: "bar-name" }, left > 0 ? "momentum, to the left and to the right of the line at 0" : "momentum"));
+  let [low, high] = [zero, zero];
+  momenta.forEach((p, i) => {
+    const w = Math.abs(p) * scale;
+    if (p < 0) low -= w;
+    parts.push(piece(p < 0 ? low : high, 57, w, i));
+    if (p > 0) high += w;
+  });
+  const total = zero + sum(momenta) * scale;
+  if (left > 0) parts.push(shape("line", { x1: zero, x2: zero, y1: 54, y2: 76, class: "zero" }));
+  parts.push(shape("path", { d: `M${total} 74l4 6h-8z`, class: "total" }),
+    shape("text", { x: Math.min(Math.max(total, 40), width - 40), y: 92, class: "bar-name middle" }, "sum of all"));
+  box.setAttribute("viewBox", `0 0 ${width} 96`);
+  box.replaceChildren(...parts);
+}
+
+function tick() {
+  if (!$("sound").checked) return;
+  sounds ??= new AudioContext();
+  const tone = sounds.createOscillator(), volume = sounds.createGain();
+  tone.frequency.value = 660;
+  volume.gain.setValueAtTime(0.15, sounds.currentTime);
+  volume.gain.exponentialRampToValueAtTime(0.001, sounds.currentTime + 0.06);
+  tone.connect(volume).connect(sounds.destination);
+  tone.start();
+  tone.stop(sounds.currentTime + 0.07);
 }
 
 function draw() {
@@ -86,38 +188,55 @@ function draw() {
   data.drawn.worldlines.forEach((corners, i) => {
     discs[i].setAttribute("transform", `translate(${across(place(corners, now)).toFixed(2)} 0)`);
   });
-  $("time").value = String(Math.round((1000 * now) / stop()));
-  const past = data.events.filter((c) => c.drawn_time <= now * (1 + 1e-12)).length;
-  $("time").setAttribute("aria-valuetext", `${past} of ${data.count} collisions`);
-  if ($("event").dataset.past !== `${past}`) {
-    $("event").dataset.past = `${past}`;
-    $("event").replaceChildren(...words(past));
+  if (centre) {
+    const [x, v] = data.drawn.centre;
+    centre.setAttribute("transform", `translate(${across(x + v * now).toFixed(2)} 0)`);
   }
+  $("time").value = String(Math.round((1000 * now) / stop()));
+  $("clock").textContent = `t = ${now.toFixed(2)}`;
+  const past = data.events.filter((c) => c.drawn_time <= now * (1 + 1e-12)).length;
+  if (state.past === past) return;
+  if (past === state.past + 1 && past > 0 && playing) tick();
+  state.past = past;
+  $("time").setAttribute("aria-valuetext", `${past} of ${data.count} collisions`);
+  $("event").replaceChildren(...words(past));
+  if (playing || document.activeElement?.closest("#player")) announce($("event").textContent);
+  const moved = motion(past);
+  arrows.forEach((arrow, i) => arrow.setAttribute("d", arrowPath(moved.velocities[i])));
+  if ($("ledger").checked) bars(moved);
 }
 
 /** The last collision in words, with its exact numbers. */
 function words(past) {
   const count = make("strong", {}, `${past} of ${data.count} collision${data.count === 1 ? "" : "s"}. `);
-  if (past === 0) return [count, "Body 1 is on its way."];
+  if (past === 0) return [count, "Nothing has collided yet."];
   const c = data.events[past - 1];
-  return [count, `Bodies ${c.pair} at t = `, written(c.time), ": velocities ", written(c.before[0]), ", ", written(c.before[1]),
-    " become ", written(c.after[0]), ", ", written(c.after[1]), c.of_the_pass ? "." : make("em", {}, " — they meet again.")];
+  return [count, `Bodies ${c.pair} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": velocities ", written(c.before[0]), ", ", written(c.before[1]),
+    " become ", written(c.after[0]), ", ", written(c.after[1]), ". Heat: ", written(c.lost),
+    c.of_the_pass ? "." : make("em", {}, ". They meet again.")];
 }
 
 function frame(stamp) {
   if (!playing || !data) return;
   if (still.matches) {
     // No motion: from collision to collision, one a second.
-    if (stamp - last >= 1000) {
+    if (stamp - last >= 1000 / Number($("speed").value)) {
       last = stamp;
-      step(1, true);
+      if (now >= stop() && $("loop").checked) {
+        now = 0;
+        draw();
+      } else step(1, true);
     }
   } else {
-    now += ((stamp - last) / 1000 / SECONDS) * stop();
+    const seconds = (stamp - last) / 1000;
     last = stamp;
     if (now >= stop()) {
-      now = stop();
-      setPlaying(false);
+      resting += seconds;
+      if (!$("loop").checked) setPlaying(false);
+      else if (resting > PAUSE) now = 0;
+    } else {
+      resting = 0;
+      now = Math.min(stop(), now + (seconds / SECONDS) * Number($("speed").value) * stop());
     }
     draw();
   }
@@ -140,7 +259,7 @@ function step(direction, keep = false) {
   const times = [0, ...data.events.map((c) => c.drawn_time).filter((t) => t <= stop())];
   const near = 1e-9 * stop();
   const next = direction > 0 ? times.find((t) => t > now + near) : times.findLast((t) => t < now - near);
-  if (next === undefined) setPlaying(false);
+  if (next === undefined && !$("loop").checked) setPlaying(false);
   now = next ?? (direction > 0 ? stop() : 0);
   draw();
 }
@@ -158,8 +277,8 @@ function setAll(on) {
 export function show(replay) {
   const before = data;
   data = replay;
-  $("event").dataset.past = "";
-  for (const part of ["stage", "player", "event", "views"]) $(part).toggleAttribute("hidden", !replay);
+  for (const part of ["stage", "player", "event", "views", "options"]) $(part).toggleAttribute("hidden", !replay);
+  $("bars").toggleAttribute("hidden", !replay || !$("ledger").checked);
   if (!replay) {
     setPlaying(false);
     return;
@@ -168,6 +287,12 @@ export function show(replay) {
   now = Math.min(now, stop());
   $("stage").setAttribute("aria-label", `${data.masses.length} bodies on a line, ${data.count} collisions`);
   build();
+}
+
+/** Plays from the beginning. */
+export function play() {
+  now = 0;
+  setPlaying(true);
 }
 
 /** Shows all collisions instead of the pass. */
@@ -183,3 +308,15 @@ $("time").addEventListener("input", () => {
   now = (Number($("time").value) / 1000) * stop();
   draw();
 });
+for (const id of ["arrows", "centre", "ledger"]) {
+  $(id).addEventListener("change", () => {
+    $("bars").toggleAttribute("hidden", !data || !$("ledger").checked);
+    if (data) build();
+  });
+}
+let seen = 0;
+new ResizeObserver(() => {
+  // A change of height alone is build's own.
+  if (data && $("stage").clientWidth && $("stage").clientWidth !== seen) build();
+  seen = $("stage").clientWidth;
+}).observe($("stage"));

@@ -5,8 +5,9 @@ const FILES = [@FILES@];
 self.addEventListener("install", (event) => {
   event.waitUntil((async () => {
     const cache = await caches.open(CACHE);
-    // Past the browser's own cache, so that no old file slips into the new version.
-    await cache.addAll(["./", ...FILES].map((file) => new Request(file, { cache: "reload" })));
+    // The server is asked about each file, so that no old one slips into the new version; what the page has already
+    // fetched is not sent a second time.
+    await cache.addAll(["./", ...FILES].map((file) => new Request(file, { cache: "no-cache" })));
   })());
 });
 

@@ -1,7 +1,7 @@
 // The room of tables.
 
 import { Client, clientWith } from "./client.js";
-import { $, later, make, save, sentence, showFault } from "./dom.js";
+import { $, later, make, outdated, save, sentence, showFault } from "./dom.js";
 import * as state from "./state.js";
 
 const BEGINNING = { want: "eta", ratio: "1,2,10,100", e: "0.5,0.9,1", n: "0:4:1", digits: "6", count: "significant", round: "nearest" };
@@ -30,7 +30,7 @@ async function ask() {
   if (!found) return;
   showFault(form, $("table-error"), found.error);
   for (const button of document.querySelectorAll("[data-form]")) button.disabled = Boolean(found.error);
-  $("table").classList.toggle("stale", Boolean(found.error));
+  outdated($("table"), Boolean(found.error));
   if (found.error) return;
   $("table-facts").replaceChildren(...found.facts.flatMap(([name, text]) => [make("dt", {}, name), make("dd", {}, text)]));
   $("table").replaceChildren(

@@ -2,29 +2,38 @@
 
 import { claimView } from "./claim-view.js";
 import { Client } from "./client.js";
-import { $, make, sentence } from "./dom.js";
+import { $, make, sentence, settle } from "./dom.js";
 
 const client = new Client();
 const known = new Map();
 let names = [];
+let asked = null;
+
+/** A claim of the catalogue with its verdict, judged once; null where a newer question took its place. */
+export async function judged(id, by = client) {
+  if (known.has(id)) return known.get(id);
+  const answer = await by.ask("claim", { id });
+  if (answer && !answer.error) known.set(id, answer);
+  return answer;
+}
 
 async function show(id) {
+  asked = id;
   for (const button of $("why-tabs").children) button.setAttribute("aria-pressed", String(button.dataset.id === id));
   const body = $("why-body");
-  if (!known.has(id)) {
-    body.replaceChildren(make("p", { class: "hint" }, `Judging ${id}…`));
-    const answer = await client.ask("claim", { id });
-    if (!answer) return;
-    if (answer.error) {
-      body.replaceChildren(make("p", { class: "notice error-box" }, sentence(answer.error)));
-      return;
-    }
-    known.set(id, answer);
+  if (!known.has(id)) body.replaceChildren(make("p", { class: "hint" }, `Judging ${id}…`));
+  const answer = await judged(id);
+  // Another claim may have been asked for meanwhile.
+  if (!answer || asked !== id) return;
+  if (answer.error) {
+    body.replaceChildren(make("p", { class: "notice error-box" }, sentence(answer.error)));
+    return;
   }
-  const { claim, text } = known.get(id);
+  const { claim, text } = answer;
   body.replaceChildren(claimView(claim, (cited) => open("Why?", [...new Set([...names, cited])], cited)));
   if (text) body.append(make("details", {}, make("summary", {}, "The claim file"), make("pre", { class: "language" }, text)));
   body.scrollTop = 0;
+  settle(body);
 }
 
 /** Opens the dialog on some claims. */

@@ -1,18 +1,26 @@
-// The engine's thread. First message: the compiled module; then one message for each job.
-import init, * as engine from "./engine.js";
+// The engine's thread. First message: a part of the engine, compiled; then one message for each job.
 
-const CALLS = ["answers", "replay", "table", "plot", "audit", "claim", "catalogue"];
+const CALLS = {
+  first: ["answers", "predict", "replay"],
+  whole: ["table", "plot", "audit", "claim", "catalogue"],
+};
 let ready;
+
+async function begin({ part, module }) {
+  const engine = await (part === "first" ? import("./first.js") : import("./whole.js"));
+  await engine.default({ module_or_path: module });
+  return { engine, calls: CALLS[part] };
+}
 
 self.onmessage = async ({ data }) => {
   if (data.module) {
-    ready = init({ module_or_path: data.module });
+    ready = begin(data);
     return;
   }
   const { id, call, request } = data;
   try {
-    await ready;
-    if (!CALLS.includes(call)) throw new Error(`the engine has no function ${call}`);
+    const { engine, calls } = await ready;
+    if (!calls.includes(call)) throw new Error(`the engine has no function ${call}`);
     self.postMessage({ id, answer: JSON.parse(engine[call](JSON.stringify(request))) });
   } catch (error) {
     // Stack or memory is used up: the module's state is lost, and the page starts another worker.

@@ -1,12 +1,16 @@
 // A server for web/dist, a fresh Chromium, and pages whose every complaint counts as a failure.
 
-import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { extname, join, normalize } from "node:path";
 import { chromium } from "playwright-core";
 
-const DIST = new URL("../dist/", import.meta.url).pathname;
+export const DIST = process.env.DIST ?? new URL("../dist/", import.meta.url).pathname;
+/** Where pictures of what was tried go. */
+export const SHOTS = new URL("../shots/", import.meta.url).pathname;
+mkdirSync(SHOTS, { recursive: true });
+
 const TYPES = {
   ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
   ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json",
@@ -67,3 +71,24 @@ export async function listen(context) {
   });
   return { page, complaints };
 }
+
+/** A fresh browser on a fresh page of the lab; the page must not complain. */
+export async function visit(fragment, work, options = {}) {
+  const server = await serve();
+  const { context, close } = await browser(options);
+  try {
+    const { page, complaints } = await listen(context);
+    await page.goto(server.url + fragment);
+    await work(page, { server, context });
+    if (complaints.length) throw new Error(`the page complains: ${complaints.join("; ")}`);
+  } finally {
+    await close();
+    await server.close();
+  }
+}
+
+export const answered = (page) => page.waitForFunction(() => document.documentElement.dataset.firstAnswer, null, { timeout: 30_000 });
+export const shoot = (page, name, fullPage = true) => page.screenshot({ path: `${SHOTS}${name}.png`, fullPage });
+export const eta = (page) => page.textContent(".quantity.eta .decimal");
+export const shows = (page, selector, text) => page.waitForFunction(
+  ([s, t]) => [...document.querySelectorAll(s)].some((node) => node.textContent.includes(t)), [selector, text], { timeout: 30_000 });

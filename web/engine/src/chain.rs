@@ -1,5 +1,6 @@
 //! Everything that is known of a chain, each quantity with its own answer or its own refusal.
 
+use crate::energy;
 use crate::reasons;
 use crate::request::{Fault, Request};
 use carom::claim::parse::parse_prop;
@@ -38,6 +39,8 @@ pub fn answers(request: &Request) -> Result<Value, Fault> {
     let chain = &scene.chain;
     Ok(json!({
         "answers": found,
+        "energy": energy::account(chain, digits),
+        "plain": request.plain()?,
         "why": reasons::behind(chain),
         "n": chain.count().to_string(),
         "collisions": (chain.count() + 1).to_string(),

@@ -10,6 +10,7 @@ use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::outcome::{self, Point};
 use carom::report::{self, Entry, mathml};
 use serde_json::{Value, json};
+use std::ops::Range;
 use std::time::Duration;
 
 /// The longest text that the page's editor sends.
@@ -19,32 +20,102 @@ const SHOWN: usize = 20;
 /// The longest time for one claim, in seconds.
 const SECONDS: u64 = 10;
 
-/// Judges the claims of a text.
+/// Judges the claims of a text. A claim with a fault is left out, with those that rest on it; the others are judged.
 pub fn audit(request: &Request) -> Result<Value, Fault> {
     let text = request.long_text("text");
     if text.len() > MAX_TEXT {
         return Err(Fault::at("text", format!("limit reached: {MAX_TEXT} bytes of claims on this page")).limit());
     }
-    let claims = match parse(text) {
-        Ok(claims) => claims,
-        Err(faults) => return Ok(json!({ "claims": [], "faults": shown(&faults, text) })),
-    };
-    let mut catalogue = match Catalogue::new(claims) {
-        Ok(catalogue) => catalogue,
-        Err(faults) => {
-            let faults: Vec<Diagnostic> = faults.into_iter().map(|f| f.1).collect();
-            return Ok(json!({ "claims": [], "faults": shown(&faults, text) }));
-        }
-    };
-    let names: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
-    let (mut claims, mut faults) = (Vec::new(), Vec::new());
-    for name in names {
-        match judge(&mut catalogue, &name)? {
-            Ok(entry) => claims.push(described(&entry, Some(text))),
-            Err(fault) => faults.push(fault),
+    let (read, mut faults) = readable(text);
+    let mut claims = Vec::new();
+    if let Some(mut catalogue) = read {
+        let names: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
+        for name in names {
+            match judge(&mut catalogue, &name)? {
+                Ok(entry) => claims.push(described(&entry, Some(text))),
+                Err(fault) => faults.push(fault),
+            }
         }
     }
     Ok(json!({ "claims": claims, "faults": shown(&faults, text) }))
+}
+
+/// Rounds of leaving out claims that rest on what was left out.
+const MAX_ROUNDS: usize = 50;
+
+/// The claims of a text that can be read, and the faults of the others. What has a fault is blanked out, so that places
+/// in the rest stay as they are.
+fn readable(text: &str) -> (Option<Catalogue>, Vec<Diagnostic>) {
+    let read = |text: &str| match parse(text).map(Catalogue::new) {
+        Ok(Ok(catalogue)) => Ok(catalogue),
+        Ok(Err(faults)) => Err(faults.into_iter().map(|f| f.1).collect::<Vec<_>>()),
+        Err(faults) => Err(faults),
+    };
+    let first = match read(text) {
+        Ok(catalogue) => return (Some(catalogue), Vec::new()),
+        Err(faults) => faults,
+    };
+    let mut left = Vec::new();
+    let mut found = Vec::new();
+    for block in blocks(text) {
+        let faults = parse(&text[block.clone()]).err().unwrap_or_default();
+        if faults.iter().all(|fault| matches!(fault.fault, diagnostic::Fault::Empty)) {
+            left.push(block);
+            continue;
+        }
+        found.extend(faults.into_iter().map(|mut fault| {
+            fault.span.start += block.start;
+            fault.span.end += block.start;
+            fault
+        }));
+    }
+    for _ in 0..MAX_ROUNDS {
+        if left.is_empty() {
+            break;
+        }
+        let faults = match read(&only(text, &left)) {
+            Ok(catalogue) => return (Some(catalogue), found),
+            Err(faults) => faults,
+        };
+        let before = left.len();
+        left.retain(|block| !faults.iter().any(|fault| block.contains(&fault.span.start)));
+        found.extend(faults);
+        if left.len() == before {
+            break;
+        }
+    }
+    (None, if found.is_empty() { first } else { found })
+}
+
+/// The bytes of each claim, from a line that begins with `claim` to the next one, and of what stands before the first.
+fn blocks(text: &str) -> Vec<Range<usize>> {
+    let mut starts = vec![0];
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        if at > 0 && line.split_whitespace().next() == Some("claim") {
+            starts.push(at);
+        }
+        at += line.len();
+    }
+    let ends = starts.iter().skip(1).copied().chain([text.len()]);
+    starts.iter().copied().zip(ends).map(|(start, end)| start..end).collect()
+}
+
+/// The text with blanks outside of some ranges, lines and places kept.
+fn only(text: &str, ranges: &[Range<usize>]) -> String {
+    let mut kept = String::with_capacity(text.len());
+    let mut next = 0;
+    for (at, c) in text.char_indices() {
+        while ranges.get(next).is_some_and(|range| range.end <= at) {
+            next += 1;
+        }
+        if c == '\n' || ranges.get(next).is_some_and(|range| range.contains(&at)) {
+            kept.push(c);
+        } else {
+            kept.extend(std::iter::repeat_n(' ', c.len_utf8()));
+        }
+    }
+    kept
 }
 
 /// Judges one claim of the catalogue.
@@ -89,7 +160,7 @@ fn judge(catalogue: &mut Catalogue, name: &str) -> Result<Result<Entry, Diagnost
         Err(outcome::Fault::Contradictory { hypotheses }) => Err(Diagnostic::new(
             diagnostic::Fault::Other {
                 message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
-                help: Some("such a claim would be true of nothing; mend the hypotheses".to_owned()),
+                help: Some("no values satisfy these hypotheses; remove or weaken one".to_owned()),
             },
             claim.name.span,
         )),
@@ -115,13 +186,19 @@ fn shown(faults: &[Diagnostic], text: &str) -> Value {
             "end": units(fault.span.end).max(start),
             "line": line,
             "column": column,
-            "rendered": fault.render("your text", text, false),
+            "excerpt": excerpt(&fault.render("your text", text, false)),
         })
     };
     json!({
         "list": faults.iter().take(SHOWN).map(one).collect::<Vec<_>>(),
         "more": faults.len().saturating_sub(SHOWN),
     })
+}
+
+/// A rendered fault without its message and its help, which the page shows in sentences.
+fn excerpt(rendered: &str) -> String {
+    let of_the_text = |line: &&str| !line.starts_with("error") && !line.trim_start().starts_with("= help:");
+    rendered.lines().filter(of_the_text).collect::<Vec<_>>().join("\n")
 }
 
 fn point(point: &Point) -> Value {
@@ -193,7 +270,30 @@ mod tests {
         let start = fault["start"].as_u64().expect("a number") as usize;
         let units: Vec<u16> = "claim mine \"𝜇\"\ngiven m > 0\nprove m = k\n".encode_utf16().collect();
         assert_eq!(char::from_u32(units[start].into()), Some('k'));
-        assert!(fault["rendered"].as_str().is_some_and(|r| r.contains('^')));
+        let excerpt = fault["excerpt"].as_str().expect("text");
+        assert!(excerpt.contains('^') && !excerpt.contains("error"), "{excerpt}");
+    }
+
+    #[test]
+    fn a_faulty_claim_takes_no_other_verdict_with_it() {
+        let good = "claim good \"Good\"\ngiven m > 0\nprove m^2 > 0\n";
+        let user = "claim user \"User\"\ngiven m > 0\nusing broken(m = m)\nprove m > 0\n";
+        for broken in [
+            "claim broken \"𝜇\"\ngiven m > 0\nprove m = k\n",
+            "claim broken \"B\"\ngiven m > 0\nprove m +\n",
+            "claim broken \"B\"\nnonsense\n",
+            "claim broken",
+        ] {
+            for text in [format!("{good}\n{broken}"), format!("{broken}\n\n{good}")] {
+                let found = audit(&text);
+                assert_eq!(found["claims"][0]["verdict"], "proved", "{text}: {found}");
+                assert_eq!(found["claims"].as_array().map(Vec::len), Some(1), "{text}");
+                assert!(found["faults"]["list"][0]["message"].is_string(), "{text}");
+            }
+        }
+        let all = audit(&format!("{good}\nclaim broken \"B\"\ngiven m > 0\nprove m = k\n\n{user}"));
+        assert_eq!(all["claims"].as_array().map(Vec::len), Some(1), "{all}");
+        assert_eq!(audit("nonsense")["claims"].as_array().map(Vec::len), Some(0));
     }
 
     #[test]

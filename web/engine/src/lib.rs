@@ -11,15 +11,17 @@
 
 mod chain;
 mod claims;
+mod energy;
 mod pictures;
+mod predict;
 mod reasons;
 mod replay;
 mod request;
 mod table;
+mod typed;
 
 use request::{Fault, Request};
 use serde_json::{Value, json};
-use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The answer to a request, or what is wrong with it.
 fn answer(text: &str, work: impl FnOnce(&Request) -> Result<Value, Fault>) -> String {
@@ -29,49 +31,48 @@ fn answer(text: &str, work: impl FnOnce(&Request) -> Result<Value, Fault>) -> St
 
 /// Everything that is known of a chain: `{m1, m2, e, n, inserted, masses, digits}` as they were typed.
 #[must_use]
-#[wasm_bindgen]
 pub fn answers(request: &str) -> String {
     answer(request, chain::answers)
 }
 
+/// A guess against the answer: `{quantity, guess}` and the chain.
+#[must_use]
+pub fn predict(request: &str) -> String {
+    answer(request, predict::mark)
+}
+
 /// The collisions of a chain, one by one, and the worldlines to draw.
 #[must_use]
-#[wasm_bindgen]
 pub fn replay(request: &str) -> String {
     answer(request, replay::replay)
 }
 
 /// A table of certified numbers: `{ratio, e, n, want, digits, places, round, format}`.
 #[must_use]
-#[wasm_bindgen]
 pub fn table(request: &str) -> String {
     answer(request, table::table)
 }
 
 /// A picture as SVG: `{picture}` and the chain.
 #[must_use]
-#[wasm_bindgen]
 pub fn plot(request: &str) -> String {
     answer(request, pictures::plot)
 }
 
 /// Judges the claims of a text: `{text, seconds}`.
 #[must_use]
-#[wasm_bindgen]
 pub fn audit(request: &str) -> String {
     answer(request, claims::audit)
 }
 
 /// Judges one claim of the built-in catalogue: `{id}`.
 #[must_use]
-#[wasm_bindgen]
 pub fn claim(request: &str) -> String {
     answer(request, claims::claim)
 }
 
 /// The built-in catalogue without verdicts, and the description of the language.
 #[must_use]
-#[wasm_bindgen]
 pub fn catalogue(request: &str) -> String {
     answer(request, claims::catalogue)
 }

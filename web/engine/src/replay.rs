@@ -2,7 +2,8 @@
 //!
 //! The bodies are rods that stand one unit apart, the first one moving. Rods behave as points do: their lengths,
 //! chosen for the eye, shift when collisions happen and change no velocity. Inserted masses that are irrational are
-//! replaced by decimals of [`MASS_DIGITS`] digits, and the answer says so.
+//! replaced by decimals of [`MASS_DIGITS`] digits: every number of such a replay is written as an approximation, with
+//! [`APPROXIMATE`] digits.
 
 use crate::request::{Fault, Request};
 use carom::chain::recollision::WARNING;
@@ -13,7 +14,7 @@ use carom::report::replay::svg::{self, Worldlines};
 use carom::report::replay::{Numbers, Replay, decimal, pair};
 use carom::scene::answer::{Answers, Number, Value as Answer};
 use carom::scene::quantity::Quantity;
-use carom::scene::{Chain, Scene};
+use carom::scene::{Chain, Scene, Start};
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
@@ -26,6 +27,8 @@ const MAX_DRAWN: u64 = 40;
 const MAX_EVENTS: u64 = 1_000;
 /// Digits of an irrational mass in the replay.
 const MASS_DIGITS: u64 = 12;
+/// Digits of the numbers of a replay whose masses were rounded.
+const APPROXIMATE: u64 = 6;
 /// Texts of exact numbers that are longer are decimals instead, with so many digits.
 const SHORT: (usize, u64) = (24, 12);
 
@@ -37,7 +40,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     }
     if chain.count() > MAX_DRAWN {
         let message = format!("limit reached: {MAX_DRAWN} inserted bodies are drawn at most");
-        return Err(Fault::new(message).limit().help("the numbers above hold for all of them"));
+        return Err(Fault::new(message).limit().help("the numbers on this page are about all of them"));
     }
     let (masses, rounded) = masses(&chain)?;
     let line = line(&chain, &masses)?;
@@ -51,6 +54,8 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     let replay = Replay { title: None, line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
     let lines = Worldlines::new(&replay);
     let pass = chain.count() + 1;
+    let written = |x: &Exact| if rounded { approximate(x) } else { exact(x) };
+    let shown = Shown::of(&line, &outcome.events);
     let events: Vec<Value> = outcome
         .events
         .iter()
@@ -65,6 +70,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
                 "lost": written(&c.lost),
                 "of_the_pass": (i as u64) < pass,
                 "drawn_time": lines.contacts.get(i).map(|c| c.0),
+                "drawn_after": shown.after.get(i),
             })
         })
         .collect();
@@ -79,27 +85,77 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
         "rounded": rounded.then_some(MASS_DIGITS),
         "final": outcome.velocities.iter().map(written).collect::<Vec<_>>(),
         "lost": written(&outcome.energy.lost),
+        // Bodies of rounded mass rest before the first collision: what is known then is exact.
+        "energy": exact(&outcome.energy.initial),
+        "momentum": exact(&outcome.momentum.0),
+        "start": (1..=line.bodies())
+            .filter_map(|b| line.start(b))
+            .map(|(_, v)| exact(&Exact::Exact(v)))
+            .collect::<Vec<_>>(),
         "masses": masses.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "drawn": {
             "worldlines": lines.bodies,
             "half": lines.half,
             "end": lines.end,
             "range": [lines.range.0, lines.range.1],
+            "masses": shown.masses,
+            "start": shown.start,
+            "centre": [shown.centre.0, shown.centre.1],
         },
         "svg": svg::report(&replay),
     }))
 }
 
 /// A number as text, and whether that is exact.
-fn written(x: &Exact) -> Value {
+fn exact(x: &Exact) -> Value {
     let exact = Numbers::Exact.write(x);
     let is_exact = !matches!(x, Exact::Within(..)) && exact.chars().count() <= SHORT.0;
     json!({ "text": if is_exact { exact } else { decimal(x, SHORT.1) }, "exact": is_exact })
 }
 
+/// The same for a replay with rounded masses: a few digits, marked.
+fn approximate(x: &Exact) -> Value {
+    json!({ "text": decimal(x, APPROXIMATE), "exact": false, "approximate": true })
+}
+
+/// Doubles for the arrows and bars of the animation.
+struct Shown {
+    masses: Vec<f64>,
+    /// The velocities before the first collision.
+    start: Vec<f64>,
+    /// The velocities of the two bodies after each collision.
+    after: Vec<[f64; 2]>,
+    /// Place at the start and velocity of the centre of mass.
+    centre: (f64, f64),
+}
+
+impl Shown {
+    fn of(line: &Line, events: &[replay::Collision]) -> Shown {
+        let near = |x: &Rational| f64::rounding_from(x, RoundingMode::Nearest).0;
+        let middle = |x: &Exact| {
+            let (lo, hi) = x.enclose(80);
+            near(&((lo + hi) / Rational::from(2)))
+        };
+        let bodies: Vec<(&Rational, Rational, Rational)> = (1..=line.bodies())
+            .filter_map(|b| Some((line.mass(b)?, line.start(b)?)))
+            .map(|(mass, (place, velocity))| (mass, place, velocity))
+            .collect();
+        let sum =
+            |of: &dyn Fn(&(&Rational, Rational, Rational)) -> Rational| -> Rational { bodies.iter().map(of).sum() };
+        let all = sum(&|b| b.0.clone());
+        let (moment, momentum) = (sum(&|b| b.0 * &b.1), sum(&|b| b.0 * &b.2));
+        Shown {
+            masses: bodies.iter().map(|b| near(b.0)).collect(),
+            start: bodies.iter().map(|b| near(&b.2)).collect(),
+            after: events.iter().map(|c| [middle(&c.after[0]), middle(&c.after[1])]).collect(),
+            centre: (near(&(moment / &all)), near(&(momentum / all))),
+        }
+    }
+}
+
 fn end(status: &Status) -> String {
     match status {
-        Status::Complete => "no more collisions".to_owned(),
+        Status::Complete => "no further collision follows".to_owned(),
         Status::Collapse(found) => format!(
             "infinitely many collisions before the time {}: the bodies {} to {} come together",
             decimal(&found.time, SHORT.1),
@@ -141,6 +197,11 @@ fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
     let near = |m: &Rational| f64::rounding_from(m, RoundingMode::Nearest).0;
     let heaviest = masses.iter().map(near).fold(f64::MIN_POSITIVE, f64::max);
     let restitutions = chain.restitutions().0;
+    let velocity = |i: usize| match chain.start() {
+        Start::Speed(speed) if i == 0 => speed.clone(),
+        Start::Speed(_) => Rational::ZERO,
+        Start::Velocities(list) => list.get(i).cloned().unwrap_or(Rational::ZERO),
+    };
     let mut bodies = Vec::with_capacity(masses.len());
     let mut place = Rational::ZERO;
     for (i, mass) in masses.iter().enumerate() {
@@ -148,8 +209,12 @@ fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
         let steps = (64.0 * (near(mass) / heaviest).cbrt()).round().clamp(8.0, 64.0);
         let length = Rational::from_unsigneds(steps as u64, 64);
         let half = &length / Rational::from(2);
-        let velocity = if i == 0 { Rational::ONE } else { Rational::ZERO };
-        bodies.push(Body { mass: mass.clone(), position: &place + &half, velocity, length: length.clone() });
+        bodies.push(Body {
+            mass: mass.clone(),
+            position: &place + &half,
+            velocity: velocity(i),
+            length: length.clone(),
+        });
         place += length + Rational::ONE;
     }
     let pairs: Vec<Rational> =

@@ -1,13 +1,13 @@
 //! Requests of the page: fields as they were typed, and faults that name their field.
 
+use crate::typed::{self, Unclear};
 use carom::chain::uncertain::{Range, RangeError};
 use carom::chain::{ChainError, Positive, Restitution};
 use carom::number::NumberError;
 use carom::number::rational::NumeralError;
-use carom::scene::read::elements;
 use carom::scene::{Chain, Coefficients, Inserted, Start};
 use malachite::Rational;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// The longest text of a field other than a claim's.
 const MAX_FIELD: usize = 20_000;
@@ -48,10 +48,22 @@ impl Fault {
         Fault { limit: true, ..self }
     }
 
+    /// A text with more than one reading.
+    pub fn unclear(field: &'static str, Unclear(message): Unclear) -> Fault {
+        Fault::at(field, message)
+    }
+
     /// A fault of the engine's.
     pub fn chain(field: Option<&'static str>, error: &ChainError) -> Fault {
         let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
-        Fault { field, message: error.to_string(), help: None, limit }
+        let message = match error {
+            // Named by their cards on the page.
+            ChainError::UnequalRestitutions { .. } => {
+                "defined only where all collisions have one coefficient of restitution".to_owned()
+            }
+            error => error.to_string(),
+        };
+        Fault { field, message, help: None, limit }
     }
 
     /// As the page reads it.
@@ -86,14 +98,16 @@ impl Request {
         self.0.get(field).and_then(Value::as_str).unwrap_or("")
     }
 
-    /// A natural number.
+    /// A natural number, perhaps with blanks between groups of digits.
     pub fn natural(&self, field: &'static str) -> Result<u64, Fault> {
         let text = self.text(field)?;
-        if text.is_empty() || !text.bytes().all(|b| b.is_ascii_digit()) {
+        let plain = typed::number(text).map_err(|unclear| Fault::unclear(field, unclear))?;
+        if plain.is_empty() || !plain.bytes().all(|b| b.is_ascii_digit()) {
             let found = if text.is_empty() { "nothing".to_owned() } else { shown(text) };
-            return Err(Fault::at(field, format!("a whole number such as 3 was expected, not {found}")));
+            return Err(Fault::at(field, format!("expected a whole number such as 3, found {found}")));
         }
-        text.parse()
+        plain
+            .parse()
             .map_err(|_| Fault::at(field, format!("limit reached: {} at most", carom::chain::MAX_INSERTED)).limit())
     }
 
@@ -110,28 +124,74 @@ impl Request {
     }
 
     /// The chain of the fields `m1`, `m2` and `e`, with `n` inserted bodies of optimal mass, or, where `inserted` is
-    /// `given`, with those of `masses`.
+    /// `given`, with those of `masses`; the first body moves with velocity 1, or each with its own of `velocities`.
     pub fn chain(&self) -> Result<Chain, Fault> {
-        let first = mass("m1", self.text("m1")?)?;
-        let last = mass("m2", self.text("m2")?)?;
-        let coefficients = match elements(self.text("e")?).as_slice() {
+        let first = mass("m1", &self.number("m1")?)?;
+        let last = mass("m2", &self.number("m2")?)?;
+        let coefficients = match self.restitutions()?.as_slice() {
             [one] => Coefficients::Same(coefficient(one)?),
             list => Coefficients::Each(list.iter().map(|e| coefficient(e)).collect::<Result<_, _>>()?),
         };
         let inserted = match self.text("inserted")? {
             "given" => {
-                let list = elements(self.text("masses")?);
+                let list = self.masses()?;
                 Inserted::Given(list.iter().map(|m| mass("masses", m)).collect::<Result<_, _>>()?)
             }
             _ => Inserted::Optimal(self.natural("n")?),
         };
-        Chain::new(first, last, inserted, coefficients, Start::unit()).map_err(|error| {
+        let start = match self.velocities()?.as_slice() {
+            [] => Start::unit(),
+            list => Start::Velocities(list.iter().map(|v| velocity(v)).collect::<Result<_, _>>()?),
+        };
+        Chain::new(first, last, inserted, coefficients, start).map_err(|error| {
             let field = match &error {
                 ChainError::Count { of: "coefficients of restitution", .. } => "e",
+                ChainError::Count { of: "velocities", .. } | ChainError::NeedsGivenMasses => "velocities",
                 _ => "n",
             };
             Fault::chain(Some(field), &error)
         })
+    }
+
+    /// The fields of the chain in the engine's own spelling, as the command line takes them.
+    pub fn plain(&self) -> Result<Value, Fault> {
+        let mut plain = Map::new();
+        for field in ["m1", "m2"] {
+            plain.insert(field.to_owned(), self.number(field)?.into());
+        }
+        plain.insert("e".to_owned(), self.restitutions()?.into());
+        if self.text("inserted")? == "given" {
+            plain.insert("masses".to_owned(), self.masses()?.into());
+        } else {
+            plain.insert("n".to_owned(), self.natural("n")?.to_string().into());
+        }
+        plain.insert("velocities".to_owned(), self.velocities()?.into());
+        Ok(plain.into())
+    }
+
+    /// One number or measured value.
+    pub fn number(&self, field: &'static str) -> Result<String, Fault> {
+        typed::number(self.text(field)?).map_err(|unclear| Fault::unclear(field, unclear))
+    }
+
+    fn list(&self, field: &'static str, fits: impl Fn(&str) -> bool) -> Result<Vec<String>, Fault> {
+        typed::list(self.text(field)?, fits).map_err(|unclear| Fault::unclear(field, unclear))
+    }
+
+    fn restitutions(&self) -> Result<Vec<String>, Fault> {
+        self.list("e", |e| coefficient(e).is_ok())
+    }
+
+    fn masses(&self) -> Result<Vec<String>, Fault> {
+        self.list("masses", |m| mass("masses", m).is_ok())
+    }
+
+    /// No velocities where the field is empty: the first body moves and all others rest.
+    fn velocities(&self) -> Result<Vec<String>, Fault> {
+        if self.text("velocities")?.is_empty() {
+            return Ok(Vec::new());
+        }
+        self.list("velocities", |v| velocity(v).is_ok())
     }
 }
 
@@ -144,8 +204,25 @@ fn shown(text: &str) -> String {
     format!("{:?}…", text.chars().take(LONGEST).collect::<String>())
 }
 
+/// What is wrong with a number, in words for who typed it.
+pub fn numeral(text: &str, error: &NumeralError) -> String {
+    match error {
+        NumeralError::MissingDigits { .. } | NumeralError::Unexpected { .. } => {
+            format!("expected a number, found {}", shown(text))
+        }
+        NumeralError::Uncertainty { .. } => format!("{}: write a measured value as 57.1 ± 0.1", shown(text)),
+        NumeralError::ZeroDenominator { .. } => format!("{}: the denominator is 0", shown(text)),
+        NumeralError::TooManyDigits { allowed, needed } => {
+            format!("limit reached: a number has {allowed} digits at most, this one has {needed}")
+        }
+        NumeralError::ExponentTooLarge { allowed, .. } => {
+            format!("limit reached: {}: an exponent of ten is {allowed} at most", shown(text))
+        }
+    }
+}
+
 fn range(field: &'static str, text: &str) -> Result<Range<Rational>, Fault> {
-    let help = "write 10, 9/10, 0.9 or 2.5e-3, or a measured value: 0.90 ± 0.02 or [0.88, 0.92]";
+    let help = "write 10, 9/10, 0.9, 90 % or 2.5e-3, or a measured value: 0.90 ± 0.02 or [0.88, 0.92]";
     if text.is_empty() {
         return Err(Fault::at(field, "a number is missing").help(help));
     }
@@ -154,8 +231,19 @@ fn range(field: &'static str, text: &str) -> Result<Range<Rational>, Fault> {
             error,
             RangeError::Numeral(NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })
         );
-        Fault { limit, ..Fault::at(field, format!("{}: {error}", shown(text))) }.help(help)
+        let message = match &error {
+            RangeError::Numeral(error) => numeral(text, error),
+            error => format!("{}: {error}", shown(text)),
+        };
+        Fault { limit, ..Fault::at(field, message) }.help(help)
     })
+}
+
+/// A velocity: a single number, of either sign.
+fn velocity(text: &str) -> Result<Rational, Fault> {
+    let found = range("velocities", text)?;
+    let measured = || Fault::at("velocities", "a velocity is a single number such as 1, 0 or -1/2");
+    found.single().cloned().ok_or_else(measured)
 }
 
 fn mass(field: &'static str, text: &str) -> Result<Range<Positive>, Fault> {

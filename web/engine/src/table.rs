@@ -1,6 +1,7 @@
 //! Tables of certified numbers.
 
-use crate::request::{Fault, MAX_DIGITS, Request};
+use crate::request::{Fault, MAX_DIGITS, Request, numeral};
+use crate::typed;
 use carom::number::decimal::{Digits, Rounding};
 use carom::report::table::{Form, Head, Writer, entries};
 use carom::scene::read::ROUNDINGS;
@@ -83,9 +84,13 @@ fn plan(request: &Request) -> Result<Plan, Fault> {
 }
 
 fn grid(request: &Request, field: &'static str) -> Result<Grid, Fault> {
-    Grid::parse(request.text(field)?).map_err(|error| Fault {
-        limit: matches!(error, GridError::Limit { .. }),
-        ..Fault::at(field, error.to_string())
+    let plain = typed::grid(request.text(field)?).map_err(|unclear| Fault::unclear(field, unclear))?;
+    Grid::parse(&plain).map_err(|error| {
+        let message = match &error {
+            GridError::Numeral { part, error } => numeral(part, error),
+            error => error.to_string(),
+        };
+        Fault { limit: error.is_limit(), ..Fault::at(field, message) }
     })
 }
 
