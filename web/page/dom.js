@@ -79,7 +79,7 @@ export const announce = later((text) => { $("announcer").textContent = text; }, 
 
 /** Scroll boxes that hold more than they show can be reached with the keyboard; a formula is set smaller before it is cut. */
 export function settle(root) {
-  for (const box of root.querySelectorAll(".scroll")) {
+  for (const box of root.querySelectorAll(".scroll:not([role=region])")) {
     if (!box.clientWidth) continue;
     const formula = box.querySelector(":scope > math");
     if (formula) {

@@ -46,7 +46,9 @@ export function decimal(text, group = true) {
 }
 
 /** The first digits of a number; what is cut off is marked. */
-export function short({ decimal: text, exact }, digits = 6) {
+export function short(value, digits = 6) {
+  const exact = value.exact ?? null;
+  const text = (exact !== null && whole(value)) || value.decimal;
   const [mantissa, exponent] = text.split("e");
   const match = /^(-?[0.]*)(\d[\d.]*)$/.exec(mantissa);
   if (!match) return text;
@@ -60,21 +62,33 @@ export function short({ decimal: text, exact }, digits = 6) {
   if (match[2].indexOf(".", cut) >= 0) return text;
   const rest = match[2].slice(cut);
   const kept = `${match[1]}${match[2].slice(0, cut)}`.replace("-", "−");
-  return `${kept}${/[1-9]/.test(rest) || (rest && (exact ?? null) === null) ? "…" : ""}${exponent ? ` · 10^${exponent.replace("-", "−")}` : ""}`;
+  return `${kept}${/[1-9]/.test(rest) || (rest && exact === null) ? "…" : ""}${exponent ? ` · 10^${exponent.replace("-", "−")}` : ""}`;
+}
+
+/** The decimal without zeros at its end, where that is the number exactly; else null. */
+function whole({ decimal: text, exact }) {
+  const parts = /^(-?)(\d+)\.(\d+)$/.exec(text ?? "");
+  const [above, below = "1"] = (exact ?? "").replace("-", "").split("/");
+  if (text === exact) return text;
+  if (!parts || !/^\d{1,400}$/.test(above) || !/^\d{1,400}$/.test(below)) return null;
+  const places = parts[3].replace(/0+$/, "");
+  if (BigInt(parts[2] + places) * BigInt(below) !== BigInt(above) * 10n ** BigInt(places.length)) return null;
+  return `${parts[1]}${parts[2]}${places && "."}${places}`;
 }
 
 /** A number in full: decimal, exact form, what is certain of it. */
 export function number(value, options = {}) {
   const box = make("div", { class: "number" });
   if (value.decimal !== null && value.decimal !== undefined) {
-    const whole = value.exact !== null && value.exact === value.decimal;
-    const many = value.decimal.length > 60;
-    box.append(make("p", { class: many ? "decimal many" : "decimal", tabIndex: many ? 0 : undefined }, decimal(value.decimal)));
+    const all = whole(value);
+    const shown = all ?? value.decimal;
+    const many = shown.length > 60;
+    box.append(make("p", { class: many ? "decimal many" : "decimal", tabIndex: many ? 0 : undefined }, decimal(shown)));
     const typeset = options.formula ? mathml(options.formula) : null;
     const exact = typeset ?? exactForm(value);
     if (typeset) box.append(make("div", { class: "formula scroll", role: "group", "aria-label": value.radical }, typeset));
     else if (exact) box.append(make("p", { class: "exact-line" }, make("span", { class: "equals" }, "= "), exact));
-    box.append(make("p", { class: "hint" }, whole ? "exact"
+    box.append(make("p", { class: "hint" }, all !== null ? "exact"
       : value.exact !== null ? `exact; the decimal is rounded to ${value.digits} digits`
       : `irrational; all ${value.digits} digits certified`));
   } else {
@@ -90,6 +104,8 @@ export function cell(value, closed = false, formula = null) {
   if (value.decimal === null || value.decimal === undefined) return make("span", {}, `${value.enclosure[0]} … ${value.enclosure[1]}`);
   const exact = value.exact !== null && value.exact.length <= 16 ? fraction(value.exact) : null;
   if (exact && !value.exact.includes("/")) return exact;
+  const all = whole(value);
+  if (all !== null) return make("span", { class: "digits" }, decimal(all, false));
   const form = exact ?? (closed ? (formula && mathml(formula)) || exactForm(value) : null);
   if (form?.localName === "math") form.removeAttribute("display");
   return make("span", {}, make("span", { class: "digits" }, decimal(value.decimal, false)),

@@ -141,7 +141,8 @@ function arrowPath(v) {
 /** Bars of kinetic energy and momentum, one piece for each body. */
 function bars({ energies, momenta }) {
   const box = $("bars");
-  const width = Math.max(box.clientWidth, 280);
+  // A little less than the box, for the mark at the end.
+  const width = Math.max(box.clientWidth, 280) - 6;
   const piece = (x, y, w, i, more = {}) => shape("rect", {
     x: x.toFixed(2), y, width: Math.max(w, 0).toFixed(2), height: 16, fill: COLOURS[i % COLOURS.length], class: "piece", ...more });
   const { whole, left, right } = state.most;
@@ -167,7 +168,7 @@ function bars({ energies, momenta }) {
   if (left > 0) parts.push(shape("line", { x1: zero, x2: zero, y1: 54, y2: 76, class: "zero" }));
   parts.push(shape("path", { d: `M${total} 74l4 6h-8z`, class: "total" }),
     shape("text", { x: Math.min(Math.max(total, 40), width - 40), y: 92, class: "bar-name middle" }, "sum of all"));
-  box.setAttribute("viewBox", `0 0 ${width} 96`);
+  box.setAttribute("viewBox", `0 0 ${width + 6} 96`);
   box.replaceChildren(...parts);
 }
 
@@ -314,9 +315,12 @@ for (const id of ["arrows", "centre", "ledger"]) {
     if (data) build();
   });
 }
-let seen = 0;
-new ResizeObserver(() => {
+let seen = "";
+const resized = new ResizeObserver(() => {
   // A change of height alone is build's own.
-  if (data && $("stage").clientWidth && $("stage").clientWidth !== seen) build();
-  seen = $("stage").clientWidth;
-}).observe($("stage"));
+  const widths = `${$("stage").clientWidth} ${$("bars").clientWidth}`;
+  if (data && $("stage").clientWidth && widths !== seen) build();
+  seen = widths;
+});
+resized.observe($("stage"));
+resized.observe($("bars"));

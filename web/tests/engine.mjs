@@ -11,9 +11,12 @@ import assert from "node:assert/strict";
 const here = dirname(fileURLToPath(import.meta.url));
 const dist = process.env.DIST ?? join(here, "../dist");
 const carom = process.env.CAROM ?? join(here, "../../target/release/carom");
-const engine = await import(join(dist, "engine.js"));
-engine.initSync({ module: readFileSync(join(dist, "engine_bg.wasm")) });
-const call = (name, request) => JSON.parse(engine[name](JSON.stringify(request)));
+const parts = await Promise.all(["first", "whole"].map(async (name) => {
+  const part = await import(join(dist, `${name}.js`));
+  part.initSync({ module: readFileSync(join(dist, `${name}_bg.wasm`)) });
+  return part;
+}));
+const call = (name, request) => JSON.parse(parts.find((part) => name in part)[name](JSON.stringify(request)));
 const native = (...all) => {
   try {
     return JSON.parse(execFileSync(carom, all, { encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "pipe"] }));

@@ -1,0 +1,93 @@
+// The lab over a slow line, from the server that web/serve starts: when the first answer comes, and what is sent twice.
+
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { test } from "node:test";
+import { DIST, answered, browser, listen } from "./browser.mjs";
+
+const SERVER = new URL("../server.py", import.meta.url).pathname;
+/** Bits per second of a slow line, and milliseconds for a round trip. */
+const LINE = 1_600_000;
+const LATENCY = 150;
+/** Milliseconds to the first answer over that line, on a machine that does other work meanwhile: more. */
+const SLOW_ANSWER = Number(process.env.SLOW_ANSWER_MS ?? 9000);
+
+async function served(work) {
+  const server = spawn("python3", [SERVER, DIST, "0"], { stdio: ["ignore", "pipe", "inherit"] });
+  try {
+    const url = await new Promise((done) => server.stdout.once("data", (text) => done(String(text).trim().replace("localhost", "127.0.0.1"))));
+    await work(`${url}/`);
+  } finally {
+    server.kill();
+  }
+}
+
+test("web/serve compresses, and does not send again what the browser has", async () => {
+  await served(async (url) => {
+    const fetched = await fetch(`${url}first_bg.wasm`);
+    assert.equal(fetched.headers.get("content-encoding"), "gzip");
+    assert.equal(fetched.headers.get("content-type"), "application/wasm");
+    assert.ok(Number(fetched.headers.get("content-length")) < (await fetched.arrayBuffer()).byteLength / 2);
+    const again = await fetch(`${url}first_bg.wasm`, { headers: { "If-None-Match": fetched.headers.get("etag"), "Cache-Control": "no-cache" } });
+    assert.equal(again.status, 304);
+    assert.equal((await fetch(`${url}../server.py`)).status, 404);
+    assert.equal((await fetch(`${url}%2e%2e/server.py`)).status, 404);
+    assert.equal((await fetch(`${url}nothing`)).status, 404);
+    assert.equal((await fetch(url)).headers.get("content-type"), "text/html; charset=utf-8");
+  });
+});
+
+test("the first answer over 1.6 Mbit/s, and each part of the engine sent once", async () => {
+  await served(async (url) => {
+    const { context, close } = await browser();
+    try {
+      const { page, complaints } = await listen(context);
+      const line = await context.newCDPSession(page);
+      await line.send("Network.enable");
+      await line.send("Network.emulateNetworkConditions", { offline: false, latency: LATENCY, downloadThroughput: LINE / 8, uploadThroughput: LINE / 8 });
+      await page.goto(url);
+      await answered(page);
+      const first = Number(await page.evaluate(() => document.documentElement.dataset.firstAnswer));
+      await page.waitForSelector("#stage g");
+      const stage = await page.evaluate(() => performance.now());
+      console.log(`  first answer ${first} ms, bodies on the stage ${stage.toFixed(0)} ms`);
+      await page.waitForFunction(() => document.documentElement.dataset.offline === "ready", null, { timeout: 60_000 });
+      const sizes = await page.evaluate(() => performance.getEntriesByType("resource").filter((e) => e.name.endsWith(".wasm")).map((e) => [e.name.replace(/.*\//, ""), e.transferSize]));
+      assert.deepEqual(sizes.map(([name]) => name).sort(), ["first_bg.wasm", "whole_bg.wasm"]);
+      assert.deepEqual(complaints, []);
+      assert.ok(first <= SLOW_ANSWER, `${first} ms`);
+    } finally {
+      await close();
+    }
+  });
+});
+
+test("the offline cache asks, and is not sent what has come already", async () => {
+  const server = spawn("python3", ["-u", "-c", `
+import sys
+sys.path.insert(0, ${JSON.stringify(new URL("..", import.meta.url).pathname)})
+import server
+def log(self, code="-", size="-"):
+    print("REQUEST", self.path, code)
+server.Handler.log_request = log
+sys.argv = ["server.py", ${JSON.stringify(DIST)}, "0"]
+server.main()
+`], { stdio: ["ignore", "pipe", "inherit"] });
+  let log = "";
+  server.stdout.on("data", (text) => { log += text; });
+  const { context, close } = await browser();
+  try {
+    while (!/http:\S+/.test(log)) await new Promise((done) => setTimeout(done, 50));
+    const { page } = await listen(context);
+    await page.goto(/http:\S+/.exec(log)[0]);
+    await page.waitForFunction(() => document.documentElement.dataset.offline === "ready", null, { timeout: 60_000 });
+    for (const part of ["first_bg.wasm", "whole_bg.wasm"]) {
+      const codes = [...log.matchAll(new RegExp(`REQUEST /${part} (?:HTTPStatus\\.)?(\\S+)`, "g"))].map((m) => m[1]);
+      const whole = codes.filter((code) => code === "200" || code === "OK").length;
+      assert.equal(whole, 1, `${part}: ${codes}`);
+    }
+  } finally {
+    await close();
+    server.kill();
+  }
+});
