@@ -5,6 +5,7 @@ use carom::chain::best::{Best, best};
 use carom::chain::{Positive, Restitution};
 use carom::report::plot::charts;
 use carom::report::plot::svg;
+use carom::report::plot::unclear::Unclear;
 use carom::scene::Chain;
 use carom::table::worksheet::Worksheet;
 use malachite::Rational;
@@ -34,11 +35,14 @@ pub fn plot(request: &Request) -> Result<Value, Fault> {
         "map" => charts::map(&from, &to),
         "velocities" => {
             let worksheet = Worksheet::of(&chain).map_err(fault)?;
-            Ok(charts::velocities(&worksheet, "Velocities along the chain, v_{1} = 1"))
+            charts::velocities(&worksheet, "Velocities along the chain")
         }
         other => return Err(Fault::at("picture", format!("no picture is called {other:?}"))),
     };
-    Ok(json!({ "svg": svg::render(&page.map_err(fault)?) }))
+    Ok(json!({ "svg": svg::render(&page.map_err(|unclear| match unclear {
+        Unclear::Chain(error) => fault(error),
+        unclear => Fault::new(unclear.to_string()),
+    })?) }))
 }
 
 fn ratio(above: u64, below: u64) -> Result<Positive, Fault> {

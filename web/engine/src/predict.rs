@@ -39,7 +39,7 @@ pub fn mark(request: &Request) -> Result<Value, Fault> {
     let (answer, _) = answers.get(quantity).map_err(|error| Fault::chain(None, &error))?;
     match answer {
         Answer::Number(number) => against(&guess, &typed, number),
-        Answer::Best(Best::Finite { count, .. }, greatest) if matches!(greatest, Best::Finite { count: c, .. } if c == count) => {
+        Answer::Best(Best::Finite { count, .. }, Best::Finite { count: most, .. }) if count == most => {
             Ok(compared(&guess, &Rational::from(count), None))
         }
         Answer::Best(Best::Infinite, _) => Ok(json!({ "mark": "off", "side": "small", "off": null })),
