@@ -15,13 +15,16 @@
 #![forbid(unsafe_code)]
 
 pub mod certificate;
+pub mod certificate2;
 pub mod claim;
 pub mod kernel;
+pub mod kernel2;
 
 #[cfg(feature = "engine")]
 pub mod algebra;
 #[cfg(feature = "engine")]
 pub mod certify;
+pub mod elaborate;
 #[cfg(feature = "engine")]
 pub mod chain;
 #[cfg(feature = "cli")]

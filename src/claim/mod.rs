@@ -1,5 +1,6 @@
 //! The claim language: reading, checking and printing claim files.
 mod check;
+pub mod definedness;
 pub mod diagnostic;
 #[cfg(feature = "report")]
 pub mod embedded;

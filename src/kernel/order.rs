@@ -64,6 +64,16 @@ impl Signs {
         Signs(self.0 & other.0)
     }
 
+    /// The signs in either.
+    pub fn or(self, other: Signs) -> Signs {
+        Signs(self.0 | other.0)
+    }
+
+    /// The signs of the opposite.
+    pub fn turned(self) -> Signs {
+        Signs((self.0 & 1) << 2 | self.0 & 2 | (self.0 & 4) >> 2)
+    }
+
     fn has(self, sign: i8) -> bool {
         self.0 & (1 << (sign + 1)) != 0
     }

@@ -1,0 +1,494 @@
+//! The kernel of format 2: certificates checked step by step, each from its own text and the facts that it cites.
+//!
+//! Contract: [`check`] returns [`Verdict::Accepted`] only if the claim's goal holds, with a value for every expression
+//! in it, at every point that its hypotheses allow. The prover is not asked.
+//!
+//! **What a fact is.** At every point that satisfies the hypotheses and the suppositions of the open blocks, each fact
+//! is true and has a value ([`logic`] says when a proposition has one). A rule adds a fact only if that stays so. Above
+//! each rule stands why. A block ends by turning its conclusion into an implication or a statement `for all`, and all
+//! else in it is forgotten.
+//!
+//! **No hidden state.** Besides the facts the kernel keeps the names in scope. What signs a step may use it reads from
+//! the facts under `by`, which equations it puts in from those under `using`. No step changes what a later one means.
+//!
+//! **What is assumed.** The field and order of the reals; exp and its inverse ln on positive numbers, with
+//! b^E = exp(E·ln b); derivatives of these; induction; and one inequality, the weighted mean of two values
+//! ([`analysis`]). An acceptance says whether it rests on that.
+//!
+//! Work, depth and size have limits. Reaching one is no rejection but [`Verdict::Declined`].
+
+mod analysis;
+mod arithmetic;
+mod defined;
+pub mod key;
+mod logic;
+mod quantifier;
+mod reason;
+mod sign;
+mod term;
+
+pub use reason::Reason;
+
+use crate::certificate2::{Certificate, Label, Rule, Show, Step};
+use crate::claim::syntax::{Binding, Claim, Expr, ExprKind, Prop, PropKind};
+use crate::kernel::fraction::Work;
+use crate::kernel::statement::{self, Statement, Substitution, names_in};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use sign::Known;
+use std::rc::Rc;
+use term::Atom;
+
+/// The most steps of a certificate.
+pub const STEPS_LIMIT: usize = 50_000;
+/// The most names that a statement declares, and that are in scope at once.
+pub const NAMES_LIMIT: usize = 1_000;
+
+/// Why a step was not taken.
+#[derive(Clone, Debug)]
+pub enum Refusal {
+    /// It is not justified.
+    Rejected(Reason),
+    /// A limit was reached, by name.
+    Limit(&'static str),
+}
+
+impl From<crate::kernel::Failure> for Refusal {
+    fn from(failure: crate::kernel::Failure) -> Refusal {
+        match failure {
+            crate::kernel::Failure::Rejected(text) => Refusal::Rejected(Reason::Arithmetic(text)),
+            crate::kernel::Failure::Declined(limit) => Refusal::Limit(limit),
+        }
+    }
+}
+
+fn rejected<T>(reason: Reason) -> Result<T, Refusal> {
+    Err(Refusal::Rejected(reason))
+}
+
+/// A claim that was shown. Only the kernel makes one.
+#[derive(Clone, Debug)]
+pub struct Accepted {
+    statement: Statement,
+    rests_on: BTreeSet<String>,
+}
+
+impl Accepted {
+    /// The statement as the kernel understood it.
+    pub fn text(&self) -> String {
+        self.statement.text()
+    }
+
+    /// The cited claims and analytic lemmas that it rests on, those of cited claims included.
+    pub fn rests_on(&self) -> &BTreeSet<String> {
+        &self.rests_on
+    }
+}
+
+/// What the kernel says of a certificate.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// The claim is shown.
+    Accepted(Box<Accepted>),
+    /// It is not, by this certificate.
+    Rejected {
+        /// The first bad step, by label; empty for the statement and the end.
+        step: Label,
+        /// Its rule.
+        rule: &'static str,
+        /// What is wrong.
+        reason: Reason,
+    },
+    /// A limit was reached.
+    Declined {
+        /// Its name.
+        limit: &'static str,
+    },
+}
+
+/// Checks a certificate of a claim; `cited` holds what was accepted of the claims under `using`.
+pub fn check(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Verdict {
+    let verdict = |step: &str, rule, refusal| match refusal {
+        Refusal::Rejected(reason) => Verdict::Rejected { step: step.to_string(), rule, reason },
+        Refusal::Limit(limit) => Verdict::Declined { limit },
+    };
+    let mut checker = match Checker::new(claim, cited) {
+        Ok(checker) => checker,
+        Err(refusal) => return verdict("", "statement", refusal),
+    };
+    if certificate.claim != claim.name.text {
+        return verdict("", "statement", Refusal::Rejected(Reason::OtherClaim));
+    }
+    for step in &certificate.steps {
+        if let Err(refusal) = checker.step(step) {
+            return match step {
+                Step::Show(show) => verdict(&show.label, show.rule.name(), refusal),
+                Step::End(_) => verdict("", "end", refusal),
+            };
+        }
+    }
+    match checker.finish() {
+        Ok(accepted) => Verdict::Accepted(Box::new(accepted)),
+        Err(refusal) => verdict("", "qed", refusal),
+    }
+}
+
+/// What a step rests on besides the facts that its rule cites.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Used {
+    /// Of the facts under `by`.
+    pub by: Vec<Label>,
+    /// Of the equations under `using`.
+    pub using: Vec<Label>,
+}
+
+/// A name in scope.
+#[derive(Clone, Debug)]
+struct Variable {
+    name: String,
+    natural: bool,
+    /// What it stands for in fractions: itself, or a bound index.
+    atom: Atom,
+}
+
+/// Something known.
+#[derive(Clone, Debug)]
+struct Fact {
+    label: Label,
+    prop: Rc<Prop>,
+}
+
+/// A block that is open, with how much is kept at its end.
+#[derive(Clone, Debug)]
+struct Block {
+    label: Label,
+    goal: Prop,
+    facts: usize,
+    scope: usize,
+}
+
+/// The state of a check.
+#[derive(Clone)]
+pub struct Checker {
+    statement: Rc<Statement>,
+    cited: Rc<Vec<Accepted>>,
+    rests_on: BTreeSet<String>,
+    facts: Vec<Fact>,
+    /// The facts by label.
+    labels: HashMap<Label, usize>,
+    blocks: Vec<Block>,
+    scope: Vec<Variable>,
+    atoms: Vec<Atom>,
+    atom_index: BTreeMap<Atom, usize>,
+    /// How many indices of sums and products are in scope.
+    binders: usize,
+    steps: usize,
+    work: Work,
+}
+
+impl Checker {
+    /// The state before the first step: the domains and hypotheses are the facts `h1`, `h2`, …
+    ///
+    /// # Errors
+    /// The statement makes no sense to the kernel, or is beyond a limit.
+    pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Refusal> {
+        let statement = Statement::of(claim)?;
+        if statement.bindings.iter().map(|b| b.names.len()).sum::<usize>() + statement.sequences.len() > NAMES_LIMIT {
+            return Err(Refusal::Limit("names"));
+        }
+        let allowed: BTreeSet<&str> = claim.using.iter().map(|n| n.text.as_str()).collect();
+        let cited =
+            cited.iter().filter(|a| allowed.contains(a.statement.name.as_str())).map(|a| (*a).clone()).collect();
+        let mut checker = Checker {
+            statement: Rc::new(statement),
+            cited: Rc::new(cited),
+            rests_on: BTreeSet::new(),
+            facts: Vec::new(),
+            labels: HashMap::new(),
+            blocks: Vec::new(),
+            scope: Vec::new(),
+            atoms: Vec::new(),
+            atom_index: BTreeMap::new(),
+            binders: 0,
+            steps: 0,
+            work: Work::default(),
+        };
+        checker.hypotheses()?;
+        Ok(checker)
+    }
+
+    /// Declares what the claim declares, and takes its domains and hypotheses as facts. A hypothesis is understood to
+    /// say of its own expressions that they have values.
+    fn hypotheses(&mut self) -> Result<(), Refusal> {
+        let statement = self.statement.clone();
+        for binding in &statement.bindings {
+            self.declare_binding(binding)?;
+        }
+        // A sequence speaks of what the claim declares, never of a variable that a block introduces later, nor of a
+        // sequence that is defined after it; and of itself only by the member before.
+        for (place, u) in statement.sequences.iter().enumerate() {
+            let mut names = BTreeSet::new();
+            names_in(&u.step, &mut names);
+            names.remove(&u.index);
+            names_in(&u.initial, &mut names);
+            let known = |n: &String| self.is_declared(n) || term::FUNCTIONS.contains(&n.as_str());
+            if let Some(free) = names.iter().find(|n| !known(n)) {
+                return rejected(Reason::Undeclared(free.clone()));
+            }
+            let later = statement.sequences.iter().skip(place + 1).any(|v| names.contains(&v.name));
+            let mut first = BTreeSet::new();
+            names_in(&u.initial, &mut first);
+            if later || first.contains(&u.name) || !statement::steps_once(&u.step, &u.name, &u.index) {
+                return rejected(Reason::Sequence(u.name.clone()));
+            }
+        }
+        self.moving_variables_are_free()?;
+        let domains = statement.bindings.iter().flat_map(quantifier::domains);
+        for prop in domains.chain(statement.assumptions.iter().cloned()) {
+            let label = format!("h{}", self.facts.len() + 1);
+            self.know(&label, prop)?;
+        }
+        // Every member has a value, so that a member is one wherever its index is a natural number.
+        let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
+        for u in &statement.sequences {
+            let mut known = self.known(&all, &[])?;
+            self.defined(&u.initial, &mut known)?;
+            self.binders += 1;
+            let bound = self.binders;
+            let result = self.under(&u.index, bound, |checker| checker.defined(&u.step, &mut known));
+            self.binders -= 1;
+            result?;
+        }
+        Ok(())
+    }
+
+    /// The statement that is to be shown.
+    pub fn statement(&self) -> &Statement {
+        &self.statement
+    }
+
+    /// The facts, with their labels.
+    pub fn facts(&self) -> impl Iterator<Item = (&str, &Prop)> {
+        self.facts.iter().map(|fact| (fact.label.as_str(), &*fact.prop))
+    }
+
+    /// Whether a proposition is an equation that can be put in after these: its left side is a single atom.
+    pub fn can_be_put_in(&mut self, p: &Prop, after: &[Label]) -> bool {
+        self.known(&[], after).is_ok_and(|known| self.atom_equation(p, &known).is_ok())
+    }
+
+    /// The difference of the sides of a single comparison, if it is a number once the equations are put in.
+    ///
+    /// # Errors
+    /// A side cannot be read, or an equation cannot be put in.
+    pub fn constant(&mut self, p: &Prop, using: &[Label]) -> Result<Option<num_rational::BigRational>, Refusal> {
+        let known = self.known(&[], using)?;
+        let (a, _, b) = sign::single(p)?;
+        let (a, b) = (self.fraction(a)?, self.fraction(b)?);
+        Ok(self.difference_of(&a, &b, &known)?.as_number().cloned())
+    }
+
+    /// Takes one step, or says why not; then no fact is added and no block opened or closed.
+    ///
+    /// # Errors
+    /// The step is not justified, or a limit was reached.
+    pub fn step(&mut self, step: &Step) -> Result<(), Refusal> {
+        self.steps += 1;
+        if self.steps > STEPS_LIMIT {
+            return Err(Refusal::Limit("steps"));
+        }
+        let show = match step {
+            Step::Show(show) => show,
+            Step::End(conclusion) => return self.end(conclusion),
+        };
+        self.fresh_label(&show.label)?;
+        well_formed(show)?;
+        let (scope, binders) = (self.scope.len(), self.binders);
+        let result = self.show(show);
+        if result.is_err() {
+            self.scope.truncate(scope);
+            self.binders = binders;
+        }
+        result
+    }
+
+    /// Which facts under `by` and which equations under `using` a step that is justified rests on. Nothing is added:
+    /// for whoever writes a certificate and wants its citations short.
+    ///
+    /// # Errors
+    /// The step is not justified, or a limit was reached.
+    pub fn used(&mut self, show: &Show) -> Result<Used, Refusal> {
+        well_formed(show)?;
+        let (scope, binders, rests_on) = (self.scope.len(), self.binders, self.rests_on.clone());
+        let spent = self.work.clone();
+        let result = self.justified(show);
+        self.work = spent;
+        self.scope.truncate(scope);
+        self.binders = binders;
+        self.rests_on = rests_on;
+        let (by, using) = result?.used();
+        let cited = |places: std::collections::BTreeSet<usize>, labels: &[Label]| {
+            places.into_iter().filter_map(|place| labels.get(place).cloned()).collect()
+        };
+        Ok(Used { by: cited(by, &show.by), using: cited(using, &show.using) })
+    }
+
+    /// Whether the rule of a step justifies it; what it knew is returned.
+    fn justified(&mut self, show: &Show) -> Result<Known, Refusal> {
+        let goal = &show.prop;
+        let mut known = self.known(&show.by, &show.using)?;
+        match &show.rule {
+            Rule::Suppose => self.may_be_supposed(goal, &mut known)?,
+            Rule::Let => self.may_be_let(goal, &mut known)?,
+            Rule::Logic { from } => self.logic(goal, from, &mut known)?,
+            Rule::Instance { source, with, from } => self.instance(goal, source, with, from, &mut known)?,
+            Rule::Induction { base, advance } => self.induction(goal, base, advance)?,
+            Rule::Witness { with, from } => self.witness(goal, with, from, &mut known)?,
+            Rule::Extremum { from } => self.extremum(goal, from, &mut known)?,
+            Rule::Combination { times, terms } => self.combination(goal, times.as_ref(), terms, &mut known)?,
+            Rule::Power => self.power_rule(goal, &mut known)?,
+            Rule::Monotone { from } => self.monotone(goal, from, &mut known)?,
+            Rule::Unfold => self.unfold(goal, &mut known)?,
+            Rule::Termwise { from } => self.termwise(goal, from, &mut known)?,
+            Rule::Mean { with } => self.mean(goal, with, &mut known)?,
+            Rule::Limit { with } => self.limit(goal, with, &mut known)?,
+            Rule::Squeeze { from } => self.squeeze(goal, from)?,
+            Rule::Integer { from } => self.integer(goal, from, &mut known)?,
+        }
+        Ok(known)
+    }
+
+    fn show(&mut self, show: &Show) -> Result<(), Refusal> {
+        self.justified(show)?;
+        match &show.rule {
+            Rule::Suppose | Rule::Let => self.open(&show.label, &show.prop),
+            _ => self.know(&show.label, show.prop.clone()),
+        }
+    }
+
+    /// Whether the goal is shown.
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn finish(self) -> Result<Accepted, Refusal> {
+        if !self.blocks.is_empty() {
+            return rejected(Reason::OpenBlock);
+        }
+        let goal = key::prop(&self.statement.goal);
+        // The goal is what the last step shows.
+        match self.facts.last() {
+            Some(fact) if key::prop(&fact.prop) == goal => {
+                Ok(Accepted { statement: (*self.statement).clone(), rests_on: self.rests_on })
+            }
+            _ => rejected(Reason::GoalNotShown),
+        }
+    }
+
+    fn fresh_label(&self, label: &str) -> Result<(), Refusal> {
+        if self.labels.contains_key(label) || self.blocks.iter().any(|b| b.label == label) {
+            return rejected(Reason::LabelInUse(label.to_string()));
+        }
+        Ok(())
+    }
+
+    /// A fact by label.
+    fn fact(&self, label: &str) -> Result<Rc<Prop>, Refusal> {
+        match self.labels.get(label).and_then(|place| self.facts.get(*place)) {
+            Some(fact) => Ok(fact.prop.clone()),
+            None => rejected(Reason::NoFact(label.to_string())),
+        }
+    }
+
+    /// Adds a fact.
+    fn know(&mut self, label: &str, prop: Prop) -> Result<(), Refusal> {
+        self.fresh_label(label)?;
+        self.labels.insert(label.to_string(), self.facts.len());
+        self.facts.push(Fact { label: label.to_string(), prop: Rc::new(prop) });
+        Ok(())
+    }
+
+    fn forget(&mut self, facts: usize, scope: usize) {
+        for fact in self.facts.drain(facts..) {
+            self.labels.remove(&fact.label);
+        }
+        self.scope.truncate(scope);
+    }
+
+    fn declare_binding(&mut self, binding: &Binding) -> Result<(), Refusal> {
+        for (name, index) in &binding.names {
+            if index.is_none() {
+                self.declare(&name.text, binding.natural, Atom::Variable(name.text.clone()))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Brings a name into scope, which must be new.
+    fn declare(&mut self, name: &str, natural: bool, atom: Atom) -> Result<(), Refusal> {
+        if self.is_declared(name) {
+            return rejected(Reason::NameInUse(name.to_string()));
+        }
+        self.scope.push(Variable { name: name.to_string(), natural, atom });
+        if self.scope.len() > NAMES_LIMIT { Err(Refusal::Limit("names")) } else { Ok(()) }
+    }
+
+    fn is_declared(&self, name: &str) -> bool {
+        self.scope.iter().any(|v| v.name == name) || self.is_member(name)
+    }
+
+    /// Whether a name is that of a family or sequence.
+    fn is_member(&self, name: &str) -> bool {
+        self.family(name).is_some() || self.is_sequence(name)
+    }
+
+    fn is_sequence(&self, name: &str) -> bool {
+        self.statement.sequences.iter().any(|s| s.name == name)
+    }
+
+    /// The declaration of a family. Families are declared by the claim only, never in a block.
+    fn family(&self, name: &str) -> Option<&Binding> {
+        let is_family = |b: &&Binding| b.names.iter().any(|n| n.1.is_some() && n.0.text == name);
+        self.statement.bindings.iter().find(is_family)
+    }
+}
+
+/// A walk over the trees of a step that ends at the limits of depth and size; after it recursion is safe.
+fn well_formed(show: &Show) -> Result<(), Refusal> {
+    let walk = Substitution::default();
+    walk.prop(&show.prop)?;
+    let mut exprs: Vec<&Expr> = Vec::new();
+    match &show.rule {
+        Rule::Instance { with, .. } | Rule::Witness { with, .. } | Rule::Mean { with } | Rule::Limit { with } => {
+            exprs.extend(with.iter().map(|w| &w.1));
+        }
+        Rule::Combination { times, terms } => {
+            exprs.extend(times.iter().chain(terms.iter().map(|t| &t.factor)));
+        }
+        _ => {}
+    }
+    for e in exprs {
+        walk.expr(e)?;
+    }
+    Ok(())
+}
+
+/// The parts of an expression.
+fn parts(e: &Expr) -> Vec<&Expr> {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => Vec::new(),
+        ExprKind::Apply(_, arguments) => arguments.iter().collect(),
+        ExprKind::Negate(a) | ExprKind::Derivative(a, _) => vec![a],
+        ExprKind::Sum(list) => list.iter().map(|(_, e)| e).collect(),
+        ExprKind::Product(list) => list.iter().map(|(_, e)| e).collect(),
+        ExprKind::Power(a, b) => vec![a, b],
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => vec![&index.from, &index.to, body],
+        ExprKind::Matrix(rows) => rows.iter().flatten().collect(),
+    }
+}
+
+/// Whether a proposition is a conjunction, whose parts are facts where it is one.
+fn conjuncts(p: &Prop) -> Vec<&Prop> {
+    match &p.kind {
+        PropKind::And(list) => list.iter().flat_map(conjuncts).collect(),
+        _ => vec![p],
+    }
+}
