@@ -24,11 +24,11 @@ pub mod kernel2;
 pub mod algebra;
 #[cfg(feature = "engine")]
 pub mod certify;
-pub mod elaborate;
 #[cfg(feature = "engine")]
 pub mod chain;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod elaborate;
 #[cfg(feature = "engine")]
 pub mod export;
 #[cfg(feature = "engine")]

@@ -40,8 +40,11 @@ fn cases(source: &str) -> Vec<Case> {
 /// What the kernel answers, in words.
 fn answer(case: &Case) -> String {
     let claims = carom::claim::parse::parse(&case.claim).unwrap_or_else(|e| panic!("{}: {e:?}", case.name));
-    let written =
-        format!("carom-certificate 2\nclaim t\nstatement sha256 {}\n{}qed\n", "0".repeat(64), case.steps.trim_end().to_owned() + "\n");
+    let written = format!(
+        "carom-certificate 2\nclaim t\nstatement sha256 {}\n{}qed\n",
+        "0".repeat(64),
+        case.steps.trim_end().to_owned() + "\n"
+    );
     let certificate = text::read(&written).unwrap_or_else(|e| panic!("{}: {e:?}\n{written}", case.name));
     // What is read is what was written.
     let again = text::read(&text::write(&certificate)).expect("what is written can be read");

@@ -28,7 +28,7 @@ pub struct Certificate {
 #[derive(Clone, Debug)]
 pub enum Step {
     /// Shows a proposition, or opens a block that will.
-    Show(Show),
+    Show(Box<Show>),
     /// Closes the innermost block. The cited fact is its conclusion.
     End(Label),
 }

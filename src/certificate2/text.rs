@@ -85,7 +85,8 @@ pub fn write(certificate: &Certificate) -> String {
             }
         };
         let indent = " ".repeat(depth * 2);
-        out += &format!("{indent}{} {}{}: {}\n", show.label, show.rule.name(), from(&show.rule), print::prop(&show.prop));
+        out +=
+            &format!("{indent}{} {}{}: {}\n", show.label, show.rule.name(), from(&show.rule), print::prop(&show.prop));
         let mut field = |text: String| out += &format!("{indent}    | {text}\n");
         match &show.rule {
             Rule::Instance { with, .. } | Rule::Witness { with, .. } | Rule::Mean { with } | Rule::Limit { with } => {
@@ -184,7 +185,7 @@ pub fn read(source: &str) -> Result<Certificate, Malformed> {
         }
         if let Some(draft) = open.take() {
             let line = draft.line;
-            steps.push(Step::Show(finished(draft).map_err(|fault| at(line, fault))?));
+            steps.push(Step::Show(Box::new(finished(draft).map_err(|fault| at(line, fault))?)));
         }
         if text == "qed" {
             closed = true;
@@ -239,7 +240,8 @@ fn read_step(line: usize, text: &str) -> Result<Draft, Fault> {
 }
 
 fn read_field(draft: &mut Draft, field: &str) -> Result<(), Fault> {
-    let (name, rest) = field.split_once([' ', ':']).ok_or(Fault::Expected("`by`, `using`, `with`, `times` or `term`"))?;
+    let (name, rest) =
+        field.split_once([' ', ':']).ok_or(Fault::Expected("`by`, `using`, `with`, `times` or `term`"))?;
     match name {
         "by" if draft.by.is_empty() => draft.by = labels(rest)?,
         "by" => return Err(Fault::Field("by")),

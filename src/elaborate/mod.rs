@@ -22,7 +22,7 @@ pub enum Stuck {
         /// Its rule.
         rule: &'static str,
         /// What the kernel says.
-        refusal: Refusal,
+        refusal: Box<Refusal>,
     },
     /// The old certificate is not well formed: a fact that is not there, a step without its proposition.
     Malformed(Label),
@@ -101,8 +101,8 @@ pub fn elaborate(
 impl Elaborator {
     /// The old kernel had no facts about families among the hypotheses; all others are found by what they say.
     fn hypotheses(&mut self, claim: &Claim) -> Result<(), Stuck> {
-        let statement = crate::kernel::statement::Statement::of(claim)
-            .map_err(|failure| Stuck::Statement(failure.into()))?;
+        let statement =
+            crate::kernel::statement::Statement::of(claim).map_err(|failure| Stuck::Statement(failure.into()))?;
         let domains = statement.bindings.iter().flat_map(crate::kernel::statement::domain);
         let mut taken = std::collections::BTreeSet::new();
         for (place, prop) in domains.chain(statement.assumptions.iter().cloned()).enumerate() {
@@ -154,10 +154,10 @@ impl Elaborator {
         let label = (self.counter + 1).to_string();
         let show =
             Show { label: label.clone(), rule, prop: prop.clone(), by: self.signs(), using: self.equations.clone() };
-        let refused = |refusal| Stuck::Refused { step: old.to_string(), rule: name, refusal };
+        let refused = |refusal| Stuck::Refused { step: old.to_string(), rule: name, refusal: Box::new(refusal) };
         let show = self.trimmed(show).map_err(refused)?;
         let opens = matches!(show.rule, Rule::Suppose | Rule::Let);
-        let step = Step::Show(show);
+        let step = Step::Show(Box::new(show));
         self.checker.step(&step).map_err(refused)?;
         self.counter += 1;
         if opens {
@@ -186,7 +186,7 @@ impl Elaborator {
         let (PropKind::Implies(_, q) | PropKind::ForAll(_, q)) = &block.goal.kind else {
             return Err(Stuck::Malformed(block.label));
         };
-        let refused = |refusal| Stuck::Refused { step: block.label.clone(), rule: "end", refusal };
+        let refused = |refusal| Stuck::Refused { step: block.label.clone(), rule: "end", refusal: Box::new(refusal) };
         let Some(conclusion) = self.find(q) else {
             return Err(refused(Refusal::Rejected(Reason::OtherConclusion(String::new()))));
         };
@@ -290,7 +290,8 @@ impl Elaborator {
         let Some(prop) = self.prop_of(&label) else { return };
         let same = left(Some(prop.clone()));
         let before = self.equations.clone();
-        self.equations.retain(|e| left(self.facts.iter().rev().find(|f| f.label == *e).map(|f| f.prop.clone())) != same);
+        self.equations
+            .retain(|e| left(self.facts.iter().rev().find(|f| f.label == *e).map(|f| f.prop.clone())) != same);
         if self.checker.can_be_put_in(&prop, &self.equations) {
             self.equations.push(label);
         } else {
@@ -310,9 +311,7 @@ impl Elaborator {
             _ => return rule,
         };
         let with_from = |from: Vec<Label>| match &rule {
-            Rule::Instance { source, with, .. } => {
-                Rule::Instance { source: source.clone(), with: with.clone(), from }
-            }
+            Rule::Instance { source, with, .. } => Rule::Instance { source: source.clone(), with: with.clone(), from },
             Rule::Witness { with, .. } => Rule::Witness { with: with.clone(), from },
             _ => Rule::Extremum { from },
         };

@@ -146,7 +146,8 @@ impl Checker {
                 Ok(map.expr(e)?)
             };
             let (a, f) = (at(&other.of)?, at(&limit.of)?);
-            let comparison = if below { compare(a, Relation::LessEqual, f) } else { compare(f, Relation::LessEqual, a) };
+            let comparison =
+                if below { compare(a, Relation::LessEqual, f) } else { compare(f, Relation::LessEqual, a) };
             let expected = Prop { kind: PropKind::ForAll(bindings.clone(), Box::new(comparison)), span: goal.span };
             if key::prop(&expected) != key::prop(&fact) {
                 return rejected(Reason::Needs(expected));

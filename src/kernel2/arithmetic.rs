@@ -35,8 +35,8 @@ impl Checker {
     /// The difference of the sides of a single comparison with the equations put in, and its relation.
     fn difference(&mut self, p: &Prop, known: &Known) -> Result<(Fraction, Relation), Refusal> {
         let (a, relation, b) = single(p)?;
-        let (a, b) = (self.fraction(a)?, self.fraction(b)?);
-        Ok((self.difference_of(&a, &b, known)?, relation))
+        let (a, b) = (self.fraction_with(a, known)?, self.fraction_with(b, known)?);
+        Ok((a.minus(&b, &self.work)?, relation))
     }
 
     /// Rule `combination`: `a relation b` from D·(a − b) = Σ Eⱼ·∏ (xⱼ − yⱼ) over facts `xⱼ relation yⱼ`. Without
@@ -54,11 +54,11 @@ impl Checker {
     ) -> Result<(), Refusal> {
         self.prop_defined(goal, known)?;
         let (a, relation, b) = single(goal)?;
-        if let (Value::Matrix(x), Value::Matrix(y)) = (self.value(a)?, self.value(b)?) {
+        if let (Value::Matrix(x), Value::Matrix(y)) = (self.value_with(a, known)?, self.value_with(b, known)?) {
             // They have one size, for the comparison has a value.
             let mut pairs = x.iter().flatten().zip(y.iter().flatten());
             let equal = |checker: &mut Checker, p: &Fraction, q: &Fraction| -> Result<bool, Refusal> {
-                let difference = checker.difference_of(p, q, known)?;
+                let difference = p.minus(q, &checker.work)?;
                 Ok(checker.signs_of(&difference, known)?.within(Signs::ZERO))
             };
             let plain = relation == Relation::Equal && terms.is_empty() && times.is_none();
@@ -69,14 +69,14 @@ impl Checker {
         }
         let (difference, relation) = self.difference(goal, known)?;
         if terms.is_empty() && times.is_none() {
-            let signs = self.signs_of(&difference, known)?;
+            let plain = self.fraction(a)?.minus(&self.fraction(b)?, &self.work)?;
+            let signs = self.signs_of(&difference, known)?.and(self.signs_of(&plain, known)?);
             return if signs.within(Signs::of(relation)) { Ok(()) } else { rejected(Reason::Signs) };
         }
         let times = match times {
             Some(e) => {
                 self.defined(e, known)?;
-                let f = self.fraction(e)?;
-                self.with_equations(&f, known)?
+                self.fraction_with(e, known)?
             }
             None => Fraction::integer(1),
         };
@@ -84,9 +84,9 @@ impl Checker {
         let mut summands = vec![times.times(&difference, &self.work)?.negated()];
         for term in terms {
             self.defined(&term.factor, known)?;
-            let factor = self.fraction(&term.factor)?;
-            let mut sign = self.signs_of(&factor, known)?;
-            let mut summand = self.with_equations(&factor, known)?;
+            let plain = self.fraction(&term.factor)?;
+            let mut summand = self.fraction_with(&term.factor, known)?;
+            let mut sign = self.signs_of(&plain, known)?.and(self.signs_of(&summand, known)?);
             for label in &term.facts {
                 let fact = self.fact(label)?;
                 let (value, relation) = self.difference(&fact, known)?;
@@ -120,8 +120,7 @@ impl Checker {
         if relation != Relation::Equal {
             return rejected(Reason::NotAnEquation);
         }
-        let (a, b) = (self.fraction(a)?, self.fraction(b)?);
-        let (a, b) = (self.with_equations(&a, known)?, self.with_equations(&b, known)?);
+        let (a, b) = (self.fraction_with(a, known)?, self.fraction_with(b, known)?);
         let difference = a.minus(&b, &self.work)?;
         if self.expanded_logarithms(&difference, known)?.is_zero() {
             return Ok(());
@@ -286,9 +285,7 @@ impl Checker {
             (None, Some(exponent)) => (exponent, goal),
             (None, None) => return rejected(Reason::NotPowers),
         };
-        for (e, signs) in
-            [(low.0, Signs::NOT_NEGATIVE), (low.2, Signs::NOT_NEGATIVE), (&exponent, Signs::POSITIVE)]
-        {
+        for (e, signs) in [(low.0, Signs::NOT_NEGATIVE), (low.2, Signs::NOT_NEGATIVE), (&exponent, Signs::POSITIVE)] {
             let f = self.fraction(e)?;
             if !self.signs_of(&f, known)?.within(signs) {
                 return rejected(Reason::NoValue { part: e.clone(), signs });
@@ -334,11 +331,7 @@ impl Checker {
             }
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
                 let is_sum = matches!(left.kind, ExprKind::SumOver(..));
-                let room = [
-                    self.fraction(&index.to)?,
-                    Fraction::integer(1),
-                    self.fraction(&index.from)?.negated(),
-                ];
+                let room = [self.fraction(&index.to)?, Fraction::integer(1), self.fraction(&index.from)?.negated()];
                 let room = Fraction::sum(&room, &self.work)?;
                 if room.is_zero() {
                     candidates.push(numeral(u32::from(!is_sum)));
@@ -425,11 +418,7 @@ impl Checker {
             for difference in [place.minus(&low, &self.work)?, high.minus(&place, &self.work)?] {
                 self.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
             }
-            self.scope.push(super::Variable {
-                name: variable.text.clone(),
-                natural: true,
-                atom: Atom::Bound(bound),
-            });
+            self.scope.push(super::Variable { name: variable.text.clone(), natural: true, atom: Atom::Bound(bound) });
             for fact in constraints(binding, &name(&variable.text)) {
                 let (difference, relation) = self.difference(&fact, known)?;
                 if !self.signs_of(&difference, known)?.within(Signs::of(relation)) {

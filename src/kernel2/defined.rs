@@ -22,7 +22,11 @@ impl Checker {
         let mut names: BTreeSet<String> = families.collect();
         for variable in &self.scope {
             // The innermost declaration of a name counts.
-            if variable.natural { names.insert(variable.name.clone()) } else { names.remove(&variable.name) };
+            if variable.natural {
+                names.insert(variable.name.clone())
+            } else {
+                names.remove(&variable.name)
+            };
         }
         names
     }

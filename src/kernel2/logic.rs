@@ -71,7 +71,8 @@ impl Checker {
         let conclusion = self.form(goal, &mut parts)?;
         let open = parts.pairs.len() - parts.fixed.len();
         let states = 3usize.checked_pow(u32::try_from(open).unwrap_or(u32::MAX));
-        let states = states.and_then(|s| s.checked_mul(1usize.checked_shl(u32::try_from(parts.statements.len()).ok()?)?));
+        let states =
+            states.and_then(|s| s.checked_mul(1usize.checked_shl(u32::try_from(parts.statements.len()).ok()?)?));
         match states {
             Some(states) if states <= STATES_LIMIT => self.work.count(states.saturating_mul(4 + from.len()))?,
             _ => return Err(Refusal::Limit("states of a step of logic")),
@@ -129,9 +130,7 @@ impl Checker {
             PropKind::And(list) => Form::And(all(self, list, parts)?),
             PropKind::Or(list) => Form::Or(all(self, list, parts)?),
             PropKind::Not(inner) => Form::Not(Box::new(self.form(inner, parts)?)),
-            PropKind::Implies(a, b) => {
-                Form::Implies(Box::new(self.form(a, parts)?), Box::new(self.form(b, parts)?))
-            }
+            PropKind::Implies(a, b) => Form::Implies(Box::new(self.form(a, parts)?), Box::new(self.form(b, parts)?)),
             PropKind::Equivalent(list) => Form::Equivalent(all(self, list, parts)?),
             PropKind::Exists(..) | PropKind::ForAll(..) | PropKind::Extremum(_) | PropKind::Limit(_) => {
                 let next = parts.statements.len();

@@ -31,10 +31,10 @@ pub use reason::Reason;
 
 use crate::certificate2::{Certificate, Label, Rule, Show, Step};
 use crate::claim::syntax::{Binding, Claim, Expr, ExprKind, Prop, PropKind};
-use crate::kernel::fraction::Work;
+use crate::kernel::fraction::{Fraction, Work};
 use crate::kernel::statement::{self, Statement, Substitution, names_in};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
 use sign::Known;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 use term::Atom;
 
@@ -181,6 +181,10 @@ pub struct Checker {
     atom_index: BTreeMap<Atom, usize>,
     /// How many indices of sums and products are in scope.
     binders: usize,
+    /// The equations put in while an expression of a step is read; empty between.
+    put_in: Rc<Vec<(usize, Fraction)>>,
+    /// Which of them were.
+    were_put_in: BTreeSet<usize>,
     steps: usize,
     work: Work,
 }
@@ -209,6 +213,8 @@ impl Checker {
             atoms: Vec::new(),
             atom_index: BTreeMap::new(),
             binders: 0,
+            put_in: Rc::new(Vec::new()),
+            were_put_in: BTreeSet::new(),
             steps: 0,
             work: Work::default(),
         };
@@ -283,8 +289,8 @@ impl Checker {
     pub fn constant(&mut self, p: &Prop, using: &[Label]) -> Result<Option<num_rational::BigRational>, Refusal> {
         let known = self.known(&[], using)?;
         let (a, _, b) = sign::single(p)?;
-        let (a, b) = (self.fraction(a)?, self.fraction(b)?);
-        Ok(self.difference_of(&a, &b, &known)?.as_number().cloned())
+        let difference = self.fraction_with(a, &known)?.minus(&self.fraction_with(b, &known)?, &self.work)?;
+        Ok(difference.as_number().cloned())
     }
 
     /// Takes one step, or says why not; then no fact is added and no block opened or closed.

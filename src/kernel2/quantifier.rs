@@ -124,8 +124,8 @@ impl Checker {
                 self.prop_defined(p, known)?;
                 for (pair, relation) in sides.windows(2).zip(relations) {
                     let [a, b] = pair else { continue };
-                    let (a, b) = (self.fraction(a)?, self.fraction(b)?);
-                    let difference = self.difference_of(&a, &b, known)?;
+                    let (a, b) = (self.fraction_with(a, known)?, self.fraction_with(b, known)?);
+                    let difference = a.minus(&b, &self.work)?;
                     if !self.signs_of(&difference, known)?.within(Signs::of(*relation)) {
                         return rejected(Reason::Needs(p.clone()));
                     }
@@ -178,7 +178,12 @@ impl Checker {
     }
 
     /// The values that are put in for the variables of bindings.
-    fn values(&mut self, bindings: &[Binding], with: &[(Name, Expr)], known: &mut Known) -> Result<Substitution, Refusal> {
+    fn values(
+        &mut self,
+        bindings: &[Binding],
+        with: &[(Name, Expr)],
+        known: &mut Known,
+    ) -> Result<Substitution, Refusal> {
         let mut map = Substitution::default();
         let mut used = BTreeSet::new();
         for binding in bindings {

@@ -24,7 +24,7 @@ const NESTING: usize = 20;
 #[derive(Default)]
 pub(super) struct Known {
     signs: Vec<Sign>,
-    equations: Vec<(usize, Fraction)>,
+    equations: Rc<Vec<(usize, Fraction)>>,
     /// Cited facts for all values of one natural variable, with their places under `by`.
     pub(super) for_all: Vec<(Binding, Prop, usize)>,
     /// The places under `by` that the answers so far rest on.
@@ -46,6 +46,16 @@ impl Known {
     /// The places under `by` and under `using` of what was asked for.
     pub(super) fn used(&self) -> (BTreeSet<usize>, BTreeSet<usize>) {
         (self.asked.borrow().clone(), self.put_in.borrow().clone())
+    }
+
+    /// The equations that are put in.
+    pub(super) fn equations(&self) -> Rc<Vec<(usize, Fraction)>> {
+        self.equations.clone()
+    }
+
+    /// Says that the equations at these places were put in.
+    pub(super) fn mark_put_in(&self, places: BTreeSet<usize>) {
+        self.put_in.borrow_mut().extend(places);
     }
 
     /// Says that what is learned from here on comes from the fact at that place under `by`.
@@ -73,8 +83,14 @@ impl Checker {
         let mut known = Known::default();
         for label in using {
             let fact = self.fact(label)?;
-            let equation = self.atom_equation(&fact, &known)?;
-            known.equations.push(equation);
+            let (atom, value) = self.atom_equation(&fact, &known)?;
+            // Earlier values that hold the atom are written anew.
+            let mut equations = Vec::new();
+            for (earlier, old) in known.equations.iter() {
+                equations.push((*earlier, self.replaced(old, atom, &value)?));
+            }
+            equations.push((atom, value));
+            known.equations = Rc::new(equations);
         }
         for (place, label) in by.iter().enumerate() {
             let fact = self.fact(label)?;
@@ -92,8 +108,7 @@ impl Checker {
         if relation != Relation::Equal {
             return rejected(Reason::NotAnEquation);
         }
-        let (left, right) = (self.fraction(left)?, self.fraction(right)?);
-        let (left, right) = (self.with_equations(&left, known)?, self.with_equations(&right, known)?);
+        let (left, right) = (self.fraction_with(left, known)?, self.fraction_with(right, known)?);
         let atom = match left.factors.iter().next() {
             Some((poly, 1)) if left.factors.len() == 1 => poly.single_atom(),
             _ => None,
@@ -116,13 +131,15 @@ impl Checker {
                 }
                 for (pair, relation) in sides.windows(2).zip(relations) {
                     let [a, b] = pair else { continue };
-                    if let (Value::Scalar(a), Value::Scalar(b)) = (self.value(a)?, self.value(b)?) {
-                        let difference = a.minus(&b, &self.work)?;
+                    if let (Value::Scalar(x), Value::Scalar(y)) = (self.value(a)?, self.value(b)?) {
+                        let difference = x.minus(&y, &self.work)?;
                         self.note(&difference, Signs::of(*relation), known)?;
-                        // The equations are put in before the difference is taken, which keeps common factors apart.
-                        let replaced = self.difference_of(&a, &b, known)?;
-                        if replaced != difference {
-                            self.note(&replaced, Signs::of(*relation), known)?;
+                        if !known.equations.is_empty() {
+                            let (x, y) = (self.fraction_with(a, known)?, self.fraction_with(b, known)?);
+                            let replaced = x.minus(&y, &self.work)?;
+                            if replaced != difference {
+                                self.note(&replaced, Signs::of(*relation), known)?;
+                            }
                         }
                     }
                 }
@@ -139,12 +156,6 @@ impl Checker {
             },
             _ => Ok(()),
         }
-    }
-
-    /// The difference of two numbers with the equations put in.
-    pub(super) fn difference_of(&mut self, a: &Fraction, b: &Fraction, known: &Known) -> Result<Fraction, Refusal> {
-        let (a, b) = (self.with_equations(a, known)?, self.with_equations(b, known)?);
-        Ok(a.minus(&b, &self.work)?)
     }
 
     /// What an expression that has a value needed for that, innermost first; not under bound names.
@@ -243,7 +254,7 @@ impl Checker {
     /// A fraction with the equations put in.
     pub(super) fn with_equations(&mut self, f: &Fraction, known: &Known) -> Result<Fraction, Refusal> {
         let mut out = f.clone();
-        for (place, (atom, value)) in known.equations.iter().enumerate() {
+        for (place, (atom, value)) in known.equations().iter().enumerate() {
             let new = self.replaced(&out, *atom, value)?;
             if new != out {
                 known.put_in.borrow_mut().insert(place);

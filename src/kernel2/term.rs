@@ -10,6 +10,7 @@
 //! b^(E + F) = b^E·b^F holds as well. b^(−E) = 1/b^E holds wherever b^(−E) has a value, also for b = 0 and E = 0.
 //! Other exponents that may be negative whole numbers stay whole: b may be 0 there.
 
+use super::sign::Known;
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Monomial, Poly};
@@ -18,6 +19,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// What a fraction is made of: a number that has a meaning of its own.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -76,8 +78,40 @@ impl Checker {
         self.atoms.len() - 1
     }
 
+    /// The atom, or what equals it by the equations of the step that is read.
     fn atom_fraction(&mut self, atom: Atom) -> Fraction {
-        Fraction::atom(self.intern(atom))
+        let place = self.intern(atom);
+        match self.put_in.iter().position(|equation| equation.0 == place) {
+            Some(at) => {
+                self.were_put_in.insert(at);
+                self.put_in.get(at).map_or_else(|| Fraction::atom(place), |equation| equation.1.clone())
+            }
+            None => Fraction::atom(place),
+        }
+    }
+
+    /// Runs something that reads expressions with the equations of a step put in: what equals something else by them
+    /// is written so from the start, which keeps common factors apart.
+    fn with_put_in<T>(
+        &mut self,
+        known: &Known,
+        run: impl FnOnce(&mut Checker) -> Result<T, Refusal>,
+    ) -> Result<T, Refusal> {
+        self.put_in = known.equations();
+        let result = run(self);
+        self.put_in = Rc::new(Vec::new());
+        known.mark_put_in(std::mem::take(&mut self.were_put_in));
+        result
+    }
+
+    /// An expression that is a number, with the equations put in.
+    pub(super) fn fraction_with(&mut self, e: &Expr, known: &Known) -> Result<Fraction, Refusal> {
+        self.with_put_in(known, |checker| checker.fraction(e))
+    }
+
+    /// An expression, with the equations put in.
+    pub(super) fn value_with(&mut self, e: &Expr, known: &Known) -> Result<Value, Refusal> {
+        self.with_put_in(known, |checker| checker.value(e))
     }
 
     /// An expression that is a number.
@@ -363,7 +397,8 @@ impl Checker {
     /// If b is itself c^F with F not whole, or exp F, both are positive or c = 0 under positive numerals:
     /// (c^F)^E = c^(F·E). And b^(p·F/q) = (b^(F/q))^p.
     fn real_power(&mut self, base: &Fraction, exponent: &Fraction) -> Result<Fraction, Refusal> {
-        if let (true, Some((poly, k)), 1) = (base.coefficient.is_one(), base.factors.iter().next(), base.factors.len()) {
+        if let (true, Some((poly, k)), 1) = (base.coefficient.is_one(), base.factors.iter().next(), base.factors.len())
+        {
             let all = exponent.times(&Fraction::integer(*k), &self.work)?;
             match poly.single_atom().and_then(|place| self.atoms.get(place)).cloned() {
                 Some(Atom::Power(inner, e)) if !self.is_whole(&e)? => {
@@ -562,15 +597,13 @@ impl Checker {
         let mut out = Fraction::integer(1);
         if !body.coefficient.is_one() {
             let constant = Fraction::number(body.coefficient.clone());
-            let factor =
-                if counted { self.power(&constant, room)? } else { self.atom_fraction(over(constant)) };
+            let factor = if counted { self.power(&constant, room)? } else { self.atom_fraction(over(constant)) };
             out.multiply(&factor, &self.work)?;
         }
         for (poly, k) in &body.factors {
             let factor = Fraction::of(poly);
             let free = self.is_free_of(&factor, &Atom::Bound(bound))?;
-            let value =
-                if free && counted { self.power(&factor, room)? } else { self.atom_fraction(over(factor)) };
+            let value = if free && counted { self.power(&factor, room)? } else { self.atom_fraction(over(factor)) };
             out.multiply(&value.power(*k)?, &self.work)?;
         }
         Ok(out)
