@@ -53,6 +53,9 @@ pub struct ReplayArguments {
     /// Try all orders of an ambiguous contact
     #[arg(long)]
     orders: bool,
+    /// Go on from an inelastic collapse: its bodies touch, with one velocity [default: the replay ends there]
+    #[arg(long)]
+    through_collapse: bool,
     /// Write the report to a file
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -85,6 +88,7 @@ pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
         list,
         exact_bits: Some(arguments.exact_bits),
         orders: arguments.orders,
+        through_collapse: arguments.through_collapse,
         digits: arguments.digits.unwrap_or(report::DEFAULT_DIGITS),
         exact_values: arguments.exact,
     };

@@ -585,7 +585,7 @@ mod tests {
         for seed in 1..400 {
             let line = scene(seed);
             let mut exact = Run::new(&line);
-            let bound = Bound { events: 120, until: None, list: 120, bits: None };
+            let bound = Bound { events: 120, until: None, list: 120, bits: None, through: false };
             let stop = exact.go(&bound).expect("the ledger holds");
             if !matches!(stop, crate::chain::replay::exact::Stop::Quiet | crate::chain::replay::exact::Stop::Events)
                 || exact.count > 120

@@ -16,8 +16,14 @@
 //! *In a finite time*: intercepts are multiplied by the same matrices as velocities (see [`super::exact`]), so
 //! the time of round `k` is `−σ_k/s_k` with `σ_k` the same expression in the intercepts. It tends to
 //! `T = −f·(σ, ω)/f·(s, w)`, geometrically for `λ' < λ`, like `1/k` for a double eigenvalue. `T` lies in the field
-//! of `λ`, rational or quadratic. `λ < 1` makes all speeds among the three tend to 0, so they come together: at
-//! the place of their centre of mass at `T`, or at the wall.
+//! of `λ`, rational or quadratic.
+//!
+//! *What it ends in*: both eigenvalues lie in `[0, λ]` and `λ < 1`, so all powers of `P` tend to 0, those of a double
+//! eigenvalue like `k·λ^k`: the speeds among the three tend to 0. Positions are continuous and each gap is 0 at times that
+//! tend to `T`, so it is 0 at `T`. Hence the three are at one place with one velocity, at criticality as elsewhere: those
+//! of their centre of mass, whose worldline no collision among them changes, or those of the wall. So the worldline from
+//! `T` on is known exactly, even where `T` is irrational or only enclosed. The same is true of a pattern of more
+//! points ([`super::pattern`]): closing speeds tend to 0 there, and so do the gaps `ω_pq/c_p`, since `Γ < γ²`.
 
 use super::Value;
 use super::line::Line;
@@ -57,6 +63,11 @@ impl Collapse {
     #[must_use]
     pub fn second(&self) -> usize {
         self.bodies.0 + 1
+    }
+
+    /// Whether a pair of the three has restitution 0: then they stick at the instant at which they touch.
+    pub(super) fn sticks(&self) -> bool {
+        self.trace.as_ref().is_some_and(|(_, determinant)| *determinant == Rational::ZERO)
     }
 
     /// On which side of the place of the collapse a worldline `b + v·t` is at that time, where it is certain.

@@ -15,11 +15,19 @@
 //! their collisions are independent. A pair that touches and approaches after that (a neighbour was hit while
 //! they touched) meets at the same instant, by the same rule: as with gaps that are too small to matter.
 //!
+//! **Restitution 0.** Points that touch, all their pairs with restitution 0, are one *soft run*. The end of their
+//! collisions does not depend on the order ([`super::joined`]), so several approaching pairs of one run are not
+//! ambiguous. Three or more points that end with one velocity have collided infinitely often: they are joined, which is
+//! listed apart and counts no collision. One thing can make a run depend on the order: a touching pair at its edge with a
+//! restitution above 0 that would approach before the run is at its end. Then the run is no longer taken as a whole, and
+//! the rule for instants applies.
+//!
 //! **Cost.** `O(log n)` comparisons of doubles and a fixed number of exact operations a collision, those of the
 //! ledger included. Memory: the state, the heap, the listed collisions.
 
 use super::bounds::Bounds;
 use super::collapse::{self, Collapse};
+use super::joined::{Cause, Joined, settle};
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
 use super::pattern;
@@ -62,6 +70,29 @@ pub(super) struct Bound<'a> {
     pub until: Option<&'a Rational>,
     pub list: usize,
     pub bits: Option<u64>,
+    /// Whether to go on from a proved collapse.
+    pub through: bool,
+}
+
+/// What happened last, which gives its time.
+#[derive(Clone, Debug)]
+enum Last {
+    /// Nothing yet.
+    Start,
+    /// A collision: a gap over a speed.
+    Meeting(Rational, Rational),
+    /// Bodies came together.
+    Joined(Value),
+}
+
+/// Touching points whose pairs all have restitution 0, some of them approaching.
+struct SoftRun {
+    /// The pairs, first and last.
+    pairs: (usize, usize),
+    /// Points that end with one velocity after infinitely many collisions, first and last of each block.
+    blocks: Vec<(usize, usize)>,
+    /// Whether a touching pair at an edge, with a restitution above 0, would approach at the end.
+    strained: bool,
 }
 
 /// The state of the run.
@@ -90,8 +121,13 @@ pub(super) struct Run<'a> {
     /// The most bits of a numerator or denominator, after each doubling of the count.
     pub growth: Vec<(u64, u64)>,
     pub largest: u64,
-    /// The pair and worldlines of the last collision, which give its time.
-    last: Option<(Rational, Rational)>,
+    /// Bodies that came together, those that are listed.
+    pub joined: Vec<Joined>,
+    /// How often bodies came together.
+    pub joins: u64,
+    /// Whether a pair has restitution 0.
+    soft: bool,
+    last: Last,
 }
 
 impl<'a> Run<'a> {
@@ -118,7 +154,10 @@ impl<'a> Run<'a> {
             simultaneous: 0,
             growth: vec![(0, largest)],
             largest,
-            last: None,
+            joined: Vec::new(),
+            joins: 0,
+            soft: line.pairs.iter().any(|p| p.restitution == Rational::ZERO),
+            last: Last::Start,
         };
         for p in 0..line.pairs.len() {
             run.predict(p);
@@ -143,39 +182,159 @@ impl<'a> Run<'a> {
                 return Ok(Stop::Grown);
             }
             self.take_instant(first, &mut together);
-            if let Some(stop) = self.ambiguity(&together) {
+            let runs = if self.soft { self.soft_runs(&together) } else { Vec::new() };
+            if let Some(stop) = self.ambiguity(&together, &runs) {
                 return Ok(stop);
             }
-            self.simultaneous += u64::from(together.len() > 1);
             // What is about to change leaves the heap first: an order must not change under it.
             for p in &together {
-                for q in p.saturating_sub(1)..=(p + 1).min(self.line.pairs.len() - 1) {
-                    self.place(q, false);
-                }
+                self.withdraw((*p, p + 1));
             }
+            let mut blocks: Vec<(usize, usize)> = Vec::new();
+            if runs.iter().any(|run| !run.strained && !run.blocks.is_empty()) {
+                blocks.extend(runs.iter().filter(|run| !run.strained).flat_map(|run| &run.blocks));
+                let (gap, speed) = self.meeting(first);
+                let now = Value::Exact(gap / speed);
+                for block in &blocks {
+                    self.withdraw(*block);
+                }
+                for block in &blocks {
+                    self.join(*block, now.clone(), Cause::Inelastic, bound)?;
+                }
+                together.retain(|p| !blocks.iter().any(|block| (block.0..block.1).contains(p)));
+            }
+            self.simultaneous += u64::from(together.len() + blocks.len() > 1);
             // An instant is finished even where it passes the limit: its collisions belong together.
             for p in &together {
                 self.collide(*p, bound)?;
             }
             for p in &together {
-                for q in p.saturating_sub(1)..=(p + 1).min(self.line.pairs.len() - 1) {
-                    self.predict(q);
-                }
+                self.predict_around((*p, p + 1));
+            }
+            for block in &blocks {
+                self.predict_around(*block);
             }
             for p in &together {
                 for middle in [*p, p + 1] {
                     if self.streak[middle] >= 4
                         && self.streak[middle].is_power_of_two()
                         && let Some(found) = self.collapse_at(middle, bound.until)
+                        && let Some(stop) = self.collapsed(found, bound)?
                     {
-                        return Ok(Stop::Collapse(Box::new(found)));
+                        return Ok(stop);
                     }
                 }
             }
-            if let Some(found) = self.pattern(bound.until) {
-                return Ok(Stop::Collapse(Box::new(found)));
+            if let Some(found) = self.pattern(bound.until)
+                && let Some(stop) = self.collapsed(found, bound)?
+            {
+                return Ok(stop);
             }
         }
+    }
+
+    /// The pairs that a change of the points `first ..= last` concerns.
+    fn around(&self, (first, last): (usize, usize)) -> std::ops::RangeInclusive<usize> {
+        first.saturating_sub(1)..=last.min(self.line.pairs.len() - 1)
+    }
+
+    /// Takes the pairs of these points out of the heap.
+    fn withdraw(&mut self, points: (usize, usize)) {
+        for q in self.around(points) {
+            self.place(q, false);
+        }
+    }
+
+    /// Looks when the pairs of these points meet next.
+    fn predict_around(&mut self, points: (usize, usize)) {
+        for q in self.around(points) {
+            self.predict(q);
+        }
+    }
+
+    /// Ends the run at a collapse, or goes on from its end: always where a pair has restitution 0, for then the bodies
+    /// stick, and where asked for.
+    fn collapsed(&mut self, found: Collapse, bound: &Bound) -> Result<Option<Stop>, LedgerFault> {
+        let sticks = found.sticks();
+        if !sticks && !bound.through {
+            return Ok(Some(Stop::Collapse(Box::new(found))));
+        }
+        let points = (found.bodies.0 - self.line.first, found.bodies.1 - self.line.first);
+        self.withdraw(points);
+        let time = found.time.clone();
+        let cause = if sticks { Cause::Inelastic } else { Cause::Collapse(Box::new(found)) };
+        self.join(points, time, cause, bound)?;
+        self.predict_around(points);
+        Ok(None)
+    }
+
+    /// Puts the points `first ..= last` on one worldline, that of their centre of mass, or of the wall among them.
+    fn join(
+        &mut self,
+        (first, last): (usize, usize),
+        time: Value,
+        cause: Cause,
+        bound: &Bound,
+    ) -> Result<(), LedgerFault> {
+        let (b, v) = collapse::centre(self.line, &self.b, &self.v, first..=last);
+        let lost = self.ledger.book_joined(&self.line.points[first..=last], &self.v[first..=last], &v, self.count)?;
+        self.joins += 1;
+        if self.events.len() as u64 == self.count && self.joined.len() < bound.list {
+            self.joined.push(Joined {
+                after: self.count,
+                cause,
+                bodies: (first + self.line.first, last + self.line.first),
+                position: time.times(&v).plus(&(&b + self.line.contact_offset(first))),
+                time: time.clone(),
+                before: [self.v[first].clone(), self.v[last].clone()],
+                velocity: v.clone(),
+                lost,
+            });
+        }
+        for k in first..=last {
+            self.b[k].clone_from(&b);
+            self.v[k].clone_from(&v);
+            self.near_b[k] = Bounds::of(&b);
+            self.near_v[k] = Bounds::of(&v);
+        }
+        self.largest = self.largest.max(bits(&b)).max(bits(&v));
+        for k in first.saturating_sub(1)..=(last + 1).min(self.line.points.len() - 1) {
+            self.streak[k] = 0;
+            self.last_pair[k] = usize::MAX;
+        }
+        self.recent.clear();
+        self.last = Last::Joined(time);
+        Ok(())
+    }
+
+    /// The soft runs around pairs that meet at one instant.
+    fn soft_runs(&self, together: &[usize]) -> Vec<SoftRun> {
+        let is_soft = |q: usize| self.line.pairs[q].restitution == Rational::ZERO;
+        let mut runs: Vec<SoftRun> = Vec::new();
+        for p in together.iter().copied().filter(|p| is_soft(*p)) {
+            if runs.last().is_some_and(|run| p <= run.pairs.1) {
+                continue;
+            }
+            let end = self.line.pairs.len();
+            let touching = |q: usize| together.binary_search(&q).is_ok() || self.touch(q, p);
+            let mut pairs = (p, p);
+            while pairs.0 > 0 && is_soft(pairs.0 - 1) && touching(pairs.0 - 1) {
+                pairs.0 -= 1;
+            }
+            while pairs.1 + 1 < end && is_soft(pairs.1 + 1) && touching(pairs.1 + 1) {
+                pairs.1 += 1;
+            }
+            let settled = settle(self.line, &self.v, pairs.0, pairs.1 + 1);
+            let left = pairs.0 > 0
+                && settled.first().is_some_and(|block| self.v[pairs.0 - 1] > block.velocity())
+                && touching(pairs.0 - 1);
+            let right = pairs.1 + 1 < end
+                && settled.last().is_some_and(|block| block.velocity() > self.v[pairs.1 + 2])
+                && touching(pairs.1 + 1);
+            let blocks = settled.iter().map(|block| block.points).filter(|points| points.1 > points.0 + 1).collect();
+            runs.push(SoftRun { pairs, blocks, strained: left || right });
+        }
+        runs
     }
 
     /// When the pair meets: a gap over a speed, both positive or the gap zero.
@@ -189,11 +348,12 @@ impl<'a> Run<'a> {
         (speed > Rational::ZERO).then(|| gap / speed)
     }
 
-    /// The time of the last collision.
-    pub fn time(&self) -> Rational {
+    /// The time of what happened last.
+    pub fn time(&self) -> Value {
         match &self.last {
-            Some((gap, speed)) => gap / speed,
-            None => Rational::ZERO,
+            Last::Start => Value::Exact(Rational::ZERO),
+            Last::Meeting(gap, speed) => Value::Exact(gap / speed),
+            Last::Joined(time) => time.clone(),
         }
     }
 
@@ -257,9 +417,10 @@ impl<'a> Run<'a> {
         together.sort_unstable();
     }
 
-    /// Two approaching pairs in one cluster of touching bodies.
-    fn ambiguity(&self, together: &[usize]) -> Option<Stop> {
-        let clash = together.windows(2).find(|w| (w[0] + 1..w[1]).all(|r| self.touch(r, w[0])))?;
+    /// Two approaching pairs in one cluster of touching bodies, whose order matters.
+    fn ambiguity(&self, together: &[usize], runs: &[SoftRun]) -> Option<Stop> {
+        let settled = |w: &[usize]| runs.iter().any(|run| !run.strained && run.pairs.0 <= w[0] && w[1] <= run.pairs.1);
+        let clash = together.windows(2).find(|w| !settled(w) && (w[0] + 1..w[1]).all(|r| self.touch(r, w[0])))?;
         let from = clash[0];
         let mut cluster = (from, from + 1);
         while cluster.0 > 0 && (together.contains(&(cluster.0 - 1)) || self.touch(cluster.0 - 1, from)) {
@@ -312,7 +473,7 @@ impl<'a> Run<'a> {
         self.b[p + 1] += &pair.right * back;
         self.v[p] = left;
         self.v[p + 1] = right;
-        self.last = Some((gap, speed));
+        self.last = Last::Meeting(gap, speed);
         self.count = number;
         self.recent.push(p);
         for k in [p, p + 1] {
@@ -369,10 +530,12 @@ impl<'a> Run<'a> {
             None => self.due_exactly(q).is_none_or(|t| not_after(&t)),
         });
         // The outer bodies of a collapse are only ever pushed outward, so each stays on the inner side of the
-        // chord of its worldline; a neighbour on a straight line that ends outside has not met it.
-        let apart = |outer: usize, side: Ordering| {
-            let there = found.reach(&self.b[outer], &self.v[outer]);
-            there == Some(Ordering::Equal) || there == Some(side)
+        // chord of its worldline; a neighbour on a straight line that ends outside has not met it. Where all happens at
+        // this instant there is no chord: a neighbour that touches must be as fast as what the outer body approaches.
+        let at_once = self.time().rational().is_some_and(|now| found.time.compare(now) == Some(Ordering::Equal));
+        let apart = |outer: usize, side: Ordering| match found.reach(&self.b[outer], &self.v[outer]) {
+            Some(Ordering::Equal) => !at_once || self.v[outer].cmp(&found.velocity) != side.reverse(),
+            there => there == Some(side),
         };
         late && (from == 0 || apart(from - 1, Ordering::Less))
             && (to + 1 >= self.line.points.len() || apart(to + 1, Ordering::Greater))

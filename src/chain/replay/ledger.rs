@@ -102,6 +102,41 @@ impl Ledger {
         Ok(lost)
     }
 
+    /// Checks that points that came together kept their momentum, unless a wall is among them, and gained no energy;
+    /// returns the energy that it cost.
+    pub fn book_joined(
+        &mut self,
+        points: &[Point],
+        before: &[Rational],
+        after: &Rational,
+        number: u64,
+    ) -> Result<Rational, LedgerFault> {
+        let fault = |law| LedgerFault { law, collision: Some(number) };
+        let (mut lost, mut given, mut wall) = (Rational::ZERO, Rational::ZERO, false);
+        for (point, v) in points.iter().zip(before) {
+            match &point.mass {
+                Some(m) => {
+                    lost += m * (v.square() - after.square());
+                    given += m * (after - v);
+                }
+                None => wall = true,
+            }
+        }
+        if wall && *after != Rational::ZERO {
+            return Err(fault("a wall stands still"));
+        }
+        if !wall && given != Rational::ZERO {
+            return Err(fault("momentum"));
+        }
+        if lost < Rational::ZERO {
+            return Err(fault("energy"));
+        }
+        self.impulse.add(given);
+        let lost = lost / Rational::TWO;
+        self.lost.add(lost.clone());
+        Ok(lost)
+    }
+
     /// Holds the sums of all collisions against the states: energy before = energy after + lost, momentum after =
     /// momentum before + what the walls gave.
     pub fn balance(&self, line: &Line, v: &[Rational]) -> Result<(), LedgerFault> {

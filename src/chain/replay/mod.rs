@@ -12,8 +12,9 @@
 //!
 //! **Bodies that touch.** They are treated as if the gap were too small to matter: a touching pair that
 //! approaches collides at once; one that separates, or moves together, does not. A cluster in which one pair
-//! approaches goes on at the same instant; one in which several do is ambiguous. Bodies never stick: with
-//! restitution 0 they move on together, touching.
+//! approaches goes on at the same instant; one in which several do is ambiguous. With restitution 0 bodies move on
+//! together, touching, until one of them is hit; three or more that touch reach their common velocity after infinitely many
+//! collisions at one instant, whatever the order ([`joined`]).
 //!
 //! Source of the collision: Ricardo & Lee 2015, (1), (4)–(7).
 
@@ -22,6 +23,7 @@ pub mod certified;
 pub mod collapse;
 pub mod contact;
 pub mod exact;
+pub mod joined;
 mod ledger;
 mod line;
 pub mod pattern;
@@ -30,6 +32,7 @@ mod surd;
 
 pub use collapse::Collapse;
 pub use contact::{ContactOutcome, ContactOutcomes};
+pub use joined::{Cause, Entry, Joined};
 pub use ledger::LedgerFault;
 pub use line::{Body, Line, LineError, MAX_BODIES, Wall};
 pub use surd::Surd;
@@ -63,6 +66,8 @@ pub struct Options {
     pub exact_bits: Option<u64>,
     /// Whether to try all orders of an ambiguous contact.
     pub orders: bool,
+    /// Whether to go on from a proved collapse: its bodies touch, with one velocity.
+    pub through_collapse: bool,
     /// Significant digits that final values are enclosed to, where they are not exact.
     pub digits: u64,
     /// Whether to evaluate final values exactly where the run was enclosed, up to [`MAX_VALUE_BITS`].
@@ -77,6 +82,7 @@ impl Default for Options {
             list: 10_000,
             exact_bits: Some(EXACT_BITS),
             orders: false,
+            through_collapse: false,
             digits: 15,
             exact_values: false,
         }
@@ -245,7 +251,11 @@ pub struct Outcome {
     pub count: u64,
     /// The first of them, as many as asked for.
     pub events: Vec<Collision>,
-    /// The time that `positions` belong to: of the last collision, of the collapse or contact, or the one asked for.
+    /// How often three or more points came together after infinitely many collisions, none of which is counted.
+    pub joins: u64,
+    /// Those among the listed collisions, as many as asked for.
+    pub joined: Vec<Joined>,
+    /// The time that `positions` belong to: of what happened last, of the collapse or contact, or the one asked for.
     pub time: Value,
     /// The velocities of the bodies at the end; in a collapse those that they approach.
     pub velocities: Vec<Value>,
@@ -301,6 +311,7 @@ pub fn replay(line: &Line, options: &Options) -> Result<Outcome, LedgerFault> {
         until: options.until.as_ref(),
         list: options.list,
         bits: options.exact_bits,
+        through: options.through_collapse,
     };
     let stop = run.go(&bound)?;
     run.ledger.balance(line, &run.v)?;
@@ -396,7 +407,7 @@ fn values<N: Enclosure>(
     let time = match (finished, &options.until, &end.last) {
         (true, Some(until), _) => number(until),
         (_, _, Some((gap, speed))) => gap.over(speed, bits),
-        _ => number(&run.time()),
+        _ => number(run.time().rational()?),
     };
     // Touching a wall is a place that is known.
     let touching = |k: usize| {
@@ -439,6 +450,8 @@ fn values<N: Enclosure>(
         status,
         count: made.count,
         events: made.events,
+        joins: run.joins,
+        joined: run.joined.clone(),
         time: value(&time)?,
         velocities: line.body_points().map(|k| value(&end.v[k])).collect::<Option<_>>()?,
         positions: line.body_points().map(place).collect::<Option<_>>()?,
@@ -467,7 +480,7 @@ fn conclude(run: Run, status: Status, options: &Options) -> Outcome {
         }
         (Status::Ambiguous(contact), _) => Value::Exact(contact.time.clone()),
         (Status::Complete, Some(until)) => Value::Exact(until.clone()),
-        _ => Value::Exact(run.time()),
+        _ => run.time(),
     };
     let positions = line.body_points().map(|k| {
         let offset = &line.points[k].offset;
@@ -490,6 +503,8 @@ fn conclude(run: Run, status: Status, options: &Options) -> Outcome {
         status,
         count: run.count,
         events: run.events,
+        joins: run.joins,
+        joined: run.joined,
         time,
         positions,
         energy: Energy {

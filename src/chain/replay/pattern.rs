@@ -149,12 +149,15 @@ fn certify_attraction(b: &Matrix, x: &Row, conditions: &Matrix) -> Option<Attrac
     let exact = |v: Vec<f64>| v.into_iter().map(|x| Rational::try_from(x).ok()).collect::<Option<Row>>();
     let (r, mut l) = (exact(r)?, exact(l)?);
     let mut length = dot(&l, &r);
+    if length == Rational::ZERO {
+        return None;
+    }
     if length < Rational::ZERO {
         l.iter_mut().for_each(|x| *x = -&*x);
         length = -length;
     }
     let z = dot(&l, x) / &length;
-    if length == Rational::ZERO || z <= Rational::ZERO {
+    if z <= Rational::ZERO {
         return None;
     }
     let away = x.iter().zip(&r).map(|(x, r)| (x / &z - r).abs()).max()?;

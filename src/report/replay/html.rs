@@ -1,10 +1,12 @@
 //! A replay as one self-contained page: the bodies move, a cursor runs up the space–time diagram.
 //!
-//! The page needs nothing from elsewhere. Its motion is drawn from doubles; the numbers in its table are those of
-//! the replay.
+//! The page needs nothing from elsewhere. Its motion is drawn from doubles; the numbers in its table and the words on
+//! how it ended are those of the text report.
 
 use super::svg::{Frame, Worldlines, caption, colour, draw};
-use super::{Replay, pair};
+use super::text::{JOINED, verdict};
+use super::{Numbers, Replay, group, pair};
+use crate::chain::replay::{Entry, Value};
 use crate::report::markup::escape;
 use serde_json::json;
 use std::fmt::Write;
@@ -38,9 +40,11 @@ pub fn report(replay: &Replay) -> String {
             json!({"path": path, "colour": colour(i), "radius": radius, "half": lines.half[i] * unit})
         })
         .collect();
+    let collisions: Vec<bool> = replay.outcome.in_order().map(|entry| matches!(entry, Entry::Collision(..))).collect();
     let data = json!({
         "bodies": bodies,
         "contacts": lines.contacts.iter().map(|c| c.0).collect::<Vec<_>>(),
+        "collisions": collisions,
         "end": lines.end,
         "top": frame.t.1,
         "x": [frame.x.0, frame.x.1],
@@ -49,30 +53,66 @@ pub fn report(replay: &Replay) -> String {
     });
     // Inside a script element "</" could end it.
     let data = data.to_string().replace("</", "<\\/");
-    let mut rows = String::new();
-    let n = |v| escape(&replay.numbers.write(v));
-    for (i, c) in replay.outcome.events.iter().enumerate().take(ROWS) {
-        let _ = writeln!(
-            rows,
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            i + 1,
-            n(&c.time),
-            escape(&pair(replay.line, c.pair)),
-            n(&c.before[0]),
-            n(&c.before[1]),
-            n(&c.after[0]),
-            n(&c.after[1]),
-            n(&c.lost)
-        );
-    }
-    let more = replay.outcome.count.saturating_sub(replay.outcome.events.len().min(ROWS) as u64);
-    let more = if more > 0 { format!("<p>{more} more collisions are not in this table.</p>") } else { String::new() };
     PAGE.replace("@TITLE@", &title)
         .replace("@CAPTION@", &escape(&caption(replay)))
+        .replace("@VERDICT@", &escape(&verdict(replay)))
         .replace("@DIAGRAM@", &diagram)
-        .replace("@ROWS@", &rows)
-        .replace("@MORE@", &more)
+        .replace("@HIDDEN@", if lines.contacts.is_empty() { " hidden" } else { "" })
+        .replace("@ROWS@", &rows(replay))
+        .replace("@NOTES@", &notes(replay))
         .replace("@DATA@", &data)
+}
+
+/// The listed collisions, one row each.
+fn rows(replay: &Replay) -> String {
+    let mut rows = String::new();
+    let n = |v: &Value| replay.numbers.write(v);
+    let q = |x| replay.numbers.rational(x);
+    for entry in replay.outcome.in_order().take(ROWS) {
+        let cells = match entry {
+            Entry::Collision(number, c) => [
+                number.to_string(),
+                n(&c.time),
+                pair(replay.line, c.pair),
+                n(&c.before[0]),
+                n(&c.before[1]),
+                n(&c.after[0]),
+                n(&c.after[1]),
+                n(&c.lost),
+            ],
+            Entry::Joined(j) => [
+                "∞".to_string(),
+                n(&j.time),
+                group(replay.line, j.bodies),
+                q(&j.before[0]),
+                q(&j.before[1]),
+                q(&j.velocity),
+                q(&j.velocity),
+                q(&j.lost),
+            ],
+        };
+        let cells: String = cells.iter().map(|cell| format!("<td>{}</td>", escape(cell))).collect();
+        let _ = writeln!(rows, "<tr>{cells}</tr>");
+    }
+    rows
+}
+
+/// What the table does not say by itself.
+fn notes(replay: &Replay) -> String {
+    let o = replay.outcome;
+    let mut notes = Vec::new();
+    let shown = o.in_order().take(ROWS).filter(|entry| matches!(entry, Entry::Collision(..))).count();
+    let more = o.count.saturating_sub(shown as u64);
+    if more > 0 {
+        notes.push(format!("{more} more collisions are not in this table."));
+    }
+    if !o.joined.is_empty() {
+        notes.push(JOINED.to_string());
+    }
+    if matches!(replay.numbers, Numbers::Short(..)) && !o.events.is_empty() {
+        notes.push("Numbers with a decimal point are rounded, all others are exact.".to_string());
+    }
+    notes.iter().map(|note| format!("<p>{}</p>", escape(note))).collect()
 }
 
 const PAGE: &str = include_str!("page.html");

@@ -3,10 +3,13 @@
 //! Numbers are strings. Pairs name two neighbours; bodies count from 1, 0 is the left wall and the number after
 //! the last body the right wall. Beyond the contract's keys there are `time` and `positions` of the end, `listed`
 //! (how many collisions are listed), `simultaneous`, `largest_bits`, `exact`, and one of `collapse`, `limit`,
-//! `ambiguous` where the run ended so.
+//! `ambiguous` where the run ended so. `joins` counts how often bodies came together after infinitely many collisions;
+//! `joined` lists those instants, each with `after` (how many collisions were counted before), `bodies` (first and last),
+//! `before` (their velocities), `velocity` (the common one), `cause` (`inelastic` or `collapse`) and, for a collapse, all
+//! that is known of it under `collapse`.
 
 use super::{Numbers, Replay, decimal};
-use crate::chain::replay::{Collapse, Collision, Contact, Limit, Status, Value};
+use crate::chain::replay::{Cause, Collapse, Collision, Contact, Joined, Limit, Status, Value};
 use serde_json::{Map, Value as Json, json};
 
 /// The report.
@@ -26,6 +29,8 @@ pub fn report(replay: &Replay) -> String {
     put("time", json!(n(&o.time)));
     put("positions", json!(all(&o.positions)));
     put("listed", json!(o.events.len()));
+    put("joins", json!(o.joins));
+    put("joined", o.joined.iter().map(|j| joined(j, replay.numbers)).collect());
     put("simultaneous", json!(o.simultaneous));
     put("largest_bits", json!(o.growth.last().map_or(0, |g| g.1)));
     put("exact", json!(o.enclosed.is_none()));
@@ -73,8 +78,29 @@ fn collision(c: &Collision, numbers: Numbers) -> Json {
     })
 }
 
+fn joined(j: &Joined, numbers: Numbers) -> Json {
+    let (cause, found) = match &j.cause {
+        Cause::Inelastic => ("inelastic", None),
+        Cause::Collapse(found) => ("collapse", Some(collapse(found, numbers))),
+    };
+    let mut map = json!({
+        "after": j.after,
+        "time": numbers.write(&j.time),
+        "position": numbers.write(&j.position),
+        "bodies": [j.bodies.0, j.bodies.1],
+        "before": [numbers.rational(&j.before[0]), numbers.rational(&j.before[1])],
+        "velocity": numbers.rational(&j.velocity),
+        "lost": numbers.rational(&j.lost),
+        "cause": cause,
+    });
+    if let Some(found) = found {
+        map["collapse"] = found;
+    }
+    map
+}
+
 fn collapse(found: &Collapse, numbers: Numbers) -> Json {
-    let exact = |x: &malachite::Rational| numbers.write(&Value::Exact(x.clone()));
+    let exact = |x: &malachite::Rational| numbers.rational(x);
     json!({
         "time": numbers.write(&found.time),
         "time_decimal": decimal(&found.time, super::DEFAULT_DIGITS),
@@ -93,7 +119,7 @@ fn collapse(found: &Collapse, numbers: Numbers) -> Json {
 
 fn ambiguous(found: &Contact, numbers: Numbers) -> Json {
     let pairs = |list: &[usize]| list.iter().map(|p| json!([p, p + 1])).collect::<Vec<_>>();
-    let exact = |x: &malachite::Rational| numbers.write(&Value::Exact(x.clone()));
+    let exact = |x: &malachite::Rational| numbers.rational(x);
     json!({
         "time": exact(&found.time),
         "bodies": [found.bodies.0, found.bodies.1],

@@ -50,6 +50,12 @@ impl Numbers {
             (Numbers::Decimal(digits) | Numbers::Short(_, digits), _) => decimal(value, digits),
         }
     }
+
+    /// A rational as text.
+    #[must_use]
+    pub fn rational(self, x: &Rational) -> String {
+        self.write(&Value::Exact(x.clone()))
+    }
 }
 
 /// Digits of numbers that are enclosed, where none were asked for.
@@ -89,6 +95,24 @@ pub fn name(line: &Line, point: usize) -> String {
     } else {
         point.to_string()
     }
+}
+
+/// How many collisions there were, and how often infinitely many.
+#[must_use]
+pub fn counted(outcome: &Outcome) -> String {
+    let plural = if outcome.count == 1 { "" } else { "s" };
+    let besides = match outcome.joins {
+        0 => String::new(),
+        1 => ", besides infinitely many".to_string(),
+        often => format!(", besides {often} times infinitely many"),
+    };
+    format!("{} collision{plural}{besides}", outcome.count)
+}
+
+/// The points as people call them.
+#[must_use]
+pub fn group(line: &Line, (first, last): (usize, usize)) -> String {
+    format!("{} to {}", name(line, first), name(line, last))
 }
 
 /// The pair as people call it.

@@ -3,8 +3,8 @@
 //! Drawing is done in doubles: a picture shows, it decides nothing. Only listed collisions are drawn; where there
 //! are more, the caption says so.
 
-use super::{Replay, decimal};
-use crate::chain::replay::{Status, Value};
+use super::{Replay, counted, decimal};
+use crate::chain::replay::{Entry, Status, Value};
 use crate::report::markup::escape;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
@@ -34,12 +34,12 @@ pub struct Worldlines {
     pub bodies: Vec<Vec<(f64, f64)>>,
     /// Half the length of each body.
     pub half: Vec<f64>,
-    /// Where collisions happen.
+    /// Where listed collisions happen, infinitely many at once included.
     pub contacts: Vec<(f64, f64)>,
     /// The walls.
     pub walls: (Option<f64>, Option<f64>),
-    /// Time and place of a collapse or an ambiguous contact.
-    pub mark: Option<(f64, f64)>,
+    /// Times and places of infinitely many collisions, and of an ambiguous contact.
+    pub marks: Vec<(f64, f64)>,
     /// The last time drawn.
     pub end: f64,
     /// The places drawn.
@@ -59,17 +59,36 @@ impl Worldlines {
         let mut bodies: Vec<Vec<(f64, f64)>> = starts.iter().map(|(x, _)| vec![(0.0, *x)]).collect();
         let mut speed: Vec<f64> = starts.iter().map(|(_, v)| *v).collect();
         let mut contacts = Vec::new();
-        for c in &o.events {
-            let (t, x) = (near(&c.time), near(&c.position));
-            contacts.push((t, x));
-            for (point, after, side) in [(c.pair, &c.after[0], -1.0), (c.pair + 1, &c.after[1], 1.0)] {
-                if (1..=n).contains(&point) {
-                    bodies[point - 1].push((t, x + side * half[point - 1]));
-                    speed[point - 1] = near(after);
+        let mut marks = Vec::new();
+        for entry in o.in_order() {
+            match entry {
+                Entry::Collision(_, c) => {
+                    let (t, x) = (near(&c.time), near(&c.position));
+                    contacts.push((t, x));
+                    for (point, after, side) in [(c.pair, &c.after[0], -1.0), (c.pair + 1, &c.after[1], 1.0)] {
+                        if (1..=n).contains(&point) {
+                            bodies[point - 1].push((t, x + side * half[point - 1]));
+                            speed[point - 1] = near(after);
+                        }
+                    }
+                }
+                Entry::Joined(j) => {
+                    let (t, mut x) = (near(&j.time), near(&j.position));
+                    contacts.push((t, x));
+                    marks.push((t, x));
+                    // The position is where the first two touch: the first ends there, the second begins.
+                    if let Some(wide) = j.bodies.0.checked_sub(1).and_then(|first| half.get(first)) {
+                        x -= 2.0 * wide;
+                    }
+                    for body in j.bodies.0.max(1)..=j.bodies.1.min(n) {
+                        bodies[body - 1].push((t, x + half[body - 1]));
+                        x += 2.0 * half[body - 1];
+                        speed[body - 1] = exact(&j.velocity);
+                    }
                 }
             }
         }
-        let all = o.events.len() as u64 == o.count;
+        let all = o.events.len() as u64 == o.count && o.joined.len() as u64 == o.joins;
         let last = contacts.last().map_or(0.0, |c| c.0);
         let stop = if all { near(&o.time).max(last) } else { last };
         // Some room to see who flies where, unless the picture was asked to end here.
@@ -79,11 +98,10 @@ impl Worldlines {
             (_, false) => 1.0,
         }
         .max(1.0 / EDGE);
-        let mut mark = None;
         match &o.status {
             Status::Collapse(found) if all => {
                 let (t, x) = (near(&found.time), near(&found.position));
-                mark = Some((t, x));
+                marks.push((t, x));
                 for point in found.bodies.0.max(1)..=found.bodies.1.min(n) {
                     bodies[point - 1].push((t, near(&o.positions[point - 1])));
                     speed[point - 1] = near(&o.velocities[point - 1]);
@@ -91,7 +109,7 @@ impl Worldlines {
             }
             Status::Ambiguous(found) if all => {
                 let point = found.bodies.0.clamp(1, n);
-                mark = Some((near(&o.time), near(&o.positions[point - 1]) + half[point - 1]));
+                marks.push((near(&o.time), near(&o.positions[point - 1]) + half[point - 1]));
             }
             _ => {}
         }
@@ -125,7 +143,7 @@ impl Worldlines {
         let room = (wide * 0.06).max(1e-9 * range.1.abs());
         let room = if wide > 1.0 / EDGE { room } else { 1.0f64.max(range.1.abs()) };
         let range = (range.0 - room, range.1 + room);
-        Worldlines { bodies, half, contacts, walls, mark, end, range }
+        Worldlines { bodies, half, contacts, walls, marks, end, range }
     }
 }
 
@@ -179,15 +197,14 @@ pub(super) fn ticks(lo: f64, hi: f64) -> Vec<(f64, String)> {
 /// One line on how the replay ended.
 pub(super) fn caption(replay: &Replay) -> String {
     let o = replay.outcome;
-    let plural = if o.count == 1 { "" } else { "s" };
     let mut text = match &o.status {
-        Status::Complete => format!("{} collision{plural}", o.count),
+        Status::Complete => counted(o),
         Status::Collapse(found) => {
             format!("infinitely many collisions before t = {} ({} drawn)", decimal(&found.time, 8), o.events.len())
         }
-        Status::Limit(_) => format!("stopped at a limit after {} collisions", o.count),
+        Status::Limit(_) => format!("stopped at a limit after {}", counted(o)),
         Status::Ambiguous(found) => {
-            format!("{} collision{plural}, then an ambiguous contact at t = {}", o.count, found.time)
+            format!("{}, then an ambiguous contact at t = {}", counted(o), replay.numbers.rational(&found.time))
         }
     };
     if (o.events.len() as u64) < o.count {
@@ -296,8 +313,8 @@ pub(super) fn draw(replay: &Replay, lines: &Worldlines, frame: &Frame, out: &mut
             let _ = writeln!(out, "<circle cx=\"{cx:.2}\" cy=\"{cy:.2}\" r=\"3\" fill=\"#111\"/>");
         }
     }
-    if let Some((t, x)) = lines.mark {
-        let (cx, cy) = (frame.across(x), frame.down(t));
+    for (t, x) in lines.marks.iter().take(400) {
+        let (cx, cy) = (frame.across(*x), frame.down(*t));
         let _ = writeln!(
             out,
             "<circle cx=\"{cx:.2}\" cy=\"{cy:.2}\" r=\"9\" fill=\"none\" stroke=\"#b00020\" stroke-width=\"2.5\"/>"

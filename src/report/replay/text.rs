@@ -1,8 +1,8 @@
 //! A replay as text.
 
-use super::{Replay, decimal, name, pair};
-use crate::chain::replay::{Collapse, Contact, Limit, Status, Value};
-use crate::report::{counted, padded, visible};
+use super::{Numbers, Replay, counted, decimal, group, pair};
+use crate::chain::replay::{Cause, Collapse, Contact, Entry, Limit, Status, Value};
+use crate::report::{padded, visible};
 use std::fmt::Write;
 
 /// The report.
@@ -41,7 +41,7 @@ pub fn report(replay: &Replay) -> String {
     let _ = writeln!(out, "\nEnergy    {} before, {} after, {} lost", n(&e.initial), n(&e.last), n(&e.lost));
     let _ = writeln!(out, "Momentum  {} before, {} after", n(&o.momentum.0), n(&o.momentum.1));
     if let Some((_, largest)) = o.growth.last() {
-        let bits = counted(usize::try_from(*largest).unwrap_or(usize::MAX), "bit");
+        let bits = crate::report::counted(usize::try_from(*largest).unwrap_or(usize::MAX), "bit");
         let _ = writeln!(out, "Largest numerator or denominator of an exact state: {bits}");
     }
     out
@@ -49,31 +49,53 @@ pub fn report(replay: &Replay) -> String {
 
 fn collisions(replay: &Replay, out: &mut String) {
     let o = replay.outcome;
-    if o.events.is_empty() {
+    if o.events.is_empty() && o.joined.is_empty() {
         return;
     }
     let n = |v: &Value| replay.numbers.write(v);
+    let q = |x| replay.numbers.rational(x);
     let head = ["no.", "time", "pair", "place", "before", "", "after", "", "energy lost"];
     let mut rows = vec![head.map(String::from).to_vec()];
-    for (i, c) in o.events.iter().enumerate() {
-        rows.push(vec![
-            (i + 1).to_string(),
-            n(&c.time),
-            pair(replay.line, c.pair),
-            n(&c.position),
-            n(&c.before[0]),
-            n(&c.before[1]),
-            n(&c.after[0]),
-            n(&c.after[1]),
-            n(&c.lost),
-        ]);
+    for entry in o.in_order() {
+        rows.push(match entry {
+            Entry::Collision(number, c) => vec![
+                number.to_string(),
+                n(&c.time),
+                pair(replay.line, c.pair),
+                n(&c.position),
+                n(&c.before[0]),
+                n(&c.before[1]),
+                n(&c.after[0]),
+                n(&c.after[1]),
+                n(&c.lost),
+            ],
+            Entry::Joined(j) => vec![
+                "∞".to_string(),
+                n(&j.time),
+                group(replay.line, j.bodies),
+                n(&j.position),
+                q(&j.before[0]),
+                q(&j.before[1]),
+                q(&j.velocity),
+                q(&j.velocity),
+                q(&j.lost),
+            ],
+        });
     }
     table(&rows, out);
     let more = o.count - (o.events.len() as u64).min(o.count);
     if more > 0 {
         let _ = writeln!(out, "  … {more} more (--list N lists more)");
     }
+    if !o.joined.is_empty() {
+        let _ = writeln!(out, "  {JOINED}");
+    }
     out.push('\n');
+    for j in &o.joined {
+        if let Cause::Collapse(found) = &j.cause {
+            let _ = writeln!(out, "{}\n  the replay goes on from there\n", collapse(replay, found, j.after));
+        }
+    }
 }
 
 /// Columns, each as wide as its widest cell.
@@ -87,12 +109,18 @@ fn table(rows: &[Vec<String>], out: &mut String) {
     }
 }
 
-fn verdict(replay: &Replay) -> String {
+/// What a row of bodies that came together means.
+pub(super) const JOINED: &str = "∞: infinitely many collisions. Then the bodies touch and have one velocity, exactly: their momentum over their mass, or 0 at a wall.";
+
+/// How the replay ended.
+pub(super) fn verdict(replay: &Replay) -> String {
     let o = replay.outcome;
-    let plural = if o.count == 1 { "" } else { "s" };
     match &o.status {
-        Status::Complete => format!("complete: {} collision{plural}", o.count),
-        Status::Collapse(found) => collapse(replay, found),
+        Status::Complete => format!("complete: {}", counted(o)),
+        Status::Collapse(found) => {
+            let text = collapse(replay, found, o.count);
+            format!("{text}\n  the replay ends here; --through-collapse goes on: the bodies touch, with one velocity")
+        }
         Status::Ambiguous(found) => ambiguous(replay, found),
         Status::Limit(Limit::Events { allowed }) => {
             format!("limit reached: {allowed} collisions allowed and another is due (--max-events raises it)")
@@ -108,21 +136,21 @@ fn verdict(replay: &Replay) -> String {
     }
 }
 
-fn collapse(replay: &Replay, found: &Collapse) -> String {
-    let n = |x: &Value| match x {
-        Value::Surd(_) => format!("{} ≈ {}", replay.numbers.write(x), decimal(x, 12)),
-        _ => replay.numbers.write(x),
+fn collapse(replay: &Replay, found: &Collapse, after: u64) -> String {
+    let n = |x: &Value| {
+        let written = replay.numbers.write(x);
+        let exact = matches!(x, Value::Surd(_)) && written == Numbers::Exact.write(x);
+        if exact { format!("{written} ≈ {}", decimal(x, 12)) } else { written }
     };
     let turn: Vec<String> = found.pattern.iter().map(|p| pair(replay.line, *p)).collect();
     let mut text = format!(
-        "collapse: infinitely many collisions before the time {}\n  after {} collisions, {} in turn, for ever (proved)\n  {} to {} come together at {} with velocity {}\n",
+        "collapse: infinitely many collisions before the time {}\n  after {} collisions, {} in turn, for ever (proved)\n  {} come together at {} with velocity {}\n",
         n(&found.time),
-        replay.outcome.count,
+        after,
         turn.join(", "),
-        name(replay.line, found.bodies.0),
-        name(replay.line, found.bodies.1),
+        group(replay.line, found.bodies),
         n(&found.position),
-        replay.numbers.write(&Value::Exact(found.velocity.clone())),
+        replay.numbers.rational(&found.velocity),
     );
     match &found.trace {
         Some((trace, determinant)) => {
@@ -144,10 +172,9 @@ fn collapse(replay: &Replay, found: &Collapse) -> String {
 fn ambiguous(replay: &Replay, found: &Contact) -> String {
     let pairs: Vec<String> = found.pairs.iter().map(|p| pair(replay.line, *p)).collect();
     let mut text = format!(
-        "ambiguous: after {} collisions, {} to {} touch at time {} and {} approach at once: the order decides the outcome",
-        replay.outcome.count,
-        name(replay.line, found.bodies.0),
-        name(replay.line, found.bodies.1),
+        "ambiguous: after {}, {} touch at time {} and {} approach at once: no law gives the order of their collisions",
+        counted(replay.outcome),
+        group(replay.line, found.bodies),
         found.time,
         pairs.join(", "),
     );
@@ -156,8 +183,7 @@ fn ambiguous(replay: &Replay, found: &Contact) -> String {
         Some(all) => {
             for one in &all.outcomes {
                 let order: Vec<String> = one.order.iter().map(|p| pair(replay.line, *p)).collect();
-                let v: Vec<String> =
-                    one.velocities.iter().map(|v| replay.numbers.write(&Value::Exact(v.clone()))).collect();
+                let v: Vec<String> = one.velocities.iter().map(|v| replay.numbers.rational(v)).collect();
                 let _ = write!(text, "\n  {}: velocities {}", order.join(", "), v.join(", "));
             }
             if all.outcomes.len() == 1 && !all.cut {
