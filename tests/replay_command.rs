@@ -68,6 +68,8 @@ fn statuses_and_exit_codes() {
         ("collapse-critical", &[], "collapse", 0),
         ("ambiguous", &["--orders"], "ambiguous", 0),
         ("cradle", &[], "complete", 0),
+        ("inelastic", &[], "complete", 0),
+        ("collapse", &["--through-collapse"], "complete", 0),
         ("rods", &["--until", "20"], "complete", 0),
         ("rods", &["--max-events", "5"], "limit", 3),
         ("pi-thirty-one", &[], "complete", 0),
@@ -113,6 +115,74 @@ fn every_form_is_whole_and_needs_nothing_from_elsewhere() {
     assert!(!html.contains("<equal>") && !html.contains('@'));
     let exact = text(&replay(THREE, &["--exact"]).stdout);
     assert!(exact.contains("5233/31250"));
+}
+
+#[test]
+fn bodies_that_come_together_are_shown_in_every_form_and_move_on() {
+    let scene = example("inelastic");
+    let value = json(&carom(&["replay", &scene, "--format", "json"]));
+    assert_eq!((value["status"].as_str(), value["count"].as_u64()), (Some("complete"), Some(1)));
+    assert_eq!(value["joins"], 2);
+    assert_eq!(
+        value["joined"][1],
+        serde_json::json!({"after": 1, "time": "6", "position": "3", "bodies": [1, 4], "before": ["1/3", "-1"],
+            "velocity": "-1/5", "lost": "16/15", "cause": "inelastic"})
+    );
+    assert_eq!(value["final"], serde_json::json!(["-1/5", "-1/5", "-1/5", "-1/5"]));
+    let shown = text(&carom(&["replay", &scene]).stdout);
+    assert!(shown.contains("complete: 1 collision, besides 2 times infinitely many"), "{shown}");
+    assert!(shown.contains("∞    6     1 to 4") && shown.contains("∞: infinitely many collisions."), "{shown}");
+    let csv = text(&carom(&["replay", &scene, "--format", "csv"]).stdout);
+    assert!(csv.contains("\n,6,1,4,3,1/3,-1,-1/5,-1/5,16/15\n"), "{csv}");
+    let svg = text(&carom(&["replay", &scene, "--format", "svg"]).stdout);
+    assert_eq!(svg.matches("r=\"9\"").count(), 2, "{svg}");
+    assert!(svg.contains("besides 2 times infinitely many"));
+    let html = text(&carom(&["replay", &scene, "--format", "html"]).stdout);
+    assert!(html.contains("<td>∞</td><td>6</td><td>1 to 4</td>") && html.contains("∞: infinitely many"), "{html}");
+}
+
+#[test]
+fn a_replay_goes_through_a_collapse_where_asked() {
+    let scene = example("collapse");
+    let value = json(&carom(&["replay", &scene, "--format", "json"]));
+    assert_eq!((value["status"].as_str(), value["joins"].as_u64()), (Some("collapse"), Some(0)));
+    let ended = text(&carom(&["replay", &scene]).stdout);
+    assert!(ended.contains("--through-collapse"), "{ended}");
+    let value = json(&carom(&["replay", &scene, "--through-collapse", "--format", "json"]));
+    assert_eq!((value["status"].as_str(), value["joins"].as_u64()), (Some("complete"), Some(1)));
+    assert_eq!(value["joined"][0]["cause"], "collapse");
+    assert_eq!(value["joined"][0]["collapse"]["time"], value["time"]);
+    let shown = text(&carom(&["replay", &scene, "--through-collapse"]).stdout);
+    assert!(shown.contains("the replay goes on from there"), "{shown}");
+}
+
+#[test]
+fn a_number_is_not_said_to_be_near_itself() {
+    // An irrational time whose exact form is too long for a table.
+    let scene = THREE.replace("\"1/5\"", "\"0.0612345\"");
+    for arguments in [&[][..], &["--digits", "12"], &["--digits", "5"], &["--exact"]] {
+        let shown = text(&replay(&scene, arguments).stdout);
+        let line = shown.lines().find(|l| l.contains("before the time")).expect("a collapse");
+        let time = line.split("before the time ").nth(1).expect("a time");
+        assert_eq!(time.contains('≈'), arguments == ["--exact"], "{line}");
+        assert_eq!(time.contains("sqrt"), arguments == ["--exact"], "{line}");
+    }
+}
+
+#[test]
+fn an_ambiguous_page_shows_what_is_open_instead_of_an_empty_table() {
+    let html = text(&carom(&["replay", &example("ambiguous"), "--orders", "--format", "html"]).stdout);
+    assert!(html.contains("no law gives the order"), "{html}");
+    assert!(html.contains("velocities "), "the orders are listed");
+    assert!(html.contains("<div class=\"table\" hidden>"), "{html}");
+}
+
+#[test]
+fn equal_bodies_between_elastic_walls_are_replayed() {
+    let scene = "restitution = \"1/2\"\n[[body]]\nmass = 2\nposition = 0\n[[body]]\nmass = 2\nposition = 1\nvelocity = 1\n\
+        [wall]\nleft = -1\nright = 3\nrestitution = 1\n";
+    let out = replay(scene, &["--max-events", "1000"]);
+    assert_eq!(out.status.code(), Some(3), "{}", text(&out.stderr));
 }
 
 #[test]

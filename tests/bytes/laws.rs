@@ -82,15 +82,40 @@ pub fn certificate(bytes: &[u8]) {
     }
 }
 
-/// Both readers of scenes answer with a scene or a fault that can be shown.
+/// Both readers of scenes answer with a scene or a fault that can be shown; a small scene of bodies is replayed, its
+/// ledger balances, and every form of it is written.
 pub fn scene(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     if let Err(fault) = carom::scene::read::scene(text) {
         shown(&[fault.diagnostic], text);
     }
-    if let Err(error) = carom::scene::replay::read(text) {
-        let fault = Fault::Other { message: error.message, help: error.help };
-        shown(&[Diagnostic::new(fault, Span { start: error.span.start, end: error.span.end })], text);
+    match carom::scene::replay::read(text) {
+        Ok(scene) if text.len() <= 4096 => replayed(&scene),
+        Ok(_) => {}
+        Err(error) => {
+            let fault = Fault::Other { message: error.message, help: error.help };
+            shown(&[Diagnostic::new(fault, Span { start: error.span.start, end: error.span.end })], text);
+        }
+    }
+}
+
+/// A replay in all its ways ends in an outcome that can be shown.
+fn replayed(scene: &carom::scene::replay::Scene) {
+    use carom::chain::replay::{Options, replay};
+    use carom::report::replay::{Numbers, Replay, csv, html, json, svg, text};
+    for (through_collapse, orders, exact_bits) in [(false, true, 2000), (true, false, 200)] {
+        let exact_bits = Some(exact_bits);
+        let options =
+            Options { max_events: 120, list: 30, through_collapse, orders, exact_bits, ..Options::default() };
+        let outcome = replay(&scene.line, &options).expect("the ledger balances");
+        assert!(outcome.in_order().count() as u64 <= outcome.count + outcome.joins);
+        let title = scene.title.as_deref();
+        for numbers in [Numbers::Short(24, 12), Numbers::Exact] {
+            let replay = Replay { title, line: &scene.line, outcome: &outcome, numbers };
+            for form in [text::report, json::report, csv::report, svg::report, html::report] {
+                assert!(!form(&replay).is_empty());
+            }
+        }
     }
 }
 

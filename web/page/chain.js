@@ -257,8 +257,8 @@ function showCollisions() {
   $("collisions-card").hidden = !replay;
   if (!replay) return;
   const head = [["No."], ["Bodies"], ["Time"], ["Velocities before", 2], ["Velocities after", 2], ["Lost as heat"]];
-  const rows = replay.events.slice(0, MOST_ROWS).map((c, i) => make("tr", { class: c.of_the_pass ? "" : "later" },
-    make("td", {}, String(i + 1)), make("td", {}, c.pair),
+  const rows = replay.events.slice(0, MOST_ROWS).map((c) => make("tr", { class: c.of_the_pass ? "" : "later" },
+    make("td", {}, String(c.number)), make("td", {}, c.pair),
     [c.time, c.before[0], c.before[1], c.after[0], c.after[1], c.lost].map((x) => make("td", {}, written(x)))));
   $("collisions").replaceChildren(
     make("thead", {}, make("tr", {}, head.map(([text, colSpan]) => make("th", { scope: "col", colSpan }, text)))), make("tbody", {}, rows));
@@ -272,9 +272,9 @@ async function askReplay(request) {
   const notes = [];
   if (found.error) notes.push(`No replay: ${sentence(found.error)}.`);
   else {
-    notes.push(`After ${found.count} collision${found.count === 1 ? "" : "s"}: ${found.end}.`);
+    notes.push(`In all ${found.total}; ${found.end}.`);
     if (found.rounded) {
-      notes.push(`The optimal masses are irrational. The replay takes them with ${found.rounded} digits; its numbers, marked ≈, are near the chain's own. `
+      notes.push(`The optimal masses are irrational. The replay takes them with ${found.rounded} digits; its numbers, marked ≈, are those of that chain. `
         + "The velocities in the table are the chain's own.");
     } else if (!found.exact) notes.push("Numbers that became too long are enclosed; count and order of the collisions are certain.");
     notes.push("The bodies start one unit apart. Their sizes are chosen for the eye and change no velocity.");

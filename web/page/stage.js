@@ -38,7 +38,7 @@ const shape = (name, attributes, text) => {
 /** When the struck pairs have all met once: the end of the pass. */
 function passEnd() {
   const first = new Map();
-  for (const c of data.events) if (!first.has(c.left)) first.set(c.left, c.drawn_time);
+  for (const c of data.events) if (c.of_the_pass) first.set(c.last, c.drawn_time);
   return Math.max(0, ...first.values());
 }
 
@@ -59,8 +59,9 @@ function motion(past) {
   const { start, masses } = data.drawn;
   const velocities = [...start];
   for (const c of data.events.slice(0, past)) {
-    if (!c.drawn_after) continue;
-    [c.left - 1, c.left].forEach((body, side) => { if (body in velocities) velocities[body] = c.drawn_after[side]; });
+    for (let body = c.first; body <= c.last; body++) {
+      if (body - 1 in velocities) velocities[body - 1] = c.drawn_after[body === c.first ? 0 : 1];
+    }
   }
   const energies = velocities.map((v, i) => (masses[i] * v * v) / 2);
   const momenta = velocities.map((v, i) => masses[i] * v);
@@ -199,7 +200,7 @@ function draw() {
   if (state.past === past) return;
   if (past === state.past + 1 && past > 0 && playing) tick();
   state.past = past;
-  $("time").setAttribute("aria-valuetext", `${past} of ${data.count} collisions`);
+  $("time").setAttribute("aria-valuetext", progress(past));
   $("event").replaceChildren(...words(past));
   if (playing || document.activeElement?.closest("#player")) announce($("event").textContent);
   const moved = motion(past);
@@ -207,11 +208,19 @@ function draw() {
   if ($("ledger").checked) bars(moved);
 }
 
+/** How far the replay is; infinitely many collisions at once, after which bodies move on together, are one step. */
+const progress = (past) => data.events.some((c) => c.joined)
+  ? `${past} of ${data.events.length} steps (${data.total}).` : `${past} of ${data.total}.`;
+
 /** The last collision in words, with its exact numbers. */
 function words(past) {
-  const count = make("strong", {}, `${past} of ${data.count} collision${data.count === 1 ? "" : "s"}. `);
+  const count = make("strong", {}, `${progress(past)} `);
   if (past === 0) return [count, "Nothing has collided yet."];
   const c = data.events[past - 1];
+  if (c.joined) {
+    return [count, `Bodies ${c.pair} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": infinitely many collisions. They move on together with velocity ",
+      written(c.after[0]), ". Heat: ", written(c.lost), "."];
+  }
   return [count, `Bodies ${c.pair} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": velocities ", written(c.before[0]), ", ", written(c.before[1]),
     " become ", written(c.after[0]), ", ", written(c.after[1]), ". Heat: ", written(c.lost),
     c.of_the_pass ? "." : make("em", {}, ". They meet again.")];
@@ -286,7 +295,7 @@ export function show(replay) {
   }
   now = playing && before ? (now / (before.drawn.end || 1)) * data.drawn.end : 0;
   now = Math.min(now, stop());
-  $("stage").setAttribute("aria-label", `${data.masses.length} bodies on a line, ${data.count} collisions`);
+  $("stage").setAttribute("aria-label", `${data.masses.length} bodies on a line, ${data.total}`);
   build();
 }
 

@@ -3,15 +3,16 @@
 //! The bodies are rods that stand one unit apart, the first one moving. Rods behave as points do: their lengths,
 //! chosen for the eye, shift when collisions happen and change no velocity. Inserted masses that are irrational are
 //! replaced by decimals of [`MASS_DIGITS`] digits: every number of such a replay is written as an approximation, with
-//! [`APPROXIMATE`] digits.
+//! [`APPROXIMATE`] digits. A replay goes on where bodies stick and from a collapse: an event that stands for infinitely
+//! many collisions, after which the bodies from `first` to `last` have one velocity, is marked `joined`.
 
 use crate::request::{Fault, Request};
 use carom::chain::recollision::WARNING;
-use carom::chain::replay::{self, Body, Limit, Line, Options, Status, Value as Exact};
+use carom::chain::replay::{self, Body, Entry, Limit, Line, Options, Outcome, Status, Value as Exact};
 use carom::number::decimal::{Digits, Rounding};
 use carom::number::rational;
 use carom::report::replay::svg::{self, Worldlines};
-use carom::report::replay::{Numbers, Replay, decimal, pair};
+use carom::report::replay::{Numbers, Replay, counted, decimal, group, pair};
 use carom::scene::answer::{Answers, Number, Value as Answer};
 use carom::scene::quantity::Quantity;
 use carom::scene::{Chain, Scene, Start};
@@ -47,6 +48,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     let options = Options {
         max_events: MAX_EVENTS,
         list: usize::try_from(MAX_EVENTS).unwrap_or(usize::MAX),
+        through_collapse: true,
         ..Options::default()
     };
     let outcome = replay::replay(&line, &options)
@@ -55,35 +57,64 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     let lines = Worldlines::new(&replay);
     let pass = chain.count() + 1;
     let written = |x: &Exact| if rounded { approximate(x) } else { exact(x) };
-    let shown = Shown::of(&line, &outcome.events);
+    let rational = |x: &Rational| written(&Exact::Exact(x.clone()));
+    let shown = Shown::of(&line, &outcome);
+    // The pass is the first meeting of each pair.
+    let mut met = vec![false; line.bodies() + 1];
+    let mut again = false;
     let events: Vec<Value> = outcome
-        .events
-        .iter()
-        .enumerate()
-        .map(|(i, c)| {
-            json!({
-                "pair": pair(&line, c.pair),
-                "left": c.pair,
-                "time": written(&c.time),
-                "before": [written(&c.before[0]), written(&c.before[1])],
-                "after": [written(&c.after[0]), written(&c.after[1])],
-                "lost": written(&c.lost),
-                "of_the_pass": (i as u64) < pass,
-                "drawn_time": lines.contacts.get(i).map(|c| c.0),
-                "drawn_after": shown.after.get(i),
-            })
+        .in_order()
+        .zip(lines.contacts.iter().zip(&shown.after))
+        .map(|(entry, (contact, after))| {
+            let (first, last) = match entry {
+                Entry::Collision(_, c) => (c.pair, c.pair + 1),
+                Entry::Joined(j) => j.bodies,
+            };
+            let of_the_pass = met[first..last].contains(&false);
+            met[first..last].fill(true);
+            again |= !of_the_pass;
+            let mut event = match entry {
+                Entry::Collision(number, c) => json!({
+                    "number": number,
+                    "pair": pair(&line, c.pair),
+                    "time": written(&c.time),
+                    "before": [written(&c.before[0]), written(&c.before[1])],
+                    "after": [written(&c.after[0]), written(&c.after[1])],
+                    "lost": written(&c.lost),
+                    "joined": false,
+                }),
+                Entry::Joined(j) => json!({
+                    "number": "∞",
+                    "pair": group(&line, j.bodies),
+                    "time": written(&j.time),
+                    "before": [rational(&j.before[0]), rational(&j.before[1])],
+                    "after": [rational(&j.velocity), rational(&j.velocity)],
+                    "lost": rational(&j.lost),
+                    "joined": true,
+                }),
+            };
+            let drawn = [
+                ("first", json!(first)),
+                ("last", json!(last)),
+                ("of_the_pass", json!(of_the_pass)),
+                ("drawn_time", json!(contact.0)),
+                ("drawn_after", json!(after)),
+            ];
+            drawn.into_iter().for_each(|(key, value)| event[key] = value);
+            event
         })
         .collect();
     Ok(json!({
         "events": events,
         "count": outcome.count,
+        "total": total(&outcome),
         "pass": pass,
-        "again": outcome.count > pass,
+        "again": outcome.joins > 0 || again,
         "warning": WARNING,
         "end": end(&outcome.status),
         "exact": outcome.enclosed.is_none(),
         "rounded": rounded.then_some(MASS_DIGITS),
-        "final": outcome.velocities.iter().map(written).collect::<Vec<_>>(),
+        "final": outcome.velocities.iter().map(&written).collect::<Vec<_>>(),
         "lost": written(&outcome.energy.lost),
         // Bodies of rounded mass rest before the first collision: what is known then is exact.
         "energy": exact(&outcome.energy.initial),
@@ -123,14 +154,14 @@ struct Shown {
     masses: Vec<f64>,
     /// The velocities before the first collision.
     start: Vec<f64>,
-    /// The velocities of the two bodies after each collision.
+    /// The velocities of the first and the last body after each event.
     after: Vec<[f64; 2]>,
     /// Place at the start and velocity of the centre of mass.
     centre: (f64, f64),
 }
 
 impl Shown {
-    fn of(line: &Line, events: &[replay::Collision]) -> Shown {
+    fn of(line: &Line, outcome: &Outcome) -> Shown {
         let near = |x: &Rational| f64::rounding_from(x, RoundingMode::Nearest).0;
         let middle = |x: &Exact| {
             let (lo, hi) = x.enclose(80);
@@ -147,25 +178,37 @@ impl Shown {
         Shown {
             masses: bodies.iter().map(|b| near(b.0)).collect(),
             start: bodies.iter().map(|b| near(&b.2)).collect(),
-            after: events.iter().map(|c| [middle(&c.after[0]), middle(&c.after[1])]).collect(),
+            after: outcome
+                .in_order()
+                .map(|entry| match entry {
+                    Entry::Collision(_, c) => [middle(&c.after[0]), middle(&c.after[1])],
+                    Entry::Joined(j) => [near(&j.velocity); 2],
+                })
+                .collect(),
             centre: (near(&(moment / &all)), near(&(momentum / all))),
         }
+    }
+}
+
+/// How many collisions there are in all, in words.
+fn total(outcome: &Outcome) -> String {
+    match &outcome.status {
+        Status::Complete => counted(outcome),
+        Status::Collapse(_) => "infinitely many collisions".to_owned(),
+        Status::Limit(_) | Status::Ambiguous(_) => format!("{} and more", counted(outcome)),
     }
 }
 
 fn end(status: &Status) -> String {
     match status {
         Status::Complete => "no further collision follows".to_owned(),
-        Status::Collapse(found) => format!(
-            "infinitely many collisions before the time {}: the bodies {} to {} come together",
-            decimal(&found.time, SHORT.1),
-            found.bodies.0,
-            found.bodies.1
-        ),
+        Status::Collapse(found) => {
+            format!("those of the bodies {} to {} never end", found.bodies.0, found.bodies.1)
+        }
         Status::Limit(Limit::Events { allowed }) => format!("limit reached: {allowed} collisions, and more are due"),
         Status::Limit(_) => "limit reached: the numbers have become too long".to_owned(),
         Status::Ambiguous(found) => format!(
-            "the bodies {} to {} touch at one instant; what follows depends on the order of their collisions",
+            "the bodies {} to {} touch and several of their pairs approach at one instant; no law gives the order of these collisions, and the replay ends there",
             found.bodies.0, found.bodies.1
         ),
     }
@@ -254,6 +297,36 @@ mod tests {
         let found = replay("2", "1/2", "1");
         assert_eq!(found["again"], true);
         assert_eq!(found["rounded"], 12);
+        // No fraction passes as a time of the chain that was asked for.
+        for event in found["events"].as_array().expect("a list") {
+            assert_eq!(event["time"]["exact"], false, "{event}");
+        }
+    }
+
+    #[test]
+    fn bodies_that_stick_are_played_to_the_end() {
+        let found = replay("1", "0", "3");
+        assert_eq!(found["end"], "no further collision follows");
+        assert_eq!(found["total"], "1 collision, besides 3 times infinitely many");
+        assert_eq!(found["again"], true);
+        let events = found["events"].as_array().expect("a list");
+        assert_eq!(events.len(), 4);
+        assert!(events.iter().all(|e| e["of_the_pass"] == true));
+        assert_eq!((&events[3]["first"], &events[3]["last"], &events[3]["joined"]), (&json!(1), &json!(5), &json!(true)));
+        for i in 0..5 {
+            assert_eq!(found["final"][i]["text"], "1/5", "{found}");
+        }
+    }
+
+    #[test]
+    fn only_first_meetings_are_of_the_pass() {
+        let found = replay("1", "1/2", "2");
+        let mut seen = Vec::new();
+        for event in found["events"].as_array().expect("a list") {
+            assert_eq!(event["of_the_pass"] == true, !seen.contains(&event["first"]), "{event}");
+            seen.push(event["first"].clone());
+        }
+        assert!(seen.len() > 3);
     }
 
     #[test]
