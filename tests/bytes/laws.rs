@@ -105,8 +105,7 @@ fn replayed(scene: &carom::scene::replay::Scene) {
     use carom::report::replay::{Numbers, Replay, csv, html, json, svg, text};
     for (through_collapse, orders, exact_bits) in [(false, true, 2000), (true, false, 200)] {
         let exact_bits = Some(exact_bits);
-        let options =
-            Options { max_events: 120, list: 30, through_collapse, orders, exact_bits, ..Options::default() };
+        let options = Options { max_events: 120, list: 30, through_collapse, orders, exact_bits, ..Options::default() };
         let outcome = replay(&scene.line, &options).expect("the ledger balances");
         assert!(outcome.in_order().count() as u64 <= outcome.count + outcome.joins);
         let title = scene.title.as_deref();
