@@ -118,9 +118,9 @@ impl Block {
 /// velocities that do not fall.
 pub(super) fn settle(line: &Line, v: &[Rational], first: usize, last: usize) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
-    for k in first..=last {
-        let mass = line.points[k].mass.clone();
-        let momentum = mass.as_ref().map_or(Rational::ZERO, |m| m * &v[k]);
+    for (k, (point, v)) in line.points.iter().zip(v).enumerate().take(last + 1).skip(first) {
+        let mass = point.mass.clone();
+        let momentum = mass.as_ref().map_or(Rational::ZERO, |m| m * v);
         let mut block = Block { points: (k, k), mass, momentum };
         while let Some(left) = blocks.pop() {
             if left.velocity() > block.velocity() {

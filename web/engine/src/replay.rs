@@ -312,7 +312,10 @@ mod tests {
         let events = found["events"].as_array().expect("a list");
         assert_eq!(events.len(), 4);
         assert!(events.iter().all(|e| e["of_the_pass"] == true));
-        assert_eq!((&events[3]["first"], &events[3]["last"], &events[3]["joined"]), (&json!(1), &json!(5), &json!(true)));
+        assert_eq!(
+            (&events[3]["first"], &events[3]["last"], &events[3]["joined"]),
+            (&json!(1), &json!(5), &json!(true))
+        );
         for i in 0..5 {
             assert_eq!(found["final"][i]["text"], "1/5", "{found}");
         }
