@@ -165,12 +165,26 @@ function best(value) {
 const HELPS = { yes: "it passes on more than one body fewer would", no: "one body fewer would pass on more", depends: "depends on the measured inputs",
   "exactly on the threshold": "e = L exactly: with or without it, the same" };
 
+/** What the claims behind an answer say with the numbers of this chain put in. */
+function here(quantity) {
+  const { value, error, mathml: formula } = answers.answers[quantity];
+  if (error || !value || Array.isArray(value)) return [];
+  const head = make("p", { class: "label" }, "With the numbers of this chain");
+  if (quantity === "eta" || quantity === "threshold") return value.decimal ? [head, number(value, { formula })] : [];
+  const least = answers.answers.threshold?.value;
+  const e = answers.plain.e;
+  if (quantity !== "helps" || !least?.decimal || e.length !== 1) return [];
+  const compared = { yes: "above", no: "below", "exactly on the threshold": "exactly" }[value];
+  return compared ? [head, make("p", {}, `e = ${e[0]} is ${compared} L`, make("sub", {}, answers.n), " = ",
+    short(least, 12), `: ${HELPS[value]}.`)] : [];
+}
+
 function card(quantity) {
   const { value, error, mathml: formula } = answers.answers[quantity];
   const list = Array.isArray(value);
   const [sign, words] = title(quantity);
   const head = make("div", { class: "card-head" }, make("h2", {}, make("span", { class: "sign" }, sign), " ", make("small", {}, words)),
-    whyButton(words, answers.why[quantity]));
+    whyButton(words, answers.why[quantity], () => here(quantity)));
   let body;
   if (error) body = make("p", { class: "refusal" }, sentence(error));
   else if (list) {
@@ -337,6 +351,7 @@ async function ask() {
   showFault(form, $("chain-error"), found.error);
   for (const part of document.querySelectorAll(".results > .card:not(#prediction), #quantities, #summary, #again, #stage, #player")) outdated(part, Boolean(found.error));
   if (found.error) {
+    $("panel-chain").classList.remove("unready");
     announce(sentence(found.error));
     return;
   }
@@ -350,6 +365,7 @@ async function ask() {
   move($("n-slider"), COUNT, found.places.n);
   showAgain();
   showBodies();
+  $("panel-chain").classList.remove("unready");
   document.documentElement.dataset.firstAnswer ??= performance.now().toFixed(0);
   settle($("panel-chain"));
   const eta = found.answers.eta.value;
@@ -441,7 +457,6 @@ export function start() {
   });
   state.onRestore(() => { restore(); ask(); });
   predict.start(fields, stage.play);
-  stage.show(null);
   restore();
   return ask();
 }

@@ -2,14 +2,15 @@
 
 import { make } from "./dom.js";
 
-/** `code`, **strong** and [links](…) inside a paragraph; a link's text stays. */
+/** `code`, **strong**, *emphasis* and [links](…) inside a paragraph; a link's text stays. */
 function inline(text) {
   const parts = [];
   let at = 0;
-  for (const match of text.matchAll(/`([^`]+)`|\*\*([^*]+)\*\*|\[([^\]]+)\]\([^)]*\)/g)) {
+  for (const match of text.matchAll(/`([^`]+)`|\*\*([^*]+)\*\*|\[([^\]]+)\]\([^)]*\)|\*([^\s*][^*]*)\*/g)) {
     parts.push(text.slice(at, match.index));
     if (match[1] !== undefined) parts.push(make("code", {}, match[1]));
-    else parts.push(match[2] !== undefined ? make("strong", {}, ...inline(match[2])) : match[3]);
+    else if (match[2] !== undefined) parts.push(make("strong", {}, ...inline(match[2])));
+    else parts.push(match[4] !== undefined ? make("em", {}, ...inline(match[4])) : match[3]);
     at = match.index + match[0].length;
   }
   parts.push(text.slice(at));

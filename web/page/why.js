@@ -36,9 +36,12 @@ async function show(id) {
   settle(body);
 }
 
-/** Opens the dialog on some claims. */
-export function open(title, ids, first = ids[0]) {
+/** Opens the dialog on some claims; `here` gives what they say about the chain on the page. */
+export function open(title, ids, first = ids[0], here = null) {
   names = ids;
+  const numbers = here?.() ?? [];
+  $("why-here").replaceChildren(...numbers);
+  $("why-here").hidden = !numbers.length;
   $("why-title").textContent = title;
   $("why-tabs").replaceChildren(...ids.map((id) => {
     const button = make("button", { type: "button", onclick: () => show(id), "aria-pressed": "false" }, id);
@@ -51,8 +54,9 @@ export function open(title, ids, first = ids[0]) {
 }
 
 /** A button beside a result. */
-export const whyButton = (of, ids) =>
-  make("button", { type: "button", class: "why", "aria-label": `Why? ${of}`, onclick: () => open(`Why? ${of}`, ids) }, "why?");
+export const whyButton = (of, ids, here) =>
+  make("button", { type: "button", class: "why", "aria-label": `why? ${of}`, onclick: () => open(`Why? ${of}`, ids, ids[0], here) }, "why?");
 
+$("why").addEventListener("close", () => $("why-here").replaceChildren());
 $("why-close").addEventListener("click", () => $("why").close());
 $("why").addEventListener("click", (event) => { if (event.target === $("why")) $("why").close(); });

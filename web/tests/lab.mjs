@@ -162,6 +162,9 @@ test("why? shows the equation, its verdict and its argument", async () => {
     await page.click(".quantity.eta .why");
     await shows(page, "#why-body .badge", "proved");
     await shows(page, "#why-body h3", "(25)");
+    // The numbers of this chain are put in.
+    assert.match(await page.textContent("#why-here"), /0\.373137511773739/);
+    assert.ok(await page.locator("#why-here math mn").count() > 3);
     assert.ok(await page.locator("#why-body .formula math mfrac").count() > 0);
     assert.ok(await page.locator("#why-body .argument li").count() > 0);
     await shoot(page, "why", false);
@@ -169,6 +172,9 @@ test("why? shows the equation, its verdict and its argument", async () => {
     await shows(page, "#why-body h3", "No chain does better");
     await page.keyboard.press("Escape");
     await page.waitForSelector("#why", { state: "hidden" });
+    await page.click(".quantity.helps .why");
+    assert.match(await page.textContent("#why-here"), /e = 9\/10 is below L7 = 0\.976745871221…/);
+    await page.keyboard.press("Escape");
   });
 });
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { test } from "node:test";
-import { DIST, answered, browser, listen } from "./browser.mjs";
+import { DIST, answered, browser, listen, visit } from "./browser.mjs";
 
 const SERVER = new URL("../server.py", import.meta.url).pathname;
 /** Bits per second of a slow line, and milliseconds for a round trip. */
@@ -89,5 +89,23 @@ server.main()
   } finally {
     await close();
     server.kill();
+  }
+});
+
+test("nothing jumps while the page fills", async () => {
+  for (const options of [{ viewport: { width: 1350, height: 940 } }, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true }]) {
+    await visit("", async (page) => {
+      await page.addInitScript(() => {
+        globalThis.shifts = [];
+        new PerformanceObserver((list) => globalThis.shifts.push(...list.getEntries().map((e) => e.value))).observe({ type: "layout-shift", buffered: true });
+      });
+      await page.reload();
+      await answered(page);
+      await page.waitForSelector("#stage g");
+      await page.waitForTimeout(1000);
+      const all = await page.evaluate(() => globalThis.shifts.reduce((a, b) => a + b, 0));
+      console.log(`  ${options.viewport.width} px: layout shift ${all.toFixed(3)}`);
+      assert.ok(all < 0.1, `layout shift ${all}`);
+    }, options);
   }
 });
