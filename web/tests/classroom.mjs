@@ -293,7 +293,7 @@ test("numbers of a replay with rounded masses are marked as near ones", async ()
     assert.doesNotMatch(await page.textContent("#replay-note"), /exact for those|rods/);
     // Where all masses are rational, the numbers are exact.
     await page.selectOption("#preset", { label: "Final after one pass" });
-    await shows(page, "#replay-note", "After 3 collisions");
+    await shows(page, "#replay-note", "In all 3 collisions");
     await page.click("#forward");
     assert.doesNotMatch(await page.textContent("#event"), /≈/);
   });
