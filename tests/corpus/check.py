@@ -517,15 +517,19 @@ class Claim:
         other.domains = [(n, f, relaxed(d, match[2])) if n == match[1] else (n, f, d) for n, f, d in self.domains]
         return other if other.domains != self.domains else None
 
-    def counterexample(self):
+    def counterexample(self, tries=1500):
         """A point at which the hypotheses hold and the claim does not, or None."""
+        return self.sample(tries, lambda env, rng: not self.holds(env, rng))
+
+    def sample(self, tries, wanted=lambda env, rng: True):
+        """A point at which the hypotheses hold, and what is wanted, or None."""
         rng = random.Random(self.name)
-        for _ in range(1500):
+        for _ in range(tries):
             try:
                 env = self.start(rng, {})
                 env = self.solved(env, rng) if rng.random() < 0.7 else env
-                if self.allowed(env, rng) and not self.holds(env, rng):
-                    return ", ".join(f"{n} = {mpmath.nstr(v, 12)}" for n, v in env.items() if not callable(v))
+                if self.allowed(env, rng) and wanted(env, rng):
+                    return ", ".join(f"{n} = {mpmath.nstr(v, 12)}" for n, v in env.items() if not callable(v)) or "every point"
             except (Undefined, ValueError, ZeroDivisionError, OverflowError, TypeError):
                 continue
         return None
@@ -555,7 +559,9 @@ class Claim:
             if a[0] == "all":
                 env[name].step = int(index[2][1]), factor, right
             else:
-                env[name].members[int(index[1])] = value(right, env)
+                found = value(right, env)
+                if not equal(env[name].members.setdefault(int(index[1]), found), found):
+                    raise Undefined  # Two hypotheses give the member different values.
         return env
 
     def solved(self, env, rng):
