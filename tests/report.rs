@@ -331,6 +331,27 @@ fn a_pdf_is_made_by_latex_without_shell_escape_and_its_lack_loses_nothing() {
     assert_eq!(std::fs::read_to_string(out.join("report.pdf")).expect("the PDF"), asked);
 }
 
+#[test]
+fn a_claim_of_ones_own_is_told_from_its_hypotheses_and_restored_by_nobody() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (file, out) = (folder.path().join("a.claim"), folder.path().join("out"));
+    std::fs::write(&file, "claim a \"t\"\ngiven x > 0\nassume x > 1\nprove x^2 > 1\n").expect("written");
+    let picture = ["--plot", "map --ratio 1/2,2"];
+    let run = carom().arg("report").arg(&file).arg("--out").arg(&out).args(picture).output().expect("runs");
+    assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+    let written = files(&out);
+    for name in ["index.html", "report.md", "report.tex"] {
+        assert!(!text(&written, name).contains("restored"), "{name}");
+    }
+    let tex = text(&written, "report.tex");
+    let place = |what: &str| tex.find(what).unwrap_or_else(|| panic!("{what} in {tex}"));
+    let (hypotheses, claim) = (place("\\textit{Hypotheses and definitions}"), place("\\textit{Claim}"));
+    assert!(hypotheses < place("x > 1}") && place("x > 1}") < claim && claim < place("x^{2} > 1}"), "{tex}");
+    // Without the picture, what is left of it is named.
+    let run = carom().arg("report").arg(&file).arg("--out").arg(&out).output().expect("runs");
+    assert!(said(&run).contains("not of this report: plots/plot-1.png, plots/plot-1.svg"), "{}", said(&run));
+}
+
 #[cfg(unix)]
 #[test]
 fn latex_that_was_stopped_is_not_blamed_on_packages() {

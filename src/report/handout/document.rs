@@ -120,8 +120,13 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         out.push_str("; \\textbf{not as expected}");
     }
     out.push_str(".\n");
-    for line in statement(claim, Style::Latex) {
-        out.push_str(&format!("\\formula{{{line}}}\n"));
+    let lines = statement(claim, Style::Latex);
+    let (hypotheses, goal) = lines.split_at(lines.len().saturating_sub(1));
+    for (title, lines) in [("Hypotheses and definitions", hypotheses), ("Claim", goal)] {
+        if !hypotheses.is_empty() {
+            out.push_str(&format!("\n\\textit{{{title}}}\n"));
+        }
+        lines.iter().for_each(|line| out.push_str(&format!("\\formula{{{line}}}\n")));
     }
     if !outcome.argument.is_empty() && outcome.witness.is_none() {
         for line in &outcome.argument {
