@@ -3,6 +3,7 @@
 
 #[path = "../src/claim"]
 mod claim {
+    pub mod definedness;
     pub mod syntax;
 }
 
@@ -83,6 +84,7 @@ fn the_kernel_imports_nothing_else() {
     let allowed = [
         "super",
         "crate::certificate",
+        "crate::claim::definedness",
         "crate::claim::syntax",
         "num_bigint",
         "num_rational",

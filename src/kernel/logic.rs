@@ -293,9 +293,10 @@ impl Checker {
                     self.same_domain(binding, other)?;
                     map.rename_family(&variable.text, other);
                 } else {
-                    let f = self.scalar(&value)?;
                     if binding.natural {
-                        self.natural(&f)?;
+                        self.natural_by_form(&value)?;
+                    } else {
+                        self.scalar(&value)?;
                     }
                     map.replace(&variable.text, &value);
                 }

@@ -449,6 +449,7 @@ impl Checker {
         };
         self.consult(family.source);
         let (binding, index) = (family.binding.clone(), family.index.to_string());
+        self.natural_by_form(argument)?;
         let mut map = super::statement::Substitution::default();
         map.replace(&index, argument);
         let member = sides.first().cloned().unwrap_or_else(|| name(""));

@@ -9,6 +9,7 @@ use super::fraction::{Fraction, Poly};
 use super::order::Signs;
 use super::statement::{DEPTH_LIMIT, NODES_LIMIT};
 use super::{Checker, Failure, Replaced, Variable, declined, rejected, text};
+use crate::claim::definedness::{self, Exponent};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -125,7 +126,8 @@ impl Checker {
             ExprKind::Power(base, exponent) => {
                 let b = self.scalar_in(base, depth)?;
                 let e = self.scalar_in(exponent, depth)?;
-                self.raised(&b, &e)?
+                let kind = definedness::exponent(exponent, &|name| self.is_natural_name(name));
+                self.raised(&b, &e, kind)?
             }
             ExprKind::SumOver(index, body) => self.over(true, index, body, depth)?,
             ExprKind::ProductOver(index, body) => self.over(false, index, body, depth)?,
@@ -269,8 +271,8 @@ impl Checker {
             sum.times(&two.power(-1)?, &checker.work)
         };
         Ok(Value::Scalar(match name {
-            "sqrt" => self.raised(&x, &two.power(-1)?)?,
-            "cbrt" => self.raised(&x, &Fraction::integer(3).power(-1)?)?,
+            "sqrt" => self.raised(&x, &two.power(-1)?, Exponent::Root)?,
+            "cbrt" => self.raised(&x, &Fraction::integer(3).power(-1)?, Exponent::Root)?,
             "exp" => self.exponential(&x)?,
             "ln" => self.logarithm_of(&x)?,
             "cosh" => half_sum(self, true)?,
@@ -290,6 +292,25 @@ impl Checker {
             return rejected(&format!("{name} has members for some indices only, which the kernel does not follow"));
         }
         Ok(self.atom_value(Atom::Member(name.to_string(), index)))
+    }
+
+    /// Whether a name stands for natural numbers: a variable, an index, or a family of them.
+    pub(super) fn is_natural_name(&self, name: &str) -> bool {
+        let variable = self.variable(name).filter(|v| v.natural).map(|v| v.source);
+        let family = self.family(name).filter(|f| f.binding.natural).map(|f| Some(f.source));
+        let declared = variable.or(family);
+        declared.flatten().iter().for_each(|source| self.consult(*source));
+        declared.is_some()
+    }
+
+    /// Whether an expression is a natural number, and whole by its form: put for a natural variable, it leaves every
+    /// power a power of the same kind.
+    pub(super) fn natural_by_form(&mut self, e: &Expr) -> Result<Poly, Failure> {
+        let value = self.scalar(e)?;
+        if !definedness::is_whole(e, &|name| self.is_natural_name(name)) {
+            return rejected(&format!("{} is not whole by its form", text::expr(e)));
+        }
+        self.natural(&value)
     }
 
     /// Whether a fraction is a natural number: a polynomial with whole coefficients in natural
@@ -380,10 +401,17 @@ impl Checker {
         result
     }
 
-    /// A power: whole exponents by multiplication, others as exp(E·ln b) with b > 0.
-    pub(super) fn raised(&mut self, base: &Fraction, exponent: &Fraction) -> Result<Fraction, Failure> {
+    /// A power: whole exponents by multiplication, others as exp(E·ln b) with b > 0. What the base has to be is decided
+    /// by the form of the exponent, [`definedness`]: of the others nothing is asked but what the reader of a claim sees.
+    fn raised(&mut self, base: &Fraction, exponent: &Fraction, kind: Exponent) -> Result<Fraction, Failure> {
         if let Some(k) = exponent.as_integer() {
-            if k < 0 && !self.signs_of(base)?.within(Signs::NOT_ZERO) {
+            let signs = self.signs_of(base)?;
+            if kind != Exponent::Whole && !signs.within(Signs::POSITIVE) {
+                return rejected(
+                    "a power of what is not shown to be positive, whose exponent is not whole by its form",
+                );
+            }
+            if k < 0 && !signs.within(Signs::NOT_ZERO) {
                 return rejected("a negative power of what may be 0");
             }
             return base.power(k);

@@ -7,6 +7,7 @@
 //! Roots of numbers that are no perfect powers become intervals of relative width 2^−[`PRECISION`].
 
 use super::expand::Sequence;
+use crate::claim::definedness::{self, Exponent};
 use crate::claim::syntax::*;
 use crate::number::{elementary, rational};
 use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
@@ -58,7 +59,7 @@ pub struct Assignment {
     pub values: HashMap<String, Rational>,
     /// Bound indices: they hide variables in what they bind, but not in the definitions of sequences and ranges.
     pub indices: HashMap<String, Rational>,
-    /// Variables that are natural numbers by their declaration.
+    /// Variables and families that are natural numbers by their declaration.
     pub naturals: Rc<HashSet<String>>,
     /// Families: the values that members take in turn.
     pub families: HashMap<String, Vec<Rational>>,
@@ -414,8 +415,8 @@ impl Assignment {
                 return Ok(product);
             }
             Power(a, b) => {
-                let (a, b) = (self.number(a)?, self.number(b)?);
-                self.power(&a, &b, e)?
+                let kind = definedness::exponent(b, &|name| self.is_natural_name(name));
+                self.power(&self.number(a)?, &self.number(b)?, kind, e)?
             }
             Apply(name, arguments) => return self.apply(name, arguments, e),
             SumOver(index, body) | ProductOver(index, body) => {
@@ -457,8 +458,21 @@ impl Assignment {
         }
     }
 
-    fn power(&self, a: &Number, b: &Number, e: &Expr) -> Result<Number> {
+    fn power(&self, a: &Number, b: &Number, kind: Exponent, e: &Expr) -> Result<Number> {
         let text = || crate::claim::print::expr(e);
+        let (low, high) = a.ends();
+        let missing = match kind {
+            Exponent::Whole => false,
+            Exponent::Root => *high < 0,
+            Exponent::Real => *high <= 0,
+        };
+        if missing {
+            let wanted = if kind == Exponent::Root { "at least 0" } else { "above 0" };
+            return Err(Missing::Undefined(format!("{} has a value only where the base is {wanted}", text())));
+        }
+        if kind != Exponent::Whole && (*low < 0 || kind == Exponent::Real && *low == 0) {
+            return Err(Missing::Unknown);
+        }
         let Number::Exact(q) = b else {
             // a^b = exp(b·ln a) for a > 0.
             if *a.ends().0 <= 0 {
@@ -471,40 +485,20 @@ impl Assignment {
         else {
             return Err(Missing::Unknown);
         };
-        let (low, high) = a.ends();
-        // Powers of negative numbers exist for exponents that are whole by what they are made of, not by chance.
-        if *low < 0 && k == 1 && !matches!(&e.kind, ExprKind::Power(_, exponent) if self.is_whole(exponent)) {
-            return Err(Missing::Unknown);
-        }
         if k == 1 && p.unsigned_abs() > LARGEST.unsigned_abs() {
             return large_power(a, p, *q < 0, text);
         }
         if p.unsigned_abs() > LARGEST.unsigned_abs() || k > LARGEST {
             return Err(Missing::Unknown);
         }
-        let base = if k == 1 {
-            a.clone()
-        } else if *high < 0 {
-            return Err(Missing::Undefined(format!("{} takes a root of a negative number", text())));
-        } else if *low < 0 {
-            return Err(Missing::Unknown);
-        } else {
-            root(a, k.unsigned_abs())
-        };
+        let base = if k == 1 { a.clone() } else { root(a, k.unsigned_abs()) };
         let power = whole_power(&base, p.unsigned_abs())?;
         if *q < 0 { invert(&power, text) } else { Ok(power) }
     }
 
-    /// Whether an expression is a whole number wherever it has a value.
-    fn is_whole(&self, e: &Expr) -> bool {
-        match &e.kind {
-            ExprKind::Name(name) => self.indices.contains_key(name) || self.naturals.contains(name),
-            ExprKind::Number(text) => rational::parse(text).is_ok_and(|q| (&q).is_integer()),
-            ExprKind::Negate(a) => self.is_whole(a),
-            ExprKind::Sum(list) => list.iter().all(|(_, a)| self.is_whole(a)),
-            ExprKind::Product(list) => list.iter().all(|(operator, a)| *operator == Factor::Times && self.is_whole(a)),
-            _ => false,
-        }
+    /// Whether a name stands for natural numbers: a variable, an index, or a family of them.
+    fn is_natural_name(&self, name: &str) -> bool {
+        self.indices.contains_key(name) || self.naturals.contains(name)
     }
 
     fn apply(&self, name: &Name, arguments: &[Expr], e: &Expr) -> Result<Value> {
@@ -528,8 +522,8 @@ impl Assignment {
         let argument = arguments.first().ok_or(Missing::Unknown)?;
         let half = |k: i64| Number::Exact(Rational::from_signeds(1, k));
         Ok(Value::Scalar(match text {
-            "sqrt" => self.power(&self.number(argument)?, &half(2), e)?,
-            "cbrt" => self.power(&self.number(argument)?, &half(3), e)?,
+            "sqrt" => self.power(&self.number(argument)?, &half(2), Exponent::Root, e)?,
+            "cbrt" => self.power(&self.number(argument)?, &half(3), Exponent::Root, e)?,
             "exp" => exponential(&self.number(argument)?)?,
             "ln" => logarithm(&self.number(argument)?, || crate::claim::print::expr(e))?,
             "cosh" | "sinh" | "tanh" | "sech" => hyperbolic(text, &self.number(argument)?)?,

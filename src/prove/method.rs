@@ -11,6 +11,7 @@ use super::argument::not_shown;
 use super::context::*;
 use super::expand::{Substitution, names_of_prop};
 use crate::algebra::form::{Atom, Form};
+use crate::claim::definedness;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use malachite::Rational;
@@ -409,6 +410,10 @@ impl Engine<'_> {
     /// Shows that a value is a natural number: an integer combination of natural variables, not
     /// negative.
     fn natural(&mut self, cx: &mut Context, value: &Expr) -> Result<()> {
+        // By its form as well, so that a power keeps its meaning where the value is put into the exponent.
+        if !definedness::is_whole(value, &|name| super::translate::is_natural_name(cx, name)) {
+            return Err(Failure::NotShown(format!("{} is a whole number by its form", print::expr(value))));
+        }
         let form = self.valued(cx, value)?;
         for summand in self.ring.summands(&form)? {
             let whole = (&summand.coefficient).is_integer()

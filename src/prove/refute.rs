@@ -70,6 +70,9 @@ impl Search {
     fn declare(&mut self, bindings: &[Binding]) {
         for binding in bindings {
             for (name, index) in &binding.names {
+                if binding.natural {
+                    Rc::make_mut(&mut self.base.naturals).insert(name.text.clone());
+                }
                 if index.is_some() {
                     let mut single = binding.clone();
                     single.names = vec![(name.clone(), None)];
@@ -80,9 +83,6 @@ impl Search {
                     }
                 } else {
                     self.names.push((name.text.clone(), binding.natural));
-                    if binding.natural {
-                        Rc::make_mut(&mut self.base.naturals).insert(name.text.clone());
-                    }
                 }
             }
             self.hypotheses.extend(super::assume::domain(binding));
@@ -110,7 +110,7 @@ impl Search {
         let kept = |name: &String, natural: bool, fits: &dyn Fn(&Assignment) -> bool| {
             let all = if natural { &naturals } else { &reals };
             let allowed = |value: &&Rational| {
-                let mut alone = Assignment::default();
+                let mut alone = Assignment { naturals: self.base.naturals.clone(), ..Assignment::default() };
                 alone.values.insert(name.clone(), (*value).clone());
                 fits(&alone)
             };
@@ -222,7 +222,7 @@ impl Search {
                     _ => false,
                 });
                 let allowed = (0..24).chain([super::evaluate::LARGEST + 1]).all(|k| {
-                    let mut alone = Assignment::default();
+                    let mut alone = Assignment { naturals: self.base.naturals.clone(), ..Assignment::default() };
                     alone.values.insert(name.clone(), &first * (&ratio).pow(k));
                     domain.iter().all(|h| alone.truth(h) == Ok(true))
                 });

@@ -8,6 +8,7 @@
 use super::context::*;
 use super::expand::Sequence;
 use crate::algebra::form::{Atom, Exponent, Form, Over, factor_number};
+use crate::claim::definedness;
 use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
@@ -157,7 +158,8 @@ impl Engine<'_> {
             Power(base, exponent) => {
                 let b = self.scalar(cx, base, conditions)?;
                 let e = self.scalar(cx, exponent, conditions)?;
-                self.raise(cx, &b, &e, &text_of(expr), conditions)?
+                let kind = definedness::exponent(exponent, &|name| is_natural_name(cx, name));
+                self.power_valued(cx, &b, &e, kind, &text_of(expr), conditions)?
             }
             SumOver(index, body) => self.over(cx, index, body, true, conditions)?,
             ProductOver(index, body) => self.over(cx, index, body, false, conditions)?,
@@ -396,7 +398,28 @@ impl Engine<'_> {
         }
     }
 
-    /// base^exponent.
+    /// base^exponent as a claim has it, with the condition that the form of the exponent asks of the base.
+    fn power_valued(
+        &mut self,
+        cx: &mut Context,
+        base: &Form,
+        exponent: &Form,
+        kind: definedness::Exponent,
+        text: &str,
+        conditions: &mut Vec<Condition>,
+    ) -> Result<Form> {
+        if kind == definedness::Exponent::Real {
+            conditions.push(Condition { form: base.clone(), relation: Relation::Greater, text: text.to_string() });
+            if base.is_zero() {
+                return Err(Failure::Undefined(format!("in {text} the base is 0")));
+            }
+        }
+        // Whole numbers and roots are looked at below; where a whole exponent is no number the base has to be positive.
+        self.raise(cx, base, exponent, text, conditions)
+    }
+
+    /// base^exponent, where it has a value by the conditions of [`Engine::power_valued`] or because it was made from
+    /// what has one.
     pub fn raise(
         &mut self,
         cx: &mut Context,
@@ -810,6 +833,13 @@ fn split_constant(engine: &mut Engine, form: &Form) -> Result<(Form, i64)> {
     }
     let Ok(c) = i64::try_from(&constant) else { return Ok((form.clone(), 0)) };
     Ok((engine.ring.add(&rest)?, c))
+}
+
+/// Whether a name stands for natural numbers: a variable, an index, or a family of them.
+pub fn is_natural_name(cx: &Context, name: &str) -> bool {
+    cx.indices.contains_key(name)
+        || cx.variables.iter().any(|(v, natural)| v == name && *natural)
+        || cx.families.get(name).is_some_and(|f| f.binding.natural)
 }
 
 /// Whether a hypothesis may tie a variable to others.
