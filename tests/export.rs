@@ -205,6 +205,39 @@ fn powers_are_those_of_the_claim() {
 }
 
 #[test]
+fn a_power_is_read_by_the_form_of_its_exponent_with_definitions_put_in_place() {
+    let named = full("given x real\nlet k = 2\nlet p(t) = x^t\nprove x^k = p(2) and x^(4/2) = x^2.0");
+    assert_eq!(named, "forall (x : R), x ^ 2 = x ^ 2 /\\ x ^ 2 = x ^ 2");
+    let negative = "given x real != 0; n natural\nprove x^(-n)*x^n = 1 and x^(1 - 3) = 1/x^2";
+    assert!(full(negative).ends_with("(/ x ^ n) * x ^ n = 1 /\\ / x ^ 2 = 1 / x ^ 2"), "{}", full(negative));
+    let statement = coq::statement(&one(&format!("claim c \"t\"\n{negative}\n"))).expect("said");
+    let defined = statement.defined.expect("there are conditions");
+    for condition in ["(x <> 0 \\/ 0 <= - INR n)", "x <> 0 /\\"] {
+        assert!(defined.contains(condition), "{defined}");
+    }
+    // A divisor x^n is not 0 for n = 0, whatever x is.
+    let divided = coq::statement(&one("claim c \"t\"\ngiven x real; n natural\nprove 1/x^n = 1/x^n\n")).expect("said");
+    assert!(divided.defined.expect("a divisor").contains("x ^ n <> 0"));
+    // `Rpower 0 (1 / 2)` is 1.
+    for body in ["x^(1/2) = sqrt(x)", "cbrt(x)^3 = x", "x^0.3 >= 0"] {
+        assert!(refusal(&format!("given x >= 0\nprove {body}")).contains("of what may be 0"), "{body}");
+    }
+    assert!(refusal("given x real; n natural >= 1\nprove x^(n - 1)*x = x^n").contains("may be negative"));
+    assert!(full("given x real\nprove for all t > 0: t^(1/2) = sqrt(t)").contains("Rpower t (1 / 2)"));
+}
+
+#[test]
+fn a_range_that_may_end_before_it_begins_is_a_condition() {
+    let defined = |body: &str| coq::statement(&one(&format!("claim c \"t\"\n{body}\n"))).expect("said").defined;
+    let needed = defined("given f(k) > 0; n natural\nprove sum(i = 5..n, f(i)) >= 0").expect("there is a condition");
+    assert!(needed.contains("(5 <= n + 1)%nat"), "{needed}");
+    assert_eq!(
+        defined("given f(k) > 0; n natural\nprove sum(i = 1..n, f(i)) >= 0 and sum(i = n..n + 2, f(i)) > 0"),
+        None
+    );
+}
+
+#[test]
 fn names_do_not_capture_words_of_coq() {
     assert_eq!((coq::identifier("nat"), coq::identifier("eq10-roots")), ("nat_".into(), "eq10_roots".into()));
     let text = full("given R, fun, Rpower, exists', INR > 0\nprove R*fun*Rpower*INR = INR*Rpower*fun*R");

@@ -11,16 +11,17 @@
 //! Refused, with the reason: families on a part of the naturals, matrices among functions' values,
 //! bounds of a sum that are not natural by their form, determinants beyond two rows.
 
-use super::kinds::{Kind, Kinds, bind, is_matrix, is_natural, of_claim};
+use super::kinds::{Kind, Kinds, bind, is_matrix, is_natural, is_natural_name, of_claim};
 use super::positive::Positive;
-use super::values::{Collector, Condition, Guard, Need, integer_exponent};
+use super::values::{Collector, Condition, Guard};
 use super::{Result, Unsupported, unsupported};
+use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
 use crate::number::rational;
 use crate::prove::expand::{self, Substitution};
 use crate::{certificate, kernel};
 use malachite::base::num::basic::traits::One;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The longest line that is printed where there is a space to break at.
 const WIDTH: usize = 110;
@@ -128,6 +129,7 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         definitions: Substitution::default(),
         positive: Positive::of_claim(claim),
         tied: Vec::new(),
+        in_place_only: BTreeSet::new(),
     };
     for (_, prop) in &expanded.assumptions {
         let text = printer.prop(prop)?.0;
@@ -144,13 +146,16 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
     for item in &claim.items {
         if let Item::Let { name, parameters, value } = item {
             let value = printer.in_place(value)?;
+            if printer.powers_depend_on(&name.text, parameters, &value) {
+                printer.in_place_only.insert(name.text.clone());
+            }
             let parameters = parameters.iter().map(|p| p.text.clone()).collect();
             printer.definitions.define(&name.text, parameters, value);
         }
     }
     let mut assumptions = expanded.assumptions.iter();
     let (mut full, mut bare) = (Vec::new(), Vec::new());
-    let mut values = Collector::new(printer.kinds.clone());
+    let mut values = Collector::new(&printer.kinds, &printer.positive);
     for item in &claim.items {
         match item {
             Item::Given(bindings) => {
@@ -158,12 +163,13 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
                     full.push(printer.given(binding)?);
                 }
             }
+            Item::Let { name, .. } if printer.in_place_only.contains(&name.text) => {}
             Item::Let { name, parameters, value } => full.push(printer.definition(name, parameters, value)?),
             Item::Define { name, initial, index, step, .. } => {
                 full.push(printer.sequence(&name.text, initial, &index.text, step)?);
             }
             Item::Assume { prop, .. } => {
-                let mut divisors = Collector::new(printer.kinds.clone());
+                let mut divisors = Collector::new(&printer.kinds, &printer.positive);
                 if let Some((_, prop)) = assumptions.next() {
                     divisors.prop(prop);
                 }
@@ -183,7 +189,7 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         values.sequence(&sequence.initial, &sequence.index, &sequence.step);
     }
     for (_, prop) in &expanded.assumptions {
-        let mut divisors = Collector::new(printer.kinds.clone());
+        let mut divisors = Collector::new(&printer.kinds, &printer.positive);
         divisors.prop(prop);
         divisors.found.retain(|c| !printer.plain(c));
         for need in printer.conditions(&divisors.found)? {
@@ -291,14 +297,18 @@ struct Printer {
     positive: Positive,
     /// What restricts variables otherwise than from below, as printed: no limit by these.
     tied: Vec<String>,
+    /// Definitions whose powers are of another kind where they are used: they are put in place.
+    in_place_only: BTreeSet<String>,
 }
 
 impl Printer {
     /// Whether a condition follows from the declarations by its form alone; a premise then says nothing.
     fn plain(&self, condition: &Condition) -> bool {
         match &condition.need {
-            Need::NotZero(e) | Need::Positive(e) | Need::NotNegative(e) => self.positive.holds(e, &self.kinds),
-            Need::Differentiable(..) => false,
+            Need::NotZero(e) | Need::Positive(e) | Need::NotNegative(e) | Need::NotZeroOrNatural(e, _) => {
+                self.positive.holds(e, &self.kinds)
+            }
+            Need::Range(..) | Need::Differentiable(..) => false,
         }
     }
 
@@ -308,6 +318,15 @@ impl Printer {
         add(&mut self.kinds);
         let out = work(self);
         self.kinds = saved;
+        out
+    }
+
+    /// Runs with the names of bindings in scope.
+    fn within_bindings<T>(&mut self, bindings: &[Binding], work: impl FnOnce(&mut Printer) -> Result<T>) -> Result<T> {
+        let saved = self.positive.clone();
+        self.positive.declare(bindings);
+        let out = self.within(|kinds| bind(bindings, kinds), work);
+        self.positive = saved;
         out
     }
 
@@ -469,6 +488,12 @@ impl Printer {
                 Need::NotZero(e) => format!("{} <> 0", self.real_at(e, SUM)?),
                 Need::Positive(e) => format!("{} > 0", self.real_at(e, SUM)?),
                 Need::NotNegative(e) => format!("0 <= {}", self.real_at(e, SUM)?),
+                Need::NotZeroOrNatural(base, exponent) => {
+                    format!("({} <> 0 \\/ 0 <= {})", self.real_at(base, SUM)?, self.real_at(exponent, SUM)?)
+                }
+                Need::Range(from, to) => {
+                    format!("({} <= {} + 1)%nat", at(self.natural(from)?, SUM), at(self.natural(to)?, SUM))
+                }
                 Need::Differentiable(e, by, order) => {
                     let (function, x) = (self.function_of(e, by)?, self.word(&by.text));
                     match order {
@@ -496,13 +521,10 @@ impl Printer {
                 let body = self.within(natural(&index.name.text), |p| p.condition(rest, need))?;
                 Ok(format!("(forall {k} : nat, ({} <= {k} <= {})%nat -> {body})", range.0, range.1))
             }
-            Guard::Bindings(bindings) => self.within(
-                |kinds| bind(bindings, kinds),
-                |p| {
-                    let given = p.all_given(bindings)?;
-                    Ok(format!("({given}{})", p.condition(rest, need)?))
-                },
-            ),
+            Guard::Bindings(bindings) => self.within_bindings(bindings, |p| {
+                let given = p.all_given(bindings)?;
+                Ok(format!("({given}{})", p.condition(rest, need)?))
+            }),
         }
     }
 
@@ -554,21 +576,7 @@ impl Printer {
                 }
                 (out, PRODUCT)
             }
-            ExprKind::Power(base, exponent) => match &exponent.kind {
-                _ if !integer_exponent(exponent, &self.kinds) => {
-                    let (base, exponent) = (self.real_at(base, ATOM)?, self.real_at(exponent, ATOM)?);
-                    (format!("Rpower {base} {exponent}"), APPLICATION)
-                }
-                ExprKind::Negate(positive) => {
-                    let power = ExprKind::Power(base.clone(), positive.clone());
-                    let power = self.real_at(&Expr { kind: power, span: expr.span }, POWER)?;
-                    (format!("/ {power}"), NEGATION)
-                }
-                _ => {
-                    let base = self.real_at(base, APPLICATION)?;
-                    (format!("{base} ^ {}", at(self.natural(exponent)?, ATOM)), POWER)
-                }
-            },
+            ExprKind::Power(base, exponent) => self.power(base, exponent, expr.span)?,
             ExprKind::SumOver(index, body) => self.over("sum_over", index, body)?,
             ExprKind::ProductOver(index, body) => self.over("product_over", index, body)?,
             ExprKind::Derivative(body, by) => {
@@ -583,13 +591,82 @@ impl Printer {
         })
     }
 
+    /// A power by the kind of its exponent, definitions put in place: `pow` for a natural number, `Rpower` where the base
+    /// is positive, by its form or because the claim has to say so.
+    fn power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Result<Text> {
+        let placed = self.in_place(exponent)?;
+        let natural = |p: &mut Printer, e: &Expr| Ok(at(p.natural(e)?, ATOM));
+        let kind = definedness::exponent(&placed, &|name| is_natural_name(name, &self.kinds));
+        let (negative, size) = match (definedness::number(&placed), &placed.kind) {
+            (Some((k, 1)), _) => (k < 0, k.unsigned_abs().to_string()),
+            _ if is_natural(exponent, &self.kinds) => (false, natural(self, exponent)?),
+            (_, ExprKind::Negate(inner)) if is_natural(inner, &self.kinds) => (true, natural(self, inner)?),
+            _ if kind != Exponent::Real && !self.is_positive(base)? => {
+                let reason = match kind {
+                    Exponent::Root => "a root, written as a power, of what may be 0",
+                    _ => "a power of what may be 0 or negative, with an exponent that may be negative",
+                };
+                return unsupported(span, reason);
+            }
+            _ => {
+                let (base, exponent) = (self.real_at(base, ATOM)?, self.real_at(exponent, ATOM)?);
+                return Ok((format!("Rpower {base} {exponent}"), APPLICATION));
+            }
+        };
+        let power = format!("{} ^ {size}", self.real_at(base, APPLICATION)?);
+        Ok(if negative { (format!("/ {power}"), NEGATION) } else { (power, POWER) })
+    }
+
+    /// Whether an expression is positive by its form, definitions put in place.
+    fn is_positive(&mut self, e: &Expr) -> Result<bool> {
+        let placed = self.in_place(e)?;
+        Ok(self.positive.holds(&placed, &self.kinds))
+    }
+
+    /// Whether a power or cube root in the value of a definition has a parameter in it and may be of another kind where
+    /// the definition is used: the value has no definitions in it.
+    fn powers_depend_on(&self, name: &str, parameters: &[Name], value: &Expr) -> bool {
+        let Some(Kind::Function(natural)) = self.kinds.get(name) else { return false };
+        let mut kinds = self.kinds.clone();
+        for (parameter, natural) in parameters.iter().zip(natural) {
+            kinds.insert(parameter.text.clone(), if *natural { Kind::Natural } else { Kind::Real });
+        }
+        let whole = |e: &Expr| {
+            let inner = if let ExprKind::Negate(inner) = &e.kind { inner } else { e };
+            matches!(definedness::number(e), Some((_, 1))) || is_natural(inner, &kinds)
+        };
+        let mut open = vec![value];
+        while let Some(e) = open.pop() {
+            let base = match &e.kind {
+                ExprKind::Power(base, exponent) if !whole(exponent) => Some(&**base),
+                ExprKind::Apply(f, arguments) if f.text == "cbrt" => arguments.first(),
+                _ => None,
+            };
+            let mut names = BTreeSet::new();
+            expand::names_in(e, &mut names);
+            if base.is_some_and(|base| !self.positive.holds(base, &kinds))
+                && parameters.iter().any(|p| names.contains(&p.text))
+            {
+                return true;
+            }
+            expand::parts(e, &mut |part| open.push(part));
+        }
+        false
+    }
+
     fn apply(&mut self, function: &Name, arguments: &[Expr], span: Span) -> Result<Text> {
         let name = function.text.as_str();
+        if self.in_place_only.contains(name) {
+            let call = Expr { kind: ExprKind::Apply(function.clone(), arguments.to_vec()), span };
+            let placed = self.in_place(&call)?;
+            return self.real(&placed);
+        }
         if FUNCTIONS.iter().any(|f| f.0 == name) {
             let [argument] = arguments else { return unsupported(span, format!("{name} of several arguments")) };
             return Ok(match name {
                 "det" => (format!("det2 {}", at(self.matrix(argument)?, ATOM)), APPLICATION),
                 "transpose" => return unsupported(span, "a matrix where a number is needed"),
+                "cbrt" if !self.is_positive(argument)? => return unsupported(span, "the cube root of what may be 0"),
                 _ => (format!("{name} {}", self.real_at(argument, ATOM)?), APPLICATION),
             });
         }
@@ -796,35 +873,29 @@ impl Printer {
                     _ => (pairs.iter().map(|p| format!("({p})")).collect::<Vec<_>>().join(" /\\ "), AND),
                 }
             }
-            PropKind::Exists(bindings, body) => self.within(
-                |kinds| bind(bindings, kinds),
-                |p| {
-                    let mut out = String::new();
-                    for binding in bindings {
-                        out.push_str(&format!("exists {}, ", p.binders(binding)?));
-                        for hypothesis in p.hypotheses(binding)? {
-                            out.push_str(&format!("{hypothesis} /\\ "));
-                        }
+            PropKind::Exists(bindings, body) => self.within_bindings(bindings, |p| {
+                let mut out = String::new();
+                for binding in bindings {
+                    out.push_str(&format!("exists {}, ", p.binders(binding)?));
+                    for hypothesis in p.hypotheses(binding)? {
+                        out.push_str(&format!("{hypothesis} /\\ "));
                     }
-                    // That the body has a value is part of what exists.
-                    let placed = p.definitions.prop(body).map_err(|l| Unsupported::limit(l.0, body.span))?;
-                    let mut values = Collector::new(p.kinds.clone());
-                    values.prop(&placed);
-                    for need in p.conditions(&values.found)? {
-                        out.push_str(&format!("{need} /\\ "));
-                    }
-                    out.push_str(&p.prop_at(body, AND)?);
-                    Ok((out, BINDER))
-                },
-            )?,
-            PropKind::ForAll(bindings, body) => self.within(
-                |kinds| bind(bindings, kinds),
-                |p| {
-                    let mut out = p.all_given(bindings)?;
-                    out.push_str(&p.prop_at(body, IMPLIES)?);
-                    Ok((out, BINDER))
-                },
-            )?,
+                }
+                // That the body has a value is part of what exists.
+                let placed = p.definitions.prop(body).map_err(|l| Unsupported::limit(l.0, body.span))?;
+                let mut values = Collector::new(&p.kinds, &p.positive);
+                values.prop(&placed);
+                for need in p.conditions(&values.found)? {
+                    out.push_str(&format!("{need} /\\ "));
+                }
+                out.push_str(&p.prop_at(body, AND)?);
+                Ok((out, BINDER))
+            })?,
+            PropKind::ForAll(bindings, body) => self.within_bindings(bindings, |p| {
+                let mut out = p.all_given(bindings)?;
+                out.push_str(&p.prop_at(body, IMPLIES)?);
+                Ok((out, BINDER))
+            })?,
             PropKind::Extremum(extremum) => self.extremum(extremum)?,
             PropKind::Limit(limit) => self.limit(limit)?,
         })
@@ -862,16 +933,13 @@ impl Printer {
         let value = self.real_at(&extremum.value, SUM)?;
         parts.push(format!("{f} {} = {value}", arguments.join(" ")));
         let sign = if extremum.maximum { "<=" } else { ">=" };
-        let (of, domain) = self.within(
-            |kinds| bind(&extremum.over, kinds),
-            |p| {
-                let mut domain = String::new();
-                for binding in &extremum.over {
-                    domain.push_str(&format!("{} ", p.given(binding)?));
-                }
-                Ok((p.real(&extremum.of)?.0, domain))
-            },
-        )?;
+        let (of, domain) = self.within_bindings(&extremum.over, |p| {
+            let mut domain = String::new();
+            for binding in &extremum.over {
+                domain.push_str(&format!("{} ", p.given(binding)?));
+            }
+            Ok((p.real(&extremum.of)?.0, domain))
+        })?;
         let here = format!("{f} {}", words.join(" "));
         let mut all = format!("{here} {sign} {value}");
         if extremum.unique {

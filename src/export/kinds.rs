@@ -23,11 +23,16 @@ pub enum Kind {
 /// The kinds of the names in scope.
 pub type Kinds = BTreeMap<String, Kind>;
 
-/// Whether an expression is a natural number by its form alone.
+/// Whether a name stands for natural numbers, as [`definedness`](crate::claim::definedness) asks.
+pub fn is_natural_name(name: &str, kinds: &Kinds) -> bool {
+    kinds.get(name) == Some(&Kind::Natural)
+}
+
+/// Whether an expression is a natural number by its form alone, such that it can be written in `nat`.
 pub fn is_natural(expr: &Expr, kinds: &Kinds) -> bool {
     match &expr.kind {
         ExprKind::Number(text) => text.bytes().all(|b| b.is_ascii_digit()),
-        ExprKind::Name(name) => kinds.get(name) == Some(&Kind::Natural),
+        ExprKind::Name(name) => is_natural_name(name, kinds),
         ExprKind::Sum(list) => list.iter().all(|(s, e)| *s == Sign::Plus && is_natural(e, kinds)),
         ExprKind::Product(list) => list.iter().all(|(f, e)| *f == Factor::Times && is_natural(e, kinds)),
         ExprKind::Power(a, b) => is_natural(a, kinds) && is_natural(b, kinds),

@@ -8,6 +8,7 @@ use super::kinds::{Kinds, is_natural};
 use crate::claim::syntax::*;
 
 /// The names that declarations make positive.
+#[derive(Clone)]
 pub struct Positive {
     names: Vec<String>,
 }

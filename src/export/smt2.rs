@@ -14,8 +14,9 @@
 
 use super::kinds::{Kinds, bind, of_claim};
 use super::positive::Positive;
-use super::values::{Collector, Condition, Guard, Need};
+use super::values::{Collector, Condition, Guard};
 use super::{Result, Unsupported, unsupported};
+use crate::claim::definedness::{self, Need};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::number::rational;
@@ -60,14 +61,14 @@ pub fn script(claim: &Claim) -> Result<String> {
         writer.lines.extend(constraints.into_iter().map(|c| format!("(assert {c})")));
     }
     for (_, prop) in &statement.assumptions {
-        let mut values = Collector::new(writer.kinds.clone());
+        let mut values = Collector::new(&writer.kinds, &writer.positive);
         values.prop(prop);
         let mut parts = writer.conditions(&values.found)?;
         parts.push(writer.prop(prop, false)?);
         writer.lines.extend(parts.into_iter().map(|part| format!("(assert {part})")));
     }
     let goal = writer.prop(&statement.goal, true)?;
-    let mut values = Collector::new(writer.kinds.clone());
+    let mut values = Collector::new(&writer.kinds, &writer.positive);
     values.prop(&statement.goal);
     let mut parts = writer.conditions(&values.found)?;
     parts.push(goal);
@@ -171,7 +172,11 @@ impl Writer {
             if index.is_some() {
                 return unsupported(name.span, "a family");
             }
-            self.lines.push(format!("(declare-const {} Real)", Self::symbol(&name.text)));
+            let line = format!("(declare-const {} Real)", Self::symbol(&name.text));
+            if self.lines.contains(&line) {
+                return unsupported(name.span, "two bound variables of one name");
+            }
+            self.lines.push(line);
             let subject = Expr { kind: ExprKind::Name(name.text.clone()), span: name.span };
             out.extend(self.domain(&subject, binding)?);
         }
@@ -216,6 +221,8 @@ impl Writer {
                 Need::NotZero(e) => (e, Relation::NotEqual),
                 Need::Positive(e) => (e, Relation::Greater),
                 Need::NotNegative(e) => (e, Relation::GreaterEqual),
+                Need::NotZeroOrNatural(e, _) => return unsupported(e.span, "a power whose exponent is no numeral"),
+                Need::Range(e, _) => return unsupported(e.span, "a sum or product over an index"),
                 Need::Differentiable(e, ..) => return unsupported(e.span, "a derivative"),
             };
             if guards.is_empty() && self.positive.holds(e, &self.kinds) {
@@ -311,16 +318,10 @@ impl Writer {
                 return Ok(out);
             }
             ExprKind::Power(base, exponent) => {
-                let (negative, numeral) = match &exponent.kind {
-                    ExprKind::Negate(inner) => (true, &inner.kind),
-                    other => (false, other),
-                };
-                let power = match numeral {
-                    ExprKind::Number(text) => text.parse::<u32>().ok().filter(|k| *k <= MAX_POWER),
-                    _ => None,
-                };
-                let Some(power) = power else {
-                    return unsupported(e.span, "a power whose exponent is no small natural number");
+                let whole = definedness::number(exponent).filter(|q| q.1 == 1).map(|q| (q.0 < 0, q.0.unsigned_abs()));
+                let small = |(negative, k)| Some((negative, u32::try_from(k).ok().filter(|k| *k <= MAX_POWER)?));
+                let Some((negative, power)) = whole.and_then(small) else {
+                    return unsupported(e.span, "a power whose exponent is no small whole number");
                 };
                 let mut q = self.scalar(base)?;
                 if negative {

@@ -1,24 +1,13 @@
 //! When the expressions of a statement have values.
 //!
-//! Contract: where all the [`Condition`]s of a statement hold, no division by 0, no root or logarithm
-//! of a negative number and no derivative of a function without one occurs in it. They are collected
-//! from statements whose definitions are put in place. Provers with total functions need them said.
+//! Contract: where all the [`Condition`]s of a statement hold, every expression in it has a value. The conditions are
+//! those of [`definedness`], each under the bound names around it, but for those that hold by their form. They are
+//! collected from statements whose definitions are put in place. Provers with total functions need them said.
 
-use super::kinds::{Kinds, bind, is_natural};
+use super::kinds::{Kind, Kinds, bind, is_natural_name};
+use super::positive::Positive;
+use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
-
-/// What must hold.
-#[derive(Clone, Debug)]
-pub enum Need {
-    /// A divisor.
-    NotZero(Expr),
-    /// The base of a power with a real exponent, or under a logarithm.
-    Positive(Expr),
-    /// Under a square root.
-    NotNegative(Expr),
-    /// Has so many derivatives by the variable, at it.
-    Differentiable(Expr, Name, usize),
-}
 
 /// What a condition is said of.
 #[derive(Clone, Debug)]
@@ -43,33 +32,37 @@ pub struct Condition {
 /// Collects conditions.
 pub struct Collector {
     kinds: Kinds,
+    positive: Positive,
     guards: Vec<Guard>,
     /// What was found.
     pub found: Vec<Condition>,
 }
 
 impl Collector {
-    /// With the kinds of the names in scope.
-    pub fn new(kinds: Kinds) -> Collector {
-        Collector { kinds, guards: Vec::new(), found: Vec::new() }
+    /// With the kinds of the names in scope, and those that are declared positive.
+    pub fn new(kinds: &Kinds, positive: &Positive) -> Collector {
+        Collector { kinds: kinds.clone(), positive: positive.clone(), guards: Vec::new(), found: Vec::new() }
     }
 
     fn need(&mut self, need: Need) {
         self.found.push(Condition { guards: self.guards.clone(), need });
     }
 
-    fn under(&mut self, guard: Guard, work: impl FnOnce(&mut Collector)) {
-        let saved = self.kinds.clone();
+    fn under(&mut self, guard: Guard, work: impl FnOnce(&mut Self)) {
+        let saved = (self.kinds.clone(), self.positive.clone());
         match &guard {
-            Guard::Bindings(bindings) => bind(bindings, &mut self.kinds),
+            Guard::Bindings(bindings) => {
+                bind(bindings, &mut self.kinds);
+                self.positive.declare(bindings);
+            }
             Guard::Index(Index { name, .. }) | Guard::Natural(name) => {
-                self.kinds.insert(name.text.clone(), super::kinds::Kind::Natural);
+                self.kinds.insert(name.text.clone(), Kind::Natural);
             }
         }
         self.guards.push(guard);
         work(self);
         self.guards.pop();
-        self.kinds = saved;
+        (self.kinds, self.positive) = saved;
     }
 
     /// For a sequence by recurrence: at 0 and at every step.
@@ -79,6 +72,7 @@ impl Collector {
         self.under(Guard::Natural(name), |inner| inner.expr(step));
     }
 
+    /// A divisor, or the base of a negative power: factor by factor.
     fn not_zero(&mut self, expr: &Expr) {
         match &expr.kind {
             ExprKind::Number(text) if text.bytes().any(|b| (b'1'..=b'9').contains(&b)) => {}
@@ -87,8 +81,16 @@ impl Collector {
                 list.iter().filter(|(f, _)| *f == Factor::Times).for_each(|(_, e)| self.not_zero(e));
             }
             ExprKind::Power(base, exponent) => {
-                if integer_exponent(exponent, &self.kinds) {
-                    self.not_zero(base);
+                let plain = self.positive.holds(base, &self.kinds);
+                let natural = |name: &str| is_natural_name(name, &self.kinds);
+                match (definedness::exponent(exponent, &natural), definedness::number(exponent)) {
+                    // That the base is positive is a condition already.
+                    (Exponent::Real, _) => {}
+                    (Exponent::Root, _) if plain => {}
+                    // b^0 is not 0 even where b is.
+                    (Exponent::Whole, Some((0, _))) => {}
+                    (Exponent::Whole, None) if !plain => self.need(Need::NotZero(expr.clone())),
+                    (Exponent::Root | Exponent::Whole, _) => self.not_zero(base),
                 }
             }
             _ => self.need(Need::NotZero(expr.clone())),
@@ -97,36 +99,25 @@ impl Collector {
 
     /// For an expression and its parts.
     pub fn expr(&mut self, expr: &Expr) {
-        match &expr.kind {
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
-                self.expr(&index.from);
-                self.expr(&index.to);
-                self.under(Guard::Index(index.clone()), |inner| inner.expr(body));
-                return;
-            }
-            ExprKind::Derivative(body, by) => {
-                if let Some(name) = by.first() {
-                    self.need(Need::Differentiable((**body).clone(), name.clone(), by.len()));
+        for need in definedness::needs(expr, &|name| is_natural_name(name, &self.kinds)) {
+            match need {
+                Need::NotZero(e) => self.not_zero(&e),
+                // A root of what is positive by its form is a power of the logarithm.
+                Need::NotNegative(e) if self.positive.holds(&e, &self.kinds) && !is_square_root(expr) => {
+                    self.need(Need::Positive(e));
                 }
-            }
-            ExprKind::Product(list) => {
-                for (_, divisor) in list.iter().filter(|(f, _)| *f == Factor::Over) {
-                    self.not_zero(divisor);
+                Need::NotZeroOrNatural(base, _) if self.positive.holds(&base, &self.kinds) => {
+                    self.need(Need::Positive(base));
                 }
+                Need::Range(from, to) if plain_range(&from, &to) => {}
+                need => self.need(need),
             }
-            ExprKind::Power(base, exponent) => {
-                if !integer_exponent(exponent, &self.kinds) {
-                    self.need(Need::Positive((**base).clone()));
-                } else if matches!(exponent.kind, ExprKind::Negate(_)) {
-                    self.not_zero(base);
-                }
-            }
-            ExprKind::Apply(f, arguments) => match (f.text.as_str(), arguments.first()) {
-                ("sqrt", Some(a)) => self.need(Need::NotNegative(a.clone())),
-                ("cbrt" | "ln", Some(a)) => self.need(Need::Positive(a.clone())),
-                _ => {}
-            },
-            _ => {}
+        }
+        if let ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) = &expr.kind {
+            self.expr(&index.from);
+            self.expr(&index.to);
+            self.under(Guard::Index(index.clone()), |inner| inner.expr(body));
+            return;
         }
         crate::prove::expand::parts(expr, &mut |part| self.expr(part));
     }
@@ -160,10 +151,16 @@ impl Collector {
     }
 }
 
-/// Whether an exponent is a natural number, or the negative of a numeral that is one.
-pub fn integer_exponent(exponent: &Expr, kinds: &Kinds) -> bool {
-    match &exponent.kind {
-        ExprKind::Negate(a) => matches!(&a.kind, ExprKind::Number(_)) && is_natural(a, kinds),
-        _ => is_natural(exponent, kinds),
-    }
+fn is_square_root(e: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "sqrt")
+}
+
+/// Whether a range of natural numbers cannot end before it begins, by its form: it begins at 0 or 1, or at a summand of
+/// its end.
+fn plain_range(from: &Expr, to: &Expr) -> bool {
+    let summand = match &to.kind {
+        ExprKind::Sum(list) => list.iter().any(|(_, e)| e.same(from)) && list.iter().all(|(s, _)| *s == Sign::Plus),
+        _ => to.same(from),
+    };
+    summand || matches!(definedness::number(from), Some((0..=1, 1)))
 }
