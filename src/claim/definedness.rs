@@ -53,20 +53,20 @@ type Number = (i128, i128);
 /// The largest exponent of a power of numerals that is computed.
 const LARGEST: i128 = 1_000;
 
-/// Which kind an exponent is. `natural` says of a name whether it stands for natural numbers: a variable, an index of a
-/// sum, product or sequence, or a family.
-pub fn exponent(e: &Expr, natural: &dyn Fn(&str) -> bool) -> Exponent {
+/// Which kind an exponent is. `whole` says of a name whether it stands for whole numbers: a natural variable, an index
+/// of a sum, product or sequence, or a natural family.
+pub fn exponent(e: &Expr, whole: &dyn Fn(&str) -> bool) -> Exponent {
     match number(e) {
         Some((_, 1)) => Exponent::Whole,
         Some((top, _)) if top > 0 => Exponent::Root,
         Some(_) => Exponent::Real,
-        None if is_whole(e, natural) => Exponent::Whole,
+        None if is_whole(e, whole) => Exponent::Whole,
         None => Exponent::Real,
     }
 }
 
 /// The conditions of a node; those of its parts are theirs.
-pub fn needs(e: &Expr, natural: &dyn Fn(&str) -> bool) -> Vec<Need> {
+pub fn needs(e: &Expr, whole: &dyn Fn(&str) -> bool) -> Vec<Need> {
     match &e.kind {
         ExprKind::Product(list) => list
             .iter()
@@ -75,12 +75,11 @@ pub fn needs(e: &Expr, natural: &dyn Fn(&str) -> bool) -> Vec<Need> {
             .collect(),
         ExprKind::Power(base, e) => {
             let base = (**base).clone();
-            match (exponent(e, natural), number(e)) {
+            match (exponent(e, whole), number(e)) {
                 (Exponent::Root, _) => vec![Need::NotNegative(base)],
                 (Exponent::Real, _) => vec![Need::Positive(base)],
                 (Exponent::Whole, Some((top, _))) if top < 0 => vec![Need::NotZero(base)],
                 (Exponent::Whole, Some(_)) => Vec::new(),
-                (Exponent::Whole, None) if is_natural(e, natural) => Vec::new(),
                 (Exponent::Whole, None) => vec![Need::NotZeroOrNatural(base, (**e).clone())],
             }
         }
@@ -104,19 +103,19 @@ pub fn needs(e: &Expr, natural: &dyn Fn(&str) -> bool) -> Vec<Need> {
 
 /// Whether an expression is a whole number by its form: made of whole numbers, natural variables, indices and members
 /// of natural families by adding, subtracting and multiplying, and by powers to a natural numeral.
-pub fn is_whole(e: &Expr, natural: &dyn Fn(&str) -> bool) -> bool {
+pub fn is_whole(e: &Expr, whole: &dyn Fn(&str) -> bool) -> bool {
     if let Some((_, below)) = number(e) {
         return below == 1;
     }
     match &e.kind {
         // A numeral too long to be computed here.
         ExprKind::Number(text) => text.bytes().all(|b| b.is_ascii_digit()),
-        ExprKind::Name(name) => natural(name),
-        ExprKind::Apply(f, _) => natural(&f.text),
-        ExprKind::Negate(a) => is_whole(a, natural),
-        ExprKind::Sum(list) => list.iter().all(|(_, a)| is_whole(a, natural)),
-        ExprKind::Product(list) => list.iter().all(|(f, a)| *f == Factor::Times && is_whole(a, natural)),
-        ExprKind::Power(a, b) => is_whole(a, natural) && matches!(number(b), Some((0.., 1))),
+        ExprKind::Name(name) => whole(name),
+        ExprKind::Apply(f, _) => whole(&f.text),
+        ExprKind::Negate(a) => is_whole(a, whole),
+        ExprKind::Sum(list) => list.iter().all(|(_, a)| is_whole(a, whole)),
+        ExprKind::Product(list) => list.iter().all(|(f, a)| *f == Factor::Times && is_whole(a, whole)),
+        ExprKind::Power(a, b) => is_whole(a, whole) && matches!(number(b), Some((0.., 1))),
         _ => false,
     }
 }

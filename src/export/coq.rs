@@ -13,7 +13,7 @@
 
 use super::kinds::{Kind, Kinds, bind, is_matrix, is_natural, is_natural_name, of_claim};
 use super::positive::Positive;
-use super::values::{Collector, Condition, Guard};
+use super::values::{self, Collector, Condition, Guard};
 use super::{Result, Unsupported, unsupported};
 use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
@@ -155,7 +155,6 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
     }
     let mut assumptions = expanded.assumptions.iter();
     let (mut full, mut bare) = (Vec::new(), Vec::new());
-    let mut values = Collector::new(&printer.kinds, &printer.positive);
     for item in &claim.items {
         match item {
             Item::Given(bindings) => {
@@ -186,7 +185,6 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
     }
     for sequence in &expanded.sequences {
         bare.push(printer.sequence(&sequence.name, &sequence.initial, &sequence.index, &sequence.step)?);
-        values.sequence(&sequence.initial, &sequence.index, &sequence.step);
     }
     for (_, prop) in &expanded.assumptions {
         let mut divisors = Collector::new(&printer.kinds, &printer.positive);
@@ -197,13 +195,13 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         }
         bare.push(format!("{} ->", printer.prop_at(prop, 80)?));
     }
-    values.prop(&expanded.goal);
     full.push(match &claim.goal.kind {
         PropKind::And(list) => printer.props(list, " /\\\n", AND)?,
         _ => printer.prop(&claim.goal)?.0,
     });
     let full = without_unused(full);
-    let needs = printer.conditions(&values.found)?;
+    let needs = values::of_statement(&expanded, &printer.kinds, &printer.positive);
+    let needs = printer.conditions(&needs)?;
     let refuted = claim.expect == Expectation::Refuted;
     let defined = (!needs.is_empty() && !refuted).then(|| {
         bare.push(needs.join(" /\\\n"));

@@ -7,9 +7,9 @@ pub mod coq;
 mod kinds;
 mod positive;
 pub mod smt2;
-mod values;
+pub mod values;
 
-use crate::claim::syntax::Span;
+use crate::claim::syntax::{Claim, Span};
 
 /// Why a claim cannot be said in the other language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +27,18 @@ impl Unsupported {
     fn limit(name: &str, span: Span) -> Unsupported {
         Unsupported { reason: format!("limit reached: {name}"), span, limit: true }
     }
+}
+
+/// What has to hold for every expression in a claim's sequences and goal to have a value: the conditions that both
+/// exports write, but for those that hold by their form.
+///
+/// # Errors
+/// The limit that the definitions, put in place, reach.
+pub fn conditions(claim: &Claim) -> Result<Vec<values::Condition>> {
+    let statement =
+        crate::prove::expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
+    let positive = positive::Positive::of_claim(claim);
+    Ok(values::of_statement(&statement, &kinds::of_claim(claim), &positive))
 }
 
 type Result<T> = std::result::Result<T, Unsupported>;

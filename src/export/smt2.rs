@@ -14,7 +14,7 @@
 
 use super::kinds::{Kinds, bind, of_claim};
 use super::positive::Positive;
-use super::values::{Collector, Condition, Guard};
+use super::values::{self, Collector, Condition, Guard};
 use super::{Result, Unsupported, unsupported};
 use crate::claim::definedness::{self, Need};
 use crate::claim::print;
@@ -68,9 +68,8 @@ pub fn script(claim: &Claim) -> Result<String> {
         writer.lines.extend(parts.into_iter().map(|part| format!("(assert {part})")));
     }
     let goal = writer.prop(&statement.goal, true)?;
-    let mut values = Collector::new(&writer.kinds, &writer.positive);
-    values.prop(&statement.goal);
-    let mut parts = writer.conditions(&values.found)?;
+    let needs = values::of_statement(&statement, &writer.kinds, &writer.positive);
+    let mut parts = writer.conditions(&needs)?;
     parts.push(goal);
     let answer = if claim.expect == Expectation::Refuted { "sat" } else { "unsat" };
     let mut out = format!("; {} {}\n; {}\n", claim.name.text, claim.title, print::prop(&claim.goal).replace('\n', " "));

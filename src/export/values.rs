@@ -4,10 +4,11 @@
 //! those of [`definedness`], each under the bound names around it, but for those that hold by their form. They are
 //! collected from statements whose definitions are put in place. Provers with total functions need them said.
 
-use super::kinds::{Kind, Kinds, bind, is_natural_name};
+use super::kinds::{Kind, Kinds, bind, is_natural, is_natural_name};
 use super::positive::Positive;
 use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
+use crate::prove::expand::Statement;
 
 /// What a condition is said of.
 #[derive(Clone, Debug)]
@@ -29,9 +30,21 @@ pub struct Condition {
     pub need: Need,
 }
 
+/// The conditions of a statement's sequences and goal.
+pub fn of_statement(statement: &Statement, kinds: &Kinds, positive: &Positive) -> Vec<Condition> {
+    let mut values = Collector::new(kinds, positive);
+    for sequence in &statement.sequences {
+        values.sequence(&sequence.initial, &sequence.index, &sequence.step);
+    }
+    values.prop(&statement.goal);
+    values.found
+}
+
 /// Collects conditions.
 pub struct Collector {
     kinds: Kinds,
+    /// Indices that may be negative.
+    whole: Vec<String>,
     positive: Positive,
     guards: Vec<Guard>,
     /// What was found.
@@ -41,7 +54,17 @@ pub struct Collector {
 impl Collector {
     /// With the kinds of the names in scope, and those that are declared positive.
     pub fn new(kinds: &Kinds, positive: &Positive) -> Collector {
-        Collector { kinds: kinds.clone(), positive: positive.clone(), guards: Vec::new(), found: Vec::new() }
+        Collector {
+            kinds: kinds.clone(),
+            whole: Vec::new(),
+            positive: positive.clone(),
+            guards: Vec::new(),
+            found: Vec::new(),
+        }
+    }
+
+    fn is_whole_name(&self, name: &str) -> bool {
+        is_natural_name(name, &self.kinds) || self.whole.iter().any(|n| n == name)
     }
 
     fn need(&mut self, need: Need) {
@@ -54,6 +77,9 @@ impl Collector {
             Guard::Bindings(bindings) => {
                 bind(bindings, &mut self.kinds);
                 self.positive.declare(bindings);
+            }
+            Guard::Index(Index { name, from, .. }) if !is_natural(from, &self.kinds) => {
+                self.whole.push(name.text.clone())
             }
             Guard::Index(Index { name, .. }) | Guard::Natural(name) => {
                 self.kinds.insert(name.text.clone(), Kind::Natural);
@@ -82,8 +108,8 @@ impl Collector {
             }
             ExprKind::Power(base, exponent) => {
                 let plain = self.positive.holds(base, &self.kinds);
-                let natural = |name: &str| is_natural_name(name, &self.kinds);
-                match (definedness::exponent(exponent, &natural), definedness::number(exponent)) {
+                match (definedness::exponent(exponent, &|name| self.is_whole_name(name)), definedness::number(exponent))
+                {
                     // That the base is positive is a condition already.
                     (Exponent::Real, _) => {}
                     (Exponent::Root, _) if plain => {}
@@ -99,17 +125,18 @@ impl Collector {
 
     /// For an expression and its parts.
     pub fn expr(&mut self, expr: &Expr) {
-        for need in definedness::needs(expr, &|name| is_natural_name(name, &self.kinds)) {
+        for need in definedness::needs(expr, &|name| self.is_whole_name(name)) {
             match need {
                 Need::NotZero(e) => self.not_zero(&e),
                 // A root of what is positive by its form is a power of the logarithm.
                 Need::NotNegative(e) if self.positive.holds(&e, &self.kinds) && !is_square_root(expr) => {
                     self.need(Need::Positive(e));
                 }
+                Need::NotZeroOrNatural(_, e) if is_natural(&e, &self.kinds) => {}
                 Need::NotZeroOrNatural(base, _) if self.positive.holds(&base, &self.kinds) => {
                     self.need(Need::Positive(base));
                 }
-                Need::Range(from, to) if plain_range(&from, &to) => {}
+                Need::Range(from, to) if is_natural(&to, &self.kinds) && plain_range(&from, &to) => {}
                 need => self.need(need),
             }
         }
@@ -155,8 +182,8 @@ fn is_square_root(e: &Expr) -> bool {
     matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "sqrt")
 }
 
-/// Whether a range of natural numbers cannot end before it begins, by its form: it begins at 0 or 1, or at a summand of
-/// its end.
+/// Whether a range that ends at a natural number cannot end before it begins, by its form: it begins at 0 or 1, or at a
+/// summand of its end.
 fn plain_range(from: &Expr, to: &Expr) -> bool {
     let summand = match &to.kind {
         ExprKind::Sum(list) => list.iter().any(|(_, e)| e.same(from)) && list.iter().all(|(s, _)| *s == Sign::Plus),
