@@ -369,7 +369,7 @@ fn exponents_do_not_stick() {
 
 #[test]
 fn what_a_reader_of_the_kernel_tried_is_rejected() {
-    let tried: [(&str, &str, &str); 7] = [
+    let tried: [(&str, &str, &str); 11] = [
         (
             "given x real\ndefine u by u(0) = 0, u(k + 1) = u(k + 1) + 1\nprove 0 = 1\n",
             "1 unfold: u(1) = u(1) + 1\n2 combination: 0 = 1\n| term 1: 1\n",
@@ -406,6 +406,23 @@ fn what_a_reader_of_the_kernel_tried_is_rejected() {
             "given x real\nprove x < [0, 1] or x >= [0, 1]\n",
             "1 excluded: x < [0, 1] or x >= [0, 1]\n",
             "matrices are compared with matrices",
+        ),
+        (
+            "given x, p, q real\nassume p = 3 - q\nprove x^(p + q) = x^3\n",
+            "1 replace from h1\n2 sign: x^(p + q) = x^3\n",
+            "not whole by its form",
+        ),
+        ("given a real != 0\nprove (-2)^(a/a) = -2\n", "1 sign: (-2)^(a/a) = -2\n", "not whole by its form"),
+        (
+            "given x real; k natural\nprove x^(2*k/2) = x^(2*k/2)\n",
+            "1 let: for all n natural: x = x\n2 sign: x = x\nend\n\
+             3 instance from 1: x = x\n| with n = 2*k/2\n",
+            "is not whole by its form",
+        ),
+        (
+            "given x real; k natural; mu(n) > x^n\nprove mu(2*k/2) > x^(2*k/2)\n",
+            "1 member: mu(2*k/2) > x^(2*k/2)\n",
+            "is not whole by its form",
         ),
     ];
     for (claim, steps, reason) in tried {
