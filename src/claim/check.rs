@@ -1,5 +1,6 @@
 //! Names: everything used is declared, once, and used as what it is.
 
+use super::definedness::is_natural;
 use super::diagnostic::{Diagnostic, Fault, nearest};
 use super::syntax::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,6 +16,8 @@ enum Role {
 
 struct Names<'a> {
     roles: BTreeMap<String, Role>,
+    /// The names that stand for natural numbers.
+    natural: BTreeSet<String>,
     /// The names in scope in the order of their declaration: a scope ends by taking back its own.
     scope: Vec<String>,
     faults: &'a mut Vec<Diagnostic>,
@@ -22,7 +25,7 @@ struct Names<'a> {
 
 /// Reports every fault of names in a claim.
 pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
-    let mut names = Names { roles: BTreeMap::new(), scope: Vec::new(), faults };
+    let mut names = Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), faults };
     for item in &claim.items {
         match item {
             Item::Given(bindings) => names.bindings(bindings),
@@ -34,6 +37,9 @@ pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
                 names.expr(value);
                 names.leave(outside);
                 let role = if parameters.is_empty() { Role::Value } else { Role::Function(parameters.len()) };
+                if parameters.is_empty() && names.is_natural(value) {
+                    names.natural.insert(name.text.clone());
+                }
                 names.declare(name, role);
             }
             Item::Define { name, initial, index, step, .. } => {
@@ -41,6 +47,7 @@ pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
                 names.declare(name, Role::Function(1));
                 let outside = names.scope.len();
                 names.declare(index, Role::Value);
+                names.natural.insert(index.text.clone());
                 names.expr(step);
                 names.leave(outside);
             }
@@ -77,6 +84,7 @@ impl Names<'_> {
     fn leave(&mut self, outside: usize) {
         for name in self.scope.drain(outside..) {
             self.roles.remove(&name);
+            self.natural.remove(&name);
         }
     }
 
@@ -86,13 +94,19 @@ impl Names<'_> {
                 let outside = self.scope.len();
                 if let Some(index) = index {
                     self.declare(index, Role::Value);
+                    self.natural.insert(index.text.clone());
                 }
                 for constraint in &binding.constraints {
                     match constraint {
                         Constraint::Relation(_, e) => self.expr(e),
-                        Constraint::Interval { from, to, .. } | Constraint::Range(from, to) => {
+                        Constraint::Interval { from, to, .. } => {
                             self.expr(from);
                             self.expr(to);
+                        }
+                        Constraint::Range(from, to) => {
+                            self.expr(from);
+                            self.expr(to);
+                            self.begins_at_0(&name.text, from);
                         }
                     }
                 }
@@ -100,9 +114,28 @@ impl Names<'_> {
                 if let Some((from, to)) = &binding.indices {
                     self.expr(from);
                     self.expr(to);
+                    self.begins_at_0(&format!("the index of {}", name.text), from);
+                }
+                if binding.natural {
+                    self.natural.insert(name.text.clone());
                 }
                 self.declare(name, if index.is_some() { Role::Function(1) } else { Role::Value });
             }
+        }
+    }
+
+    fn is_natural(&self, e: &Expr) -> bool {
+        is_natural(e, &|name| self.natural.contains(name))
+    }
+
+    /// A range makes natural numbers of what lies in it, so that it must not begin below 0: one who writes -2..2 means
+    /// -2 as well.
+    fn begins_at_0(&mut self, what: &str, from: &Expr) {
+        if !self.is_natural(from) {
+            let from_text = super::print::expr(from);
+            let message = format!("the range of {what} must begin at a natural number, but {from_text} may be below 0");
+            let help = "begin at 0, 1, n or a sum of such; `k natural >= n - 1 and <= m` says the rest".to_string();
+            self.faults.push(Diagnostic::new(Fault::Other { message, help: Some(help) }, from.span));
         }
     }
 
@@ -146,6 +179,9 @@ impl Names<'_> {
                 self.expr(&index.to);
                 let outside = self.scope.len();
                 self.declare(&index.name, Role::Value);
+                if self.is_natural(&index.from) {
+                    self.natural.insert(index.name.text.clone());
+                }
                 self.expr(body);
                 self.leave(outside);
             }
