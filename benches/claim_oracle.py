@@ -13,7 +13,8 @@ rounding, so that a comparison is either certain or left out; limits are looked 
 grid, which can deny that a point is the best, not confirm it. Wrong is: a claim that is proved and fails, or has no
 value, at a point where its hypotheses hold; a claim that is refuted and holds at the witness, or whose hypotheses do
 not hold there (or at no point, where no witness is printed); hypotheses that are said to contradict each other and hold
-at a point; an audit that gives no verdict. Each wrong claim is printed. Exit code 0 if there is none, 1 if there is
+at a point; an audit that gives no verdict; a proved claim that, without the hypotheses which the audit calls not needed,
+is refuted or fails at a point. Each wrong claim is printed. Exit code 0 if there is none, 1 if there is
 one, 2 for bad usage. The same seed writes the same claims.
 
 The standard library of Python 3.10 suffices, except for limits: those need mpmath (`pip install mpmath`).
@@ -28,7 +29,7 @@ import random
 import subprocess
 import sys
 import tempfile
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from typing import Callable
@@ -252,6 +253,16 @@ class Domain:
             return f"{'<=' if self.ends[1] == ']' else '<'} {show(self.high)}"
         return "real" if self.but is None else f"real != {self.but}"
 
+    def without(self, name, unused):
+        """The domain of a variable without what is not needed of it."""
+        gone = {said.split()[1] for said in unused if said.split()[0] == name}
+        return replace(
+            self,
+            low=(0 if self.natural else None) if gone & {">", ">="} else self.low,
+            high=None if gone & {"<", "<="} else self.high,
+            but=None if "!=" in gone else self.but,
+        )
+
     def contains(self, v, env):
         """Whether a value (with its bounds) lies in the domain."""
         tests = [("<=" if self.ends[0] == "[" or self.natural else "<", self.low, "value")]
@@ -328,8 +339,18 @@ class Claim:
                 lines.append(f"given {binding}")
         if self.sequence:
             lines.append(f"define u by u(0) = {show(self.sequence[0])}, u(k + 1) = {show(self.sequence[1])}")
-        lines += [f"assume {show(h)}" for h in self.assumed]
+        lines += [f"assume h{i}: {show(h)}" for i, h in enumerate(self.assumed)]
         return "\n".join(lines + [f"prove {goal}", ""])
+
+    def without(self, unused):
+        """The claim without hypotheses, which are given as an audit prints them."""
+        labels = {said.split(":")[0] for said in unused}
+        assumed = [h for i, h in enumerate(self.assumed) if f"h{i}" not in labels]
+        variables = {name: domain.without(name, unused) for name, domain in self.variables.items()}
+        family = self.family
+        if family and not self.inside and any(said.startswith("mu(") for said in unused):
+            family = (Domain(), family[1])
+        return replace(self, variables=variables, assumed=assumed, family=family)
 
     def place(self, rng, given):
         """A point: the given values, and samples for the rest."""
@@ -686,7 +707,7 @@ def finding(claim, verdict, witness):
 
 
 def judged(carom, claims):
-    """The verdict and the witness of each claim, by its place in the list; ends the program where one has none."""
+    """The verdict, the witness and the hypotheses not needed of each claim, by its place in the list; ends the program where one has none."""
     with tempfile.NamedTemporaryFile("w", suffix=".claim") as file:
         file.write("\n".join(claim.text(f"c{i}") for i, claim in enumerate(claims)))
         file.flush()
@@ -697,10 +718,10 @@ def judged(carom, claims):
             print(f"{carom}: {error}", file=sys.stderr)
             sys.exit(2)
         report = json.loads(out.stdout or '{"claims": [], "errors": []}')
-        verdicts = {int(c["id"][1:]): (c["verdict"], c["witness"]) for c in report["claims"]}
+        verdicts = {int(c["id"][1:]): (c["verdict"], c["witness"], c["unused"]) for c in report["claims"]}
         for error in report["errors"]:
             if "cannot all hold" in error["message"]:
-                verdicts[int(error["claim"][1:])] = ("contradictory", None)
+                verdicts[int(error["claim"][1:])] = ("contradictory", None, [])
         if len(verdicts) < len(claims):
             missing = next(claim for i, claim in enumerate(claims) if i not in verdicts)
             print(f"# NO VERDICT, exit code {out.returncode}: {out.stderr[:2000]}\n{missing.text('missing')}")
@@ -719,15 +740,25 @@ def main():
     print(f"seed {a.seed}")
     for kind in KINDS if a.kind == "all" else [a.kind]:
         rng = random.Random(f"{kind} {a.seed}")
-        counts = dict.fromkeys(("proved", "refuted", "undecided", "contradictory", "wrong"), 0)
+        counts = dict.fromkeys(("proved", "refuted", "undecided", "contradictory", "reduced", "wrong"), 0)
         for done in range(0, a.claims, BATCH):
             claims = [KINDS[kind](rng) for _ in range(min(BATCH, a.claims - done))]
-            for i, (verdict, witness) in sorted(judged(a.carom, claims).items()):
+            reduced, names = [], []
+            for i, (verdict, witness, unused) in sorted(judged(a.carom, claims).items()):
                 counts[verdict] += 1
                 reason = finding(claims[i], verdict, witness)
                 if reason:
                     counts["wrong"] += 1
                     print(f"# WRONG: {reason}\n{claims[i].text(f'{kind}-{a.seed}-{done + i}')}")
+                if verdict == "proved" and unused:
+                    reduced.append(claims[i].without(unused))
+                    names.append(f"{kind}-{a.seed}-{done + i}")
+            counts["reduced"] += len(reduced)
+            for i, (verdict, _, _) in sorted(judged(a.carom, reduced).items() if reduced else ()):
+                reason = "refuted" if verdict == "refuted" else finding(reduced[i], "proved", None)
+                if reason:
+                    counts["wrong"] += 1
+                    print(f"# WRONG without what is not needed: {reason}\n{reduced[i].text(names[i])}")
         wrong += counts["wrong"]
         print(f"  {kind:<10}{a.claims:>7} claims" + "".join(f"{n:>7} {name}" for name, n in counts.items()), flush=True)
     sys.exit(1 if wrong else 0)

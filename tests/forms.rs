@@ -72,6 +72,7 @@ fn with_engine<T>(work: impl FnOnce(&mut Engine, &mut Context) -> T) -> T {
         deadline: None,
         steps: 20_000,
         cited: &cited,
+        unproved: Vec::new(),
         limit: None,
         rules: Vec::new(),
         certified: Default::default(),

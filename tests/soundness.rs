@@ -195,7 +195,7 @@ fn run() {
                     Verdict::Proved => {
                         proved += 1;
                         let statement = Statement::of(&mutant).expect("within limits");
-                        if let Some(witness) = refute::falsified(&statement) {
+                        if let Some(witness) = refute::falsified(&statement, None) {
                             wrong.push(format!(
                                 "{name}#{place}: {:?} at {:?}",
                                 carom::claim::print::prop(&mutant.goal),

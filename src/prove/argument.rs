@@ -238,14 +238,20 @@ impl Engine<'_> {
         self.show_conditions(cx, conditions)?;
         match (x, y) {
             (Value::Scalar(x), Value::Scalar(y)) => self.compare_forms(cx, &x, relation, &y, goal),
-            (Value::Matrix(x), Value::Matrix(y)) if relation == Relation::Equal => {
+            (Value::Matrix(x), Value::Matrix(y)) => {
                 if x.len() != y.len() || x[0].len() != y[0].len() {
                     return Err(super::translate::fault(goal.span, "the sizes of these matrices differ"));
                 }
-                for (p, q) in x.iter().flatten().zip(y.iter().flatten()) {
-                    self.compare_forms(cx, p, relation, q, goal)?;
+                let mut entries = x.iter().flatten().zip(y.iter().flatten());
+                match relation {
+                    Relation::Equal => entries.try_for_each(|(p, q)| self.compare_forms(cx, p, relation, q, goal)),
+                    // They differ where one entry does.
+                    Relation::NotEqual => {
+                        let mut shown = |(p, q)| self.attempt(|e| e.compare_forms(cx, p, relation, q, goal)).is_ok();
+                        if entries.any(&mut shown) { Ok(()) } else { Err(not_shown(goal)) }
+                    }
+                    _ => Err(super::translate::fault(goal.span, "matrices have no order: compare them by = or !=")),
                 }
-                Ok(())
             }
             _ => Err(super::translate::fault(goal.span, "a matrix is compared with a number")),
         }

@@ -1,15 +1,14 @@
 //! Claims judged: each once, those that it cites first, no others.
 
 use super::Instant;
-use super::context::{Context, Engine, Failure, Origin, source};
+use super::context::{Context, Engine, Failure, Origin};
 use super::expand::Statement;
 use super::outcome::{Fault, Line, Outcome, Verdict};
-use super::refute;
+use super::{need, refute};
 use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -167,7 +166,17 @@ impl Catalogue {
         };
         let cited: BTreeMap<String, Rc<Statement>> =
             statement.using.iter().filter_map(|n| self.proved.get(n).map(|s| (n.clone(), s.clone()))).collect();
-        let outcome = judge(claim, &statement, &cited, limits);
+        // What the argument may name and nobody has proved, with what is known of it.
+        let mut unproved = BTreeMap::new();
+        for name in statement.using.iter().filter(|n| !cited.contains_key(*n)) {
+            let what = match self.outcomes.get(name) {
+                Some(Ok(Outcome { reason: Some(reason), .. })) => format!("undecided: {reason}"),
+                Some(Ok(outcome)) => outcome.verdict.name().to_string(),
+                Some(Err(_)) | None => "at fault".to_string(),
+            };
+            unproved.insert(name.clone(), what);
+        }
+        let outcome = judge(claim, &statement, &cited, &unproved, limits);
         (outcome, Some(statement))
     }
 }
@@ -186,7 +195,11 @@ fn undecided(claim: &Claim, reason: String) -> Outcome {
     }
 }
 
-fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> Engine<'c> {
+fn engine<'c>(
+    cited: &'c BTreeMap<String, Rc<Statement>>,
+    unproved: &BTreeMap<String, String>,
+    limits: &Limits,
+) -> Engine<'c> {
     let mut engine = Engine {
         ring: Default::default(),
         log: Vec::new(),
@@ -196,6 +209,7 @@ fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> En
         deadline: Instant::now().checked_add(limits.time),
         steps: limits.steps,
         cited,
+        unproved: unproved.keys().cloned().collect(),
         limit: None,
         rules: Vec::new(),
         certified: Default::default(),
@@ -207,47 +221,16 @@ fn engine<'c>(cited: &'c BTreeMap<String, Rc<Statement>>, limits: &Limits) -> En
     engine
 }
 
-/// The facts (by number) of those assumptions that the search consulted but does not need: without any
-/// one of them the statement is shown all the same.
-fn idle_assumptions(
-    done: &Engine,
-    statement: &Statement,
-    assumed: &[Range<usize>],
-    limits: &Limits,
-) -> Vec<Range<usize>> {
-    let mut idle = Vec::new();
-    for (place, range) in assumed.iter().enumerate() {
-        if range.clone().all(|fact| done.used & source(fact) == 0) {
-            continue;
-        }
-        let mut without = statement.clone();
-        without.assumptions.remove(place);
-        let mut engine = engine(done.cited, limits);
-        // As much work as the proof took, and a little more.
-        engine.steps = 2 * (limits.steps - done.steps.min(limits.steps)) + 1_000;
-        // The time is that of the whole claim; where it is short, a hypothesis counts as used.
-        engine.deadline = done.deadline;
-        let mut cx = Context::default();
-        if hypotheses(&mut engine, &mut cx, &without, &mut Vec::new()).is_ok()
-            && engine.follow(&mut cx, &without.goal, &without.proof).is_ok()
-        {
-            idle.push(range.clone());
-        }
-    }
-    idle
-}
-
 fn judge(
     claim: &Claim,
     statement: &Statement,
     cited: &BTreeMap<String, Rc<Statement>>,
+    unproved: &BTreeMap<String, String>,
     limits: &Limits,
 ) -> Result<Outcome, Fault> {
-    let mut engine = engine(cited, limits);
+    let mut engine = engine(cited, unproved, limits);
     let mut cx = Context::default();
-    let mut assumed = Vec::new();
-    let mut result = hypotheses(&mut engine, &mut cx, statement, &mut assumed);
-    let hypotheses_count = cx.facts.len();
+    let mut result = take_hypotheses(&mut engine, &mut cx, statement);
     if let Err(Failure::Fault(diagnose)) = result {
         return Err(Fault::Text(diagnose));
     }
@@ -257,20 +240,9 @@ fn judge(
         let list: Vec<String> = statement.assumptions.iter().map(|a| print::prop(&a.1)).collect();
         return Err(Fault::Contradictory { hypotheses: list.join("; ") });
     }
-    let hypotheses_facts = cx.facts.clone();
-    let mut proving = cx.clone();
     engine.used = 0;
     if result.is_ok() {
-        result = engine.attempt(|engine| engine.follow(&mut proving, &statement.goal, &statement.proof));
-        let guided = !statement.proof.steps.is_empty() || statement.proof.close.is_some();
-        if guided && matches!(result, Err(Failure::NotShown(_) | Failure::Undefined(_))) {
-            // The argument leads nowhere; the statement may be plain all the same.
-            let mut alone = cx.clone();
-            let found = engine.attempt(|engine| engine.show_goal(&mut alone, &statement.goal));
-            if found.is_ok() {
-                result = found;
-            }
-        }
+        result = show(&mut engine, &cx, statement);
     }
     if let Err(Failure::Fault(diagnose)) = result {
         return Err(Fault::Text(diagnose));
@@ -286,17 +258,19 @@ fn judge(
         Ok(()) => {
             outcome.verdict = Verdict::Proved;
             outcome.method = main_rule(&engine.rules).to_string();
-            let idle = idle_assumptions(&engine, statement, &assumed, limits);
-            for (place, fact) in hypotheses_facts.iter().enumerate().take(hypotheses_count) {
-                let text = describe(fact, statement);
-                if text.is_empty() {
-                    continue;
-                }
-                // A hypothesis of several parts is used where one of them is.
-                let whole = assumed.iter().find(|range| range.start == place).cloned().unwrap_or(place..place + 1);
-                let used = whole.into_iter().any(|part| engine.used & source(part) != 0)
-                    && !idle.iter().any(|range| range.contains(&place));
-                if used { outcome.used.push(text) } else { outcome.unused.push(text) }
+            let attempt = || {
+                let mut again = self::engine(cited, unproved, limits);
+                again.steps = 2 * (limits.steps - engine.steps.min(limits.steps)) + 1_000;
+                // The time is that of the whole claim.
+                again.deadline = engine.deadline;
+                again.ring.deadline = engine.deadline;
+                again
+            };
+            let stated = need::hypotheses(statement);
+            let idle = need::not_needed(&engine, statement, &stated, &attempt);
+            for (place, hypothesis) in stated.into_iter().enumerate() {
+                let list = if idle.contains(&place) { &mut outcome.unused } else { &mut outcome.used };
+                list.push(hypothesis.text);
             }
             outcome.argument = engine.log.clone();
         }
@@ -326,6 +300,10 @@ fn judge(
                         (Failure::Limit(name), _) => format!("limit reached: {name}"),
                         (Failure::NotShown(text), Some(name)) => format!("not shown: {text} (limit reached: {name})"),
                         (Failure::NotShown(text), None) => format!("not shown: {text}"),
+                        (Failure::RestsOn(name), _) => {
+                            let what = unproved.get(&name).map_or("not proved", String::as_str);
+                            format!("rests on {name}, which is {what}")
+                        }
                         (Failure::Undefined(text), _) => format!("an expression may have no value: {text}"),
                         (Failure::Fault(diagnose), _) => diagnose.message,
                     });
@@ -336,47 +314,32 @@ fn judge(
     Ok(outcome)
 }
 
-/// Takes the hypotheses into the context, and says which facts (by number) each assumption became.
-fn hypotheses(
-    engine: &mut Engine,
-    cx: &mut Context,
-    statement: &Statement,
-    assumed: &mut Vec<Range<usize>>,
-) -> Result<(), Failure> {
+/// Takes the hypotheses into the context, as facts in the order of [`need::hypotheses`].
+pub(super) fn take_hypotheses(engine: &mut Engine, cx: &mut Context, statement: &Statement) -> Result<(), Failure> {
     for sequence in &statement.sequences {
         cx.sequences.insert(sequence.name.clone(), Rc::new(sequence.clone()));
     }
     engine.declare(cx, &statement.bindings)?;
     for (label, prop) in &statement.assumptions {
-        let first = cx.facts.len();
         engine.assume(cx, prop, label.clone(), Origin::Hypothesis)?;
-        assumed.push(first..cx.facts.len());
     }
     // A member counts as a number wherever its index is one.
     statement.sequences.iter().try_for_each(|sequence| engine.members_valued(cx, sequence))
 }
 
-/// A hypothesis as text.
-fn describe(fact: &super::context::Fact, statement: &Statement) -> String {
-    if let PropKind::And(list) = &fact.prop.kind
-        && list.is_empty()
-        && let Some(label) = &fact.label
-    {
-        // A family's domain.
-        let name = label.split('(').next().unwrap_or(label);
-        for binding in &statement.bindings {
-            if let Some((_, Some(_))) = binding.names.iter().find(|n| n.0.text == name) {
-                let mut single = binding.clone();
-                single.names.retain(|n| n.0.text == name);
-                return print::Style::Text.binding(&single);
-            }
+/// Shows the goal by the claim's argument; where that fails, without it.
+pub(super) fn show(engine: &mut Engine, cx: &Context, statement: &Statement) -> Result<(), Failure> {
+    let mut proving = cx.clone();
+    let result = engine.attempt(|engine| engine.follow(&mut proving, &statement.goal, &statement.proof));
+    let guided = !statement.proof.steps.is_empty() || statement.proof.close.is_some();
+    let led_nowhere = matches!(result, Err(Failure::NotShown(_) | Failure::Undefined(_) | Failure::RestsOn(_)));
+    if guided && led_nowhere {
+        let mut alone = cx.clone();
+        if engine.attempt(|engine| engine.show_goal(&mut alone, &statement.goal)).is_ok() {
+            return Ok(());
         }
-        return label.clone();
     }
-    match (&fact.label, fact.origin) {
-        (Some(label), Origin::Hypothesis) => format!("{label}: {}", print::prop(&fact.prop)),
-        _ => print::prop(&fact.prop),
-    }
+    result
 }
 
 /// The rule that carries an argument, the most telling of those used.

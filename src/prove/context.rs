@@ -108,7 +108,8 @@ impl Signs {
     }
 }
 
-/// The facts that a conclusion used, by number; facts past the 127th share the last bit.
+/// The facts that a conclusion used, by number, as far as the search keeps account of them: a hint, not to be relied on.
+/// Facts past the 127th share the last bit.
 pub type Sources = u128;
 
 /// A comparison of a product of atoms with zero.
@@ -162,6 +163,8 @@ pub enum Failure {
     NotShown(String),
     /// An expression may have no value; the text says where.
     Undefined(String),
+    /// The argument cites a claim that is not proved.
+    RestsOn(String),
     /// The text of the claim makes no sense here.
     Fault(Diagnose),
 }
@@ -229,6 +232,8 @@ pub struct Engine<'c> {
     pub steps: usize,
     /// Statements that may be cited, by name.
     pub cited: &'c BTreeMap<String, Rc<super::expand::Statement>>,
+    /// Claims that the argument names and that are not proved.
+    pub unproved: Vec<String>,
     /// Whether a limit was hit in a branch that failed.
     pub limit: Option<&'static str>,
     /// The main rules used, for the name of the method.

@@ -40,14 +40,7 @@ impl Engine<'_> {
         let mut conditions = Vec::new();
         let form = self.scalar(cx, &limit.of, &mut conditions)?;
         self.show_conditions(cx, conditions)?;
-        // What was obtained may depend on the variable.
-        let mut names = BTreeSet::new();
-        names_in(&limit.of, &mut names);
-        for name in cx.obtained.clone() {
-            if name == limit.variable.text || names.contains(&name) || !self.free_of(&form, &name) {
-                return Err(Failure::NotShown(format!("a limit with {name}, which was obtained")));
-            }
-        }
+        self.nothing_obtained(cx, limit, &form)?;
         if let Some(value) = self.rational_limit(cx, &form, &limit.variable.text)? {
             return Ok(Some((Tends::To(value), "the degrees in")));
         }
@@ -55,11 +48,25 @@ impl Engine<'_> {
         Ok(found.map(|tends| (tends, "the series in 1 over")))
     }
 
+    /// Refuses a limit of what was obtained: that may depend on the variable.
+    fn nothing_obtained(&mut self, cx: &Context, limit: &Limit, form: &Form) -> Result<()> {
+        let mut names = BTreeSet::new();
+        names_in(&limit.of, &mut names);
+        for name in &cx.obtained {
+            if *name == limit.variable.text || names.contains(name) || !self.free_of(form, name) {
+                return Err(Failure::NotShown(format!("a limit with {name}, which was obtained")));
+            }
+        }
+        Ok(())
+    }
+
     /// Shows a limit between two expressions that have it.
     pub fn squeeze(&mut self, cx: &mut Context, goal: &Prop, lower: &Expr, upper: &Expr) -> Result<()> {
         let PropKind::Limit(limit) = &goal.kind else {
             return Err(super::translate::fault(goal.span, "`squeeze` is for limits"));
         };
+        let form = self.valued(cx, &limit.of)?;
+        self.nothing_obtained(cx, limit, &form)?;
         for bound in [lower, upper] {
             let inner = Limit { of: bound.clone(), variable: limit.variable.clone(), value: limit.value.clone() };
             let prop = Prop { kind: PropKind::Limit(Box::new(inner.clone())), span: goal.span };

@@ -257,9 +257,12 @@ impl Engine<'_> {
             Some(Prop { kind: PropKind::ForAll(bindings, body), .. }) => (bindings, Vec::new(), *body),
             Some(prop) => (Vec::new(), Vec::new(), prop),
             None => {
+                if self.unproved.contains(&claim.text) {
+                    return Err(Failure::RestsOn(claim.text.clone()));
+                }
                 let Some(statement) = self.cited.get(&claim.text).cloned() else {
-                    let message = format!("nothing called {} is proved or cited here", claim.text);
-                    let help = Some("name the claim under `using`; it must be proved".to_string());
+                    let message = format!("no claim or fact called {} is cited here", claim.text);
+                    let help = Some("name the claim under `using`".to_string());
                     return Err(Failure::Fault(Diagnose { message, help, span: claim.span }));
                 };
                 for sequence in &statement.sequences {
@@ -403,8 +406,16 @@ impl Engine<'_> {
         let step = put.expr(&sequence.step)?;
         let mut inner = cx.clone();
         inner.variables.extend([(index.to_string(), true), (before.to_string(), false)]);
-        self.valued(&mut inner, &step)?;
-        Ok(())
+        match self.valued(&mut inner, &step) {
+            Ok(_) => Ok(()),
+            Err(Failure::Undefined(what)) => {
+                let what = what
+                    .replace(index, &sequence.index)
+                    .replace(before, &format!("{}({})", sequence.name, sequence.index));
+                Err(Failure::Undefined(format!("in the sequence {} {what}", sequence.name)))
+            }
+            Err(failure) => Err(failure),
+        }
     }
 
     /// Shows that a value is a natural number: an integer combination of natural variables, not

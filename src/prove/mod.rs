@@ -14,6 +14,7 @@ pub mod expand;
 pub mod extremum;
 pub mod limit;
 pub mod method;
+pub mod need;
 pub mod outcome;
 pub mod refute;
 mod series;

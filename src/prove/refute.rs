@@ -21,6 +21,7 @@ use rustc_hash::FxHashSet as HashSet;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
+use std::time::Duration;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
@@ -376,18 +377,19 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
     found
 }
 
-/// A counterexample found without the prover: only the evaluator and the statement's own words. For
-/// tests of soundness.
-pub fn falsified(statement: &Statement) -> Option<Witness> {
+/// A counterexample found without the prover: only the evaluator and the statement's own words. For tests of
+/// soundness; a search of all points may take minutes, unless `time` ends it.
+pub fn falsified(statement: &Statement, time: Option<Duration>) -> Option<Witness> {
     let cited = std::collections::BTreeMap::new();
     let mut engine = Engine {
         ring: Default::default(),
         log: Vec::new(),
         depth: 0,
         used: 0,
-        deadline: None,
+        deadline: time.and_then(|time| Instant::now().checked_add(time)),
         steps: 100_000,
         cited: &cited,
+        unproved: Vec::new(),
         limit: None,
         rules: Vec::new(),
         certified: Default::default(),
@@ -553,12 +555,40 @@ fn ties_what_moves(statement: &Statement, bindings: &[Binding], goal: &Prop) -> 
     }
     let mut said: Vec<Prop> = statement.assumptions.iter().map(|a| a.1.clone()).collect();
     said.extend(bindings.iter().flat_map(super::assume::domain));
+    premises(goal, &mut said);
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
     let of_families: BTreeSet<String> = families.flat_map(super::expand::names_of_binding).collect();
     limits.iter().any(|v| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v)))
         || derivatives
             .iter()
             .any(|v| of_families.contains(v) || said.iter().any(|prop| super::translate::ties(prop, v)))
+}
+
+/// What a part of a goal may be said under: premises, and the other parts of an equivalence or disjunction.
+fn premises(goal: &Prop, into: &mut Vec<Prop>) {
+    match &goal.kind {
+        PropKind::And(list) => list.iter().for_each(|p| premises(p, into)),
+        PropKind::Or(list) | PropKind::Equivalent(list) => {
+            // One part of a disjunction is looked at where the others fail.
+            for part in list.iter().filter(|p| !speaks_of_what_moves(p)) {
+                into.push(part.clone());
+                into.extend(super::assume::negation(part));
+            }
+            list.iter().for_each(|p| premises(p, into));
+        }
+        PropKind::Implies(p, q) => {
+            into.push((**p).clone());
+            premises(q, into);
+        }
+        PropKind::Not(p) | PropKind::ForAll(_, p) | PropKind::Exists(_, p) => premises(p, into),
+        PropKind::Compare(..) | PropKind::Extremum(_) | PropKind::Limit(_) => {}
+    }
+}
+
+fn speaks_of_what_moves(prop: &Prop) -> bool {
+    let (mut limits, mut derivatives) = (Vec::new(), Vec::new());
+    moving(prop, &mut limits, &mut derivatives);
+    !limits.is_empty() || !derivatives.is_empty()
 }
 
 /// The variables of limits and of derivatives.
