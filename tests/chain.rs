@@ -7,8 +7,10 @@ use carom::chain::pass::Pass;
 use carom::chain::threshold::{Helps, compare, helps, threshold};
 use carom::chain::{Positive, Restitution, Restitutions, collision, recollision, transfer};
 use carom::number::decimal::{Decimal, Digits, Rounding};
+use carom::number::interval::Interval;
 use carom::number::rational::parse;
 use carom::number::real::Real;
+use carom::number::root::root;
 use malachite::base::num::arithmetic::traits::{Pow, Reciprocal, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Natural, Rational};
@@ -132,7 +134,7 @@ proptest! {
         let mass: Vec<Real> = (0..=n + 1).map(|i| optimum.mass(i)).collect();
         let bits = 1200;
         // B-budget: momentum, and kinetic energy with all losses.
-        let mut momentum = carom::number::interval::Interval::from_integer(0);
+        let mut momentum = Interval::from_integer(0);
         let mut energy = momentum.clone();
         for (m, v) in mass.iter().zip(&velocity) {
             let (m, v) = (m.enclosure(bits), v.enclosure(bits));
@@ -158,7 +160,7 @@ proptest! {
         let r = Positive::new(r).unwrap();
         let (answer, _) = helps(&common, &r, n).unwrap();
         let l = threshold(&r, n).unwrap();
-        let below = l.enclosure(3000).subtract(&carom::number::interval::Interval::from_rational(&c, 3000), 3000);
+        let below = l.enclosure(3000).subtract(&Interval::from_rational(&c, 3000), 3000);
         match (answer, below.sign()) {
             (Helps::Yes, sign) => prop_assert_eq!(sign, Some(Ordering::Less)),
             (Helps::No, sign) => prop_assert_eq!(sign, Some(Ordering::Greater)),
@@ -257,7 +259,7 @@ fn large_numbers_of_bodies_are_settled_in_doubles() {
             assert_eq!((order, level), (wanted, carom::number::real::Level::Double), "{n}");
             // By intervals: 1 − L_n against 1 − e.
             let l = threshold(&r, u64::try_from(&n).unwrap()).unwrap().enclosure(300);
-            let gap = carom::number::interval::Interval::from_rational(e.value(), 300).subtract(&l, 300);
+            let gap = Interval::from_rational(e.value(), 300).subtract(&l, 300);
             assert_eq!(gap.sign(), Some(wanted), "{n}");
         }
     }
@@ -270,24 +272,70 @@ fn large_numbers_of_bodies_are_settled_in_doubles() {
     }
 }
 
-/// With the last step merged, eta at many bits is the one by the plain formula.
+/// eta and `L_n` by their formulas, in intervals.
+fn plain_eta(r: &str, c: &str, n: u64, bits: u64) -> Interval {
+    let t = root(&q(r), &Natural::from(n + 1), bits);
+    let sum = t.add(&Interval::from_integer(1), bits);
+    let base = t.multiply_rational(&e(c).plus_one().square(), bits).divide(&sum.square(bits), bits);
+    base.power(&Natural::from(n + 1), bits)
+}
+
+fn plain_threshold(r: &str, n: u64, bits: u64) -> Interval {
+    let one = Interval::from_integer(1);
+    let power = |k: u64| root(&q(r), &Natural::from(k), bits).add(&one, bits).power(&Natural::from(k), bits);
+    power(n + 1).divide(&power(n), bits).subtract(&one, bits)
+}
+
+/// Whatever way is taken, in so many machine words, with the last step merged or not, by square roots or by Newton steps:
+/// eta and `L_n` at many bits are those by the plain formulas. The bits are those at which the way changes, and others.
 #[test]
-fn eta_at_many_bits_agrees_with_the_plain_formula() {
-    for (r, c, n) in
-        [("10", "9/10", 7), ("1/3", "1", 1), ("1e-40", "1/7", 4), ("1e200", "0.999", 30), ("1.0000001", "4/5", 100)]
-    {
+fn eta_and_thresholds_at_many_bits_agree_with_the_plain_formulas() {
+    let words = [3, 4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 46, 54, 62, 70, 80, 94, 110, 126];
+    let ends = words.iter().flat_map(|words| [64 * words - 41_u64, 64 * words - 40, 64 * words - 39]);
+    let bits: Vec<u64> = ends.chain([333, 1_000, 1_530, 2_222, 5_000, 12_345, 20_000, 32_001, 120_000]).collect();
+    for (r, c, n) in [
+        ("10", "9/10", 7),
+        ("1/3", "1", 1),
+        ("1e-40", "1/7", 4),
+        ("1e200", "0.999", 30),
+        ("1.0000001", "4/5", 100),
+        ("4294967295/2", "0.123456789123456789", 2),
+        ("7", "0", 15),
+        ("18446744073709551615/18446744073709551614", "1/2", 3),
+        ("355/113", "3/4", 1000),
+    ] {
         let eta = transfer::optimal(&mass(r), &Restitutions::Same(e(c)), n).unwrap();
-        for bits in [5_000_u64, 12_345, 120_000] {
-            let found = eta.enclosure(bits);
-            assert!(found.accuracy() + 40 >= bits, "{r} {bits} {}", found.accuracy());
+        let l = threshold(&mass(r), n).unwrap();
+        for &bits in &bits {
             let work = bits + 100;
-            let t = carom::number::root::root(&q(r), &Natural::from(n + 1), work);
-            let sum = t.add(&carom::number::interval::Interval::from_integer(1), work);
-            let gain = e(c).plus_one().square();
-            let base = t.multiply_rational(&gain, work).divide(&sum.square(work), work);
-            let plain = base.power(&Natural::from(n + 1), work);
-            let gap = found.subtract(&plain, work);
-            assert!(gap.contains(&Rational::ZERO), "{r} {bits}");
+            for (found, plain) in
+                [(eta.enclosure(bits), plain_eta(r, c, n, work)), (l.enclosure(bits), plain_threshold(r, n, work + 90))]
+            {
+                assert!(found.accuracy() + 40 >= bits, "{r} {n} {bits} {}", found.accuracy());
+                assert!(found.subtract(&plain, work).contains(&Rational::ZERO), "{r} {n} {bits}");
+            }
+        }
+    }
+}
+
+/// Every printed digit is the one that the plain formula gives, in every rounding direction.
+#[test]
+fn printed_digits_are_those_of_the_plain_formulas() {
+    for (r, c, n) in [("10", "9/10", 7), ("2/7", "0.123", 4), ("1000", "1", 23)] {
+        let eta = transfer::optimal(&mass(r), &Restitutions::Same(e(c)), n).unwrap();
+        let l = threshold(&mass(r), n).unwrap();
+        let plain = [
+            Real::enclosed(move |bits| plain_eta(r, c, n, bits + 60)),
+            Real::enclosed(move |bits| plain_threshold(r, n, bits + 60)),
+        ];
+        for count in [100, 149, 150, 200, 300, 458, 600, 1_000, 1_066, 1_999, 3_000, 6_000] {
+            for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
+                for (found, plain) in [&eta, &l].into_iter().zip(&plain) {
+                    let print =
+                        |x: &Real| Decimal::of_real(x, Digits::Significant(count), rounding).unwrap().0.to_string();
+                    assert_eq!(print(found), print(plain), "{r} {n} {count}");
+                }
+            }
         }
     }
 }

@@ -12,6 +12,7 @@ use malachite::base::num::arithmetic::traits::{Abs, Pow, PowerOf2, Reciprocal};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
 use proptest::prelude::*;
+use std::cmp::Ordering;
 
 /// A set and one of its elements.
 #[derive(Clone, Debug)]
@@ -130,6 +131,26 @@ proptest! {
         prop_assert!(enough(&set(&x).multiply(&set(&y), bits)));
         prop_assert!(enough(&set(&x).divide(&set(&y), bits)));
         prop_assert!(enough(&set(&x).reciprocal(bits)));
+    }
+
+    #[test]
+    fn square_roots_square_back(a in members(), bits in precisions()) {
+        match a.set.square_root(bits).ends() {
+            Some((lo, hi)) => {
+                let (lo, hi) = (lo.point().unwrap(), hi.point().unwrap());
+                prop_assert!(a.element >= 0 && hi >= 0 && a.element <= (&hi).pow(2_u64));
+                prop_assert!(lo <= 0 || lo.pow(2_u64) <= a.element);
+            }
+            None => prop_assert!(a.set.sign() != Some(Ordering::Greater)),
+        }
+    }
+
+    #[test]
+    fn square_roots_are_as_accurate_as_asked(r in positive_rationals(), k in 1u64..9, bits in 8u64..2000) {
+        let y = root(&r, &Natural::power_of_2(k), bits);
+        prop_assert!(y.accuracy().saturating_add(1) >= bits, "{bits} bits asked, {} found", y.accuracy());
+        let whole = Rational::from_unsigneds(3_u8, 7).pow(2_u64);
+        prop_assert!(root(&whole, &Natural::power_of_2(1), bits).contains(&Rational::from_unsigneds(3_u8, 7)));
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::optimum::root_text;
 use super::{MAX_INSERTED, Positive, Restitution, limit_inserted};
 use crate::number::NumberError;
 use crate::number::double::Double;
-use crate::number::fixed::{Fixed, above_one};
+use crate::number::fixed::{Fixed, above_one, in_words};
 use crate::number::interval::Interval;
 use crate::number::parallel::{MIN_BITS, both};
 use crate::number::rational::exact_root;
@@ -111,17 +111,10 @@ fn plus_one(r: &Rational, n: &Natural, bits: u64) -> Interval {
 /// `(L_n + 1)/2` in machine words, where the ratio is short and so many bits fit.
 fn in_words(r: &Rational, n: &Natural, bits: u64) -> Option<Interval> {
     let (r, n) = (above_one(r)?, u64::try_from(n).ok()?);
-    if bits <= Fixed::<3>::ROOM {
-        half_in_words::<3>(r, n)?.to_interval(bits)
-    } else if bits <= Fixed::<4>::ROOM {
-        half_in_words::<4>(r, n)?.to_interval(bits)
-    } else if bits <= Fixed::<6>::ROOM {
-        half_in_words::<6>(r, n)?.to_interval(bits)
-    } else if bits <= Fixed::<8>::ROOM {
-        half_in_words::<8>(r, n)?.to_interval(bits)
-    } else {
-        None
-    }
+    in_words!(
+        bits, bits, half_in_words(r, n),
+        <3>, <4>, <6>, <8>, <10>, <12>, <14>, <16>, <20>, <24>, <28>, <32>, <40>, <46>, <54>, <62>
+    )
 }
 
 /// `((1 + r^(−1/(n+1)))/2)^(n+1)/((1 + r^(−1/n))/2)^n` for `r > 1`: (19), the fraction reduced by `r`.

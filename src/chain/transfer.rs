@@ -6,7 +6,7 @@
 use super::optimum::{exact_bits, factor_text, root_text};
 use super::{ChainError, MAX_EXACT_BITS, MAX_INSERTED, Positive, Restitutions, limit_inserted};
 use crate::number::double::Double;
-use crate::number::fixed::{Fixed, above_one, two_words};
+use crate::number::fixed::{Fixed, above_one, in_words, two_words};
 use crate::number::interval::Interval;
 use crate::number::parallel::{MIN_BITS, both};
 use crate::number::product::quotient;
@@ -21,6 +21,10 @@ use malachite::{Natural, Rational};
 /// From so many bits on, and up to so many collisions, [`merged`] is quicker (bench `numbers`, group `digits`).
 const MERGED_BITS: u64 = 5_000;
 const MERGED_COUNT: u64 = 1 << 16;
+
+/// The same in machine words, where the operands are formed by halves at a lower price.
+const MERGED_WORD_BITS: u64 = 24 * 64;
+const MERGED_WORD_COUNT: u64 = 24;
 
 /// Exact powers of `1 + e` up to so many bits enter as short factors; longer ones are enclosed.
 const SHORT_BITS: u64 = 4_096;
@@ -88,24 +92,49 @@ fn in_words(r: &Rational, gains: &Gains, count: u64, bits: u64) -> Option<Interv
     let r = if gains.count == count { above_one(r)? } else { return None };
     // ((1 + e)/2)², not above 1.
     let gain = two_words(&(&gains.base >> 2u32))?;
-    if bits <= Fixed::<3>::ROOM {
-        share_in_words::<3>(r, gain, count)?.to_interval(bits)
-    } else if bits <= Fixed::<4>::ROOM {
-        share_in_words::<4>(r, gain, count)?.to_interval(bits)
-    } else if bits <= Fixed::<6>::ROOM {
-        share_in_words::<6>(r, gain, count)?.to_interval(bits)
-    } else if bits <= Fixed::<8>::ROOM {
-        share_in_words::<8>(r, gain, count)?.to_interval(bits)
-    } else {
-        None
+    if bits <= MERGED_WORD_BITS || count > MERGED_WORD_COUNT {
+        return in_words!(
+            bits, bits, share_in_words(r, gain, count),
+            <3>, <4>, <6>, <8>, <10>, <12>, <14>, <16>, <20>, <24>, <32>, <46>, <64>, <94>
+        );
     }
+    let lost = (2.0 * count as f64 * root_of(r, count).ln_1p() * std::f64::consts::LOG2_E) as u64;
+    let room = bits.saturating_add(lost);
+    in_words!(
+        room, bits, merged_in_words(r, gain, count),
+        <24, 13>, <28, 15>, <32, 17>, <36, 19>, <40, 21>, <46, 24>, <54, 28>, <62, 32>, <70, 36>, <80, 41>, <94, 48>,
+        <110, 56>, <126, 64>
+    )
+}
+
+/// About `r^(1/N)`, for guesses.
+fn root_of(r: (u64, u64), count: u64) -> f64 {
+    (r.0 as f64 / r.1 as f64).powf(1.0 / count as f64)
 }
 
 /// `(g·4z/(1 + z)²)^N`, `z = r^(−1/N)`, for `r > 1` and `g = ((1 + e)/2)²`: eta by (25), with each of its factors at most 1.
 fn share_in_words<const L: usize>(r: (u64, u64), gain: (u64, u64), count: u64) -> Option<Fixed<L>> {
     let z = Fixed::<L>::inverse_root(r.0, r.1, count)?;
     let half_sum = z.halfway_to_one()?;
-    z.times_rational(gain.0, gain.1)?.over(&half_sum.times(&half_sum)?)?.power(count)
+    z.times_rational(gain.0, gain.1)?.over(&half_sum.square()?)?.power(count)
+}
+
+/// As [`merged`], from a point `v` of `H` words, with `φ = (1 − v)^N/r − v^N = ρ·v^N`: `eta = (4g)^N·r·(v^(2N) + 2φ·(1 − v)·v^N + κ·v^(2N))`, and
+/// `|κ|·v^(2N) <= 11φ²`. It begins about `2N·log2(1 + t)` places behind the point, which are lost.
+fn merged_in_words<const L: usize, const H: usize>(r: (u64, u64), gain: (u64, u64), count: u64) -> Option<Fixed<L>> {
+    let z = Fixed::<H>::inverse_root(r.0, r.1, count)?;
+    let v = z.times_rational(1, 2)?.over(&z.halfway_to_one()?)?.resized::<L>();
+    let rest = v.one_minus()?;
+    let (a, b) = (rest.power(count)?, v.power(count)?);
+    let (above, phi) = a.times_rational(r.1, r.0)?.distance(&b)?;
+    // |ρ| <= 2^-36.
+    if phi.zeros() < b.least()? + 36 {
+        return None;
+    }
+    let correction = b.times(&rest.times(&phi)?)?.times_power_of_2(1)?;
+    let main = b.square()?.plus(above, &correction)?.widened(11, &phi)?;
+    // 4^N·v^(2N) is at most 1/r, and about that for a large N.
+    main.times_power_of_2(2 * count)?.times_power(gain.0, gain.1, count)?.times_rational(r.0, r.1)
 }
 
 /// eta at many bits, the last Newton step of the root merged with the formula.

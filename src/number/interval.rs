@@ -13,7 +13,7 @@
 //!
 //! **Cost.** One integer operation of the precision each; a radius costs a few machine words.
 
-use malachite::base::num::arithmetic::traits::{DivisibleByPowerOf2, NegAssign, PowerOf2, Sign, Square};
+use malachite::base::num::arithmetic::traits::{DivisibleByPowerOf2, FloorSqrt, NegAssign, PowerOf2, Sign, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::SaturatingFrom;
 use malachite::base::num::logic::traits::{BitAccess, SignificantBits};
@@ -33,7 +33,7 @@ const RADIUS_BITS: u32 = 32;
 const LONG_BITS: u64 = 1_024;
 
 /// Divisions of more bits than this multiply by a Newton reciprocal (bench `numbers`, group `division`).
-const NEWTON_DIVISION_BITS: u64 = 20_000;
+pub(super) const NEWTON_DIVISION_BITS: u64 = 20_000;
 
 /// All reals within `radius·2^exponent` of `mid·2^exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -510,6 +510,34 @@ impl Interval {
             Bound::of(&self.mid).times(2 * self.radius).plus(radius.times(self.radius))
         };
         Interval::rounded((&self.mid).square(), bound, self.exponent.saturating_mul(2), bits)
+    }
+
+    /// All square roots; the whole line unless the middle is above 0 and no element is below 0.
+    ///
+    /// In the units of the result, let `M` be the middle, `y` an element, `|y − M| <= E`, and `s` the root found,
+    /// `s <= √M < s + 1`. Then `|√y − √M| = |y − M|/(√y + √M)` is at most `E/√M <= E/s`, and for `E <= M/16` at most
+    /// `(16/31)·E/s`, since `√y >= √M·√(1 − 1/16) >= √M·15/16`.
+    #[must_use]
+    pub fn square_root(&self, bits: u64) -> Interval {
+        let middle = self.mid.unsigned_abs_ref();
+        if self.mid <= 0 || *middle < Natural::from(self.radius) {
+            return Interval::whole();
+        }
+        let bits = bits.max(2);
+        // Twice as many digits as the root shall have, and an even exponent.
+        let places = bits.saturating_mul(2).saturating_sub(self.mid.significant_bits());
+        let places = places + (places + self.exponent.unsigned_abs()) % 2;
+        let root = (middle << places).floor_sqrt();
+        let small = middle.significant_bits() > 4 + u64::from(RADIUS_BITS)
+            || self.radius.saturating_mul(16) <= u64::saturating_from(middle);
+        let (above, below) = if small { (16, 31) } else { (1, 1) };
+        // Its first digits, not 0, and at most twice 32 bits over them.
+        let cut = root.significant_bits().saturating_sub(RADIUS_BITS.into());
+        let leading = below * u128::from(u64::saturating_from(&(&root >> cut)));
+        let size = (u128::from(self.radius) * above << RADIUS_BITS).div_ceil(leading);
+        let bound = Bound::from_wide(size, places).down(cut + u64::from(RADIUS_BITS)).plus(Bound::UNIT);
+        let exponent = self.exponent.saturating_sub(i64::try_from(places).unwrap_or(i64::MAX)) / 2;
+        Interval::rounded(Integer::from(root), bound, exponent, bits)
     }
 
     /// All quotients by a natural number, the whole line where it is zero.

@@ -1,4 +1,4 @@
-//! Roots and reciprocals: guessed in floating point, certified by a power.
+//! Roots and reciprocals: guessed in floating point, certified by a power; or integer square roots and quotients.
 //!
 //! **Contract.** [`root`] encloses `r^(1/k)` for a positive rational `r` and `k >= 1`; [`Interval::reciprocal`]
 //! encloses `1/x`. Nothing rests on the guess: a bad one gives a wide result or the whole line.
@@ -13,12 +13,16 @@
 //! **Cost.** Precision doubles from step to step, so all of them together cost about twice the last:
 //! a squaring for each binary digit of `k`.
 
-use super::interval::Interval;
-use malachite::base::num::arithmetic::traits::Reciprocal;
+use super::interval::{Interval, NEWTON_DIVISION_BITS};
+use malachite::base::num::arithmetic::traits::{CheckedLogBase2, Reciprocal};
 use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural, Rational};
 use std::cmp::Ordering;
+
+/// Up to so many bits roots with a power of two as index are taken by square roots (bench `numbers`, group `digits`):
+/// each costs about a product, and a Newton step some of them. An odd factor of the index leaves the Newton steps to do.
+const SQUARE_ROOT_BITS: u64 = 32_000;
 
 /// Digits that a floating-point guess is expected to have; only speed depends on it.
 const GUESS_BITS: u64 = 28;
@@ -32,6 +36,11 @@ pub fn root(r: &Rational, k: &Natural, bits: u64) -> Interval {
     if *k == Natural::ONE {
         return Interval::from_rational(r, bits);
     }
+    if let Some(halvings) = k.checked_log_base_2().filter(|_| bits <= SQUARE_ROOT_BITS) {
+        // Each square root halves the relative error and adds some units of its own.
+        let first = Interval::from_rational(r, bits + 6);
+        return (0..halvings).fold(first, |x, _| x.square_root(bits + 6)).round(bits + 2);
+    }
     let inverse = r.reciprocal();
     inverse_root(&|y, bits| y.multiply_rational(&inverse, bits), guess_root(r, k), k, bits)
 }
@@ -41,6 +50,7 @@ impl Interval {
     #[must_use]
     pub fn reciprocal(&self, bits: u64) -> Interval {
         match self.sign() {
+            Some(Ordering::Greater) if bits <= NEWTON_DIVISION_BITS => Interval::from_integer(1).divide(self, bits),
             Some(Ordering::Greater) => {
                 let guess = Interval::from_integer(1).divide(&self.round(64), 64).middle(60);
                 // Early steps need few digits of the number.
