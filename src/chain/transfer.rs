@@ -98,10 +98,11 @@ fn in_words(r: &Rational, gains: &Gains, count: u64, bits: u64) -> Option<Interv
             <3>, <4>, <6>, <8>, <10>, <12>, <14>, <16>, <20>, <24>, <32>, <46>, <64>, <94>
         );
     }
+    let base = two_words(&gains.base)?;
     let lost = (2.0 * count as f64 * root_of(r, count).ln_1p() * std::f64::consts::LOG2_E) as u64;
     let room = bits.saturating_add(lost);
     in_words!(
-        room, bits, merged_in_words(r, gain, count),
+        room, bits, merged_in_words(r, base, count),
         <24, 13>, <28, 15>, <32, 17>, <36, 19>, <40, 21>, <46, 24>, <54, 28>, <62, 32>, <70, 36>, <80, 41>, <94, 48>,
         <110, 56>, <126, 64>
     )
@@ -119,11 +120,12 @@ fn share_in_words<const L: usize>(r: (u64, u64), gain: (u64, u64), count: u64) -
     z.times_rational(gain.0, gain.1)?.over(&half_sum.square()?)?.power(count)
 }
 
-/// As [`merged`], from a point `v` of `H` words, with `φ = (1 − v)^N/r − v^N = ρ·v^N`: `eta = (4g)^N·r·(v^(2N) + 2φ·(1 − v)·v^N + κ·v^(2N))`, and
-/// `|κ|·v^(2N) <= 11φ²`. It begins about `2N·log2(1 + t)` places behind the point, which are lost.
+/// As [`merged`], from a point `v` of `H` words. With `g = (1 + e)²` and `φ = (1 − v)^N/r − v^N = ρ·v^N`:
+/// `eta = g^N·r·(v^(2N) + 2φ·(1 − v)·v^N + κ·v^(2N))`, and `|κ|·v^(2N) <= 11φ²`. The sum begins about `2N·log2(1 + t)` places
+/// behind the point, and so many are lost.
 fn merged_in_words<const L: usize, const H: usize>(r: (u64, u64), gain: (u64, u64), count: u64) -> Option<Fixed<L>> {
     let z = Fixed::<H>::inverse_root(r.0, r.1, count)?;
-    let v = z.times_rational(1, 2)?.over(&z.halfway_to_one()?)?.resized::<L>();
+    let v = z.over(&z.halfway_to_one()?)?.half()?.resized::<L>();
     let rest = v.one_minus()?;
     let (a, b) = (rest.power(count)?, v.power(count)?);
     let (above, phi) = a.times_rational(r.1, r.0)?.distance(&b)?;
@@ -133,8 +135,7 @@ fn merged_in_words<const L: usize, const H: usize>(r: (u64, u64), gain: (u64, u6
     }
     let correction = b.times(&rest.times(&phi)?)?.times_power_of_2(1)?;
     let main = b.square()?.plus(above, &correction)?.widened(11, &phi)?;
-    // 4^N·v^(2N) is at most 1/r, and about that for a large N.
-    main.times_power_of_2(2 * count)?.times_power(gain.0, gain.1, count)?.times_rational(r.0, r.1)
+    main.times_power(gain.0, gain.1, count)?.times_rational(r.0, r.1)
 }
 
 /// eta at many bits, the last Newton step of the root merged with the formula.

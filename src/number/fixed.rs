@@ -27,9 +27,6 @@ use malachite::{Integer, Natural, Rational};
 /// Errors of more units than this are refused.
 const MAX_ERROR: u64 = 1 << 60;
 
-/// Products with a power of a rational take at most so many products with a word.
-const MAX_PASSES: u64 = 4;
-
 /// Exponents up to which powers are taken.
 pub const MAX_EXPONENT: u64 = 1 << 10;
 
@@ -310,33 +307,33 @@ impl<const L: usize> Fixed<L> {
         if whole == 0 { Fixed::with_error(words, error) } else { None }
     }
 
-    /// All products with `(p/q)^exponent`, for `0 < p <= q`.
+    /// All products with `(p/q)^exponent`, where the digits' product is below 1, and so are those with the smaller powers.
     pub fn times_power(&self, p: u64, q: u64, exponent: u64) -> Option<Fixed<L>> {
         if p == q || exponent == 0 {
             return Some(*self);
         }
-        // As many factors at a time as fit in a word.
-        let together = u64::from(u64::MAX.ilog2() / (q.ilog2() + 1)).clamp(1, exponent);
-        if exponent.div_ceil(together) > MAX_PASSES {
-            let first = Fixed::below_one(p, q)?;
-            return self.times(&first.power(exponent)?);
+        // So many factors fit in a word.
+        let fitting = |x: u64| u64::from(u64::MAX.ilog2() / (x.ilog2() + 1));
+        let power = |x: u64, k: u64| x.checked_pow(u32::try_from(k).ok()?);
+        let (mut product, mut left) = (*self, exponent);
+        while left > 0 {
+            let taken = fitting(q).clamp(1, left);
+            let (mut whole, mut above) = (0, taken);
+            while above > 0 {
+                // The part before the point stays below q^taken, as long as the product is below 1.
+                let some = fitting(p.max(1)).clamp(1, above);
+                let factor = power(p, some)?;
+                let (carry, words) = product.times_word(factor);
+                (whole, product.words) = (u64::checked_mul(whole, factor)?.checked_add(carry)?, words);
+                above -= some;
+            }
+            let (whole, words) = Fixed::over_word(whole, product.words, &Divisor::new(power(q, taken)?)?);
+            let growth = power(p.div_ceil(q), taken).unwrap_or(u64::MAX);
+            let error = product.error.saturating_mul(growth).saturating_add(1);
+            product = if whole == 0 { Fixed::with_error(words, error)? } else { return None };
+            left -= taken;
         }
-        let power = |k: u64| Some((p.checked_pow(u32::try_from(k).ok()?)?, q.checked_pow(u32::try_from(k).ok()?)?));
-        let (above, below) = power(together)?;
-        let mut product = *self;
-        for _ in 0..exponent / together {
-            product = product.times_rational(above, below)?;
-        }
-        match power(exponent % together)? {
-            (1, 1) => Some(product),
-            (above, below) => product.times_rational(above, below),
-        }
-    }
-
-    /// `p/q < 1`.
-    fn below_one(p: u64, q: u64) -> Option<Fixed<L>> {
-        let (whole, words) = Fixed::over_word(p, [0; L], &Divisor::new(q)?);
-        if whole == 0 { Fixed::with_error(words, 1) } else { None }
+        Some(product)
     }
 
     /// `1 − x` for all elements.
@@ -397,8 +394,17 @@ impl<const L: usize> Fixed<L> {
 
     /// `(1 + x)/2` for all elements.
     pub fn halfway_to_one(&self) -> Option<Fixed<L>> {
+        self.halved(1)
+    }
+
+    /// `x/2` for all elements.
+    pub fn half(&self) -> Option<Fixed<L>> {
+        self.halved(0)
+    }
+
+    fn halved(&self, whole: u64) -> Option<Fixed<L>> {
         let mut words = self.words;
-        let mut above = 1;
+        let mut above = whole;
         for word in words.iter_mut().rev() {
             let last = *word & 1;
             *word = *word >> 1 | above << 63;
@@ -645,6 +651,7 @@ mod tests {
         let (power, half, rest) = (a.power(5).unwrap(), a.halfway_to_one().unwrap(), a.one_minus().unwrap());
         let (p, q) = (p.min(q), p.max(q));
         let (share, shares) = (a.times_rational(p, q), a.times_power(p, q, 7));
+        let grown = a.times_power(7, 2, 5);
         let ((above, gap), doubled) = (a.distance(b).unwrap(), a.times_power_of_2(3));
         let (more, less) = (a.plus(true, b), a.plus(false, b));
         let mut tiny = *b;
@@ -658,6 +665,8 @@ mod tests {
             prop_assert!(holds(&rest, &(Rational::from(1) - &x)));
             prop_assert!(share.is_none_or(|share| holds(&share, &(&x * &ratio))) && share.is_some());
             prop_assert!(shares.is_none_or(|all| holds(&all, &(&x * (&ratio).pow(7_u64)))) && shares.is_some());
+            prop_assert!(grown.is_none_or(|grown| holds(&grown, &(&x * Rational::from_unsigneds(7_u8, 2).pow(5_u64)))));
+            prop_assert!(a.half().is_some_and(|half| holds(&half, &(&x >> 1_u32))));
             prop_assert!(doubled.is_none_or(|doubled| holds(&doubled, &(&x << 3_u32))));
             prop_assert!(a.least().is_none_or(|k| x >= Rational::power_of_2(-i64::try_from(k).unwrap())));
             prop_assert!(x <= Rational::power_of_2(-i64::try_from(a.zeros()).unwrap()));
