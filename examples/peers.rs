@@ -144,7 +144,7 @@ fn digits(run: &Run) {
     let r = positive(Rational::from(10));
     let e = Restitutions::Same(restitution(Rational::from_unsigneds(9u32, 10)));
     let (eta, l) = (transfer::optimal(&r, &e, 7).unwrap(), threshold(&r, 7).unwrap());
-    for count in [100u64, 1_000, 10_000, 100_000, 1_000_000] {
+    for count in [100u64, 150, 200, 600, 1_000, 10_000, 100_000, 1_000_000] {
         let bits = bits_of_digits(count);
         let answer = |x: &Real| remainder(x, count - SPARE);
         run.case(&format!("eta/{count}"), || eta.enclosure(black_box(bits)), |_| answer(&eta));

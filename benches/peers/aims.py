@@ -50,6 +50,11 @@ def lines(record):
             return min((min(peers(record, "J3", c)) / own(c) for c in both if own(c) and peers(record, "J3", c)), default=None)
 
         ratio("J3", "ahead of every peer at 10² digits", best(100), 1)
+        for count in (150, 200, 600, 1_000, 10_000):
+            for what, least in (("eta", 1), ("L_7", 0.8)):
+                case = f"{what}/{count}"
+                both = [over_carom(record, "J3", f"Arb from {place}", [case]) for place in ("C", "python-flint")]
+                ratio("J3", f"{what} against Arb at {count} digits", min(filter(None, both), default=None), least)
         ratio("J3", "twice the best peer's speed at 10⁵ digits", best(100_000), 2)
         ratio("J3", "twice the best peer's speed at 10⁶ digits", best(1_000_000), 2)
     if has("J4"):

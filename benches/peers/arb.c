@@ -104,8 +104,9 @@ static void digits(void) {
   fmpz_t prime, scale, floor;
   fmpz_init(prime), fmpz_init(scale), fmpz_init(floor);
   fmpz_one(prime), fmpz_mul_2exp(prime, prime, 127), fmpz_sub_ui(prime, prime, 1);
-  for (long count = 100; count <= 1000000; count *= 10)
+  for (int k = 0; k < SIZES; k++)
     for (int which = 0; which < 2; which++) {
+      long count = sizes[k];
       char name[40];
       snprintf(name, sizeof name, "%s/%ld", which ? "L_7" : "eta", count);
       if (!wanted(name)) continue;

@@ -42,8 +42,9 @@ int main(int argc, char **argv) {
   mpz_t floor, prime, scale;
   mpz_inits(floor, prime, scale, NULL);
   mpz_ui_pow_ui(prime, 2, 127), mpz_sub_ui(prime, prime, 1);
-  for (long count = 100; count <= 1000000; count *= 10)
+  for (int k = 0; k < SIZES; k++)
     for (int which = 0; which < 2; which++) {
+      long count = sizes[k];
       char name[40];
       snprintf(name, sizeof name, "%s/%ld", which ? "L_7" : "eta", count);
       if (!wanted(name)) continue;

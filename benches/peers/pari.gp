@@ -67,7 +67,8 @@ identities() =
 digits_job() =
 {
   my(floor_of = (x, n) -> lift(Mod(floor(x*10^(n - 10)), modulus)));
-  for(k = 2, 6, my(n = 10^k);
+  my(sizes = [100, 150, 200, 600, 1000, 10000, 100000, 1000000]);
+  for(k = 1, #sizes, my(n = sizes[k]);
     localbitprec(ceil(n*3.3219280948874) + 64);
     report(Str("eta/", n), () -> my(t = sqrt(sqrt(sqrt(10.)))); (361*t/(1 + t)^2/100)^8, x -> floor_of(x, n));
     report(Str("L_7/", n), () -> (1 + sqrt(sqrt(sqrt(10.))))^8/(1 + sqrtn(10., 7))^7 - 1, x -> floor_of(x, n)));

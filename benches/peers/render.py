@@ -2,11 +2,13 @@
 import re
 
 import aims
+from load import LOADED
+from peer import DIGITS
 from tools import CERTIFIED, EXACT, PLAIN, PROOF, TITLES
 
 # The cases that the tables show where there are many; the JSON holds all.
 SHOWN = {
-    "J3": [f"{what}/{10**k}" for what in ("eta", "L_7") for k in range(2, 7)],
+    "J3": [f"{what}/{count}" for what in ("eta", "L_7") for count in DIGITS],
     "J4": ["equal/1", "equal/12", "above/6", "below/1", "below/3", "below/6", "below/12", "far/12"],
     "J5": ["1", "2", "3", "4", "6", "8", "12", "16", "20", "24"],
     "J6": [f"last/{10**k}" for k in range(2, 7)] + ["all/1000"],
@@ -61,10 +63,18 @@ def table(job, record):
             seconds, done, all_cases = total(results, result["tool"])
             cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases}")
         lines.append(row(cells))
-    # One job keeps one processor busy: what is above that is somebody else.
-    loaded = ", a loaded machine" if record["load"] > 1.3 else ""
-    lines += ["", f"Measured {record['when']}, load average {record['load']}{loaded}.", ""]
+    lines += ["", f"Measured {record['when']}, {beside(record)}.", ""]
     return "\n".join(lines)
+
+
+def beside(record):
+    """The load of other processes while a job ran."""
+    others = record.get("others")
+    if others is None:
+        # Older records have the load average before the job, one of which the job before it may have been.
+        return f"load average {record['load']}" if "load" in record else "load not known"
+    loaded = ", a loaded machine" if others >= LOADED else ""
+    return f"{others} other processes on average{loaded}"
 
 
 def row(cells):

@@ -4,6 +4,10 @@
 #include <string.h>
 #include <time.h>
 
+/* The digits of J3. */
+enum { SIZES = 8 };
+static const long sizes[SIZES] = {100, 150, 200, 600, 1000, 10000, 100000, 1000000};
+
 static int argc_all;
 static char **argv_all;
 
