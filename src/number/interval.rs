@@ -520,7 +520,7 @@ impl Interval {
     #[must_use]
     pub fn square_root(&self, bits: u64) -> Interval {
         let middle = self.mid.unsigned_abs_ref();
-        if self.mid <= 0 || *middle < Natural::from(self.radius) {
+        if self.mid <= 0 || *middle < self.radius {
             return Interval::whole();
         }
         let bits = bits.max(2);
@@ -534,7 +534,7 @@ impl Interval {
         // Its first digits, not 0, and at most twice 32 bits over them.
         let cut = root.significant_bits().saturating_sub(RADIUS_BITS.into());
         let leading = below * u128::from(u64::saturating_from(&(&root >> cut)));
-        let size = (u128::from(self.radius) * above << RADIUS_BITS).div_ceil(leading);
+        let size = ((u128::from(self.radius) * above) << RADIUS_BITS).div_ceil(leading);
         let bound = Bound::from_wide(size, places).down(cut + u64::from(RADIUS_BITS)).plus(Bound::UNIT);
         let exponent = self.exponent.saturating_sub(i64::try_from(places).unwrap_or(i64::MAX)) / 2;
         Interval::rounded(Integer::from(root), bound, exponent, bits)
