@@ -143,6 +143,10 @@ const inserted = (k, n) => (n === 1 ? "the inserted body (body 2)" : `the ${ordi
 
 const title = (quantity) => {
   const n = Number(answers.n);
+  // Given masses have an answer for each inserted body.
+  const each = Array.isArray(answers.answers[quantity].value);
+  if (each && quantity === "threshold") return ["Thresholds", "least restitution with which each inserted body helps"];
+  if (each && quantity === "helps") return ["Do they help?", "does the chain pass on more with this body than without it?"];
   return {
     eta: ["η", "share of the energy that the last body gets"],
     threshold: [make("span", {}, "L", make("sub", {}, answers.n)), `least restitution with which ${inserted(n, n)} helps`],
@@ -370,7 +374,8 @@ async function ask() {
   settle($("panel-chain"));
   const eta = found.answers.eta.value;
   if (!predict.waits()) {
-    announce(`eta ${eta?.decimal ?? eta?.enclosure?.join(" to ") ?? "unknown"}, best number ${found.answers["best-n"]?.value?.exact ?? "unknown"}`
+    const most = found.answers["best-n"]?.value?.exact;
+    announce(`eta ${eta?.decimal ?? eta?.enclosure?.join(" to ") ?? "unknown"}${most ? `, best number ${most}` : ""}`
       + (found.answers.recollides?.value === true ? ", bodies meet again after the pass" : ""));
   }
   askReplay(request);
@@ -385,7 +390,7 @@ const command = () => {
   const quote = (text) => (/^[\w./,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
   const kind = masses ? `--masses ${quote(masses.join(","))}` : `-n ${quote(n)}`;
   const want = ["eta", ...(answers.answers.threshold ? ["threshold", "helps"] : []), "best-n", "masses", "velocities"]
-    .filter((quantity) => !answers.answers[quantity]?.error);
+    .filter((quantity) => answers.answers[quantity] && !answers.answers[quantity].error);
   return `carom eval --m1 ${quote(m1)} --m2 ${quote(m2)} -e ${quote(e.join(","))} ${kind} --digits ${quote($("digits").value)} --want ${want.join(",")}`;
 };
 
