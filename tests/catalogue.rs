@@ -88,6 +88,8 @@ fn every_numbered_equation_and_display_has_its_file() {
         "b-global",
         "b-closed",
         "b-grow",
+        "b-insert",
+        "b-insert-each",
         "b-best",
         "b-final",
         "b-budget",

@@ -199,6 +199,108 @@ fn measured_velocities_losses_and_matrices_are_answered() {
     assert!(text(&missed.stderr).contains("collision 2"), "{}", text(&missed.stderr));
 }
 
+const BETWEEN: [&str; 6] = ["eval", "--m1", "10", "--m2", "1", "-e"];
+
+/// The words that answer whether each body helps.
+fn words(out: &Value) -> Vec<&str> {
+    out["helps"].as_array().unwrap().iter().map(|word| word.as_str().unwrap()).collect()
+}
+
+#[test]
+fn given_masses_are_asked_about_themselves() {
+    let ask = |e: &str, masses: &str| {
+        let flags = [e, "--masses", masses, "--want", "threshold,helps", "--format", "json"];
+        carom(&[&BETWEEN[..], &flags].concat())
+    };
+    // eta is 4.6e-10 with these bodies, and 0.298 without them.
+    let bad = json(&ask("9/10", "1000,0.001"));
+    assert_eq!(words(&bad), ["no", "no"]);
+    assert_eq!(bad["threshold"][0]["exact"], "100000001/1000100");
+    assert_eq!(bad["threshold"][1]["exact"], "999001/1000");
+    // (10·1 + 4)/(2·11) = 7/11.
+    let one = |e: &str| json(&ask(e, "2"));
+    assert_eq!(one("7/11")["threshold"][0]["exact"], "7/11");
+    assert_eq!(words(&one("7/11")), ["exactly on the threshold"]);
+    assert_eq!(words(&one("0.6363636364")), ["yes"]);
+    assert_eq!(words(&one("0.6363636363")), ["no"]);
+    // Two coefficients: both are compared, because the direct collision has none of its own.
+    assert_eq!(words(&one("0.7,0.8")), ["yes"]);
+    assert_eq!(words(&one("0.5,0.6")), ["no"]);
+    assert_eq!(words(&one("0.5,0.8")), ["depends"]);
+    assert_eq!(words(&one("7/11,7/11")), ["exactly on the threshold"]);
+    // Measured: from 7/11 to 1 for a mass from 1 to 2; √10 is the best mass.
+    let measured = json(&ask("[0.9, 0.95]", "[1, 2]"));
+    assert_eq!(
+        measured["threshold"][0]["enclosure"],
+        serde_json::json!(["0.636363636363636363", "1.00000000000000000"])
+    );
+    assert_eq!(words(&measured), ["depends"]);
+    let around = json(&ask("[0.57, 0.5749]", "[2, 5]"));
+    assert_eq!(around["threshold"][0]["enclosure"][0], "0.574959574576068969");
+    assert_eq!(words(&around), ["no"]);
+    assert_eq!(words(&json(&ask("[0.57, 0.575]", "[2, 5]"))), ["depends"]);
+    assert_eq!(words(&json(&ask("[0.7, 0.8]", "[2, 5]"))), ["yes"]);
+    let plain = carom(&[&BETWEEN[..], &["9/10", "--masses", "5,2", "--want", "threshold,helps"]].concat());
+    let shown = text(&plain.stdout);
+    assert!(shown.contains("threshold[1]") && shown.contains("helps[2]"), "{shown}");
+    let best = carom(&[&BETWEEN[..], &["9/10", "--masses", "5,2", "--want", "best-n"]].concat());
+    assert_eq!((best.status.code(), best.stdout.len()), (Some(2), 0));
+    assert!(text(&best.stderr).contains("best-n: this is about inserted bodies of optimal mass"));
+    let scene =
+        "want = [\"helps\"]\n[chain]\nfirst = 3\nlast = 1\ninserted = [2]\nrestitution = 1\nvelocities = [2, 1, 0]\n";
+    let moving = with_input(&["eval", "-"], scene);
+    assert_eq!(moving.status.code(), Some(2));
+    assert!(text(&moving.stderr).contains("helps: this is defined for a first body"), "{}", text(&moving.stderr));
+}
+
+#[test]
+fn only_what_is_needed_is_asked_for() {
+    let ask = |more: &[&str]| carom(&[&["eval", "--m1", "64", "--m2", "1"], more].concat());
+    let answered: [(&[&str], &str); 4] = [
+        (&["-n", "2", "--want", "threshold"], "44/81"),
+        (&["-e", "44/81", "--want", "best-n"], "best-n         2"),
+        (&["-n", "2", "--want", "masses"], "= 16"),
+        (&["--masses", "8", "--want", "masses,threshold"], "threshold[1]"),
+    ];
+    for (more, word) in answered {
+        let out = ask(more);
+        assert_eq!(out.status.code(), Some(0), "{more:?}: {}", text(&out.stderr));
+        assert!(text(&out.stdout).contains(word), "{more:?}: {}", text(&out.stdout));
+    }
+    for quantity in carom::scene::quantity::Quantity::names() {
+        let needs_e = !["threshold", "masses"].contains(&quantity);
+        let out = ask(&["-n", "2", "--want", quantity]);
+        assert_eq!(out.status.code(), Some(if needs_e { 2 } else { 0 }), "{quantity}: {}", text(&out.stderr));
+        assert_eq!(text(&out.stderr).contains(&format!("{quantity} needs -e")), needs_e, "{}", text(&out.stderr));
+        let needs_n = quantity != "best-n";
+        let out = ask(&["-e", "1/2", "--want", quantity]);
+        assert_eq!(out.status.code(), Some(if needs_n { 2 } else { 0 }), "{quantity}: {}", text(&out.stderr));
+        assert_eq!(text(&out.stderr).contains(&format!("{quantity} needs -n")), needs_n, "{}", text(&out.stderr));
+    }
+    // The first that needs it is named.
+    let message = text(&ask(&["-n", "2", "--want", "threshold,losses,eta"]).stderr);
+    assert!(message.contains("losses needs -e"), "{message}");
+    let scene = "want = [\"threshold\"]\n[chain]\nfirst = 64\nlast = 1\ninserted = 2\n";
+    assert!(text(&with_input(&["eval", "-"], scene).stdout).contains("44/81"));
+    let lacking = with_input(&["eval", "-", "--want", "threshold,eta"], scene);
+    assert_eq!(lacking.status.code(), Some(2));
+    let message = text(&lacking.stderr);
+    assert!(message.contains("eta needs restitution") && message.contains("-:2:1"), "{message}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("part.toml");
+    std::fs::write(&path, scene).unwrap();
+    let sheet = carom(&["worksheet", path.to_str().unwrap()]);
+    assert_eq!(sheet.status.code(), Some(2));
+    assert!(text(&sheet.stderr).contains("a worksheet needs the coefficient"), "{}", text(&sheet.stderr));
+    let batch = |want: &str, lines: &str| with_input(&["eval", "--batch", "-", "--want", want, "--digits", "6"], lines);
+    let out = text(&batch("threshold", "m1,m2,e,n\n64,1,,2\n").stdout);
+    assert!(out.contains("64,1,,2,0.543210,"), "{out}");
+    assert!(text(&batch("best-n", "64,1,44/81,\n").stdout).contains("64,1,44/81,,2,true"));
+    let out = batch("threshold,eta", "64,1,1/2,2\n64,1,,2\n");
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("-:2: eta needs e"), "{}", text(&out.stderr));
+}
+
 #[test]
 fn rounding_follows_the_flag() {
     let eta = |mode: &str| {

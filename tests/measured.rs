@@ -1,7 +1,9 @@
 //! Measured inputs: no value of the box lies outside of the answer, and the ends of the answer are reached.
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
+use carom::chain::insertion::{self, Bounds};
 use carom::chain::pass::Pass;
+use carom::chain::threshold::Helps;
 use carom::chain::uncertain::given::{Given, matrices};
 use carom::chain::uncertain::meeting::{Meeting, of_given, of_optimal};
 use carom::chain::uncertain::optimum::Measured;
@@ -176,6 +178,55 @@ proptest! {
                 }
             }
         }
+    }
+
+    /// Whether a given body helps: no point of the box contradicts the answer, and both ends of the threshold are reached.
+    #[test]
+    fn whether_a_given_body_helps_is_right_all_over_the_box((m, e, shares) in boxes(3..4)) {
+        let [a, mass, b] = m.as_slice() else { unreachable!() };
+        let bounds = Bounds::of(a, mass, b);
+        let answer = bounds.help(&e.around(0, 1).unwrap());
+        let reals = bounds.reals().unwrap();
+        let (least, greatest) = ends(&reals);
+        let mut points: Vec<Vec<Positive>> = Vec::new();
+        for turn in 0..6 {
+            let mut shares = shares.clone();
+            let turn = turn % shares.len();
+            shares.rotate_left(turn);
+            points.push(point(&m, &e, &shares).0);
+        }
+        for (a, b) in [(a.lo(), b.lo()), (a.lo(), b.hi()), (a.hi(), b.lo()), (a.hi(), b.hi())] {
+            let best = Rational::try_from((double(a.value()) * double(b.value())).sqrt()).unwrap();
+            let inside = Positive::new(best.clamp(mass.lo().value().clone(), mass.hi().value().clone())).unwrap();
+            points.extend([mass.lo().clone(), mass.hi().clone(), inside].map(|m| vec![a.clone(), m, b.clone()]));
+        }
+        let (mut low, mut high) = (f64::INFINITY, 0.0f64);
+        let mut seen = Vec::new();
+        for x in points {
+            let (a, m, b) = (x[0].value(), x[1].value(), x[2].value());
+            let tau = insertion::exact(&x[0], &x[1], &x[2]);
+            prop_assert!(tau <= *reals.greatest.as_rational().unwrap(), "{} of {:?}", tau, x);
+            (low, high) = (low.min(double(&tau)), high.max(double(&tau)));
+            // Coefficients of the two collisions, at all ends, and of the direct one.
+            let range = |k: usize| e.at(k).unwrap();
+            for (p, q) in [(range(0).lo(), range(1).lo()), (range(0).hi(), range(1).hi()), (range(0).lo(), range(1).hi()),
+                (range(0).hi(), range(1).lo())] {
+                if e.shared().is_some() && p != q {
+                    continue;
+                }
+                for d in [p, q] {
+                    let with = p.plus_one() * q.plus_one() * m * (a + b);
+                    seen.push(match with.cmp(&(d.plus_one() * (a + m) * (m + b))) {
+                        std::cmp::Ordering::Greater => Helps::Yes,
+                        std::cmp::Ordering::Less => Helps::No,
+                        std::cmp::Ordering::Equal => Helps::OnTheThreshold,
+                    });
+                }
+            }
+        }
+        prop_assert!((low - least).abs() < 1e-12 && (high - greatest).abs() < 1e-12);
+        let same = seen.iter().all(|x| *x == seen[0]).then_some(seen[0]);
+        prop_assert_eq!(answer, same);
     }
 
     /// The ends are reached: a search in doubles comes to them.

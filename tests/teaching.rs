@@ -214,7 +214,7 @@ fn pictures_that_cannot_be_drawn_are_refused() {
 mod random {
     use super::*;
     use carom::property::claims::{Chains, PROPERTIES, Property};
-    use carom::property::strategies::{chain, masses, near_threshold, restitution};
+    use carom::property::strategies::{chain, masses, near_insertion, near_threshold, restitution};
     use carom::property::{Outcome, check, scene};
     use proptest::prelude::*;
 
@@ -281,10 +281,10 @@ mod random {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
         #[test]
-        fn written_chains_read_back(chain in prop_oneof![chain().boxed(), near_threshold().boxed()]) {
+        fn written_chains_read_back(chain in prop_oneof![chain().boxed(), near_insertion().boxed(), near_threshold().boxed()]) {
             let text = scene::write(&chain, &["a remark\nof two lines".to_owned()], &["eta"]);
             let read = carom::scene::read::scene(&text).expect("it reads");
-            prop_assert_eq!(read.chain, chain, "{}", text);
+            prop_assert_eq!(read.inputs, chain.into(), "{}", text);
         }
 
         #[test]

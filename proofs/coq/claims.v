@@ -1390,6 +1390,48 @@ Theorem b_grow_limit_defined :
   INR n <> 0.
 Proof. exact limit.b_grow_limit_defined. Qed.
 
+(* statement sha256 af3df9e0328a63372a6b538e4071ecc7ffe87167331b8fae2f746fb816943b96 *)
+Theorem b_insert :
+  forall (a b mu : R), a > 0 -> b > 0 -> mu > 0 ->
+  forall (e : R), 0 <= e <= 1 ->
+  let through := (1 + e) ^ 4 * a * b * mu ^ 2 / ((a + mu) ^ 2 * (mu + b) ^ 2) in
+  let direct := (1 + e) ^ 2 * a * b / (a + b) ^ 2 in
+  let tau := (a * b + mu ^ 2) / (mu * (a + b)) in
+  (through >= direct <-> e >= tau) /\
+  (through = direct <-> e = tau) /\
+  1 - tau = (mu - a) * (b - mu) / (mu * (a + b)).
+Proof. exact transfer.b_insert. Qed.
+
+Theorem b_insert_defined :
+  forall (a b mu : R), a > 0 -> b > 0 -> mu > 0 ->
+  forall (e : R), 0 <= e <= 1 ->
+  a + mu <> 0 /\
+  mu + b <> 0 /\
+  a + b <> 0 /\
+  mu <> 0.
+Proof. exact transfer.b_insert_defined. Qed.
+
+(* statement sha256 64ccfeb7338fbc9ede39b0850c5446d4b46f77eec621af95a64eec9eba6d0003 *)
+Theorem b_insert_each :
+  forall (a b mu : R), a > 0 -> b > 0 -> mu > 0 ->
+  forall (p q d : R), 0 <= p <= 1 -> 0 <= q <= 1 -> 0 <= d <= 1 ->
+  let through := (1 + p) ^ 2 * (1 + q) ^ 2 * a * b * mu ^ 2 / ((a + mu) ^ 2 * (mu + b) ^ 2) in
+  let direct := (1 + d) ^ 2 * a * b / (a + b) ^ 2 in
+  let tau := (a * b + mu ^ 2) / (mu * (a + b)) in
+  (through >= direct <-> (1 + p) * (1 + q) / (1 + d) >= 1 + tau) /\
+  (through = direct <-> (1 + p) * (1 + q) / (1 + d) = 1 + tau).
+Proof. exact transfer.b_insert_each. Qed.
+
+Theorem b_insert_each_defined :
+  forall (a b mu : R), a > 0 -> b > 0 -> mu > 0 ->
+  forall (p q d : R), 0 <= p <= 1 -> 0 <= q <= 1 -> 0 <= d <= 1 ->
+  a + mu <> 0 /\
+  mu + b <> 0 /\
+  a + b <> 0 /\
+  1 + d <> 0 /\
+  mu <> 0.
+Proof. exact transfer.b_insert_each_defined. Qed.
+
 (* statement sha256 c4dc3e303ee61db12017f126a95155ff8892d61e79104c465bea77a2e2482ec3 *)
 Theorem b_limit :
   forall (m2 r : R), m2 > 0 -> r > 0 ->

@@ -98,6 +98,56 @@ Qed.
 Theorem eq15_defined : statements.eq15_defined.
 Proof. values. Qed.
 
+(** Three collisions compared with two: both shares are the same number times a square. *)
+Lemma squares_compared : forall k x y, 0 < k -> 0 < x -> 0 < y ->
+  (k * x ^ 2 >= k * y ^ 2 <-> x >= y) /\ (k * x ^ 2 = k * y ^ 2 <-> x = y).
+Proof.
+  intros k x y hk hx hy. split; split; intro h.
+  - apply Rle_ge, (square_le_iff y x); [lra | lra |]. apply Rmult_le_reg_l with k; lra.
+  - apply Rle_ge, Rmult_le_compat_l; [lra |]. apply pow_incr. lra.
+  - apply Rmult_eq_reg_l in h; [| lra].
+    apply Rle_antisym; apply square_le_iff; lra.
+  - now rewrite h.
+Qed.
+
+Theorem b_insert_each : statements.b_insert_each.
+Proof.
+  start.
+  replace ((1 + p) ^ 2 * (1 + q) ^ 2 * a * b * mu ^ 2 / ((a + mu) ^ 2 * (mu + b) ^ 2))
+    with (a * b * ((1 + d) / ((a + mu) * (mu + b))) ^ 2 * ((1 + p) * (1 + q) * mu / (1 + d)) ^ 2)
+    by (field; repeat split; pos).
+  replace ((1 + d) ^ 2 * a * b / (a + b) ^ 2)
+    with (a * b * ((1 + d) / ((a + mu) * (mu + b))) ^ 2 * ((a + mu) * (mu + b) / (a + b)) ^ 2)
+    by (field; repeat split; pos).
+  replace ((1 + p) * (1 + q) / (1 + d)) with ((1 + p) * (1 + q) * mu / (1 + d) / mu) by (field; repeat split; pos).
+  replace (1 + (a * b + mu ^ 2) / (mu * (a + b))) with ((a + mu) * (mu + b) / (a + b) / mu)
+    by (field; repeat split; pos).
+  destruct (squares_compared (a * b * ((1 + d) / ((a + mu) * (mu + b))) ^ 2) ((1 + p) * (1 + q) * mu / (1 + d))
+    ((a + mu) * (mu + b) / (a + b)) ltac:(pos) ltac:(pos) ltac:(pos)) as [order same].
+  rewrite order, same. split; split; intro h.
+  - apply Rle_ge, Rmult_le_compat_r; [left; pos | lra].
+  - apply Rle_ge, Rmult_le_reg_r with (/ mu); [pos | unfold Rdiv in h; lra].
+  - now rewrite h.
+  - apply Rmult_eq_reg_r with (/ mu); [exact h | pos].
+Qed.
+
+Theorem b_insert_each_defined : statements.b_insert_each_defined.
+Proof. values. Qed.
+
+Theorem b_insert : statements.b_insert.
+Proof.
+  start. destruct (b_insert_each a b mu H H0 H1 e e e H2 H2 H2) as [order same].
+  replace ((1 + e) * (1 + e) / (1 + e)) with (1 + e) in order, same by (field; pos).
+  replace ((1 + e) ^ 2 * (1 + e) ^ 2 * a * b * mu ^ 2) with ((1 + e) ^ 4 * a * b * mu ^ 2) in order, same by ring.
+  split; [| split].
+  - rewrite order. split; intro; lra.
+  - rewrite same. split; intro; lra.
+  - field. repeat split; pos.
+Qed.
+
+Theorem b_insert_defined : statements.b_insert_defined.
+Proof. values. Qed.
+
 Theorem u3 : statements.u3.
 Proof. start. split; (auto_derive; [| field]; pos). Qed.
 

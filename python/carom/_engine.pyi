@@ -14,7 +14,7 @@ class Found(TypedDict):
     hi: float
     decimal: Optional[str]
 
-Answer = Union[Found, List[Found], List[List[List[Found]]], str, Tuple[str, str, bool]]
+Answer = Union[Found, List[Found], List[List[List[Found]]], str, List[str], Tuple[str, str, bool]]
 
 class LimitReached(Exception): ...
 
@@ -22,13 +22,13 @@ class Chain:
     def __new__(
         cls,
         ends: Tuple[str, str],
-        e: Tuple[bool, List[str]],
-        n: int,
+        e: Optional[Tuple[bool, List[str]]],
+        n: Optional[int],
         masses: Optional[List[str]],
         speed: str,
         velocities: Optional[List[str]],
     ) -> Chain: ...
-    def count(self) -> int: ...
+    def count(self) -> Optional[int]: ...
     def is_exact(self) -> bool: ...
     def answer(self, quantity: str, digits: int, rounding: str) -> Answer: ...
 

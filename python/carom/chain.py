@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Tuple, Union
+from enum import Enum
+from typing import Any, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _engine
 from .number import Exact, Number, count_of, number_of, text_of
@@ -14,6 +15,68 @@ _DIGITS = 15
 
 _ENCLOSED = 20
 """Digits asked for where an enclosure is made: more than doubles have."""
+
+_Restitution = Union[Exact, Sequence[Exact]]
+"""One coefficient for all collisions, or one for each."""
+
+
+class Helps(str, Enum):
+    """Whether an inserted body helps: whether the last body gets more energy with it than without it.
+
+    A member is equal to its text, ``Helps.YES == "yes"``. As a condition, ``YES`` is true and ``NO`` is false. The
+    others are neither: ``bool()`` of them is a :class:`ValueError`.
+
+    >>> "worth it" if helps(10, 1, e="9/10", n=2) else "not worth it"
+    'worth it'
+    """
+
+    YES = "yes"
+    NO = "no"
+    ON_THE_THRESHOLD = "exactly on the threshold"
+    DEPENDS = "depends"
+
+    def __bool__(self) -> bool:
+        if self is Helps.ON_THE_THRESHOLD:
+            raise ValueError("the body changes nothing: compare with Helps.ON_THE_THRESHOLD")
+        if self is Helps.DEPENDS:
+            raise ValueError("whether the body helps depends on the inputs: compare with Helps.DEPENDS")
+        return self is Helps.YES
+
+    def __str__(self) -> str:
+        return self.value
+
+
+class EachHelps(Tuple[Helps, ...]):
+    """Whether each inserted body of given mass helps, in order.
+
+    ``bool()`` of it is a :class:`ValueError`: ask ``all(...)`` or ``any(...)``.
+    """
+
+    def __bool__(self) -> bool:
+        raise ValueError("there is an answer for each inserted body: ask all(...) or any(...)")
+
+
+class Recollides(str, Enum):
+    """Whether bodies meet again after the pass.
+
+    A member is equal to its text, ``Recollides.NO == "no"``. As a condition, ``YES`` is true and ``NO`` is false.
+    ``bool()`` of ``DEPENDS`` (on the measured inputs) and of ``NOT_SETTLED`` is a :class:`ValueError`.
+    """
+
+    YES = "yes"
+    NO = "no"
+    DEPENDS = "depends"
+    NOT_SETTLED = "not settled"
+
+    def __bool__(self) -> bool:
+        if self is Recollides.DEPENDS:
+            raise ValueError("whether bodies meet again depends on the inputs: compare with Recollides.DEPENDS")
+        if self is Recollides.NOT_SETTLED:
+            raise ValueError("it is not settled whether bodies meet again: compare with Recollides.NOT_SETTLED")
+        return self is Recollides.YES
+
+    def __str__(self) -> str:
+        return self.value
 
 
 @dataclass(frozen=True)
@@ -41,8 +104,11 @@ class Chain:
     """A chain: ``m1`` moves towards inserted bodies and ``m2``, which are at rest.
 
     ``e`` is one coefficient of restitution for all collisions, or a list of one for each. ``n`` bodies of optimal mass
-    are inserted, or those of the list ``masses``. ``speed`` is that of the first body; ``velocities`` gives those of
-    all bodies instead, with ``masses``.
+    are inserted, or those of the list ``masses``; ``n=0`` means none. ``speed`` is that of the first body; ``velocities``
+    gives those of all bodies instead, with ``masses``.
+
+    An answer asks only for what it needs: thresholds and masses do not need ``e``, the best number of bodies does not
+    need ``n``. Where an input is missing, the :class:`ValueError` names it.
 
     >>> Chain(64, 1, e="44/81", n=2).masses()
     [Fraction(64, 1), Fraction(16, 1), Fraction(4, 1), Fraction(1, 1)]
@@ -53,7 +119,7 @@ class Chain:
         m1: Exact,
         m2: Exact,
         *,
-        e: Union[Exact, Sequence[Exact]],
+        e: Optional[_Restitution] = None,
         n: Optional[int] = None,
         masses: Optional[Sequence[Exact]] = None,
         speed: Optional[Exact] = None,
@@ -64,12 +130,11 @@ class Chain:
         if speed is not None and velocities is not None:
             raise ValueError("speed and velocities exclude each other")
         common = isinstance(e, str) or not hasattr(e, "__iter__")
-        coefficients = [text_of(e, "e")] if common else _texts(e, "e")
         ends = (text_of(m1, "m1"), text_of(m2, "m2"))
         self._arguments: Tuple[Any, ...] = (
             ends,
-            (common, coefficients),
-            0 if n is None else count_of(n, "n"),
+            None if e is None else (common, [text_of(e, "e")] if common else _texts(e, "e")),
+            None if n is None else count_of(n, "n"),
             None if masses is None else _texts(masses, "masses"),
             "1" if speed is None else text_of(speed, "speed"),
             None if velocities is None else _texts(velocities, "velocities"),
@@ -80,15 +145,20 @@ class Chain:
         return (_again, self._arguments)
 
     def __repr__(self) -> str:
-        (m1, m2), (common, e), n, masses, speed, velocities = self._arguments
-        parts = [m1, m2, f"e={e[0] if common else e}"]
-        parts.append(f"n={n}" if masses is None else f"masses={masses}")
+        (m1, m2), e, n, masses, speed, velocities = self._arguments
+        parts = [m1, m2]
+        if e is not None:
+            parts.append(f"e={e[1][0] if e[0] else e[1]}")
+        if masses is not None:
+            parts.append(f"masses={masses}")
+        elif n is not None:
+            parts.append(f"n={n}")
         parts.append(f"speed={speed}" if velocities is None else f"velocities={velocities}")
         return f"Chain({', '.join(parts)})"
 
     @property
-    def n(self) -> int:
-        """How many bodies are inserted."""
+    def n(self) -> Optional[int]:
+        """How many bodies are inserted, or None where the chain was made without saying so."""
         return self._engine.count()
 
     @property
@@ -112,16 +182,30 @@ class Chain:
         """The share of the energy that the last body gets, equation (25) for equal e."""
         return self._number("eta")
 
-    def threshold(self) -> Number:
-        """L_n, the least restitution with which the n-th inserted body helps, equation (19)."""
-        return self._number("threshold")
+    def threshold(self) -> Union[Number, List[Number]]:
+        """The least restitution with which an inserted body helps.
 
-    def helps(self) -> str:
-        """``"yes"``, ``"no"``, ``"exactly on the threshold"``, or ``"depends"`` on the measured inputs."""
-        return self._answer("helps", _DIGITS)
+        For bodies of optimal mass L_n of equation (19): it tells whether n bodies do better than n - 1. For given masses a
+        list with the threshold of each inserted body, (a*b + m**2)/(m*(a + b)) for mass m between a and b; above 1 it never
+        helps.
+        """
+        found = self._shown("threshold")
+        if isinstance(found, list):
+            return [number_of(self, "threshold", (i,), one) for i, one in enumerate(found)]
+        return number_of(self, "threshold", (), found)
+
+    def helps(self) -> Union[Helps, EachHelps]:
+        """Whether the last inserted body helps; for given masses, whether each of them does.
+
+        Bodies of optimal mass: whether n of them hand on more energy than n - 1. Given masses: whether the chain hands on
+        more with the body than without it. Where the two collisions of a given body have different coefficients, that of
+        its neighbours' direct collision is taken to be any number between them.
+        """
+        found = self._answer("helps", _DIGITS)
+        return EachHelps(map(Helps, found)) if isinstance(found, list) else Helps(found)
 
     def best_n(self) -> BestN:
-        """The best number of inserted bodies for these ends and this restitution."""
+        """The best number of inserted bodies of optimal mass for these ends and this restitution."""
         least, greatest, tie = self._answer("best-n", _DIGITS)
         return BestN(_count(least), _count(greatest), tie)
 
@@ -148,9 +232,9 @@ class Chain:
             for i, rows in enumerate(self._shown("matrix"))
         ]
 
-    def recollides(self) -> str:
-        """Whether bodies meet again after the pass: ``"yes"``, ``"no"``, or in words where inputs are measured."""
-        return self._answer("recollides", _DIGITS)
+    def recollides(self) -> Recollides:
+        """Whether bodies meet again after the pass."""
+        return Recollides(self._answer("recollides", _DIGITS))
 
 
 def _again(*arguments: Any) -> Chain:
@@ -171,9 +255,6 @@ def _count(text: str) -> Union[int, float, None]:
     return {"infinite": math.inf, "any": None}[text] if text in ("infinite", "any") else int(text, 16)
 
 
-_Restitution = Union[Exact, Sequence[Exact]]
-
-
 def eta(
     m1: Exact,
     m2: Exact,
@@ -184,7 +265,9 @@ def eta(
 ) -> Number:
     """The share of the first body's energy that the last one gets.
 
-    >>> eta(10, 1, e="9/10")
+    ``n`` bodies of optimal mass are inserted, or those of ``masses``. One of the two is needed; ``n=0`` means none.
+
+    >>> eta(10, 1, e="9/10", n=0)
     Fraction(361, 1210)
     >>> eta(10, 1, e="9/10", n=7)
     Enclosure(0.37313751177373857462)
@@ -192,26 +275,47 @@ def eta(
     return Chain(m1, m2, e=e, n=n, masses=masses).eta()
 
 
-def threshold(m1: Exact, m2: Exact, *, n: int) -> Number:
-    """L_n, the least restitution with which the n-th inserted body helps, equation (19).
+@overload
+def threshold(m1: Exact, m2: Exact, *, n: int) -> Number: ...
+@overload
+def threshold(m1: Exact, m2: Exact, *, masses: Sequence[Exact]) -> List[Number]: ...
+def threshold(
+    m1: Exact, m2: Exact, *, n: Optional[int] = None, masses: Optional[Sequence[Exact]] = None
+) -> Union[Number, List[Number]]:
+    """The least restitution with which an inserted body helps: L_n of equation (19), or one for each of given masses.
 
     >>> threshold(64, 1, n=2)
     Fraction(44, 81)
+    >>> threshold(10, 1, masses=[2])
+    [Fraction(7, 11)]
     """
-    return Chain(m1, m2, e=1, n=n).threshold()
+    return Chain(m1, m2, n=n, masses=masses).threshold()
 
 
-def helps(m1: Exact, m2: Exact, *, e: Exact, n: int) -> str:
-    """Whether the n-th inserted body helps: ``"yes"``, ``"no"``, ``"exactly on the threshold"`` or ``"depends"``.
+@overload
+def helps(m1: Exact, m2: Exact, *, e: _Restitution, n: int) -> Helps: ...
+@overload
+def helps(m1: Exact, m2: Exact, *, e: _Restitution, masses: Sequence[Exact]) -> EachHelps: ...
+def helps(
+    m1: Exact,
+    m2: Exact,
+    *,
+    e: _Restitution,
+    n: Optional[int] = None,
+    masses: Optional[Sequence[Exact]] = None,
+) -> Union[Helps, EachHelps]:
+    """Whether the n-th inserted body helps, or whether each of given masses does.
 
     >>> helps(64, 1, e="44/81", n=2)
-    'exactly on the threshold'
+    <Helps.ON_THE_THRESHOLD: 'exactly on the threshold'>
+    >>> helps(10, 1, e="9/10", masses=[2, 1000])
+    (<Helps.YES: 'yes'>, <Helps.NO: 'no'>)
     """
-    return Chain(m1, m2, e=e, n=n).helps()
+    return Chain(m1, m2, e=e, n=n, masses=masses).helps()
 
 
 def best_n(m1: Exact, m2: Exact, *, e: Exact) -> BestN:
-    """The best number of inserted bodies.
+    """The best number of inserted bodies of optimal mass.
 
     >>> best_n(64, 1, e="44/81")
     BestN(least=2, greatest=2, tie=True)
@@ -219,8 +323,8 @@ def best_n(m1: Exact, m2: Exact, *, e: Exact) -> BestN:
     return Chain(m1, m2, e=e).best_n()
 
 
-def masses(m1: Exact, m2: Exact, *, e: _Restitution, n: int) -> List[Number]:
-    """The optimal masses, those of the ends among them."""
+def masses(m1: Exact, m2: Exact, *, n: int, e: Optional[_Restitution] = None) -> List[Number]:
+    """The optimal masses, those of the ends among them. They do not depend on ``e``."""
     return Chain(m1, m2, e=e, n=n).masses()
 
 
@@ -282,6 +386,6 @@ def recollides(
     e: _Restitution,
     n: Optional[int] = None,
     masses: Optional[Sequence[Exact]] = None,
-) -> str:
+) -> Recollides:
     """Whether bodies meet again after the pass."""
     return Chain(m1, m2, e=e, n=n, masses=masses).recollides()

@@ -10,16 +10,16 @@ use carom::chain::{ChainError, Positive, Restitution};
 use carom::number::decimal::Digits;
 use carom::number::rational::{self, NumeralError};
 use carom::scene::answer::{Answers, Value};
-use carom::scene::quantity::Quantity;
+use carom::scene::quantity::{Input, Quantity};
 use carom::scene::read::ROUNDINGS;
-use carom::scene::{self, Coefficients, Inserted, Scene, Start};
+use carom::scene::{Coefficients, Inputs, Inserted, Scene, Start};
 use malachite::Rational;
 use pyo3::prelude::*;
 
-/// A chain of bodies.
+/// A chain of bodies, or as much of it as is known.
 #[pyclass(frozen, module = "carom._engine")]
 pub struct Chain {
-    chain: scene::Chain,
+    inputs: Inputs,
 }
 
 /// An answer as Python gets it.
@@ -37,6 +37,9 @@ pub enum Answer {
     /// In words.
     #[pyo3(transparent)]
     Words(String),
+    /// In words for each inserted body.
+    #[pyo3(transparent)]
+    EachWords(Vec<String>),
     /// The least and the greatest best number, as hexadecimal digits or words, and whether one fewer does as well.
     #[pyo3(transparent)]
     Best((String, String, bool)),
@@ -74,26 +77,28 @@ fn number(name: &str, text: &str) -> Result<Rational, Refusal> {
 #[pymethods]
 impl Chain {
     /// Reads a chain: the masses of the ends; one coefficient, or one for each collision; the number of inserted
-    /// bodies of optimal mass, or their masses; the first body's speed, or all velocities.
+    /// bodies of optimal mass, or their masses; the first body's speed, or all velocities. Coefficients and inserted
+    /// bodies may be missing: some answers do not need them.
     #[new]
     fn new(
         py: Python<'_>,
         ends: (String, String),
-        e: (bool, Vec<String>),
-        n: u64,
+        e: Option<(bool, Vec<String>)>,
+        n: Option<u64>,
         masses: Option<Vec<String>>,
         speed: String,
         velocities: Option<Vec<String>>,
     ) -> Result<Chain, Refusal> {
         detached(py, || {
             let (first, last) = (mass("m1", &ends.0)?, mass("m2", &ends.1)?);
-            let coefficients = match (e.0, e.1.first()) {
-                (true, Some(one)) => Coefficients::Same(coefficient(one)?),
-                _ => Coefficients::Each(e.1.iter().map(|e| coefficient(e)).collect::<Result<_, _>>()?),
-            };
+            let coefficients = e.map(|(common, list)| match (common, list.first()) {
+                (true, Some(one)) => Ok(Coefficients::Same(coefficient(one)?)),
+                _ => Ok(Coefficients::Each(list.iter().map(|e| coefficient(e)).collect::<Result<_, Refusal>>()?)),
+            });
+            let coefficients = coefficients.transpose()?;
             let inserted = match masses {
-                Some(list) => Inserted::Given(list.iter().map(|m| mass("masses", m)).collect::<Result<_, _>>()?),
-                None => Inserted::Optimal(n),
+                Some(list) => Some(Inserted::Given(list.iter().map(|m| mass("masses", m)).collect::<Result<_, _>>()?)),
+                None => n.map(Inserted::Optimal),
             };
             let start = match velocities {
                 Some(list) => {
@@ -101,24 +106,31 @@ impl Chain {
                 }
                 None => Start::Speed(number("speed", &speed)?),
             };
-            Ok(Chain { chain: scene::Chain::new(first, last, inserted, coefficients, start)? })
+            Ok(Chain { inputs: Inputs::new(first, last, inserted, coefficients, start)? })
         })
     }
 
-    /// How many bodies are inserted.
-    fn count(&self) -> u64 {
-        self.chain.count()
+    /// How many bodies are inserted, where that is known.
+    fn count(&self) -> Option<u64> {
+        self.inputs.inserted().map(Inserted::count)
     }
 
     /// Whether nothing is measured.
     fn is_exact(&self) -> bool {
-        self.chain.is_exact()
+        self.inputs.is_exact()
     }
 
     /// The answer to one question, decimals with so many digits rounded in a direction.
     fn answer(&self, py: Python<'_>, quantity: &str, digits: u64, rounding: &str) -> Result<Answer, Refusal> {
         detached(py, || {
             let quantity = Quantity::of_name(quantity).map_err(Refusal::Input)?;
+            if let Some(input) = self.inputs.missing(quantity) {
+                let argument = match input {
+                    Input::Restitution => "e, the coefficient of restitution",
+                    Input::Inserted => "n, the number of inserted bodies (0 for none), or masses",
+                };
+                return Err(Refusal::Input(format!("{} needs {argument}", quantity.name())));
+            }
             let direction = ROUNDINGS.iter().find(|(name, _)| *name == rounding).map(|(_, direction)| *direction);
             let rounding = direction.ok_or_else(|| {
                 Refusal::Input(format!("rounding: {rounding:?} is no direction; write nearest, up, down, zero or away"))
@@ -127,7 +139,7 @@ impl Chain {
                 want: vec![quantity],
                 digits: Digits::Significant(digits),
                 rounding,
-                chain: self.chain.clone(),
+                inputs: self.inputs.clone(),
             };
             let answers = Answers::new(&scene);
             let (value, _) = answers.get(quantity)?;
@@ -145,6 +157,9 @@ fn described(value: &Value) -> Answer {
             Answer::Matrices(list.iter().map(matrix).collect())
         }
         Value::Helps(answer) => Answer::Words(answer.map_or("depends", Helps::text).to_owned()),
+        Value::EachHelps(list) => {
+            Answer::EachWords(list.iter().map(|answer| answer.map_or("depends", Helps::text).to_owned()).collect())
+        }
         Value::Best(least, greatest) => {
             let tie = least == greatest && matches!(least, Best::Finite { tie: true, .. });
             Answer::Best((count(least), count(greatest), tie))

@@ -38,16 +38,64 @@ def test_exact_answers_are_fractions():
     assert carom.threshold(64, 1, n=2) == Fraction(44, 81)
     assert carom.helps(64, 1, e="44/81", n=2) == "exactly on the threshold"
     assert carom.masses(64, 1, e=1, n=2) == [64, 16, 4, 1]
-    assert carom.velocities(3, 1, e="1/2", speed=2) == [Fraction(5, 4), Fraction(9, 4)]
-    assert carom.losses(3, 1, e="1/2", speed=2) == [Fraction(9, 8)]
-    assert carom.last_velocity(3, 1, e="1/2") == Fraction(9, 8)
+    assert carom.velocities(3, 1, e="1/2", n=0, speed=2) == [Fraction(5, 4), Fraction(9, 4)]
+    assert carom.losses(3, 1, e="1/2", n=0, speed=2) == [Fraction(9, 8)]
+    assert carom.last_velocity(3, 1, e="1/2", n=0) == Fraction(9, 8)
     assert carom.eta(4, 1, e=1, masses=[2]) == Fraction(64, 81)
-    assert carom.matrices(1, 1, e=1) == [[[0, 1], [1, 0]]]
+    assert carom.matrices(1, 1, e=1, n=0) == [[[0, 1], [1, 0]]]
     best = carom.best_n(64, 1, e="44/81")
     assert (int(best), best.tie) == (2, True)
     assert carom.best_n(2, 1, e=1).least == math.inf and carom.best_n(1, 1, e=1).least is None
     with pytest.raises(ValueError):
         int(carom.best_n(2, 1, e=1))
+
+
+def test_a_condition_is_true_only_where_the_answer_is_yes():
+    assert carom.helps(10, 1, e="9/10", n=2) and not carom.helps(10, 1, e="9/10", n=7)
+    assert carom.recollides(2, 1, e="1/2", n=2) and not carom.recollides(64, 1, e="1/2", n=2)
+    depends = carom.helps(10, 1, e="[0.1, 0.9]", n=1)
+    threshold = carom.helps(64, 1, e="44/81", n=2)
+    meets = carom.recollides("[9, 11]", 1, e="1/2", masses=["[2, 4]"])
+    each = carom.helps(10, 1, e="9/10", masses=[5, 2])
+    for unclear in (depends, threshold, meets, each, carom.Recollides.NOT_SETTLED):
+        with pytest.raises(ValueError, match="compare with|all"):
+            bool(unclear)
+    # The former texts still compare, hash, print and come back from pickles.
+    assert (depends, threshold, meets) == ("depends", "exactly on the threshold", "depends")
+    assert depends != "yes" and {"depends": 1}[depends] == 1 and f"{depends} {depends!s}" == "depends depends"
+    assert pickle.loads(pickle.dumps(threshold)) is carom.Helps.ON_THE_THRESHOLD
+
+
+def test_given_masses_are_asked_about_themselves():
+    assert carom.helps(10, 1, e="9/10", masses=[1000, "0.001"]) == (carom.Helps.NO, carom.Helps.NO)
+    assert carom.threshold(10, 1, masses=[1000, "0.001"]) == [Fraction(100000001, 1000100), Fraction(999001, 1000)]
+    rng = random.Random(11)
+    seen = set()
+    for _ in range(2000):
+        a, b = Fraction(rng.randint(1, 60), rng.randint(1, 20)), Fraction(rng.randint(1, 60), rng.randint(1, 20))
+        m = a + (b - a) * Fraction(rng.randint(-1, 9), 8)
+        if m <= 0:
+            continue
+        (least,) = carom.threshold(a, b, masses=[m])
+        e = rng.choice([least, Fraction(rng.randint(0, 40), 40)])
+        if e > 1:
+            continue
+        (found,) = carom.helps(a, b, e=e, masses=[m])
+        change = carom.eta(a, b, e=e, masses=[m]) - carom.eta(a, b, e=e, n=0)
+        assert found == ("yes" if change > 0 else "no" if change < 0 else "exactly on the threshold"), (a, m, b, e)
+        seen.add(found)
+    assert len(seen) == 3
+    measured = carom.Chain(10, 1, e="[0.7, 0.8]", masses=["[2, 5]"])
+    (bounds,) = measured.threshold()
+    assert Fraction(7, 11) in bounds and bounds.exact_hi >= Fraction(7, 11) and all(measured.helps())
+
+
+def test_only_needed_inputs_are_asked_for():
+    assert carom.Chain(64, 1, n=2).threshold() == Fraction(44, 81)
+    assert carom.Chain(64, 1, n=2).masses() == [64, 16, 4, 1] == carom.masses(64, 1, n=2)
+    part = carom.Chain(64, 1, e="44/81")
+    assert int(part.best_n()) == 2 and part.n is None and repr(part) == "Chain(64, 1, e=44/81, speed=1)"
+    assert pickle.loads(pickle.dumps(part)).best_n() == part.best_n()
 
 
 def test_thousands_of_enclosures_contain_and_their_doubles_point_outwards(bounds):
@@ -102,11 +150,11 @@ def test_velocities_are_enclosed_each_with_its_own_digits():
 
 
 def test_measured_inputs_give_wide_enclosures():
-    x = carom.eta("57.1 ± 0.1", 46, e="[0.84, 0.90]")
+    x = carom.eta("57.1 ± 0.1", 46, e="[0.84, 0.90]", n=0)
     assert x.measured and x.lo < x.hi
     for m1 in ("57.0", "57.2"):
         for e in ("0.84", "0.9"):
-            assert carom.eta(m1, 46, e=e) in x
+            assert carom.eta(m1, 46, e=e, n=0) in x
     with pytest.raises(ValueError, match="do not round"):
         x.digits(10)
     with pytest.raises(ValueError, match="nearest double"):
@@ -118,10 +166,10 @@ def test_measured_inputs_give_wide_enclosures():
 
 
 def test_numbers_go_in_exactly():
-    same = carom.eta(10, 1, e=Fraction(1, 2))
+    same = carom.eta(10, 1, e=Fraction(1, 2), n=0)
     for e in ("1/2", "0.5", "5e-1", Fraction(2, 4), decimal.Decimal("0.50")):
-        assert carom.eta(10, 1, e=e) == same
-    assert carom.eta(10, 1, e=["1/2"]) == same
+        assert carom.eta(10, 1, e=e, n=0) == same
+    assert carom.eta(10, 1, e=["1/2"], n=0) == same
     assert carom.Chain(4, 1, e=["1/2", 1], n=1).eta() == carom.Chain(4, 1, e=(Fraction(1, 2), "1"), n=1).eta()
     for value in (0.5, float("nan"), float("inf")):
         with pytest.raises(ValueError, match="is not exact"):
@@ -140,7 +188,7 @@ def test_numbers_go_in_exactly():
         (lambda: carom.eta("ten", 1, e=1), "m1"),
         (lambda: carom.eta(10, 0, e=1), "m2"),
         (lambda: carom.eta(10, 1, e="1.5"), "e"),
-        (lambda: carom.eta(10, 1, e=[1, 1]), "coefficients of restitution"),
+        (lambda: carom.eta(10, 1, e=[1, 1], n=0), "coefficients of restitution"),
         (lambda: carom.eta(10, 1, e=1, n=-1), "n: -1 is no natural number"),
         (lambda: carom.eta(10, 1, e=1, n="7"), "n: '7' is no natural number"),
         (lambda: carom.eta(10, 1, e=1, n=2.0), "natural number"),
@@ -157,6 +205,11 @@ def test_numbers_go_in_exactly():
         (lambda: carom.eta(10, 1, e="9/10", n=7).digits(5, rounding="sideways"), "sideways"),
         (lambda: carom.helps(10, 1, e=["1/2", "1/3"], n=1), "helps"),
         (lambda: carom.eta("\x00\u202e1", 1, e=1), "m1"),
+        (lambda: carom.eta(10, 1, e=1), "eta needs n, the number of inserted bodies"),
+        (lambda: carom.velocities(10, 1, e=1), "velocities needs n"),
+        (lambda: carom.Chain(10, 1, n=2).recollides(), "recollides needs e, the coefficient"),
+        (lambda: carom.Chain(10, 1).threshold(), "threshold needs n"),
+        (lambda: carom.Chain(10, 1, e=1, masses=[3]).best_n(), "bodies of optimal mass"),
     ],
 )
 def test_bad_input_is_a_value_error_with_the_program_s_message(call, sign):

@@ -28,6 +28,7 @@
 pub mod best;
 pub mod collision;
 pub mod fast;
+pub mod insertion;
 pub mod optimum;
 pub mod pass;
 pub mod recollision;
@@ -101,6 +102,15 @@ pub enum ChainError {
     },
     /// Velocities of all bodies with masses that are not given.
     NeedsGivenMasses,
+    /// A question about bodies of optimal mass, asked of given masses.
+    NeedsOptimalMasses,
+    /// An input is missing.
+    Missing {
+        /// What was asked.
+        quantity: &'static str,
+        /// What it needs.
+        input: &'static str,
+    },
     /// The number itself.
     Number(NumberError),
 }
@@ -139,6 +149,13 @@ impl fmt::Display for ChainError {
             Self::NeedsGivenMasses => {
                 write!(f, "velocities for all bodies go with a list of inserted masses; optimal masses start from rest")
             }
+            Self::NeedsOptimalMasses => {
+                write!(
+                    f,
+                    "this is about inserted bodies of optimal mass, but the inserted masses are given: leave them out"
+                )
+            }
+            Self::Missing { quantity, input } => write!(f, "{quantity} needs {input}"),
             Self::Number(error) => write!(f, "{error}"),
         }
     }

@@ -47,6 +47,30 @@ impl Step {
     }
 }
 
+/// The mass of body `i` of a chain with so many inserted bodies: 0 is the first one, `inserted + 1` the last.
+#[must_use]
+pub fn mass(first: &Positive, last: &Positive, inserted: u64, i: u64) -> Real {
+    let count = inserted + 1;
+    let i = i.min(count);
+    // r^(−i/N) in lowest terms of the exponent.
+    let common = i.gcd(count).max(1);
+    let (power, degree) = (i / common, count / common);
+    let ratio = last.over(first);
+    let m1 = first.value().clone();
+    if let Some(t) = exact_root(ratio.value(), degree)
+        && exact_bits(&t, power) <= MAX_EXACT_BITS
+    {
+        return Real::rational(m1 * t.pow(power));
+    }
+    let text = format!("{}*{}", factor_text(&m1), root_text(ratio.value(), power, degree));
+    Real::enclosed(move |bits| {
+        let work = bits + power.significant_bits() + 8;
+        let t = root(ratio.value(), &Natural::from(degree), work);
+        t.power(&Natural::from(power), work).multiply_rational(&m1, bits + 4)
+    })
+    .with_radical(text)
+}
+
 impl Optimum {
     /// A chain from the first to the last mass.
     ///
@@ -121,25 +145,7 @@ impl Optimum {
     /// The mass of body `i`: 0 is the first one, `N` the last.
     #[must_use]
     pub fn mass(&self, i: u64) -> Real {
-        let count = self.collisions();
-        let i = i.min(count);
-        // r^(−i/N) in lowest terms of the exponent.
-        let common = i.gcd(count).max(1);
-        let (power, degree) = (i / common, count / common);
-        let ratio = self.last.over(&self.first);
-        let m1 = self.first.value().clone();
-        if let Some(t) = exact_root(ratio.value(), degree)
-            && exact_bits(&t, power) <= MAX_EXACT_BITS
-        {
-            return Real::rational(m1 * t.pow(power));
-        }
-        let text = format!("{}*{}", factor_text(&m1), root_text(ratio.value(), power, degree));
-        Real::enclosed(move |bits| {
-            let work = bits + power.significant_bits() + 8;
-            let t = root(ratio.value(), &Natural::from(degree), work);
-            t.power(&Natural::from(power), work).multiply_rational(&m1, bits + 4)
-        })
-        .with_radical(text)
+        mass(&self.first, &self.last, self.inserted, i)
     }
 
     /// `1 + e` of collision `i` (from 1) for each `i` up to `count`, multiplied.

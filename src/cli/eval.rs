@@ -1,19 +1,18 @@
 //! `carom eval`: one chain, by flags or by a scene file, or a stream of chains.
 
 use super::{Exit, ValueFormat, load, print};
-use crate::chain::best::{Best, best};
-use crate::chain::threshold::{helps, threshold};
+use crate::chain::best::Best;
+use crate::chain::threshold::Helps;
 use crate::chain::uncertain::{Range, RangeError};
-use crate::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
+use crate::chain::{ChainError, Positive, Restitution};
 use crate::number::NumberError;
-use crate::number::decimal::{Decimal, Digits, Rounding};
+use crate::number::decimal::{Digits, Rounding};
 use crate::number::rational::{NumeralError, parse};
-use crate::number::real::Real;
 use crate::report::answers;
-use crate::scene::answer::Answers;
-use crate::scene::quantity::Quantity;
+use crate::scene::answer::{Answers, Number, Value};
+use crate::scene::quantity::{Input, Quantity};
 use crate::scene::read::{self, DEFAULT_DIGITS, ROUNDINGS, SceneFault, elements};
-use crate::scene::{Chain, Coefficients, Inserted, Scene, Start};
+use crate::scene::{Coefficients, Inputs, Inserted, Scene, Start};
 use std::io::{BufRead, BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -31,10 +30,10 @@ pub struct EvalFlags {
     /// Mass of the last body
     #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
     m2: Option<String>,
-    /// Coefficient of restitution, or one for each collision: 9/10,4/5
+    /// Coefficient of restitution, or one for each collision: 9/10,4/5; threshold and masses do not need it
     #[arg(short = 'e', long = "restitution", value_name = "E[,E…]", allow_hyphen_values = true)]
     e: Option<String>,
-    /// Number of inserted bodies
+    /// Number of inserted bodies, 0 for none; best-n does not need it
     #[arg(short, value_name = "N", allow_hyphen_values = true)]
     n: Option<String>,
     /// Inserted masses: optimal, or a list of n masses
@@ -61,7 +60,8 @@ pub struct EvalFlags {
     /// List what was computed, what was skipped, and the level that settled each answer
     #[arg(long)]
     explain: bool,
-    /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each
+    /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each; a field
+    /// that nothing asks for may be empty
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed",
         "explain"])]
     batch: Option<PathBuf>,
@@ -99,6 +99,19 @@ pub fn scene_title(path: &Path) -> String {
 
 /// Reads a scene file.
 pub fn load_scene(path: &Path) -> Result<Scene, Exit> {
+    let text = text_of(path)?;
+    read::scene(&text).map_err(|fault| shown(&fault, path, &text))
+}
+
+/// A fault of a scene file, with its place.
+fn shown(SceneFault { diagnostic, limit }: &SceneFault, path: &Path, text: &str) -> Exit {
+    Exit {
+        code: if *limit { 3 } else { 2 },
+        message: diagnostic.render(&path.display().to_string(), text, load::colour()),
+    }
+}
+
+fn text_of(path: &Path) -> Result<String, Exit> {
     let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
     let bytes = if path.as_os_str() == "-" {
         let mut bytes = Vec::new();
@@ -107,12 +120,7 @@ pub fn load_scene(path: &Path) -> Result<Scene, Exit> {
     } else {
         load::bounded(path, read::MAX_BYTES).map_err(fail)?
     };
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Exit::usage(format!("error: {}: this is not UTF-8 text", path.display())))?;
-    read::scene(&text).map_err(|SceneFault { diagnostic, limit }| Exit {
-        code: if limit { 3 } else { 2 },
-        message: diagnostic.render(&path.display().to_string(), &text, load::colour()),
-    })
+    String::from_utf8(bytes).map_err(|_| Exit::usage(format!("error: {}: this is not UTF-8 text", path.display())))
 }
 
 fn from_file(flags: &EvalFlags, path: &Path) -> Result<Scene, Exit> {
@@ -127,7 +135,8 @@ fn from_file(flags: &EvalFlags, path: &Path) -> Result<Scene, Exit> {
     if let Some((name, _)) = given.iter().find(|(_, value)| value.is_some()) {
         return Err(Exit::usage(format!("error: {name} goes with flags alone; the scene file describes the chain")));
     }
-    let mut scene = load_scene(path)?;
+    let text = text_of(path)?;
+    let mut scene = read::scene(&text).map_err(|fault| shown(&fault, path, &text))?;
     if let Some(want) = &flags.want {
         scene.want = wants(want)?;
     }
@@ -137,22 +146,20 @@ fn from_file(flags: &EvalFlags, path: &Path) -> Result<Scene, Exit> {
     if flags.round.is_some() {
         scene.rounding = rounding(flags)?;
     }
-    Ok(scene)
+    match scene.missing() {
+        Some((quantity, input)) => Err(shown(&read::lacking(&text, quantity, input), path, &text)),
+        None => Ok(scene),
+    }
 }
 
 fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
-    let missing =
-        |name: &str| Exit::usage(format!("error: {name} is missing: give a scene file, or --m1, --m2, -e and -n"));
+    let missing = |name: &str| Exit::usage(format!("error: {name} is missing: give --m1 and --m2, or a scene file"));
     let first = mass("--m1", flags.m1.as_ref().ok_or_else(|| missing("--m1"))?)?;
     let last = mass("--m2", flags.m2.as_ref().ok_or_else(|| missing("--m2"))?)?;
-    let list = elements(flags.e.as_ref().ok_or_else(|| missing("-e"))?);
-    let coefficients = match list.as_slice() {
-        [one] => Coefficients::Same(coefficient("-e", one)?),
-        list => Coefficients::Each(list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>()?),
-    };
+    let coefficients = flags.e.as_deref().map(coefficients).transpose()?;
     let count = flags.n.as_ref().map(|n| natural("-n", n)).transpose()?;
     let inserted = match flags.masses.as_deref() {
-        None | Some("optimal") => Inserted::Optimal(count.ok_or_else(|| missing("-n"))?),
+        None | Some("optimal") => count.map(Inserted::Optimal),
         Some(masses) => {
             let list = elements(masses).iter().map(|m| mass("--masses", m)).collect::<Result<Vec<_>, _>>()?;
             if let Some(count) = count
@@ -160,16 +167,33 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
             {
                 return Err(Exit::usage(format!("error: -n {count} does not fit {} masses", list.len())));
             }
-            Inserted::Given(list)
+            Some(Inserted::Given(list))
         }
     };
     let start = match &flags.speed {
         None => Start::unit(),
         Some(speed) => Start::Speed(parse(speed).map_err(|e| bad("--speed", &RangeError::Numeral(e)))?),
     };
-    let chain = Chain::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
+    let inputs = Inputs::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
     let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
-    Ok(Scene { want, digits: digits(flags)?, rounding: rounding(flags)?, chain })
+    let scene = Scene { want, digits: digits(flags)?, rounding: rounding(flags)?, inputs };
+    match scene.missing() {
+        Some((quantity, Input::Restitution)) => {
+            Err(Exit::usage(format!("error: {} needs -e, the coefficient of restitution", quantity.name())))
+        }
+        Some((quantity, Input::Inserted)) => Err(Exit::usage(format!(
+            "error: {} needs -n, the number of inserted bodies (0 for none), or --masses",
+            quantity.name()
+        ))),
+        None => Ok(scene),
+    }
+}
+
+fn coefficients(text: &str) -> Result<Coefficients, Exit> {
+    match elements(text).as_slice() {
+        [one] => Ok(Coefficients::Same(coefficient("-e", one)?)),
+        list => Ok(Coefficients::Each(list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>()?)),
+    }
 }
 
 fn wants(text: &str) -> Result<Vec<Quantity>, Exit> {
@@ -338,35 +362,52 @@ impl Batch {
         };
         let number = |name: &str, text: &str| parse(text).map_err(|error| bad(name, &RangeError::Numeral(error)));
         let positive = |name: &str, text: &str| Positive::new(number(name, text)?).map_err(|e| failure(name, &e));
-        let r = positive("m1", m1)?.over(&positive("m2", m2)?);
-        let e = Restitution::new(number("e", e)?).map_err(|error| failure("e", &error))?;
-        let n = natural("n", n)?;
+        let (first, last) = (positive("m1", m1)?, positive("m2", m2)?);
+        // A field that nothing asks for may be empty.
+        let given = |text: &&&str| !text.is_empty();
+        let e = Some(e).filter(given).map(|e| Restitution::new(number("e", e)?).map_err(|error| failure("e", &error)));
+        let n = Some(n).filter(given).map(|n| natural("n", n)).transpose()?;
+        let inputs = Inputs::new(
+            Range::point(first),
+            Range::point(last),
+            n.map(Inserted::Optimal),
+            e.transpose()?.map(|e| Coefficients::Same(Range::point(e))),
+            Start::unit(),
+        );
+        let inputs = inputs.map_err(|error| failure("n", &error))?;
+        let scene = Scene { want: self.want.clone(), digits: self.digits, rounding: self.rounding, inputs };
+        if let Some((quantity, input)) = scene.missing() {
+            let field = match input {
+                Input::Restitution => "e",
+                Input::Inserted => "n",
+            };
+            return Err(Exit::usage(format!("error: {} needs {field}, {}", quantity.name(), input.words())));
+        }
+        let answers = Answers::new(&scene);
         let mut out = line.to_owned();
         for quantity in &self.want {
-            let text = self.quantity(*quantity, &r, &e, n).map_err(|error| failure(quantity.name(), &error))?;
+            let (value, _) = answers.get(*quantity).map_err(|error| failure(quantity.name(), &error))?;
             out.push(',');
-            out.push_str(&text);
+            out.push_str(&field(value));
         }
         out.push('\n');
         Ok(out)
     }
+}
 
-    fn quantity(&self, quantity: Quantity, r: &Positive, e: &Restitution, n: u64) -> Result<String, ChainError> {
-        match quantity {
-            Quantity::Eta => self.decimals(&transfer::optimal(r, &Restitutions::Same(e.clone()), n)?),
-            Quantity::Threshold => self.decimals(&threshold(r, n)?),
-            Quantity::Helps => Ok(helps(e, r, n)?.0.text().to_owned()),
-            _ => Ok(match best(r, e)?.0 {
-                Best::Finite { count, tie } => format!("{count},{tie}"),
-                Best::Infinite => "infinite,false".to_owned(),
-                Best::Any => "any,false".to_owned(),
-            }),
+/// The answer to a streamed question, as its columns.
+fn field(value: &Value) -> String {
+    match value {
+        Value::Number(Number { decimal, enclosure: (lower, upper), .. }) => {
+            format!("{},{lower},{upper}", decimal.as_deref().unwrap_or(""))
         }
-    }
-
-    fn decimals(&self, x: &Real) -> Result<String, ChainError> {
-        let (found, _) = Decimal::with_enclosure(x, self.digits, self.rounding)?;
-        Ok(format!("{},{},{}", found.decimal, found.lower, found.upper))
+        Value::Helps(answer) => answer.map_or("depends", Helps::text).to_owned(),
+        Value::Best(best, _) => match best {
+            Best::Finite { count, tie } => format!("{count},{tie}"),
+            Best::Infinite => "infinite,false".to_owned(),
+            Best::Any => "any,false".to_owned(),
+        },
+        _ => String::new(),
     }
 }
 

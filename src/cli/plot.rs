@@ -181,7 +181,8 @@ impl Contents {
             Picture::Velocities => {
                 let Some(path) = &self.scene else { return Err(Exit::usage("error: give a scene file")) };
                 let scene = load_scene(path)?;
-                let worksheet = Worksheet::of(&scene.chain).map_err(|e| failure(&path.display().to_string(), &e))?;
+                let chain = scene.inputs.whole("this picture");
+                let worksheet = chain.and_then(Worksheet::of).map_err(|e| failure(&path.display().to_string(), &e))?;
                 charts::velocities(&worksheet, &format!("Velocities: {}", scene_title(path)))
             }
         };

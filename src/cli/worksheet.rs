@@ -53,7 +53,7 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
         Exit { code: if limit { 3 } else { 2 }, message: format!("error: {}: {error}", flags.scene.display()) }
     };
-    let worksheet = Worksheet::of(&scene.chain).map_err(fail)?;
+    let worksheet = scene.inputs.whole("a worksheet").and_then(Worksheet::of).map_err(fail)?;
     if flags.places.is_none() && flags.digits == 0 {
         return Err(Exit::usage("error: --digits 0: give at least one significant digit"));
     }

@@ -9,8 +9,11 @@ use crate::chain::optimum::Optimum;
 use crate::chain::pass::Pass;
 use crate::chain::threshold::{Helps, helps, threshold};
 use crate::chain::{ChainError, Positive, Restitution, Restitutions, recollision, transfer};
+use crate::number::decimal::{Digits, Rounding};
 use crate::number::real::Real;
-use crate::scene::{Chain, Inserted};
+use crate::scene::answer::{Answers, Value};
+use crate::scene::quantity::Quantity;
+use crate::scene::{Chain, Inserted, Scene};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Pow, Square};
 use malachite::base::num::basic::traits::{One, Two, Zero};
@@ -30,6 +33,8 @@ pub enum Chains {
     Optimal,
     /// Bodies of optimal mass and a restitution at or near `L_n`.
     NearThreshold,
+    /// Given masses, many of them with a restitution at or near the threshold of one inserted body.
+    NearInsertion,
 }
 
 /// A claim as a property.
@@ -57,6 +62,7 @@ impl Property {
             Chains::NearThreshold => {
                 prop_oneof![1 => strategies::optimal_chain(), 3 => strategies::near_threshold()].boxed()
             }
+            Chains::NearInsertion => prop_oneof![1 => strategies::chain(), 1 => strategies::near_insertion()].boxed(),
         }
     }
 }
@@ -192,6 +198,14 @@ pub const PROPERTIES: &[Property] = &[
         test: final_where_it_helps,
     },
     Property {
+        id: "b-insert",
+        statement: "a given body helps if and only if eta is greater with it than without it",
+        chains: Chains::NearInsertion,
+        refuted: false,
+        want: &["eta", "threshold", "helps"],
+        test: given_bodies_help_where_eta_rises,
+    },
+    Property {
         id: "b-budget",
         statement: "momentum stays, and energy is what is left plus the losses",
         chains: Chains::Given,
@@ -285,6 +299,68 @@ fn helps_where_eta_rises(chain: &Chain) -> Result<(), String> {
     } else {
         Err(format!("whether body {n} helps: {}, but eta tells: {}", answer.text(), expected.text()))
     }
+}
+
+/// eta of given masses and a coefficient for each collision, one collision after the other.
+fn eta_of(masses: Vec<Positive>, restitutions: Vec<Restitution>) -> Result<Rational, String> {
+    let pass = Pass::from_rest(masses, Restitutions::Each(restitutions), Rational::ONE).map_err(said)?;
+    let velocities = pass.velocities_after().map_err(said)?;
+    match (pass.masses().first(), pass.masses().last(), velocities.last()) {
+        (Some(first), Some(last), Some(speed)) => Ok(last.value() * speed.square() / first.value()),
+        _ => Err("a chain has a first and a last body".to_owned()),
+    }
+}
+
+/// What `helps` and `threshold` say of each inserted body, against eta of the chain without it.
+fn given_bodies_help_where_eta_rises(chain: &Chain) -> Result<(), String> {
+    let inputs = chain.clone().into();
+    let want = vec![Quantity::Helps, Quantity::Threshold];
+    let scene = Scene { want, digits: Digits::Significant(6), rounding: Rounding::Nearest, inputs };
+    let answers = Answers::new(&scene);
+    if chain.count() == 0 {
+        return Ok(());
+    }
+    let (Value::EachHelps(found), Value::List(thresholds)) =
+        (answers.get(Quantity::Helps).map_err(said)?.0, answers.get(Quantity::Threshold).map_err(said)?.0)
+    else {
+        return Err("given masses have an answer for each inserted body".to_owned());
+    };
+    let masses: Vec<Positive> = chain.masses().unwrap_or_default().iter().map(|m| m.lo().clone()).collect();
+    let restitutions = chain.restitutions().0;
+    let all: Vec<Restitution> = (0..=chain.count()).filter_map(|i| restitutions.at(i).cloned()).collect();
+    let with = eta_of(masses.clone(), all.clone())?;
+    for (k, (answer, threshold)) in (1..).zip(found.iter().zip(thresholds)) {
+        let mut others = masses.clone();
+        others.remove(k);
+        let change = |direct: &Restitution| {
+            let mut list = all.clone();
+            list.splice(k - 1..=k, [direct.clone()]);
+            Ok::<_, String>(match with.cmp(&eta_of(others.clone(), list)?) {
+                Ordering::Greater => Helps::Yes,
+                Ordering::Less => Helps::No,
+                Ordering::Equal => Helps::OnTheThreshold,
+            })
+        };
+        let [before, after] = all.get(k - 1..=k).unwrap_or_default() else {
+            return Err("each body has two collisions".to_owned());
+        };
+        let (one, other) = (change(before)?, change(after)?);
+        let expected = (one == other).then_some(one);
+        if *answer != expected {
+            return Err(format!("whether body {k} helps: {answer:?}, but eta tells {expected:?}"));
+        }
+        // One coefficient for the three collisions: its order against the threshold is the answer.
+        if before == after {
+            let exact = threshold.exact.as_ref().ok_or("the threshold is rational")?;
+            let order = before.value().cmp(exact);
+            let wanted = [(Helps::Yes, Ordering::Greater), (Helps::No, Ordering::Less)];
+            let wanted = wanted.iter().find(|pair| pair.0 == one).map_or(Ordering::Equal, |pair| pair.1);
+            if order != wanted {
+                return Err(format!("body {k}: e against its threshold {exact}: {order:?}, but eta tells {one:?}"));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The ratio of neighbours and all masses, where they are rational.

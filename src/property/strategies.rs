@@ -92,3 +92,40 @@ pub fn near_threshold() -> impl Strategy<Value = Chain> {
         assembled(first, Positive::new(one()).ok()?, Inserted::Optimal(n), Restitution::new(e).ok()?)
     })
 }
+
+/// A chain of given masses whose restitution lies at the threshold of one of its inserted bodies, exactly or nearly:
+/// `τ = (a·b + μ²)/(μ·(a + b))`. For half of them the other collisions have coefficients of their own.
+pub fn near_insertion() -> impl Strategy<Value = Chain> {
+    let distance = prop_oneof![Just(0i64), (1i64..=30), (1i64..=30).prop_map(|k| -k)];
+    let others = prop_oneof![Just(None), vec(restitution(), BODIES + 1).prop_map(Some)];
+    (masses(), any::<prop::sample::Index>(), distance, others).prop_filter_map(
+        "from 0 to 1",
+        |(mut masses, place, distance, others)| {
+            // A body helps for some restitution only if its mass lies between those of its neighbours.
+            masses.sort();
+            let k = place.index(masses.len().checked_sub(2).filter(|n| *n > 0)?);
+            let [a, m, b] = masses.get(k..k + 3)? else { return None };
+            let (a, m, b) = (a.value(), m.value(), b.value());
+            let exact = (a * b + m * m) / (m * (a + b));
+            let step = |k: i64| Rational::from_unsigneds(1u32, 10u32).pow(k);
+            let e = match distance {
+                0 => exact,
+                k if k > 0 => exact + step(k),
+                k => exact - step(-k),
+            };
+            let e = Range::point(Restitution::new(e).ok()?);
+            let coefficients = match others {
+                None => Coefficients::Same(e),
+                Some(list) => {
+                    let mut list: Vec<_> = list.into_iter().map(Range::point).take(masses.len() - 1).collect();
+                    list.get_mut(k..k + 2)?.fill(e);
+                    Coefficients::Each(list)
+                }
+            };
+            let [first, inserted @ .., last] = masses.as_slice() else { return None };
+            let inserted = Inserted::Given(inserted.iter().cloned().map(Range::point).collect());
+            let (first, last) = (Range::point(first.clone()), Range::point(last.clone()));
+            Chain::new(first, last, inserted, coefficients, Start::unit()).ok()
+        },
+    )
+}

@@ -63,7 +63,8 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
         match value {
             Value::Number(number) => number_lines(&mut out, name, number),
             Value::List(numbers) => {
-                let first = usize::from(quantity == Quantity::Losses);
+                // Body 0 is the first one; collision 1 is its own, and body 1 the first inserted one.
+                let first = usize::from(matches!(quantity, Quantity::Losses | Quantity::Threshold));
                 for (i, number) in numbers.iter().enumerate() {
                     number_lines(&mut out, &format!("{name}[{}]", i + first), number);
                 }
@@ -78,6 +79,11 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
                 }
             }
             Value::Helps(answer) => line(&mut out, name, depends(answer.map(Helps::text))),
+            Value::EachHelps(list) => {
+                for (answer, body) in list.iter().zip(1..) {
+                    line(&mut out, &format!("{name}[{body}]"), depends(answer.map(Helps::text)));
+                }
+            }
             Value::Best(least, greatest) => {
                 let range = if least == greatest {
                     best_text(least)
@@ -160,6 +166,7 @@ pub fn json(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
                 })
                 .collect(),
             Value::Helps(answer) => json!(depends(answer.map(Helps::text))),
+            Value::EachHelps(list) => list.iter().map(|answer| depends(answer.map(Helps::text))).collect(),
             Value::Best(least, greatest) => best_json(least, greatest),
             Value::Recollides(Meeting::Always) => json!(true),
             Value::Recollides(Meeting::Never) => json!(false),

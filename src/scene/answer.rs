@@ -2,16 +2,17 @@
 //!
 //! [`Quantity::needs`] drives the evaluation; [`Answers::computed`] tells afterwards what was done.
 
-use super::quantity::Quantity;
+use super::quantity::{Input, Quantity};
 use super::{Chain, Inserted, Scene, Start};
 use crate::chain::best::{Best, best};
-use crate::chain::optimum::Optimum;
+use crate::chain::insertion::Bounds;
+use crate::chain::optimum::{self, Optimum};
 use crate::chain::pass::{MAX_PASS_BITS, Pass};
 use crate::chain::threshold::{Helps, helps, threshold};
 use crate::chain::uncertain::given::{self, Given};
 use crate::chain::uncertain::meeting::{self, Meeting};
 use crate::chain::uncertain::optimum::Measured;
-use crate::chain::uncertain::{self, Range, Reals, cells};
+use crate::chain::uncertain::{self, Coefficients, Range, Reals, cells};
 use crate::chain::{
     ChainError, MAX_EXACT_BITS, MAX_LISTED, MAX_LISTED_UNEQUAL, Positive, Restitutions, collision, limit_inserted,
     recollision, transfer,
@@ -47,6 +48,8 @@ pub enum Value {
     Matrices(Vec<[[Number; 2]; 2]>),
     /// Whether the last inserted body helps; `None` where that depends on the measured inputs.
     Helps(Option<Helps>),
+    /// The same for each inserted body of given mass; see [`crate::chain::insertion`].
+    EachHelps(Vec<Option<Helps>>),
     /// The least and the greatest best number of bodies over the box; equal where nothing is measured.
     Best(Best, Best),
     /// Whether bodies meet again.
@@ -105,7 +108,10 @@ impl<'a> Answers<'a> {
     /// # Errors
     /// Why there is none.
     pub fn get(&self, quantity: Quantity) -> Result<(&Value, Level), ChainError> {
-        for need in quantity.needs() {
+        if let Some(input) = self.scene.inputs.missing(quantity) {
+            return Err(ChainError::Missing { quantity: quantity.name(), input: input.words() });
+        }
+        for need in quantity.needs().quantities {
             self.get(*need)?;
         }
         let cell = self.cells.get(quantity.index());
@@ -134,8 +140,21 @@ impl<'a> Answers<'a> {
         Quantity::ALL.into_iter().filter(|q| known(q) == computed).collect()
     }
 
-    fn chain(&self) -> &'a Chain {
-        &self.scene.chain
+    /// The chain, for what needs all of it.
+    fn chain(&self) -> Result<&'a Chain, ChainError> {
+        self.scene.inputs.whole("this")
+    }
+
+    /// The inserted bodies.
+    fn inserted(&self) -> Result<&'a Inserted, ChainError> {
+        let missing = ChainError::Missing { quantity: "this", input: Input::Inserted.words() };
+        self.scene.inputs.inserted().ok_or(missing)
+    }
+
+    /// The coefficients of restitution.
+    fn coefficients(&self) -> Result<&'a Coefficients, ChainError> {
+        let missing = ChainError::Missing { quantity: "this", input: Input::Restitution.words() };
+        self.scene.inputs.coefficients().ok_or(missing)
     }
 
     fn compute(&self, quantity: Quantity) -> Result<(Value, Level), ChainError> {
@@ -156,13 +175,13 @@ impl<'a> Answers<'a> {
 
     /// The chain where nothing is measured: first mass, last mass, coefficients.
     fn exact(&self) -> Option<(&'a Positive, &'a Positive, Restitutions)> {
-        let chain = self.chain();
+        let chain = self.scene.inputs.chain()?;
         let both = (chain.first().single()?, chain.last().single()?);
         chain.is_exact().then(|| (both.0, both.1, chain.restitutions().0))
     }
 
     fn prepare(&self) -> Result<Prepared, ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         let Some((first, last, restitutions)) = self.exact() else { return Ok(Prepared::Measured) };
         match chain.inserted() {
             Inserted::Optimal(n) => Ok(Prepared::Optimal(Optimum::new(first.clone(), last.clone(), *n, restitutions)?)),
@@ -172,7 +191,7 @@ impl<'a> Answers<'a> {
 
     /// The pass along given masses that are single numbers.
     fn pass(&self, restitutions: Restitutions) -> Result<Pass, ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         let masses = chain.masses().unwrap_or_default().into_iter().map(|m| m.lo().clone()).collect();
         match chain.start() {
             Start::Speed(speed) => Pass::from_rest(masses, restitutions, speed.clone()),
@@ -194,14 +213,14 @@ impl<'a> Answers<'a> {
 
     /// The measured chain of given masses whose first body alone moves.
     fn given(&self) -> Result<Given, ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         let masses = chain.masses().unwrap_or_default();
         Given::new(masses, chain.coefficients().clone(), self.speed()?, self.measured_bits())
     }
 
     /// The measured chain of optimal masses.
     fn measured(&self, n: u64) -> Result<Measured, ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         let (first, last) = (chain.first().clone(), chain.last().clone());
         let found = Measured::new(first, last, n, chain.coefficients().clone(), self.speed()?, self.measured_bits());
         limit_listed(&found.corner()?)?;
@@ -210,7 +229,7 @@ impl<'a> Answers<'a> {
 
     /// The velocities of all bodies before, where others than the first move.
     fn moving_all(&self) -> Option<&'a [Rational]> {
-        match self.chain().start() {
+        match self.scene.inputs.start() {
             Start::Velocities(list) if list.iter().skip(1).any(|v| *v != Rational::ZERO) => Some(list),
             _ => None,
         }
@@ -266,7 +285,7 @@ impl<'a> Answers<'a> {
     }
 
     fn eta(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         let wrap = |(number, level)| (Value::Number(number), level);
         match (self.exact(), chain.inserted()) {
             (Some((first, last, restitutions)), Inserted::Optimal(n)) => {
@@ -288,7 +307,7 @@ impl<'a> Answers<'a> {
 
     /// The first body moves towards others that are at rest.
     fn moving(&self) -> Result<(), ChainError> {
-        let moves = match self.chain().start() {
+        let moves = match self.scene.inputs.start() {
             Start::Speed(speed) => *speed > Rational::ZERO,
             Start::Velocities(list) => match list.split_first() {
                 Some((first, rest)) => *first > Rational::ZERO && rest.iter().all(|v| *v == Rational::ZERO),
@@ -304,76 +323,115 @@ impl<'a> Answers<'a> {
     }
 
     fn threshold(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
-        let n = chain.count();
-        let (number, level) = match (chain.first().single(), chain.last().single()) {
+        let inserted = self.inserted()?;
+        if let Inserted::Given(list) = inserted
+            && !list.is_empty()
+        {
+            return self.thresholds_of_given(list);
+        }
+        let ((first, last), n) = (self.scene.inputs.ends(), inserted.count());
+        let (number, level) = match (first.single(), last.single()) {
             (Some(first), Some(last)) => self.number(&threshold(&first.over(last), n)?)?,
-            _ => self.between(&uncertain::threshold(chain.first(), chain.last(), n)?)?,
+            _ => self.between(&uncertain::threshold(first, last, n)?)?,
         };
         Ok((Value::Number(number), level))
     }
 
+    fn thresholds_of_given(&self, inserted: &[Range<Positive>]) -> Result<(Value, Level), ChainError> {
+        let mut dearest = Level::Double;
+        let mut numbers = Vec::with_capacity(inserted.len());
+        for bounds in self.insertions(inserted)? {
+            let (number, level) = match bounds.single() {
+                Some(value) => self.number(&Real::rational(value.clone()))?,
+                None => self.between(&bounds.reals()?)?,
+            };
+            dearest = dearest.max(level);
+            numbers.push(number);
+        }
+        Ok((Value::List(numbers), dearest))
+    }
+
+    /// The bounds of each given inserted body.
+    fn insertions(&self, inserted: &[Range<Positive>]) -> Result<Vec<Bounds>, ChainError> {
+        // Whether a body helps is told by eta, which is about a first body that moves towards others at rest.
+        if self.moving_all().is_some() {
+            return Err(ChainError::NotAtRest);
+        }
+        let (first, last) = self.scene.inputs.ends();
+        let masses: Vec<_> = std::iter::once(first).chain(inserted).chain(std::iter::once(last)).collect();
+        let of = |window: &[&Range<Positive>]| match window {
+            [a, mass, b] => Some(Bounds::of(a, mass, b)),
+            _ => None,
+        };
+        Ok(masses.windows(3).filter_map(of).collect())
+    }
+
     fn helps(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
-        let e = chain.common_restitution("helps")?;
-        let (answer, level) = match (chain.first().single(), chain.last().single(), e.single()) {
+        let (inserted, coefficients) = (self.inserted()?, self.coefficients()?);
+        if let Inserted::Given(list) = inserted
+            && !list.is_empty()
+        {
+            let each = self.insertions(list)?.into_iter().enumerate();
+            let answer = |(k, bounds): (usize, Bounds)| bounds.help(&coefficients.around(k, k + 1)?);
+            return Ok((Value::EachHelps(each.map(answer).collect()), Level::Exact));
+        }
+        let (first, last) = self.scene.inputs.ends();
+        let e = coefficients.common("helps")?;
+        let (answer, level) = match (first.single(), last.single(), e.single()) {
             (Some(first), Some(last), Some(e)) => {
-                let (answer, level) = helps(e, &first.over(last), chain.count())?;
+                let (answer, level) = helps(e, &first.over(last), inserted.count())?;
                 (Some(answer), level)
             }
-            _ => uncertain::helps_over(chain.first(), chain.last(), &e, chain.count())?,
+            _ => uncertain::helps_over(first, last, &e, inserted.count())?,
         };
         Ok((Value::Helps(answer), level))
     }
 
     fn best(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
-        let e = chain.common_restitution("best-n")?;
-        match (chain.first().single(), chain.last().single(), e.single()) {
+        if matches!(self.scene.inputs.inserted(), Some(Inserted::Given(list)) if !list.is_empty()) {
+            return Err(ChainError::NeedsOptimalMasses);
+        }
+        let (first, last) = self.scene.inputs.ends();
+        let e = self.coefficients()?.common("best-n")?;
+        match (first.single(), last.single(), e.single()) {
             (Some(first), Some(last), Some(e)) => {
                 let (found, level) = best(&first.over(last), e)?;
                 Ok((Value::Best(found.clone(), found), level))
             }
             _ => {
-                let ((least, greatest), level) = uncertain::best_over(chain.first(), chain.last(), &e)?;
+                let ((least, greatest), level) = uncertain::best_over(first, last, &e)?;
                 Ok((Value::Best(least, greatest), level))
             }
         }
     }
 
     fn masses(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
-        match self.prepared()? {
-            Prepared::Optimal(optimum) => {
-                limit_inserted(optimum.collisions(), "listed bodies", MAX_LISTED)?;
-                self.list((0..=optimum.collisions()).map(|i| optimum.mass(i)))
+        let (first, last) = self.scene.inputs.ends();
+        let inserted = self.inserted()?;
+        let exact = first.single().is_some() && last.single().is_some() && inserted.is_exact();
+        let ranges: Vec<Reals> = match inserted {
+            Inserted::Given(list) => {
+                let real = |m: &Positive| Real::rational(m.value().clone());
+                let range = |m: &Range<Positive>| Reals { least: real(m.lo()), greatest: real(m.hi()) };
+                std::iter::once(first).chain(list).chain(std::iter::once(last)).map(range).collect()
             }
-            Prepared::Given(pass) => self.list(pass.masses().iter().map(|m| Real::rational(m.value().clone()))),
-            Prepared::Measured => {
-                let ranges: Vec<Reals> = match chain.inserted() {
-                    Inserted::Given(_) => {
-                        let real = |m: &Positive| Real::rational(m.value().clone());
-                        let range = |m: Range<Positive>| Reals { least: real(m.lo()), greatest: real(m.hi()) };
-                        chain.masses().unwrap_or_default().into_iter().map(range).collect()
-                    }
-                    Inserted::Optimal(n) => {
-                        limit_inserted(*n, "listed bodies", MAX_LISTED)?;
-                        let (lower, upper) = chain.restitutions();
-                        let (first, last) = (chain.first(), chain.last());
-                        let low = Optimum::new(first.lo().clone(), last.lo().clone(), *n, lower)?;
-                        let high = Optimum::new(first.hi().clone(), last.hi().clone(), *n, upper)?;
-                        (0..=low.collisions()).map(|i| Reals { least: low.mass(i), greatest: high.mass(i) }).collect()
-                    }
-                };
-                self.all_between(ranges.into_iter().map(Ok))
+            Inserted::Optimal(n) => {
+                limit_inserted(*n + 1, "listed bodies", MAX_LISTED)?;
+                let mass = |end: fn(&Range<Positive>) -> &Positive, i| optimum::mass(end(first), end(last), *n, i);
+                let range = |i| Reals { least: mass(Range::lo, i), greatest: mass(Range::hi, i) };
+                (0..=*n + 1).map(range).collect()
             }
+        };
+        if exact {
+            return self.list(ranges.into_iter().map(|range| range.least));
         }
+        self.all_between(ranges.into_iter().map(Ok))
     }
 
     /// The speed of the first body, the others being at rest.
     fn speed(&self) -> Result<Rational, ChainError> {
         self.moving()?;
-        match self.chain().start() {
+        match self.scene.inputs.start() {
             Start::Speed(speed) => Ok(speed.clone()),
             Start::Velocities(list) => Ok(list.first().cloned().unwrap_or(Rational::ZERO)),
         }
@@ -387,7 +445,7 @@ impl<'a> Answers<'a> {
                 self.list((0..=optimum.collisions()).map(|i| optimum.velocity(i, &speed)))
             }
             Prepared::Given(pass) => self.list(pass.velocities_after()?.into_iter().map(Real::rational)),
-            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+            Prepared::Measured => match (self.chain()?.inserted(), self.moving_all()) {
                 (Inserted::Optimal(n), _) => {
                     let chain = self.measured(*n)?;
                     self.all_between((0..=*n + 1).map(|i| chain.velocity(i)))
@@ -411,7 +469,7 @@ impl<'a> Answers<'a> {
                     None => return Err(ChainError::NotAtRest),
                 },
             },
-            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+            Prepared::Measured => match (self.chain()?.inserted(), self.moving_all()) {
                 (Inserted::Optimal(n), _) => self.between(&self.measured(*n)?.velocity(*n + 1)?)?,
                 (Inserted::Given(_), None) => self.between(&self.given()?.last_velocity()?)?,
                 (Inserted::Given(_), Some(before)) => match self.follow(before)?.velocities.pop() {
@@ -425,7 +483,7 @@ impl<'a> Answers<'a> {
 
     /// The pass over the box of measured inputs, others than the first body moving before.
     fn follow(&self, before: &[Rational]) -> Result<cells::Moving, ChainError> {
-        cells::follow(&self.chain().masses().unwrap_or_default(), self.chain().coefficients(), before)
+        cells::follow(&self.chain()?.masses().unwrap_or_default(), self.chain()?.coefficients(), before)
     }
 
     fn losses(&self) -> Result<(Value, Level), ChainError> {
@@ -436,7 +494,7 @@ impl<'a> Answers<'a> {
                 self.list((1..=optimum.collisions()).map(|i| optimum.loss(i, &speed)))
             }
             Prepared::Given(pass) => self.list(pass.losses()?.into_iter().map(Real::rational)),
-            Prepared::Measured => match (self.chain().inserted(), self.moving_all()) {
+            Prepared::Measured => match (self.chain()?.inserted(), self.moving_all()) {
                 (Inserted::Optimal(n), _) => {
                     let chain = self.measured(*n)?;
                     self.all_between((1..=*n + 1).map(|i| chain.loss(i)))
@@ -490,13 +548,13 @@ impl<'a> Answers<'a> {
     }
 
     fn measured_matrices(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         let matrices = match (chain.inserted(), chain.coefficients()) {
             (Inserted::Given(_), coefficients) => given::matrices(&chain.masses().unwrap_or_default(), coefficients)?,
             (Inserted::Optimal(n), coefficients) => {
                 let found = self.measured(*n)?;
                 // With one coefficient the same matrix serves every collision.
-                let count = if let uncertain::Coefficients::Each(_) = coefficients { *n + 1 } else { 1 };
+                let count = if let Coefficients::Each(_) = coefficients { *n + 1 } else { 1 };
                 (0..count).map(|i| found.matrix(i)).collect::<Result<_, _>>()?
             }
         };
@@ -514,7 +572,7 @@ impl<'a> Answers<'a> {
     }
 
     fn recollides(&self) -> Result<(Value, Level), ChainError> {
-        let chain = self.chain();
+        let chain = self.chain()?;
         match self.prepared()? {
             Prepared::Optimal(optimum) => {
                 self.moving()?;

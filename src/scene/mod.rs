@@ -15,7 +15,7 @@ use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution, Restitutions, 
 use crate::number::decimal::{Digits, Rounding};
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
-use quantity::Quantity;
+use quantity::{Input, Quantity};
 
 /// A chain and the questions about it.
 #[derive(Clone, Debug)]
@@ -26,8 +26,16 @@ pub struct Scene {
     pub digits: Digits,
     /// The direction of rounding.
     pub rounding: Rounding,
-    /// The chain.
-    pub chain: Chain,
+    /// What is known of the chain.
+    pub inputs: Inputs,
+}
+
+impl Scene {
+    /// The first quantity that is wanted without an input that it needs.
+    #[must_use]
+    pub fn missing(&self) -> Option<(Quantity, Input)> {
+        self.want.iter().find_map(|quantity| Some((*quantity, self.inputs.missing(*quantity)?)))
+    }
 }
 
 /// The inserted bodies.
@@ -46,6 +54,181 @@ pub enum Start {
     Speed(Rational),
     /// One velocity for each body.
     Velocities(Vec<Rational>),
+}
+
+/// What is known of a chain: all of it, or as much as some quantities need ([`Quantity::needs`]).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Inputs {
+    /// All of it.
+    Whole(Chain),
+    /// A part.
+    Part(Part),
+}
+
+/// A chain of which the inserted bodies or the coefficients of restitution are not known.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    first: Range<Positive>,
+    last: Range<Positive>,
+    inserted: Option<Inserted>,
+    coefficients: Option<Coefficients>,
+    start: Start,
+}
+
+impl From<Chain> for Inputs {
+    fn from(chain: Chain) -> Inputs {
+        Inputs::Whole(chain)
+    }
+}
+
+impl Inputs {
+    /// What is known; lists fit together as far as they are there.
+    ///
+    /// # Errors
+    /// As [`Chain::new`].
+    pub fn new(
+        first: Range<Positive>,
+        last: Range<Positive>,
+        inserted: Option<Inserted>,
+        coefficients: Option<Coefficients>,
+        start: Start,
+    ) -> Result<Inputs, ChainError> {
+        let inserted = inserted.map(Inserted::normal);
+        match (inserted, coefficients) {
+            (Some(inserted), Some(coefficients)) => {
+                Ok(Inputs::Whole(Chain::new(first, last, inserted, coefficients, start)?))
+            }
+            (inserted, coefficients) => {
+                fit(inserted.as_ref(), coefficients.as_ref(), &start)?;
+                Ok(Inputs::Part(Part { first, last, inserted, coefficients, start }))
+            }
+        }
+    }
+
+    /// The chain, where all of it is known.
+    #[must_use]
+    pub fn chain(&self) -> Option<&Chain> {
+        match self {
+            Self::Whole(chain) => Some(chain),
+            Self::Part(_) => None,
+        }
+    }
+
+    /// The chain for something that needs all of it, such as a worksheet.
+    ///
+    /// # Errors
+    /// [`ChainError::Missing`].
+    pub fn whole(&self, needed_by: &'static str) -> Result<&Chain, ChainError> {
+        let missing = if self.has(Input::Inserted) { Input::Restitution } else { Input::Inserted };
+        self.chain().ok_or(ChainError::Missing { quantity: needed_by, input: missing.words() })
+    }
+
+    /// The masses of the first and of the last body.
+    #[must_use]
+    pub fn ends(&self) -> (&Range<Positive>, &Range<Positive>) {
+        match self {
+            Self::Whole(chain) => (&chain.first, &chain.last),
+            Self::Part(part) => (&part.first, &part.last),
+        }
+    }
+
+    /// The inserted bodies, where they are known.
+    #[must_use]
+    pub fn inserted(&self) -> Option<&Inserted> {
+        match self {
+            Self::Whole(chain) => Some(&chain.inserted),
+            Self::Part(part) => part.inserted.as_ref(),
+        }
+    }
+
+    /// The coefficients of restitution, where they are known.
+    #[must_use]
+    pub fn coefficients(&self) -> Option<&Coefficients> {
+        match self {
+            Self::Whole(chain) => Some(&chain.coefficients),
+            Self::Part(part) => part.coefficients.as_ref(),
+        }
+    }
+
+    /// The velocities before the pass.
+    #[must_use]
+    pub fn start(&self) -> &Start {
+        match self {
+            Self::Whole(chain) => &chain.start,
+            Self::Part(part) => &part.start,
+        }
+    }
+
+    fn has(&self, input: Input) -> bool {
+        match input {
+            Input::Inserted => self.inserted().is_some(),
+            Input::Restitution => self.coefficients().is_some(),
+        }
+    }
+
+    /// The first input that a quantity needs, by itself or for another one, and that is not here.
+    #[must_use]
+    pub fn missing(&self, quantity: Quantity) -> Option<Input> {
+        let needs = quantity.needs();
+        let own = needs.inputs.iter().copied().find(|input| !self.has(*input));
+        own.or_else(|| needs.quantities.iter().find_map(|other| self.missing(*other)))
+    }
+
+    /// Whether every mass and coefficient that is known is a single number.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        let (first, last) = self.ends();
+        let ends = first.single().is_some() && last.single().is_some();
+        ends && self.inserted().is_none_or(Inserted::is_exact) && self.coefficients().is_none_or(Coefficients::is_exact)
+    }
+}
+
+/// Refuses lists that do not fit together, and more bodies than are allowed.
+fn fit(inserted: Option<&Inserted>, coefficients: Option<&Coefficients>, start: &Start) -> Result<(), ChainError> {
+    let Some(inserted) = inserted else { return Ok(()) };
+    let n = inserted.count();
+    match inserted {
+        Inserted::Optimal(_) if matches!(start, Start::Velocities(_)) => return Err(ChainError::NeedsGivenMasses),
+        Inserted::Optimal(_) => {}
+        Inserted::Given(_) => limit_inserted(n, "listed bodies", MAX_LISTED)?,
+    }
+    limit_inserted(n, "inserted bodies", crate::chain::MAX_INSERTED)?;
+    let check = |of: &'static str, given: usize, needed: u64| {
+        let given = given as u64;
+        if given == needed { Ok(()) } else { Err(ChainError::Count { of, given, needed }) }
+    };
+    if let Some(Coefficients::Each(list)) = coefficients {
+        check("coefficients of restitution", list.len(), n + 1)?;
+    }
+    if let Start::Velocities(list) = start {
+        check("velocities", list.len(), n + 2)?;
+    }
+    Ok(())
+}
+
+impl Inserted {
+    /// How many bodies are inserted.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        match self {
+            Self::Optimal(n) => *n,
+            Self::Given(masses) => masses.len() as u64,
+        }
+    }
+
+    /// Whether every given mass is a single number.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        match self {
+            Self::Optimal(_) => true,
+            Self::Given(masses) => masses.iter().all(|m| m.single().is_some()),
+        }
+    }
+
+    /// Without inserted bodies nothing is to be optimised.
+    fn normal(self) -> Inserted {
+        if self == Inserted::Optimal(0) { Inserted::Given(Vec::new()) } else { self }
+    }
 }
 
 /// A chain as a scene describes it.
@@ -70,27 +253,8 @@ impl Chain {
         coefficients: Coefficients,
         start: Start,
     ) -> Result<Chain, ChainError> {
-        // Without inserted bodies nothing is to be optimised.
-        let inserted = if inserted == Inserted::Optimal(0) { Inserted::Given(Vec::new()) } else { inserted };
-        let n = match &inserted {
-            Inserted::Optimal(_) if matches!(start, Start::Velocities(_)) => return Err(ChainError::NeedsGivenMasses),
-            Inserted::Optimal(n) => *n,
-            Inserted::Given(masses) => masses.len() as u64,
-        };
-        if let Inserted::Given(_) = inserted {
-            limit_inserted(n, "listed bodies", MAX_LISTED)?;
-        }
-        limit_inserted(n, "inserted bodies", crate::chain::MAX_INSERTED)?;
-        let check = |of: &'static str, given: usize, needed: u64| {
-            let given = given as u64;
-            if given == needed { Ok(()) } else { Err(ChainError::Count { of, given, needed }) }
-        };
-        if let Coefficients::Each(list) = &coefficients {
-            check("coefficients of restitution", list.len(), n + 1)?;
-        }
-        if let Start::Velocities(list) = &start {
-            check("velocities", list.len(), n + 2)?;
-        }
+        let inserted = inserted.normal();
+        fit(Some(&inserted), Some(&coefficients), &start)?;
         Ok(Chain { first, last, inserted, coefficients, start })
     }
 
@@ -115,10 +279,7 @@ impl Chain {
     /// How many bodies are inserted.
     #[must_use]
     pub fn count(&self) -> u64 {
-        match &self.inserted {
-            Inserted::Optimal(n) => *n,
-            Inserted::Given(masses) => masses.len() as u64,
-        }
+        self.inserted.count()
     }
 
     /// The velocities before the pass.
@@ -150,18 +311,12 @@ impl Chain {
         }
     }
 
-    /// The one coefficient of all collisions. Equal ranges in a list are not one: each of them has a value of its own.
+    /// As [`Coefficients::common`].
     ///
     /// # Errors
     /// [`ChainError::UnequalRestitutions`] naming the quantity.
     pub fn common_restitution(&self, quantity: &'static str) -> Result<Range<Restitution>, ChainError> {
-        match &self.coefficients {
-            Coefficients::Same(e) => Ok(e.clone()),
-            Coefficients::Each(list) => match list.first() {
-                Some(first) if first.single().is_some() && list.iter().all(|e| e == first) => Ok(first.clone()),
-                _ => Err(ChainError::UnequalRestitutions { quantity }),
-            },
-        }
+        self.coefficients.common(quantity)
     }
 
     /// All masses in order, where they are given.
@@ -178,15 +333,7 @@ impl Chain {
     #[must_use]
     pub fn is_exact(&self) -> bool {
         let ends = self.first.single().is_some() && self.last.single().is_some();
-        let inserted = match &self.inserted {
-            Inserted::Optimal(_) => true,
-            Inserted::Given(masses) => masses.iter().all(|m| m.single().is_some()),
-        };
-        let coefficients = match &self.coefficients {
-            Coefficients::Same(e) => e.single().is_some(),
-            Coefficients::Each(list) => list.iter().all(|e| e.single().is_some()),
-        };
-        ends && inserted && coefficients
+        ends && self.inserted.is_exact() && self.coefficients.is_exact()
     }
 }
 

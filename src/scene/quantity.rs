@@ -29,6 +29,35 @@ pub enum Quantity {
     Recollides,
 }
 
+/// An input that some quantities do not need. The masses of the first and of the last body are needed by all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// The inserted bodies: their number, or their masses.
+    Inserted,
+    /// The coefficients of restitution.
+    Restitution,
+}
+
+impl Input {
+    /// What it is.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Inserted => "the number of inserted bodies, or their masses",
+            Self::Restitution => "the coefficient of restitution",
+        }
+    }
+}
+
+/// What an answer needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Needs {
+    /// From the user.
+    pub inputs: &'static [Input],
+    /// Answered before it.
+    pub quantities: &'static [Quantity],
+}
+
 impl Quantity {
     /// All of them, in the order of evaluation: each after what it needs, velocities apart.
     pub const ALL: [Quantity; 11] = [
@@ -45,15 +74,19 @@ impl Quantity {
         Self::Recollides,
     ];
 
-    /// What must be known first. This table drives the evaluation and `--explain`.
+    /// What must be known first. This table drives the evaluation, `--explain`, and what is asked of the user.
     #[must_use]
-    pub const fn needs(self) -> &'static [Quantity] {
-        match self {
-            Self::Pass | Self::Eta | Self::Threshold | Self::Helps | Self::BestN => &[],
-            Self::Masses | Self::Matrix | Self::Losses | Self::Recollides => &[Self::Pass],
+    pub const fn needs(self) -> Needs {
+        use Input::{Inserted, Restitution};
+        let (inputs, quantities): (&[Input], &[Quantity]) = match self {
+            Self::Pass | Self::Eta | Self::Helps => (&[Inserted, Restitution], &[]),
+            Self::Threshold | Self::Masses => (&[Inserted], &[]),
+            Self::BestN => (&[Restitution], &[]),
+            Self::Matrix | Self::Losses | Self::Recollides => (&[], &[Self::Pass]),
             // Every output that calls velocities final must know whether they are.
-            Self::Velocities | Self::LastVelocity => &[Self::Pass, Self::Recollides],
-        }
+            Self::Velocities | Self::LastVelocity => (&[], &[Self::Pass, Self::Recollides]),
+        };
+        Needs { inputs, quantities }
     }
 
     /// The name in scenes, flags and reports.

@@ -4,8 +4,8 @@
 //! also be measured, `"57.1 ± 0.1"` or `"[0.84, 0.90]"`. A TOML float is refused, since it is not exact. Unknown
 //! keys are refused with the nearest known one.
 
-use super::quantity::Quantity;
-use super::{Chain, Coefficients, Inserted, Scene, Start, keys};
+use super::quantity::{Input, Quantity};
+use super::{Coefficients, Inputs, Inserted, Scene, Start, keys};
 use crate::chain::uncertain::{Range, RangeError};
 use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution};
 use crate::claim::diagnostic::{Diagnostic, Fault};
@@ -61,11 +61,12 @@ fn of_range(span: std::ops::Range<usize>, error: &RangeError) -> SceneFault {
     SceneFault { limit, ..fault(span, error.to_string(), help) }
 }
 
-/// Reads a scene.
+/// Reads a scene. An input that is not there is no fault here: [`Scene::missing`] tells which quantity needs it, and
+/// [`lacking`] says so.
 ///
 /// ```
 /// let text = "want = [\"eta\"]\n[chain]\nfirst = 10\nlast = 1\ninserted = 7\nrestitution = \"9/10\"\n";
-/// assert_eq!(carom::scene::read::scene(text).unwrap().chain.count(), 7);
+/// assert_eq!(carom::scene::read::scene(text).unwrap().missing(), None);
 /// assert!(carom::scene::read::scene(&text.replace("\"9/10\"", "0.9")).is_err());
 /// ```
 ///
@@ -115,10 +116,23 @@ pub fn scene(text: &str) -> Result<Scene, SceneFault> {
         let help = "add [chain] with first, last, inserted and restitution".to_owned();
         return Err(fault(0..0, "the scene has no table [chain]", Some(help)));
     };
-    Ok(Scene { want, digits, rounding, chain: read_chain(chain)? })
+    Ok(Scene { want, digits, rounding, inputs: inputs(chain)? })
 }
 
-fn read_chain(value: &Value<'_>) -> Result<Chain, SceneFault> {
+/// The fault of a scene without an input that a quantity needs, at its table `[chain]`.
+#[must_use]
+pub fn lacking(text: &str, quantity: Quantity, input: Input) -> SceneFault {
+    let (key, example) = match input {
+        Input::Inserted => ("inserted", "7"),
+        Input::Restitution => ("restitution", "\"9/10\""),
+    };
+    let document = DeTable::parse(text).ok();
+    let span = document.and_then(|document| Some(find(document.get_ref(), "chain")?.span())).unwrap_or(0..0);
+    let message = format!("{} needs {key}, {}", quantity.name(), input.words());
+    fault(span, message, Some(format!("add {key} = {example} to [chain]")))
+}
+
+fn inputs(value: &Value<'_>) -> Result<Inputs, SceneFault> {
     let Some(table) = value.get_ref().as_table() else {
         return Err(fault(
             value.span(),
@@ -138,11 +152,11 @@ fn read_chain(value: &Value<'_>) -> Result<Chain, SceneFault> {
         Some(value) if value.get_ref().is_array() => Inserted::Given(list(value, "inserted", mass)?),
         Some(value) => Inserted::Optimal(natural(value, "inserted")?),
     };
-    let restitution = needed("restitution", "\"9/10\"")?;
-    let coefficients = if restitution.get_ref().is_array() {
-        Coefficients::Each(list(restitution, "restitution", coefficient)?)
-    } else {
-        Coefficients::Same(coefficient(restitution)?)
+    let restitution = find(table, "restitution");
+    let coefficients = match restitution {
+        None => None,
+        Some(value) if value.get_ref().is_array() => Some(Coefficients::Each(list(value, "restitution", coefficient)?)),
+        Some(value) => Some(Coefficients::Same(coefficient(value)?)),
     };
     let start = match (find(table, "speed"), find(table, "velocities")) {
         (Some(_), Some(velocities)) => {
@@ -157,10 +171,12 @@ fn read_chain(value: &Value<'_>) -> Result<Chain, SceneFault> {
         (None, None) => Start::unit(),
     };
     // Counts that do not fit are shown at the list that is checked.
-    let place = find(table, "velocities").or(find(table, "restitution")).map_or(value.span(), Spanned::span);
-    Chain::new(first, last, inserted, coefficients, start).map_err(|error| {
+    let place = find(table, "velocities").or(restitution).map_or(value.span(), Spanned::span);
+    Inputs::new(first, last, Some(inserted), coefficients, start).map_err(|error| {
         let place = match &error {
-            ChainError::Count { of: "coefficients of restitution", .. } => restitution.span(),
+            ChainError::Count { of: "coefficients of restitution", .. } => {
+                restitution.map_or(place.clone(), Spanned::span)
+            }
             ChainError::Number(_) => find(table, "inserted").map_or(place.clone(), Spanned::span),
             _ => place.clone(),
         };

@@ -159,6 +159,36 @@ impl Coefficients {
         }
     }
 
+    /// The one coefficient of all collisions. Equal ranges in a list are not one: each of them has a value of its own.
+    ///
+    /// # Errors
+    /// [`ChainError::UnequalRestitutions`] naming the quantity.
+    pub fn common(&self, quantity: &'static str) -> Result<Range<Restitution>, ChainError> {
+        match self {
+            Self::Same(e) => Ok(e.clone()),
+            Self::Each(list) => match list.first() {
+                Some(first) if first.single().is_some() && list.iter().all(|e| e == first) => Ok(first.clone()),
+                _ => Err(ChainError::UnequalRestitutions { quantity }),
+            },
+        }
+    }
+
+    /// The least range that holds the coefficients of two collisions; `None` where one of them is beyond the last.
+    #[must_use]
+    pub fn around(&self, one: usize, other: usize) -> Option<Range<Restitution>> {
+        let (one, other) = (self.at(one)?, self.at(other)?);
+        Some(Range { lo: one.lo.clone().min(other.lo.clone()), hi: one.hi.clone().max(other.hi.clone()) })
+    }
+
+    /// Whether each coefficient is a single number.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        match self {
+            Self::Same(e) => e.single().is_some(),
+            Self::Each(list) => list.iter().all(|e| e.single().is_some()),
+        }
+    }
+
     /// The range that all collisions share the value of, where it is more than a point.
     #[must_use]
     pub fn shared(&self) -> Option<&Range<Restitution>> {
