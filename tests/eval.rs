@@ -292,6 +292,10 @@ fn only_what_is_needed_is_asked_for() {
     let sheet = carom(&["worksheet", path.to_str().unwrap()]);
     assert_eq!(sheet.status.code(), Some(2));
     assert!(text(&sheet.stderr).contains("a worksheet needs the coefficient"), "{}", text(&sheet.stderr));
+    // A sheet from standard input has a title, too.
+    let whole = scene.replace("inserted = 2", "inserted = 2\nrestitution = 1");
+    let sheet = text(&with_input(&["worksheet", "-"], &whole).stdout);
+    assert!(sheet.starts_with("scene: worksheet"), "{sheet}");
     let batch = |want: &str, lines: &str| with_input(&["eval", "--batch", "-", "--want", want, "--digits", "6"], lines);
     let out = text(&batch("threshold", "m1,m2,e,n\n64,1,,2\n").stdout);
     assert!(out.contains("64,1,,2,0.543210,"), "{out}");

@@ -146,14 +146,14 @@ class Chain:
 
     def __repr__(self) -> str:
         (m1, m2), e, n, masses, speed, velocities = self._arguments
-        parts = [m1, m2]
+        parts = [_written(m1), _written(m2)]
         if e is not None:
-            parts.append(f"e={e[1][0] if e[0] else e[1]}")
+            parts.append(f"e={_written(e[1][0]) if e[0] else _list_written(e[1])}")
         if masses is not None:
-            parts.append(f"masses={masses}")
+            parts.append(f"masses={_list_written(masses)}")
         elif n is not None:
             parts.append(f"n={n}")
-        parts.append(f"speed={speed}" if velocities is None else f"velocities={velocities}")
+        parts.append(f"speed={_written(speed)}" if velocities is None else f"velocities={_list_written(velocities)}")
         return f"Chain({', '.join(parts)})"
 
     @property
@@ -249,6 +249,15 @@ def _texts(values: Any, name: str) -> List[str]:
     if isinstance(values, str) or not hasattr(values, "__iter__"):
         raise ValueError(f"{name}: a list is expected, not {values!r}")
     return [text_of(value, name) for value in values]
+
+
+def _written(text: str) -> str:
+    """A number as Python reads it back: an integer, or a text in quotes."""
+    return text if text.isascii() and text.isdigit() and not text.startswith("0") else repr(text)
+
+
+def _list_written(texts: List[str]) -> str:
+    return f"[{', '.join(map(_written, texts))}]"
 
 
 def _count(text: str) -> Union[int, float, None]:

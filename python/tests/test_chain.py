@@ -94,8 +94,18 @@ def test_only_needed_inputs_are_asked_for():
     assert carom.Chain(64, 1, n=2).threshold() == Fraction(44, 81)
     assert carom.Chain(64, 1, n=2).masses() == [64, 16, 4, 1] == carom.masses(64, 1, n=2)
     part = carom.Chain(64, 1, e="44/81")
-    assert int(part.best_n()) == 2 and part.n is None and repr(part) == "Chain(64, 1, e=44/81, speed=1)"
+    assert int(part.best_n()) == 2 and part.n is None and repr(part) == "Chain(64, 1, e='44/81', speed=1)"
     assert pickle.loads(pickle.dumps(part)).best_n() == part.best_n()
+
+
+def test_the_written_form_of_a_chain_makes_the_same_chain():
+    for chain in (
+        carom.Chain("0.1", Fraction(3, 7), e=["1/2", 1], n=1),
+        carom.Chain("57.1 ± 0.1", 46, e="[0.84, 0.90]", masses=["50", 7], speed="3/2"),
+        carom.Chain(3, 1, masses=["2"], e=1, velocities=[2, "-1/2", 0]),
+    ):
+        again = eval(repr(chain), {"Chain": carom.Chain})  # what is printed is Python
+        assert repr(again) == repr(chain) and again.is_exact == chain.is_exact
 
 
 def test_thousands_of_enclosures_contain_and_their_doubles_point_outwards(bounds):

@@ -24,19 +24,18 @@ const MAX_TYPESET: usize = 200;
 
 /// The answers to all questions about a chain.
 pub fn answers(request: &Request) -> Result<Value, Fault> {
-    let chain = request.chain()?;
+    let chain = &request.chain()?;
     let digits = Digits::Significant(request.digits("digits")?);
-    let mut scene = Scene { want: Vec::new(), digits, rounding: Rounding::Nearest, chain };
+    let mut scene = Scene { want: Vec::new(), digits, rounding: Rounding::Nearest, inputs: chain.clone().into() };
     let mut found = Map::new();
     {
         let held = scene.clone();
         let answers = Answers::new(&held);
-        for quantity in asked(&scene.chain) {
+        for quantity in asked(chain) {
             scene.want = vec![quantity];
-            found.insert(quantity.name().to_owned(), one(&scene, &answers, quantity));
+            found.insert(quantity.name().to_owned(), one(&scene, &answers, quantity, chain.count()));
         }
     }
-    let chain = &scene.chain;
     Ok(json!({
         "answers": found,
         "energy": energy::account(chain, digits),
@@ -50,26 +49,32 @@ pub fn answers(request: &Request) -> Result<Value, Fault> {
     }))
 }
 
-/// What is asked: thresholds begin with the first inserted body, and long lists are not for a page.
+/// What is asked: thresholds begin with the first inserted body, the best number is about optimal masses, and long
+/// lists are not for a page.
 fn asked(chain: &Chain) -> Vec<Quantity> {
-    let lists = [Quantity::Masses, Quantity::Velocities, Quantity::Losses];
+    let given = matches!(chain.inserted(), Inserted::Given(list) if !list.is_empty());
     let threshold = [Quantity::Threshold, Quantity::Helps];
+    let mut lists = vec![Quantity::Masses, Quantity::Velocities, Quantity::Losses];
+    if given {
+        lists.extend(threshold);
+    }
     [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN, Quantity::Recollides]
         .into_iter()
-        .chain(lists)
+        .chain([Quantity::Masses, Quantity::Velocities, Quantity::Losses])
+        .filter(|q| !given || *q != Quantity::BestN)
         .filter(|q| chain.count() > 0 || !threshold.contains(q))
         .filter(|q| chain.count() <= MAX_LISTED || !lists.contains(q))
         .collect()
 }
 
 /// The answer to a scene that wants one quantity.
-fn one(scene: &Scene, answers: &Answers<'_>, quantity: Quantity) -> Value {
+fn one(scene: &Scene, answers: &Answers<'_>, quantity: Quantity, n: u64) -> Value {
     match answers::json(scene, answers, true) {
         Ok(text) => {
             let all: Value = serde_json::from_str(&text).unwrap_or_default();
             let entry = |key: &str| all.get(key).cloned().unwrap_or_default();
             let value = entry(quantity.name());
-            let formula = formula(quantity, scene.chain.count(), &value);
+            let formula = formula(quantity, n, &value);
             json!({ "value": value, "level": entry("level"), "mathml": formula })
         }
         Err((_, error)) => json!({ "error": Fault::chain(None, &error).to_json() }),
@@ -134,6 +139,16 @@ mod tests {
         assert_eq!(answers["helps"]["value"], "exactly on the threshold");
         assert_eq!(answers["best-n"]["value"]["tie"], true);
         assert_eq!(answers["masses"]["value"][1]["exact"], "16");
+    }
+
+    #[test]
+    fn given_masses_are_asked_about_themselves() {
+        let found = eval("10", "1", "9/10", "", "1000, 0.001");
+        let answers = &found["answers"];
+        assert_eq!(answers["helps"]["value"], json!(["no", "no"]));
+        assert_eq!(answers["threshold"]["value"][1]["exact"], "999001/1000");
+        assert!(answers.get("best-n").is_none(), "the best number is about optimal masses");
+        assert_eq!(found["why"]["helps"][0], "b-insert");
     }
 
     #[test]

@@ -18,10 +18,12 @@ pub fn behind(chain: &Chain) -> Value {
         (false, 2) => &["eq16"],
         (false, _) => &["b-global", "eq06"],
     };
-    let threshold: &[&str] = match n {
-        1 => &["eq15", "eq19", "b-positive"],
-        2 => &["eq18", "eq19", "b-grow"],
-        _ => &["eq19", "b-grow", "b-closed"],
+    let threshold: &[&str] = match (optimal, n) {
+        (false, _) if common => &["b-insert", "eq15"],
+        (false, _) => &["b-insert-each", "b-insert"],
+        (true, 1) => &["eq15", "eq19", "b-positive"],
+        (true, 2) => &["eq18", "eq19", "b-grow"],
+        (true, _) => &["eq19", "b-grow", "b-closed"],
     };
     let masses: &[&str] = if optimal { &["eq21", "eq20", "b-global-unique"] } else { &["eq05", "eq06"] };
     let velocities: &[&str] =
