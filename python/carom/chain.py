@@ -104,8 +104,8 @@ class Chain:
     """A chain: ``m1`` moves towards inserted bodies and ``m2``, which are at rest.
 
     ``e`` is one coefficient of restitution for all collisions, or a list of one for each. ``n`` bodies of optimal mass
-    are inserted, or those of the list ``masses``; ``n=0`` means none. ``speed`` is that of the first body; ``velocities``
-    gives those of all bodies instead, with ``masses``.
+    are inserted, or those of the list ``masses``; ``n=0`` means none. ``speed`` is that of the first body;
+    ``velocities`` gives those of all bodies instead, with ``masses``.
 
     An answer asks only for what it needs: thresholds and masses do not need ``e``, the best number of bodies does not
     need ``n``. Where an input is missing, the :class:`ValueError` names it.
@@ -185,9 +185,9 @@ class Chain:
     def threshold(self) -> Union[Number, List[Number]]:
         """The least restitution with which an inserted body helps.
 
-        For bodies of optimal mass L_n of equation (19): it tells whether n bodies do better than n - 1. For given masses a
-        list with the threshold of each inserted body, (a*b + m**2)/(m*(a + b)) for mass m between a and b; above 1 it never
-        helps.
+        For bodies of optimal mass L_n of equation (19): it tells whether n bodies do better than n - 1. For given
+        masses a list with the threshold of each inserted body, (a*b + m**2)/(m*(a + b)) for mass m between a and b.
+        A body whose threshold is above 1 never helps.
         """
         found = self._shown("threshold")
         if isinstance(found, list):
@@ -197,9 +197,9 @@ class Chain:
     def helps(self) -> Union[Helps, EachHelps]:
         """Whether the last inserted body helps; for given masses, whether each of them does.
 
-        Bodies of optimal mass: whether n of them hand on more energy than n - 1. Given masses: whether the chain hands on
-        more with the body than without it. Where the two collisions of a given body have different coefficients, that of
-        its neighbours' direct collision is taken to be any number between them.
+        Bodies of optimal mass: whether n of them hand on more energy than n - 1. Given masses: whether the chain
+        hands on more with the body than without it. Where its two collisions have different coefficients, that
+        of its neighbours' direct collision is taken to be any number between them.
         """
         found = self._answer("helps", _DIGITS)
         return EachHelps(map(Helps, found)) if isinstance(found, list) else Helps(found)

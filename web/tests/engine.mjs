@@ -60,5 +60,14 @@ for (const { m1, m2, e, n, want: own } of chains) {
     }
   }
 }
+for (const [e, masses] of [["9/10", "1000, 0.001"], ["7/11", "2"], ["1/2, 4/5", "2"], ["[0.57, 0.575]", "[2, 5]"]]) {
+  const names = "eta,threshold,helps";
+  const other = native("eval", "--m1=10", "--m2=1", `-e=${e}`, `--masses=${masses}`, "--want", names, "--format", "json");
+  const found = call("answers", { m1: "10", m2: "1", e, masses, digits: "15", inserted: "given" });
+  for (const name of names.split(",")) {
+    assert.deepEqual(found.answers[name].value, other[name], `${e} ${masses}: ${name}`);
+    compared++;
+  }
+}
 console.log(`answers: ${compared} agree`);
 console.log(`all in ${(performance.now() - began).toFixed(0)} ms`);

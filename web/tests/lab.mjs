@@ -210,6 +210,8 @@ test("restitutions for each collision, masses of one's own, measured values", as
     await page.check("#given");
     await page.fill("#masses", "5, 5/2");
     await shows(page, "#bodies td", "5/2".replace("/", ""));
+    await shows(page, ".quantity.helps", "body 2: yes");
+    assert.equal(await page.locator(".quantity.best-n").count(), 0, "the best number is about optimal masses");
     await page.waitForTimeout(600);
     await shoot(page, "own");
     await page.selectOption("#preset", { label: "Measured restitution" });
