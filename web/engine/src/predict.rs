@@ -34,7 +34,7 @@ pub fn mark(request: &Request) -> Result<Value, Fault> {
         Fault::at("guess", message)
     })?;
     let digits = Digits::Significant(DIGITS);
-    let scene = Scene { want: vec![quantity], digits, rounding: Rounding::Nearest, chain: request.chain()? };
+    let scene = Scene { want: vec![quantity], digits, rounding: Rounding::Nearest, inputs: request.chain()?.into() };
     let answers = Answers::new(&scene);
     let (answer, _) = answers.get(quantity).map_err(|error| Fault::chain(None, &error))?;
     match answer {
