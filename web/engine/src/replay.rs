@@ -220,7 +220,7 @@ fn masses(chain: &Chain) -> Result<(Vec<Rational>, bool), Fault> {
         want: vec![Quantity::Masses],
         digits: Digits::Significant(MASS_DIGITS),
         rounding: Rounding::Nearest,
-        chain: chain.clone(),
+        inputs: chain.clone().into(),
     };
     let answers = Answers::new(&scene);
     let (answer, _) = answers.get(Quantity::Masses).map_err(|error| Fault::chain(None, &error))?;
