@@ -91,9 +91,11 @@ impl Chain {
     ) -> Result<Chain, Refusal> {
         detached(py, || {
             let (first, last) = (mass("m1", &ends.0)?, mass("m2", &ends.1)?);
-            let coefficients = e.map(|(common, list)| match (common, list.first()) {
-                (true, Some(one)) => Ok(Coefficients::Same(coefficient(one)?)),
-                _ => Ok(Coefficients::Each(list.iter().map(|e| coefficient(e)).collect::<Result<_, Refusal>>()?)),
+            let coefficients = e.map(|(common, list)| -> Result<Coefficients, Refusal> {
+                match (common, list.first()) {
+                    (true, Some(one)) => Ok(Coefficients::Same(coefficient(one)?)),
+                    _ => Ok(Coefficients::Each(list.iter().map(|e| coefficient(e)).collect::<Result<_, _>>()?)),
+                }
             });
             let coefficients = coefficients.transpose()?;
             let inserted = match masses {
