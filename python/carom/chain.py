@@ -317,8 +317,8 @@ def helps(
 
     >>> helps(64, 1, e="44/81", n=2)
     <Helps.ON_THE_THRESHOLD: 'exactly on the threshold'>
-    >>> helps(10, 1, e="9/10", masses=[2, 1000])
-    (<Helps.YES: 'yes'>, <Helps.NO: 'no'>)
+    >>> helps(10, 1, e="9/10", masses=[9, 3])
+    (<Helps.NO: 'no'>, <Helps.YES: 'yes'>)
     """
     return Chain(m1, m2, e=e, n=n, masses=masses).helps()
 
