@@ -280,6 +280,19 @@ test("a decimal is one number to a screen reader, and its power of ten is one pi
   });
 });
 
+test("bodies that stick are played to the end", async () => {
+  await visit("#m1=1&m2=1&e=0&n=3", async (page) => {
+    await answered(page);
+    await page.waitForSelector("#stage g");
+    await page.click("#view-all");
+    for (let i = 0; i < 4; i++) await page.click("#forward");
+    await shows(page, "#event", "4 of 4 steps");
+    await shows(page, "#event", "Bodies 1 to 5");
+    await shows(page, "#event", "move on together with velocity");
+    await shows(page, "#replay-note", "no further collision follows");
+  });
+});
+
 test("numbers of a replay with rounded masses are marked as near ones", async () => {
   await visit("", async (page) => {
     await answered(page);

@@ -175,7 +175,7 @@ fn ambiguous(replay: &Replay, found: &Contact) -> String {
         "ambiguous: after {}, {} touch at time {} and {} approach at once: no law gives the order of their collisions",
         counted(replay.outcome),
         group(replay.line, found.bodies),
-        found.time,
+        replay.numbers.rational(&found.time),
         pairs.join(", "),
     );
     match &found.outcomes {

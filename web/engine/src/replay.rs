@@ -194,8 +194,7 @@ impl Shown {
 fn total(outcome: &Outcome) -> String {
     match &outcome.status {
         Status::Complete => counted(outcome),
-        Status::Collapse(_) => "infinitely many collisions".to_owned(),
-        Status::Limit(_) | Status::Ambiguous(_) => format!("{} and more", counted(outcome)),
+        Status::Limit(_) | Status::Ambiguous(_) | Status::Collapse(_) => format!("{} and more", counted(outcome)),
     }
 }
 
