@@ -7,7 +7,7 @@
 use super::sign::Known;
 use super::term::Atom;
 use super::{Checker, Reason, Refusal, parts, rejected};
-use crate::claim::definedness::{Exponent, Need, exponent, needs};
+use crate::claim::definedness::{Exponent, Need, exponent, is_whole, needs};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::Fraction;
 use crate::kernel::order::Signs;
@@ -31,6 +31,13 @@ impl Checker {
         names
     }
 
+    /// A value for a natural number is whole by its form: `x^k` with `k = n*x/x` would be another power, which needs a
+    /// positive base.
+    pub(super) fn whole_by_form(&mut self, e: &Expr) -> Result<(), Refusal> {
+        let natural = self.natural_names();
+        if is_whole(e, &|name| natural.contains(name)) { Ok(()) } else { rejected(Reason::NotWhole) }
+    }
+
     fn is(&mut self, e: &Expr, signs: Signs, known: &Known) -> Result<bool, Refusal> {
         let f = self.fraction(e)?;
         Ok(self.signs_of(&f, known)?.within(signs))
@@ -47,8 +54,10 @@ impl Checker {
     pub(super) fn defined(&mut self, e: &Expr, known: &mut Known) -> Result<(), Refusal> {
         match &e.kind {
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
-                self.defined(&index.from, known)?;
-                self.defined(&index.to, known)?;
+                for end in [&index.from, &index.to] {
+                    self.defined(end, known)?;
+                    self.whole_by_form(end)?;
+                }
                 let (from, to) = (self.fraction(&index.from)?, self.fraction(&index.to)?);
                 let room = Fraction::sum(&[to.clone(), Fraction::integer(1), from.negated()], &self.work)?;
                 // An index is a natural number.
@@ -74,6 +83,7 @@ impl Checker {
             ExprKind::Apply(f, arguments) if self.is_member(&f.text) => {
                 for argument in arguments {
                     self.defined(argument, known)?;
+                    self.whole_by_form(argument)?;
                     self.need(argument, Signs::NOT_NEGATIVE, known)?;
                 }
                 if let (Some((from, to)), Some(argument)) =

@@ -199,7 +199,7 @@ impl Checker {
                     self.defined(&value, known)?;
                     let f = self.fraction(&value)?;
                     if binding.natural {
-                        self.whole(&f)?;
+                        self.whole_by_form(&value)?;
                         if !self.signs_of(&f, known)?.within(Signs::NOT_NEGATIVE) {
                             return rejected(Reason::NoValue { part: value, signs: Signs::NOT_NEGATIVE });
                         }
