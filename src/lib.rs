@@ -1,16 +1,18 @@
 //! Carom audits the algebra of one-dimensional chain collisions and computes with it exactly.
 //!
-//! A claim file states an equation of a paper with its hypotheses. The prover shows it for all values
-//! that the hypotheses allow, or finds an exact point where it fails, or says what is missing.
+//! A claim file states an equation of a paper with its hypotheses. A search finds a proof for all values that the
+//! hypotheses allow, which a small kernel then checks; or an exact point where the claim fails; or it says what is missing.
 //!
 //! ```
 //! use carom::claim::parse::parse;
-//! use carom::prove::catalogue::{Catalogue, Limits};
+//! use carom::judge::{Settings, hand::AtHand, one_of};
+//! use carom::prove::catalogue::Catalogue;
 //!
 //! let claims = parse("claim half \"Half\"\ngiven x > 0\nprove x/(2*x) = 1/2\n").unwrap();
-//! let mut catalogue = Catalogue::new(claims).unwrap();
-//! let outcome = catalogue.audit("half", &Limits::default()).unwrap();
-//! assert_eq!(outcome.verdict.name(), "proved");
+//! let catalogue = Catalogue::new(claims).unwrap();
+//! let entry = one_of(&catalogue, "half", &AtHand::default(), &Settings::default()).unwrap();
+//! assert_eq!(entry.outcome.verdict.name(), "proved");
+//! assert!(entry.proof.unwrap().certificate.starts_with("carom-certificate 1"));
 //! ```
 #![forbid(unsafe_code)]
 
@@ -19,6 +21,7 @@ pub mod certificate2;
 pub mod claim;
 pub mod kernel;
 pub mod kernel2;
+pub mod table_checker;
 
 #[cfg(feature = "engine")]
 pub mod algebra;
@@ -31,6 +34,8 @@ pub mod cli;
 pub mod elaborate;
 #[cfg(feature = "engine")]
 pub mod export;
+#[cfg(feature = "report")]
+pub mod judge;
 #[cfg(feature = "engine")]
 pub mod number;
 #[cfg(feature = "proptest")]

@@ -10,6 +10,7 @@ use carom::claim::embedded;
 use carom::claim::syntax::*;
 use carom::kernel::marks::Source;
 use carom::kernel::{Accepted, Checker, Verdict, check};
+use carom::prove::catalogue::Limits;
 use std::collections::BTreeMap;
 
 /// Proved claims of the catalogue without a certificate, in order: none, and it shall stay so.
@@ -90,7 +91,7 @@ fn small_certificates_are_found_again_just_as_they_are() {
         let (list, accepted) = all();
         for (claim, text) in list.iter().filter(|c| c.1.len() < 700) {
             let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
-            let (found, _) = carom::certify::certify(claim, &cited).unwrap();
+            let (found, _) = carom::certify::certify(claim, &cited, &Limits::default()).unwrap();
             assert_eq!(write(&found), *text, "{}", claim.name.text);
         }
     });

@@ -34,7 +34,7 @@ fn the_certificates_that_come_with_the_program_are_accepted_one_by_one() {
 }
 
 #[test]
-fn a_proof_counts_with_a_certificate_only_where_that_is_asked_for() {
+fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.claim");
     // The kernel knows no powers of ln(1 + 1/n)'s kind: the first claim has no certificate, the second one has.
@@ -42,13 +42,35 @@ fn a_proof_counts_with_a_certificate_only_where_that_is_asked_for() {
     let second = "claim halves \"t\"\ngiven x > 0\nprove x/2 + x/2 = x\n";
     std::fs::write(&file, format!("{first}\n{second}")).unwrap();
     let plain = carom(&["audit", text(&file)]);
-    assert_eq!(plain.status.code(), Some(0), "{}", out(&plain));
-    let checked = carom(&["audit", "--checked", text(&file)]);
-    let printed = out(&checked);
-    assert_eq!(checked.status.code(), Some(1), "{printed}");
+    let printed = out(&plain);
+    assert_eq!(plain.status.code(), Some(1), "{printed}");
     assert!(printed.contains("undecided       euler") && printed.contains("proved          halves"), "{printed}");
-    assert!(printed.contains("no certificate that the kernel accepts"), "{printed}");
-    assert!(err(&checked).contains("1 of 2 proved claims"), "{}", err(&checked));
+    assert!(printed.contains("no certificate that the kernel accepts: no step"), "{printed}");
+    for debug in ["Rejected(", "Declined(", "Some("] {
+        assert!(!printed.contains(debug), "{printed}");
+    }
+    // The flag that once asked for this is accepted, and changes nothing.
+    let checked = carom(&["audit", "--checked", text(&file)]);
+    assert_eq!((out(&checked), checked.status.code()), (printed, Some(1)));
+    let json = out(&carom(&["audit", "--format", "json", text(&file)]));
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let (euler, halves) = (&json["claims"][0], &json["claims"][1]);
+    assert_eq!((&euler["found"], &euler["certificate"]), (&true.into(), &serde_json::Value::Null));
+    assert_eq!((&halves["found"], halves["certificate"].as_str().unwrap().len()), (&false.into(), 64));
+}
+
+/// A limit that stands in the way of the certificate ends with exit code 3 as one of the search does, and is named.
+#[test]
+fn a_limit_is_named_with_its_flag_and_has_its_exit_code() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.claim");
+    std::fs::write(&file, "claim a \"t\"\ngiven x, y > 0\nprove (x + y)^40 > x^40\n").unwrap();
+    for (flag, value, name) in [("--max-steps", "1", "steps"), ("--max-terms", "1", "terms"), ("--time", "0", "time")] {
+        let output = carom(&["audit", text(&file), flag, value]);
+        assert_eq!(output.status.code(), Some(3), "{}", out(&output));
+        let said = format!("limit reached: {name} ({flag} raises it)");
+        assert!(out(&output).contains(&said), "{}", out(&output));
+    }
 }
 
 #[test]
@@ -101,7 +123,25 @@ fn certificates_of_ones_own_claims_are_written_and_checked() {
     let certificates = folder.path().join("certificates");
     let output = carom(&["audit", text(&claims), "--certificates", text(&certificates)]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    assert!(err(&output).contains("1 of 1 proved claims have a certificate"), "{}", err(&output));
+    assert!(err(&output).contains("1 certificate in "), "{}", err(&output));
+    let sha256 = |output: &std::process::Output| {
+        let json: serde_json::Value = serde_json::from_str(&out(output)).unwrap();
+        json["claims"][0]["certificate"].as_str().unwrap().to_string()
+    };
+    // It lies beside the claim now, and decides: steps that nobody would search are accepted as well.
+    let cert = certificates.join("half.cert");
+    let written = std::fs::read_to_string(&cert).unwrap();
+    let longer = written.replace("\nqed\n", "\n99 sign: x + 5 = 5 + x\nqed\n");
+    std::fs::write(&cert, &longer).unwrap();
+    let json = carom(&["audit", text(&claims), "--format", "json"]);
+    assert_eq!(sha256(&json), carom::certificate::text::digest(&longer));
+    // One that is wrong costs a search; so does --anew.
+    let anew = carom(&["audit", text(&claims), "--format", "json", "--anew"]);
+    assert_eq!(sha256(&anew), carom::certificate::text::digest(&written));
+    std::fs::write(&cert, written.replace("\nqed\n", "\n99 sign: x + 5 = 6 + x\nqed\n")).unwrap();
+    let again = carom(&["audit", text(&claims), "--format", "json"]);
+    assert_eq!(sha256(&again), carom::certificate::text::digest(&written));
+    std::fs::write(&cert, &written).unwrap();
     let output = carom(&["check", text(&certificates), "--claims", text(&claims)]);
     assert_eq!(output.status.code(), Some(0), "{}{}", out(&output), err(&output));
     // Beside the catalogue it is of no claim.

@@ -6,7 +6,7 @@
 
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
-use carom::certify::several::Collection;
+use carom::certify::certify;
 use carom::claim::parse::parse;
 use carom::claim::syntax::{Claim, Expectation};
 use carom::prove::catalogue::{Catalogue, Limits};
@@ -71,7 +71,7 @@ fn judge(claim: &Claim) -> Judged {
     let begin = Instant::now();
     let mut catalogue = Catalogue::new(vec![claim.clone()]).unwrap_or_else(|f| panic!("{name}: {}", f[0].1.message()));
     let verdict = catalogue.audit(&name, &limits).map(|o| o.verdict).map_err(|fault| format!("{fault:?}"));
-    let accepted = verdict == Ok(Verdict::Proved) && Collection::default().add(claim, None).is_ok();
+    let accepted = verdict == Ok(Verdict::Proved) && certify(claim, &[], &limits).is_ok();
     let expected = if claim.expect == Expectation::Refuted { Verdict::Refuted } else { Verdict::Proved };
     Judged { name, expected, verdict, accepted, time: begin.elapsed() }
 }

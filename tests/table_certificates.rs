@@ -3,9 +3,9 @@
 
 use carom::chain::{Positive, Restitution};
 use carom::kernel::Failure;
-use carom::kernel::table::Checker;
 use carom::number::rational::parse;
 use carom::table::{Place, Quantity, Value, value};
+use carom::table_checker::Checker;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use std::collections::BTreeMap;

@@ -54,7 +54,7 @@ class Claim:
     section: Optional[str]
     reading: str
     verdict: str
-    """``"proved"``, ``"refuted"`` or ``"undecided"``."""
+    """``"proved"``: the kernel accepted a certificate in this run; ``"refuted"`` or ``"undecided"``."""
     expected: str
     as_expected: bool
     method: str
@@ -69,6 +69,10 @@ class Claim:
     witness: Optional[Witness]
     reason: Optional[str]
     """Why it is undecided."""
+    found: bool
+    """Whether the search found a proof that the kernel does not check."""
+    certificate: Optional[str]
+    """The SHA-256 of the certificate's text, of a proved claim."""
     notes: List[str]
 
     def _repr_html_(self) -> str:

@@ -1,11 +1,13 @@
 //! Claims and what is thought of them.
 
 use crate::refusal::{Refusal, detached_deep};
-use carom::claim::diagnostic::{Diagnostic, Fault, nearest};
+use carom::claim::diagnostic::{Diagnostic, nearest};
 use carom::claim::parse::parse;
 use carom::claim::print::Style;
 use carom::claim::syntax::{Claim, Expectation};
 use carom::claim::{LANGUAGE, embedded};
+use carom::judge::hand::AtHand;
+use carom::judge::{Settings, diagnostic, judge};
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::outcome;
 use carom::report::{self, Entry, mathml};
@@ -54,27 +56,20 @@ fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> R
         },
     };
     let catalogue = Catalogue::new(claims);
-    let mut catalogue = catalogue.map_err(|list| shown(&list.into_iter().map(|f| f.1).collect::<Vec<_>>()))?;
+    let catalogue = catalogue.map_err(|list| shown(&list.into_iter().map(|f| f.1).collect::<Vec<_>>()))?;
     let all: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
     if only.iter().any(|name| !all.contains(name)) {
         return Err(no_match(only, &all.iter().map(String::as_str).collect::<Vec<_>>()));
     }
+    let asked: Vec<String> = all.into_iter().filter(|name| only.is_empty() || only.contains(name)).collect();
+    let settings = Settings { limits: limits.clone(), argument: true, ..Settings::default() };
+    let found = judge(&catalogue, &asked, &AtHand::embedded(), &settings, &|_, _| {});
     let (mut entries, mut faults) = (Vec::new(), Vec::new());
-    for name in all.iter().filter(|name| only.is_empty() || only.contains(name)) {
-        let outcome = catalogue.audit(name, limits);
-        let Some(claim) = catalogue.get(name).cloned() else { continue };
-        match outcome {
-            Ok(outcome) => entries.push(described(&Entry { claim, outcome, certificate: None })),
-            Err(outcome::Fault::Contradictory { hypotheses }) => faults.push(Diagnostic::new(
-                Fault::Other {
-                    message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
-                    help: Some("such a claim would be true of nothing; mend the hypotheses".to_owned()),
-                },
-                claim.name.span,
-            )),
-            Err(outcome::Fault::Text(d)) => {
-                faults.push(Diagnostic::new(Fault::Other { message: d.message, help: d.help }, d.span));
-            }
+    for (name, entry) in found.entries {
+        match (entry, catalogue.get(&name)) {
+            (Ok(entry), _) => entries.push(described(&entry)),
+            (Err(fault), Some(claim)) => faults.push(diagnostic(claim, fault)),
+            (Err(_), None) => {}
         }
     }
     if faults.is_empty() { Ok(entries) } else { Err(shown(&faults)) }
@@ -124,6 +119,8 @@ fn described(entry: &Entry) -> Value {
             "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
         })),
         "reason": outcome.reason,
+        "found": entry.found,
+        "certificate": entry.proof.as_ref().map(|p| &p.sha256),
         "notes": claim.notes,
     })
 }

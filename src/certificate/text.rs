@@ -34,7 +34,7 @@ struct Fault {
 
 impl From<&str> for Fault {
     fn from(message: &str) -> Fault {
-        Fault { message: message.to_string(), limit: message.starts_with("limit reached") }
+        Fault { message: message.to_string(), limit: false }
     }
 }
 
@@ -47,6 +47,14 @@ impl From<String> for Fault {
 /// The digest of a statement's text, in hexadecimal digits.
 pub fn digest(statement: &str) -> String {
     Sha256::digest(statement.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The digest of the statement that a certificate's text says it shows, from its first lines.
+pub fn statement_of(source: &str) -> Option<&str> {
+    let mut lines = source.lines();
+    lines.next()?.strip_prefix("carom-certificate ")?;
+    lines.next()?.strip_prefix("claim ")?;
+    lines.next()?.strip_prefix("statement sha256 ")
 }
 
 /// The certificate as text.
@@ -97,8 +105,9 @@ pub fn write(certificate: &Certificate) -> String {
 pub fn read(source: &str) -> Result<Certificate, Malformed> {
     let at = |line: usize, fault: Fault| Malformed { line, message: fault.message, limit: fault.limit };
     let fault = |line: usize, message: &str| at(line, message.into());
+    let too_long = |line: usize, what: &str| Malformed { line, message: format!("limit reached: {what}"), limit: true };
     if source.len() > FILE_LIMIT {
-        return Err(fault(1, "limit reached: a certificate has at most 4 MiB"));
+        return Err(too_long(1, "a certificate has at most 4 MiB"));
     }
     let mut lines = source.lines().enumerate().map(|(place, text)| (place + 1, text));
     let mut header = |prefix: &str| match lines.next() {
@@ -123,7 +132,7 @@ pub fn read(source: &str) -> Result<Certificate, Malformed> {
             return Err(fault(place, "nothing may follow `qed`"));
         }
         if text.len() > LINE_LIMIT {
-            return Err(fault(place, "limit reached: a line has at most 256 KiB"));
+            return Err(too_long(place, "a line has at most 256 KiB"));
         }
         let text = text.trim_start_matches(' ');
         if text == "qed" {

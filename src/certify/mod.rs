@@ -7,11 +7,12 @@
 //! Method: the rules of the prover (`prove::argument`, `prove::method`) written as steps of the kernel.
 //! Signs come from the engine's factorisation and certificates of positivity, as explicit identities.
 
+mod fail;
 mod powers;
-pub mod several;
 mod signs;
 mod write;
 
+use crate::algebra::Instant;
 use crate::certificate::{Certificate, Rule, Step, Term};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::{at_the_point, weighted_mean};
@@ -22,13 +23,12 @@ use crate::kernel::statement::{
     Substitution, compare, domain, expr, name, numeral, one_minus, power, product, prop, sum,
 };
 use crate::kernel::{Accepted, Checker, Fact, text};
+use crate::prove::catalogue::Limits;
 use crate::prove::expand;
+pub use fail::Fail;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
-use write::{named, negated, say};
-
-/// Where a certificate was not found.
-pub type Fail = String;
+use write::{named, negated};
 
 /// How many steps the kernel is asked to try for one claim.
 const TRIES: usize = 20_000;
@@ -37,9 +37,9 @@ const TRIES: usize = 20_000;
 ///
 /// # Errors
 /// The first thing that could not be shown in the kernel's rules.
-pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accepted), Fail> {
-    let statement = expand::Statement::of(claim).map_err(|limit| format!("limit reached: {}", limit.0))?;
-    let checker = Checker::draft(claim, cited).map_err(say)?;
+pub fn certify(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    let statement = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
+    let checker = Checker::draft(claim, cited).map_err(Fail::from)?;
     let digest = crate::certificate::text::digest(&checker.statement().text());
     let mut certifier = Certifier {
         checker,
@@ -54,6 +54,8 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
         introduced: std::collections::HashSet::new(),
         counter: 0,
         tries: 0,
+        // No deadline where the clock does not reach that far.
+        deadline: Instant::now().checked_add(limits.time),
         splits: 0,
         within_powers: false,
     };
@@ -71,7 +73,8 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
     };
     // What counts is what is written: the text is read back and checked from nothing.
     let written = crate::certificate::text::write(&swept);
-    let read = crate::certificate::text::read(&written).map_err(|m| format!("line {}: {}", m.line, m.message))?;
+    let read = crate::certificate::text::read(&written)
+        .map_err(|m| Fail::Value(m.message).within(&format!("line {}", m.line)))?;
     let shown = accepted(claim, &read, cited)?;
     Ok((read, shown))
 }
@@ -79,7 +82,7 @@ pub fn certify(claim: &Claim, cited: &[&Accepted]) -> Result<(Certificate, Accep
 fn accepted(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Result<Accepted, Fail> {
     match crate::kernel::check(claim, certificate, cited) {
         crate::kernel::Verdict::Accepted(shown) => Ok(*shown),
-        other => Err(format!("what was written is not accepted: {other:?}")),
+        other => Err(Fail::whole(other)),
     }
 }
 
@@ -115,7 +118,8 @@ fn spared(claim: &Claim, mut best: Certificate, shown: &Accepted, cited: &[&Acce
 fn is_silent(step: &Step, all: &[Step]) -> bool {
     let cites =
         |other: &Step| other.from.iter().chain(other.terms.iter().flat_map(|t| &t.facts)).any(|l| *l == step.label);
-    matches!(step.rule, Rule::Replace | Rule::Note | Rule::Sign | Rule::Combination) && !all.iter().any(cites)
+    matches!(step.rule, Rule::Replace | Rule::Note | Rule::Sign | Rule::Combination | Rule::Part)
+        && !all.iter().any(cites)
 }
 
 /// The steps that are needed, their labels in order.
@@ -175,6 +179,7 @@ pub struct Certifier {
     introduced: std::collections::HashSet<String>,
     counter: usize,
     tries: usize,
+    deadline: Option<Instant>,
     splits: usize,
     /// Whether powers of facts are being tried: not within one another.
     within_powers: bool,
@@ -195,7 +200,10 @@ struct Mark {
 impl Certifier {
     fn tick(&mut self) -> Result<(), Fail> {
         self.tries += 1;
-        if self.tries > TRIES { Err("limit reached: tries".to_string()) } else { Ok(()) }
+        if self.deadline.is_some_and(|deadline| Instant::now() > deadline) {
+            return Err(Fail::Limit("time"));
+        }
+        if self.tries > TRIES { Err(Fail::Limit("tries")) } else { Ok(()) }
     }
 
     /// Takes a step, if the kernel does; returns its label.
@@ -204,7 +212,7 @@ impl Certifier {
         if step.rule != Rule::End {
             step.label = format!("x{}", self.counter + 1);
         }
-        let used = self.checker.step(&step).map_err(|f| format!("{}: {f:?}", step.rule.name()))?;
+        let used = self.checker.step(&step).map_err(|f| Fail::step(step.rule.name(), f))?;
         self.trail.push(used);
         self.counter += 1;
         let label = step.label.clone();
@@ -381,14 +389,14 @@ impl Certifier {
                 Step_::Have { label, prop, proof } => {
                     let fact = self.put(prop)?;
                     let taken = self.follow(&fact, proof);
-                    taken.map_err(|e| format!("{}: {e}", label.text))?;
+                    taken.map_err(|e| e.within(&label.text))?;
                     if let Some(known) = self.label_of(&fact) {
                         self.suppose(&known, &fact)?;
                     }
                     self.labels.push((label.text.clone(), fact));
                 }
                 Step_::Obtain { binding, label, prop, witness } => {
-                    let value = self.values.expr(witness).map_err(say)?;
+                    let value = self.values.expr(witness).map_err(Fail::from)?;
                     if let Some((variable, _)) = binding.names.first() {
                         self.values.replace(&variable.text, &value);
                     }
@@ -410,17 +418,17 @@ impl Certifier {
     }
 
     fn put(&self, p: &Prop) -> Result<Prop, Fail> {
-        self.values.prop(p).map_err(say)
+        self.values.prop(p).map_err(Fail::from)
     }
 
     fn put_expr(&self, e: &Expr) -> Result<Expr, Fail> {
-        self.values.expr(e).map_err(say)
+        self.values.expr(e).map_err(Fail::from)
     }
 
     fn cases(&mut self, goal: &Prop, steps: &[Step_]) -> Result<(), Fail> {
         let mut list = Vec::new();
         for step in steps {
-            let Step_::Case { label, prop, proof } = step else { return Err("cases come last".to_string()) };
+            let Step_::Case { label, prop, proof } = step else { return Err(Fail::No("cases come last")) };
             list.push((label.text.clone(), self.put(prop)?, proof));
         }
         let all = prop(PropKind::Or(list.iter().map(|c| c.1.clone()).collect()));
@@ -626,13 +634,13 @@ impl Certifier {
                     PropKind::And(parts) => {
                         for part in parts {
                             let PropKind::Compare(sides, relations) = &part.kind else {
-                                return Err("deep".to_string());
+                                return Err(Fail::No("deep"));
                             };
                             c.comparison(&sides[0], relations[0], &sides[1])?;
                         }
                         c.take(Rule::All, &[], Some(p.clone())).map(|_| ())
                     }
-                    _ => Err("not at once".to_string()),
+                    _ => Err(Fail::No("not at once")),
                 });
                 self.splits = splits;
                 if premise.is_ok()
@@ -651,7 +659,7 @@ impl Certifier {
         let (from, to) = match relation {
             Relation::Greater | Relation::GreaterEqual => (a, b),
             Relation::Less | Relation::LessEqual => (b, a),
-            _ => return Err("no chain".to_string()),
+            _ => return Err(Fail::No("no chain")),
         };
         let mut edges: Vec<(Expr, Expr, String, bool)> = Vec::new();
         for fact in self.checker.facts() {
@@ -694,12 +702,12 @@ impl Certifier {
             next.truncate(200);
             paths = next;
         }
-        Err("no chain".to_string())
+        Err(Fail::No("no chain"))
     }
 
     fn by_contradiction(&mut self, goal: &Prop) -> Result<(), Fail> {
         let opposite = negation(goal).ok_or("no negation")?;
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err("no comparison".to_string()) };
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("no comparison")) };
         let sides: Vec<&Expr> = sides.iter().collect();
         self.define(&sides)?;
         let either = prop(PropKind::Or(vec![goal.clone(), opposite.clone()]));
@@ -741,7 +749,7 @@ impl Certifier {
                         c.search_again(poly)?;
                         match &goal.kind {
                             PropKind::Compare(g, r) => c.comparison(&g[0], r[0], &g[1]),
-                            _ => Err("no comparison".to_string()),
+                            _ => Err(Fail::No("no comparison")),
                         }
                     });
                     if done.is_ok() {
@@ -765,7 +773,7 @@ impl Certifier {
                 }
             }
         }
-        Err("no contradiction".to_string())
+        Err(Fail::No("no contradiction"))
     }
 
     /// Cases by a disjunction that is known.
@@ -790,7 +798,7 @@ impl Certifier {
                 return Ok(());
             }
         }
-        Err("no disjunction helps".to_string())
+        Err(Fail::No("no disjunction helps"))
     }
 
     fn show_or(&mut self, goal: &Prop, list: &[Prop]) -> Result<(), Fail> {
@@ -884,15 +892,15 @@ impl Certifier {
 
     fn labelled(&self, label: &str) -> Result<Prop, Fail> {
         let found = self.labels.iter().rev().find(|l| l.0 == label);
-        found.map(|l| l.1.clone()).ok_or_else(|| format!("no fact is called {label}"))
+        found.map(|l| l.1.clone()).ok_or_else(|| Fail::NoFact(label.to_string()))
     }
 
     fn witness(&mut self, goal: &Prop, values: &[(Name, Expr)]) -> Result<(), Fail> {
-        let PropKind::Exists(bindings, body) = &goal.kind else { return Err("a witness is for `exists`".to_string()) };
+        let PropKind::Exists(bindings, body) = &goal.kind else { return Err(Fail::No("a witness is for `exists`")) };
         let mut map = Substitution::default();
         values.iter().for_each(|(n, e)| map.replace(&n.text, e));
         for fact in bindings.iter().flat_map(domain).chain([(**body).clone()]) {
-            let fact = map.prop(&fact).map_err(say)?;
+            let fact = map.prop(&fact).map_err(Fail::from)?;
             self.show(&fact)?;
         }
         self.prepare(&values.iter().map(|v| &v.1).collect::<Vec<_>>())?;
@@ -922,11 +930,11 @@ impl Certifier {
         };
         let mut map = Substitution::default();
         map.replace(&variable.text, &name(&fresh));
-        let body = map.prop(goal).map_err(say)?;
+        let body = map.prop(goal).map_err(Fail::from)?;
         let at = |value: &Expr| -> Result<Prop, Fail> {
             let mut map = Substitution::default();
             map.replace(&fresh, value);
-            map.prop(&body).map_err(say)
+            map.prop(&body).map_err(Fail::from)
         };
         let next = expr(ExprKind::Sum(vec![(Sign::Plus, name(&fresh)), (Sign::Plus, numeral(1))]));
         let binding = Binding {
@@ -938,7 +946,7 @@ impl Certifier {
         };
         let every = |body: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(body)));
         let first = at(&base)?;
-        self.show(&first).map_err(|e| format!("base: {e}"))?;
+        self.show(&first).map_err(|e| e.within("base"))?;
         let advance = prop(PropKind::Implies(Box::new(body.clone()), Box::new(at(&next)?)));
         let values = self.values.clone();
         self.values.replace(&variable.text, &name(&fresh));
@@ -979,14 +987,14 @@ impl Certifier {
             let mut map = Substitution::default();
             with.iter().for_each(|(n, e)| map.replace(&n.text, e));
             for fact in bindings.iter().flat_map(domain) {
-                let fact = map.prop(&fact).map_err(say)?;
+                let fact = map.prop(&fact).map_err(Fail::from)?;
                 self.show(&fact)?;
             }
-            let shown = map.prop(body).map_err(say)?;
+            let shown = map.prop(body).map_err(Fail::from)?;
             let label = self.with(Rule::Instance, &[label], Some(shown.clone()), with)?;
             return self.suppose(&label, &shown);
         }
-        let cited = self.checker.cited_statement(source).ok_or_else(|| format!("no certificate of {source}"))?;
+        let cited = self.checker.cited_statement(source).ok_or_else(|| Fail::NoProofOf(source.to_string()))?;
         // A variable without a value keeps its name; an obtained name stands for its value.
         let mut with = with;
         for (variable, index) in cited.bindings.iter().flat_map(|b| &b.names) {
@@ -1008,10 +1016,10 @@ impl Certifier {
         self.prepare(&with.iter().map(|v| &v.1).collect::<Vec<_>>())?;
         self.define(&with.iter().map(|v| &v.1).collect::<Vec<_>>())?;
         for fact in cited.bindings.iter().flat_map(domain).chain(cited.assumptions.iter().cloned()) {
-            let fact = map.prop(&fact).map_err(say)?;
-            self.show(&fact).map_err(|e| format!("{source}: {e}"))?;
+            let fact = map.prop(&fact).map_err(Fail::from)?;
+            self.show(&fact).map_err(|e| e.within(source))?;
         }
-        let shown = map.prop(&cited.goal).map_err(say)?;
+        let shown = map.prop(&cited.goal).map_err(Fail::from)?;
         let label = self.with(Rule::Instance, &[source.to_string()], Some(shown.clone()), with)?;
         self.suppose(&label, &shown)
     }
@@ -1019,7 +1027,7 @@ impl Certifier {
     /// A fact with both sides to a power.
     fn power_of(&mut self, fact: &str, exponent: &Expr) -> Result<(), Fail> {
         let fact = self.labelled(fact)?;
-        let PropKind::Compare(sides, relations) = &fact.kind else { return Err("a comparison is needed".to_string()) };
+        let PropKind::Compare(sides, relations) = &fact.kind else { return Err(Fail::No("a comparison is needed")) };
         let label = self.label_of(&fact).ok_or("a fact")?;
         for e in sides.iter().chain([exponent]) {
             self.show(&compare(e.clone(), Relation::Greater, numeral(0)))?;
@@ -1043,10 +1051,10 @@ impl Certifier {
         let mut strict = false;
         for (fact, exponent) in list {
             if exponent.is_some() {
-                return Err("powers in a product".to_string());
+                return Err(Fail::No("powers in a product"));
             }
             let fact = self.labelled(&fact.text)?;
-            let PropKind::Compare(sides, relations) = &fact.kind else { return Err("a comparison".to_string()) };
+            let PropKind::Compare(sides, relations) = &fact.kind else { return Err(Fail::No("a comparison")) };
             let label = self.label_of(&fact).ok_or("a fact")?;
             strict |= matches!(relations[0], Relation::Greater | Relation::Less);
             let up = matches!(relations[0], Relation::Greater | Relation::GreaterEqual);
@@ -1078,7 +1086,7 @@ impl Certifier {
         let rest = one_minus(p);
         for e in [a, b] {
             self.show(&compare(e.clone(), Relation::Greater, numeral(0)))?;
-            let f = self.checker.scalar(e).map_err(say)?;
+            let f = self.checker.scalar(e).map_err(Fail::from)?;
             for poly in f.factors.keys() {
                 let _ = self.settle(poly, 2);
             }
@@ -1103,12 +1111,12 @@ impl Certifier {
                 }
             }
         }
-        Err("the mean inequality".to_string())
+        Err(Fail::No("the mean inequality"))
     }
 
     /// A comparison of values that are powers of others, from a fact that compares those.
     fn by_powers(&mut self, goal: &Prop, wanted: &[Relation]) -> Result<(), Fail> {
-        let PropKind::Compare(goal_sides, goal_relations) = &goal.kind else { return Err("no comparison".to_string()) };
+        let PropKind::Compare(goal_sides, goal_relations) = &goal.kind else { return Err(Fail::No("no comparison")) };
         let goal_relation = goal_relations[0];
         let list = self.facts();
         for (label, fact) in list.iter().rev() {
@@ -1130,7 +1138,7 @@ impl Certifier {
                 }
             }
         }
-        Err("no power of a fact helps".to_string())
+        Err(Fail::No("no power of a fact helps"))
     }
 
     /// (a+b)^(1−p) (c+d)^p ≥ a^(1−p) c^p + b^(1−p) d^p: the mean of a/(a+b) and c/(c+d), that of b/(a+b)
@@ -1168,10 +1176,10 @@ impl Certifier {
         let mut at = Substitution::default();
         e.at.iter().for_each(|(n, v)| at.replace(&n.text, v));
         for fact in e.over.iter().flat_map(domain) {
-            let fact = at.prop(&fact).map_err(say)?;
+            let fact = at.prop(&fact).map_err(Fail::from)?;
             self.show(&fact)?;
         }
-        self.show(&compare(at.expr(&e.of).map_err(say)?, Relation::Equal, e.value.clone()))?;
+        self.show(&compare(at.expr(&e.of).map_err(Fail::from)?, Relation::Equal, e.value.clone()))?;
         let every = |body: Prop| prop(PropKind::ForAll(e.over.clone(), Box::new(body)));
         let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         self.show(&every(compare(e.of.clone(), relation, e.value.clone())))?;
@@ -1184,7 +1192,7 @@ impl Certifier {
     }
 
     fn squeeze(&mut self, goal: &Prop, lower: Expr, upper: Expr) -> Result<(), Fail> {
-        let PropKind::Limit(limit) = &goal.kind else { return Err("`squeeze` is for limits".to_string()) };
+        let PropKind::Limit(limit) = &goal.kind else { return Err(Fail::No("`squeeze` is for limits")) };
         for bound in [&lower, &upper] {
             let same = Limit { of: bound.clone(), ..(**limit).clone() };
             self.show(&prop(PropKind::Limit(Box::new(same))))?;

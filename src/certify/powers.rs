@@ -1,6 +1,6 @@
 //! Which powers the others are written in: for each base, exponents that generate all others.
 
-use super::write::{multiplied, negated, quotient, say, whole_power};
+use super::write::{multiplied, negated, quotient, whole_power};
 use super::{Certifier, Fail};
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
@@ -66,7 +66,7 @@ impl Certifier {
     /// The logarithm as a sum over bases, each with its exponent.
     fn exponents(&mut self, log: &Fraction) -> Result<Vec<(Poly, Fraction)>, Fail> {
         let work = Work::default();
-        let (top, bottom) = log.parts(&work).map_err(|f| format!("{f:?}"))?;
+        let (top, bottom) = log.parts(&work).map_err(Fail::from)?;
         let mut out = Vec::new();
         let mut rest = top.clone();
         let atoms: std::collections::BTreeSet<usize> = top.atoms().collect();
@@ -74,16 +74,17 @@ impl Certifier {
             let Some(Atom::Logarithm(base)) = self.checker.atom(atom).cloned() else { continue };
             let parts = rest.coefficients(atom);
             if parts.keys().any(|k| *k > 1) {
-                return Err("a power with a logarithm in its exponent".to_string());
+                return Err(Fail::No("a power with a logarithm in its exponent"));
             }
             if let Some(coefficient) = parts.get(&1) {
-                let exponent = multiplied(&Fraction::of(coefficient), &Fraction::of(&bottom).power(-1).map_err(say)?)?;
+                let exponent =
+                    multiplied(&Fraction::of(coefficient), &Fraction::of(&bottom).power(-1).map_err(Fail::from)?)?;
                 out.push((base, simplified(&exponent)?));
             }
             rest = parts.get(&0).cloned().unwrap_or_default();
         }
         if rest.terms().next().is_some() {
-            let exponent = multiplied(&Fraction::of(&rest), &Fraction::of(&bottom).power(-1).map_err(say)?)?;
+            let exponent = multiplied(&Fraction::of(&rest), &Fraction::of(&bottom).power(-1).map_err(Fail::from)?)?;
             out.push((natural_base(), simplified(&exponent)?));
         }
         Ok(out)
@@ -115,7 +116,7 @@ impl Certifier {
                 factors.extend(self.written(base, exponent)?);
             }
             // Already introduced as a generator.
-            let log = self.checker.log(e).map_err(say)?;
+            let log = self.checker.log(e).map_err(Fail::from)?;
             if self.checker.exponential(&log).is_ok() {
                 continue;
             }
@@ -149,7 +150,7 @@ impl Certifier {
                 choose(all.get(1..).unwrap_or_default(), true)?.ok_or("no generators for these exponents")?
             }
         };
-        let base_expr = self.poly_expr(base).map_err(|e| format!("base: {e}"))?;
+        let base_expr = self.poly_expr(base).map_err(|e| e.within("base"))?;
         let mut fresh = Vec::new();
         for exponent in &basis {
             if *exponent == one && !natural {
@@ -165,7 +166,7 @@ impl Certifier {
                 expr(ExprKind::Power(Box::new(base_expr.clone()), Box::new(exponent_expr)))
             };
             self.take(Rule::Power, &[], Some(compare(power.clone(), Relation::Equal, power.clone())))?;
-            let value = self.checker.scalar(&power).map_err(say)?;
+            let value = self.checker.scalar(&power).map_err(Fail::from)?;
             let atom = value.factors.keys().next().and_then(Poly::single_atom).ok_or("no atom")?;
             self.exponentials.push((atom, power.clone()));
             fresh.push(Generator { base: base.clone(), exponent: exponent.clone(), expr: power });
@@ -190,7 +191,7 @@ impl Certifier {
             self.introduced.clear();
             for old in &dropped {
                 self.exponentials.retain(|x| !x.1.same(&old.expr));
-                let factors = self.written(base, &old.exponent).map_err(|e| format!("dropped: {e}"))?;
+                let factors = self.written(base, &old.exponent).map_err(|e| e.within("powers"))?;
                 self.take(Rule::Power, &[], Some(compare(old.expr.clone(), Relation::Equal, product_of(&factors))))?;
             }
             for (e, parts) in self.entries.clone() {
@@ -230,7 +231,10 @@ impl Certifier {
                 if g.base == h.base && g.exponent != h.exponent {
                     let difference = g.exponent.minus(&h.exponent, &Work::default());
                     out.extend(
-                        difference.map_err(say).and_then(|d| simplified(&d)).and_then(|d| self.fraction_expr(&d)),
+                        difference
+                            .map_err(Fail::from)
+                            .and_then(|d| simplified(&d))
+                            .and_then(|d| self.fraction_expr(&d)),
                     );
                 }
             }
@@ -266,7 +270,7 @@ impl Certifier {
                 return Ok(out);
             }
         }
-        Err("a power that the generators do not give".to_string())
+        Err(Fail::No("a power that the generators do not give"))
     }
 }
 
@@ -291,7 +295,7 @@ fn product_of(factors: &[(Expr, i64)]) -> Expr {
 pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
     use crate::algebra::Polynomial;
     let work = Work::default();
-    let (top, bottom) = f.parts(&work).map_err(say)?;
+    let (top, bottom) = f.parts(&work).map_err(Fail::from)?;
     let convert = |p: &Poly| super::signs::to_algebra(p);
     let (mut top, mut bottom): (Polynomial, Polynomial) = (convert(&top)?, convert(&bottom)?);
     let common = crate::algebra::gcd::gcd(&top, &bottom).map_err(|_| "a limit in a greatest common divisor")?;
@@ -300,7 +304,7 @@ pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
         bottom = bottom.exact_divide(&common).unwrap_or(bottom);
     }
     let (top, bottom) = (super::signs::factored(&top)?, super::signs::factored(&bottom)?);
-    multiplied(&top, &bottom.power(-1).map_err(say)?)
+    multiplied(&top, &bottom.power(-1).map_err(Fail::from)?)
 }
 
 /// The product of all factors by which some of these are divided, each as often as it is there.
@@ -322,7 +326,7 @@ fn vectors(list: &[Fraction]) -> Result<Vec<Vector>, Fail> {
     let work = Work::default();
     let mut out = Vec::new();
     for f in list {
-        let poly = multiplied(f, &common)?.expanded(&work).map_err(say)?;
+        let poly = multiplied(f, &common)?.expanded(&work).map_err(Fail::from)?;
         out.push(poly.terms().map(|(m, c)| (m.clone(), c.clone())).collect());
     }
     Ok(out)
@@ -435,12 +439,12 @@ fn choose(all: &[Fraction], free: bool) -> Result<Option<Vec<Fraction>>, Fail> {
             let c = if flip { -c.clone() } else { c.clone() };
             let mut term = Fraction::number(BigRational::new(c, scale.clone()));
             for (atom, k) in key {
-                term = multiplied(&term, &Fraction::atom(*atom).power(i64::from(*k)).map_err(say)?)?;
+                term = multiplied(&term, &Fraction::atom(*atom).power(i64::from(*k)).map_err(Fail::from)?)?;
             }
             terms.push(term);
         }
-        let sum = Fraction::sum(&terms, &Work::default()).map_err(say)?;
-        out.push(simplified(&multiplied(&sum, &common.power(-1).map_err(say)?)?)?);
+        let sum = Fraction::sum(&terms, &Work::default()).map_err(Fail::from)?;
+        out.push(simplified(&multiplied(&sum, &common.power(-1).map_err(Fail::from)?)?)?);
     }
     Ok(Some(out))
 }

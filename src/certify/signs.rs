@@ -1,6 +1,6 @@
 //! Comparisons: the hints by which the kernel sees the sign of a difference.
 
-use super::write::{multiplied, say};
+use super::write::multiplied;
 use super::{Certifier, Fail};
 use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Monomial, Polynomial, factor};
@@ -37,11 +37,11 @@ pub fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
         let c = BigRational::from_str(&c.to_string()).map_err(|_| "a number that cannot be read")?;
         let mut term = Fraction::number(c);
         for (atom, k) in monomial.powers() {
-            term = multiplied(&term, &Fraction::atom(*atom as usize).power(i64::from(*k)).map_err(say)?)?;
+            term = multiplied(&term, &Fraction::atom(*atom as usize).power(i64::from(*k)).map_err(Fail::from)?)?;
         }
         terms.push(term);
     }
-    Fraction::sum(&terms, &Work::default()).map_err(say)
+    Fraction::sum(&terms, &Work::default()).map_err(Fail::from)
 }
 
 /// The engine's polynomial, in factors.
@@ -50,7 +50,7 @@ pub fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
     let mut out =
         Fraction::number(BigRational::from_str(&list.unit.to_string()).map_err(|_| "a number that cannot be read")?);
     for (p, k) in &list.factors {
-        out = multiplied(&out, &from_algebra(p)?.power(i64::from(*k)).map_err(say)?)?;
+        out = multiplied(&out, &from_algebra(p)?.power(i64::from(*k)).map_err(Fail::from)?)?;
     }
     Ok(out)
 }
@@ -81,9 +81,9 @@ impl Certifier {
                 if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
                     return Ok(());
                 }
-                self.checker.difference(&prop).map_err(|_| reason)?
+                self.checker.difference(&prop).map_err(|_| Fail::Value(reason))?
             }
-            Err(failure) => return Err(say(failure)),
+            Err(failure) => return Err(failure.into()),
         };
         let open: Vec<Poly> = difference
             .factors
@@ -104,7 +104,7 @@ impl Certifier {
         if relation == Relation::Equal && self.by_equations(&prop, &difference).is_ok() {
             return Ok(());
         }
-        Err(format!("not shown: {}", crate::claim::print::prop(&prop)))
+        Err(Fail::NotShown(crate::claim::print::prop(&prop)))
     }
 
     /// Shows what these expressions need to have a value: divisors, bases, arguments of logarithms.
@@ -133,7 +133,7 @@ impl Certifier {
 
     /// Seeks the sign of a polynomial and has the kernel note it.
     pub fn settle(&mut self, poly: &Poly, depth: usize) -> Result<(), Fail> {
-        let known = self.checker.poly_signs(poly).map_err(say)?;
+        let known = self.checker.poly_signs(poly).map_err(Fail::from)?;
         if known.within(Signs::POSITIVE) || known.within(Signs::of(Relation::Less)) || known.within(Signs::ZERO) {
             return Ok(());
         }
@@ -144,7 +144,7 @@ impl Certifier {
                 for part in split.factors.keys().cloned().collect::<Vec<_>>() {
                     self.settle(&part, depth - 1)?;
                 }
-                let signs = self.checker.signs_of(&split).map_err(say)?;
+                let signs = self.checker.signs_of(&split).map_err(Fail::from)?;
                 if let Some(relation) = relation_of(signs) {
                     let prop = compare(self.poly_expr(poly)?, relation, numeral(0));
                     let factor = self.fraction_expr(&split)?;
@@ -191,13 +191,13 @@ impl Certifier {
                     let mut facts = Vec::new();
                     for (place, exponent) in &summand.constraints {
                         let k = known.get(*place).ok_or("a constraint")?;
-                        factor = multiplied(&factor, &k.factor.power(i64::from(*exponent)).map_err(say)?)?;
+                        factor = multiplied(&factor, &k.factor.power(i64::from(*exponent)).map_err(Fail::from)?)?;
                         if let Some(label) = &k.label {
                             facts.extend(std::iter::repeat_n(label.clone(), *exponent as usize));
                         }
                     }
                     for square in &summand.squares {
-                        factor = multiplied(&factor, &from_algebra(square)?.power(2).map_err(say)?)?;
+                        factor = multiplied(&factor, &from_algebra(square)?.power(2).map_err(Fail::from)?)?;
                     }
                     terms.push(Term { facts, factor: self.fraction_expr(&factor)? });
                 }
@@ -233,7 +233,7 @@ impl Certifier {
                 let mut open = Fraction::integer(1);
                 let mut rest = Fraction::number(difference.coefficient.clone());
                 for (p, k) in &difference.factors {
-                    let signs = self.checker.poly_signs(p).map_err(say)?.power(*k);
+                    let signs = self.checker.poly_signs(p).map_err(Fail::from)?.power(*k);
                     // What the fact itself says is not what is known without it.
                     let settled = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
                     let open_terms = p.terms().any(|t| *t.1 < BigRational::from_integer(0.into()))
@@ -241,7 +241,7 @@ impl Certifier {
                             !self.checker.poly_signs(&Poly::atom(a)).is_ok_and(|s| s.within(Signs::NOT_NEGATIVE))
                         });
                     let keep = !settled || (*k == 1 && p.single_atom().is_none() && open_terms);
-                    let one = Fraction::of(p).power(*k).map_err(say)?;
+                    let one = Fraction::of(p).power(*k).map_err(Fail::from)?;
                     if keep { open = multiplied(&open, &one)? } else { rest = multiplied(&rest, &one)? }
                 }
                 if open.factors.values().any(|k| *k < 0) || open.factors.is_empty() {
@@ -258,7 +258,7 @@ impl Certifier {
                     }
                     continue;
                 }
-                let signs = self.checker.signs_of(&rest).map_err(say)?;
+                let signs = self.checker.signs_of(&rest).map_err(Fail::from)?;
                 let positive = signs.within(Signs::POSITIVE);
                 if !positive && !signs.within(Signs::of(Relation::Less)) {
                     continue;
@@ -275,7 +275,7 @@ impl Certifier {
                     let same = up == positive;
                     let base = to_algebra(&expanded)?;
                     let constraint = Constraint { poly: if same { base } else { base.neg() }, strict };
-                    let inverse = rest.power(-1).map_err(say)?;
+                    let inverse = rest.power(-1).map_err(Fail::from)?;
                     let factor = if same { inverse } else { inverse.negated() };
                     if chosen.iter().any(|c| c.1.constraint == constraint) {
                         continue;
@@ -295,7 +295,7 @@ impl Certifier {
         let used: BTreeSet<usize> =
             poly.atoms().chain(out.iter().flat_map(|k| k.constraint.poly.variables()).map(|v| v as usize)).collect();
         for atom in used {
-            let signs = self.checker.poly_signs(&Poly::atom(atom)).map_err(say)?;
+            let signs = self.checker.poly_signs(&Poly::atom(atom)).map_err(Fail::from)?;
             let base = Polynomial::variable(u32::try_from(atom).map_err(|_| "too many atoms")?);
             if signs.within(Signs::NOT_NEGATIVE) {
                 let strict = signs.within(Signs::POSITIVE);
@@ -310,7 +310,7 @@ impl Certifier {
 
     /// An equation as a multiple of one that is known.
     fn by_equations(&mut self, prop: &Prop, difference: &Fraction) -> Result<(), Fail> {
-        let (top, bottom) = difference.parts(&Work::default()).map_err(say)?;
+        let (top, bottom) = difference.parts(&Work::default()).map_err(Fail::from)?;
         let goal = to_algebra(&top)?;
         let list = self.facts();
         for (label, fact) in list.iter().rev() {
@@ -321,11 +321,11 @@ impl Certifier {
             if known.is_zero() {
                 continue;
             }
-            let (p, q) = known.parts(&Work::default()).map_err(say)?;
+            let (p, q) = known.parts(&Work::default()).map_err(Fail::from)?;
             if let Some(quotient) = to_algebra(&p)?.exact_divide(&goal) {
                 // D·goal = the fact.
                 let times = multiplied(&from_algebra(&quotient)?, &Fraction::of(&bottom))?;
-                let times = multiplied(&times, &Fraction::of(&q).power(-1).map_err(say)?)?;
+                let times = multiplied(&times, &Fraction::of(&q).power(-1).map_err(Fail::from)?)?;
                 let times = self.fraction_expr(&times)?;
                 let term = Term { facts: vec![label.clone()], factor: numeral(1) };
                 if self.combination(prop.clone(), Some(times), vec![term]).is_ok() {
@@ -334,7 +334,7 @@ impl Certifier {
             }
             if let Some(quotient) = goal.exact_divide(&to_algebra(&p)?) {
                 let factor = multiplied(&from_algebra(&quotient)?, &Fraction::of(&q))?;
-                let factor = multiplied(&factor, &Fraction::of(&bottom).power(-1).map_err(say)?)?;
+                let factor = multiplied(&factor, &Fraction::of(&bottom).power(-1).map_err(Fail::from)?)?;
                 let factor = self.fraction_expr(&factor)?;
                 let term = Term { facts: vec![label.clone()], factor };
                 if self.combination(prop.clone(), None, vec![term]).is_ok() {
@@ -342,7 +342,7 @@ impl Certifier {
                 }
             }
         }
-        Err("no equation gives this".to_string())
+        Err(Fail::No("no equation gives this"))
     }
 
     /// What follows from a comparison that is known: signs of factors, values of variables.
@@ -362,11 +362,11 @@ impl Certifier {
             let p = to_algebra(poly)?;
             let split = if p.term_count() > 120 { Fraction::of(poly) } else { factored(&p)? };
             changed |= split != Fraction::of(poly);
-            whole = multiplied(&whole, &split.power(*k).map_err(say)?)?;
+            whole = multiplied(&whole, &split.power(*k).map_err(Fail::from)?)?;
         }
         if changed && whole.factors.len() > 1 {
             for part in whole.factors.keys() {
-                let signs = self.checker.poly_signs(part).map_err(say)?;
+                let signs = self.checker.poly_signs(part).map_err(Fail::from)?;
                 if !signs.within(Signs::NOT_ZERO) && part.single_atom().is_none() {
                     let _ = self.attempt(|c| c.settle(part, 0));
                 }
@@ -390,7 +390,7 @@ impl Certifier {
         }
         if whole.factors.len() > 1 || whole.factors.values().any(|k| *k > 1) {
             for part in whole.factors.keys() {
-                if self.checker.poly_signs(part).map_err(say)?.within(Signs::ZERO) {
+                if self.checker.poly_signs(part).map_err(Fail::from)?.within(Signs::ZERO) {
                     let shown = compare(self.poly_expr(part)?, Relation::Equal, numeral(0));
                     if let Ok(new) = self.take(Rule::Sign, &[], Some(shown.clone())) {
                         return self.determine(&new, &shown);
@@ -407,8 +407,8 @@ impl Certifier {
         let mut open = Vec::new();
         let mut rest = Fraction::number(difference.coefficient.clone());
         for (p, k) in &difference.factors {
-            let signs = self.checker.poly_signs(p).map_err(say)?;
-            let one = Fraction::of(p).power(*k).map_err(say)?;
+            let signs = self.checker.poly_signs(p).map_err(Fail::from)?;
+            let one = Fraction::of(p).power(*k).map_err(Fail::from)?;
             let negative = p.terms().any(|t| *t.1 < BigRational::from_integer(0.into()));
             if signs.within(Signs::NOT_ZERO) && (!negative || *k < 0) {
                 rest = multiplied(&rest, &one)?
@@ -417,7 +417,7 @@ impl Certifier {
             }
         }
         let [(poly, 1)] = open.as_slice() else { return Ok(()) };
-        if !self.checker.signs_of(&rest).map_err(say)?.within(Signs::NOT_ZERO) {
+        if !self.checker.signs_of(&rest).map_err(Fail::from)?.within(Signs::NOT_ZERO) {
             return Ok(());
         }
         let mut atoms: Vec<usize> = poly.atoms().collect::<BTreeSet<_>>().into_iter().collect();
@@ -440,7 +440,7 @@ impl Certifier {
             }
             let Some(slope) = parts.get(&1) else { continue };
             let slope = Fraction::of(slope);
-            if !self.checker.signs_of(&slope).map_err(say)?.within(Signs::NOT_ZERO) {
+            if !self.checker.signs_of(&slope).map_err(Fail::from)?.within(Signs::NOT_ZERO) {
                 continue;
             }
             let constant = parts.get(&0).map_or(Fraction::integer(0), Fraction::of);
@@ -451,10 +451,10 @@ impl Certifier {
             if !free(&slope) || !free(&constant) {
                 continue;
             }
-            let value = multiplied(&constant, &slope.power(-1).map_err(say)?)?.negated();
+            let value = multiplied(&constant, &slope.power(-1).map_err(Fail::from)?)?.negated();
             let value = super::powers::simplified(&value)?;
             let shown = compare(self.atom_expr(atom)?, Relation::Equal, self.fraction_expr(&value)?);
-            let factor = self.fraction_expr(&multiplied(&rest, &slope)?.power(-1).map_err(say)?)?;
+            let factor = self.fraction_expr(&multiplied(&rest, &slope)?.power(-1).map_err(Fail::from)?)?;
             let new = if self.checker.knows(&shown) && text_of(prop) == text_of(&shown) {
                 label.to_string()
             } else {
@@ -549,7 +549,7 @@ impl Certifier {
         let zero = BigRational::from_integer(0.into());
         let shifted = |p: &Poly, by: i64| {
             let sum = Fraction::sum(&[Fraction::of(p), Fraction::integer(by)], &Work::default());
-            sum.and_then(|f| f.expanded(&Work::default())).map_err(say)
+            sum.and_then(|f| f.expanded(&Work::default())).map_err(Fail::from)
         };
         match self.checker.atom(atom).cloned() {
             Some(Atom::Member(name, index)) => {
@@ -565,15 +565,16 @@ impl Certifier {
                 let before = self.poly_expr(&shifted(&index, -1)?)?;
                 let mut map = Substitution::default();
                 map.replace(&u.index, &before);
-                Ok(Some((left, map.expr(&u.step).map_err(say)?)))
+                Ok(Some((left, map.expr(&u.step).map_err(Fail::from)?)))
             }
             Some(Atom::Over(is_sum, _, from, to, _)) => {
                 let left = self.atom_expr(atom)?;
                 let (ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body)) = &left.kind else {
                     return Ok(None);
                 };
-                let length =
-                    Fraction::of(&shifted(&to, 1)?).minus(&Fraction::of(&from), &Work::default()).map_err(say)?;
+                let length = Fraction::of(&shifted(&to, 1)?)
+                    .minus(&Fraction::of(&from), &Work::default())
+                    .map_err(Fail::from)?;
                 if length.is_zero() {
                     return Ok(Some((left.clone(), numeral(u32::from(!is_sum)))));
                 }
@@ -584,7 +585,7 @@ impl Certifier {
                 let at = |e: &Expr| -> Result<Expr, Fail> {
                     let mut map = Substitution::default();
                     map.replace(&index.name.text, e);
-                    map.expr(body).map_err(say)
+                    map.expr(body).map_err(Fail::from)
                 };
                 let joined = |rest: Expr, one: Expr| {
                     if is_sum {

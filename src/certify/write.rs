@@ -46,14 +46,9 @@ pub fn named(text: &str, value: &Expr) -> (Name, Expr) {
     (Name { text: text.to_string(), span: Span::default() }, value.clone())
 }
 
-/// What the kernel says, as the reason of a failure.
-pub fn say(failure: crate::kernel::Failure) -> Fail {
-    format!("{failure:?}")
-}
-
 /// The product of two fractions.
 pub fn multiplied(a: &Fraction, b: &Fraction) -> Result<Fraction, Fail> {
-    a.times(b, &Work::default()).map_err(say)
+    a.times(b, &Work::default()).map_err(Fail::from)
 }
 
 impl Certifier {
@@ -139,7 +134,7 @@ impl Certifier {
                 let body = Box::new(self.fraction_expr(&body)?);
                 Ok(expr(if is_sum { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) }))
             }
-            Some(Atom::Exponential(_)) | None => Err("a power that cannot be written".to_string()),
+            Some(Atom::Exponential(_)) | None => Err(Fail::No("a power that cannot be written")),
         }
     }
 }

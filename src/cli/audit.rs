@@ -3,14 +3,16 @@
 use super::load::{self, Source};
 use super::progress::Progress;
 use super::{Exit, Format, print, write_file};
-use crate::certify::several::Collection;
-use crate::claim::diagnostic::{Diagnostic, Fault as Wrong, nearest};
+use crate::certificate::text::FILE_LIMIT;
+use crate::claim::diagnostic::{Diagnostic, nearest};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
-use crate::prove::catalogue::{Catalogue, Limits};
-use crate::prove::outcome::{Fault, Outcome, Verdict};
-use crate::report::{self, Audit, Entry, Problem};
-use std::collections::BTreeMap;
+use crate::judge::hand::AtHand;
+use crate::judge::{Judgement, Settings, diagnostic, judge};
+use crate::prove::catalogue::Catalogue;
+use crate::prove::outcome::{Fault, Verdict};
+use crate::report::{self, Audit, Entry, Problem, counted};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Claims ready to be judged, with the texts that errors point into.
@@ -66,34 +68,47 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
 }
 
 impl Loaded {
-    /// Judges a claim.
-    pub fn judge(&mut self, name: &str, limits: &Limits) -> Result<Outcome, Exit> {
-        let outcome = self.catalogue.audit(name, limits);
-        outcome.map_err(|fault| {
-            let claim = self.catalogue.get(name).cloned();
-            let span = claim.as_ref().map_or(Default::default(), |c| c.name.span);
-            let diagnostic = match fault {
-                Fault::Contradictory { hypotheses } => Diagnostic::new(
-                    Wrong::Other {
-                        message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
-                        help: Some("such a claim would be true of nothing; mend the hypotheses".to_string()),
-                    },
-                    span,
-                ),
-                Fault::Text(d) => Diagnostic::new(Wrong::Other { message: d.message, help: d.help }, d.span),
-            };
-            let list = vec![(name.to_string(), diagnostic)];
-            load::faults(&list, self.catalogue.claims(), &self.origin, &self.sources)
-        })
+    /// Judges claims: all of the catalogue, or those of these names.
+    pub fn judge(&self, only: &[String], settings: &Settings) -> Judgement {
+        let all = self.catalogue.claims().iter().map(|c| c.name.text.clone());
+        let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
+        let progress = Progress::start(names.len() as u64);
+        let found =
+            judge(&self.catalogue, &names, &self.hand(), settings, &|done, name| progress.now(done as u64, name));
+        progress.finish();
+        found
     }
-}
 
-/// What the kernel is asked about proved claims.
-pub struct Kernel<'a> {
-    /// Where to write certificates.
-    pub certificates: Option<&'a Path>,
-    /// Whether a proof counts only with a certificate that the kernel accepts.
-    pub checked: bool,
+    /// The certificates that come with the program, and those that lie beside the claims.
+    fn hand(&self) -> AtHand {
+        let mut out = AtHand::embedded();
+        let parents = self.sources.iter().map(|s| match Path::new(&s.path).parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
+            _ => PathBuf::from("."),
+        });
+        let folders: BTreeSet<PathBuf> = parents.flat_map(|p| [p.join("certificates"), p]).collect();
+        for folder in folders {
+            let Ok(entries) = std::fs::read_dir(folder) else { continue };
+            let mut files: Vec<PathBuf> = entries.filter_map(|e| Some(e.ok()?.path())).collect();
+            files.retain(|path| path.extension().is_some_and(|e| e == "cert"));
+            files.sort();
+            for file in files {
+                // What cannot be read, or is no certificate, decides nothing.
+                let text = load::bounded(&file, FILE_LIMIT).ok().and_then(|bytes| String::from_utf8(bytes).ok());
+                text.into_iter().for_each(|text| out.add(text.into()));
+            }
+        }
+        out
+    }
+
+    /// The failure of a claim that makes no sense, at its place.
+    pub fn failure(&self, name: &str, fault: Fault) -> Exit {
+        let Some(claim) = self.catalogue.get(name) else {
+            return Exit::usage(format!("error: no claim is called {name}"));
+        };
+        let list = vec![(name.to_string(), diagnostic(claim, fault))];
+        load::faults(&list, self.catalogue.claims(), &self.origin, &self.sources)
+    }
 }
 
 /// Runs the command.
@@ -102,10 +117,10 @@ pub fn run(
     only: &[String],
     format: Format,
     output: Option<&Path>,
-    kernel: &Kernel<'_>,
-    limits: &Limits,
+    certificates: Option<&Path>,
+    settings: &Settings,
 ) -> Result<u8, Exit> {
-    let mut loaded = match load(paths, only) {
+    let loaded = match load(paths, only) {
         Ok(loaded) => loaded,
         Err(exit) => {
             // A machine that reads only the report must not take silence for success.
@@ -116,9 +131,9 @@ pub fn run(
             return Err(exit);
         }
     };
-    let (mut audit, messages) = judge_all(&mut loaded, only, limits);
-    if kernel.checked || kernel.certificates.is_some() {
-        ask_the_kernel(&loaded.catalogue, &mut audit.entries, kernel)?;
+    let (audit, messages) = judge_all(&loaded, only, settings);
+    if let Some(folder) = certificates {
+        write_certificates(&audit.entries, folder)?;
     }
     write(&audit, format, output)?;
     if !messages.is_empty() {
@@ -127,52 +142,34 @@ pub fn run(
     Ok(code(&audit))
 }
 
-/// Judges the built-in catalogue or the given files as a whole; also the proved claims, cited ones first.
-pub fn all(paths: &[PathBuf], limits: &Limits) -> Result<(Audit, Vec<Claim>), Exit> {
-    let mut loaded = load(paths, &[])?;
-    let (audit, messages) = judge_all(&mut loaded, &[], limits);
-    if !messages.is_empty() {
-        return Err(Exit::usage(messages.join("\n")));
-    }
-    let proved: Vec<Claim> = proved(&audit.entries);
-    Ok((audit, loaded.catalogue.in_order(&proved)))
-}
-
-fn proved(entries: &[Entry]) -> Vec<Claim> {
-    entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).map(|e| e.claim.clone()).collect()
+/// Judges the built-in catalogue or the given files as a whole.
+pub fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
+    let loaded = load(paths, &[])?;
+    let (audit, messages) = judge_all(&loaded, &[], settings);
+    if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
 }
 
 /// The audit, and what to print of the claims that could not be judged.
-fn judge_all(loaded: &mut Loaded, only: &[String], limits: &Limits) -> (Audit, Vec<String>) {
-    let all = loaded.catalogue.claims().iter().map(|c| c.name.text.clone());
-    let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
-    let progress = Progress::start(names.len() as u64);
+fn judge_all(loaded: &Loaded, only: &[String], settings: &Settings) -> (Audit, Vec<String>) {
     let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
-    for (done, name) in names.iter().enumerate() {
-        progress.now(done as u64, name);
-        match loaded.judge(name, limits) {
-            Ok(outcome) => {
-                if let Some(claim) = loaded.catalogue.get(name) {
-                    entries.push(Entry { claim: claim.clone(), outcome, certificate: None });
-                }
-            }
-            Err(exit) => {
-                problems.push(problem(name, &exit));
+    let found = loaded.judge(only, settings);
+    for (name, entry) in found.entries {
+        match entry {
+            Ok(entry) => entries.push(entry),
+            Err(fault) => {
+                let exit = loaded.failure(&name, fault);
+                problems.push(problem(&name, &exit));
                 messages.push(exit.message);
             }
         }
     }
-    progress.finish();
-    (Audit { entries, problems, judged: loaded.catalogue.work() }, messages)
+    (Audit { entries, problems, judged: found.judged }, messages)
 }
 
 /// The exit code: 0 all as expected, 3 where only limits stand in the way, else 1.
 pub fn code(audit: &Audit) -> u8 {
     let unexpected: Vec<&Entry> = audit.entries.iter().filter(|e| !e.as_expected()).collect();
-    let limit = |e: &&Entry| {
-        e.outcome.verdict == Verdict::Undecided
-            && e.outcome.reason.as_deref().is_some_and(|r| r.contains("limit reached"))
-    };
+    let limit = |e: &&Entry| e.outcome.verdict == Verdict::Undecided && e.outcome.limit.is_some();
     match unexpected.len() {
         0 => 0,
         _ if unexpected.iter().all(limit) => 3,
@@ -180,46 +177,21 @@ pub fn code(audit: &Audit) -> u8 {
     }
 }
 
-/// Finds a certificate that the kernel accepts for each claim that was proved, writes it where that is wanted, and says
-/// for which there is none.
-fn ask_the_kernel(catalogue: &Catalogue, entries: &mut [Entry], kernel: &Kernel<'_>) -> Result<(), Exit> {
-    if let Some(folder) = kernel.certificates {
-        std::fs::create_dir_all(folder)
-            .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
-    }
-    let proved = proved(entries);
-    // A certificate that comes with the program is as good as a new one, unless it is to be written.
-    let held: BTreeMap<String, &str> =
-        if kernel.certificates.is_none() { embedded::certificates().into_iter().collect() } else { BTreeMap::new() };
-    let (mut collection, mut found, mut missing) = (Collection::default(), 0, Vec::new());
-    for claim in catalogue.in_order(&proved) {
-        let name = &claim.name.text;
-        let at_hand = held.get(name).and_then(|text| crate::certificate::text::read(text).ok());
-        let result = collection.add(&claim, at_hand).map(|(certificate, _)| certificate);
-        match result {
-            Ok(certificate) => {
-                if let Some(folder) = kernel.certificates {
-                    let path = folder.join(format!("{name}.cert"));
-                    write_file(&path, &crate::certificate::text::write(&certificate))?;
-                    for entry in entries.iter_mut().filter(|e| e.claim.name.text == *name) {
-                        entry.certificate = Some(path.display().to_string());
-                    }
-                }
-                found += 1;
-            }
-            Err(reason) => {
-                missing.push(format!("  {name}: {reason}"));
-                for entry in entries.iter_mut().filter(|e| kernel.checked && e.claim.name.text == *name) {
-                    entry.outcome.verdict = Verdict::Undecided;
-                    entry.outcome.reason =
-                        Some(format!("the search found a proof, but no certificate that the kernel accepts: {reason}"));
-                }
-            }
+/// Writes the certificate of each proved claim, and says which claims have a proof that the kernel does not check.
+fn write_certificates(entries: &[Entry], folder: &Path) -> Result<(), Exit> {
+    std::fs::create_dir_all(folder)
+        .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
+    let mut written = 0;
+    for entry in entries {
+        if let Some(proof) = &entry.proof {
+            write_file(&folder.join(format!("{}.cert", entry.claim.name.text)), &proof.certificate)?;
+            written += 1;
         }
     }
-    let mut message = format!("{found} of {} proved claims have a certificate", found + missing.len());
+    let mut message = format!("{} in {}", counted(written, "certificate"), folder.display());
+    let missing: Vec<&str> = entries.iter().filter(|e| e.found).map(|e| e.claim.name.text.as_str()).collect();
     if !missing.is_empty() {
-        message += &format!("; proved, no certificate:\n{}", missing.join("\n"));
+        message += &format!("; found by the search, not accepted by the kernel: {}", missing.join(", "));
     }
     let _ = std::io::Write::write_all(&mut anstream::stderr(), format!("{message}\n").as_bytes());
     Ok(())

@@ -2,19 +2,20 @@
 
 use super::audit::load;
 use super::{Exit, ExplainFormat, print};
+use crate::judge::Settings;
 use crate::prove::catalogue::Limits;
-use crate::report::{Entry, argument};
+use crate::report::argument;
 use std::path::PathBuf;
 
 /// Runs the command.
 pub fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) -> Result<u8, Exit> {
     let only = [id.to_string()];
-    let mut loaded = load(paths, &only)?;
-    let outcome = loaded.judge(id, limits)?;
-    let Some(claim) = loaded.catalogue.get(id).cloned() else {
+    let loaded = load(paths, &only)?;
+    let settings = Settings { limits: limits.clone(), argument: true, ..Settings::default() };
+    let Some((_, found)) = loaded.judge(&only, &settings).entries.pop() else {
         return Err(Exit::usage(format!("error: no claim is called {id}")));
     };
-    let entry = Entry { claim, outcome, certificate: None };
+    let entry = found.map_err(|fault| loaded.failure(id, fault))?;
     print(&match format {
         ExplainFormat::Text => argument::text(&entry),
         ExplainFormat::Markdown => argument::markdown(&entry),

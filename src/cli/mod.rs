@@ -61,11 +61,15 @@ enum Command {
         /// Write the report to a file
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
-        /// Write a certificate for each proved claim into this folder
+        /// Write the certificate of each proved claim into this folder; in the folder of the claims, or in
+        /// `certificates` there, the next audit finds them and has nothing to search
         #[arg(long, value_name = "DIR")]
         certificates: Option<PathBuf>,
-        /// Let a proof count only where the kernel accepts a certificate of it; others are undecided
+        /// Search every proof anew, even where a certificate is at hand
         #[arg(long)]
+        anew: bool,
+        /// Changes nothing: a proof always counts only where the kernel accepts a certificate of it
+        #[arg(long, hide = true)]
         checked: bool,
         #[command(flatten)]
         limits: LimitFlags,
@@ -272,9 +276,9 @@ pub fn run() -> ExitCode {
 
 fn dispatch(command: Command) -> Result<u8, Exit> {
     match command {
-        Command::Audit { paths, only, format, output, certificates, checked, limits } => {
-            let kernel = audit::Kernel { certificates: certificates.as_deref(), checked };
-            audit::run(&paths, &only, format, output.as_deref(), &kernel, &limits.limits())
+        Command::Audit { paths, only, format, output, certificates, anew, checked: _, limits } => {
+            let settings = crate::judge::Settings { limits: limits.limits(), anew, argument: false };
+            audit::run(&paths, &only, format, output.as_deref(), certificates.as_deref(), &settings)
         }
         Command::Check { paths, claims, quiet } => check::run(&paths, &claims, quiet),
         Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),

@@ -1,8 +1,8 @@
 //! `carom report`
 
 use super::interrupt::{Interrupt, at_once, interrupted};
-use super::progress::Progress;
 use super::{Exit, audit, figures, latex, write_bytes};
+use crate::judge::Settings;
 use crate::report::handout::{Handout, evidence};
 use std::path::{Path, PathBuf};
 
@@ -84,10 +84,9 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     };
     #[cfg(not(feature = "plot"))]
     let plots = Vec::new();
-    let (audit, proved) = audit::all(&flags.paths, &flags.limits.limits())?;
-    let progress = Progress::start(proved.len() as u64);
-    let evidence = evidence::gather(&audit, &proved, &|done, name| progress.now(done as u64, name));
-    progress.finish();
+    let settings = Settings { limits: flags.limits.limits(), argument: true, ..Settings::default() };
+    let audit = audit::all(&flags.paths, &settings)?;
+    let evidence = evidence::gather(&audit);
     let title = flags.title.as_deref().unwrap_or(match catalogue {
         true => "Audit of Ricardo & Lee, Maximizing kinetic energy transfer in one-dimensional many-body collisions",
         false => "Audit",

@@ -167,7 +167,7 @@ fn whole(path: &Path) -> Result<Target, Exit> {
 }
 
 /// The first line of a certificate: what the table says of itself in words, then all that is needed to check that the
-/// rows are those of the table, and all of them (`src/kernel/table/text.rs`).
+/// rows are those of the table, and all of them (`src/table_checker/text.rs`).
 fn certificate_head(plan: &Plan) -> String {
     let facts: serde_json::Map<String, serde_json::Value> =
         Head::of(plan).facts.into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();

@@ -16,6 +16,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// The most work in the check of one certificate: about that many operations on short numbers, terms
 /// written, and comparisons of names, signs and facts in searches.
@@ -90,6 +91,30 @@ fn divided_out(rest: &mut BigInt, divisor: &BigInt) -> i64 {
 /// Atoms with positive exponents, in increasing order of the atoms.
 pub type Monomial = Vec<(usize, u32)>;
 
+/// The product of two monomials, atoms in increasing order.
+fn monomial_product(m: &Monomial, n: &Monomial) -> Result<Monomial, Failure> {
+    let mut out = Monomial::with_capacity(m.len() + n.len());
+    let (mut left, mut right) = (m.iter().copied().peekable(), n.iter().copied().peekable());
+    loop {
+        let power = match (left.peek().copied(), right.peek().copied()) {
+            (None, None) => return Ok(out),
+            (Some((a, _)), Some((b, _))) if a < b => left.next(),
+            (Some(_), None) => left.next(),
+            (Some((a, j)), Some((b, k))) if a == b => {
+                left.next();
+                right.next();
+                Some((a, j.saturating_add(k)))
+            }
+            _ => right.next(),
+        };
+        let Some((atom, k)) = power else { return Ok(out) };
+        if i64::from(k) > EXPONENT_LIMIT {
+            return declined("degree");
+        }
+        out.push((atom, k));
+    }
+}
+
 /// A polynomial.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Poly(BTreeMap<Monomial, BigRational>);
@@ -132,12 +157,19 @@ impl Poly {
     }
 
     fn add_term(&mut self, monomial: Monomial, c: BigRational, work: &Work) -> Result<(), Failure> {
-        let sum = match self.0.remove(&monomial) {
-            Some(old) => plus(&old, &c, work)?,
-            None => c,
-        };
-        if !sum.is_zero() {
-            self.0.insert(monomial, sum);
+        match self.0.entry(monomial) {
+            Entry::Vacant(entry) if !c.is_zero() => {
+                entry.insert(c);
+            }
+            Entry::Vacant(_) => {}
+            Entry::Occupied(mut entry) => {
+                let sum = plus(entry.get(), &c, work)?;
+                if sum.is_zero() {
+                    entry.remove();
+                } else {
+                    entry.insert(sum);
+                }
+            }
         }
         if self.0.len() > TERMS_LIMIT { declined("terms") } else { Ok(()) }
     }
@@ -148,16 +180,7 @@ impl Poly {
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
                 work.count(1 + m.len() + n.len())?;
-                let product = product(c, d, work)?;
-                let mut powers: BTreeMap<usize, u32> = m.iter().copied().collect();
-                for (atom, k) in n {
-                    let sum = powers.get(atom).copied().unwrap_or(0).saturating_add(*k);
-                    if i64::from(sum) > EXPONENT_LIMIT {
-                        return declined("degree");
-                    }
-                    powers.insert(*atom, sum);
-                }
-                out.add_term(powers.into_iter().collect(), product, work)?;
+                out.add_term(monomial_product(m, n)?, product(c, d, work)?, work)?;
             }
         }
         Ok(out)
@@ -236,7 +259,7 @@ impl Fraction {
                 .map(|(atom, k)| (*atom, k - common.get(atom).copied().unwrap_or(0)))
                 .filter(|p| p.1 > 0)
                 .collect();
-            rest.0.insert(lower, c / lead);
+            rest.0.insert(lower, if lead.is_one() { c.clone() } else { c / lead });
         }
         for (atom, k) in common {
             out.factors.insert(Poly::atom(atom), i64::from(k));

@@ -22,7 +22,6 @@ pub mod logic;
 pub mod marks;
 pub mod order;
 pub mod statement;
-pub mod table;
 pub mod text;
 pub mod translate;
 

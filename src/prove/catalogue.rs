@@ -3,7 +3,7 @@
 use super::Instant;
 use super::context::{Context, Engine, Failure, Origin};
 use super::expand::Statement;
-use super::outcome::{Fault, Line, Outcome, Verdict};
+use super::outcome::{Fault, Line, Outcome, Point, Verdict, limit_reached};
 use super::{need, refute};
 use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print;
@@ -160,8 +160,7 @@ impl Catalogue {
         let statement = match Statement::of(claim) {
             Ok(statement) => statement,
             Err(limit) => {
-                let reason = format!("limit reached: {}", limit.0);
-                return (Ok(undecided(claim, reason)), None);
+                return (Ok(beyond(claim, limit.0)), None);
             }
         };
         let cited: BTreeMap<String, Rc<Statement>> =
@@ -191,8 +190,81 @@ fn undecided(claim: &Claim, reason: String) -> Outcome {
         sample: None,
         witness: None,
         reason: Some(reason),
+        limit: None,
         argument: Vec::new(),
     }
+}
+
+/// Undecided because of a limit.
+fn beyond(claim: &Claim, limit: &'static str) -> Outcome {
+    Outcome { limit: Some(limit), ..undecided(claim, limit_reached(limit)) }
+}
+
+/// What the search believes of a claim. Of those that it cites, it may use the claims that are `proved`; `unproved` says
+/// what is known of the others.
+///
+/// # Errors
+/// The claim makes no sense.
+pub fn search(
+    claim: &Claim,
+    proved: &[&Claim],
+    unproved: &BTreeMap<String, String>,
+    limits: &Limits,
+) -> Result<Outcome, Fault> {
+    let statement = match Statement::of(claim) {
+        Ok(statement) => statement,
+        Err(limit) => return Ok(beyond(claim, limit.0)),
+    };
+    let cited = proved.iter().filter(|c| statement.using.contains(&c.name.text));
+    let cited = cited.filter_map(|c| Some((c.name.text.clone(), Rc::new(Statement::of(c).ok()?)))).collect();
+    judge(claim, &statement, &cited, unproved, limits)
+}
+
+/// A claim that a certificate shows, proved if its hypotheses hold at some point, which is sought; without argument.
+///
+/// # Errors
+/// The hypotheses contradict each other.
+pub fn given(claim: &Claim, limits: &Limits) -> Result<Outcome, Fault> {
+    let statement = match Statement::of(claim) {
+        Ok(statement) => statement,
+        Err(limit) => return Ok(beyond(claim, limit.0)),
+    };
+    let (cited, unproved) = (BTreeMap::new(), BTreeMap::new());
+    let mut engine = engine(&cited, &unproved, limits);
+    let (_, result, sample) = given_in(&mut engine, &statement)?;
+    let mut outcome = undecided(claim, String::new());
+    outcome.sample = sample;
+    if statement.has_hypotheses() && outcome.sample.is_none() {
+        outcome.limit = match result {
+            Err(Failure::Limit(name)) => Some(name),
+            _ => engine.limit,
+        };
+        let limit = outcome.limit.map_or(String::new(), |name| format!("; {}", limit_reached(name)));
+        outcome.reason = Some(format!("{NO_POINT}{limit}"));
+    } else {
+        (outcome.verdict, outcome.reason) = (Verdict::Proved, None);
+    }
+    Ok(outcome)
+}
+
+const NO_POINT: &str = "no point was found at which all the hypotheses hold";
+
+/// The hypotheses in a context, whether they could be taken in, and a point at which they hold.
+type Given = (Context, Result<(), Failure>, Option<Point>);
+
+/// Takes the hypotheses of a claim into a context, and seeks a point at which they hold.
+fn given_in(engine: &mut Engine, statement: &Statement) -> Result<Given, Fault> {
+    let mut cx = Context::default();
+    let result = take_hypotheses(engine, &mut cx, statement);
+    if let Err(Failure::Fault(diagnose)) = result {
+        return Err(Fault::Text(diagnose));
+    }
+    let sample = if statement.has_hypotheses() { refute::sample(engine, &cx, statement) } else { None };
+    if cx.contradiction.is_some() && sample.is_none() {
+        let list: Vec<String> = statement.assumptions.iter().map(|a| print::prop(&a.1)).collect();
+        return Err(Fault::Contradictory { hypotheses: list.join("; ") });
+    }
+    Ok((cx, result, sample))
 }
 
 fn engine<'c>(
@@ -229,17 +301,8 @@ fn judge(
     limits: &Limits,
 ) -> Result<Outcome, Fault> {
     let mut engine = engine(cited, unproved, limits);
-    let mut cx = Context::default();
-    let mut result = take_hypotheses(&mut engine, &mut cx, statement);
-    if let Err(Failure::Fault(diagnose)) = result {
-        return Err(Fault::Text(diagnose));
-    }
-    let has_hypotheses = !statement.bindings.is_empty() || !statement.assumptions.is_empty();
-    let sample = if has_hypotheses { refute::sample(&mut engine, &cx, statement) } else { None };
-    if cx.contradiction.is_some() && sample.is_none() {
-        let list: Vec<String> = statement.assumptions.iter().map(|a| print::prop(&a.1)).collect();
-        return Err(Fault::Contradictory { hypotheses: list.join("; ") });
-    }
+    let (cx, mut result, sample) = given_in(&mut engine, statement)?;
+    let has_hypotheses = statement.has_hypotheses();
     engine.used = 0;
     if result.is_ok() {
         result = show(&mut engine, &cx, statement);
@@ -253,7 +316,7 @@ fn judge(
     match result {
         Ok(()) if has_hypotheses && outcome.sample.is_none() => {
             // The argument stands, but nothing shows that the hypotheses can hold at once.
-            outcome.reason = Some("no point was found at which all the hypotheses hold".to_string());
+            outcome.reason = Some(NO_POINT.to_string());
         }
         Ok(()) => {
             outcome.verdict = Verdict::Proved;
@@ -296,9 +359,14 @@ fn judge(
                     outcome.witness = Some(witness);
                 }
                 None => {
+                    outcome.limit = match &failure {
+                        Failure::Limit(name) => Some(name),
+                        Failure::NotShown(_) => limit,
+                        _ => None,
+                    };
                     outcome.reason = Some(match (failure, limit) {
-                        (Failure::Limit(name), _) => format!("limit reached: {name}"),
-                        (Failure::NotShown(text), Some(name)) => format!("not shown: {text} (limit reached: {name})"),
+                        (Failure::Limit(name), _) => limit_reached(name),
+                        (Failure::NotShown(text), Some(name)) => format!("not shown: {text}; {}", limit_reached(name)),
                         (Failure::NotShown(text), None) => format!("not shown: {text}"),
                         (Failure::RestsOn(name), _) => {
                             let what = unproved.get(&name).map_or("not proved", String::as_str);

@@ -82,6 +82,11 @@ pub struct Substitution {
 type Result<T> = std::result::Result<T, Limit>;
 
 impl Statement {
+    /// Whether anything is supposed.
+    pub fn has_hypotheses(&self) -> bool {
+        !self.bindings.is_empty() || !self.assumptions.is_empty()
+    }
+
     /// The statement of a claim.
     pub fn of(claim: &Claim) -> Result<Statement> {
         let mut definitions = Substitution::default();

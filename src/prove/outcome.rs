@@ -74,6 +74,19 @@ pub struct Line {
     pub text: String,
 }
 
+/// What is said of a limit that was reached, with the flag that raises it.
+pub fn limit_reached(name: &str) -> String {
+    let flag = match name {
+        "degree" => " (--max-degree raises it)",
+        "terms" => " (--max-terms raises it)",
+        "digits" => " (--max-digits raises it)",
+        "steps" => " (--max-steps raises it)",
+        "time" => " (--time raises it)",
+        _ => "",
+    };
+    format!("limit reached: {name}{flag}")
+}
+
 /// What the audit says of one claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
@@ -96,6 +109,8 @@ pub struct Outcome {
     pub witness: Option<Witness>,
     /// Why it is undecided: what was tried, what is missing, or the limit reached.
     pub reason: Option<String>,
+    /// The limit that stood in the way, if one did.
+    pub limit: Option<&'static str>,
     /// The argument, line by line, for `carom explain`.
     pub argument: Vec<Line>,
 }

@@ -21,30 +21,9 @@ pub mod worksheet;
 
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};
-use crate::prove::outcome::{Outcome, Verdict};
+pub use crate::judge::Entry;
+use crate::prove::outcome::Verdict;
 use std::borrow::Cow;
-
-/// A claim and what the audit says of it.
-pub struct Entry {
-    /// The claim.
-    pub claim: Claim,
-    /// The outcome.
-    pub outcome: Outcome,
-    /// The file of its certificate, if one was written.
-    pub certificate: Option<String>,
-}
-
-impl Entry {
-    /// Whether the verdict is the one that the file expects.
-    pub fn as_expected(&self) -> bool {
-        self.outcome.verdict.is_expected(self.claim.expect)
-    }
-
-    /// The goal on one line.
-    pub fn goal(&self, style: Style) -> String {
-        style.prop(&self.claim.goal).split_whitespace().collect::<Vec<_>>().join(" ")
-    }
-}
 
 /// A claim, or a file of claims, that could not be judged.
 pub struct Problem {

@@ -134,7 +134,7 @@ pub fn numeral(bytes: &[u8]) {
 pub fn table(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let mut lines = text.lines();
-    let Ok(mut checker) = kernel::table::Checker::new(lines.next().unwrap_or("")) else { return };
+    let Ok(mut checker) = carom::table_checker::Checker::new(lines.next().unwrap_or("")) else { return };
     if lines.all(|line| checker.row(line).is_ok())
         && let Ok(table) = checker.finish()
     {

@@ -4,7 +4,7 @@
 //! wider than the page is broken at its relations and signs, and what still is too wide is made smaller, by TeX itself,
 //! which alone knows how wide it is.
 
-use super::evidence::{Evidence, Kernel};
+use super::evidence::Evidence;
 use super::numbers::{Plot, Table, WHAT_IS_CERTAIN};
 use super::{Handout, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::claim::print::Style;
@@ -151,18 +151,16 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
 /// Certificate and theorem, or why there is none.
 fn shown_by(name: &str, evidence: &Evidence) -> Vec<String> {
     let mut out = Vec::new();
-    match &evidence.kernel {
-        Kernel::Accepted { digest, rests_on, .. } => out.push(format!(
+    if let Some(proof) = &evidence.kernel {
+        out.push(format!(
             "Checked by the kernel: {}, SHA-256 of the statement {}{}.",
             code(&certificate_of(name)),
-            code(digest),
-            match rests_on.as_slice() {
+            code(&proof.statement),
+            match proof.rests_on.as_slice() {
                 [] => String::new(),
                 list => format!("; rests on {}", escape(&list.join(", "))),
             }
-        )),
-        Kernel::Without(reason) => out.push(format!("Not checked by the kernel: {}.", escape(reason))),
-        Kernel::NotAsked => {}
+        ));
     }
     out.push(match &evidence.coq {
         Ok(theorem) => format!(

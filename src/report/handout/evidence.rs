@@ -1,34 +1,15 @@
-//! Who else than the prover has shown a claim: the kernel, by a certificate, and Coq, by a theorem.
+//! Who has shown a claim: the kernel, by a certificate that it accepted in this run, and Coq, by a theorem.
 //!
-//! Contract: "checked by the kernel" is said of a claim only where the kernel accepted its certificate in this run. A
-//! theorem of Coq is named only where its statement stands in `proofs/coq/claims.v` letter by letter as this claim is
+//! Contract: a theorem of Coq is named only where its statement stands in `proofs/coq/claims.v` letter by letter as this claim is
 //! exported, and says what the verdict says. Coq itself is not run: whoever doubts runs it on the files in the folder.
 
-use crate::certificate::text::{digest, read, write};
-use crate::certify::several::Collection;
 use crate::claim::embedded;
 use crate::claim::syntax::{Claim, Expectation};
 use crate::export::coq;
+use crate::judge::Proof;
 use crate::prove::outcome::Verdict;
 use crate::report::{Audit, Entry};
 use std::collections::BTreeMap;
-
-/// What the kernel says of a claim.
-pub enum Kernel {
-    /// It accepted a certificate.
-    Accepted {
-        /// The certificate.
-        certificate: String,
-        /// SHA-256 of the statement as the kernel reads it, in hexadecimal digits; it stands in the certificate.
-        digest: String,
-        /// The analytic lemmas that it rests on.
-        rests_on: Vec<String>,
-    },
-    /// There is no certificate, and why.
-    Without(String),
-    /// The claim is not proved: the kernel checks proofs only.
-    NotAsked,
-}
 
 /// A theorem of Coq and its proof.
 pub struct Theorem {
@@ -42,70 +23,40 @@ pub struct Theorem {
     pub proof: String,
 }
 
-/// Who else has shown a claim.
+/// Who has shown a claim, other than the search.
 pub struct Evidence {
-    /// The kernel.
-    pub kernel: Kernel,
+    /// What the kernel accepted in this run; it checks proofs only.
+    pub kernel: Option<Proof>,
     /// Coq; else why there is no theorem.
     pub coq: Result<Theorem, String>,
 }
 
 impl Evidence {
-    /// Whether nobody but the prover vouches for the verdict.
+    /// Whether nobody but the search vouches for the verdict: a counterexample that Coq has not shown.
     #[must_use]
     pub fn is_alone(&self) -> bool {
-        !self.is_checked() && self.coq.is_err()
-    }
-
-    /// Whether the kernel accepted a certificate.
-    #[must_use]
-    pub fn is_checked(&self) -> bool {
-        matches!(self.kernel, Kernel::Accepted { .. })
+        self.kernel.is_none() && self.coq.is_err()
     }
 
     /// What stands beside the verdict: a few words each, and whether they are good news.
     #[must_use]
     pub fn marks(&self, verdict: Verdict) -> Vec<(&'static str, bool)> {
-        match (verdict, &self.kernel, &self.coq) {
-            (Verdict::Undecided, ..) => Vec::new(),
-            (Verdict::Refuted, _, Ok(_)) => vec![("negation proved in Coq", true)],
-            (Verdict::Refuted, ..) => vec![("refuted by the prover alone", false)],
-            (_, Kernel::Accepted { .. }, Ok(_)) => vec![("checked by the kernel", true), ("proved in Coq", true)],
-            (_, Kernel::Accepted { .. }, Err(_)) => vec![("checked by the kernel", true), ("not in Coq", false)],
-            (_, _, Ok(_)) => vec![("not checked by the kernel", false), ("proved in Coq", true)],
-            (_, _, Err(_)) => vec![("proved by the prover alone", false)],
+        match (verdict, &self.coq) {
+            (Verdict::Undecided, _) => Vec::new(),
+            (Verdict::Refuted, Ok(_)) => vec![("negation proved in Coq", true)],
+            (Verdict::Refuted, Err(_)) => vec![("refuted by the prover alone", false)],
+            (Verdict::Proved, Ok(_)) => vec![("checked by the kernel", true), ("proved in Coq", true)],
+            (Verdict::Proved, Err(_)) => vec![("checked by the kernel", true), ("not in Coq", false)],
         }
     }
 }
 
-/// The evidence for each claim of an audit, by name; `proved` are the proved claims, cited ones first. A certificate
-/// that comes with the program is tried before one is searched; `now` hears the name of each claim in turn.
-pub fn gather(audit: &Audit, proved: &[Claim], now: &dyn Fn(usize, &str)) -> BTreeMap<String, Evidence> {
-    let held: BTreeMap<String, &str> = embedded::certificates().into_iter().collect();
-    let mut collection = Collection::default();
-    let mut kernel: BTreeMap<String, Kernel> = BTreeMap::new();
-    for (place, claim) in proved.iter().enumerate() {
-        let name = &claim.name.text;
-        now(place, name);
-        let at_hand = held.get(name).and_then(|text| read(text).ok());
-        let found = match collection.add(claim, at_hand) {
-            Ok((certificate, shown)) => Kernel::Accepted {
-                certificate: write(&certificate),
-                digest: digest(&shown.text()),
-                rests_on: shown.rests_on().iter().cloned().collect(),
-            },
-            Err(reason) => Kernel::Without(reason),
-        };
-        kernel.insert(name.clone(), found);
-    }
+/// The evidence for each claim of an audit, by name.
+pub fn gather(audit: &Audit) -> BTreeMap<String, Evidence> {
     let library = Library::embedded();
     let one = |entry: &Entry| {
-        let name = entry.claim.name.text.clone();
-        let kernel = match entry.outcome.verdict {
-            Verdict::Proved => kernel.remove(&name).unwrap_or(Kernel::NotAsked),
-            _ => Kernel::NotAsked,
-        };
-        (name, Evidence { kernel, coq: library.theorem(&entry.claim, entry.outcome.verdict) })
+        let coq = library.theorem(&entry.claim, entry.outcome.verdict);
+        (entry.claim.name.text.clone(), Evidence { kernel: entry.proof.clone(), coq })
     };
     audit.entries.iter().map(one).collect()
 }
@@ -178,14 +129,14 @@ mod tests {
 
     #[test]
     fn what_only_the_prover_has_shown_is_marked() {
-        let alone = || Evidence { kernel: Kernel::Without("no luck".into()), coq: Err("none".into()) };
-        assert!(alone().is_alone());
-        assert_eq!(alone().marks(Verdict::Proved), [("proved by the prover alone", false)]);
-        let kernel = Kernel::Accepted { certificate: String::new(), digest: String::new(), rests_on: Vec::new() };
-        let checked = Evidence { kernel, coq: Err("none".into()) };
+        let none = || Err("none".to_string());
+        let (certificate, sha256, statement) = Default::default();
+        let proof = Proof { certificate, sha256, statement, rests_on: Vec::new() };
+        let checked = Evidence { kernel: Some(proof), coq: none() };
         assert!(!checked.is_alone());
         assert_eq!(checked.marks(Verdict::Proved), [("checked by the kernel", true), ("not in Coq", false)]);
-        let refuted = Evidence { kernel: Kernel::NotAsked, coq: Err("none".into()) };
+        let refuted = Evidence { kernel: None, coq: none() };
+        assert!(refuted.is_alone());
         assert_eq!(refuted.marks(Verdict::Refuted), [("refuted by the prover alone", false)]);
         assert_eq!(refuted.marks(Verdict::Undecided), []);
     }

@@ -1,6 +1,6 @@
 //! The report as Markdown.
 
-use super::evidence::{Evidence, Kernel};
+use super::evidence::Evidence;
 use super::numbers::WHAT_IS_CERTAIN;
 use super::{Handout, address, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::report::argument;
@@ -75,17 +75,16 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         out.push_str(&format!("\n{}\n", marks.join(", ")));
     }
     let name = &entry.claim.name.text;
-    match &evidence.kernel {
-        Kernel::Accepted { digest, rests_on, .. } => out.push_str(&format!(
-            "\nChecked by the kernel: {}, SHA-256 of the statement `{digest}`{}.\n",
+    if let Some(proof) = &evidence.kernel {
+        out.push_str(&format!(
+            "\nChecked by the kernel: {}, SHA-256 of the statement `{}`{}.\n",
             link(&certificate_of(name)),
-            match rests_on.as_slice() {
+            proof.statement,
+            match proof.rests_on.as_slice() {
                 [] => String::new(),
                 list => format!("; rests on {}", escape(&list.join(", "))),
             }
-        )),
-        Kernel::Without(reason) => out.push_str(&format!("\nNot checked by the kernel: {}.\n", escape(reason))),
-        Kernel::NotAsked => {}
+        ));
     }
     match &evidence.coq {
         Ok(theorem) => out.push_str(&format!(

@@ -14,7 +14,7 @@ mod page;
 use super::{Audit, counted};
 use crate::claim::embedded;
 use crate::prove::outcome::Verdict;
-use evidence::{Evidence, Kernel};
+use evidence::Evidence;
 use numbers::{Plot, Table};
 use std::collections::BTreeMap;
 
@@ -34,14 +34,14 @@ pub struct Handout {
     pub plots: Vec<Plot>,
 }
 
-/// How many claims others than the prover have shown.
+/// How many claims others than the search have shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Proved, and accepted by the kernel.
     pub kernel: usize,
     /// Proved or refuted, and so by a theorem of Coq.
     pub coq: usize,
-    /// Proved or refuted by the prover alone.
+    /// Refuted by the prover alone.
     pub alone: usize,
 }
 
@@ -55,8 +55,8 @@ impl Handout {
             ("report.tex".to_string(), document::document(self).into_bytes()),
         ];
         for (name, evidence) in &self.evidence {
-            if let Kernel::Accepted { certificate, .. } = &evidence.kernel {
-                out.push((certificate_of(name), certificate.clone().into_bytes()));
+            if let Some(proof) = &evidence.kernel {
+                out.push((certificate_of(name), proof.certificate.clone().into_bytes()));
             }
         }
         if self.evidence.values().any(|e| e.coq.is_ok()) {
@@ -80,7 +80,7 @@ impl Handout {
         let mut out = Counts::default();
         for entry in entries.filter(|e| e.outcome.verdict != Verdict::Undecided) {
             let Some(evidence) = self.evidence.get(&entry.claim.name.text) else { continue };
-            out.kernel += usize::from(evidence.is_checked());
+            out.kernel += usize::from(evidence.kernel.is_some());
             out.coq += usize::from(evidence.coq.is_ok());
             out.alone += usize::from(evidence.is_alone());
         }
@@ -92,12 +92,13 @@ impl Handout {
     pub fn vouched(&self) -> Vec<String> {
         let counts = self.counts(self.audit.entries.iter());
         let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
+        let found = self.audit.entries.iter().filter(|e| e.found).count();
         let (has, rests) = match counts.alone {
             1 => ("verdict", "rests"),
             _ => ("verdicts", "rest"),
         };
         vec![
-            format!("The kernel accepted {} of the {} in this run.", counts.kernel, counted(proved, "proof")),
+            format!("The kernel accepted {} of the {} in this run.", counts.kernel, counted(proved + found, "proof")),
             match counts.coq {
                 0 => "No verdict has a theorem in Coq.".to_string(),
                 some => format!(
@@ -113,7 +114,7 @@ impl Handout {
     #[must_use]
     pub fn again(&self) -> Vec<(String, &'static str)> {
         let mut out = Vec::new();
-        if self.evidence.values().any(Evidence::is_checked) {
+        if self.evidence.values().any(|e| e.kernel.is_some()) {
             let claims = if self.catalogue { "" } else { " --claims PATH…" };
             out.push((
                 format!("carom check certificates{claims}"),

@@ -6,8 +6,10 @@ use carom::claim::parse::parse;
 use carom::claim::print::Style;
 use carom::claim::syntax::{Claim, Expectation};
 use carom::claim::{LANGUAGE, embedded};
+use carom::judge::hand::AtHand;
+use carom::judge::{Settings, diagnostic, judge};
 use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::outcome::{self, Point};
+use carom::prove::outcome::Point;
 use carom::report::{self, Entry, mathml};
 use serde_json::{Value, json};
 use std::ops::Range;
@@ -27,15 +29,12 @@ pub fn audit(request: &Request) -> Result<Value, Fault> {
         return Err(Fault::at("text", format!("limit reached: {MAX_TEXT} bytes of claims on this page")).limit());
     }
     let (read, mut faults) = readable(text);
-    let mut claims = Vec::new();
-    if let Some(mut catalogue) = read {
+    let mut claims: Vec<Value> = Vec::new();
+    if let Some(catalogue) = read {
         let names: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
-        for name in names {
-            match judge(&mut catalogue, &name)? {
-                Ok(entry) => claims.push(described(&entry, Some(text))),
-                Err(fault) => faults.push(fault),
-            }
-        }
+        let (entries, wrong) = judged(&catalogue, &names);
+        claims.extend(entries.iter().map(|entry| described(entry, Some(text))));
+        faults.extend(wrong);
     }
     Ok(json!({ "claims": claims, "faults": shown(&faults, text) }))
 }
@@ -125,10 +124,11 @@ pub fn claim(request: &Request) -> Result<Value, Fault> {
         |faults: Vec<Diagnostic>| Fault::new(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"));
     let unknown = || Fault::at("id", format!("no claim is called {id:?}"));
     let claims = embedded::claims(&[id.to_owned()]).map_err(broken)?.ok_or_else(unknown)?;
-    let mut catalogue = Catalogue::new(claims).map_err(|list| broken(list.into_iter().map(|f| f.1).collect()))?;
-    let entry = judge(&mut catalogue, id)?.map_err(|fault| Fault::new(fault.message()))?;
+    let catalogue = Catalogue::new(claims).map_err(|list| broken(list.into_iter().map(|f| f.1).collect()))?;
+    let (entries, faults) = judged(&catalogue, &[id.to_owned()]);
+    let Some(entry) = entries.first() else { return Err(broken(faults)) };
     let file = embedded::files().into_iter().find(|f| embedded::stem(f.path) == id);
-    Ok(json!({ "claim": described(&entry, None), "text": file.map(|f| f.text) }))
+    Ok(json!({ "claim": described(entry, None), "text": file.map(|f| f.text) }))
 }
 
 /// The catalogue: names, titles and sections.
@@ -148,26 +148,20 @@ pub fn catalogue(_: &Request) -> Result<Value, Fault> {
     Ok(json!({ "claims": list, "language": LANGUAGE }))
 }
 
-/// The entry of a claim, or the fault of a claim that makes no sense.
-fn judge(catalogue: &mut Catalogue, name: &str) -> Result<Result<Entry, Diagnostic>, Fault> {
+/// The entries of claims, and the faults of those that make no sense; certificates that come with the program decide
+/// first.
+fn judged(catalogue: &Catalogue, names: &[String]) -> (Vec<Entry>, Vec<Diagnostic>) {
     let limits = Limits { time: Duration::from_secs(SECONDS), ..Limits::default() };
-    let outcome = catalogue.audit(name, &limits);
-    let Some(claim) = catalogue.get(name).cloned() else {
-        return Err(Fault::new(format!("no claim is called {name:?}")));
-    };
-    Ok(match outcome {
-        Ok(outcome) => Ok(Entry { claim, outcome, certificate: None }),
-        Err(outcome::Fault::Contradictory { hypotheses }) => Err(Diagnostic::new(
-            diagnostic::Fault::Other {
-                message: format!("the hypotheses of {name} cannot all hold: {hypotheses}"),
-                help: Some("no values satisfy these hypotheses; remove or weaken one".to_owned()),
-            },
-            claim.name.span,
-        )),
-        Err(outcome::Fault::Text(d)) => {
-            Err(Diagnostic::new(diagnostic::Fault::Other { message: d.message, help: d.help }, d.span))
+    let settings = Settings { limits, argument: true, ..Settings::default() };
+    let (mut entries, mut faults) = (Vec::new(), Vec::new());
+    for (name, entry) in judge(catalogue, names, &AtHand::embedded(), &settings, &|_, _| {}).entries {
+        match (entry, catalogue.get(&name)) {
+            (Ok(entry), _) => entries.push(entry),
+            (Err(fault), Some(claim)) => faults.push(diagnostic(claim, fault)),
+            (Err(_), None) => {}
         }
-    })
+    }
+    (entries, faults)
 }
 
 /// The first faults, each with its place in UTF-16 units, as an editor in a browser counts, and with its caret.
@@ -236,6 +230,8 @@ fn described(entry: &Entry, text: Option<&str>) -> Value {
             "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
         })),
         "reason": outcome.reason,
+        "found": entry.found,
+        "certificate": entry.proof.as_ref().map(|p| &p.sha256),
         "notes": claim.notes,
         "using": claim.using.iter().map(|n| n.text.clone()).collect::<Vec<_>>(),
     })

@@ -2,7 +2,7 @@
 
 use super::point;
 use crate::claim::print::{self, Style};
-use crate::report::handout::evidence::{Evidence, Kernel};
+use crate::report::handout::evidence::Evidence;
 use crate::report::handout::{Handout, address, certificate_of, coq_file};
 use crate::report::markup::escape;
 use crate::report::{Entry, mathml, reading_of_source};
@@ -105,21 +105,16 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
 /// Certificate and theorem, or why there is none.
 fn shown_by(out: &mut String, name: &str, evidence: &Evidence) {
     let link = |path: &str| format!("<a href=\"{}\">{}</a>", address(path), escape(path));
-    match &evidence.kernel {
-        Kernel::Accepted { digest, rests_on, .. } => {
-            out.push_str(&format!(
-                "<p class=\"meta\">Checked by the kernel: {}, SHA-256 of the statement <code>{digest}</code>{}.</p>\n",
-                link(&certificate_of(name)),
-                match rests_on.as_slice() {
-                    [] => String::new(),
-                    list => format!("; rests on {}", escape(&list.join(", "))),
-                }
-            ));
-        }
-        Kernel::Without(reason) => {
-            out.push_str(&format!("<p class=\"meta\">Not checked by the kernel: {}.</p>\n", escape(reason)));
-        }
-        Kernel::NotAsked => {}
+    if let Some(proof) = &evidence.kernel {
+        out.push_str(&format!(
+            "<p class=\"meta\">Checked by the kernel: {}, SHA-256 of the statement <code>{}</code>{}.</p>\n",
+            link(&certificate_of(name)),
+            proof.statement,
+            match proof.rests_on.as_slice() {
+                [] => String::new(),
+                list => format!("; rests on {}", escape(&list.join(", "))),
+            }
+        ));
     }
     match &evidence.coq {
         Ok(theorem) => out.push_str(&format!(

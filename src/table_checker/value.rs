@@ -7,10 +7,10 @@
 //! - (19) reads `L_n = (1+a)^(n+1)/(1+b)^n − 1` with `a = r^(1/(n+1))`, `b = r^(1/n)`. That is
 //!   `2·((1+a)/2)^(n+1)/((1+b)/2)^n − 1`.
 
-use super::super::{Failure, declined};
 use super::dyadic::{Dyadic, Interval};
 use super::root::{enclosure, rational};
 use super::work::Work;
+use crate::kernel::{Failure, declined};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, Pow, ToPrimitive};

@@ -3,9 +3,9 @@
 //! Contract: [`enclosure`] holds `t`. Where the candidate ends come from does not matter: `lo <= t` is shown by
 //! `lo^N <= r`, and `t <= hi` by `r <= hi^N`, with powers rounded against what is to be shown.
 
-use super::super::{Failure, declined};
 use super::dyadic::{Dyadic, Interval, Toward};
 use super::work::Work;
+use crate::kernel::{Failure, declined};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};

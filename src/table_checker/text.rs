@@ -3,10 +3,10 @@
 //! Contract: a line that was read is the line that writing its parts again would give. There are no spaces, no escapes,
 //! no other keys and no other order of keys.
 
-use super::super::{Failure, declined, rejected};
 use super::dyadic::Dyadic;
 use super::rounding::{DIGITS_LIMIT, Digits, Rounding};
 use super::work::Work;
+use crate::kernel::{Failure, declined, rejected};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::Zero;

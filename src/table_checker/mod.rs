@@ -21,7 +21,7 @@ pub mod text;
 pub mod value;
 pub mod work;
 
-use super::{Failure, declined, rejected};
+use crate::kernel::{Failure, declined, rejected};
 use dyadic::{Interval, Toward};
 use num_bigint::BigUint;
 use num_rational::BigRational;
@@ -349,10 +349,10 @@ fn exact_cell(
     same(row, &of_ratio(value, digits, rounding, work)?)
 }
 
-/// A value that is enclosed. The kernel's own enclosure is narrowed until it lies inside that of the file, which then
+/// A value that is enclosed. The checker's own enclosure is narrowed until it lies inside that of the file, which then
 /// holds the value, or beside it. Rounding is monotone: if both ends of the file's enclosure round to what is printed, so
 /// does the value. A rational value too long to be multiplied out may stand where rounding jumps, as no irrational one
-/// does; then the kernel's own enclosure may settle the digits.
+/// does; then the checker's own enclosure may settle the digits.
 fn enclosed_cell(
     row: &Row<'_>,
     cell: &Cell,
@@ -394,7 +394,7 @@ fn enclosed_cell(
     same(row, &lower)
 }
 
-/// About the bits that the kernel's enclosure needs to fit into the file's.
+/// About the bits that the checker's enclosure needs to fit into the file's.
 fn first_bits(cell: &Cell, enclosure: &Interval) -> Result<u64, Failure> {
     let Interval { lo, hi } = enclosure;
     // Where the leading bits stand apart, the width is about the upper end.

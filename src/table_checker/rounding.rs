@@ -3,9 +3,9 @@
 //! Contract: rounding is monotone. If the decimals of a lower and of an upper bound are the same text, that is the
 //! decimal of every number between them. Numbers are not negative.
 
-use super::super::{Failure, declined, rejected};
 use super::dyadic::{Dyadic, Toward};
 use super::work::Work;
+use crate::kernel::{Failure, declined, rejected};
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
