@@ -7,8 +7,10 @@ use std::fmt;
 /// What stopped the search for a certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fail {
-    /// A limit was reached.
+    /// A limit of the search was reached.
     Limit(&'static str),
+    /// A limit of the kernel was reached.
+    KernelLimit(&'static str),
     /// The kernel does not take a step of this rule.
     Step {
         /// The rule.
@@ -43,7 +45,7 @@ impl Fail {
     /// The limit that was reached, if one was.
     pub fn limit(&self) -> Option<&'static str> {
         match self {
-            Fail::Limit(name) => Some(name),
+            Fail::Limit(name) | Fail::KernelLimit(name) => Some(name),
             Fail::Within(_, inner) => inner.limit(),
             _ => None,
         }
@@ -58,7 +60,7 @@ impl Fail {
     pub fn step(rule: &'static str, failure: Failure) -> Fail {
         match failure {
             Failure::Rejected(reason) => Fail::Step { rule, reason },
-            Failure::Declined(limit) => Fail::Limit(limit),
+            Failure::Declined(limit) => Fail::KernelLimit(limit),
         }
     }
 
@@ -67,7 +69,7 @@ impl Fail {
         match verdict {
             Verdict::Accepted(_) => Fail::No("a certificate"),
             Verdict::Rejected { step, rule, reason } => Fail::Whole { step, rule, reason },
-            Verdict::Declined { limit } => Fail::Limit(limit),
+            Verdict::Declined { limit } => Fail::KernelLimit(limit),
         }
     }
 }
@@ -76,6 +78,7 @@ impl fmt::Display for Fail {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Fail::Limit(name) => f.write_str(&limit_reached(name)),
+            Fail::KernelLimit(name) => write!(f, "limit reached: {name}, a limit of the kernel that no flag raises"),
             Fail::Step { rule, reason } => write!(f, "no step of rule `{rule}` ({reason})"),
             Fail::Value(reason) => f.write_str(reason),
             Fail::NotShown(prop) => write!(f, "no step shows {prop}"),
@@ -98,7 +101,7 @@ impl From<Failure> for Fail {
     fn from(failure: Failure) -> Fail {
         match failure {
             Failure::Rejected(reason) => Fail::Value(reason),
-            Failure::Declined(limit) => Fail::Limit(limit),
+            Failure::Declined(limit) => Fail::KernelLimit(limit),
         }
     }
 }

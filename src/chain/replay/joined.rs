@@ -173,14 +173,17 @@ mod tests {
             assert!(end.windows(2).all(|w| w[0] <= w[1]), "scene {scene}: {end:?}");
             for order in 0..3 {
                 let mut v = start.clone();
-                for _ in 0..400 {
-                    let due: Vec<usize> = (0..v.len() - 1).filter(|p| v[*p] > v[p + 1]).collect();
-                    let (Some(first), Some(last)) = (due.first(), due.last()) else { break };
+                let pairs = v.len() - 1;
+                // From left to right again and again, from right to left, or at random: no pair waits for ever.
+                for turn in 0..3_000 {
                     let p = match order {
-                        0 => *first,
-                        1 => *last,
-                        _ => due[random(due.len() as u64) as usize],
+                        0 => turn % pairs,
+                        1 => pairs - 1 - turn % pairs,
+                        _ => random(pairs as u64) as usize,
                     };
+                    if v[p] <= v[p + 1] {
+                        continue;
+                    }
                     let (pair, speed) = (&line.pairs[p], &v[p] - &v[p + 1]);
                     v[p] -= &pair.left * &speed;
                     v[p + 1] += &pair.right * speed;
@@ -192,7 +195,7 @@ mod tests {
                     }
                 }
                 let far = v.iter().zip(&end).map(|(a, b)| if a > b { a - b } else { b - a }).max();
-                assert!(far < Some(Rational::ONE >> 30u32), "scene {scene}, order {order}: {v:?} against {end:?}");
+                assert!(far < Some(Rational::ONE >> 20u32), "scene {scene}, order {order}: {v:?} against {end:?}");
             }
         }
         assert!(pooled > 20, "{pooled} blocks of three and more");
