@@ -217,7 +217,15 @@ pub fn search(
     };
     let cited = proved.iter().filter(|c| statement.using.contains(&c.name.text));
     let cited = cited.filter_map(|c| Some((c.name.text.clone(), Rc::new(Statement::of(c).ok()?)))).collect();
-    judge(claim, &statement, &cited, unproved, limits)
+    let started = Instant::now();
+    let mut outcome = judge(claim, &statement, &cited, unproved, limits)?;
+    // A search for points ends without a word where the time is over.
+    if outcome.verdict == Verdict::Undecided && outcome.limit.is_none() && started.elapsed() > limits.time {
+        outcome.limit = Some("time");
+        let reason = outcome.reason.take().map_or(String::new(), |reason| format!("{reason}; "));
+        outcome.reason = Some(format!("{reason}{}", limit_reached("time")));
+    }
+    Ok(outcome)
 }
 
 /// A claim that a certificate shows, proved if its hypotheses hold at some point, which is sought; without argument.
@@ -237,7 +245,7 @@ pub fn given(claim: &Claim, limits: &Limits) -> Result<Outcome, Fault> {
     if statement.has_hypotheses() && outcome.sample.is_none() {
         outcome.limit = match result {
             Err(Failure::Limit(name)) => Some(name),
-            _ => engine.limit,
+            _ => engine.limit.or_else(|| out_of_time(&engine)),
         };
         let limit = outcome.limit.map_or(String::new(), |name| format!("; {}", limit_reached(name)));
         outcome.reason = Some(format!("{NO_POINT}{limit}"));
@@ -245,6 +253,11 @@ pub fn given(claim: &Claim, limits: &Limits) -> Result<Outcome, Fault> {
         (outcome.verdict, outcome.reason) = (Verdict::Proved, None);
     }
     Ok(outcome)
+}
+
+/// The limit `time`, where it is reached: a search for points ends there without a word.
+fn out_of_time(engine: &Engine) -> Option<&'static str> {
+    engine.deadline.is_some_and(|deadline| Instant::now() > deadline).then_some("time")
 }
 
 const NO_POINT: &str = "no point was found at which all the hypotheses hold";
