@@ -4,7 +4,7 @@
 //! in it, at every point that its hypotheses allow. The prover is not asked.
 //!
 //! **What a fact is.** At every point that satisfies the hypotheses and the suppositions of the open blocks, each fact
-//! is true and has a value ([`logic`] says when a proposition has one). A rule adds a fact only if that stays so. Above
+//! is true and has a value (`logic` says when a proposition has one). A rule adds a fact only if that stays so. Above
 //! each rule stands why. A block ends by turning its conclusion into an implication or a statement `for all`, and all
 //! else in it is forgotten.
 //!
@@ -13,7 +13,7 @@
 //!
 //! **What is assumed.** The field and order of the reals; exp and its inverse ln on positive numbers, with
 //! b^E = exp(E·ln b); derivatives of these; induction; and one inequality, the weighted mean of two values
-//! ([`analysis`]). An acceptance says whether it rests on that.
+//! (`analysis`). An acceptance says whether it rests on that.
 //!
 //! Work, depth and size have limits. Reaching one is no rejection but [`Verdict::Declined`].
 

@@ -418,7 +418,7 @@ impl Engine<'_> {
         self.raise(cx, base, exponent, text, conditions)
     }
 
-    /// base^exponent, where it has a value by the conditions of [`Engine::power_valued`] or because it was made from
+    /// base^exponent, where it has a value by the conditions of `Engine::power_valued` or because it was made from
     /// what has one.
     pub fn raise(
         &mut self,

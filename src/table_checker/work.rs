@@ -41,7 +41,7 @@ impl Work {
         if self.spent.get() > allowed { declined("work for the whole table") } else { Ok(()) }
     }
 
-    /// A product of numbers of so many bits: three products of half the length instead of four, down to [`SHORT`].
+    /// A product of numbers of so many bits: three products of half the length instead of four, down to `SHORT`.
     pub fn product(&self, a: u64, b: u64) -> Result<(), Failure> {
         let (short, long) = (words(a.min(b)), words(a.max(b)));
         let halvings = (short / SHORT).checked_ilog2().unwrap_or(0);

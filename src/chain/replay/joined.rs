@@ -1,6 +1,6 @@
 //! Bodies that come together and move on as one: infinitely many collisions whose end is exact.
 //!
-//! Contract: [`settle`] takes points that touch, every pair of neighbours with restitution 0, and gives the velocities
+//! Contract: `settle` takes points that touch, every pair of neighbours with restitution 0, and gives the velocities
 //! that their collisions approach. They do not depend on the order of the collisions, and no gap enters.
 //!
 //! **Why the order does not matter.** Let `J_j ≥ 0` be the momentum that the cut between point `j` and `j + 1` has

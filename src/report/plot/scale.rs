@@ -1,7 +1,7 @@
 //! Scales and their ticks.
 //!
 //! Contract: a tick and its label are one number, an integer times a power of ten, so that a label is right to the last
-//! digit. [`Scale::choices`] has the sets of ticks that a scale may carry, the best first, each with two labels at least;
+//! digit. `Scale::choices` has the sets of ticks that a scale may carry, the best first, each with two labels at least;
 //! which of them fits on the page is decided where text is measured.
 
 use super::letters::plain;
