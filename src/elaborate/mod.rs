@@ -4,8 +4,6 @@
 //! step of the old one it got stuck. Nothing is searched: each old step becomes one new step (two or three where a
 //! rule was split) with the facts that it rests on written out. The kernel says which those are.
 
-mod generalize;
-
 use crate::certificate as old;
 use crate::certificate2::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::*;
@@ -26,6 +24,8 @@ pub enum Stuck {
     },
     /// The old certificate is not well formed: a fact that is not there, a step without its proposition.
     Malformed(Label),
+    /// A limit between two others, whose bounds are not carried over yet.
+    Squeeze(Label),
     /// The kernel refuses the statement.
     Statement(Refusal),
     /// The kernel refuses the end.
@@ -259,7 +259,8 @@ impl Elaborator {
             old::Rule::Monotone => Rule::Monotone { from: self.label(cited)? },
             old::Rule::Mean => Rule::Mean { with: step.with.clone() },
             old::Rule::Limit => Rule::Limit { with: self.least(prop) },
-            old::Rule::Squeeze => self.squeeze(step, prop)?,
+            // Its bounds speak of the claim's variable; here they would have to hold for every large value.
+            old::Rule::Squeeze => return Err(Stuck::Squeeze(step.label.clone())),
             old::Rule::Note | old::Rule::Replace | old::Rule::End => return Ok(()),
         };
         let rule = self.short(rule, prop);
