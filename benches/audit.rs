@@ -1,18 +1,17 @@
 //! The audit as a whole and claims for each kind of argument, in this process.
 
 use carom::claim::embedded;
-use carom::prove::catalogue::{Catalogue, Limits};
+use carom::judge::hand::AtHand;
+use carom::judge::{Settings, judge};
+use carom::prove::catalogue::Catalogue;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn audit(only: &[&str]) -> usize {
     let only: Vec<String> = only.iter().map(|s| s.to_string()).collect();
     let claims = embedded::claims(&only).expect("it parses").expect("all there");
     let names: Vec<String> = claims.iter().map(|c| c.name.text.clone()).collect();
-    let mut catalogue = Catalogue::new(claims).expect("in order");
-    for name in &names {
-        catalogue.audit(name, &Limits::default()).expect("it makes sense");
-    }
-    catalogue.work()
+    let catalogue = Catalogue::new(claims).expect("in order");
+    judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_, _| {}).judged
 }
 
 /// Claims by the rule that carries their argument; what a claim cites is judged with it.

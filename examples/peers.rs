@@ -9,10 +9,12 @@ use carom::chain::pass::Pass;
 use carom::chain::threshold::{Helps, helps, threshold};
 use carom::chain::{Positive, Restitution, Restitutions, fast, transfer};
 use carom::claim::{embedded, parse::parse};
+use carom::judge::hand::AtHand;
+use carom::judge::{Settings, judge};
 use carom::number::decimal::{Decimal, Digits, Rounding, bits_of_digits};
 use carom::number::rational;
 use carom::number::real::Real;
-use carom::prove::catalogue::{Catalogue, Limits};
+use carom::prove::catalogue::Catalogue;
 use carom::prove::outcome::Verdict;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use malachite::base::num::basic::traits::One;
@@ -94,8 +96,10 @@ fn restitution(x: Rational) -> Restitution {
 }
 
 fn audit(names: &[&str], claims: Vec<carom::claim::syntax::Claim>) -> bool {
-    let mut catalogue = Catalogue::new(claims).unwrap();
-    names.iter().all(|name| catalogue.audit(name, &Limits::default()).unwrap().verdict == Verdict::Proved)
+    let catalogue = Catalogue::new(claims).unwrap();
+    let names: Vec<String> = names.iter().map(|name| name.to_string()).collect();
+    let found = judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_, _| {});
+    found.entries.iter().all(|(_, entry)| entry.as_ref().is_ok_and(|e| e.outcome.verdict == Verdict::Proved))
 }
 
 fn identities(run: &Run) {

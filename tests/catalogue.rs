@@ -4,14 +4,15 @@ use carom::claim::embedded::{self, stem};
 use carom::claim::format::format;
 use carom::claim::parse::parse;
 use carom::claim::print::{Style, statement};
+use carom::judge::hand::AtHand;
+use carom::judge::{Entry, Settings, judge, outcome_of};
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::outcome::Verdict;
 use std::collections::BTreeSet;
 
 /// What a snapshot holds of one claim.
-fn snapshot(catalogue: &mut Catalogue, name: &str) -> String {
-    let outcome = catalogue.audit(name, &Limits::default()).expect("the claim makes sense");
-    let claim = catalogue.get(name).expect("the claim is there");
+fn snapshot(entry: &Entry) -> String {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
     let mut out = format!("{}\n{}\n", claim.title, claim.source.as_deref().unwrap_or("no source"));
     for line in statement(claim, Style::Text) {
         out.push_str(&format!("  {}\n", line.split_whitespace().collect::<Vec<_>>().join(" ")));
@@ -44,21 +45,19 @@ fn on_large_stack(test: fn()) {
 fn every_claim_has_the_expected_verdict_and_its_snapshot() {
     on_large_stack(|| {
         let claims = embedded::claims(&[]).expect("the catalogue parses").expect("all claims");
-        let names: Vec<(String, bool, carom::claim::syntax::Expectation)> = claims
-            .iter()
-            .map(|c| (c.name.text.clone(), c.reading == carom::claim::syntax::Reading::Beyond, c.expect))
-            .collect();
-        let mut catalogue = Catalogue::new(claims).expect("names and citations are in order");
+        let names: Vec<String> = claims.iter().map(|c| c.name.text.clone()).collect();
+        let catalogue = Catalogue::new(claims).expect("names and citations are in order");
+        let found = judge(&catalogue, &names, &AtHand::embedded(), &Settings::default(), &|_, _| {});
         let mut unexpected = Vec::new();
-        for (name, beyond, expected) in &names {
-            let text = snapshot(&mut catalogue, name);
-            let outcome = catalogue.audit(name, &Limits::default()).expect("judged before");
-            if !outcome.verdict.is_expected(*expected) {
+        for (name, entry) in &found.entries {
+            let entry = entry.as_ref().expect("the claim makes sense");
+            if !entry.as_expected() {
                 unexpected.push(name.clone());
             }
-            let folder = if *beyond { "beyond" } else { "ricardo-lee-2015" };
+            let beyond = entry.claim.reading == Some(carom::claim::syntax::Reading::Beyond);
+            let folder = if beyond { "beyond" } else { "ricardo-lee-2015" };
             insta::with_settings!({snapshot_path => format!("snapshots/{folder}"), prepend_module_to_snapshot => false, omit_expression => true}, {
-                insta::assert_snapshot!(name.as_str(), text);
+                insta::assert_snapshot!(name.as_str(), snapshot(entry));
             });
         }
         assert!(unexpected.is_empty(), "not as expected: {unexpected:?}");
@@ -118,9 +117,10 @@ fn one_claim_is_judged_without_the_others() {
     let only = ["eq13".to_string()];
     let claims = embedded::claims(&only).expect("it parses").expect("it is there");
     assert_eq!(claims.len(), 1);
-    let mut catalogue = Catalogue::new(claims).expect("in order");
-    assert_eq!(catalogue.audit("eq13", &Limits::default()).expect("it makes sense").verdict, Verdict::Proved);
-    assert_eq!(catalogue.work(), 1);
+    let catalogue = Catalogue::new(claims).expect("in order");
+    let found = judge(&catalogue, &only, &AtHand::default(), &Settings::default(), &|_, _| {});
+    assert_eq!(found.entries[0].1.as_ref().expect("it makes sense").outcome.verdict, Verdict::Proved);
+    assert_eq!(found.judged, 1);
 }
 
 #[test]
@@ -130,11 +130,13 @@ fn every_example_of_the_language_page_is_proved() {
         for block in carom::claim::LANGUAGE.split("```claim\n").skip(1) {
             let source = block.split("```").next().expect("a block ends");
             let claims = parse(source).unwrap_or_else(|f| panic!("{source}: {f:?}"));
-            let name = claims[0].name.text.clone();
-            let mut catalogue = Catalogue::new(claims).expect("in order");
-            let outcome = catalogue.audit(&name, &Limits::default()).expect("it makes sense");
-            assert_eq!(outcome.verdict, Verdict::Proved, "{name}: {:?}", outcome.reason);
-            count += 1;
+            let catalogue = Catalogue::new(claims).expect("in order");
+            for claim in catalogue.claims() {
+                let name = &claim.name.text;
+                let outcome = outcome_of(&catalogue, name, &Limits::default()).expect("it makes sense");
+                assert_eq!(outcome.verdict, Verdict::Proved, "{name}: {:?}", outcome.reason);
+                count += 1;
+            }
         }
         assert!(count >= 6);
     });

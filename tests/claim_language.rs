@@ -55,8 +55,8 @@ proptest! {
         let text = format!("{} <= {}", print::expr(&a), print::expr(&b));
         let prop = parse_prop(&text).unwrap_or_else(|f| panic!("{text}: {f:?}"));
         let PropKind::Compare(sides, _) = &prop.kind else { panic!("{text} is a comparison") };
-        prop_assert!(sides[0].same(&a), "{} became {}", text, print::expr(&sides[0]));
-        prop_assert!(sides[1].same(&b), "{} became {}", text, print::expr(&sides[1]));
+        prop_assert!(sides[0] == a, "{} became {}", text, print::expr(&sides[0]));
+        prop_assert!(sides[1] == b, "{} became {}", text, print::expr(&sides[1]));
     }
 
     #[test]
@@ -182,4 +182,157 @@ fn a_fault_in_one_clause_brings_no_other_with_it() {
     let source = "claim c \"t\"\ngiven x > 0\nassume x = = 1\nassume x = = 2\nprove x = x\n";
     assert_eq!(parse(source).expect_err("faulty").len(), 2);
     assert_eq!(parse("claim c \"t\"\ngiven x > 0\nprove x = = 1\n").expect_err("faulty").len(), 1);
+}
+
+/// The statement of the first claim as it is printed.
+fn lines(source: &str) -> Vec<String> {
+    let claims = parse(source).unwrap_or_else(|f| panic!("{source}: {} ({:?})", f[0].message(), f[0].help()));
+    print::statement(&claims[0], print::Style::Text)
+}
+
+#[test]
+fn an_abbreviation_is_another_word_for_what_it_stands_for() {
+    let goal = |text: &str| {
+        let heading = "claim c \"t\"\ngiven x, y, z real;  n, k natural\nlet M = [x, y; z, 1]\nprove ";
+        lines(&format!("{heading}{text}\n")).pop().expect("a goal")
+    };
+    for (short, long) in [
+        ("|x - y| >= 0", "sqrt((x - y)^2) >= 0"),
+        ("||x| - |y||*2 = abs(z)", "sqrt((sqrt(x^2) - sqrt(y^2))^2)*2 = sqrt(z^2)"),
+        ("max(x, y) = 1", "(x + y + sqrt((x - y)^2))/2 = 1"),
+        ("min(x, 2) = 1", "(x + 2 - sqrt((x - 2)^2))/2 = 1"),
+        ("n! = 1", "product(i = 1..n, i) = 1"),
+        ("(n + 1)!^2 != 1", "product(i = 1..n + 1, i)^2 != 1"),
+        ("sum(i = 0..n, i!) = 1", "sum(i = 0..n, product(j = 1..i, j)) = 1"),
+        ("binomial(n, k) = 1", "product(i = 1..k, (n - k + i)/i) = 1"),
+        ("binomial(n!, 2) = 1", "product(j = 1..2, (product(i = 1..n, i) - 2 + j)/j) = 1"),
+        ("trace(M) = 1", "x + 1 = 1"),
+        ("trace(transpose(M)*[1, 2; 3, 4] - 2*M) = 1", "((x*1 + z*3) - x*2) + ((y*2 + 1*4) - 1*2) = 1"),
+        ("inverse(M) = M", "[1, -y; -z, x]/det([x, y; z, 1]) = M"),
+        ("M^2 = M^0", "M*M = [1, 0; 0, 1]"),
+        ("[x, 1]*M^1 = [1, 2]", "[x, 1]*M = [1, 2]"),
+    ] {
+        let written = goal(short);
+        assert_eq!(written, goal(long), "{short}");
+        assert_eq!(written, format!("prove {long}"), "{short}");
+        assert_eq!(goal(&written["prove ".len()..]), written, "what is printed reads back");
+    }
+    let own = "claim c \"t\"\ngiven max(k) > 0;  trace > 0\nprove max(1) + trace > 0\n";
+    assert_eq!(lines(own)[1], "prove max(1) + trace > 0", "a name of the claim's own is no abbreviation");
+}
+
+#[test]
+fn what_is_no_abbreviation_is_refused_with_what_to_write() {
+    let with =
+        |rest: &str| fault(&format!("claim c \"t\"\ngiven x, y > 0;  n natural\nlet f(t) = [t, 1]\nprove {rest}\n"));
+    for (rest, said) in [
+        ("[x, y; y, x]^n = [1, 0; 0, 1]", "the exponent of a matrix is a whole numeral"),
+        ("inverse([x, y]) = x", "an inverse belongs to a square matrix"),
+        ("trace(x) = x", "a trace belongs to a matrix whose entries are written (write the matrix as [a, b; c, d]"),
+        ("trace(f(x)) = x", "a trace belongs to a matrix whose entries are written"),
+        ("|x = y", "expected `|` to close the absolute value"),
+        ("n!! = 1", "n!! is not there (write (n!)! or a product)"),
+        ("binomial(n) = 1", "binomial takes 2 arguments"),
+        ("max(x) = 1", "max takes 2 to 8 arguments"),
+        ("sin(x) = y", "neither angles nor π"),
+        ("log(x) = y", "the natural logarithm is written ln(x)"),
+        ("floor(x) = n", "assume k <= x < k + 1"),
+        ("integral(x) = y", "there are no integrals"),
+        ("x = y + O(x)", "there is no O(…)"),
+        ("limit of x as x -> 0 is 0", "limits at a point are not there"),
+        ("limit of x as x -> infinity is infinity", "a limit is a number"),
+        ("for all k integer: k^2 >= k", "an `integer` is declared under `given` only"),
+    ] {
+        assert!(with(rest).contains(said), "{rest}: {}", with(rest));
+    }
+    for rest in ["F by F(0) = 0, F(1) = 1, F(k + 2) = F(k + 1) + F(k)", "V, u by V(0) = 1, u(0) = 0, V(k + 1) = u(k)"] {
+        let said = fault(&format!("claim c \"t\"\ndefine {rest}\nprove 1 = 1\n"));
+        assert!(said.contains("write a family with its recurrence"), "{said}");
+    }
+    let doubled = (0..40).fold("x".to_string(), |text, _| format!("max({text}, y)"));
+    assert!(with(&format!("{doubled} = 1")).contains("nodes of abbreviations written out"));
+}
+
+#[test]
+fn given_takes_relations_and_integers() {
+    assert_eq!(
+        lines("claim c \"t\"\ngiven 0 < a < b; x > 0, n natural\nprove a < b + x + n\n"),
+        ["given a, b real", "assume 0 < a < b", "given x > 0; n natural", "prove a < b + x + n"]
+    );
+    assert_eq!(lines("claim c \"t\"\ngiven a > b > 0\nprove a > 0\n")[..2], ["given a, b real", "assume a > b > 0"]);
+    let sum = lines("claim c \"t\"\ngiven x > 0; x + y < 1\nprove x > 0\n");
+    assert_eq!(sum[..2], ["given x > 0; y real", "assume x + y < 1"]);
+    assert_eq!(
+        lines("claim c \"t\"\ngiven k integer >= -3 and < 5\nprove k >= -3\n"),
+        ["given k_up, k_down natural", "let k = k_up - k_down", "assume k >= -3", "assume k < 5", "prove k >= -3"]
+    );
+    let once = lines("claim c \"t\"\ngiven x > 0 and != 1; n natural >= 1 and <= 7\nprove x > 0\n");
+    assert_eq!(once[0], "given x > 0 and != 1; n natural >= 1 and <= 7");
+    for rest in ["given x > 0 < 5", "given y > 0\nassume for all x > y > 0: x > 0"] {
+        let said = fault(&format!("claim c \"t\"\n{rest}\nprove 1 = 1\n"));
+        assert!(said.contains("write `and` between two conditions"), "{said}");
+    }
+}
+
+#[test]
+fn a_limit_declares_its_variable_unless_the_claim_does() {
+    let limit = "limit of 1/n as n -> infinity is 0";
+    assert_eq!(lines(&format!("claim c \"t\"\nprove {limit}\n"))[0], "given n real");
+    assert_eq!(lines(&format!("claim c \"t\"\ngiven n natural >= 1\nprove {limit}\n"))[0], "given n natural >= 1");
+    assert_eq!(
+        lines(&limit.replace("as n", "as n natural").replace("limit", "claim c \"t\"\nprove limit"))[0],
+        "given n natural"
+    );
+    assert!(
+        fault(&format!("claim c \"t\"\ngiven n > 0\nprove {}\n", limit.replace("as n", "as n natural")))
+            .contains("twice")
+    );
+}
+
+#[test]
+fn headings_are_read_as_they_are_printed() {
+    let source = "paper \"A paper\"\nsource \"Journal 1\"\nreading as printed\n\ntext \"First, a remark.\"\n\
+                  claim a \"t\"\nnumber A.3  # of the appendix\nprove 1 = 1\n\
+                  claim b \"t\"\nnumber 2.10\nsource \"elsewhere\"\nreading restored\nprove 1 = 1\n\
+                  claim c \"t\"\nnumber 7a\nprove 1 = 1\n";
+    let claims = parse(source).expect("it parses");
+    let heading = |c: &Claim| (c.number.clone().unwrap_or_default(), c.source.clone().unwrap_or_default(), c.reading);
+    let expected = [
+        ("A.3", "Journal 1", Some(Reading::Printed)),
+        ("2.10", "elsewhere", Some(Reading::Restored)),
+        ("7a", "Journal 1", Some(Reading::Printed)),
+    ];
+    for (claim, (number, from, reading)) in claims.iter().zip(expected) {
+        assert_eq!(heading(claim), (number.to_string(), from.to_string(), reading));
+        assert_eq!(claim.paper.as_deref(), Some("A paper"));
+    }
+    assert_eq!((claims[0].prose.len(), claims[1].prose.len()), (1, 0));
+    assert_eq!(format(source).expect("it parses"), source);
+    assert_eq!(parse("claim c \"t\"\nprove 1 = 1\n").expect("it parses")[0].reading, None, "nobody wrote a reading");
+}
+
+#[test]
+fn a_claim_takes_from_the_preamble_what_it_speaks_of_and_no_more() {
+    let preamble = "given m1, m2 > 0; e in [0, 1]; v real\nlet r = m1/m2\nassume light: r < 1\nassume v > 3\n";
+    let of = |claim: &str| lines(&format!("{preamble}claim c \"t\"\n{claim}\n"));
+    assert_eq!(of("prove e <= 1"), ["given e in [0, 1]", "prove e <= 1"]);
+    let heavy = ["given m1, m2 > 0", "let r = m1/m2", "assume light: r < 1", "prove m1 < m2"];
+    assert_eq!(of("prove m1 < m2"), heavy, "a hypothesis about what it is made of");
+    assert_eq!(of("given x real\nprove x*v > x")[..2], ["given v real", "assume v > 3"]);
+    assert_eq!(of("prove for all v > 0: v > 0"), ["prove for all v > 0: v > 0"], "bound there, not free");
+    let said = fault(&format!("{preamble}claim c \"t\"\ngiven v > 0\nprove v > 0\n"));
+    assert!(said.contains("6:7 the preamble declares v already"), "{said}");
+    assert!(fault("given x > 0\nlet x = 1\nclaim c \"t\"\nprove 1 = 1\n").contains("2:5 the name x is declared twice"));
+    assert!(fault("given m_1 > 0\nclaim c \"t\"\ngiven m1 > 0\nprove 1 = 1\n").contains("the same in print"));
+}
+
+#[test]
+fn a_sample_gives_numbers_to_variables() {
+    let claims =
+        parse("claim c \"t\"\ngiven x real; k integer\nsample x = sqrt(2), k = -2\nprove x = x\n").expect("it parses");
+    let sample: Vec<String> =
+        claims[0].sample.iter().map(|(n, e)| format!("{} = {}", n.text, print::expr(e))).collect();
+    assert_eq!(sample, ["x = sqrt(2)", "k_up = 0", "k_down = 2"]);
+    assert!(fault("claim c \"t\"\ngiven x, y real\nsample x = y\nprove x = x\n").contains("speaks of y"));
+    assert!(fault("claim c \"t\"\ngiven x real\nsample y = 1\nprove x = x\n").contains("nothing declares the name y"));
 }

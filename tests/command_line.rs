@@ -155,9 +155,9 @@ fn every_format_and_the_argument_of_a_claim_are_printed() {
         assert!(text(&out.stdout).contains(sign), "{form}: {}", text(&out.stdout));
     }
     let out = carom(&["explain", "b-grow"]);
-    assert!(text(&out.stdout).contains("[mean inequality]"), "{}", text(&out.stdout));
+    assert!(text(&out.stdout).contains("inequality between geometric and arithmetic mean"), "{}", text(&out.stdout));
     let out = carom(&["explain", "eq13", "--format", "latex"]);
-    assert!(text(&out.stdout).contains("\\begin{gather*}"));
+    assert!(text(&out.stdout).contains("\\textit{Prove}"));
 }
 
 #[test]
@@ -387,9 +387,9 @@ fn reports_for_machines_say_what_could_not_be_judged() {
 #[test]
 fn every_form_of_an_argument_says_why_where_and_how_deep() {
     for (form, signs) in [
-        ("latex", ["hspace*{2em}", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
-        ("markdown", ["  - *", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
-        ("text", ["    [", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("latex", ["\\item[]\n{\\raggedright\\noindent From $m_", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("markdown", ["\n    From m₁ = m₂ it follows", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("text", ["\n      From m₁ = m₂ it follows", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
     ] {
         let out = carom(&["explain", "b-grow", "--format", form]);
         assert!(text(&out.stdout).contains(signs[0]), "{}", text(&out.stdout));
@@ -520,4 +520,80 @@ fn a_number_of_bits_agrees_with_its_noun() {
     let scene = file(&folder, "a.toml", scene).display().to_string();
     let out = carom(&["replay", &scene]);
     assert!(text(&out.stdout).contains("exact state: 1 bit\n"), "{}", text(&out.stdout));
+}
+
+#[test]
+fn a_broken_file_does_not_silence_the_others() {
+    let folder = tempfile::tempdir().expect("a folder");
+    file(&folder, "a.claim", b"claim good \"t\"\ngiven x > 0\nprove x > 0\n");
+    file(&folder, "b.claim", b"claim bad \"t\"\nprove x = = 1\n");
+    file(&folder, "c.claim", b"claim user \"t\"\nusing bad\ngiven x > 0\nprove x > 0 by bad\n");
+    file(&folder, "d.claim", b"claim lost \"t\"\nusing nothing\ngiven x > 0\nprove x > 0\n");
+    let path = folder.path().display().to_string();
+    let out = carom(&["audit", &path]);
+    let (said, warned) = (text(&out.stdout), text(&out.stderr));
+    assert_eq!(out.status.code(), Some(2), "{warned}");
+    assert!(said.contains("1 claim: 1 proved") && said.contains("3 errors"), "{said}");
+    for message in ["b.claim:2:11", "bad, which user cites, could not be read", "no claim is called nothing"] {
+        assert!(warned.contains(message), "{message}: {warned}");
+    }
+    assert_eq!(carom(&["list", &path]).status.code(), Some(2), "other commands take the whole folder or nothing");
+}
+
+#[test]
+fn a_claim_may_cite_the_built_in_catalogue() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let claim = b"claim mine \"t\"\nusing lemma-tangent\ngiven x > 0\nprove x > 0\n";
+    let path = file(&folder, "mine.claim", claim).display().to_string();
+    let certificates = folder.path().join("certificates").display().to_string();
+    let out = carom(&["audit", &path, "--certificates", &certificates]);
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    assert!(
+        text(&out.stdout).contains("1 claim: 1 proved"),
+        "the lemma is not one of the claims: {}",
+        text(&out.stdout)
+    );
+    let out = carom(&["check", &certificates, "--claims", &path]);
+    assert!(text(&out.stdout).contains("1 of 1 certificates accepted"), "{}", text(&out.stdout));
+}
+
+#[test]
+fn a_new_paper_is_audited_and_reported_as_it_is_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let dir = folder.path().join("paper").display().to_string();
+    assert_eq!(carom(&["new", &dir, "--title", "Two bodies"]).status.code(), Some(0));
+    let out = carom(&["audit", &dir]);
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    assert!(text(&out.stdout).contains("(1.1) half"), "{}", text(&out.stdout));
+    assert_eq!(carom(&["fmt", &dir, "--check"]).status.code(), Some(0), "the skeleton is in the one style");
+    let report = folder.path().join("report").display().to_string();
+    assert_eq!(carom(&["report", &dir, "--out", &report]).status.code(), Some(0));
+    let page = std::fs::read_to_string(format!("{report}/index.html")).expect("written");
+    assert!(page.contains("<h1>Audit of Two bodies</h1>") && page.contains("One file may hold many claims"), "{page}");
+    assert!(!page.contains("Findings"), "there is none");
+    assert_eq!(carom(&["new", &dir]).status.code(), Some(2), "a folder that is in use stays as it is");
+}
+
+#[test]
+fn the_preamble_of_a_folder_holds_for_each_of_its_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let shared = file(&folder, "paper.claim", b"paper \"P\"\ngiven x > 0;  n natural\n");
+    let path = file(&folder, "a.claim", b"claim a \"t\"\nprove x^n > 0\n").display().to_string();
+    assert_eq!(carom(&["audit", &path]).status.code(), Some(0), "a file by itself means the same as in its folder");
+    assert_eq!(carom(&["audit", &folder.path().display().to_string()]).status.code(), Some(0));
+    std::fs::write(&shared, "given x >\n").expect("written");
+    let out = carom(&["audit", &path]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("paper.claim:2:1"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn a_sample_of_the_author_is_checked_exactly() {
+    let of = |sample: &str| {
+        let claim = format!("claim c \"t\"\ngiven E, p, m > 0\nassume E^2 = p^2 + m^2\n{sample}prove E^2 > p^2\n");
+        text(&audit_of(claim.as_bytes()).stdout)
+    };
+    assert!(of("sample E = 61, p = 11, m = 60\n").contains("1 proved"), "{}", of("sample E = 61, p = 11, m = 60\n"));
+    // A wrong point is no point: another one is sought, as without it.
+    assert_eq!(of("sample E = 61, p = 12, m = 60\n").contains("1 proved"), of("").contains("1 proved"));
 }

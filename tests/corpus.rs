@@ -1,14 +1,14 @@
 //! Statements of other people's papers: `tests/corpus` holds them by kind, each with the verdict that is right.
 //!
-//! Prints how many are decided, by kind (`cargo test --test corpus -- --nocapture`). Fails where a verdict is wrong, and
-//! where a claim that `decided.txt` lists is no longer decided, or no longer by a certificate that the kernel accepts.
+//! Prints how many are decided, by kind (`cargo test --test all corpus -- --nocapture`). Fails where a verdict is wrong, and
+//! where a claim that `decided.txt` lists is no longer decided. *Proved* means that the kernel accepted a certificate.
 //! `CAROM_WRITE=1` writes that list again. `tests/corpus/check.py` shows by evaluation that the verdicts are right.
 
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
-use carom::certify::certify;
 use carom::claim::parse::parse;
 use carom::claim::syntax::{Claim, Expectation};
+use carom::judge::outcome_of;
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::outcome::Verdict;
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,9 +22,7 @@ struct Judged {
     expected: Verdict,
     /// The verdict, or why there is none.
     verdict: Result<Verdict, String>,
-    /// Whether the kernel accepts a certificate of the proof.
-    accepted: bool,
-    /// How long the verdict and the certificate took.
+    /// How long the verdict took.
     time: Duration,
 }
 
@@ -39,12 +37,7 @@ impl Judged {
 
     /// The line of `decided.txt` about a claim that is decided rightly.
     fn line(&self) -> String {
-        let how = match self.expected {
-            Verdict::Refuted => "refuted",
-            _ if self.accepted => "proved, accepted",
-            _ => "proved",
-        };
-        format!("{}: {how}", self.name)
+        format!("{}: {}", self.name, self.expected.name())
     }
 }
 
@@ -69,11 +62,10 @@ fn judge(claim: &Claim) -> Judged {
     let limits = Limits { time: Duration::from_secs(3), steps: 40_000, ..Limits::default() };
     let name = claim.name.text.clone();
     let begin = Instant::now();
-    let mut catalogue = Catalogue::new(vec![claim.clone()]).unwrap_or_else(|f| panic!("{name}: {}", f[0].1.message()));
-    let verdict = catalogue.audit(&name, &limits).map(|o| o.verdict).map_err(|fault| format!("{fault:?}"));
-    let accepted = verdict == Ok(Verdict::Proved) && certify(claim, &[], &limits).is_ok();
+    let catalogue = Catalogue::new(vec![claim.clone()]).unwrap_or_else(|f| panic!("{name}: {}", f[0].1.message()));
+    let verdict = outcome_of(&catalogue, &name, &limits).map(|o| o.verdict).map_err(|fault| format!("{fault:?}"));
     let expected = if claim.expect == Expectation::Refuted { Verdict::Refuted } else { Verdict::Proved };
-    Judged { name, expected, verdict, accepted, time: begin.elapsed() }
+    Judged { name, expected, verdict, time: begin.elapsed() }
 }
 
 /// One line of the table: what was decided of these claims.
@@ -84,10 +76,9 @@ fn row(title: &str, claims: &[&Judged]) -> String {
     times.sort();
     let ms = |t: Duration| t.as_secs_f64() * 1000.0;
     format!(
-        "{title:<24}{:>5} of {:<4}{:>8}{:>8} of {:<4}{:>8}{:>8}{:>9.1}{:>10.1}",
+        "{title:<24}{:>5} of {:<4}{:>8} of {:<4}{:>8}{:>8}{:>9.1}{:>10.1}",
         count(&|c| is_true(c) && c.is_right()),
         count(&is_true),
-        count(&|c| c.accepted),
         count(&|c| !is_true(c) && c.is_right()),
         count(&|c| !is_true(c)),
         count(&|c| c.verdict == Ok(Verdict::Undecided)),
@@ -110,7 +101,7 @@ fn judge_all() {
     let all: Vec<&Judged> = kinds.iter().flat_map(|(_, claims)| claims).collect();
     assert!(all.len() >= 500, "{}", all.len());
 
-    println!("kind                       proved     accepted   refuted   undecided   wrong  median ms  slowest");
+    println!("kind                       proved     refuted   undecided   wrong  median ms  slowest");
     for (kind, claims) in &kinds {
         println!("{}", row(kind, &claims.iter().collect::<Vec<_>>()));
     }
@@ -131,14 +122,10 @@ fn judge_all() {
         fs::write(&path, decided.into_iter().map(|line| line + "\n").collect::<String>()).unwrap();
         return;
     }
-    // A claim that was proved and is now accepted as well is not lost.
-    let lost: Vec<&String> = listed
-        .iter()
-        .filter(|line| !decided.contains(*line) && !decided.contains(&format!("{line}, accepted")))
-        .collect();
+    let lost: Vec<&String> = listed.difference(&decided).collect();
     assert!(lost.is_empty(), "decided before, and no longer:\n{lost:#?}");
     if gained > 0 {
-        println!("{gained} more than decided.txt lists; CAROM_WRITE=1 cargo test --test corpus lists them");
+        println!("{gained} more than decided.txt lists; CAROM_WRITE=1 cargo test --test all corpus lists them");
     }
 }
 

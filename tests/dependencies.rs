@@ -120,3 +120,14 @@ fn every_dependency_is_from_crates_io_under_an_accepted_licence() {
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+#[test]
+fn no_file_of_tests_is_left_out_of_the_one_binary() {
+    let all = include_str!("all.rs");
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        if name.ends_with(".rs") && !["all.rs", "kernel_alone.rs"].contains(&name.as_str()) {
+            assert!(all.contains(&format!("#[path = \"{name}\"]")), "tests/{name} is not in tests/all.rs");
+        }
+    }
+}

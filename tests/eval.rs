@@ -327,7 +327,7 @@ fn bad_input_says_what_where_and_what_would_be_right() {
         ("[chain]\nfirst = 0.1\nlast = 1\nrestitution = 1\n", 2, &["not exact", "\"0.1\"", ":2:9"]),
         ("[chain]\nfirst = 1\nlast = 1\nrestitution = \"3/2\"\n", 2, &["0 to 1", ":4:15"]),
         ("[chain]\nfirst = 0\nlast = 1\nrestitution = 1\n", 2, &["above 0"]),
-        ("[chain]\nfirst = \"1.2(3)\"\nlast = 1\nrestitution = 1\n", 2, &["uncertainty"]),
+        ("[chain]\nfirst = \"1.2(x)\"\nlast = 1\nrestitution = 1\n", 2, &["uncertainty", "57.1(1)"]),
         ("[chain]\nfirst = \"[2, 1]\"\nlast = 1\nrestitution = 1\n", 2, &["lower end"]),
         ("[chain]\nfirst = \"1e99999\"\nlast = 1\nrestitution = 1\n", 3, &["10000"]),
         ("[chain]\nfirst = 2\nlast = 1\nrestitution = [1, 1]\n", 2, &["1 coefficients"]),
@@ -424,7 +424,7 @@ fn batches_answer_line_by_line() {
 fn the_scene_page_holds_the_schema() {
     let out = carom(&["help", "scene"]);
     let page = text(&out.stdout);
-    let schema: Value = serde_json::from_str(&page[page.find('{').unwrap()..]).unwrap();
+    let schema: Value = serde_json::from_str(&page[page.find("{\n").unwrap()..]).unwrap();
     let known: Vec<&String> = schema["properties"]["chain"]["properties"].as_object().unwrap().keys().collect();
     assert_eq!(known, ["first", "last", "inserted", "restitution", "speed", "velocities"]);
 }

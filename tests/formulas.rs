@@ -26,11 +26,16 @@ fn restitution(x: &Rational) -> Restitution {
     Restitution::new(x.clone()).unwrap()
 }
 
-/// The goal of a claim of the catalogue, its definitions put in place.
-fn goal(id: &str) -> Prop {
+/// A claim of the catalogue, its definitions put in place.
+fn statement(id: &str) -> Statement {
     let claims = embedded::claims(&[id.to_owned()]).unwrap().unwrap();
     let claim = claims.iter().find(|c| c.name.text == id).unwrap();
-    Statement::of(claim).unwrap().goal
+    Statement::of(claim).unwrap()
+}
+
+/// What it says.
+fn goal(id: &str) -> Prop {
+    statement(id).goal
 }
 
 /// The sides of the `part`-th comparison in a statement.
@@ -173,5 +178,179 @@ fn given_masses_follow_equation_13_and_one_collision_p_loss() {
         let code = collision::loss(&positive(&m1), &positive(&m2), &restitution(&e1), &Rational::from(3), &-mu);
         check(&Real::rational(code), &value(loss, &at), "loss");
         assert!(Rational::ZERO < m1);
+    }
+}
+
+/// The same on random chains, those at and near a threshold among them.
+#[cfg(feature = "proptest")]
+mod random {
+    use super::*;
+    use carom::chain::ChainError;
+    use carom::chain::best::{Best, best};
+    use carom::chain::recollision;
+    use carom::chain::threshold::{Helps, helps};
+    use carom::number::decimal::{Digits, Rounding};
+    use carom::property::strategies::{chain, near_insertion, near_threshold, optimal_chain};
+    use carom::scene::answer::{Answers, Value};
+    use carom::scene::quantity::Quantity;
+    use carom::scene::{Chain, Scene};
+    use malachite::base::num::arithmetic::traits::Square;
+    use proptest::prelude::*;
+    use std::cmp::Ordering;
+
+    /// A point of a claim: variables, and families with their members.
+    fn point(values: &[(&str, &Rational)], families: &[(&str, Vec<Rational>)]) -> Assignment {
+        let values = values.iter().map(|(name, value)| ((*name).to_owned(), (*value).clone())).collect();
+        let families = families.iter().map(|(name, list)| ((*name).to_owned(), list.clone())).collect();
+        Assignment { values, families, ..Assignment::default() }
+    }
+
+    fn exact(point: &Assignment, expr: &Expr) -> Rational {
+        match point.number(expr).unwrap() {
+            Number::Exact(value) => value,
+            other => panic!("an exact value was expected: {other:?}"),
+        }
+    }
+
+    fn masses(chain: &Chain) -> Vec<Rational> {
+        chain.masses().unwrap().iter().map(|m| m.lo().value().clone()).collect()
+    }
+
+    fn coefficients(chain: &Chain) -> Vec<Rational> {
+        let all = chain.restitutions().0;
+        (0..=chain.count()).map(|i| all.at(i).unwrap().value().clone()).collect()
+    }
+
+    /// First and last mass, the one coefficient and the number of inserted bodies.
+    fn ends(chain: &Chain) -> Result<(Positive, Positive, Restitution, u64), ChainError> {
+        let e = chain.common_restitution("this test")?.lo().clone();
+        Ok((chain.first().lo().clone(), chain.last().lo().clone(), e, chain.count()))
+    }
+
+    fn answer(order: Ordering) -> Helps {
+        match order {
+            Ordering::Greater => Helps::Yes,
+            Ordering::Less => Helps::No,
+            Ordering::Equal => Helps::OnTheThreshold,
+        }
+    }
+
+    /// Whether a body helps, as two parts of a claim say: `with >= without` and `with = without`.
+    fn stated(point: &Assignment, goal: &Prop) -> Helps {
+        let truth = |i: usize| point.truth(&part(&part(goal, i), 0)).unwrap();
+        match (truth(0), truth(1)) {
+            (true, true) => Helps::OnTheThreshold,
+            (true, false) => Helps::Yes,
+            (false, _) => Helps::No,
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(160))]
+
+        #[test]
+        fn velocities_and_losses_balance_as_in_b_budget(chain in chain()) {
+            let (mu, e, one) = (masses(&chain), coefficients(&chain), Rational::ONE);
+            // Collisions are counted from 0 to n.
+            let n = Rational::from(e.len() - 1);
+            let Statement { goal, sequences, .. } = statement("b-budget");
+            let sequences = sequences.into_iter().map(|u| (u.name.clone(), u)).collect();
+            let point = point(&[("v1", &one), ("n", &n)], &[("mu", mu.clone()), ("e", e)]);
+            let point = Assignment { sequences, ..point };
+            let pass = Pass::from_rest(mu.iter().map(positive).collect(), chain.restitutions().0, Rational::ONE).unwrap();
+            let after = pass.velocities_after().unwrap();
+            let sum = |of: &dyn Fn(&Rational) -> Rational| {
+                mu.iter().zip(&after).map(|(m, v)| m * of(v)).fold(Rational::ZERO, |a, b| a + b)
+            };
+            prop_assert_eq!(exact(&point, &sides(&part(&goal, 0))[0]), sum(&Clone::clone), "momentum");
+            let lost = pass.losses().unwrap().into_iter().fold(Rational::ZERO, |a, b| a + b);
+            let energy = sum(&|v| v.square() / Rational::from(2));
+            prop_assert_eq!(exact(&point, &sides(&part(&goal, 1))[1]), energy + lost, "energy and losses");
+            prop_assert!(point.truth(&goal) == Ok(true));
+        }
+
+        #[test]
+        fn the_most_that_masses_hand_on_is_that_of_b_global(chain in chain()) {
+            let (mu, e) = (masses(&chain), coefficients(&chain));
+            let n = Rational::from(e.len() - 1);
+            let most = transfer::optimal(&positive(&mu[0]).over(&positive(mu.last().unwrap())), &chain.restitutions().0, chain.count());
+            let given = Pass::from_rest(mu.iter().map(positive).collect(), chain.restitutions().0, Rational::ONE).unwrap();
+            let point = point(&[("n", &n)], &[("mu", mu), ("e", e)]);
+            let text = sides(&goal("b-global"));
+            let given = Real::rational(given.transfer().unwrap().into());
+            check(&given, &point.number(&text[0]).unwrap(), "eta of the given masses");
+            check(&most.unwrap(), &point.number(&text[1]).unwrap(), "the most");
+        }
+
+        #[test]
+        fn the_nth_body_helps_from_the_threshold_of_eq19_on(chain in near_threshold()) {
+            let (first, last, e, n) = ends(&chain).unwrap();
+            let n = n.max(1);
+            let at = [("m1", first.value().clone()), ("m2", last.value().clone()), ("n", Rational::from(n))];
+            let bound = value(&sides(&part(&goal("eq19"), 1))[0], &at);
+            let Number::Exact(bound) = bound else { panic!("roots of perfect powers are rational") };
+            let found = helps(&e, &first.over(&last), n).unwrap().0;
+            prop_assert_eq!(found, answer(e.value().cmp(&bound)), "{} against {}", e.value(), bound);
+        }
+
+        #[test]
+        fn given_bodies_help_as_b_insert_and_b_insert_each_say(chain in near_insertion()) {
+            prop_assume!(chain.count() > 0);
+            let (mu, e) = (masses(&chain), coefficients(&chain));
+            let want = vec![Quantity::Helps, Quantity::Threshold];
+            let scene =
+                Scene { want, digits: Digits::Significant(6), rounding: Rounding::Nearest, inputs: chain.clone().into() };
+            let answers = Answers::new(&scene);
+            let (Value::EachHelps(found), Value::List(thresholds)) =
+                (answers.get(Quantity::Helps).unwrap().0, answers.get(Quantity::Threshold).unwrap().0)
+            else {
+                panic!("given masses have an answer for each inserted body")
+            };
+            let (one, each) = (goal("b-insert"), goal("b-insert-each"));
+            for k in 1..=found.len() {
+                let (a, m, b, p, q) = (&mu[k - 1], &mu[k], &mu[k + 1], &e[k - 1], &e[k]);
+                // Without the body the collision has the coefficient before it or the one after it.
+                let of = |d: &Rational| {
+                    let values = [("a", a), ("b", b), ("mu", m), ("p", p), ("q", q), ("d", d)];
+                    stated(&point(&values, &[]), &each)
+                };
+                prop_assert_eq!(found[k - 1], (of(p) == of(q)).then_some(of(p)), "body {}", k);
+                let point = point(&[("a", a), ("b", b), ("mu", m), ("e", p)], &[]);
+                let tau = exact(&point, &sides(&part(&part(&one, 0), 1))[1]);
+                prop_assert_eq!(thresholds[k - 1].exact.as_ref(), Some(&tau), "body {}", k);
+                if p == q {
+                    prop_assert_eq!(found[k - 1], Some(stated(&point, &one)), "body {}", k);
+                }
+            }
+        }
+
+        #[test]
+        fn bodies_meet_again_where_p_final_repaired_says(chain in prop_oneof![optimal_chain().boxed(), near_threshold().boxed()]) {
+            let (first, last, e, n) = ends(&chain).unwrap();
+            let optimum = Optimum::new(first, last, n, Restitutions::Same(e.clone())).unwrap();
+            let step = optimum.step();
+            let Some(x) = step.as_rational().filter(|_| n > 0) else { return Ok(()) };
+            let (v1, i) = (Rational::ONE, Rational::ZERO);
+            let point = point(&[("x", x), ("e", e.value()), ("v1", &v1), ("i", &i)], &[]);
+            let apart = part(&part(&goal("p-final-repaired"), 0), 1);
+            let found = recollision::of_optimum(&optimum).unwrap().0;
+            prop_assert_eq!(point.truth(&apart), Ok(!found), "x = {}, e = {}", x, e.value());
+        }
+
+        #[test]
+        fn the_best_number_is_the_last_with_a_threshold_of_b_best_below_e(chain in near_threshold()) {
+            let (first, last, e, _) = ends(&chain).unwrap();
+            let (Best::Finite { count, tie }, _) = best(&first.over(&last), &e).unwrap() else { return Ok(()) };
+            let count = u64::try_from(&count).unwrap();
+            let helped = part(&part(&goal("b-best"), 1), 1);
+            let at = |n: u64| {
+                let (n, m1, m2) = (Rational::from(n), first.value(), last.value());
+                point(&[("m1", m1), ("m2", m2), ("e", e.value()), ("n", &n)], &[]).truth(&helped)
+            };
+            // Powers that are too large for exact points leave it open.
+            prop_assert!(at(count + 1) != Ok(true), "{} bodies help", count + 1);
+            prop_assert!(count == 0 || at(count) != Ok(false), "{} bodies do not help (tie: {})", count, tie);
+            prop_assert!(count > 6 || at(count + 1).is_ok(), "nothing is decided");
+        }
     }
 }

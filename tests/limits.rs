@@ -15,7 +15,7 @@ const BOUND: Duration = Duration::from_secs(120);
 /// What the kernel says of steps that show a claim, or a failure of the test after [`BOUND`].
 fn verdict(items: &str, goal: &str, steps: &str) -> String {
     let claim = format!("claim small \"t\"\n{items}prove {goal}\n");
-    let certificate = format!("carom-certificate 1\nclaim small\nstatement sha256 {}\n{steps}qed\n", "0".repeat(64));
+    let certificate = format!("carom-certificate 2\nclaim small\nstatement sha256 {}\n{steps}qed\n", "0".repeat(64));
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
         let claims = parse(&claim).unwrap();
@@ -23,15 +23,21 @@ fn verdict(items: &str, goal: &str, steps: &str) -> String {
             Verdict::Accepted(_) => "accepted".to_string(),
             Verdict::Rejected { reason, .. } => format!("rejected: {reason}"),
             Verdict::Declined { limit } => format!("limit: {limit}"),
+            Verdict::Refuted => "refuted".to_string(),
         };
         let _ = sender.send(verdict);
     });
     receiver.recv_timeout(BOUND).expect("the kernel ends")
 }
 
-/// By rule `sign` alone.
+/// By the signs that the first hypotheses give.
+fn by_signs(items: &str, goal: &str, hypotheses: u32) -> String {
+    let by = joined(1..hypotheses + 1, " ", |k| format!("h{k}"));
+    verdict(items, goal, &format!("1 combination: {goal}\n    | by {by}\n"))
+}
+
 fn by_sign(items: &str, goal: &str) -> String {
-    verdict(items, goal, &format!("1 sign: {goal}\n"))
+    by_signs(items, goal, 1)
 }
 
 fn nested(depth: usize) -> String {
@@ -46,15 +52,21 @@ fn joined(range: std::ops::Range<u32>, between: &str, part: impl Fn(u32) -> Stri
 fn an_atom_that_stands_in_many_terms_is_looked_at_once() {
     assert_eq!(by_sign("given x > 0\n", &format!("{} > 0", nested(8))), "accepted");
     let goal = format!("limit of {}/(n + 1) as n -> infinity is 0", nested(8));
-    assert_eq!(verdict("given x > 0; n natural >= 1\n", &goal, &format!("1 limit: {goal}\n")), "accepted");
+    assert_eq!(
+        verdict(
+            "given x > 0; n natural >= 1\n",
+            &goal,
+            &format!("1 limit: {goal}\n    | with from = 1\n    | by h1\n")
+        ),
+        "accepted"
+    );
 }
 
 #[test]
 fn a_prime_that_divides_often_is_one_prime() {
     assert_eq!(by_sign("given x > 0\n", "ln(2^40000) > 0"), "accepted");
     let root = "sqrt(3^10000)";
-    let steps = format!("1 power: {root} = {root}\n2 sign: {root} > 0\n");
-    assert_eq!(verdict("given x > 0\n", &format!("{root} > 0"), &steps), "accepted");
+    assert_eq!(by_sign("given x > 0\n", &format!("{root} > 0")), "accepted");
 }
 
 #[test]
@@ -73,7 +85,7 @@ fn long_products_and_sums_take_time_in_proportion() {
     let side = |name: char| joined(0..150, " + ", |k| format!("{name}{k}"));
     let given = |name: char| joined(0..150, ", ", |k| format!("{name}{k}"));
     let items = format!("given {}, {} > 0\n", given('a'), given('b'));
-    assert_eq!(by_sign(&items, &format!("({})*({}) + 1 > 0", side('a'), side('b'))), "limit: terms");
+    assert_eq!(by_signs(&items, &format!("({})*({}) + 1 > 0", side('a'), side('b')), 300), "limit: terms");
 }
 
 #[test]
@@ -87,13 +99,13 @@ fn definitions_in_definitions_share_one_budget() {
     // A bound name does not copy the definitions.
     let sums = joined(0..1000, " + ", |_| "sum(i = 1..3, i)".to_string());
     let items = format!("{}assume {sums} > 0\n", doubled.replacen("let a15 = a14 + a14\n", "", 1));
-    assert_eq!(verdict(&items, "x > 0", ""), "accepted");
+    assert_eq!(verdict(&items, "x > 0", "1 logic from h1: x > 0\n"), "accepted");
 }
 
 #[test]
 fn names_are_limited() {
     let names = joined(0..1001, ", ", |k| format!("x{k}"));
-    assert_eq!(verdict(&format!("given {names} real\n"), "x1 = x1", "1 sign: x1 = x1\n"), "limit: names");
+    assert_eq!(verdict(&format!("given {names} real\n"), "x1 = x1", "1 combination: x1 = x1\n"), "limit: names");
 }
 
 #[test]
@@ -101,7 +113,7 @@ fn citing_long_facts_is_work() {
     // Each step reads the long implication again.
     let long = joined(0..4000, " and ", |_| "x > 0".to_string());
     let items = format!("given x > 0; y real\nassume {long} => y > 0\n");
-    let steps: String = (1..8000).map(|k| format!("{k} apply from h2: y > 0\n")).collect();
-    let all = format!("a all: {long}\n{steps}");
+    let steps: String = (1..8000).map(|k| format!("{k} logic from h2 a: y > 0\n")).collect();
+    let all = format!("a logic from h1: {long}\n{steps}");
     assert_eq!(verdict(&items, "y > 0", &all), "limit: work");
 }

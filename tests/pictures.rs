@@ -299,3 +299,11 @@ fn what_no_picture_can_show_is_refused_with_what_to_write() {
         assert!(!file.exists(), "{words:?}");
     }
 }
+
+#[test]
+fn the_readme_shows_what_its_command_draws() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("energy.svg");
+    assert_eq!(plot(&["eta-n", "--ratio", "100"], &file).0, Some(0));
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), include_str!("../docs/energy.svg"));
+}

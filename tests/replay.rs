@@ -397,7 +397,7 @@ fn infinite(naive: &Naive, found: &Collapse, first: usize, seed: u64) {
     }
 }
 
-/// `CAROM_REPLAY_SCENES=100000 cargo test --test replay random_scenes -- --nocapture` tries more.
+/// `CAROM_REPLAY_SCENES=100000 cargo test --test all replay::random_scenes -- --nocapture` tries more.
 #[test]
 fn random_scenes_agree_with_a_naive_simulator_event_by_event() {
     let scenes = std::env::var("CAROM_REPLAY_SCENES").map_or(3000, |n| n.parse().expect("a number of scenes"));

@@ -203,7 +203,7 @@ fn faults_of_a_scene_are_shown_where_they_are() {
         (with("mass = \"0\"\n"), "not positive"),
         (with("mass = \"-1\"\n"), "not positive"),
         (with("mass = \"1.2(3)\"\n"), "uncertainty"),
-        (with("mass = \"1/0\"\n"), "denominator zero"),
+        (with("mass = \"1/0\"\n"), "denominator at character 3 is zero"),
         (with("mass = \"1e99999\"\n"), "larger than"),
         (with("mass = true\n"), "boolean"),
         (with(""), "mass is missing"),

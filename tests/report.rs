@@ -186,13 +186,13 @@ fn the_report_of_a_hostile_file_holds_no_markup_of_its() {
     // What was shown by whom, in each form, and counted.
     for form in [&page, &markdown, &document] {
         assert!(form.contains("checked by the kernel") && form.contains("not in Coq"));
-        assert!(form.contains("refuted by the prover alone"));
+        assert!(form.contains("refutation checked by the kernel"));
     }
     assert!(
-        page.contains("The kernel accepted 2 of the 2 proofs in this run.")
+        page.contains("The kernel accepted 2 of the 2 proofs, and 1 of the 1 refutation in this run.")
             && page.contains("No verdict has a theorem in Coq.")
     );
-    assert!(page.contains("1 verdict rests on the prover alone."));
+    assert!(page.contains("0 verdicts rest on the evaluation of a witness alone."));
     assert!(page.contains("certificates/f%27.cert") && !files.keys().any(|name| name.starts_with("coq/")));
     let check = carom().arg("check").arg(out.join("certificates")).arg("--claims").arg(&file).output().expect("runs");
     assert_eq!(check.status.code(), Some(0), "{}", said(&check));
@@ -211,7 +211,7 @@ fn nothing_is_written_where_something_is_broken() {
         (vec!["--table", "--ratio 2 -e 1 -n 1 --output x.csv"], 2, "--output"),
         (vec!["--table", "--ratio '2 -e 1 -n 1"], 2, "quotation mark"),
         (vec!["--table", "--ratio 1:2000:1 -e 1 -n 1"], 3, "rows of a table in a report: 1000 allowed"),
-        (vec!["--plot", "map -n 2"], 2, "-n has no place"),
+        (vec!["--plot", "map -n 2"], 2, "`plot map` does not take -n"),
         (vec!["--plot", "velocities /nowhere.toml"], 2, "nowhere.toml"),
     ] {
         let run = carom().arg("report").args(&arguments).arg("--out").arg(&out).output().expect("runs");
@@ -239,9 +239,10 @@ fn the_catalogue_has_a_section_for_each_claim_and_every_reference_is_there() {
     assert!(
         page.contains("Theorem eq13 :\n  forall (m1 m2 mu : R)") && page.contains("Theorem eq13 : statements.eq13.")
     );
-    // The one claim that Coq cannot say is refuted: nobody but the prover vouches for that.
-    assert_eq!(page.matches("refuted by the prover alone</span>").count(), 1);
-    assert!(page.contains("1 verdict rests on the prover alone."));
+    // Every refutation is checked by the kernel, also of the one claim that Coq cannot say.
+    assert_eq!(page.matches("refutation checked by the kernel</span>").count(), 9);
+    assert_eq!(page.matches("evaluated, not certified</span>").count(), 0);
+    assert!(page.contains("0 verdicts rest on the evaluation of a witness alone."));
 }
 
 #[test]
@@ -345,8 +346,9 @@ fn a_claim_of_ones_own_is_told_from_its_hypotheses_and_restored_by_nobody() {
     }
     let tex = text(&written, "report.tex");
     let place = |what: &str| tex.find(what).unwrap_or_else(|| panic!("{what} in {tex}"));
-    let (hypotheses, claim) = (place("\\textit{Hypotheses and definitions}"), place("\\textit{Claim}"));
-    assert!(hypotheses < place("x > 1}") && place("x > 1}") < claim && claim < place("x^{2} > 1}"), "{tex}");
+    let (given, assumed, claim) = (place("\\textit{Given}"), place("\\textit{Assume}"), place("\\textit{Prove}"));
+    assert!(given < assumed && assumed < place("x > 1}") && place("x > 1}") < claim, "{tex}");
+    assert!(claim < place("x^{2} > 1}") && place("x^{2} > 1}") < place("\\textit{Proof}"), "{tex}");
     // Without the picture, what is left of it is named.
     let run = carom().arg("report").arg(&file).arg("--out").arg(&out).output().expect("runs");
     assert!(said(&run).contains("not of this report: plots/plot-1.png, plots/plot-1.svg"), "{}", said(&run));

@@ -6,6 +6,8 @@
 
 use carom::claim::embedded;
 use carom::claim::syntax::*;
+use carom::judge::hand::AtHand;
+use carom::judge::{Settings, one_of};
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::expand::Statement;
 use carom::prove::outcome::Verdict;
@@ -143,73 +145,88 @@ fn mutants(claim: &Claim) -> Vec<Claim> {
     out
 }
 
-#[test]
-fn no_changed_statement_that_is_false_somewhere_is_proved() {
-    // The evaluator recurses over trees; so does the prover.
-    let worker = std::thread::Builder::new().stack_size(64 << 20).spawn(run).expect("a thread starts");
-    worker.join().expect("no mutant makes the prover fail");
+/// What became of the mutants of some claims.
+#[derive(Default)]
+struct Tally {
+    total: usize,
+    refuted: usize,
+    proved: usize,
+    open: Vec<String>,
+    wrong: Vec<String>,
 }
 
-fn run() {
+#[test]
+fn no_changed_statement_that_is_false_somewhere_is_proved() {
     let all = embedded::claims(&[]).expect("the catalogue parses").expect("all claims");
     // The catalogue has more places than a test run has time: every claim gives its share.
-    let share = if std::env::var_os("CAROM_ALL_MUTANTS").is_some() { usize::MAX } else { 18 };
-    let (mut total, mut refuted, mut proved, mut undecided, mut wrong) = (0, 0, 0, 0, Vec::new());
-    let mut open = Vec::new();
-    for claim in all.iter().filter(|c| c.expect == Expectation::Proved) {
-        let list = mutants(claim);
-        let step = (list.len() / share).max(1);
-        for (place, mutant) in list.into_iter().enumerate().filter(|(i, _)| i % step == 0) {
-            let mut claims: Vec<Claim> = all.iter().filter(|c| c.name.text != claim.name.text).cloned().collect();
-            // What cites the changed claim is left out.
-            let name = claim.name.text.clone();
-            let mut gone = vec![name.clone()];
-            loop {
-                let before = gone.len();
-                for c in &claims {
-                    if c.using.iter().any(|u| gone.contains(&u.text)) && !gone.contains(&c.name.text) {
-                        gone.push(c.name.text.clone());
+    let share = match std::env::var("CAROM_MUTANTS") {
+        Ok(share) => share.parse().expect("CAROM_MUTANTS is a number"),
+        Err(_) => 3,
+    };
+    let hand = AtHand::embedded();
+    let next = std::sync::atomic::AtomicUsize::new(0);
+    let proved: Vec<&Claim> = all.iter().filter(|c| c.expect == Expectation::Proved).collect();
+    let work = || {
+        let mut tally = Tally::default();
+        while let Some(claim) = proved.get(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed)) {
+            judge_mutants(claim, &all, &hand, share, &mut tally);
+        }
+        tally
+    };
+    let tallies: Vec<Tally> = std::thread::scope(|scope| {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        // The evaluator recurses over trees, and so does the search.
+        let worker = |_| std::thread::Builder::new().stack_size(64 << 20).spawn_scoped(scope, work).expect("a thread");
+        let workers: Vec<_> = (0..cores).map(worker).collect();
+        workers.into_iter().map(|worker| worker.join().expect("no mutant makes the search fail")).collect()
+    });
+    let sum = |count: &dyn Fn(&Tally) -> usize| tallies.iter().map(count).sum::<usize>();
+    let (total, refuted) = (sum(&|t| t.total), sum(&|t| t.refuted));
+    let open: Vec<&String> = tallies.iter().flat_map(|t| &t.open).collect();
+    let wrong: Vec<&String> = tallies.iter().flat_map(|t| &t.wrong).collect();
+    let (proved, undecided) = (sum(&|t| t.proved), open.len());
+    println!("{open:#?}");
+    println!("{total} mutants: {refuted} refuted, {proved} still true and proved, {undecided} undecided");
+    assert!(wrong.is_empty(), "proved although false:\n{wrong:#?}");
+    assert!(total >= 50 * share.min(10), "only {total} mutants");
+    assert!(refuted * 100 >= total * 84, "too few refuted: {refuted} of {total}");
+}
+
+/// Judges about `share` mutants of one claim.
+fn judge_mutants(claim: &Claim, all: &[Claim], hand: &AtHand, share: usize, tally: &mut Tally) {
+    let name = claim.name.text.clone();
+    let list = mutants(claim);
+    let step = (list.len() / share).max(1);
+    // What cites the changed claim is left out.
+    let mut gone = vec![name.clone()];
+    while let Some(more) =
+        all.iter().find(|c| c.using.iter().any(|u| gone.contains(&u.text)) && !gone.contains(&c.name.text))
+    {
+        gone.push(more.name.text.clone());
+    }
+    let rest: Vec<Claim> = all.iter().filter(|c| !gone.contains(&c.name.text)).cloned().collect();
+    let limits = Limits { steps: 30_000, time: std::time::Duration::from_secs(2), ..Limits::default() };
+    let settings = Settings { limits, ..Settings::default() };
+    for (place, mutant) in list.into_iter().enumerate().filter(|(i, _)| i % step == 0) {
+        let catalogue = Catalogue::new(rest.iter().cloned().chain([mutant.clone()]).collect());
+        let catalogue = catalogue.expect("names and citations are in order");
+        tally.total += 1;
+        let said = || format!("{name}#{place}: {}", carom::claim::print::prop(&mutant.goal));
+        match one_of(&catalogue, &name, hand, &settings).map(|entry| entry.outcome) {
+            Err(_) => tally.refuted += 1,
+            Ok(outcome) => match outcome.verdict {
+                Verdict::Refuted => tally.refuted += 1,
+                Verdict::Undecided => {
+                    tally.open.push(format!("{} [{}]", said(), outcome.reason.unwrap_or_default()));
+                }
+                Verdict::Proved => {
+                    tally.proved += 1;
+                    let statement = Statement::of(&mutant).expect("within limits");
+                    if let Some(witness) = refute::falsified(&statement, None) {
+                        tally.wrong.push(format!("{} at {:?}", said(), witness.point));
                     }
                 }
-                if gone.len() == before {
-                    break;
-                }
-            }
-            claims.retain(|c| !gone.contains(&c.name.text));
-            claims.push(mutant.clone());
-            let mut catalogue = Catalogue::new(claims).expect("names and citations are in order");
-            let limits = Limits { steps: 30_000, time: std::time::Duration::from_secs(2), ..Limits::default() };
-            total += 1;
-            match catalogue.audit(&name, &limits) {
-                Err(_) => refuted += 1,
-                Ok(outcome) => match outcome.verdict {
-                    Verdict::Refuted => refuted += 1,
-                    Verdict::Undecided => {
-                        undecided += 1;
-                        open.push(format!(
-                            "{name}#{place}: {} [{}]",
-                            carom::claim::print::prop(&mutant.goal),
-                            outcome.reason.unwrap_or_default()
-                        ));
-                    }
-                    Verdict::Proved => {
-                        proved += 1;
-                        let statement = Statement::of(&mutant).expect("within limits");
-                        if let Some(witness) = refute::falsified(&statement, None) {
-                            wrong.push(format!(
-                                "{name}#{place}: {:?} at {:?}",
-                                carom::claim::print::prop(&mutant.goal),
-                                witness.point
-                            ));
-                        }
-                    }
-                },
-            }
+            },
         }
     }
-    println!("{total} mutants: {refuted} refuted, {proved} still true and proved, {undecided} undecided");
-    println!("undecided:\n  {}", open.join("\n  "));
-    assert!(wrong.is_empty(), "proved although false:\n{}", wrong.join("\n"));
-    assert!(total >= 1_000, "only {total} mutants");
-    assert!(refuted * 100 >= total * 84, "too few refuted: {refuted} of {total}");
 }

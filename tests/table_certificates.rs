@@ -2,10 +2,10 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use carom::chain::{Positive, Restitution};
-use carom::kernel::Failure;
 use carom::number::rational::parse;
 use carom::table::{Place, Quantity, Value, value};
 use carom::table_checker::Checker;
+use carom::table_checker::Failure;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use std::collections::BTreeMap;

@@ -2,7 +2,7 @@
 
 use carom::number::rational::parse;
 use malachite::Rational;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 fn carom(arguments: &[&str]) -> Output {
@@ -65,8 +65,9 @@ fn the_examples_show_what_they_say() {
     assert!(eta.starts_with("0.99"), "{eta}");
 }
 
-/// The numbers of a line of a worksheet.
-fn numbers(line: &str) -> Vec<Rational> {
+/// The numbers of the row of a worksheet's table that begins so.
+fn row(table: &str, name: &str) -> Vec<Rational> {
+    let line = table.lines().find(|l| l.trim_start().starts_with(name)).unwrap_or_else(|| panic!("{name}: {table}"));
     line.split_whitespace().filter_map(|w| parse(w).ok()).collect()
 }
 
@@ -75,28 +76,31 @@ fn the_answer_key_obeys_the_laws() {
     for name in ["equal-masses", "car-chain", "stacked-balls-16-times"] {
         let key = good(&["worksheet", &scene(name), "--sheet", "key", "--exact", "--places", "9"]);
         let tolerance = parse("2e-8").expect("a number");
-        let near = |a: &Rational, b: &Rational, scale: &Rational| {
+        let near = |a: &Rational, b: &Rational| {
             let d = a - b;
             let d = if d < 0u32 { -d } else { d };
-            d <= &tolerance * (Rational::from(1) + if *scale < 0u32 { -scale } else { scale.clone() })
+            let scale = if *b < 0u32 { -b } else { b.clone() };
+            d <= &tolerance * (Rational::from(1) + scale)
         };
-        let lines: Vec<Vec<Rational>> = key.lines().map(numbers).filter(|n| n.len() == 11).collect();
-        assert!(lines.len() >= 6, "{key}");
-        for (pair, total) in lines.chunks(2).zip(key.lines().filter(|l| l.trim_start().starts_with("total"))) {
-            for row in pair {
-                let [_, m, v, w, dv, p, q, dp, k, l, dk] = &row[..] else { panic!("eleven columns") };
-                assert!(near(dv, &(w - v), w) && near(p, &(m * v), p) && near(q, &(m * w), q), "{key}");
-                assert!(near(dp, &(q - p), q) && near(dk, &(l - k), l), "{key}");
-                let half = parse("1/2").expect("a number");
-                assert!(near(k, &(m * v * v * &half), k) && near(l, &(m * w * w * &half), l), "{key}");
+        let tables: Vec<&str> = key.split("\nCollision ").skip(1).collect();
+        assert!(tables.len() >= 3, "{key}");
+        for table in tables {
+            let mass = row(table, "mass");
+            let [v, w, dv] = ["before", "after", "change"].map(|part| row(table, &format!("velocity {part}")));
+            let [p, q, dp] = ["before", "after", "change"].map(|part| row(table, &format!("momentum {part}")));
+            let [k, l, dk] = ["before", "after", "change"].map(|part| row(table, &format!("kinetic energy {part}")));
+            let half = parse("1/2").expect("a number");
+            for body in 0..2 {
+                let (m, v, w) = (&mass[body], &v[body], &w[body]);
+                assert!(near(&dv[body], &(w - v)) && near(&p[body], &(m * v)) && near(&q[body], &(m * w)), "{table}");
+                assert!(near(&dp[body], &(&q[body] - &p[body])) && near(&dk[body], &(&l[body] - &k[body])), "{table}");
+                assert!(near(&k[body], &(m * v * v * &half)) && near(&l[body], &(m * w * w * &half)), "{table}");
             }
-            let total = numbers(total);
-            assert_eq!((&total[0], &total[2]), (&total[1], &Rational::from(0)), "momentum stays: {key}");
-            for (place, column) in [(0, 5), (3, 8), (4, 9), (5, 10)] {
-                let sum = &pair[0][column] + &pair[1][column];
-                assert!(near(&total[place], &sum, &sum), "{name} column {column}: {key}");
+            assert_eq!((&p[2], &dp[2]), (&q[2], &Rational::from(0)), "momentum stays: {table}");
+            for total in [&p, &q, &k, &l, &dk] {
+                assert!(near(&total[2], &(&total[0] + &total[1])), "{name}: {table}");
             }
-            assert!(total[5] <= 0u32);
+            assert!(dk[2] <= 0u32, "{table}");
         }
     }
 }
@@ -104,22 +108,29 @@ fn the_answer_key_obeys_the_laws() {
 #[test]
 fn a_blank_sheet_gives_nothing_away_and_every_form_is_whole() {
     let blank = good(&["worksheet", &scene("car-chain"), "--sheet", "blank"]);
-    assert!(blank.contains("1500") && blank.contains("_______"), "{blank}");
+    assert!(blank.contains("1500") && blank.contains("_______") && blank.contains("Name:"), "{blank}");
+    assert!(!blank.contains("[x]"), "no prediction is ticked: {blank}");
     let key = good(&["worksheet", &scene("car-chain"), "--sheet", "key"]);
     for number in key.split_whitespace().filter(|w| w.contains('.') && w.len() > 4 && parse(w).is_ok()) {
         assert!(!blank.contains(number), "{number}: {blank}");
     }
-    assert!(key.contains("meet again"), "{key}");
+    assert!(key.contains("meet again") && key.contains("[x] no\n"), "{key}");
     let both = good(&["worksheet", &scene("car-chain"), "--format", "markdown"]);
-    assert_eq!(both.matches("| total |").count(), 6, "{both}");
-    let latex = good(&["worksheet", &scene("stacked-balls"), "--format", "latex", "--sheet", "key"]);
-    assert_eq!(latex.matches("\\toprule").count(), 3);
-    let sheets = good(&["worksheet", &scene("stacked-balls"), "--format", "latex"]);
-    assert!(sheets.contains("\\newpage\n\\section*{stacked balls: answer key}"), "pupils do not get the key");
+    assert_eq!(both.matches("kinetic energy change").count(), 6, "{both}");
+    let latex = good(&["worksheet", &scene("stacked-balls"), "--format", "latex"]);
+    assert!(latex.contains("\\newpage\n") && latex.contains("answer key}"), "pupils do not get the key");
+    assert!(latex.contains("a4paper") && latex.ends_with("\\end{document}\n"), "{latex}");
+    let html = good(&["worksheet", &scene("stacked-balls"), "--format", "html", "--paper", "letter"]);
+    assert!(html.contains("size: letter") && html.contains("break-after: page") && !html.contains("<script"), "{html}");
+    let fields = html.matches("<input type=\"text\" aria-label=\"Collision ").count();
+    // In each of three collisions: velocities after and changed, momenta and energies with their sums; and the velocity
+    // with which the first body of the second and third arrives.
+    assert_eq!(fields, 3 * (4 + 9 + 9) + 2);
+    assert_eq!(html.matches(" checked>").count(), 3, "one answer to each prediction, on the key alone");
     let out = carom(&["worksheet", &scene("elastic-limit")]);
     assert_eq!(out.status.code(), Some(3), "1001 collisions: {}", text(&out.stderr));
     let out = carom(&["worksheet", &scene("measured-restitution")]);
-    assert_eq!(out.status.code(), Some(2));
+    assert_eq!(out.status.code(), Some(2), "optimal masses, measured: {}", text(&out.stderr));
     // Irrational masses: to any number of digits.
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("root.toml");
@@ -175,12 +186,12 @@ fn pictures_that_cannot_be_drawn_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name).display().to_string();
     for (arguments, code, sign) in [
-        (vec!["eta-x", "-o", "PICTURE.gif"], 2, ".svg or .png"),
+        (vec!["eta-x", "-o", "PICTURE.gif"], 2, ".svg, .png or .pdf"),
         (vec!["eta-x", "--ratio", "10,1", "-o", "PICTURE.svg"], 2, "smaller one first"),
         (vec!["eta-x", "-n", "0,1,2,3,4,5,6,7", "-o", "PICTURE.svg"], 2, "at most 7 curves"),
         (vec!["eta-n", "--ratio", "1,2", "-o", "PICTURE.svg"], 2, "one mass ratio"),
         (vec!["velocities", "-o", "PICTURE.svg"], 2, "scene file"),
-        (vec!["map", "-e", "1", "-o", "PICTURE.svg"], 2, "no place"),
+        (vec!["map", "-e", "1", "-o", "PICTURE.svg"], 2, "`plot map` does not take -e"),
         (vec!["map", "--scale", "1000", "-o", "PICTURE.png"], 3, "limit reached"),
         (vec!["map", "--scale", "inf", "-o", "PICTURE.png"], 3, "limit reached"),
         (vec!["map", "--scale", "NaN", "-o", "PICTURE.png"], 2, "--scale: scale NaN: a picture has at least one pixel"),
@@ -198,7 +209,7 @@ fn pictures_that_cannot_be_drawn_are_refused() {
         (
             vec!["velocities", "examples/scenes/measured-restitution.toml", "-o", "PICTURE.svg"],
             2,
-            "picture of velocities",
+            "picture of velocities of optimal masses",
         ),
     ] {
         let arguments: Vec<String> =
@@ -208,92 +219,6 @@ fn pictures_that_cannot_be_drawn_are_refused() {
         assert!(text(&out.stderr).contains(sign), "{arguments:?}: {}", text(&out.stderr));
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 0, "nothing is left behind");
-}
-
-#[cfg(feature = "proptest")]
-mod random {
-    use super::*;
-    use carom::property::claims::{Chains, PROPERTIES, Property};
-    use carom::property::strategies::{chain, masses, near_insertion, near_threshold, restitution};
-    use carom::property::{Outcome, check, scene};
-    use proptest::prelude::*;
-
-    #[test]
-    fn the_claims_hold_and_the_seed_decides() {
-        let run = |more: &[&str]| good(&[&["test", "--cases", "60", "--seed", "5"], more].concat());
-        let shown = run(&[]);
-        assert!(shown.starts_with("seed 5, 60 random chains"), "{shown}");
-        assert_eq!(shown.matches("  held ").count(), PROPERTIES.len() - 1, "{shown}");
-        assert!(shown.contains("all as expected") && shown.contains("as expected: the catalogue refutes"), "{shown}");
-        // The same seed, alone or with the others, gives the same counterexample.
-        let alone = run(&["--only", "p-final"]);
-        let part = |t: &str| t.split("  failed ").nth(1).map(|t| t.split("as expected").next().map(str::to_owned));
-        assert_eq!(part(&shown), part(&alone));
-        assert!(good(&["test", "--cases", "1", "--only", "eq16"]).starts_with("seed "));
-        let out = carom(&["test", "--only", "eq17x"]);
-        assert_eq!(out.status.code(), Some(2));
-        assert!(text(&out.stderr).contains("did you mean"), "{}", text(&out.stderr));
-    }
-
-    #[test]
-    fn names_of_properties_are_claims_and_expectations_are_the_catalogues() {
-        let claims = carom::claim::embedded::claims(&[]).expect("it parses").expect("all");
-        for property in PROPERTIES {
-            let claim = claims.iter().find(|c| c.name.text == property.id).expect(property.id);
-            let refuted = claim.expect == carom::claim::syntax::Expectation::Refuted;
-            assert_eq!(property.refuted, refuted, "{}", property.id);
-        }
-    }
-
-    #[test]
-    fn a_counterexample_is_simple_and_eval_reads_it() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let save = folder.path().display().to_string();
-        good(&["test", "--only", "p-final", "--seed", "3", "--save", &save]);
-        let path: PathBuf = folder.path().join("counterexample-p-final.toml");
-        let saved = std::fs::read_to_string(&path).expect("saved");
-        assert!(saved.contains("# Found by carom test --only p-final --seed 3"), "{saved}");
-        for line in ["first = \"1\"", "inserted = 1", "last = \"1\"", "restitution = \"0\""] {
-            assert!(saved.contains(line), "{saved}");
-        }
-        assert!(good(&["eval", &path.display().to_string()]).contains("meet again"));
-    }
-
-    #[test]
-    fn a_false_property_is_found_out() {
-        fn first_is_lighter(chain: &carom::scene::Chain) -> Result<(), String> {
-            if chain.first().lo() <= chain.last().lo() { Ok(()) } else { Err("the first is heavier".to_owned()) }
-        }
-        let property = Property {
-            id: "false",
-            statement: "the first mass is never greater than the last",
-            chains: Chains::Given,
-            refuted: false,
-            want: &["eta"],
-            test: first_is_lighter,
-        };
-        let Outcome::Failed { chain, reason } = check(&property, 200, 1) else { panic!("it is false") };
-        assert_eq!(reason, "the first is heavier");
-        assert!(chain.first().lo() > chain.last().lo());
-        assert_eq!(check(&property, 200, 1), Outcome::Failed { chain, reason });
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
-        #[test]
-        fn written_chains_read_back(chain in prop_oneof![chain().boxed(), near_insertion().boxed(), near_threshold().boxed()]) {
-            let text = scene::write(&chain, &["a remark\nof two lines".to_owned()], &["eta"]);
-            let read = carom::scene::read::scene(&text).expect("it reads");
-            prop_assert_eq!(read.inputs, chain.into(), "{}", text);
-        }
-
-        #[test]
-        fn strategies_stay_in_their_ranges(m in masses(), e in restitution()) {
-            prop_assert!((2..=7).contains(&m.len()));
-            prop_assert!(m.iter().all(|m| *m.value() > 0u32));
-            prop_assert!(*e.value() >= 0u32 && *e.value() <= 1u32);
-        }
-    }
 }
 
 /// What the program prints within some seconds; it is ended where it does not end.
@@ -325,8 +250,21 @@ fn rational_entries_of_irrational_chains_are_known_to_be_rational() {
         std::fs::write(&path, format!("[chain]\n{chain}\n")).expect("written");
         let more: &[&str] = if digits == "exact" { &["--exact"] } else { &["--digits", digits] };
         let shown = within(20, &[&["worksheet", &path, "--sheet", "key"], more].concat());
-        let rows = shown.lines().map(|l| l.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
-        rows.filter(|r| r.len() >= 7).collect::<Vec<_>>()
+        // For each collision the cells of the first body, of the second one, and of both together.
+        let mut rows: Vec<Vec<String>> = Vec::new();
+        for table in shown.split("\nCollision ").skip(1) {
+            let lines: Vec<Vec<&str>> = table
+                .lines()
+                .map(|l| l.trim().split("  ").map(str::trim).filter(|c| !c.is_empty()).collect())
+                .collect();
+            let column = |place: usize, head: String| {
+                let cells = lines.iter().skip(2).take_while(|l| l.len() > 1).filter_map(|l| l.get(place));
+                std::iter::once(head).chain(cells.map(|c| (*c).to_owned())).collect::<Vec<_>>()
+            };
+            let body = |place: usize| lines[1][place].trim_start_matches("body ").to_owned();
+            rows.extend([column(1, body(0)), column(2, body(1)), column(3, "total".to_owned())]);
+        }
+        rows
     };
     // Energies of the first body, and of both, end in a tie: 6172.5 and 0.50025.
     let rows = sheet("first = \"12345\"\nlast = \"1\"\ninserted = 1\nrestitution = \"1\"", "4");

@@ -49,10 +49,10 @@ class Claim:
 
     id: str
     title: str
-    number: Optional[int]
+    number: Union[int, str, None]
     source: Optional[str]
     section: Optional[str]
-    reading: str
+    reading: Optional[str]
     verdict: str
     """``"proved"``: the kernel accepted a certificate in this run; ``"refuted"`` or ``"undecided"``."""
     expected: str

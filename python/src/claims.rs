@@ -98,7 +98,7 @@ fn described(entry: &Entry) -> Value {
     json!({
         "id": claim.name.text,
         "title": claim.title,
-        "number": claim.number,
+        "number": report::number(claim),
         "source": claim.source,
         "section": claim.section,
         "reading": report::reading(claim),
@@ -110,7 +110,7 @@ fn described(entry: &Entry) -> Value {
         "latex": entry.goal(Style::Latex),
         "mathml": mathml::statement(&claim.goal),
         "hypotheses": claim.items.iter().map(|item| Style::Unicode.item(item)).collect::<Vec<_>>(),
-        "argument": outcome.argument.iter().map(|l| json!([l.depth, l.rule, l.text])).collect::<Vec<_>>(),
+        "argument": report::argument::lines(entry),
         "used": outcome.used,
         "unused": outcome.unused,
         "sample": outcome.sample.as_ref().map(point),

@@ -206,7 +206,6 @@ def test_numbers_go_in_exactly():
         (lambda: carom.eta(None, 1, e=1), "None is no number"),
         (lambda: carom.eta(10, 1, e=1, masses="2"), "a list is expected"),
         (lambda: carom.eta(10, 1, e=1, n=1, masses=[1, 2]), "do not agree"),
-        (lambda: carom.eta("1.2(3)", 1, e=1), "uncertainty"),
         (lambda: carom.eta("[2, 1]", 1, e=1), "above its upper end"),
         (lambda: carom.threshold(10, 1, n=0), "n >= 1"),
         (lambda: carom.Chain(10, 1, e=1, speed=1, velocities=[1, 0]), "exclude"),

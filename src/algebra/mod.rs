@@ -1,4 +1,4 @@
-//! Exact algebra over the rationals: polynomials, their gcds and factors, fractions, real roots and
+//! Exact algebra over the rationals: polynomials, their gcds and factors, real roots and
 //! proofs of positivity.
 //!
 //! Contract: nothing here rounds and nothing guesses. A function answers exactly, or says that a
@@ -11,7 +11,6 @@ pub mod diagonal;
 mod division;
 pub mod factor;
 pub mod form;
-pub mod fraction;
 pub mod gcd;
 pub mod monomial;
 pub mod polynomial;
@@ -22,7 +21,6 @@ mod substitution;
 mod text;
 pub mod univariate;
 
-pub use fraction::Fraction;
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use univariate::Univariate;

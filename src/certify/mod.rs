@@ -1,46 +1,79 @@
-//! Certificates found: the claim's argument walked through once more, each step taken by the kernel.
+//! The search for proofs: steps of a draft, written as a certificate that the kernel accepts.
 //!
-//! Contract: [`certify`] returns a certificate that the kernel accepted step by step, or says where it
-//! got stuck. Nothing here is trusted: a wrong step is rejected by the kernel, and `carom check` reads
-//! the text and checks it from nothing. A claim may be proved and have no certificate; reports say so.
+//! Contract: [`certify`] returns a certificate that the kernel accepted, or says where it got stuck. Nothing here is
+//! trusted: a wrong step is rejected by the kernel, and `carom check` reads the text and checks it from nothing.
 //!
-//! Method: the rules of the prover (`prove::argument`, `prove::method`) written as steps of the kernel.
-//! Signs come from the engine's factorisation and certificates of positivity, as explicit identities.
+//! Method: the claim's own argument is followed, and where it leads nowhere the goal is shown without it. What is shown
+//! becomes steps of a draft (`draft`), which keeps what is known so far. Signs come from the engine's factorisation and
+//! certificates of positivity, as explicit identities. Then the steps that the goal rests on are written as a certificate
+//! (`elaborate`), each with all that it cites. Where that fails, a second search is tried that needs no argument (`direct`).
 
+mod direct;
+mod draft;
+mod elaborate;
 mod fail;
 mod powers;
 mod signs;
 mod write;
 
 use crate::algebra::Instant;
-use crate::certificate::{Certificate, Rule, Step, Term};
+use crate::certificate::{Certificate, Term};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::{at_the_point, weighted_mean};
-use crate::kernel::logic::negation;
-use crate::kernel::marks::{Source, Sources, needed};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{
     Substitution, compare, domain, expr, name, numeral, one_minus, power, product, prop, sum,
 };
-use crate::kernel::{Accepted, Checker, Fact, text};
+use crate::kernel::{Accepted, Verdict, text};
 use crate::prove::catalogue::Limits;
 use crate::prove::expand;
+use draft::marks::{Source, Sources, needed};
+use draft::{Draft, Fact, Rule, Step, negation};
 pub use fail::Fail;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 use write::{named, negated};
 
-/// How many steps the kernel is asked to try for one claim.
-const TRIES: usize = 20_000;
+/// How many steps of the search ([`Limits::steps`]) a step of a draft counts for.
+const STEPS_OF_A_TRY: usize = 20;
 
-/// A certificate of a claim that was proved; `cited` holds what was accepted of the claims it cites.
+/// A certificate of a claim; `cited` holds what was accepted of the claims it cites.
 ///
 /// # Errors
-/// The first thing that could not be shown in the kernel's rules.
+/// The first thing that could not be shown in the kernel's rules; [`Fail::Unwritten`] where all was, and the kernel does
+/// not accept what was written.
 pub fn certify(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    let begin = Instant::now();
+    by_draft(claim, cited, limits).or_else(|first| {
+        // What the argument does not reach may be found without it, in the time that is left.
+        let rest = Limits { time: limits.time.saturating_sub(begin.elapsed()), ..limits.clone() };
+        direct::prove(claim, cited, &rest).map_err(|_| first)
+    })
+}
+
+/// The claim's argument as a draft, and that as a certificate.
+fn by_draft(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let statement = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
-    let checker = Checker::draft(claim, cited).map_err(Fail::from)?;
-    let digest = crate::certificate::text::digest(&checker.statement().text());
+    let deadline = Instant::now().checked_add(limits.time);
+    let guided = !statement.proof.steps.is_empty() || statement.proof.close.is_some();
+    match certified(claim, &statement, cited, limits, deadline) {
+        Err(fail) if guided && fail.limit().is_none() => {
+            let alone = expand::Statement { proof: Proof::default(), ..statement };
+            certified(claim, &alone, cited, limits, deadline).map_err(|_| fail)
+        }
+        other => other,
+    }
+}
+
+/// A certificate of a claim by the argument of this statement.
+fn certified(
+    claim: &Claim,
+    statement: &expand::Statement,
+    cited: &[&Accepted],
+    limits: &Limits,
+    deadline: Option<Instant>,
+) -> Result<(Certificate, Accepted), Fail> {
+    let checker = Draft::new(claim, cited).map_err(Fail::from)?;
     let mut certifier = Certifier {
         checker,
         steps: Vec::new(),
@@ -53,114 +86,53 @@ pub fn certify(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(C
         entries: Vec::new(),
         introduced: std::collections::HashSet::new(),
         counter: 0,
-        tries: 0,
-        // No deadline where the clock does not reach that far.
-        deadline: Instant::now().checked_add(limits.time),
+        tries: limits.steps.div_ceil(STEPS_OF_A_TRY),
+        deadline,
         splits: 0,
         within_powers: false,
     };
     let goal = certifier.checker.statement().goal.clone();
-    certifier.begin(&statement)?;
-    certifier.follow(&goal, &statement.proof)?;
-    let goal = certifier.checker.facts().iter().find(|f| f.key() == text::prop(&goal)).map(Fact::source);
-    let needed = goal.map(|goal| needed(&certifier.trail, goal)).ok_or("the goal is not among the facts")?;
-    let whole = Certificate { claim: claim.name.text.clone(), statement: digest, steps: certifier.steps };
-    // The marks only propose: where the kernel wants more steps, they stay.
-    let swept = pruned(&whole, &needed);
-    let swept = match accepted(claim, &swept, cited) {
-        Ok(shown) => spared(claim, swept, &shown, cited),
-        Err(_) => whole,
-    };
-    // What counts is what is written: the text is read back and checked from nothing.
-    let written = crate::certificate::text::write(&swept);
-    let read = crate::certificate::text::read(&written)
-        .map_err(|m| Fail::Value(m.message).within(&format!("line {}", m.line)))?;
-    let shown = accepted(claim, &read, cited)?;
-    Ok((read, shown))
+    certifier.begin(statement)?;
+    certifier.follow(&goal, &statement.proof).map_err(|fail| fail.of_goal(&goal))?;
+    certifier.concluded(claim, &goal, cited, limits).map_err(|fail| Fail::Unwritten(Box::new(fail)))
 }
 
-fn accepted(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Result<Accepted, Fail> {
-    match crate::kernel::check(claim, certificate, cited) {
-        crate::kernel::Verdict::Accepted(shown) => Ok(*shown),
-        other => Err(Fail::whole(other)),
-    }
-}
-
-/// The certificate without steps that others can do without although they looked at them: one that no step cites, but
-/// that changed how something is written or what is known of a sign. Each is tried, the last one first.
-fn spared(claim: &Claim, mut best: Certificate, shown: &Accepted, cited: &[&Accepted]) -> Certificate {
-    let mut needed = shown.needed().clone();
-    let mut place = best.steps.len();
-    loop {
-        // With fewer steps around, more of them may be seen to be spare.
-        let fewer = pruned(&best, &needed);
-        if fewer.steps.len() < best.steps.len()
-            && let Ok(shown) = accepted(claim, &fewer, cited)
-        {
-            place = (0..place).filter(|at| needed.contains(&Source::Step(*at))).count();
-            needed = shown.needed().clone();
-            best = fewer;
-            continue;
-        }
-        let earlier = best.steps.get(..place).unwrap_or_default();
-        let Some(at) = earlier.iter().rposition(|step| is_silent(step, &best.steps)) else { return fewer };
-        place = at;
-        let mut shorter = best.clone();
-        shorter.steps.remove(at);
-        if let Ok(shown) = accepted(claim, &shorter, cited) {
-            needed = shown.needed().clone();
-            best = shorter;
-        }
-    }
-}
-
-/// Whether a step is one that no other cites by its label.
-fn is_silent(step: &Step, all: &[Step]) -> bool {
-    let cites =
-        |other: &Step| other.from.iter().chain(other.terms.iter().flat_map(|t| &t.facts)).any(|l| *l == step.label);
-    matches!(step.rule, Rule::Replace | Rule::Note | Rule::Sign | Rule::Combination | Rule::Part)
-        && !all.iter().any(cites)
-}
-
-/// The steps that are needed, their labels in order.
-fn pruned(certificate: &Certificate, needed: &BTreeSet<Source>) -> Certificate {
-    let kept = certificate.steps.iter().enumerate().filter(|(place, _)| needed.contains(&Source::Step(*place)));
-    let mut out = Certificate { steps: kept.map(|(_, step)| step.clone()).collect(), ..certificate.clone() };
-    let mut names: HashMap<String, String> = HashMap::new();
-    let mut count = 0;
-    for step in &mut out.steps {
-        let renamed = |label: &String, names: &HashMap<String, String>| match names.get(label) {
-            Some(new) => new.clone(),
-            // A supposition or domain of a block: the block's label with a suffix.
-            None => names
-                .iter()
-                .find(|(old, _)| {
-                    label.strip_prefix(old.as_str()).is_some_and(|rest| {
-                        rest == "s" || rest.strip_prefix('d').is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()))
-                    })
-                })
-                .map_or_else(|| label.clone(), |(old, new)| label.replacen(old.as_str(), new, 1)),
+impl Certifier {
+    /// The steps on which the goal rests, as a certificate that the kernel accepts.
+    fn concluded(
+        self,
+        claim: &Claim,
+        goal: &Prop,
+        cited: &[&Accepted],
+        limits: &Limits,
+    ) -> Result<(Certificate, Accepted), Fail> {
+        let certifier = self;
+        let goal = certifier.checker.facts().iter().find(|f| f.key() == text::prop(goal)).map(Fact::source);
+        let needed = goal.map(|goal| needed(&certifier.trail, goal)).ok_or("the goal is not among the facts")?;
+        let steps = certifier.steps;
+        // What was found is written in a time of its own.
+        let deadline = Instant::now().checked_add(limits.time);
+        let fewer: Vec<Step> =
+            (0..).zip(&steps).filter(|(k, _)| needed.contains(&Source::Step(*k))).map(|s| s.1.clone()).collect();
+        // The marks only propose: where fewer steps do not make a certificate, all may.
+        let written = match elaborate::elaborate(claim, &fewer, cited, deadline) {
+            Ok(written) => written,
+            Err(_) => elaborate::elaborate(claim, &steps, cited, deadline)?,
         };
-        let by_name = step.rule == Rule::Instance && !names.contains_key(step.from.first().map_or("", String::as_str));
-        if !by_name {
-            step.from = step.from.iter().map(|l| renamed(l, &names)).collect();
-        }
-        for term in &mut step.terms {
-            term.facts = term.facts.iter().map(|l| renamed(l, &names)).collect();
-        }
-        if !step.label.is_empty() {
-            count += 1;
-            let fresh = format!("{count}");
-            names.insert(step.label.clone(), fresh.clone());
-            step.label = fresh;
+        // What counts is what is written: the text is read back and checked from nothing.
+        let text = crate::certificate::text::write(&written);
+        let read = crate::certificate::text::read(&text)
+            .map_err(|m| Fail::Value(m.fault.to_string()).within(&format!("line {}", m.line)))?;
+        match crate::kernel::check(claim, &read, cited) {
+            Verdict::Accepted(shown) => Ok((read, *shown)),
+            other => Err(Fail::whole(other)),
         }
     }
-    out
 }
 
 /// The search for one certificate.
 pub struct Certifier {
-    checker: Checker,
+    checker: Draft,
     steps: Vec<Step>,
     /// What each of them used.
     trail: Vec<Sources>,
@@ -178,6 +150,7 @@ pub struct Certifier {
     /// Powers known to be introduced, as text.
     introduced: std::collections::HashSet<String>,
     counter: usize,
+    /// How many steps may still be tried.
     tries: usize,
     deadline: Option<Instant>,
     splits: usize,
@@ -187,7 +160,7 @@ pub struct Certifier {
 
 /// What a failed attempt goes back to.
 struct Mark {
-    checker: Checker,
+    checker: Draft,
     steps: usize,
     generators: Vec<powers::Generator>,
     exponentials: usize,
@@ -199,11 +172,11 @@ struct Mark {
 
 impl Certifier {
     fn tick(&mut self) -> Result<(), Fail> {
-        self.tries += 1;
         if self.deadline.is_some_and(|deadline| Instant::now() > deadline) {
             return Err(Fail::Limit("time"));
         }
-        if self.tries > TRIES { Err(Fail::Limit("tries")) } else { Ok(()) }
+        self.tries = self.tries.checked_sub(1).ok_or(Fail::Limit("steps"))?;
+        Ok(())
     }
 
     /// Takes a step, if the kernel does; returns its label.
@@ -498,7 +471,8 @@ impl Certifier {
                 c.show(body)
             }),
             PropKind::Exists(bindings, body) => {
-                let point = crate::prove::refute::example(bindings, body, None).ok_or("no witness was found")?;
+                let point =
+                    crate::prove::refute::example(bindings, body, self.deadline).ok_or("no witness was found")?;
                 let values: Vec<(Name, Expr)> = point
                     .into_iter()
                     .map(|(n, v)| (Name { text: n, span: Span::default() }, crate::prove::refute::literal(&v)))
@@ -677,12 +651,12 @@ impl Certifier {
             let mut next = Vec::new();
             for (at, path) in &paths {
                 for (x, y, label, forward) in &edges {
-                    if !x.same(at) || path.iter().any(|p| p.0 == *label) {
+                    if x != at || path.iter().any(|p| p.0 == *label) {
                         continue;
                     }
                     let mut longer = path.clone();
                     longer.push((label.clone(), *forward));
-                    if y.same(to) {
+                    if y == to {
                         let up = matches!(relation, Relation::Greater | Relation::GreaterEqual);
                         let terms = longer
                             .iter()

@@ -1,12 +1,12 @@
 //! Which powers the others are written in: for each base, exponents that generate all others.
 
+use super::draft::Rule;
 use super::write::{multiplied, negated, quotient, whole_power};
 use super::{Certifier, Fail};
-use crate::certificate::Rule;
+use crate::certify::draft::translate::Atom;
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::statement::{compare, expr};
-use crate::kernel::translate::Atom;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -36,7 +36,7 @@ impl Certifier {
             let mut pending: Vec<(Expr, Fraction)> = Vec::new();
             for e in &list {
                 let Ok(log) = self.checker.log(e) else { continue };
-                if self.checker.exponential(&log).is_err() && !pending.iter().any(|p| p.0.same(e)) {
+                if self.checker.exponential(&log).is_err() && !pending.iter().any(|p| p.0 == *e) {
                     let whole = match &e.kind {
                         ExprKind::Power(_, exponent) => {
                             self.checker.scalar(exponent).is_ok_and(|k| k.as_integer().is_some())
@@ -190,7 +190,7 @@ impl Certifier {
             // What was written in generators that are given up is written in the new ones.
             self.introduced.clear();
             for old in &dropped {
-                self.exponentials.retain(|x| !x.1.same(&old.expr));
+                self.exponentials.retain(|x| x.1 != old.expr);
                 let factors = self.written(base, &old.exponent).map_err(|e| e.within("powers"))?;
                 self.take(Rule::Power, &[], Some(compare(old.expr.clone(), Relation::Equal, product_of(&factors))))?;
             }
@@ -218,7 +218,7 @@ impl Certifier {
             .filter(|g| {
                 bases.contains(&&g.base)
                     || bases.iter().any(|b| {
-                        b.single_atom().is_some_and(|a| self.exponentials.iter().any(|x| x.0 == a && x.1.same(&g.expr)))
+                        b.single_atom().is_some_and(|a| self.exponentials.iter().any(|x| x.0 == a && x.1 == g.expr))
                     })
             })
             .collect();

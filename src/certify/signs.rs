@@ -1,15 +1,16 @@
 //! Comparisons: the hints by which the kernel sees the sign of a difference.
 
+use super::draft::Rule;
 use super::write::multiplied;
 use super::{Certifier, Fail};
 use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Monomial, Polynomial, factor};
-use crate::certificate::{Rule, Term};
+use crate::certificate::Term;
+use crate::certify::draft::translate::Atom;
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
-use crate::kernel::translate::Atom;
 use malachite::Rational;
 use num_rational::BigRational;
 use std::collections::BTreeSet;
@@ -75,7 +76,7 @@ impl Certifier {
         }
         let (difference, _) = match self.checker.difference(&prop) {
             Ok(found) => found,
-            Err(crate::kernel::Failure::Rejected(reason)) => {
+            Err(crate::certify::draft::Failure::Rejected(reason)) => {
                 // A value may hang on a sign that has to be shown first.
                 self.define(&[a, b])?;
                 if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
@@ -517,7 +518,7 @@ impl Certifier {
         for _ in 0..depth {
             let mut atoms = BTreeSet::new();
             for e in exprs {
-                if let Ok(crate::kernel::translate::Value::Scalar(f)) = self.checker.value(e, 300) {
+                if let Ok(crate::certify::draft::translate::Value::Scalar(f)) = self.checker.value(e, 300) {
                     atoms.extend(f.atoms());
                 }
             }

@@ -26,6 +26,7 @@
 //! [`crate::number::real::Real`] asks for.
 
 pub mod best;
+pub mod bounces;
 pub mod collision;
 pub mod fast;
 pub mod insertion;

@@ -2,7 +2,9 @@
 
 use super::definedness::is_natural;
 use super::diagnostic::{Diagnostic, Fault, nearest};
+use super::preamble::Preamble;
 use super::syntax::*;
+use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a name stands for.
@@ -25,8 +27,59 @@ struct Names<'a> {
 
 /// Reports every fault of names in a claim.
 pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
-    let mut names = Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), faults };
-    for item in &claim.items {
+    let mut names = Names::new(faults);
+    names.items(&claim.items);
+    names.prop(&claim.goal);
+    names.proof(&claim.proof);
+    names.sample(claim);
+    let mut seen = BTreeSet::new();
+    for cited in &claim.using {
+        if !seen.insert(&cited.text) {
+            faults.push(Diagnostic::new(Fault::Twice(cited.text.clone()), cited.span));
+        }
+    }
+}
+
+/// Reports every fault of names in a preamble.
+pub fn preamble(preamble: &Preamble, faults: &mut Vec<Diagnostic>) {
+    Names::new(faults).items(&preamble.items);
+}
+
+/// The names that a claim uses and does not declare.
+pub fn undeclared(claim: &Claim) -> BTreeSet<String> {
+    let mut faults = Vec::new();
+    check(claim, &mut faults);
+    missing(faults)
+}
+
+/// The names that a declaration or hypothesis uses and does not declare, and those that it declares.
+pub fn names_of(item: &Item) -> BTreeSet<String> {
+    let mut faults = Vec::new();
+    Names::new(&mut faults).items(std::slice::from_ref(item));
+    missing(faults)
+}
+
+fn missing(faults: Vec<Diagnostic>) -> BTreeSet<String> {
+    let name = |fault: Diagnostic| match fault.fault {
+        Fault::Undeclared { name, .. } => Some(name),
+        _ => None,
+    };
+    faults.into_iter().filter_map(name).collect()
+}
+
+impl<'a> Names<'a> {
+    fn new(faults: &'a mut Vec<Diagnostic>) -> Names<'a> {
+        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), faults }
+    }
+}
+
+impl Names<'_> {
+    fn items(&mut self, items: &[Item]) {
+        items.iter().for_each(|item| self.item(item));
+    }
+
+    fn item(&mut self, item: &Item) {
+        let names = self;
         match item {
             Item::Given(bindings) => names.bindings(bindings),
             Item::Let { name, parameters, value } => {
@@ -54,17 +107,25 @@ pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
             Item::Assume { prop, .. } => names.prop(prop),
         }
     }
-    names.prop(&claim.goal);
-    names.proof(&claim.proof);
-    let mut seen = BTreeSet::new();
-    for cited in &claim.using {
-        if !seen.insert(&cited.text) {
-            faults.push(Diagnostic::new(Fault::Twice(cited.text.clone()), cited.span));
+
+    /// A sample gives values to variables, in numbers alone.
+    fn sample(&mut self, claim: &Claim) {
+        let mut seen = BTreeSet::new();
+        for (name, value) in &claim.sample {
+            if !seen.insert(&name.text) {
+                self.faults.push(Diagnostic::new(Fault::Twice(name.text.clone()), name.span));
+            }
+            self.used(&name.text, Role::Value, name.span);
+            let mut inside = BTreeSet::new();
+            walk::names_in(value, &mut inside);
+            if let Some(other) = inside.iter().find(|n| FUNCTIONS.iter().all(|f| f.0 != n.as_str())) {
+                let message = format!("the value of {} in the sample speaks of {other}", name.text);
+                let help = Some("give a number, such as 3/5 or sqrt(2)".to_string());
+                self.faults.push(Diagnostic::new(Fault::Other { message, help }, value.span));
+            }
         }
     }
-}
 
-impl Names<'_> {
     /// Declares a name, bound ones included. A name has one meaning at a place: nothing is hidden by another of the
     /// same name, so that text can be put in place of a name without a change of meaning.
     fn declare(&mut self, name: &Name, role: Role) {
@@ -164,13 +225,26 @@ impl Names<'_> {
         match &expr.kind {
             ExprKind::Name(name) => self.used(name, Role::Value, expr.span),
             ExprKind::Apply(name, arguments) => {
+                let abbreviation = match self.roles.contains_key(&name.text) {
+                    true => None,
+                    false => super::abbreviation::arguments(&name.text),
+                };
                 match FUNCTIONS.iter().find(|f| f.0 == name.text) {
                     Some((_, n)) if *n == arguments.len() => {}
                     Some((_, n)) => {
                         let message = format!("{} takes {n} argument", name.text);
                         self.faults.push(Diagnostic::new(Fault::Other { message, help: None }, name.span));
                     }
-                    None => self.used(&name.text, Role::Function(arguments.len()), name.span),
+                    None => match abbreviation {
+                        Some((least, most)) if (least..=most).contains(&arguments.len()) => {}
+                        Some((least, most)) => {
+                            let number = if least == most { least.to_string() } else { format!("{least} to {most}") };
+                            let message =
+                                format!("{} takes {number} argument{}", name.text, if most == 1 { "" } else { "s" });
+                            self.faults.push(Diagnostic::new(Fault::Other { message, help: None }, name.span));
+                        }
+                        None => self.used(&name.text, Role::Function(arguments.len()), name.span),
+                    },
                 }
                 arguments.iter().for_each(|a| self.expr(a));
             }

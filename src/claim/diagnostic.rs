@@ -101,8 +101,9 @@ impl Diagnostic {
     pub fn help(&self) -> Option<String> {
         match &self.fault {
             Fault::Expected { help, .. } | Fault::Other { help, .. } => help.clone(),
-            Fault::Undeclared { name, nearest } => Some(match nearest {
+            Fault::Undeclared { name, nearest } => Some(match nearest.as_ref().filter(|_| instead(name).is_none()) {
                 Some(nearest) => format!("did you mean {nearest}?"),
+                None if instead(name).is_some() => instead(name).unwrap_or_default().to_string(),
                 None => format!("declare it, for instance `given {name} > 0` or `given {name} real`"),
             }),
             Fault::Empty => Some("a claim begins with: claim NAME \"Title\"".to_string()),
@@ -161,6 +162,38 @@ fn floor_boundary(text: &str, mut at: usize) -> usize {
         at -= 1;
     }
     at
+}
+
+/// What to write instead of a word that other languages have and this one has not.
+fn instead(name: &str) -> Option<&'static str> {
+    const ANGLES: &str = "the language has neither angles nor π; name the cosine and the sine: \
+                          `given c, s real` and `assume c^2 + s^2 = 1`";
+    const COMPLEX: &str = "there are no complex numbers; name the real and the imaginary part: `given x, y real`";
+    Some(match name {
+        "sin" | "cos" | "tan" | "cot" | "sec" | "csc" | "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan"
+        | "pi" => ANGLES,
+        "log" => "the natural logarithm is written ln(x); to another base b it is ln(x)/ln(b)",
+        "lg" | "log10" => "write ln(x)/ln(10)",
+        "log2" | "lb" => "write ln(x)/ln(2)",
+        "coth" => "write 1/tanh(x)",
+        "csch" => "write 1/sinh(x)",
+        "arcosh" | "acosh" => "write ln(x + sqrt(x^2 - 1))",
+        "arsinh" | "asinh" => "write ln(x + sqrt(x^2 + 1))",
+        "artanh" | "atanh" => "write ln((1 + x)/(1 - x))/2",
+        "sgn" | "sign" => "write x/|x| where x != 0",
+        "floor" => "name it: `given k natural` and `assume k <= x < k + 1`; use `k integer` where x may be negative",
+        "ceil" | "ceiling" => "name it: `given k natural` and `assume k - 1 < x <= k`",
+        "mod" => "name the quotient and the rest: `given q natural; r in 0..6` and `assume n = 7*q + r`",
+        "integral" | "int" => {
+            "there are no integrals; state an antiderivative F by derivative(F, x) = f, and speak of F(b) - F(a)"
+        }
+        "O" | "o" => "there is no O(…); state a bound with its constant, such as |f - g| <= C*h^2 for h in (0, 1)",
+        "Re" | "Im" | "conj" => COMPLEX,
+        "tr" => "write trace(M)",
+        "inv" => "write inverse(M)",
+        "choose" | "binom" => "write binomial(n, k)",
+        _ => return None,
+    })
 }
 
 /// The candidate nearest to a word, if it is near enough to be a slip of the pen.

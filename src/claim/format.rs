@@ -6,20 +6,18 @@
 
 use super::diagnostic::Diagnostic;
 use super::lex::{Kind, tokens};
-use super::parse::parse;
+use super::parse::{CLAUSES, clauses};
+use super::preamble::Preamble;
 
 /// Words that begin a line at the margin.
-const MARGIN: &[&str] = &[
-    "claim", "source", "section", "number", "reading", "note", "using", "given", "let", "define", "assume", "prove",
-    "expect",
-];
+const MARGIN: &[&str] = CLAUSES;
 
 /// The formatted source.
 ///
 /// # Errors
 /// The faults of a file that does not parse.
 pub fn format(source: &str) -> Result<String, Vec<Diagnostic>> {
-    parse(source)?;
+    clauses(source, &Preamble::default())?;
     let mut out = String::new();
     let mut blank = true;
     let mut depth = 0usize;
@@ -86,18 +84,20 @@ fn spaced(code: &str) -> String {
     let mut out = String::new();
     // The end of the token before, and whether it ends an operand.
     let mut before: Option<(Kind, usize)> = None;
-    let mut unary = false;
+    // After this sign, a minus or a bar that opens, no space is wanted.
+    let (mut opening, mut closed_bar) = (false, false);
     for token in list {
         if token.kind == Kind::End {
             break;
         }
         let text = &code[token.span.start..token.span.end];
-        let operand_before = before.as_ref().is_some_and(|(k, _)| ends_operand(k));
+        let operand_before = closed_bar || before.as_ref().is_some_and(|(k, _)| ends_operand(k));
         let space = match (&before, &token.kind) {
             (None, _) => "",
-            _ if unary => "",
+            _ if opening => "",
             (Some((Kind::Sign("(" | "["), _)), _) => "",
-            (_, Kind::Sign(")" | "]" | "," | ";" | ":")) => "",
+            (_, Kind::Sign(")" | "]" | "," | ";" | ":" | "!")) => "",
+            (_, Kind::Sign("|")) if operand_before => "",
             (Some((Kind::Sign(";"), _)), _) => "  ",
             (Some((Kind::Sign("^" | "*" | "/" | ".."), _)), _) => "",
             (_, Kind::Sign("^" | "*" | "/" | "..")) => "",
@@ -107,7 +107,8 @@ fn spaced(code: &str) -> String {
         };
         out.push_str(space);
         out.push_str(text);
-        unary = token.kind == Kind::Sign("-") && !operand_before;
+        opening = matches!(token.kind, Kind::Sign("-" | "|")) && !operand_before;
+        closed_bar = token.kind == Kind::Sign("|") && operand_before;
         before = Some((token.kind, token.span.end));
     }
     out
@@ -119,7 +120,7 @@ fn ends_operand(kind: &Kind) -> bool {
     match kind {
         Kind::Word(w) => !WORDS.contains(&w.as_str()),
         Kind::Number(_) | Kind::Text(_) => true,
-        Kind::Sign(s) => matches!(*s, ")" | "]" | "}"),
+        Kind::Sign(s) => matches!(*s, ")" | "]" | "}" | "!"),
         Kind::End => false,
     }
 }

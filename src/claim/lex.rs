@@ -46,7 +46,7 @@ pub enum Kind {
 
 const SIGNS: &[&str] = &[
     "<=>", "**", "==", "<=", ">=", "!=", "=>", "->", "..", "+", "-", "*", "/", "^", "(", ")", "[", "]", "{", "}", ",",
-    ";", ":", "=", "<", ">",
+    ";", ":", "=", "<", ">", "|", "!",
 ];
 
 const UNICODE: &[(char, &str)] = &[
@@ -89,7 +89,10 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
             at += source[at..].find('\n').unwrap_or(source.len() - at);
             continue;
         }
-        let kind = if c.is_alphabetic() || c == '_' {
+        let kind = if let Some(length) = equation_number(&source[at..], &out) {
+            at += length;
+            Kind::Text(source[start..at].to_string())
+        } else if c.is_alphabetic() || c == '_' {
             let rest = &source[at..];
             let mut end = 0;
             for (i, d) in rest.char_indices() {
@@ -201,6 +204,18 @@ fn dashed(before: &[Token]) -> bool {
         }
     }
     false
+}
+
+/// The length of an equation number as a source prints it, `2.13`, `A.3` or `7a`, where the text follows `number`.
+fn equation_number(text: &str, before: &[Token]) -> Option<usize> {
+    let is_asked =
+        matches!(before.last(), Some(Token { kind: Kind::Word(word), first_on_line: true, .. }) if word == "number");
+    if !is_asked || !text.starts_with(|c: char| c.is_alphanumeric()) {
+        return None;
+    }
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '.' | '-' | '\'' | '′' | '*');
+    let length = text.find(|c: char| !is_part(c)).unwrap_or(text.len());
+    (text[..length].chars().count() <= NAME_LIMIT).then_some(length)
 }
 
 /// The length of the numeral at the beginning: digits, point and digits, exponent. `1..6` is a range.

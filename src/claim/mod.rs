@@ -1,4 +1,5 @@
 //! The claim language: reading, checking and printing claim files.
+pub mod abbreviation;
 mod check;
 pub mod definedness;
 pub mod diagnostic;
@@ -6,9 +7,12 @@ pub mod diagnostic;
 pub mod embedded;
 pub mod format;
 pub mod lex;
+mod matrix;
 pub mod parse;
+pub mod preamble;
 pub mod print;
 pub mod syntax;
+pub mod walk;
 
 /// The description of the language, for `carom help language`.
 pub const LANGUAGE: &str = include_str!("../../proofs/README.md");

@@ -382,7 +382,11 @@ impl Style {
         } else if b.constraints.is_empty() {
             out.push_str(&format!(" {}", self.word("real")).replace("  ", " "));
         }
-        for constraint in &b.constraints {
+        for (place, constraint) in b.constraints.iter().enumerate() {
+            // Two conditions side by side would look like a chain.
+            if place > 0 {
+                out.push_str(&self.word(" and").replace("  ", " "));
+            }
             out.push(' ');
             out.push_str(&match constraint {
                 Constraint::Relation(r, e) => format!("{} {}", self.relation(*r), self.expr(e)),

@@ -3,7 +3,7 @@
 //! Contract: the tree is plain data. Numerals stay text, so that prover and kernel each read them
 //! with their own arithmetic. Chains of `+ -` and of `* /` are flat lists, so that the depth of a
 //! tree is bounded by [`MAX_DEPTH`], which the parser enforces; recursion over a tree is safe.
-//! Two expressions are compared with [`Expr::same`], which ignores places.
+//! Names and expressions are equal where they are written alike; places do not count.
 
 /// The deepest nesting of parentheses, powers, negations and propositions that the parser accepts.
 pub const MAX_DEPTH: usize = 200;
@@ -18,7 +18,7 @@ pub struct Span {
 }
 
 /// A name with its place.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Name {
     /// The name as written: a letter, then letters, digits and `_`; claim names also hold `-`.
     pub text: String,
@@ -35,8 +35,36 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl PartialEq for Name {
+    fn eq(&self, other: &Name) -> bool {
+        self.text == other.text
+    }
+}
+
+impl Eq for Name {}
+
+impl std::hash::Hash for Name {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.text.hash(state);
+    }
+}
+
+impl PartialEq for Expr {
+    fn eq(&self, other: &Expr) -> bool {
+        self.kind == other.kind
+    }
+}
+
+impl Eq for Expr {}
+
+impl std::hash::Hash for Expr {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.kind.hash(state);
+    }
+}
+
 /// The sign of a summand in a sum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sign {
     /// `+ a`
     Plus,
@@ -45,7 +73,7 @@ pub enum Sign {
 }
 
 /// The operator before a factor in a product.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Factor {
     /// `* a`
     Times,
@@ -54,7 +82,7 @@ pub enum Factor {
 }
 
 /// The kinds of expressions.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum ExprKind {
     /// A numeral as written: `3`, `0.5`, `2.5e-3`. Always non-negative.
     Number(String),
@@ -132,7 +160,7 @@ pub const FUNCTIONS: &[(&str, usize)] = &[
 ];
 
 /// The bound index of a sum, a product or a bounded quantifier: `i = from..to`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Index {
     /// The index.
     pub name: Name,
@@ -157,6 +185,20 @@ pub enum Relation {
     Greater,
     /// `>=`
     GreaterEqual,
+}
+
+impl Relation {
+    /// What holds of two numbers where this does not.
+    pub fn negated(self) -> Relation {
+        match self {
+            Relation::Equal => Relation::NotEqual,
+            Relation::NotEqual => Relation::Equal,
+            Relation::Less => Relation::GreaterEqual,
+            Relation::LessEqual => Relation::Greater,
+            Relation::Greater => Relation::LessEqual,
+            Relation::GreaterEqual => Relation::Less,
+        }
+    }
 }
 
 /// A proposition with its place.
@@ -293,10 +335,11 @@ pub enum Item {
 }
 
 /// How the statement was read from the paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
+    /// As the source prints it, a misprint included.
+    Printed,
     /// Damaged text mended by algebra, or legible as it stands.
-    #[default]
     Restored,
     /// Exactly as the text was extracted.
     Extracted,
@@ -323,20 +366,26 @@ pub struct Claim {
     pub name: Name,
     /// The title.
     pub title: String,
+    /// `paper "…"` of the preamble: the title of the whole.
+    pub paper: Option<String>,
     /// `source "…"`
     pub source: Option<String>,
     /// `section "…"`: groups claims in reports.
     pub section: Option<String>,
-    /// `number 13`: the equation number in the source.
-    pub number: Option<u32>,
-    /// `reading restored|extracted|beyond`
-    pub reading: Reading,
+    /// `number 13`, `number A.3`: the equation number as the source prints it.
+    pub number: Option<String>,
+    /// `reading restored|extracted|beyond|as printed`, where the author says it.
+    pub reading: Option<Reading>,
+    /// `text "…"` above the claim: paragraphs that a report prints before it.
+    pub prose: Vec<String>,
     /// `note "…"`: remarks printed with the verdict; several allowed.
     pub notes: Vec<String>,
     /// `using eq06, eq12`: earlier claims that the argument may cite.
     pub using: Vec<Name>,
-    /// Declarations in order.
+    /// Declarations in order, those taken from a preamble first.
     pub items: Vec<Item>,
+    /// `sample x = 3, y = sqrt(2)`: a point at which the hypotheses hold, as the author says.
+    pub sample: Vec<(Name, Expr)>,
     /// `prove P`
     pub goal: Prop,
     /// The argument, possibly empty; untrusted guidance, every step is checked.
@@ -454,30 +503,4 @@ pub struct Diagnose {
     pub help: Option<String>,
     /// Where.
     pub span: Span,
-}
-
-impl Expr {
-    /// Whether two expressions are the same but for their places.
-    pub fn same(&self, other: &Expr) -> bool {
-        use ExprKind::*;
-        let all = |a: &[Expr], b: &[Expr]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.same(b));
-        match (&self.kind, &other.kind) {
-            (Number(a), Number(b)) | (Name(a), Name(b)) => a == b,
-            (Apply(f, a), Apply(g, b)) => f.text == g.text && all(a, b),
-            (Negate(a), Negate(b)) => a.same(b),
-            (Sum(a), Sum(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && a.1.same(&b.1)),
-            (Product(a), Product(b)) => {
-                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && a.1.same(&b.1))
-            }
-            (Power(a, b), Power(c, d)) => a.same(c) && b.same(d),
-            (SumOver(i, a), SumOver(j, b)) | (ProductOver(i, a), ProductOver(j, b)) => {
-                i.name.text == j.name.text && i.from.same(&j.from) && i.to.same(&j.to) && a.same(b)
-            }
-            (Derivative(a, v), Derivative(b, w)) => {
-                a.same(b) && v.len() == w.len() && v.iter().zip(w).all(|(v, w)| v.text == w.text)
-            }
-            (Matrix(a), Matrix(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| all(a, b)),
-            _ => false,
-        }
-    }
 }

@@ -1,14 +1,17 @@
 //! `carom audit`
 
-use super::load::{self, Source};
+use super::check::unreadable;
+use super::interrupt::{Interrupt, interrupted};
+use super::load::{self, Broken, Files, Source};
 use super::progress::Progress;
-use super::{Exit, Format, print, write_file};
-use crate::certificate::text::FILE_LIMIT;
-use crate::claim::diagnostic::{Diagnostic, nearest};
+use super::{Exit, Format, print, terminal, write_file};
+use crate::certificate::VERSION;
+use crate::certificate::text::{FILE_LIMIT, Fault as Unread, Malformed, version_of};
+use crate::claim::diagnostic::{self, Diagnostic, nearest};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::judge::hand::AtHand;
-use crate::judge::{Judgement, Settings, diagnostic, judge};
+use crate::judge::{self, Judgement, Settings, judge};
 use crate::prove::catalogue::Catalogue;
 use crate::prove::outcome::{Fault, Verdict};
 use crate::report::{self, Audit, Entry, Problem, counted};
@@ -19,13 +22,31 @@ use std::path::{Path, PathBuf};
 pub struct Loaded {
     /// The claims.
     pub catalogue: Catalogue,
+    /// How many of the catalogue's claims were asked for; those behind them are cited ones of the built-in catalogue.
+    own: usize,
     origin: Vec<usize>,
     sources: Vec<Source>,
+    /// What could not be read, or cites what could not be read.
+    broken: Vec<Broken>,
+    /// The certificates that come with the program, and those that lie beside the claims.
+    hand: AtHand,
 }
 
 /// Loads the built-in catalogue or the given files; with `only`, no more of the catalogue than needed.
+///
+/// # Errors
+/// Something could not be read.
 pub fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
-    let (claims, origin, sources): (Vec<Claim>, Vec<usize>, Vec<Source>) = if paths.is_empty() {
+    let loaded = readable(paths, only)?;
+    if loaded.broken.is_empty() { Ok(loaded) } else { Err(load::together(&loaded.broken)) }
+}
+
+/// The same, without what could not be read.
+///
+/// # Errors
+/// Nothing could be read.
+fn readable(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
+    let mut files = if paths.is_empty() {
         let broken = |faults: Vec<Diagnostic>| {
             Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
         };
@@ -37,17 +58,69 @@ pub fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
                 return Err(no_match(only, &names));
             }
         };
-        (claims, Vec::new(), Vec::new())
+        Files { claims, ..Files::default() }
     } else {
-        load::claims(&load::files(paths)?)?
+        load::claims(&load::files(paths)?)
     };
-    let copy = claims.clone();
-    let catalogue = Catalogue::new(claims).map_err(|list| load::faults(&list, &copy, &origin, &sources))?;
-    if only.iter().find(|n| catalogue.get(n).is_none()).is_some() {
-        let names: Vec<&str> = catalogue.claims().iter().map(|c| c.name.text.as_str()).collect();
+    let catalogue = loop {
+        let all = if paths.is_empty() { files.claims.clone() } else { cited_too(files.claims.clone()) };
+        let list = match Catalogue::new(all) {
+            Ok(catalogue) => break catalogue,
+            Err(list) => list,
+        };
+        set_aside(&mut files, &list);
+    };
+    let own = files.claims.len();
+    if own == 0 && !files.broken.is_empty() {
+        return Err(load::together(&files.broken));
+    }
+    let Files { claims, origin, sources, broken } = files;
+    if only.iter().any(|n| claims.iter().all(|c| c.name.text != *n)) {
+        if !broken.is_empty() {
+            return Err(load::together(&broken));
+        }
+        let names: Vec<&str> = claims.iter().map(|c| c.name.text.as_str()).collect();
         return Err(no_match(only, &names));
     }
-    Ok(Loaded { catalogue, origin, sources })
+    Ok(Loaded { catalogue, own, origin, sources, broken, hand: AtHand::default() })
+}
+
+/// Claims, and what they cite of the built-in catalogue: those that none of them is called like.
+pub fn cited_too(mut claims: Vec<Claim>) -> Vec<Claim> {
+    let missing = |claims: &[Claim]| -> Vec<String> {
+        let cited = claims.iter().flat_map(|c| c.using.iter().map(|n| n.text.clone()));
+        cited.filter(|n| claims.iter().all(|c| c.name.text != *n)).collect()
+    };
+    for name in missing(&claims) {
+        let Ok(Some(list)) = embedded::claims(&[name]) else { continue };
+        let is_new = |c: &Claim| claims.iter().all(|own| own.name.text != c.name.text);
+        let list: Vec<Claim> = list.into_iter().filter(is_new).collect();
+        claims.extend(list);
+    }
+    claims
+}
+
+/// Takes claims that cite what is not there, or themselves, out of those that are judged.
+fn set_aside(files: &mut Files, list: &[(String, Diagnostic)]) {
+    let gone: Vec<String> = files.broken.iter().flat_map(|b| b.claims.iter().cloned()).collect();
+    for (name, fault) in list {
+        let Some(place) = files.claims.iter().position(|c| c.name.text == *name) else { continue };
+        let claim = &files.claims[place];
+        let lost = claim.using.iter().find(|n| gone.contains(&n.text));
+        let fault = match lost {
+            Some(cited) => {
+                let message = format!("{}, which {name} cites, could not be read", cited.text);
+                let help = Some("mend what is said about it".to_string());
+                Diagnostic::new(diagnostic::Fault::Other { message, help }, cited.span)
+            }
+            None => fault.clone(),
+        };
+        let one = [(name.clone(), fault)];
+        let exit = load::faults(&one, &files.claims, &files.origin, &files.sources);
+        files.claims.remove(place);
+        files.origin.remove(place);
+        files.broken.push(Broken { name: name.clone(), claims: vec![name.clone()], exit });
+    }
 }
 
 fn no_match(only: &[String], names: &[&str]) -> Exit {
@@ -68,20 +141,27 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
 }
 
 impl Loaded {
+    /// The claims that were asked for.
+    pub fn claims(&self) -> &[Claim] {
+        &self.catalogue.claims()[..self.own]
+    }
+
     /// Judges claims: all of the catalogue, or those of these names.
     pub fn judge(&self, only: &[String], settings: &Settings) -> Judgement {
-        let all = self.catalogue.claims().iter().map(|c| c.name.text.clone());
+        let all = self.claims().iter().map(|c| c.name.text.clone());
         let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
         let progress = Progress::start(names.len() as u64);
-        let found =
-            judge(&self.catalogue, &names, &self.hand(), settings, &|done, name| progress.now(done as u64, name));
+        let found = judge(&self.catalogue, &names, &self.hand, settings, &|done, name| progress.now(done as u64, name));
         progress.finish();
         found
     }
 
-    /// The certificates that come with the program, and those that lie beside the claims.
-    fn hand(&self) -> AtHand {
-        let mut out = AtHand::embedded();
+    /// The same with the certificates at hand: those that come with the program, and those that lie beside the claims.
+    ///
+    /// # Errors
+    /// One of them is of another format, unless `replaced` says that new ones are made.
+    pub fn with_certificates(mut self, replaced: bool) -> Result<Loaded, Exit> {
+        self.hand = AtHand::embedded();
         let parents = self.sources.iter().map(|s| match Path::new(&s.path).parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
             _ => PathBuf::from("."),
@@ -95,10 +175,18 @@ impl Loaded {
             for file in files {
                 // What cannot be read, or is no certificate, decides nothing.
                 let text = load::bounded(&file, FILE_LIMIT).ok().and_then(|bytes| String::from_utf8(bytes).ok());
-                text.into_iter().for_each(|text| out.add(text.into()));
+                let Some(text) = text else { continue };
+                match version_of(&text).filter(|version| *version != VERSION.to_string()) {
+                    None => self.hand.add(text.into()),
+                    Some(_) if replaced => {}
+                    Some(version) => {
+                        let malformed = Malformed { line: 1, fault: Unread::Version(version.to_string()) };
+                        return Err(unreadable(&file.display().to_string(), &malformed));
+                    }
+                }
             }
         }
-        out
+        Ok(self)
     }
 
     /// The failure of a claim that makes no sense, at its place.
@@ -106,7 +194,7 @@ impl Loaded {
         let Some(claim) = self.catalogue.get(name) else {
             return Exit::usage(format!("error: no claim is called {name}"));
         };
-        let list = vec![(name.to_string(), diagnostic(claim, fault))];
+        let list = vec![(name.to_string(), judge::diagnostic(claim, fault))];
         load::faults(&list, self.catalogue.claims(), &self.origin, &self.sources)
     }
 }
@@ -120,7 +208,8 @@ pub fn run(
     certificates: Option<&Path>,
     settings: &Settings,
 ) -> Result<u8, Exit> {
-    let loaded = match load(paths, only) {
+    let replaced = certificates.is_some() || settings.anew;
+    let loaded = match readable(paths, only).and_then(|loaded| loaded.with_certificates(replaced)) {
         Ok(loaded) => loaded,
         Err(exit) => {
             // A machine that reads only the report must not take silence for success.
@@ -132,10 +221,15 @@ pub fn run(
         }
     };
     let (audit, messages) = judge_all(&loaded, only, settings);
+    // From the first file on, all are written.
+    let interrupt = Interrupt::listen();
     if let Some(folder) = certificates {
         write_certificates(&audit.entries, folder)?;
     }
     write(&audit, format, output)?;
+    if interrupt.asked() {
+        return Err(interrupted("everything is written"));
+    }
     if !messages.is_empty() {
         return Err(Exit::usage(messages.join("\n")));
     }
@@ -144,7 +238,7 @@ pub fn run(
 
 /// Judges the built-in catalogue or the given files as a whole.
 pub fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
-    let loaded = load(paths, &[])?;
+    let loaded = readable(paths, &[])?.with_certificates(settings.anew)?;
     let (audit, messages) = judge_all(&loaded, &[], settings);
     if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
 }
@@ -152,6 +246,10 @@ pub fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
 /// The audit, and what to print of the claims that could not be judged.
 fn judge_all(loaded: &Loaded, only: &[String], settings: &Settings) -> (Audit, Vec<String>) {
     let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
+    for broken in &loaded.broken {
+        problems.push(problem(&broken.name, &broken.exit));
+        messages.push(broken.exit.message.clone());
+    }
     let found = loaded.judge(only, settings);
     for (name, entry) in found.entries {
         match entry {
@@ -193,7 +291,7 @@ fn write_certificates(entries: &[Entry], folder: &Path) -> Result<(), Exit> {
     if !missing.is_empty() {
         message += &format!("; found by the search, not accepted by the kernel: {}", missing.join(", "));
     }
-    let _ = std::io::Write::write_all(&mut anstream::stderr(), format!("{message}\n").as_bytes());
+    terminal::note(&message);
     Ok(())
 }
 
@@ -205,6 +303,7 @@ fn problem(name: &str, exit: &Exit) -> Problem {
 /// Writes the report.
 fn write(audit: &Audit, format: Format, output: Option<&Path>) -> Result<(), Exit> {
     let text = match format {
+        Format::Text if terminal::quiet() => report::text::unexpected(audit),
         Format::Text => report::text::report(audit),
         Format::Json => report::json::report(audit),
         Format::Markdown => report::markdown::report(audit),

@@ -1,9 +1,10 @@
 //! `carom check`: certificates of claims, and of tables (`table_certificate`).
 
+use super::audit::cited_too;
 use super::table_certificate::Other;
-use super::{Exit, load, print, table_certificate};
+use super::{Exit, form, load, print, table_certificate, terminal, write_file};
 use crate::certificate::Certificate;
-use crate::certificate::text::{FILE_LIMIT, digest, read};
+use crate::certificate::text::{FILE_LIMIT, Malformed, digest, read};
 use crate::claim::diagnostic::Diagnostic;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
@@ -21,31 +22,48 @@ struct Found {
 /// What one certificate came to.
 enum Outcome {
     Accepted(Box<Accepted>),
+    /// The claim is false: what was shown of it at a point.
+    Refuted(String),
     Rejected(String),
     Declined(&'static str),
 }
 
 /// Runs the command: exit 1 if a certificate is rejected, 3 if a limit was reached.
-pub fn run(paths: &[PathBuf], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+pub fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
+    let quiet = terminal::quiet();
+    let Some(path) = form::place(output) else { return check(paths, claims, quiet, &mut print) };
+    let mut report = String::new();
+    let code = check(paths, claims, quiet, &mut |text| {
+        report.push_str(text);
+        Ok(())
+    })?;
+    write_file(path, &report)?;
+    Ok(code)
+}
+
+/// Takes what is to be said.
+type Say<'a> = &'a mut dyn FnMut(&str) -> Result<(), Exit>;
+
+fn check(paths: &[PathBuf], claims: &[PathBuf], quiet: bool, say: Say<'_>) -> Result<u8, Exit> {
     let (tables, others) = table_certificate::told_apart(paths)?;
     let only_tables = others.is_empty() && !tables.is_empty();
-    let of_tables = table_certificate::run(tables, quiet)?;
+    let of_tables = table_certificate::run(tables, quiet, say)?;
     if only_tables {
         return Ok(of_tables);
     }
-    let of_claims = check_claims(&others, claims, quiet)?;
+    let of_claims = check_claims(&others, claims, quiet, say)?;
     // A rejection says more than a limit.
     Ok(if of_tables == 1 || of_claims == 1 { 1 } else { of_tables.max(of_claims) })
 }
 
-fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool) -> Result<u8, Exit> {
+fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool, say: Say<'_>) -> Result<u8, Exit> {
     let claims: Vec<Claim> = if claims.is_empty() {
         let broken = |faults: Vec<Diagnostic>| {
             Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
         };
         embedded::claims(&[]).map_err(broken)?.unwrap_or_default()
     } else {
-        load::claims(&load::files(claims)?)?.0
+        cited_too(load::claims(&load::files(claims)?).whole()?.claims)
     };
     let (asked, found) = certificates(paths, &claims)?;
     let mut outcomes: BTreeMap<String, Outcome> = BTreeMap::new();
@@ -68,6 +86,13 @@ fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool) -> Result<u8, 
                     out += &accepted.text().lines().map(|l| format!("    {l}\n")).collect::<String>();
                 }
             }
+            Some(Outcome::Refuted(statement)) => {
+                good += 1;
+                out += &format!("refuted   {name}\n");
+                if !quiet {
+                    out += &statement.lines().map(|l| format!("    {l}\n")).collect::<String>();
+                }
+            }
             Some(Outcome::Rejected(reason)) => {
                 code = 1;
                 out += &format!("rejected  {name}  {origin}: {reason}\n");
@@ -81,7 +106,7 @@ fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool) -> Result<u8, 
     }
     out += &format!("{good} of {} certificates accepted\n", asked.len());
     // Reasons and names quote the files.
-    print(&visible_lines(&out))?;
+    say(&visible_lines(&out))?;
     Ok(code)
 }
 
@@ -145,6 +170,14 @@ fn certificates(paths: &[Other], claims: &[Claim]) -> Result<(Vec<String>, BTree
             let certificate = parsed(&origin, &text_of(&file)?)?;
             found.entry(certificate.claim.clone()).or_insert(Found { origin, certificate });
         }
+        // A claim may cite one of the built-in catalogue, whose certificate comes with the program.
+        if !found.contains_key(&name)
+            && let Some((_, text)) = embedded::certificates().into_iter().find(|(built_in, _)| *built_in == name)
+        {
+            let origin = format!("{name}.cert");
+            let certificate = parsed(&origin, text)?;
+            found.insert(name.clone(), Found { origin, certificate });
+        }
         let cited = claims.iter().filter(|c| c.name.text == name).flat_map(|c| &c.using);
         open.extend(cited.map(|n| n.text.clone()));
     }
@@ -173,7 +206,22 @@ fn utf8(path: &Path, bytes: Vec<u8>) -> Result<String, Exit> {
 }
 
 fn parsed(origin: &str, text: &str) -> Result<Certificate, Exit> {
-    read(text).map_err(|m| Exit::faults(&[format!("error: {origin}:{}: {}", m.line, m.message)], m.limit))
+    read(text).map_err(|malformed| unreadable(origin, &malformed))
+}
+
+/// The end of the program where a certificate cannot be read.
+pub fn unreadable(origin: &str, malformed: &Malformed) -> Exit {
+    let Malformed { line, fault } = malformed;
+    Exit::faults(&[format!("error: {origin}:{line}: {fault}")], fault.is_limit())
+}
+
+const OTHER_DIGEST: &str = "the digest is that of another statement";
+
+/// The statement that a certificate of a refutation shows, if the digest is its.
+fn refuted(claim: &Claim, certificate: &Certificate) -> Option<String> {
+    let shown = kernel::refutation::of(claim, certificate.refutes.as_ref()?).ok()?;
+    let statement = kernel::statement::Statement::of(&shown).ok()?.text();
+    (digest(&statement) == certificate.statement).then_some(statement)
 }
 
 /// Judges a certificate, those of the claims that it cites first.
@@ -216,7 +264,11 @@ fn judge(name: &str, claims: &[Claim], found: &BTreeMap<String, Found>, outcomes
             Verdict::Accepted(accepted) if digest(&accepted.text()) == here.certificate.statement => {
                 Outcome::Accepted(accepted)
             }
-            Verdict::Accepted(_) => Outcome::Rejected("the digest is that of another statement".to_string()),
+            Verdict::Accepted(_) => Outcome::Rejected(OTHER_DIGEST.to_string()),
+            Verdict::Refuted => match refuted(claim, &here.certificate) {
+                Some(statement) => Outcome::Refuted(statement),
+                None => Outcome::Rejected(OTHER_DIGEST.to_string()),
+            },
             Verdict::Rejected { step, rule, reason } => Outcome::Rejected(match step.as_str() {
                 "" => format!("{rule}: {reason}"),
                 _ => format!("step {step} ({rule}): {reason}"),

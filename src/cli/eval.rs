@@ -1,6 +1,12 @@
 //! `carom eval`: one chain, by flags or by a scene file, or a stream of chains.
 
-use super::{Exit, ValueFormat, load, print};
+use super::form::{form, place};
+use super::interrupt::{INTERRUPTED, Interrupt, interrupted};
+use super::output::Output;
+use super::partial::Target;
+use super::progress::Progress;
+use super::table_contents::{Round, joined};
+use super::{Exit, ValueFormat, deliver, load, terminal};
 use crate::chain::best::Best;
 use crate::chain::threshold::Helps;
 use crate::chain::uncertain::{Range, RangeError};
@@ -10,10 +16,12 @@ use crate::number::decimal::{Digits, Rounding};
 use crate::number::rational::{NumeralError, parse};
 use crate::report::answers;
 use crate::scene::answer::{Answers, Number, Value};
+use crate::scene::drop::Drop;
 use crate::scene::quantity::{Input, Quantity};
-use crate::scene::read::{self, DEFAULT_DIGITS, ROUNDINGS, SceneFault, elements};
-use crate::scene::{Coefficients, Inputs, Inserted, Scene, Start};
-use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use crate::scene::read::{self, DEFAULT_DIGITS, SceneFault, elements};
+use crate::scene::{About, Coefficients, Inputs, Inserted, Scene, Start};
+use malachite::base::num::conversion::traits::IsInteger;
+use std::io::{BufRead, BufReader, BufWriter, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The longest line of a batch.
@@ -22,7 +30,7 @@ const MAX_LINE: usize = 1 << 16;
 /// The flags of `carom eval`.
 #[derive(clap::Args)]
 pub struct EvalFlags {
-    /// A scene file (see `carom help scene`); flags override what it says on digits and wants
+    /// A scene file (see `carom help scene`), - for standard input; flags override its `digits` and `want`
     scene: Option<PathBuf>,
     /// Mass of the first body: 10, 3/4, 0.5, 2e-3, or measured: "57.1 ± 0.1", "[57, 58]"
     #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
@@ -32,31 +40,37 @@ pub struct EvalFlags {
     m2: Option<String>,
     /// Coefficient of restitution, or one for each collision: 9/10,4/5; threshold and masses do not need it
     #[arg(short = 'e', long = "restitution", value_name = "E[,E…]", allow_hyphen_values = true)]
-    e: Option<String>,
+    e: Vec<String>,
     /// Number of inserted bodies, 0 for none; best-n does not need it
-    #[arg(short, value_name = "N", allow_hyphen_values = true)]
+    #[arg(short, long = "inserted", value_name = "N", allow_hyphen_values = true)]
     n: Option<String>,
-    /// Inserted masses: optimal, or a list of n masses
+    /// Inserted masses: optimal, or a list of n masses [default: optimal]
     #[arg(long, value_name = "optimal|M,M…", allow_hyphen_values = true)]
-    masses: Option<String>,
-    /// Velocity of the first body
+    masses: Vec<String>,
+    /// Velocity of the first body [default: 1]
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     speed: Option<String>,
-    /// What to compute: eta, threshold, helps, masses, velocities, last-velocity, best-n, matrix, losses, recollides
+    /// What to compute, several with commas [default: eta]: eta (share of the first body's kinetic energy that reaches
+    /// the last body), threshold (L_n: least restitution with which the n-th inserted body helps), helps (whether it
+    /// does), best-n (n*: best number of inserted bodies), masses, velocities (after each body has struck the next),
+    /// last-velocity, matrix (of each collision), losses (of energy), recollides (whether bodies meet again)
     #[arg(long, value_name = "LIST")]
-    want: Option<String>,
-    /// Significant digits of each decimal
+    want: Vec<String>,
+    /// Significant digits of each decimal [default: 15]
     #[arg(long, value_name = "D", conflicts_with = "places")]
     digits: Option<u64>,
     /// Digits after the point
     #[arg(long, value_name = "P")]
     places: Option<u64>,
-    /// Direction of rounding: nearest (ties to even), up, down, zero, away
-    #[arg(long, value_name = "MODE")]
-    round: Option<String>,
-    /// The form of the answers
-    #[arg(long, value_enum, default_value = "text")]
-    format: ValueFormat,
+    /// The direction of rounding [default: nearest]
+    #[arg(long, value_enum)]
+    round: Option<Round>,
+    /// The form of the answers [default: by the ending of --output (.json), else text]
+    #[arg(long, value_enum)]
+    format: Option<ValueFormat>,
+    /// Write the answers to a file, - for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// List what was computed, what was skipped, and the level that settled each answer
     #[arg(long)]
     explain: bool,
@@ -73,15 +87,20 @@ pub fn run(flags: &EvalFlags) -> Result<u8, Exit> {
         return run_batch(flags, batch);
     }
     let scene = match &flags.scene {
-        Some(path) => from_file(flags, path)?,
+        Some(path) => match from_file(flags, path)? {
+            (_, read::Subject::Chain(scene)) => scene,
+            (about, read::Subject::Drop(drop, digits)) => return dropped(flags, &about, &drop, digits),
+        },
         None => from_flags(flags)?,
     };
     let found = Answers::new(&scene);
-    let report = match flags.format {
+    let progress = Progress::alone("computing");
+    let report = match form(flags.format, flags.output.as_deref())? {
         ValueFormat::Text => answers::text(&scene, &found, flags.explain),
         ValueFormat::Json => answers::json(&scene, &found, flags.explain),
     };
-    print(&report.map_err(|(quantity, error)| failure(quantity.name(), &error))?)?;
+    progress.finish();
+    deliver(flags.output.as_deref(), &report.map_err(|(quantity, error)| failure(quantity.name(), &error))?)?;
     Ok(0)
 }
 
@@ -97,58 +116,81 @@ pub fn scene_title(path: &Path) -> String {
     if stem.trim().is_empty() { "scene".to_owned() } else { stem }
 }
 
-/// Reads a scene file.
-pub fn load_scene(path: &Path) -> Result<Scene, Exit> {
+/// Answers for balls that are dropped together.
+fn dropped(flags: &EvalFlags, about: &About, drop: &Drop, digits: u64) -> Result<u8, Exit> {
+    let refused = [
+        ("--want", !flags.want.is_empty()),
+        ("--places", flags.places.is_some()),
+        ("--round", flags.round.is_some()),
+        ("--explain", flags.explain),
+    ];
+    if let Some((flag, _)) = refused.iter().find(|(_, given)| *given) {
+        return Err(Exit::usage(format!(
+            "error: {flag}: a scene with [drop] answers one question, how high the balls rise"
+        )));
+    }
+    let digits = match flags.digits {
+        Some(0) => return Err(Exit::usage("error: --digits 0: give at least one significant digit")),
+        Some(digits) => digits,
+        None => digits,
+    };
+    let report = match form(flags.format, flags.output.as_deref())? {
+        ValueFormat::Text => crate::report::drop::text(drop, about, digits),
+        ValueFormat::Json => crate::report::drop::json(drop, digits),
+    };
+    deliver(flags.output.as_deref(), &report.map_err(|error| failure("drop", &error))?)?;
+    Ok(0)
+}
+
+/// Reads a scene file, of a chain or of balls that are dropped, with what it says of itself.
+pub fn described(path: &Path) -> Result<(About, read::Subject), Exit> {
     let text = text_of(path)?;
-    read::scene(&text).map_err(|fault| shown(&fault, path, &text))
+    read::described(&text).map_err(|fault| shown(&fault, path, &text))
 }
 
 /// A fault of a scene file, with its place.
 fn shown(SceneFault { diagnostic, limit }: &SceneFault, path: &Path, text: &str) -> Exit {
     Exit {
         code: if *limit { 3 } else { 2 },
-        message: diagnostic.render(&path.display().to_string(), text, load::colour()),
+        message: diagnostic.render(&path.display().to_string(), text, terminal::colour()),
     }
 }
 
 fn text_of(path: &Path) -> Result<String, Exit> {
     let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let bytes = if path.as_os_str() == "-" {
-        let mut bytes = Vec::new();
-        std::io::stdin().lock().take(read::MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
-        bytes
-    } else {
-        load::bounded(path, read::MAX_BYTES).map_err(fail)?
-    };
+    let bytes = load::bounded(path, read::MAX_BYTES).map_err(fail)?;
     String::from_utf8(bytes).map_err(|_| Exit::usage(format!("error: {}: this is not UTF-8 text", path.display())))
 }
 
-fn from_file(flags: &EvalFlags, path: &Path) -> Result<Scene, Exit> {
+fn from_file(flags: &EvalFlags, path: &Path) -> Result<(About, read::Subject), Exit> {
     let given = [
-        ("--m1", &flags.m1),
-        ("--m2", &flags.m2),
-        ("-e", &flags.e),
-        ("-n", &flags.n),
-        ("--masses", &flags.masses),
-        ("--speed", &flags.speed),
+        ("--m1", flags.m1.is_some()),
+        ("--m2", flags.m2.is_some()),
+        ("-e", !flags.e.is_empty()),
+        ("-n", flags.n.is_some()),
+        ("--masses", !flags.masses.is_empty()),
+        ("--speed", flags.speed.is_some()),
     ];
-    if let Some((name, _)) = given.iter().find(|(_, value)| value.is_some()) {
-        return Err(Exit::usage(format!("error: {name} goes with flags alone; the scene file describes the chain")));
+    if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
+        return Err(Exit::usage(format!(
+            "error: {name} and a scene file: the file describes the whole chain; leave {name} out"
+        )));
     }
     let text = text_of(path)?;
-    let mut scene = read::scene(&text).map_err(|fault| shown(&fault, path, &text))?;
-    if let Some(want) = &flags.want {
-        scene.want = wants(want)?;
+    let (about, subject) = read::described(&text).map_err(|fault| shown(&fault, path, &text))?;
+    let read::Subject::Chain(mut scene) = subject else { return Ok((about, subject)) };
+    if let Some(want) = joined(&flags.want) {
+        scene.want = wants(&want)?;
     }
     if flags.digits.is_some() || flags.places.is_some() {
         scene.digits = digits(flags)?;
     }
     if flags.round.is_some() {
-        scene.rounding = rounding(flags)?;
+        scene.rounding = rounding(flags);
     }
     match scene.missing() {
         Some((quantity, input)) => Err(shown(&read::lacking(&text, quantity, input), path, &text)),
-        None => Ok(scene),
+        None => Ok((about, read::Subject::Chain(scene))),
     }
 }
 
@@ -156,9 +198,9 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
     let missing = |name: &str| Exit::usage(format!("error: {name} is missing: give --m1 and --m2, or a scene file"));
     let first = mass("--m1", flags.m1.as_ref().ok_or_else(|| missing("--m1"))?)?;
     let last = mass("--m2", flags.m2.as_ref().ok_or_else(|| missing("--m2"))?)?;
-    let coefficients = flags.e.as_deref().map(coefficients).transpose()?;
+    let coefficients = joined(&flags.e).as_deref().map(coefficients).transpose()?;
     let count = flags.n.as_ref().map(|n| natural("-n", n)).transpose()?;
-    let inserted = match flags.masses.as_deref() {
+    let inserted = match joined(&flags.masses).as_deref() {
         None | Some("optimal") => count.map(Inserted::Optimal),
         Some(masses) => {
             let list = elements(masses).iter().map(|m| mass("--masses", m)).collect::<Result<Vec<_>, _>>()?;
@@ -175,8 +217,8 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
         Some(speed) => Start::Speed(parse(speed).map_err(|e| bad("--speed", &RangeError::Numeral(e)))?),
     };
     let inputs = Inputs::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
-    let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
-    let scene = Scene { want, digits: digits(flags)?, rounding: rounding(flags)?, inputs };
+    let want = joined(&flags.want).as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
+    let scene = Scene { want, digits: digits(flags)?, rounding: rounding(flags), inputs };
     match scene.missing() {
         Some((quantity, Input::Restitution)) => {
             Err(Exit::usage(format!("error: {} needs -e, the coefficient of restitution", quantity.name())))
@@ -218,11 +260,8 @@ fn digits(flags: &EvalFlags) -> Result<Digits, Exit> {
     }
 }
 
-fn rounding(flags: &EvalFlags) -> Result<Rounding, Exit> {
-    let Some(name) = &flags.round else { return Ok(Rounding::Nearest) };
-    ROUNDINGS.iter().find(|(known, _)| known == name).map(|(_, rounding)| *rounding).ok_or_else(|| {
-        Exit::usage(format!("error: --round: no direction is called {name}; there are nearest, up, down, zero, away"))
-    })
+fn rounding(flags: &EvalFlags) -> Rounding {
+    flags.round.map_or(Rounding::Nearest, Round::rounding)
 }
 
 fn bad(flag: &str, error: &RangeError) -> Exit {
@@ -242,10 +281,14 @@ fn coefficient(flag: &str, text: &str) -> Result<Range<Restitution>, Exit> {
 }
 
 fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
-    if text.is_empty() || !text.bytes().all(|b| b.is_ascii_digit()) {
-        return Err(Exit::usage(format!("error: {flag}: a natural number was expected, not {text:?}")));
-    }
-    text.parse().map_err(|_| Exit {
+    let number = match parse(text) {
+        Ok(number) if number >= 0 && (&number).is_integer() => number,
+        Err(e @ (NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })) => {
+            return Err(bad(flag, &RangeError::Numeral(e)));
+        }
+        _ => return Err(Exit::usage(format!("error: {flag}: expected a natural number, found {text:?}"))),
+    };
+    u64::try_from(&number).map_err(|_| Exit {
         code: 3,
         message: format!("error: {flag}: limit reached: inserted bodies: {} allowed", crate::chain::MAX_INSERTED),
     })
@@ -253,10 +296,10 @@ fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
 
 /// Answers a stream of chains, a line each; memory stays flat.
 fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
-    if let ValueFormat::Json = flags.format {
+    if let Some(ValueFormat::Json) = flags.format {
         return Err(Exit::usage("error: --batch writes CSV: leave --format json out"));
     }
-    let want = flags.want.as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
+    let want = joined(&flags.want).as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
     let streamed = [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN];
     if let Some(other) = want.iter().find(|q| !streamed.contains(q)) {
         return Err(Exit::usage(format!(
@@ -265,12 +308,17 @@ fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
         )));
     }
     let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
-    let mut input: Box<dyn BufRead> = if path.as_os_str() == "-" {
-        Box::new(BufReader::new(std::io::stdin()))
-    } else {
-        Box::new(BufReader::with_capacity(1 << 16, std::fs::File::open(path).map_err(fail)?))
-    };
-    let batch = Batch { want, digits: digits(flags)?, rounding: rounding(flags)? };
+    let mut input = BufReader::with_capacity(1 << 16, load::open(path).map_err(fail)?);
+    let batch = Batch { want, digits: digits(flags)?, rounding: rounding(flags) };
+    if let Some(target) = place(flags.output.as_deref()) {
+        let mut out = BufWriter::with_capacity(1 << 16, Output::file(target)?);
+        return match batch.answers(&mut input, path, &mut out) {
+            Err(Stop::Input(exit)) if exit.code == INTERRUPTED => Err(interrupted("nothing is written")),
+            Ok(()) => Target::Whole(out).finish().map(|()| 0),
+            Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write {}: {e}", target.display()))),
+            Err(Stop::Input(exit)) => Err(exit),
+        };
+    }
     let mut out = BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
     let ended = batch.answers(&mut input, path, &mut out);
     // What was answered so far stays, also when a line is wrong.
@@ -314,7 +362,16 @@ impl Batch {
             Stop::Input(Exit { code, message: format!("error: {shown}:{line}: {what}") })
         };
         let (mut bytes, mut number, mut first) = (Vec::new(), 0_u64, true);
+        let interrupt = Interrupt::listen();
+        // What is printed says itself how far the work is.
+        let progress = (!std::io::stdout().is_terminal()).then(|| Progress::alone("lines"));
         loop {
+            if interrupt.asked() {
+                return Err(Stop::Input(interrupted(&format!("{number} lines are answered"))));
+            }
+            if let Some(progress) = &progress {
+                progress.now(0, &format!("{number} lines"));
+            }
             bytes.clear();
             let read = (&mut *input).take(MAX_LINE as u64).read_until(b'\n', &mut bytes);
             let read = read.map_err(|e| Stop::Input(load::cannot_read(path, &e)))?;

@@ -1,7 +1,7 @@
 //! `carom export`
 
 use super::audit::load;
-use super::{Exit, Language, print};
+use super::{Exit, Language, terminal};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::export::{Unsupported, coq, smt2};
@@ -13,7 +13,7 @@ const RESET: &str = "\n(reset)\n";
 
 impl Language {
     /// Its name on the command line.
-    fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Language::Coq => "coq",
             Language::Smt2 => "smt2",
@@ -37,7 +37,7 @@ impl Language {
     }
 }
 
-/// Runs the command.
+/// The text that the command prints.
 ///
 /// Without names, what cannot be said is left out and counted on standard error; a named claim that cannot be said is an
 /// error, or a stated limit.
@@ -47,15 +47,15 @@ pub fn run(
     from: &[PathBuf],
     theorems: bool,
     listed: bool,
-) -> Result<u8, Exit> {
+) -> Result<String, Exit> {
     names_after_from(ids, from)?;
     let loaded = load(from, ids)?;
     let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
-    let claims: Vec<&Claim> = loaded.catalogue.claims().iter().filter(wanted).collect();
+    let claims: Vec<&Claim> = loaded.claims().iter().filter(wanted).collect();
     let language = match language {
-        Some(language) if listed => return print(&list(&claims, &[language])).map(|()| 0),
+        Some(language) if listed => return Ok(list(&claims, &[language])),
         Some(language) => language,
-        None => return print(&list(&claims, &[Language::Coq, Language::Smt2])).map(|()| 0),
+        None => return Ok(list(&claims, &[Language::Coq, Language::Smt2])),
     };
     if theorems && language != Language::Coq {
         return Err(Exit::usage("error: --theorems are for Coq: write `carom export coq --theorems`"));
@@ -71,16 +71,15 @@ pub fn run(
     if !ids.is_empty() && !refusals.is_empty() {
         return Err(refused(language, &refusals));
     }
-    print(&text)?;
     if !refusals.is_empty() {
         let (out, all, name) = (refusals.len(), claims.len(), language.name());
-        eprintln!("left out: {out} of {all} claims; `carom export {name} --list` gives the reasons");
+        terminal::note(&format!("left out: {out} of {all} claims; `carom export {name} --list` gives the reasons"));
     }
-    Ok(0)
+    Ok(text)
 }
 
 /// Every word after --from is taken for a path, a name as well.
-fn names_after_from(ids: &[String], from: &[PathBuf]) -> Result<(), Exit> {
+pub fn names_after_from(ids: &[String], from: &[PathBuf]) -> Result<(), Exit> {
     let [first, .., last] = from else { return Ok(()) };
     let is_name = |path: &PathBuf| {
         path.to_str().is_some_and(|p| p.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_'".contains(&b)))

@@ -43,7 +43,8 @@ pub fn table(text: &str) -> Result<Table, Exit> {
     let parsed = TableWords::try_parse_from(&words).map_err(|e| within(refused(&e)))?;
     let plan = parsed.contents.plan().map_err(within)?;
     if plan.rows() > ROWS {
-        let message = format!("limit reached: rows of a table in a report: {ROWS} allowed, {} asked for", plan.rows());
+        let message =
+            format!("error: limit reached: rows of a table in a report: {ROWS} allowed, {} asked for", plan.rows());
         return Err(within(Exit { code: 3, message }));
     }
     let (csv, certificate) = table::in_memory(&plan).map_err(within)?;

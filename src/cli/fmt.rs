@@ -1,22 +1,28 @@
 //! `carom fmt`
 
-use super::load::{files, read, rendered};
+use super::interrupt::{Interrupt, interrupted};
+use super::load::{files, is_standard_input, read, rendered};
 use super::{Exit, print, write_file};
 use crate::claim::diagnostic::Diagnostic;
 use crate::claim::format::format;
-use crate::claim::parse::parse_bytes;
+use crate::claim::parse::text_of;
 use std::path::PathBuf;
 
 /// Runs the command: nothing is written unless every file parses.
 pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     let mut changed = Vec::new();
     let (mut messages, mut only_limits) = (Vec::new(), true);
-    for path in files(paths)? {
+    let paths = files(paths)?;
+    if !check && paths.len() > 1 && paths.iter().any(|path| is_standard_input(path)) {
+        return Err(Exit::usage("error: - formats standard input to standard output; name no other file with it"));
+    }
+    for path in paths {
         let bytes = read(&path)?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let shown = path.display().to_string();
-        let formatted = parse_bytes(&bytes).and_then(|_| format(&text));
+        let formatted = text_of(&bytes).and_then(format);
         match formatted {
+            Ok(formatted) if !check && is_standard_input(&path) => return print(&formatted).map(|()| 0),
             Ok(formatted) if formatted != text => changed.push((path, formatted)),
             Ok(_) => {}
             Err(faults) => {
@@ -28,11 +34,16 @@ pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     if !messages.is_empty() {
         return Err(Exit::faults(&messages, only_limits));
     }
+    // From the first file on, all are written.
+    let interrupt = Interrupt::listen();
     for (path, formatted) in &changed {
         print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()))?;
         if !check {
             write_file(path, formatted)?;
         }
+    }
+    if interrupt.asked() {
+        return Err(interrupted("everything is written"));
     }
     Ok(u8::from(check && !changed.is_empty()))
 }

@@ -4,6 +4,7 @@
 //! no other and reads and writes only there. No time and no path enters the PDF.
 
 use super::interrupt::{Interrupt, interrupted};
+use super::progress::Progress;
 use super::{Exit, output::write_bytes};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -14,7 +15,7 @@ use std::time::{Duration, Instant};
 /// Programs that compile the document, the first that is found.
 const PROGRAMS: [&str; 2] = ["pdflatex", "lualatex"];
 /// The most passes: the table of contents moves pages, which changes the table.
-const PASSES: usize = 4;
+const PASSES: u64 = 4;
 /// How long one pass may take.
 const TIME: Duration = Duration::from_secs(300);
 /// What is left behind where the work on the PDF ends early.
@@ -44,7 +45,9 @@ pub fn pdf(files: &[&(String, Vec<u8>)], interrupt: Interrupt) -> Result<Vec<u8>
         ));
     };
     let mut before = None;
-    for _ in 0..PASSES {
+    let progress = Progress::start(PASSES);
+    for number in 0..PASSES {
+        progress.now(number, &format!("{program} makes report.pdf; at most {PASSES} passes"));
         pass(program, folder.path(), interrupt)?;
         let after = std::fs::read(folder.path().join("report.aux")).unwrap_or_default();
         if before.as_ref() == Some(&after) {
@@ -112,7 +115,7 @@ fn ended(mut child: Child, program: &str, interrupt: Interrupt) -> Result<ExitSt
             _ if begun.elapsed() < TIME => std::thread::sleep(Duration::from_millis(20)),
             _ => {
                 let message =
-                    format!("limit reached: {} seconds for {program}; report.tex was written", TIME.as_secs());
+                    format!("error: limit reached: {} seconds for {program}; report.tex was written", TIME.as_secs());
                 break Exit { code: 3, message };
             }
         }

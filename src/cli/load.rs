@@ -1,9 +1,11 @@
 //! Claim files from the disk, with every fault reported at once.
 
 use super::Exit;
+use super::terminal::colour;
 use crate::claim::diagnostic::{Diagnostic, Fault};
 use crate::claim::lex::FILE_LIMIT;
-use crate::claim::parse::parse_bytes;
+use crate::claim::parse::{claim_names, parse_under, text_of};
+use crate::claim::preamble::{self, Preamble};
 use crate::claim::syntax::Claim;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
@@ -17,7 +19,7 @@ pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Exit> {
     let mut seen = BTreeSet::new();
     let mut out = Vec::new();
     for path in paths {
-        if path.is_dir() {
+        if path.is_dir() && !is_standard_input(path) {
             let mut found = false;
             folder(path, &mut out, &mut seen, &mut found, 0)?;
             if !found {
@@ -30,10 +32,24 @@ pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Exit> {
     Ok(out)
 }
 
-/// Whether nothing seen so far is this file or folder.
+/// Whether nothing seen so far is this file or folder. Standard input and pipes have no name but their own.
 fn fresh(path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<bool, Exit> {
-    let canonical = std::fs::canonicalize(path).map_err(|e| cannot_read(path, &e))?;
+    let canonical = match std::fs::canonicalize(path) {
+        Ok(canonical) => canonical,
+        Err(_) if is_standard_input(path) || std::fs::metadata(path).is_ok() => path.to_path_buf(),
+        Err(e) => return Err(cannot_read(path, &e)),
+    };
     Ok(seen.insert(canonical))
+}
+
+/// Whether a path stands for standard input.
+pub fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// A file opened for reading; `-` is standard input.
+pub fn open(path: &Path) -> std::io::Result<Box<dyn Read>> {
+    Ok(if is_standard_input(path) { Box::new(std::io::stdin()) } else { Box::new(std::fs::File::open(path)?) })
 }
 
 /// The error for what cannot be read.
@@ -49,7 +65,7 @@ fn folder(
     depth: usize,
 ) -> Result<(), Exit> {
     if depth > 32 {
-        return Err(Exit { code: 3, message: "limit reached: folders nest deeper than 32 levels".to_string() });
+        return Err(Exit { code: 3, message: "error: limit reached: folders nest deeper than 32 levels".to_string() });
     }
     if !fresh(path, seen)? {
         *found = true;
@@ -75,10 +91,10 @@ fn folder(
     Ok(())
 }
 
-/// A file's bytes, at most one more than `limit`: enough to see that an endless one is too long.
+/// The bytes of a file, or of standard input for `-`, at most one more than `limit`: enough to see that an endless one is too long.
 pub fn bounded(path: &Path, limit: usize) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    std::fs::File::open(path)?.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    open(path)?.take(limit as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -100,39 +116,101 @@ pub struct Source {
     pub text: String,
 }
 
-/// Claims, the number of each one's source, and the sources.
-pub type Claims = (Vec<Claim>, Vec<usize>, Vec<Source>);
+/// What files hold.
+#[derive(Default)]
+pub struct Files {
+    /// The claims.
+    pub claims: Vec<Claim>,
+    /// The number of each one's source.
+    pub origin: Vec<usize>,
+    /// The sources.
+    pub sources: Vec<Source>,
+    /// What could not be read.
+    pub broken: Vec<Broken>,
+}
 
-/// The claims of files, each with the number of its source.
-pub fn claims(files: &[PathBuf]) -> Result<Claims, Exit> {
-    let (mut claims, mut origin, mut sources) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut messages, mut only_limits) = (Vec::new(), true);
+/// A file that could not be read, or a claim of a name that is taken.
+pub struct Broken {
+    /// The file or the claim.
+    pub name: String,
+    /// The names of the claims that are missing for it.
+    pub claims: Vec<String>,
+    /// Why.
+    pub exit: Exit,
+}
+
+impl Files {
+    /// All claims, if nothing is broken.
+    pub fn whole(self) -> Result<Files, Exit> {
+        if self.broken.is_empty() { Ok(self) } else { Err(together(&self.broken)) }
+    }
+}
+
+/// What is wrong, in one failure.
+pub fn together(broken: &[Broken]) -> Exit {
+    let messages: Vec<String> = broken.iter().map(|b| b.exit.message.clone()).collect();
+    Exit::faults(&messages, broken.iter().all(|b| b.exit.code == 3))
+}
+
+/// The claims of files under the preambles of their folders; a file that is broken leaves the others as they are.
+pub fn claims(files: &[PathBuf]) -> Files {
+    let mut out = Files::default();
+    let mut folders: BTreeMap<PathBuf, Result<Preamble, String>> = BTreeMap::new();
     for path in files {
+        let name = path.display().to_string();
         let bytes = match read(path) {
             Ok(bytes) => bytes,
             Err(exit) => {
-                only_limits &= exit.code == 3;
-                messages.push(exit.message);
+                out.broken.push(Broken { name, claims: Vec::new(), exit });
                 continue;
             }
         };
-        let source = Source { path: path.display().to_string(), text: String::from_utf8_lossy(&bytes).into_owned() };
-        match parse_bytes(&bytes) {
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let folder = path.with_file_name(preamble::FILE);
+        let shared = folders.entry(folder.clone()).or_insert_with(|| shared(&folder));
+        let read = match shared {
+            _ if is_standard_input(path) || *path == folder => parse_all(&bytes, &Preamble::default()),
+            Ok(shared) => parse_all(&bytes, shared),
+            Err(message) => {
+                let exit = Exit::usage(format!("{message}\n  in the preamble of {name}"));
+                out.broken.push(Broken { name, claims: claim_names(&text), exit });
+                continue;
+            }
+        };
+        match read {
             Ok(list) => {
-                origin.extend(std::iter::repeat_n(sources.len(), list.len()));
-                claims.extend(list);
+                out.origin.extend(std::iter::repeat_n(out.sources.len(), list.len()));
+                out.claims.extend(list);
             }
             Err(faults) => {
-                only_limits &= faults.iter().all(Diagnostic::is_limit);
-                messages.extend(rendered(&faults, &source.path, &source.text));
+                let exit = Exit::faults(&rendered(&faults, &name, &text), faults.iter().all(Diagnostic::is_limit));
+                out.broken.push(Broken { name: name.clone(), claims: claim_names(&text), exit });
             }
         }
-        sources.push(source);
+        out.sources.push(Source { path: name, text });
     }
-    let twice = twice(&claims, &origin, &sources);
-    only_limits &= twice.is_empty();
-    messages.extend(twice);
-    if messages.is_empty() { Ok((claims, origin, sources)) } else { Err(Exit::faults(&messages, only_limits)) }
+    let taken = twice(&out);
+    for (place, exit) in taken.into_iter().rev() {
+        let claim = out.claims.remove(place);
+        out.origin.remove(place);
+        out.broken.push(Broken { name: claim.name.text, claims: Vec::new(), exit });
+    }
+    out
+}
+
+fn parse_all(bytes: &[u8], folder: &Preamble) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    parse_under(text_of(bytes)?, folder).map(|file| file.0)
+}
+
+/// The preamble in a file, an empty one where there is no file; the error is the first fault of it.
+fn shared(path: &Path) -> Result<Preamble, String> {
+    if !path.exists() {
+        return Ok(Preamble::default());
+    }
+    let bytes = read(path).map_err(|exit| exit.message)?;
+    let text = String::from_utf8_lossy(&bytes);
+    let read = text_of(&bytes).and_then(|text| parse_under(text, &Preamble::default()));
+    read.map(|file| file.1).map_err(|faults| rendered(&faults[..1], &path.display().to_string(), &text).concat())
 }
 
 /// The most faults of one file that are shown.
@@ -149,8 +227,9 @@ pub fn rendered(faults: &[Diagnostic], path: &str, text: &str) -> Vec<String> {
     out
 }
 
-/// Names that more than one claim has, each shown at the second place with the first in the help.
-fn twice(claims: &[Claim], origin: &[usize], sources: &[Source]) -> Vec<String> {
+/// Claims whose name an earlier one has, each shown at its place with the first in the help.
+fn twice(files: &Files) -> Vec<(usize, Exit)> {
+    let Files { claims, origin, sources, .. } = files;
     let mut first: BTreeMap<&str, usize> = BTreeMap::new();
     let mut out = Vec::new();
     for (place, claim) in claims.iter().enumerate() {
@@ -166,7 +245,7 @@ fn twice(claims: &[Claim], origin: &[usize], sources: &[Source]) -> Vec<String> 
         let message = format!("another claim is called {name} already");
         let help = Some(format!("the first stands at {}:{line}:{column}; give one of them another name", there.path));
         let fault = Diagnostic::new(Fault::Other { message, help }, claim.name.span);
-        out.push(fault.render(&here.path, &here.text, colour()));
+        out.push((place, Exit::usage(fault.render(&here.path, &here.text, colour()))));
     }
     out
 }
@@ -188,10 +267,4 @@ pub fn faults(list: &[(String, Diagnostic)], claims: &[Claim], origin: &[usize],
         })
         .collect();
     Exit::usage(text.join("\n"))
-}
-
-/// Whether errors go to a terminal that wants colours.
-pub fn colour() -> bool {
-    use std::io::IsTerminal;
-    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
 }

@@ -1,7 +1,6 @@
 //! The command line: one file for each subcommand.
 //!
-//! Exit codes: 0 all as expected; 1 a verdict or a check is not as expected; 2 bad input or usage; 3 a
-//! stated limit was reached; 130 interrupted.
+//! The exit codes stand in `EXIT_CODES`.
 
 mod audit;
 mod check;
@@ -10,9 +9,13 @@ mod explain;
 mod export;
 mod figures;
 mod fmt;
+mod form;
 mod interrupt;
 mod latex;
+mod list;
 mod load;
+mod manual;
+mod new;
 mod output;
 mod partial;
 #[cfg(feature = "plot")]
@@ -22,17 +25,21 @@ mod progress;
 mod properties;
 mod replay;
 mod report;
+mod restitution;
 mod statements;
 mod table;
 mod table_certificate;
 mod table_check;
 mod table_contents;
+mod table_cross;
 mod table_merge;
 mod table_rows;
+mod terminal;
+mod theorems;
 mod worksheet;
 
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
-use output::{print, write_bytes, write_file};
+use output::{deliver, print, write_bytes, write_file};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -40,10 +47,22 @@ use std::process::ExitCode;
 /// Audits the algebra of one-dimensional chain collisions and computes with it exactly.
 #[derive(Parser)]
 #[command(name = "carom", version, disable_help_subcommand = true, arg_required_else_help = true)]
+#[command(after_help = EXIT_CODES)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    terminal: terminal::Flags,
 }
+
+/// What the exit code says.
+const EXIT_CODES: &str = "\
+Exit codes:
+    0  all as expected
+    1  a verdict, a check or a comparison is not as expected
+    2  bad input or usage
+    3  a stated limit was reached
+  130  interrupted by Ctrl-C";
 
 /// The subcommands.
 #[derive(Subcommand)]
@@ -53,13 +72,13 @@ enum Command {
         /// Claim files and folders; the built-in catalogue if none is given
         paths: Vec<PathBuf>,
         /// Judge only these claims
-        #[arg(long, value_name = "ID", num_args = 1..)]
+        #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
         only: Vec<String>,
-        /// The form of the report
-        #[arg(long, value_enum, default_value = "text")]
-        format: Format,
-        /// Write the report to a file
-        #[arg(long, value_name = "FILE")]
+        /// The form of the report [default: by the ending of --output (.json, .md, .xml), else text]
+        #[arg(long, value_enum)]
+        format: Option<Format>,
+        /// Write the report to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
         /// Write the certificate of each proved claim into this folder; in the folder of the claims, or in
         /// `certificates` there, the next audit finds them and has nothing to search
@@ -82,9 +101,9 @@ enum Command {
         /// Claim files and folders that the certificates are of; the built-in catalogue if none is given
         #[arg(long, value_name = "PATH", num_args = 1..)]
         claims: Vec<PathBuf>,
-        /// Print the verdicts only, not the statements as the kernel understood them
-        #[arg(long)]
-        quiet: bool,
+        /// Write the report to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Print the whole argument of one claim
     Explain {
@@ -92,9 +111,12 @@ enum Command {
         id: String,
         /// Claim files and folders; the built-in catalogue if none is given
         paths: Vec<PathBuf>,
-        /// The form of the argument
-        #[arg(long, value_enum, default_value = "text")]
-        format: ExplainFormat,
+        /// The form of the argument [default: by the ending of --output (.md, .tex), else text]
+        #[arg(long, value_enum)]
+        format: Option<ExplainFormat>,
+        /// Write the argument to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
         #[command(flatten)]
         limits: LimitFlags,
     },
@@ -104,21 +126,37 @@ enum Command {
     Print {
         /// Names of the built-in catalogue, claim files and folders; the whole catalogue if none is given
         claims: Vec<String>,
-        /// How to write them
-        #[arg(long, value_enum, default_value = "text")]
-        format: PrintFormat,
+        /// How to write them [default: by the ending of --output (.tex), else text]
+        #[arg(long, value_enum)]
+        format: Option<PrintFormat>,
+        /// Write them to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// List claims: name, number and title, and the verdict that the file expects
+    List {
+        /// Claim files and folders; the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// The form of the list [default: by the ending of --output (.json), else text]
+        #[arg(long, value_enum)]
+        format: Option<ValueFormat>,
+        /// Write the list to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Print a table of certified numbers, or check somebody's
     Table(table::Flags),
-    /// Print what each collision of a scene does, blank and as an answer key
+    /// Make a worksheet of a scene and its answer key: text, PDF, HTML, LaTeX or Markdown
     Worksheet(worksheet::Flags),
+    /// Find the coefficient of restitution from measured heights or times of bounces
+    Restitution(restitution::Flags),
     /// Write an audit as a folder to hand in: HTML that needs nothing else, Markdown, LaTeX or PDF, certificates, Coq
     /// proofs, certified tables and pictures
     Report(report::Flags),
     /// Draw a picture as SVG or PNG
     #[cfg(feature = "plot")]
     Plot(plot::Flags),
-    /// Try the paper's claims on random exact chains
+    /// Try claims at random exact points that satisfy their hypotheses
     #[cfg(feature = "proptest")]
     Test(properties::Flags),
     /// Print statements for other provers: for Coq, or for SMT solvers
@@ -135,13 +173,30 @@ enum Command {
         /// proof there are left out
         #[arg(long)]
         theorems: bool,
+        /// For Coq: write a folder that stands alone, with a proof of each claim, made from its certificate, the library
+        /// that the proofs rest on, and a script `check` that has Coq verify them; the folder is --output DIR, or --out DIR
+        #[arg(long, requires = "output", conflicts_with = "theorems")]
+        proofs: bool,
         /// Say of each claim whether it can be exported, and why not
-        #[arg(long, conflicts_with = "theorems")]
+        #[arg(long, conflicts_with_all = ["theorems", "proofs"])]
         list: bool,
+        /// Write to a file, - for standard output; with --proofs the folder, which has to be new or empty
+        #[arg(short, long, value_name = "FILE", visible_alias = "out")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        limits: LimitFlags,
+    },
+    /// Begin a paper of your own: a folder with a preamble, a claim and a README
+    New {
+        /// The folder to make; if it is there, it must be empty
+        dir: PathBuf,
+        /// The title of the paper
+        #[arg(long, default_value = "My paper")]
+        title: String,
     },
     /// Rewrite claim files in the one style
     Fmt {
-        /// Claim files and folders
+        /// Claim files and folders; - formats standard input to standard output
         #[arg(required = true)]
         paths: Vec<PathBuf>,
         /// Change nothing; exit 1 if a file is not formatted
@@ -150,10 +205,22 @@ enum Command {
     },
     /// Replay collisions on a line exactly, one by one
     Replay(Box<replay::ReplayArguments>),
-    /// Print a completion script
+    /// Print a completion script, which knows the names of the catalogue's claims and of the quantities
     Completions {
         /// The shell
         shell: clap_complete::Shell,
+        /// Write the script to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Print a manual page, or write all of them into a folder
+    Man {
+        /// The subcommand; the program itself if none is given
+        #[arg(conflicts_with = "output")]
+        topic: Option<String>,
+        /// Write the page of the program and one of each subcommand into this folder
+        #[arg(short, long, value_name = "DIR")]
+        output: Option<PathBuf>,
     },
     /// Print help: `carom help language` describes the claim language, `carom help scene` scene files
     Help {
@@ -216,9 +283,9 @@ struct LimitFlags {
     /// The most terms of a sum
     #[arg(long, value_name = "N", default_value_t = 5000)]
     max_terms: usize,
-    /// The most bits of a coefficient after a power
-    #[arg(long, value_name = "BITS", default_value_t = 100_000)]
-    max_digits: u64,
+    /// Largest coefficient after a power, in bits
+    #[arg(long, value_name = "BITS", default_value_t = 100_000, alias = "max-digits")]
+    max_bits: u64,
     /// The most steps of the search for each claim
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
@@ -232,7 +299,7 @@ impl LimitFlags {
         crate::prove::catalogue::Limits {
             degree: self.max_degree,
             terms: self.max_terms,
-            digits: self.max_digits,
+            digits: self.max_bits,
             steps: self.max_steps,
             time: std::time::Duration::from_secs(self.time),
         }
@@ -256,11 +323,14 @@ impl Exit {
     }
 }
 
+/// Expressions nest up to a limit; a stack of so many bytes holds the deepest with room to spare.
+const STACK: usize = 64 << 20;
+
 /// Runs the program.
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
-    // Expressions nest up to a limit; this stack holds the deepest with room to spare.
-    let worker = std::thread::Builder::new().stack_size(64 << 20).spawn(move || dispatch(arguments.command));
+    arguments.terminal.apply();
+    let worker = std::thread::Builder::new().stack_size(STACK).spawn(move || dispatch(arguments.command));
     let result = match worker.map(std::thread::JoinHandle::join) {
         Ok(Ok(result)) => result,
         _ => Err(Exit { code: 101, message: "the program failed; please report this".to_string() }),
@@ -268,39 +338,76 @@ pub fn run() -> ExitCode {
     match result {
         Ok(code) => ExitCode::from(code),
         Err(exit) => {
-            let _ = writeln!(anstream::stderr(), "{}", output::message(&exit.message, load::colour()));
+            let _ = writeln!(anstream::stderr(), "{}", output::message(&exit.message, terminal::colour()));
             ExitCode::from(exit.code)
         }
     }
 }
 
 fn dispatch(command: Command) -> Result<u8, Exit> {
+    interrupt::at_once()?;
     match command {
         Command::Audit { paths, only, format, output, certificates, anew, checked: _, limits } => {
             let settings = crate::judge::Settings { limits: limits.limits(), anew, argument: false };
-            audit::run(&paths, &only, format, output.as_deref(), certificates.as_deref(), &settings)
+            let (output, format) = (form::place(output.as_deref()), form::form(format, output.as_deref())?);
+            audit::run(&paths, &only, format, output, certificates.as_deref(), &settings)
         }
-        Command::Check { paths, claims, quiet } => check::run(&paths, &claims, quiet),
-        Command::Explain { id, paths, format, limits } => explain::run(&id, &paths, format, &limits.limits()),
+        Command::Check { paths, claims, output } => check::run(&paths, &claims, output.as_deref()),
+        Command::Explain { id, paths, format, output, limits } => {
+            let text = explain::run(&id, &paths, form::form(format, output.as_deref())?, &limits.limits())?;
+            deliver(output.as_deref(), &text.0).map(|()| text.1)
+        }
         Command::Eval(flags) => eval::run(&flags),
         Command::Worksheet(flags) => worksheet::run(&flags),
+        Command::Restitution(flags) => restitution::run(&flags),
         #[cfg(feature = "plot")]
         Command::Plot(flags) => plot::run(&flags),
         #[cfg(feature = "proptest")]
         Command::Test(flags) => properties::run(&flags),
         Command::Table(flags) => table::run(&flags),
-        Command::Print { claims, format } => statements::run(&claims, format),
+        Command::Print { claims, format, output } => {
+            let text = statements::run(&claims, form::form(format, output.as_deref())?)?;
+            deliver(output.as_deref(), &text).map(|()| 0)
+        }
+        Command::List { paths, format, output } => {
+            let text = list::run(&paths, form::form(format, output.as_deref())?)?;
+            deliver(output.as_deref(), &text).map(|()| 0)
+        }
         Command::Report(flags) => report::run(&flags),
-        Command::Export { language, ids, from, theorems, list } => export::run(language, &ids, &from, theorems, list),
+        Command::Export { language, ids, from, theorems: _, proofs: true, list: _, output, limits } => {
+            theorems::run(language, &ids, &from, output.as_deref(), &limits.limits())
+        }
+        Command::Export { language, ids, from, theorems, proofs: false, list, output, limits: _ } => {
+            let text = export::run(language, &ids, &from, theorems, list)?;
+            deliver(output.as_deref(), &text).map(|()| 0)
+        }
+        Command::New { dir, title } => new::run(&dir, &title),
         Command::Fmt { paths, check } => fmt::run(&paths, check),
         Command::Replay(arguments) => replay::run(&arguments),
-        Command::Completions { shell } => {
-            let mut out = Vec::new();
-            clap_complete::generate(shell, &mut Arguments::command(), "carom", &mut out);
-            print(&String::from_utf8_lossy(&out)).map(|()| 0)
+        Command::Completions { shell, output } => {
+            deliver(output.as_deref(), &manual::completions(Arguments::command(), shell)).map(|()| 0)
+        }
+        Command::Man { topic, output } => {
+            let mut command = Arguments::command();
+            command.build();
+            manual::run(command, topic.as_deref(), output.as_deref())
         }
         Command::Help { topic } => help(topic.as_deref()),
     }
+}
+
+/// What there is help on besides the subcommands.
+const TOPICS: [&str; 2] = ["language", "scene"];
+
+/// The error for help, or a manual page, on something that is neither a subcommand nor one of `more`.
+fn no_topic(command: &clap::Command, name: &str, more: &[&str]) -> Exit {
+    let topics: Vec<&str> =
+        command.get_subcommands().map(clap::Command::get_name).chain(more.iter().copied()).collect();
+    let near = match crate::claim::diagnostic::nearest(name, topics.iter().copied()) {
+        Some(near) => format!("did you mean {near}?"),
+        None => format!("topics are {}", topics.join(", ")),
+    };
+    Exit::usage(format!("error: there is no help on {name}; {near}"))
 }
 
 fn help(topic: Option<&str>) -> Result<u8, Exit> {
@@ -313,13 +420,7 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
         Some("scene") => print(&eval::scene_help())?,
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string())?,
-            None => {
-                let topics: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_string()).collect();
-                return Err(Exit::usage(format!(
-                    "error: there is no help on {name}; topics are {}, language, scene",
-                    topics.join(", ")
-                )));
-            }
+            None => return Err(no_topic(&command, name, &TOPICS)),
         },
     }
     Ok(0)

@@ -114,6 +114,17 @@ pub fn place(path: &Path) -> Result<PathBuf, Exit> {
     Ok(folder.join(target.file_name().unwrap_or_default()))
 }
 
+/// Writes a text to the place that a flag names; without one, and for `-`, to standard output.
+///
+/// # Errors
+/// Whatever keeps the text from being written.
+pub fn deliver(output: Option<&Path>, text: &str) -> Result<(), Exit> {
+    match super::form::place(output) {
+        Some(path) => write_file(path, &anstream::adapter::strip_str(text).to_string()),
+        None => print(text),
+    }
+}
+
 /// Writes a file as a whole.
 pub fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
     write_bytes(path, text.as_bytes())

@@ -1,19 +1,34 @@
 //! `carom plot`
 
-use super::eval::{load_scene, scene_title};
+use super::eval::{described, scene_title};
+use super::form::place;
 use super::output::write_bytes;
-use super::{Exit, table_contents::grid};
+use super::progress::Progress;
+use super::table_contents::{grid, joined};
+use super::{Exit, print};
 use crate::chain::best::{Best, best};
-use crate::chain::{ChainError, Positive, Restitution};
+use crate::chain::threshold::threshold;
+use crate::chain::uncertain::Range;
+use crate::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
+use crate::number::decimal::{Decimal, Digits, Rounding};
+use crate::number::real::Real;
 use crate::number::{NumberError, rational};
+use crate::report::plot::axes::Chart;
 use crate::report::plot::charts::{self, CURVES};
+use crate::report::plot::look::Look;
 use crate::report::plot::png::{self, PngError};
 use crate::report::plot::shape::Page;
-use crate::report::plot::svg;
 use crate::report::plot::unclear::Unclear;
+use crate::report::plot::{pdf, svg};
+use crate::scene::read::Subject;
+use crate::scene::read::elements;
+use crate::table::foreign::completed;
 use crate::table::grid::Grid;
 use crate::table::worksheet::Worksheet;
+use clap::ValueEnum;
 use malachite::Rational;
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
 use std::path::PathBuf;
 
 /// The arguments that say what is drawn.
@@ -24,15 +39,35 @@ pub struct Contents {
     picture: Picture,
     /// A scene file, for the picture of velocities
     scene: Option<PathBuf>,
-    /// The mass ratio m1/m2 (eta-n), or the range of ratios FROM,TO (the others)
+    /// The mass ratio m1/m2 (eta-n) [default: 100], or the range of ratios FROM,TO (the others) [default: 1/1000,1000]
     #[arg(long, value_name = "R[,R]", allow_hyphen_values = true)]
-    ratio: Option<String>,
-    /// The restitution (eta-x), or several (eta-n)
+    ratio: Vec<String>,
+    /// The restitution (eta-x) [default: 0.9], or several (eta-n) [default: 0.5,0.8,0.9,0.95,1]
     #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
-    e: Option<String>,
-    /// The numbers of inserted bodies (eta-x, threshold), or the greatest one (eta-n)
+    e: Vec<String>,
+    /// The numbers of inserted bodies (eta-x [default: 0,1,2,5,10], threshold [default: 1,2,3,5,10]), or the greatest one
+    /// (eta-n) [default: twice the best one, at least 8]
     #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
-    n: Option<String>,
+    n: Vec<String>,
+    /// The title, in place of the picture's own
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+    /// The ends of the horizontal axis; what lies beyond is cut off. For ratios --ratio does the same
+    #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
+    xlim: Option<String>,
+    /// The ends of the vertical axis; what lies beyond is cut off
+    #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
+    ylim: Option<String>,
+    /// Mark a measurement of your own: X,Y, each perhaps with its uncertainty, as in "10.6 ± 0.1,0.74 ± 0.02"; may be
+    /// given several times
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    mark: Vec<String>,
+    /// Mark the point of every curve at this ratio, or number, and write its value into the legend
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// No colours: curves differ in their dashes, areas in their brightness
+    #[arg(long)]
+    grey: bool,
 }
 
 /// The arguments.
@@ -40,7 +75,7 @@ pub struct Contents {
 pub struct Flags {
     #[command(flatten)]
     contents: Contents,
-    /// The file to write: .svg or .png
+    /// The file to write: .svg, .png or .pdf; - writes SVG to standard output; may be given several times
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
     /// Pixels of a PNG for each point of the page, which has 690 by 440 points, and more for long labels
@@ -63,11 +98,19 @@ enum Picture {
     Velocities,
 }
 
+impl Picture {
+    /// Its name on the command line.
+    fn name(self) -> String {
+        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+    }
+}
+
 /// Where a file ends decides its form.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Form {
     Svg,
     Png,
+    Pdf,
 }
 
 /// The error of a flag or a file, which it names.
@@ -85,8 +128,8 @@ fn unclear(error: &Unclear) -> Exit {
 }
 
 /// The values of a grid, or of the default one.
-fn values(flag: &str, given: Option<&str>, default: &str) -> Result<Vec<Rational>, Exit> {
-    let found = grid(flag, Some(given.unwrap_or(default)))?;
+fn values(flag: &str, given: Option<String>, default: &str) -> Result<Vec<Rational>, Exit> {
+    let found = grid(flag, Some(given.as_deref().unwrap_or(default)))?;
     let Some(found) = found else { return Ok(Vec::new()) };
     if found.len() > CURVES as u64 {
         return Err(Exit::usage(format!(
@@ -104,7 +147,8 @@ fn all(grid: &Grid) -> Vec<Rational> {
 impl Contents {
     /// The ends of the range of ratios.
     fn range(&self) -> Result<(Positive, Positive), Exit> {
-        let text = self.ratio.as_deref().unwrap_or("1/1000,1000");
+        let text = joined(&self.ratio).unwrap_or_else(|| "1/1000,1000".to_owned());
+        let text = text.as_str();
         // A grid has no number twice, but here neither of them is to be left out.
         if let Some((from, to)) = text.split_once(',')
             && let (Ok(from), Ok(to)) = (rational::parse(from.trim()), rational::parse(to.trim()))
@@ -114,7 +158,7 @@ impl Contents {
                 "error: --ratio {text}: the two ends are the same; write a range, as in 1/100,100"
             )));
         }
-        let list = values("--ratio", Some(text), "")?;
+        let list = values("--ratio", Some(text.to_owned()), "")?;
         let ends: Result<Vec<Positive>, ChainError> = list.into_iter().map(Positive::new).collect();
         match ends.map_err(|e| failure("--ratio", &e))?.as_slice() {
             [from, to] if from < to => {
@@ -138,7 +182,7 @@ impl Contents {
     }
 
     fn numbers(&self, default: &str, least: u64) -> Result<Vec<u64>, Exit> {
-        let list = values("-n", self.n.as_deref(), default)?;
+        let list = values("-n", joined(&self.n), default)?;
         list.iter()
             .map(|n| u64::try_from(n).ok().filter(|n| *n >= least))
             .collect::<Option<_>>()
@@ -146,7 +190,7 @@ impl Contents {
     }
 
     fn restitutions(&self, default: &str) -> Result<Vec<Restitution>, Exit> {
-        let list = values("-e", self.e.as_deref(), default)?;
+        let list = values("-e", joined(&self.e), default)?;
         list.into_iter().map(Restitution::new).collect::<Result<_, _>>().map_err(|e| failure("-e", &e))
     }
 
@@ -156,13 +200,17 @@ impl Contents {
     /// Flags that have no place in it, values out of their range, a limit.
     pub fn draw(&self) -> Result<Page, Exit> {
         let refuse = |given: bool, flag: &str| {
-            if given { Err(Exit::usage(format!("error: {flag} has no place in this picture"))) } else { Ok(()) }
+            if given {
+                Err(Exit::usage(format!("error: `plot {}` does not take {flag}", self.picture.name())))
+            } else {
+                Ok(())
+            }
         };
-        refuse(self.scene.is_some() && self.picture != Picture::Velocities, "a scene")?;
-        refuse(self.e.is_some() && !matches!(self.picture, Picture::EtaX | Picture::EtaN), "-e")?;
-        refuse(self.n.is_some() && matches!(self.picture, Picture::Map | Picture::Velocities), "-n")?;
-        refuse(self.ratio.is_some() && self.picture == Picture::Velocities, "--ratio")?;
-        let page = match self.picture {
+        refuse(self.scene.is_some() && self.picture != Picture::Velocities, "a scene file")?;
+        refuse(!self.e.is_empty() && !matches!(self.picture, Picture::EtaX | Picture::EtaN), "-e")?;
+        refuse(!self.n.is_empty() && matches!(self.picture, Picture::Map | Picture::Velocities), "-n")?;
+        refuse(!self.ratio.is_empty() && self.picture == Picture::Velocities, "--ratio")?;
+        let chart = match self.picture {
             Picture::EtaX => {
                 let (from, to) = self.range()?;
                 let list = self.restitutions("0.9")?;
@@ -180,13 +228,90 @@ impl Contents {
             }
             Picture::Velocities => {
                 let Some(path) = &self.scene else { return Err(Exit::usage("error: give a scene file")) };
-                let scene = load_scene(path)?;
-                let chain = scene.inputs.whole("this picture");
-                let worksheet = chain.and_then(Worksheet::of).map_err(|e| failure(&path.display().to_string(), &e))?;
-                charts::velocities(&worksheet, &format!("Velocities: {}", scene_title(path)))
+                let (about, subject) = described(path)?;
+                let worksheet = match &subject {
+                    Subject::Chain(scene) => scene.inputs.whole("this picture").and_then(Worksheet::of),
+                    Subject::Drop(drop, _) => Worksheet::of_drop(drop),
+                };
+                let worksheet = worksheet.map_err(|e| failure(&path.display().to_string(), &e))?;
+                charts::velocities(
+                    &worksheet,
+                    &about.title.unwrap_or_else(|| format!("Velocities: {}", scene_title(path))),
+                )
             }
         };
-        page.map_err(|e| unclear(&e))
+        let mut chart = chart.map_err(|e| unclear(&e))?;
+        if let Some(at) = &self.at {
+            self.mark_curves(at, &mut chart)?;
+        }
+        let page = self.look()?.apply(chart).and_then(Chart::finish).map_err(|e| unclear(&e))?;
+        Ok(if self.grey { page.grey() } else { page })
+    }
+
+    /// Title, limits and own points.
+    fn look(&self) -> Result<Look, Exit> {
+        let ends = |flag: &str, text: &Option<String>| {
+            let Some(text) = text else { return Ok(None) };
+            let wrong = || Exit::usage(format!("error: {flag} {text}: write two numbers, as in 0,0.5"));
+            let (from, to) = text.split_once(',').ok_or_else(wrong)?;
+            let number = |text: &str| rational::parse(&completed(text.trim())).map_err(|_| wrong());
+            let float = |x: Rational| f64::rounding_from(&x, RoundingMode::Nearest).0;
+            Ok::<_, Exit>(Some((float(number(from)?), float(number(to)?))))
+        };
+        let point = |text: &String| {
+            let wrong = |e: &dyn std::fmt::Display| Exit::usage(format!("error: --mark {text}: {e}"));
+            match elements(text).as_slice() {
+                [x, y] => {
+                    let read = |part: &str| Range::read(&completed(part)).map_err(|e| wrong(&e));
+                    Ok((read(x)?, read(y)?))
+                }
+                _ => Err(wrong(&"write X,Y, as in 10.6,0.74")),
+            }
+        };
+        Ok(Look {
+            title: self.title.clone(),
+            across: ends("--xlim", &self.xlim)?,
+            upright: ends("--ylim", &self.ylim)?,
+            points: self.mark.iter().map(point).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Marks each curve at one place, with its certified value in the legend.
+    fn mark_curves(&self, at: &str, chart: &mut Chart) -> Result<(), Exit> {
+        let wrong = |e: &dyn std::fmt::Display| Exit::usage(format!("error: --at {at}: {e}"));
+        let x = rational::parse(&completed(at)).map_err(|e| wrong(&e))?;
+        let shown = |value: &Real| Decimal::of_real(value, Digits::Significant(6), Rounding::Nearest);
+        let values: Vec<Result<Real, ChainError>> = match self.picture {
+            Picture::EtaX => {
+                let ratio = Positive::new(x.clone()).map_err(|e| wrong(&e))?;
+                let e = Restitutions::Same(self.restitutions("0.9")?.remove(0));
+                self.numbers("0,1,2,5,10", 0)?.iter().map(|n| transfer::optimal(&ratio, &e, *n)).collect()
+            }
+            Picture::Threshold => {
+                let ratio = Positive::new(x.clone()).map_err(|e| wrong(&e))?;
+                self.numbers("1,2,3,5,10", 1)?.iter().map(|n| Ok(threshold(&ratio, *n)?)).collect()
+            }
+            Picture::EtaN => {
+                let n = u64::try_from(&x).map_err(|_| wrong(&"write a number of bodies"))?;
+                let ratio = values("--ratio", joined(&self.ratio), "100")?.remove(0);
+                let ratio = Positive::new(ratio).map_err(|e| wrong(&e))?;
+                let list = self.restitutions("0.5,0.8,0.9,0.95,1")?;
+                list.into_iter().map(|e| transfer::optimal(&ratio, &Restitutions::Same(e), n)).collect()
+            }
+            Picture::Map | Picture::Velocities => {
+                return Err(wrong(&"this picture has no curves to mark; --mark X,Y marks a point of your own"));
+            }
+        };
+        chart.legend_title(&format!("at {at}:"));
+        let across = f64::rounding_from(&x, RoundingMode::Nearest).0;
+        for (place, value) in values.into_iter().enumerate() {
+            let value = value.map_err(|e| failure("--at", &e))?;
+            let (decimal, _) = shown(&value).map_err(|e| failure("--at", &e.into()))?;
+            let height = f64::rounding_from(&decimal.value(), RoundingMode::Nearest).0;
+            chart.dot(place, across, height, true, 4.0);
+            chart.legend_dot(place, true, &decimal.to_string());
+        }
+        Ok(())
     }
 
     /// The claims of the catalogue that the drawn formulas are of.
@@ -200,17 +325,17 @@ impl Contents {
         }
     }
 
-    fn eta_of_number(&self) -> Result<Result<Page, Unclear>, Exit> {
-        let ratio = values("--ratio", self.ratio.as_deref(), "100")?;
+    fn eta_of_number(&self) -> Result<Result<Chart, Unclear>, Exit> {
+        let ratio = values("--ratio", joined(&self.ratio), "100")?;
         let [ratio] = ratio.as_slice() else { return Err(Exit::usage("error: --ratio: give one mass ratio")) };
         let ratio = Positive::new(ratio.clone()).map_err(|e| failure("--ratio", &e))?;
         let list = self.restitutions("0.5,0.8,0.9,0.95,1")?;
-        let most = match self.n {
-            Some(_) => match self.numbers("", 1)?.as_slice() {
+        let most = match self.n.is_empty() {
+            false => match self.numbers("", 1)?.as_slice() {
                 [most] => *most,
                 _ => return Err(Exit::usage("error: -n: give the greatest number to draw")),
             },
-            None => {
+            true => {
                 // Twice as far as the best one.
                 let mut most = 8;
                 for e in &list {
@@ -231,20 +356,24 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     for path in &flags.output {
         let end = path.extension().map(|e| e.to_ascii_lowercase());
         let form = match end.as_ref().and_then(|e| e.to_str()) {
+            _ if place(Some(path)).is_none() => Form::Svg,
             Some("svg") => Form::Svg,
             Some("png") => Form::Png,
+            Some("pdf") => Form::Pdf,
             _ => {
-                let message = format!("error: {}: the file's name must end in .svg or .png", path.display());
+                let message = format!("error: {}: the file's name must end in .svg, .png or .pdf", path.display());
                 return Err(Exit::usage(message));
             }
         };
         files.push((path, form));
     }
+    let progress = Progress::alone("drawing");
     let page = flags.contents.draw()?;
     let mut bytes = Vec::new();
     for (_, form) in &files {
         bytes.push(match form {
             Form::Svg => svg::render(&page).into_bytes(),
+            Form::Pdf => pdf::render(std::slice::from_ref(&page)),
             Form::Png => {
                 let code = |e: &PngError| if let PngError::Small { .. } = e { 2 } else { 3 };
                 png::render(&page, flags.scale)
@@ -252,8 +381,12 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
             }
         });
     }
+    progress.finish();
     for ((path, _), bytes) in files.iter().zip(&bytes) {
-        write_bytes(path, bytes)?;
+        match place(Some(path)) {
+            Some(path) => write_bytes(path, bytes)?,
+            None => print(&String::from_utf8_lossy(bytes))?,
+        }
     }
     Ok(0)
 }

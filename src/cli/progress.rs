@@ -3,13 +3,14 @@
 //! A thread of its own draws, so that one long step shows the time going by as well as many short
 //! ones. Where standard error is no terminal, there is no thread and nothing is drawn.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use super::terminal::quiet;
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long nothing is shown.
 const QUIET: Duration = Duration::from_millis(500);
@@ -17,10 +18,10 @@ const QUIET: Duration = Duration::from_millis(500);
 const TICK: Duration = Duration::from_millis(100);
 
 const NAMED: &str = "{bar:30} {pos}/{len} {elapsed} {wide_msg}";
-const COUNTED: &str = "{bar:30} {human_pos}/{human_len} {rate}, {eta} left";
+const ALONE: &str = "{spinner} {elapsed} {wide_msg}";
+const COUNTED: &str = "{bar:30} {human_pos}/{human_len} {rate}, {left}  {wide_msg}";
 
 /// What the bar shows.
-#[derive(Default)]
 struct State {
     done: u64,
     what: String,
@@ -43,26 +44,43 @@ impl Progress {
         Progress::on(total, done, COUNTED, ProgressDrawTarget::stderr)
     }
 
+    /// Work of which nobody knows how much is left: the time that has gone by is shown.
+    pub fn alone(what: &str) -> Progress {
+        let progress = Progress::on(1, 0, ALONE, ProgressDrawTarget::stderr);
+        progress.now(0, what);
+        progress
+    }
+
     fn on(total: u64, done: u64, template: &'static str, target: fn() -> ProgressDrawTarget) -> Progress {
-        let terminal = std::io::stderr().is_terminal();
+        let terminal = std::io::stderr().is_terminal() && !quiet();
         Progress::draw_on(total, done, template, terminal.then(target))
     }
 
     fn draw_on(total: u64, from: u64, template: &'static str, target: Option<ProgressDrawTarget>) -> Progress {
-        let state = Arc::new(Mutex::new(State::default()));
+        let state = Arc::new(Mutex::new(State { done: from, what: String::new() }));
+        let begun = Instant::now();
         let shared = state.clone();
         let thread = target.map(|target| {
             let (sender, stop) = channel::<()>();
             let bar = move || {
                 let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-                let style = style.with_key("rate", |state: &ProgressState, out: &mut dyn Write| {
+                // The rate is that of this run, from its beginning, not from when the bar appears.
+                let rate = move |state: &ProgressState| {
+                    state.pos().saturating_sub(from) as f64 / begun.elapsed().as_secs_f64().max(f64::MIN_POSITIVE)
+                };
+                let style = style.with_key("rate", move |state: &ProgressState, out: &mut dyn Write| {
                     // Writing to a text cannot fail.
-                    let _ = write!(out, "{:.0}/s", state.per_sec());
+                    let _ = write!(out, "{:.0}/s", rate(state));
                 });
-                let bar = ProgressBar::with_draw_target(Some(total), target).with_style(style).with_position(from);
-                // The rate is that of this run.
-                bar.reset_eta();
-                bar
+                let style = style.with_key("left", move |state: &ProgressState, out: &mut dyn Write| {
+                    let left = total.saturating_sub(state.pos()) as f64 / rate(state);
+                    // Before the first step is done nobody knows.
+                    let _ = match Duration::try_from_secs_f64(left) {
+                        Ok(left) => write!(out, "{} left", HumanDuration(left)),
+                        Err(_) => write!(out, "no step done yet"),
+                    };
+                });
+                ProgressBar::with_draw_target(Some(total), target).with_style(style).with_position(from)
             };
             (sender, std::thread::spawn(move || draw(bar, &shared, |wait| stop.recv_timeout(wait))))
         });
@@ -175,5 +193,20 @@ mod tests {
             "the time goes by: {shown:?}"
         );
         progress.finish();
+    }
+
+    #[test]
+    fn the_first_rate_is_that_of_the_work_and_not_of_the_bar() {
+        let terminal = Recorder::default();
+        let target = || Some(ProgressDrawTarget::term_like_with_hz(Box::new(terminal.clone()), 50));
+        // 2,000 of 10,000 are old; 1,000 more take more than half a second.
+        let progress = Progress::draw_on(10_000, 2_000, COUNTED, target());
+        progress.now(3_000, "");
+        std::thread::sleep(Duration::from_millis(900));
+        progress.finish();
+        let shown = terminal.0.lock().expect("not poisoned").clone();
+        let rates = shown.split("/s").filter_map(|part| part.rsplit(' ').next()?.parse::<u64>().ok());
+        let rates: Vec<u64> = rates.collect();
+        assert!(!rates.is_empty() && rates.iter().all(|rate| (500..=2_000).contains(rate)), "{rates:?}: {shown:?}");
     }
 }

@@ -1,156 +1,306 @@
 //! `carom test`
 
+use super::audit::{Loaded, load};
+use super::form::form;
 use super::output::write_file;
 use super::progress::Progress;
-use super::{Exit, ValueFormat, print};
-use crate::claim::diagnostic::nearest;
-use crate::property::claims::{PROPERTIES, Property};
-use crate::property::{Outcome, check, scene};
-use crate::report::counted;
+use super::{Exit, ValueFormat, deliver, terminal};
+use crate::claim::print::{Style, statement};
+use crate::claim::syntax::{Claim, Expectation, Item};
+use crate::property::law::{Failure, Outcome, Settings, tried};
+use crate::report::{counted, visible};
 use serde_json::{Value, json};
 use std::hash::{BuildHasher, RandomState};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
-/// The most cases of one property.
+/// The most points for one claim.
 const MAX_CASES: u32 = 100_000_000;
 
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Flags {
-    /// Random chains for each claim
+    /// Claim files and folders, - for standard input; the built-in catalogue if none is given
+    paths: Vec<PathBuf>,
+    /// Random points for each claim
     #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_CASES)))]
     cases: u32,
     /// The seed of the random numbers; a new one if none is given, and printed always
     #[arg(long, value_name = "S")]
     seed: Option<u64>,
     /// Try only these claims
-    #[arg(long, value_name = "ID", num_args = 1..)]
+    #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
     only: Vec<String>,
-    /// Save counterexamples here as scene files, those that are expected as well
+    /// The most seconds for each claim
+    #[arg(long, value_name = "SECONDS", default_value_t = 10)]
+    time: u64,
+    /// Save each counterexample here as a claim file: the statement, with the values of its variables as hypotheses
     #[arg(long, value_name = "FOLDER")]
     save: Option<PathBuf>,
-    /// The form of the report
-    #[arg(long, value_enum, default_value = "text")]
-    format: ValueFormat,
+    /// The form of the report [default: by the ending of --output (.json), else text]
+    #[arg(long, value_enum)]
+    format: Option<ValueFormat>,
+    /// Write the report to a file, - for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
-/// Runs the command.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
-    let missing: Vec<String> = flags
-        .only
-        .iter()
-        .filter(|id| PROPERTIES.iter().all(|p| p.id != *id))
-        .map(|id| {
-            let names: Vec<&str> = PROPERTIES.iter().map(|p| p.id).collect();
-            match nearest(id, names.iter().copied()) {
-                Some(near) => format!("error: no property is called {id}; did you mean {near}?"),
-                None => format!("error: no property is called {id}; there are {}", names.join(", ")),
-            }
-        })
-        .collect();
-    if !missing.is_empty() {
-        return Err(Exit::usage(missing.join("\n")));
+/// A claim with what became of it.
+struct Row<'a> {
+    claim: &'a Claim,
+    outcome: Outcome,
+    saved: Option<String>,
+    /// The line that gives the same again.
+    again: String,
+}
+
+impl Row<'_> {
+    /// The catalogue expects a counterexample exactly where it expects the claim to be refuted.
+    fn as_expected(&self) -> bool {
+        match self.outcome {
+            Outcome::Failed(_) => self.claim.expect == Expectation::Refuted,
+            Outcome::Held { .. } => self.claim.expect != Expectation::Refuted,
+            Outcome::Untested(_) => true,
+            Outcome::Fault(_) => false,
+        }
     }
+
+    fn is_untested(&self) -> bool {
+        matches!(self.outcome, Outcome::Untested(_))
+    }
+}
+
+/// Runs the command: exit 1 if an outcome is not as expected, 3 if a claim that was asked for could not be tried.
+pub fn run(flags: &Flags) -> Result<u8, Exit> {
+    let loaded = load(&flags.paths, &flags.only)?;
+    let format = form(flags.format, flags.output.as_deref())?;
     if let Some(folder) = flags.save.as_ref().filter(|f| !f.is_dir()) {
         return Err(Exit::usage(format!("error: {} is no folder", folder.display())));
     }
     // The hasher of the standard library starts from numbers of the operating system.
     let seed = flags.seed.unwrap_or_else(|| RandomState::new().hash_one("seed"));
-    let text = matches!(flags.format, ValueFormat::Text);
-    if text {
-        print(&format!("seed {seed}, {} for each claim\n\n", counted(flags.cases as usize, "random chain")))?;
-    }
-    let chosen: Vec<&Property> =
-        PROPERTIES.iter().filter(|p| flags.only.is_empty() || flags.only.iter().any(|id| id == p.id)).collect();
-    let progress = Progress::start(chosen.len() as u64);
-    let (mut rows, mut unexpected) = (Vec::new(), 0);
-    for (done, property) in chosen.iter().enumerate() {
-        progress.now(done as u64, property.id);
-        let outcome = check(property, flags.cases, seed);
-        let failed = matches!(outcome, Outcome::Failed { .. });
-        let as_expected = failed == property.refuted && !matches!(outcome, Outcome::Stopped(_));
-        unexpected += usize::from(!as_expected);
-        let mut saved = None;
-        if let Outcome::Failed { chain, reason } = &outcome
-            && (!as_expected || flags.save.is_some())
-        {
-            let folder = flags.save.as_deref().unwrap_or(Path::new("."));
-            let path = folder.join(format!("counterexample-{}.toml", property.id));
-            let remarks = [
-                format!("{}: {}", property.id, property.statement),
-                format!("It fails here: {reason}."),
-                format!("Found by carom test --only {} --seed {seed} --cases {}", property.id, flags.cases),
-            ];
-            write_file(&path, &scene::write(chain, &remarks, property.want))?;
-            saved = Some(path.display().to_string());
-        }
-        if text {
-            print(&line(property, &outcome, as_expected, saved.as_deref()))?;
-        }
-        rows.push(row(property, &outcome, as_expected, saved.as_deref()));
-    }
+    let settings = Settings { cases: flags.cases, seed, time: Duration::from_secs(flags.time) };
+    let rows = rows(&loaded, flags, &settings)?;
+    let text = match format {
+        ValueFormat::Text => text(&rows, &settings),
+        ValueFormat::Json => json(&rows, &settings),
+    };
+    deliver(flags.output.as_deref(), &text)?;
+    let asked = !flags.paths.is_empty() || !flags.only.is_empty();
+    Ok(match rows.iter().any(|row| !row.as_expected()) {
+        true => 1,
+        false if rows.iter().any(Row::is_untested) && (asked || rows.iter().all(Row::is_untested)) => 3,
+        false => 0,
+    })
+}
+
+/// Tries the claims.
+fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Vec<Row<'a>>, Exit> {
+    let wanted = |claim: &&Claim| flags.only.is_empty() || flags.only.contains(&claim.name.text);
+    let claims: Vec<&Claim> = loaded.claims().iter().filter(wanted).collect();
+    let total = claims.len() as u64 * u64::from(settings.cases);
+    let progress = Progress::rows(0, total);
+    let outcomes = on_all_cores(&claims, settings, &progress);
     progress.finish();
-    if text {
-        let end = match unexpected {
-            0 => "all as expected".to_owned(),
-            n => format!("{n} not as expected; seed {seed}"),
-        };
-        print(&format!("\n{}: {end}\n", counted(chosen.len(), "claim")))?;
-    } else {
-        let value =
-            json!({ "seed": seed.to_string(), "cases": flags.cases, "properties": rows, "unexpected": unexpected });
-        print(&format!("{}\n", serde_json::to_string_pretty(&value).unwrap_or_default()))?;
+    let mut rows = Vec::new();
+    for (claim, outcome) in claims.into_iter().zip(outcomes) {
+        let name = &claim.name.text;
+        match outcome {
+            Some(Outcome::Fault(fault)) => return Err(loaded.failure(name, fault)),
+            Some(outcome) => rows.push(Row { claim, outcome, saved: None, again: again(flags, settings, name) }),
+            None => return Err(Exit { code: 101, message: format!("{name}: the program failed; please report this") }),
+        }
     }
-    Ok(u8::from(unexpected > 0))
+    // All are tried before the first is written.
+    if let Some(folder) = &flags.save {
+        for row in &mut rows {
+            if let Outcome::Failed(failure) = &row.outcome {
+                let path = folder.join(format!("counterexample-{}.claim", row.claim.name.text));
+                write_file(&path, &as_claim(row.claim, failure, &row.again))?;
+                row.saved = Some(path.display().to_string());
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// What became of each claim, in their order; each is tried by one thread. `None` where a thread failed.
+fn on_all_cores(claims: &[&Claim], settings: &Settings, progress: &Progress) -> Vec<Option<Outcome>> {
+    let (next, done) = (AtomicUsize::new(0), AtomicU64::new(0));
+    let found: Vec<Mutex<Option<Outcome>>> = claims.iter().map(|_| Mutex::new(None)).collect();
+    let work = || {
+        while let Some((claim, place)) = Some(next.fetch_add(1, Relaxed)).and_then(|i| claims.get(i).zip(found.get(i)))
+        {
+            let mut before = 0;
+            let outcome = tried(claim, settings, &mut |points| {
+                let points = u64::from(points);
+                let all = done.fetch_add(points - before, Relaxed) + points - before;
+                before = points;
+                progress.now(all, &claim.name.text);
+            });
+            done.fetch_add(u64::from(settings.cases) - before, Relaxed);
+            *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
+        }
+    };
+    std::thread::scope(|scope| {
+        let others = std::thread::available_parallelism().map_or(1, usize::from).min(claims.len()).saturating_sub(1);
+        for _ in 0..others {
+            // Where there is no thread the work is done here.
+            let _ = std::thread::Builder::new().stack_size(super::STACK).spawn_scoped(scope, work);
+        }
+        work();
+    });
+    found.into_iter().map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
+}
+
+/// The line that gives the same again.
+fn again(flags: &Flags, settings: &Settings, name: &str) -> String {
+    let paths: String = flags.paths.iter().map(|path| format!(" {}", quoted(&path.display().to_string()))).collect();
+    format!("carom test{paths} --only {name} --seed {} --cases {}", settings.seed, settings.cases)
+}
+
+/// A word as a shell reads it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-+".contains(c);
+    if word.chars().all(plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
+
+/// A counterexample as a claim of its own: the same statement, with the values of its variables as hypotheses.
+fn as_claim(claim: &Claim, failure: &Failure, again: &str) -> String {
+    let declared = |name: &str| {
+        let bindings = claim.items.iter().filter_map(|item| match item {
+            Item::Given(bindings) => Some(bindings),
+            _ => None,
+        });
+        let name = name.split('(').next().unwrap_or(name);
+        bindings.flatten().any(|b| b.names.iter().any(|n| n.0.text == name))
+    };
+    let mut lines = statement(claim, Style::Text);
+    let values = failure.witness.point.values.iter().filter(|(name, _)| declared(name));
+    let values = values.map(|(name, value)| format!("assume {name} = {value}"));
+    let place = lines.iter().position(|line| line.starts_with("prove ")).unwrap_or(lines.len());
+    lines.splice(place..place, values);
+    let name = &claim.name.text;
+    format!(
+        "# Found by {again}\nclaim {name}-counterexample \"{}\"\n{}\nexpect refuted\n",
+        claim.title,
+        lines.join("\n")
+    )
 }
 
 fn word(outcome: &Outcome) -> &'static str {
     match outcome {
-        Outcome::Held => "held",
-        Outcome::Failed { .. } => "failed",
-        Outcome::Stopped(_) => "stopped",
+        Outcome::Held { .. } => "held",
+        Outcome::Failed(_) => "counterexample",
+        Outcome::Untested(_) | Outcome::Fault(_) => "untested",
     }
 }
 
-fn reason(outcome: &Outcome) -> Option<&str> {
-    match outcome {
-        Outcome::Held => None,
-        Outcome::Failed { reason, .. } | Outcome::Stopped(reason) => Some(reason),
+fn text(rows: &[Row], settings: &Settings) -> String {
+    let mut out = String::new();
+    if !terminal::quiet() {
+        out += &format!("seed {}, {} for each claim\n\n", settings.seed, counted(settings.cases as usize, "point"));
     }
+    let shown = rows.iter().filter(|row| !terminal::quiet() || !row.as_expected());
+    shown.for_each(|row| out += &lines(row));
+    let count = |of: fn(&Row) -> bool| rows.iter().filter(|row| of(row)).count();
+    let mut end = match count(|row| !row.as_expected()) {
+        0 => "all as expected".to_owned(),
+        n => format!("{n} not as expected"),
+    };
+    match count(|row| row.is_untested()) {
+        0 => {}
+        n => end += &format!("; {n} could not be tried"),
+    }
+    let gap = if out.is_empty() { "" } else { "\n" };
+    out + &format!("{gap}{}: {end}; seed {}\n", counted(rows.len(), "claim"), settings.seed)
 }
 
-fn line(property: &Property, outcome: &Outcome, as_expected: bool, saved: Option<&str>) -> String {
-    let mut out = format!("  {:8} {:17} {}\n", word(outcome), property.id, property.statement);
-    let mut more = |text: &str| out.push_str(&format!("{:30}{text}\n", ""));
-    if let Some(reason) = reason(outcome) {
-        more(reason);
+fn lines(row: &Row) -> String {
+    let mut out = format!("  {:14}  {}  {}\n", word(&row.outcome), row.claim.name.text, visible(&row.claim.title));
+    let mut more = |text: &str| out += &format!("{:18}{text}\n", "");
+    match &row.outcome {
+        Outcome::Held { open: 0, late: false, .. } => {}
+        Outcome::Held { points, open, late } => {
+            let late = if *late { "; limit reached: time (--time raises it)" } else { "" };
+            more(&format!("at {}; {open} more leave it open{late}", counted(*points as usize, "point")));
+        }
+        Outcome::Untested(reason) => more(reason),
+        Outcome::Fault(_) => {}
+        Outcome::Failed(Failure { witness, found }) => {
+            let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+            more(&format!("fails at {}", at.join(", ")));
+            for broken in &witness.broken {
+                if broken.right.is_empty() {
+                    more(&format!("  {}", broken.statement));
+                } else {
+                    let (left, right) = (&broken.left, &broken.right);
+                    more(&format!("  {}: left side {left}, right side {right}", broken.statement));
+                }
+            }
+            more(&format!("found at point {found} and made as simple as it could be"));
+        }
     }
-    if let Outcome::Failed { chain, .. } = outcome {
-        scene::write(chain, &[], &[]).lines().skip(3).for_each(&mut more);
+    if let Some(path) = &row.saved {
+        more(&format!("saved in {path}"));
     }
-    if let Some(path) = saved {
-        more(&format!("saved: carom eval {path}"));
+    match (row.as_expected(), row.claim.expect) {
+        (true, Expectation::Refuted) if !row.is_untested() => more("as expected: its file says that it is false"),
+        (false, Expectation::Refuted) => more("not as expected: its file says that it is false, and it held"),
+        (false, _) => more("not as expected: this claim is false"),
+        _ => {}
     }
-    more(match (as_expected, property.refuted) {
-        (true, true) => "as expected: the catalogue refutes this claim",
-        (false, true) => "not as expected: the catalogue refutes this claim",
-        (false, false) => "not as expected: the catalogue proves this claim",
-        (true, false) => return out,
-    });
+    if !row.as_expected() {
+        more(&format!("again: {}", row.again));
+    }
     out
 }
 
-fn row(property: &Property, outcome: &Outcome, as_expected: bool, saved: Option<&str>) -> Value {
+fn json(rows: &[Row], settings: &Settings) -> String {
+    let count = |of: fn(&Row) -> bool| rows.iter().filter(|row| of(row)).count();
+    let claims: Vec<Value> = rows.iter().map(row).collect();
+    let value = json!({
+        "seed": settings.seed.to_string(),
+        "cases": settings.cases,
+        "claims": claims,
+        "unexpected": count(|row| !row.as_expected()),
+        "untested": count(|row| row.is_untested()),
+    });
+    serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
+}
+
+fn row(row: &Row) -> Value {
+    let (points, open) = match row.outcome {
+        Outcome::Held { points, open, .. } => (json!(points), json!(open)),
+        _ => (Value::Null, Value::Null),
+    };
+    let failure = match &row.outcome {
+        Outcome::Failed(failure) => Some(failure),
+        _ => None,
+    };
+    let witness = failure.map(|f| {
+        let values = f.witness.point.values.iter().map(|(name, value)| (name.clone(), Value::from(value.clone())));
+        Value::Object(values.collect())
+    });
+    let broken = failure.map(|f| {
+        let each = f.witness.broken.iter();
+        let each = each.map(|b| json!({ "statement": b.statement, "left": b.left, "right": b.right }));
+        Value::Array(each.collect())
+    });
     json!({
-        "id": property.id,
-        "statement": property.statement,
-        "outcome": word(outcome),
-        "as_expected": as_expected,
-        "reason": reason(outcome),
-        "scene": match outcome {
-            Outcome::Failed { chain, .. } => Some(scene::write(chain, &[], property.want)),
-            _ => None,
-        },
-        "saved": saved,
+        "id": row.claim.name.text,
+        "title": row.claim.title,
+        "outcome": word(&row.outcome),
+        "as_expected": row.as_expected(),
+        "points": points,
+        "open": open,
+        "reason": match &row.outcome { Outcome::Untested(reason) => Some(reason), _ => None },
+        "witness": witness,
+        "broken": broken,
+        "found": failure.map(|f| f.found),
+        "again": row.again,
+        "saved": row.saved,
     })
 }

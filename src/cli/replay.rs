@@ -1,6 +1,8 @@
 //! `carom replay`
 
-use super::{Exit, load, print, write_file};
+use super::form::form;
+use super::progress::Progress;
+use super::{Exit, deliver, load, terminal};
 use crate::chain::replay::{Options, Status, replay};
 use crate::claim::diagnostic::{Diagnostic, Fault};
 use crate::claim::syntax::Span;
@@ -14,24 +16,24 @@ use std::path::{Path, PathBuf};
 pub enum ReplayFormat {
     /// Tables to read
     Text,
-    /// The contract for programs
+    /// Everything, for programs
     Json,
     /// One line for each collision
     Csv,
     /// A space–time diagram, time upward
     Svg,
-    /// A page that moves, in one file
+    /// An animated page in one file, which needs nothing else
     Html,
 }
 
 /// The arguments of `carom replay`.
 #[derive(clap::Args)]
 pub struct ReplayArguments {
-    /// The scene, a TOML file
+    /// The scene, a TOML file, - for standard input
     scene: PathBuf,
-    /// The form of the report
-    #[arg(long, value_enum, default_value = "text")]
-    format: ReplayFormat,
+    /// The form of the report [default: by the ending of --output (.json, .csv, .svg, .html), else text]
+    #[arg(long, value_enum)]
+    format: Option<ReplayFormat>,
     /// Stop before the first collision later than this time
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<String>,
@@ -44,7 +46,7 @@ pub struct ReplayArguments {
     /// Write all numbers exactly, however long; final values of an enclosed run are evaluated exactly
     #[arg(long, conflicts_with = "digits")]
     exact: bool,
-    /// Write decimals of so many significant digits, all right
+    /// Print decimals with D correct significant digits
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u64).range(1..=100_000))]
     digits: Option<u64>,
     /// Numbers of more bits are enclosed from then on
@@ -56,8 +58,8 @@ pub struct ReplayArguments {
     /// Go on from an inelastic collapse: its bodies touch, with one velocity [default: the replay ends there]
     #[arg(long)]
     through_collapse: bool,
-    /// Write the report to a file
-    #[arg(long, value_name = "FILE")]
+    /// Write the report to a file, - for standard output
+    #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
@@ -74,9 +76,13 @@ pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
     let scene = read(&text).map_err(|e| {
         let fault = Fault::Other { message: e.message, help: e.help };
         let span = Span { start: e.span.start, end: e.span.end };
-        Exit::usage(Diagnostic::new(fault, span).render(&arguments.scene.display().to_string(), &text, load::colour()))
+        Exit::usage(Diagnostic::new(fault, span).render(
+            &arguments.scene.display().to_string(),
+            &text,
+            terminal::colour(),
+        ))
     })?;
-    let format = arguments.format;
+    let format = form(arguments.format, arguments.output.as_deref())?;
     let list = arguments.list.unwrap_or(match format {
         ReplayFormat::Text => 40,
         ReplayFormat::Json | ReplayFormat::Csv => 10_000,
@@ -92,10 +98,12 @@ pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
         digits: arguments.digits.unwrap_or(report::DEFAULT_DIGITS),
         exact_values: arguments.exact,
     };
+    let progress = Progress::alone("replaying");
     let outcome = replay(&scene.line, &options).map_err(|e| Exit {
         code: 101,
         message: format!("the ledger of {} does not balance (collision {:?}); please report this", e.law, e.collision),
     })?;
+    progress.finish();
     let numbers = match (arguments.digits, format) {
         (Some(digits), _) => Numbers::Decimal(digits),
         (None, ReplayFormat::Text | ReplayFormat::Svg | ReplayFormat::Html) if !arguments.exact => {
@@ -111,10 +119,7 @@ pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
         ReplayFormat::Svg => report::svg::report(&replay),
         ReplayFormat::Html => report::html::report(&replay),
     };
-    match &arguments.output {
-        Some(path) => write_file(path, &text)?,
-        None => print(&text)?,
-    }
+    deliver(arguments.output.as_deref(), &text)?;
     Ok(if matches!(outcome.status, Status::Limit(_)) { 3 } else { 0 })
 }
 

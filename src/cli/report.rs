@@ -1,7 +1,7 @@
 //! `carom report`
 
 use super::interrupt::{Interrupt, at_once, interrupted};
-use super::{Exit, audit, figures, latex, write_bytes};
+use super::{Exit, audit, figures, latex, terminal, theorems, write_bytes};
 use crate::judge::Settings;
 use crate::report::handout::{Handout, evidence};
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ pub struct Flags {
     /// Claim files and folders; the built-in catalogue if none is given
     paths: Vec<PathBuf>,
     /// The folder to write to
-    #[arg(long, value_name = "DIR")]
+    #[arg(short, long = "output", value_name = "DIR", visible_alias = "out")]
     out: PathBuf,
     /// The title
     #[arg(long)]
@@ -24,6 +24,10 @@ pub struct Flags {
     #[cfg(feature = "plot")]
     #[arg(long, value_name = "WORDS")]
     plot: Vec<String>,
+    /// Make a proof for Coq from each certificate, run Coq on them where it is installed, and say beside each verdict
+    /// whether Coq accepts it; for the whole catalogue that takes minutes
+    #[arg(long)]
+    coq: bool,
     /// Also make report.pdf, with an installed LaTeX
     #[arg(long)]
     pdf: bool,
@@ -86,12 +90,20 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     let plots = Vec::new();
     let settings = Settings { limits: flags.limits.limits(), argument: true, ..Settings::default() };
     let audit = audit::all(&flags.paths, &settings)?;
-    let evidence = evidence::gather(&audit);
-    let title = flags.title.as_deref().unwrap_or(match catalogue {
-        true => "Audit of Ricardo & Lee, Maximizing kinetic energy transfer in one-dimensional many-body collisions",
-        false => "Audit",
+    let (evidence, ran) = match flags.coq.then(|| theorems::ran(&audit, &settings.limits)).transpose()?.flatten() {
+        Some((evidence, files)) => (evidence, Some(files)),
+        None => (evidence::gather(&audit), None),
+    };
+    let paper = audit.entries.iter().find_map(|e| e.claim.paper.as_deref());
+    let title = flags.title.clone().unwrap_or_else(|| match (catalogue, paper) {
+        (true, _) => {
+            "Audit of Ricardo & Lee, Maximizing kinetic energy transfer in one-dimensional many-body collisions"
+                .to_string()
+        }
+        (false, Some(paper)) => format!("Audit of {paper}"),
+        (false, None) => "Audit".to_string(),
     });
-    Ok(Handout { audit, title: title.to_string(), evidence, catalogue, tables, plots })
+    Ok(Handout { audit, title, evidence, ran, catalogue, tables, plots })
 }
 
 /// Says what an earlier report left in the folder: `carom check` would read its certificates, and a reader its pictures.
@@ -105,6 +117,7 @@ fn strangers(out: &Path, files: &[(String, Vec<u8>)]) {
     }
     strange.sort();
     if !strange.is_empty() {
-        eprintln!("note: {} holds files that are not of this report: {}", out.display(), strange.join(", "));
+        let (out, strange) = (out.display(), strange.join(", "));
+        terminal::note(&format!("note: {out} holds files that are not of this report: {strange}"));
     }
 }

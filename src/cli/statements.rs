@@ -1,29 +1,28 @@
 //! `carom print`
 
 use super::audit::load;
-use super::{Exit, PrintFormat, load, print};
+use super::{Exit, PrintFormat, load};
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::Claim;
 use crate::report::argument::statement_latex;
 use std::path::{Path, PathBuf};
 
-/// Runs the command: the claims in the order in which they are named.
-pub fn run(names: &[String], format: PrintFormat) -> Result<u8, Exit> {
+/// The text of the claims, in the order in which they are named.
+pub fn run(names: &[String], format: PrintFormat) -> Result<String, Exit> {
     let mut claims: Vec<Claim> = Vec::new();
     if names.is_empty() {
         claims.extend_from_slice(load(&[], &[])?.catalogue.claims());
     }
     for name in names {
-        if Path::new(name).exists() || name.contains('/') || name.ends_with(".claim") {
-            claims.extend(load::claims(&load::files(&[PathBuf::from(name)])?)?.0);
+        if name == "-" || Path::new(name).exists() || name.contains('/') || name.ends_with(".claim") {
+            claims.extend(load::claims(&load::files(&[PathBuf::from(name)])?).whole()?.claims);
         } else {
             let only = [name.clone()];
             claims.extend(load(&[], &only)?.catalogue.get(name).cloned());
         }
     }
     let text: Vec<String> = claims.iter().map(|claim| one(claim, format)).collect();
-    print(&text.join("\n"))?;
-    Ok(0)
+    Ok(text.join("\n"))
 }
 
 fn one(claim: &Claim, format: PrintFormat) -> String {

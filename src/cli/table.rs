@@ -1,12 +1,13 @@
 //! `carom table`
 
-use super::interrupt::{INTERRUPTED, Interrupt, interrupted};
+use super::interrupt::{Interrupt, interrupted};
 use super::output::{Output, place};
 use super::partial::{self, Partial, Target};
 use super::progress::Progress;
-use super::table_contents::{Contents, grid};
+use super::table_contents::{Contents, grid, joined};
+use super::table_cross::{self, Axis};
 use super::table_rows::{self, Rows};
-use super::{Exit, table_check, table_merge};
+use super::{Exit, form, table_check, table_merge};
 use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
 use crate::number::interval::Interval;
@@ -26,12 +27,22 @@ use std::path::{Path, PathBuf};
 pub struct Flags {
     #[command(flatten)]
     contents: Contents,
-    /// The form of the table; if not given, that of the file's name (.csv, .json, .md, .tex), else text
+    /// The form of the table [default: by the ending of --output (.csv, .json, .md, .tex), else text]
     #[arg(long, value_enum)]
     format: Option<Form>,
     /// Write the table to a file, - for standard output; with CSV, what an interrupted run leaves is FILE.partial
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Print a cross table: this axis runs across, another one down. A table that is too wide for a page is cut into
+    /// several, and a third axis makes a table for each of its values
+    #[arg(long, value_enum, value_name = "AXIS", conflicts_with_all = ["certificate", "resume", "shard", "merge", "check", "extra"])]
+    across: Option<Axis>,
+    /// In a cross table, write a short fraction p/q where the value is rational
+    #[arg(long, requires = "across")]
+    fractions: bool,
+    /// Leave the column of exact values out
+    #[arg(long, conflicts_with_all = ["resume", "shard", "merge", "check", "across"])]
+    no_exact: bool,
     /// Store the exact enclosure of every cell in a file, one JSON object a line
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
     certificate: Option<PathBuf>,
@@ -41,11 +52,13 @@ pub struct Flags {
     /// Only the I-th of N parts of the rows, as CSV, for many machines; --merge puts the parts together
     #[arg(long, value_name = "I/N", conflicts_with = "check")]
     shard: Option<String>,
-    /// Put the parts of one table, or of its certificate, together; exit 2 if a row is missing, doubled or strange
+    /// Put the parts of one table, or of its certificate, together; exit 2 if a row is missing, duplicated or from another
+    /// table
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["ratio", "e", "n", "want", "digits", "places",
         "round", "extra", "format", "certificate", "resume", "check", "shard"])]
     merge: Vec<PathBuf>,
-    /// Compare somebody's table, cell by cell, with the certified values; exit 1 if a cell is wrong
+    /// Compare somebody's table (CSV, - for standard input), cell by cell, with the certified values; exit 1 if a cell is
+    /// wrong
     #[arg(long, value_name = "FILE.csv")]
     check: Option<PathBuf>,
 }
@@ -53,19 +66,12 @@ pub struct Flags {
 impl Flags {
     /// Where the table goes; `None` is standard output.
     fn output(&self) -> Option<&Path> {
-        self.output.as_deref().filter(|path| path.as_os_str() != "-")
+        form::place(self.output.as_deref())
     }
 
-    fn form(&self) -> Form {
-        let end = self.output().and_then(Path::extension).map(|end| end.to_ascii_lowercase());
-        let named = match end.as_ref().and_then(|end| end.to_str()) {
-            Some("csv") => Form::Csv,
-            Some("json") => Form::Json,
-            Some("md" | "markdown") => Form::Markdown,
-            Some("tex") => Form::Latex,
-            _ => Form::Text,
-        };
-        self.format.unwrap_or(named)
+    /// The form in which it is written.
+    fn form(&self) -> Result<Form, Exit> {
+        form::form(self.format, self.output())
     }
 }
 
@@ -91,19 +97,23 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     }
     if let Some(path) = &flags.check {
         let given = &flags.contents;
-        let ratio = grid("--ratio", given.ratio.as_deref())?;
+        let of = |flag: &str, values: &[String]| grid(flag, joined(values).as_deref());
         let given =
-            table_check::Given { ratio, e: grid("-e", given.e.as_deref())?, n: grid("-n", given.n.as_deref())? };
+            table_check::Given { ratio: of("--ratio", &given.ratio)?, e: of("-e", &given.e)?, n: of("-n", &given.n)? };
         let rounding = flags.contents.round.rounding();
-        return table_check::run(path, &given, rounding, flags.form(), flags.output());
+        return table_check::run(path, &given, rounding, flags.form()?, flags.output());
     }
     let plan = flags.contents.plan()?;
-    if flags.form() == Form::Latex && plan.rows() > LATEX_ROWS {
+    let form = flags.form()?;
+    if let Some(axis) = flags.across {
+        return table_cross::run(&plan, axis, flags.fractions, form, flags.output());
+    }
+    if form == Form::Latex && plan.rows() > LATEX_ROWS {
         let message =
-            format!("limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed, {} asked for", plan.rows());
+            format!("error: limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed, {} asked for", plan.rows());
         return Err(Exit { code: 3, message });
     }
-    if flags.resume && flags.form() != Form::Csv {
+    if flags.resume && form != Form::Csv {
         return Err(Exit::usage("error: --resume goes on with CSV: add --format csv"));
     }
     let job = Job::new(&plan, flags)?;
@@ -111,7 +121,8 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     if let Some(binding) = &job.binding {
         head.facts.extend([(table_merge::TABLE, binding.table.clone()), (table_merge::SHARD, binding.shard.clone())]);
     }
-    let writer = Writer::new(flags.form(), head);
+    let writer = Writer::new(form, head);
+    let writer = if flags.no_exact { writer.without("exact") } else { writer };
     match flags.output() {
         None => standard(&job, writer, flags.certificate.as_deref()),
         Some(path) => file(&job, writer, path, flags),
@@ -129,12 +140,12 @@ impl<'a> Job<'a> {
     fn new(plan: &'a Plan, flags: &Flags) -> Result<Job<'a>, Exit> {
         let Some(text) = &flags.shard else { return Ok(Job { plan, rows: 0..plan.rows(), binding: None }) };
         let shard = Shard::parse(text).map_err(|e| Exit::usage(format!("error: --shard {text}: {e}")))?;
-        if flags.form() != Form::Csv {
+        if flags.form()? != Form::Csv {
             return Err(Exit::usage("error: --shard makes CSV, which can be merged: add --format csv"));
         }
         let given = &flags.contents;
-        let axes =
-            Axes { ratio: given.ratio.as_deref().unwrap_or_default(), e: given.e.as_deref(), n: given.n.as_deref() };
+        let (ratio, e, n) = (joined(&given.ratio), joined(&given.e), joined(&given.n));
+        let axes = Axes { ratio: ratio.as_deref().unwrap_or_default(), e: e.as_deref(), n: n.as_deref() };
         Ok(Job { plan, rows: shard.rows(plan.rows()), binding: Some(Binding::new(plan, axes, shard)) })
     }
 
@@ -155,7 +166,7 @@ fn standard(job: &Job<'_>, writer: Writer, certificate: Option<&Path>) -> Result
     let end = write(job, writer, 0, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
     match end.and_then(|end| out.flush().map(|()| end).map_err(Stop::Write)) {
         Ok(End::Complete) => certificate.map_or(Ok(()), Target::finish).map(|()| 0),
-        Ok(End::Interrupted(_)) => Ok(INTERRUPTED),
+        Ok(End::Interrupted(rows)) => Err(interrupted(&format!("the table ends after {rows} rows"))),
         Err(Stop::Write(e)) if e.kind() == io::ErrorKind::BrokenPipe => Ok(0),
         Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write the table: {e}"))),
         Err(Stop::Table(e)) => Err(exit(&e)),
@@ -212,7 +223,8 @@ fn rounding_name(rounding: Rounding) -> &'static str {
 
 /// Writes to a file, which is complete or as it was.
 fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
-    let grows = |path: &Path| flags.form() == Form::Csv && partial::can_grow(path);
+    let csv = flags.form()? == Form::Csv;
+    let grows = |path: &Path| csv && partial::can_grow(path);
     let targets: Vec<(&Path, table_rows::Form, String)> = [
         Some((path, table_rows::Form::Csv, writer.csv_head())),
         flags.certificate.as_deref().map(|path| (path, table_rows::Form::Certificate, job.certificate_head())),

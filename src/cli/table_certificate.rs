@@ -1,10 +1,11 @@
 //! `carom check` for certificates of tables: read line by line, in memory that does not grow with the table.
 
+use super::progress::Progress;
 use super::table_merge::SHARD;
-use super::{Exit, print};
+use super::{Exit, load};
 use crate::certificate::text::FILE_LIMIT;
-use crate::kernel::Failure;
 use crate::report::visible_lines;
+use crate::table_checker::Failure;
 use crate::table_checker::text::LINE_LIMIT;
 use crate::table_checker::{AcceptedTable, Checker};
 use std::fs::File;
@@ -33,11 +34,12 @@ pub fn told_apart(paths: &[PathBuf]) -> Result<(Vec<Table>, Vec<Other>), Exit> {
     let mut tables = Vec::new();
     let mut others = Vec::new();
     for path in paths {
-        let input = path.as_os_str() == "-";
+        let input = load::is_standard_input(path);
         let kind = if input { None } else { std::fs::metadata(path).ok() };
         let mut opened: Box<dyn Read> = match &kind {
-            _ if input => Box::new(std::io::stdin()),
-            Some(kind) if kind.is_file() || !kind.is_dir() => Box::new(File::open(path).map_err(|e| unread(path, &e))?),
+            kind if input || kind.as_ref().is_some_and(|kind| !kind.is_dir()) => {
+                load::open(path).map_err(|e| unread(path, &e))?
+            }
             _ => {
                 others.push(Other::Path(path.clone()));
                 continue;
@@ -72,8 +74,9 @@ struct Stopped {
     failure: Failure,
 }
 
-/// Checks tables one after another: 1 if one is rejected, else 3 if a limit was reached.
-pub fn run(tables: Vec<Table>, quiet: bool) -> Result<u8, Exit> {
+/// Checks tables one after another, and says each as soon as it is checked: 1 if one is rejected, else 3 if a limit was
+/// reached.
+pub fn run(tables: Vec<Table>, quiet: bool, say: &mut dyn FnMut(&str) -> Result<(), Exit>) -> Result<u8, Exit> {
     let mut code = 0;
     for Table { path, opened } in tables {
         let name = path.display();
@@ -100,7 +103,7 @@ pub fn run(tables: Vec<Table>, quiet: bool) -> Result<u8, Exit> {
             }
         };
         // A reason quotes the file.
-        print(&visible_lines(&text))?;
+        say(&visible_lines(&text))?;
     }
     Ok(code)
 }
@@ -150,7 +153,12 @@ fn check(path: &Path, opened: Option<Box<dyn Read>>) -> Result<Result<AcceptedTa
         }
         Err(failure) => return stopped("head", failure),
     };
+    let (progress, mut rows) = (Progress::alone("checking"), 0u64);
     while let Some(row) = line(&mut file, path, &mut bytes)? {
+        rows += 1;
+        if rows % 1024 == 0 {
+            progress.now(0, &format!("{}: {rows} rows", path.display()));
+        }
         if let Err(failure) = row.and_then(|row| checker.row(row)) {
             return stopped(&checker.place(), failure);
         }

@@ -1,7 +1,8 @@
 //! `carom table --check`: somebody's table beside the certified values.
 
 use super::output::Output;
-use super::{Exit, print};
+use super::progress::Progress;
+use super::{Exit, load, print};
 use crate::chain::{ChainError, MAX_INSERTED, Positive, Restitution};
 use crate::number::NumberError;
 use crate::number::decimal::Rounding;
@@ -13,7 +14,6 @@ use crate::table::foreign::{Fields, Foreign, ForeignError, Role, completed};
 use crate::table::grid::{Grid, beyond_limits};
 use crate::table::{Place, Quantity, Value, value};
 use malachite::Rational;
-use std::fs::File;
 use std::io::{BufReader, Write};
 use std::path::Path;
 
@@ -41,7 +41,7 @@ struct Tally {
 pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: Option<&Path>) -> Result<u8, Exit> {
     let shown = path.display();
     let fail = |e: &dyn std::fmt::Display| Exit::usage(format!("error: {shown}: {e}"));
-    let file = File::open(path).map_err(|e| Exit::usage(format!("error: cannot read {shown}: {e}")))?;
+    let file = load::open(path).map_err(|e| Exit::usage(format!("error: cannot read {shown}: {e}")))?;
     let foreign =
         |e: ForeignError| Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {shown}: {e}") };
     let mut table = Foreign::open(BufReader::new(file)).map_err(foreign)?;
@@ -62,7 +62,11 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
     };
     let unwritten = |e: std::io::Error| Exit::usage(format!("error: cannot write: {e}"));
     writer.begin(&mut out).map_err(unwritten)?;
+    let progress = output.is_some().then(|| Progress::alone("comparing"));
     while let Some(row) = table.row().map_err(foreign)? {
+        if let Some(progress) = progress.as_ref().filter(|_| rows % 256 == 0) {
+            progress.now(0, &format!("{rows} cells compared"));
+        }
         for (column, quantity) in &places.values {
             let entries = cell(&row, *column, *quantity, &places, rounding, &mut tally).map_err(|e| match e {
                 Failure::Input(e) => fail(&format!("line {}: {e}", row.line)),
@@ -73,7 +77,7 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
             writer.row(entries, &mut out).map_err(unwritten)?;
             rows += 1;
             if form == Form::Latex && rows > LATEX_ROWS {
-                let message = format!("limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed");
+                let message = format!("error: limit reached: rows of a table in LaTeX: {LATEX_ROWS} allowed");
                 return Err(Exit { code: 3, message });
             }
         }
@@ -81,6 +85,7 @@ pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: O
             flush(&mut out)?;
         }
     }
+    drop(progress);
     writer.end(&mut out).map_err(unwritten)?;
     let cells = tally.right + tally.rounded + tally.wrong + tally.unreadable;
     let summary = tally.summary(cells);

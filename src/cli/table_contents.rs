@@ -11,13 +11,13 @@ use crate::table::{Plan, Printing, Quantity};
 pub struct Contents {
     /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub ratio: Option<String>,
+    pub ratio: Vec<String>,
     /// Coefficients of restitution, for eta and best-n
     #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
-    pub e: Option<String>,
+    pub e: Vec<String>,
     /// Numbers of inserted bodies, for eta and threshold
     #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
-    pub n: Option<String>,
+    pub n: Vec<String>,
     /// The quantity
     #[arg(long, value_enum, default_value = "eta")]
     want: Want,
@@ -28,7 +28,7 @@ pub struct Contents {
     #[arg(long, value_name = "P")]
     places: Option<u64>,
     /// The direction of rounding
-    #[arg(long, value_enum, default_value = "nearest-even")]
+    #[arg(long, value_enum, default_value = "nearest")]
     pub round: Round,
     /// Show so many further digits beside the value, with a bound
     #[arg(long, value_name = "K", default_value_t = 0)]
@@ -41,9 +41,9 @@ impl Contents {
     /// # Errors
     /// A grid that is missing, cannot be read, or is out of its range.
     pub fn plan(&self) -> Result<Plan, Exit> {
-        let ratio = grid("--ratio", self.ratio.as_deref())?;
-        let e = grid("-e", self.e.as_deref())?;
-        let n = grid("-n", self.n.as_deref())?;
+        let ratio = grid("--ratio", joined(&self.ratio).as_deref())?;
+        let e = grid("-e", joined(&self.e).as_deref())?;
+        let n = grid("-n", joined(&self.n).as_deref())?;
         let Some(ratio) = ratio else { return Err(Exit::usage("error: give a grid of mass ratios: --ratio GRID")) };
         let quantity = match self.want {
             Want::Eta => Quantity::Eta,
@@ -71,8 +71,8 @@ pub enum Want {
 #[derive(Clone, Copy, clap::ValueEnum)]
 pub enum Round {
     /// To the nearest, ties to the even digit
-    #[value(alias = "nearest")]
-    NearestEven,
+    #[value(alias = "nearest-even")]
+    Nearest,
     /// Never below the value
     Up,
     /// Never above the value
@@ -87,13 +87,18 @@ impl Round {
     /// The rule of rounding.
     pub fn rounding(self) -> Rounding {
         match self {
-            Round::NearestEven => Rounding::Nearest,
+            Round::Nearest => Rounding::Nearest,
             Round::Up => Rounding::Up,
             Round::Down => Rounding::Down,
             Round::Zero => Rounding::Zero,
             Round::Away => Rounding::Away,
         }
     }
+}
+
+/// The values of a flag that may be repeated, or hold several with commas between: both are the same list.
+pub fn joined(values: &[String]) -> Option<String> {
+    if values.is_empty() { None } else { Some(values.join(",")) }
 }
 
 /// A grid of the command line.

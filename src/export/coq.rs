@@ -11,6 +11,10 @@
 //! Refused, with the reason: families on a part of the naturals, matrices among functions' values,
 //! bounds of a sum that are not natural by their form, determinants beyond two rows.
 
+pub mod defined;
+pub mod proof;
+pub mod refuted;
+
 use super::kinds::{Kind, Kinds, bind, is_matrix, is_natural, is_natural_name, of_claim};
 use super::positive::Positive;
 use super::values::{self, Collector, Condition, Guard};
@@ -96,6 +100,8 @@ pub struct Statement {
     pub full: String,
     /// That every expression has a value under the hypotheses; `None` if that is plain.
     pub defined: Option<String>,
+    /// How many variables and hypotheses come before what is claimed.
+    pub premises: usize,
     /// SHA-256 of the claim's statement as the kernel of certificates reads it, in hexadecimal digits: one
     /// digest stands in the certificate, beside the Coq statement and in the table of claims.
     pub digest: String,
@@ -130,6 +136,7 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         positive: Positive::of_claim(claim),
         tied: Vec::new(),
         in_place_only: BTreeSet::new(),
+        inside: false,
     };
     for (_, prop) in &expanded.assumptions {
         let text = printer.prop(prop)?.0;
@@ -154,7 +161,7 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         }
     }
     let mut assumptions = expanded.assumptions.iter();
-    let (mut full, mut bare) = (Vec::new(), Vec::new());
+    let (mut full, mut bare, mut premises) = (Vec::new(), Vec::new(), 0);
     for item in &claim.items {
         match item {
             Item::Given(bindings) => {
@@ -181,9 +188,11 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         }
     }
     for binding in &expanded.bindings {
+        premises += binding.names.len() * (1 + binding.constraints.len());
         bare.push(printer.given(binding)?);
     }
     for sequence in &expanded.sequences {
+        premises += 3;
         bare.push(printer.sequence(&sequence.name, &sequence.initial, &sequence.index, &sequence.step)?);
     }
     for (_, prop) in &expanded.assumptions {
@@ -191,8 +200,10 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
         divisors.prop(prop);
         divisors.found.retain(|c| !printer.plain(c));
         for need in printer.conditions(&divisors.found)? {
+            premises += 1;
             bare.push(format!("{need} ->"));
         }
+        premises += 1;
         bare.push(format!("{} ->", printer.prop_at(prop, 80)?));
     }
     full.push(match &claim.goal.kind {
@@ -210,7 +221,7 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
     let full = if refuted { format!("  ~ (\n{})", laid_out(&full)) } else { laid_out(&full) };
     let read = kernel::statement::Statement::of(claim).map_err(|_| Unsupported::limit("size", claim.name.span))?;
     let digest = certificate::text::digest(&read.text());
-    Ok(Statement { name: identifier(&claim.name.text), full, defined, digest })
+    Ok(Statement { name: identifier(&claim.name.text), full, defined, premises, digest })
 }
 
 /// Drops every `let` that nothing after it mentions: derivatives and limits have theirs put in place.
@@ -297,6 +308,8 @@ struct Printer {
     tied: Vec<String>,
     /// Definitions whose powers are of another kind where they are used: they are put in place.
     in_place_only: BTreeSet<String>,
+    /// Whether it prints a proof's own text: comparisons are of reals, and what needs a positive base is not asked.
+    inside: bool,
 }
 
 impl Printer {
@@ -421,6 +434,10 @@ impl Printer {
                     return unsupported(subject.span, "an interval of reals for a natural number");
                 }
                 Ok(format!("{a} {} {x} {} {b}", sign(*from_closed), sign(*to_closed)))
+            }
+            Constraint::Range(from, to) if self.inside => {
+                let (a, x, b) = (self.real_at(from, SUM)?, self.real_at(subject, SUM)?, self.real_at(to, SUM)?);
+                Ok(format!("{a} <= {x} <= {b}"))
             }
             Constraint::Range(from, to) => {
                 let (a, x, b) = (self.natural(from)?, self.natural(subject)?, self.natural(to)?);
@@ -599,7 +616,7 @@ impl Printer {
             (Some((k, 1)), _) => (k < 0, k.unsigned_abs().to_string()),
             _ if is_natural(exponent, &self.kinds) => (false, natural(self, exponent)?),
             (_, ExprKind::Negate(inner)) if is_natural(inner, &self.kinds) => (true, natural(self, inner)?),
-            _ if kind != Exponent::Real && !self.is_positive(base)? => {
+            _ if !self.inside && kind != Exponent::Real && !self.is_positive(base)? => {
                 let reason = match kind {
                     Exponent::Root => "a root, written as a power, of what may be 0",
                     _ => "a power of what may be 0 or negative, with an exponent that may be negative",
@@ -664,7 +681,9 @@ impl Printer {
             return Ok(match name {
                 "det" => (format!("det2 {}", at(self.matrix(argument)?, ATOM)), APPLICATION),
                 "transpose" => return unsupported(span, "a matrix where a number is needed"),
-                "cbrt" if !self.is_positive(argument)? => return unsupported(span, "the cube root of what may be 0"),
+                "cbrt" if !self.inside && !self.is_positive(argument)? => {
+                    return unsupported(span, "the cube root of what may be 0");
+                }
                 _ => (format!("{name} {}", self.real_at(argument, ATOM)?), APPLICATION),
             });
         }
@@ -825,7 +844,7 @@ impl Printer {
             };
         }
         let symbolic = |e: &Expr| !matches!(e.kind, ExprKind::Number(_));
-        if is_natural(a, &self.kinds) && is_natural(b, &self.kinds) && (symbolic(a) || symbolic(b)) {
+        if !self.inside && is_natural(a, &self.kinds) && is_natural(b, &self.kinds) && (symbolic(a) || symbolic(b)) {
             let (a, b) = (at(self.natural(a)?, SUM), at(self.natural(b)?, SUM));
             return Ok((format!("({a} {sign} {b})%nat"), ATOM));
         }
@@ -965,7 +984,7 @@ impl Printer {
         let of = self.in_place(&limit.of)?;
         let value = self.real_at(&limit.value, ATOM)?;
         let x = self.word(&limit.variable.text);
-        if self.tied.iter().any(|text| mentions(text, &x)) {
+        if !self.inside && self.tied.iter().any(|text| mentions(text, &x)) {
             return unsupported(limit.variable.span, "a limit by a variable that a hypothesis restricts");
         }
         match self.kinds.get(&limit.variable.text) {

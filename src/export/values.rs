@@ -186,8 +186,8 @@ fn is_square_root(e: &Expr) -> bool {
 /// summand of its end.
 fn plain_range(from: &Expr, to: &Expr) -> bool {
     let summand = match &to.kind {
-        ExprKind::Sum(list) => list.iter().any(|(_, e)| e.same(from)) && list.iter().all(|(s, _)| *s == Sign::Plus),
-        _ => to.same(from),
+        ExprKind::Sum(list) => list.iter().any(|(_, e)| e == from) && list.iter().all(|(s, _)| *s == Sign::Plus),
+        _ => to == from,
     };
     summand || matches!(definedness::number(from), Some((0..=1, 1)))
 }

@@ -1,22 +1,28 @@
 //! Claims judged. *Proved* means: the kernel accepted a certificate of the claim in this run.
 //!
-//! Contract: a certificate at hand decides first; where the kernel accepts none, the search looks for a proof, and what
-//! it finds is written as a certificate, which the kernel has to accept. Where the search finds a proof that the kernel
-//! cannot check, the claim is undecided and [`Entry::found`] says so. A claim is judged after those that it cites, and
+//! Contract: a certificate at hand decides first; where the kernel accepts none, a counterexample is sought at few points,
+//! then a proof, which is written as a certificate that the kernel has to accept, then a counterexample at all points.
+//! Where a proof is found and the kernel does not accept what was written of it, the claim is undecided and
+//! [`Entry::found`] says so. A claim is judged after those that it cites, and
 //! may use what was proved of them. The order of the answers does not depend on the number of threads.
 
 pub mod hand;
 mod hypotheses;
+pub mod refuted;
 mod threads;
 
+use crate::certificate::Certificate;
 use crate::certificate::text::{digest, write};
 use crate::certify::{Fail, certify};
 use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print::Style;
-use crate::claim::syntax::{Claim, Span};
+use crate::claim::syntax::{self as claim, Claim, Method, Span, Step};
+use crate::explain::{self, Document};
 use crate::kernel::Accepted;
-use crate::prove::catalogue::{self, Catalogue, Limits};
+use crate::prove::case::{Case, FIRST, beyond};
+use crate::prove::catalogue::{Catalogue, Limits};
 use crate::prove::outcome::{Fault, Outcome, Verdict};
+use crate::prove::trial::Untried;
 use hand::AtHand;
 
 /// A claim and what the audit says of it.
@@ -25,10 +31,12 @@ pub struct Entry {
     pub claim: Claim,
     /// The outcome.
     pub outcome: Outcome,
-    /// Whether the search found a proof that the kernel did not accept.
+    /// Whether a proof was found that the kernel does not accept as it was written.
     pub found: bool,
-    /// What the kernel accepted.
+    /// What the kernel accepted: of a refuted claim, that it is false at the witness.
     pub proof: Option<Proof>,
+    /// The proof in words, where it was asked for.
+    pub explained: Option<Document>,
 }
 
 impl Entry {
@@ -56,6 +64,14 @@ pub struct Proof {
     pub rests_on: Vec<String>,
 }
 
+impl Proof {
+    /// A refutation, which rests on no other claim.
+    fn refuting(certificate: Certificate) -> Proof {
+        let text = write(&certificate);
+        Proof { sha256: digest(&text), statement: certificate.statement, rests_on: Vec::new(), certificate: text }
+    }
+}
+
 /// How claims are judged.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
@@ -63,7 +79,7 @@ pub struct Settings {
     pub limits: Limits,
     /// Search every proof anew, even where a certificate is at hand.
     pub anew: bool,
-    /// Give the argument that the search finds, even where a certificate at hand decides.
+    /// Say each proof in words.
     pub argument: bool,
 }
 
@@ -113,6 +129,15 @@ pub fn one_of(catalogue: &Catalogue, name: &str, hand: &AtHand, settings: &Setti
     found.entries.pop().map_or_else(|| Err(unknown(name)), |entry| entry.1)
 }
 
+/// The outcome of one claim, with no certificate at hand.
+///
+/// # Errors
+/// As [`one_of`].
+pub fn outcome_of(catalogue: &Catalogue, name: &str, limits: &Limits) -> Result<Outcome, Fault> {
+    let settings = Settings { limits: limits.clone(), ..Settings::default() };
+    one_of(catalogue, name, &AtHand::default(), &settings).map(|entry| entry.outcome)
+}
+
 fn unknown(name: &str) -> Fault {
     let message = format!("no claim is called {name}");
     Fault::Text(crate::claim::syntax::Diagnose { message, help: None, span: Span::default() })
@@ -135,69 +160,120 @@ pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
 fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> Judged {
     let accepted: Vec<&Accepted> = cited.iter().filter_map(|c| c.accepted.as_ref()).collect();
     let held = if settings.anew { None } else { hand.accepted(claim, &accepted) };
-    let proved: Vec<&Claim> = cited
-        .iter()
-        .filter_map(|c| c.entry.as_ref().ok())
-        .filter(|e| e.outcome.verdict == Verdict::Proved)
-        .map(|e| &e.claim)
-        .collect();
-    let others = cited.iter().filter_map(|c| c.entry.as_ref().ok()).filter(|e| e.outcome.verdict != Verdict::Proved);
-    let unproved = others
-        .map(|e| {
-            let reason = e.outcome.reason.as_ref().map_or(String::new(), |reason| format!(": {reason}"));
-            (e.claim.name.text.clone(), format!("{}{reason}", e.outcome.verdict.name()))
-        })
-        .chain(claim.using.iter().map(|n| (n.text.clone(), "at fault".to_string())).filter(|(name, _)| {
-            !cited.iter().filter_map(|c| c.entry.as_ref().ok()).any(|e| e.claim.name.text == *name)
-        }))
-        .collect();
-    let search = || catalogue::search(claim, &proved, &unproved, &settings.limits);
-    // The outcome, what the kernel accepted, and whether it is a proof that the kernel does not check.
-    let result = match held {
-        Some(held) => catalogue::given(claim, &settings.limits).and_then(|mut outcome| {
-            if settings.argument {
-                outcome.argument = search()?.argument;
-            }
-            Ok((outcome, Some(held), false))
-        }),
-        None => search().map(|outcome| match outcome.verdict {
-            Verdict::Proved => match certify(claim, &accepted, &settings.limits) {
-                Ok(shown) => (outcome, Some(shown), false),
-                Err(fail) => (unchecked(outcome, &fail), None, true),
+    let decided = match Case::new(claim, &settings.limits) {
+        Err(Untried::Fault(fault)) => return Judged { entry: Err(fault), accepted: None },
+        Err(Untried::Limit(name)) => Decided::without_proof(beyond(claim, name)),
+        Err(Untried::Moves) => Decided::without_proof(beyond(claim, "points")),
+        Ok(case) => match held {
+            Some(held) => Decided { outcome: case.proved(), held: Some(held), found: false },
+            None => match searched(claim, case, cited, &accepted, &settings.limits) {
+                Err(fault) => return Judged { entry: Err(fault), accepted: None },
+                Ok(decided) => decided,
             },
-            _ => (outcome, None, false),
-        }),
+        },
     };
-    match result {
-        Err(fault) => Judged { entry: Err(fault), accepted: None },
-        Ok((mut outcome, Some((certificate, shown)), _)) if outcome.verdict == Verdict::Proved => {
-            (outcome.used, outcome.unused) = hypotheses::used(claim, &shown);
-            outcome.method = hypotheses::method(&certificate).to_string();
-            let certificate = write(&certificate);
-            let proof = Proof {
-                sha256: digest(&certificate),
-                statement: digest(&shown.text()),
-                rests_on: shown.rests_on().iter().cloned().collect(),
-                certificate,
-            };
-            let entry = Entry { claim: claim.clone(), outcome, found: false, proof: Some(proof) };
-            Judged { entry: Ok(entry), accepted: Some(shown) }
-        }
-        Ok((outcome, _, found)) => {
-            Judged { entry: Ok(Entry { claim: claim.clone(), outcome, found, proof: None }), accepted: None }
-        }
+    let Decided { mut outcome, held, found } = decided;
+    let at_hand = || if settings.anew { None } else { hand.refuting(claim) };
+    // A refutation at hand decides where no witness was found.
+    if outcome.verdict == Verdict::Undecided
+        && let Some(certificate) = at_hand()
+    {
+        outcome = refuted::outcome(outcome, claim, &certificate);
+    }
+    let Some((certificate, shown)) = held.filter(|_| outcome.verdict == Verdict::Proved) else {
+        let refuted = outcome.witness.as_ref().filter(|_| outcome.verdict == Verdict::Refuted);
+        let proof = refuted.and_then(|w| {
+            at_hand().or_else(|| refuted::certificate(claim, &w.point, &settings.limits)).map(Proof::refuting)
+        });
+        let entry = Entry { claim: claim.clone(), outcome, found, proof, explained: None };
+        return Judged { entry: Ok(entry), accepted: None };
+    };
+    (outcome.used, outcome.unused) = hypotheses::used(claim, &certificate, &shown);
+    outcome.method = hypotheses::method(&certificate, &shown).to_string();
+    let words = settings.argument.then(|| explain::proof(claim, &certificate, &accepted).ok());
+    let certificate = write(&certificate);
+    let proof = Proof {
+        sha256: digest(&certificate),
+        statement: digest(&shown.text()),
+        rests_on: shown.rests_on().iter().cloned().collect(),
+        certificate,
+    };
+    let entry = Entry { claim: claim.clone(), outcome, found: false, proof: Some(proof), explained: words.flatten() };
+    Judged { entry: Ok(entry), accepted: Some(shown) }
+}
+
+/// What the search says of a claim.
+struct Decided {
+    outcome: Outcome,
+    held: Option<(Certificate, Accepted)>,
+    /// Whether a proof was found that the kernel does not accept as it was written.
+    found: bool,
+}
+
+impl Decided {
+    fn without_proof(outcome: Outcome) -> Decided {
+        Decided { outcome, held: None, found: false }
     }
 }
 
-/// What is said of a proof that the kernel does not check.
-fn unchecked(outcome: Outcome, fail: &Fail) -> Outcome {
-    Outcome {
-        verdict: Verdict::Undecided,
-        method: String::new(),
-        used: Vec::new(),
-        unused: Vec::new(),
-        limit: fail.limit(),
-        reason: Some(format!("the search found a proof, but no certificate that the kernel accepts: {fail}")),
-        ..outcome
+/// Seeks a counterexample at few points, then a proof, then a counterexample at all points.
+fn searched(
+    claim: &Claim,
+    mut case: Case,
+    cited: &[&Judged],
+    accepted: &[&Accepted],
+    limits: &Limits,
+) -> Result<Decided, Fault> {
+    let known: Vec<&Claim> = cited.iter().filter_map(|c| c.entry.as_ref().ok()).map(|e| &e.claim).collect();
+    case.check(&known).map_err(Fault::Text)?;
+    if let Some(reason) = case.ambiguous() {
+        return Ok(Decided::without_proof(case.undecided(reason, None)));
+    }
+    if let Some(refuted) = case.counterexample(Some(FIRST)) {
+        return Ok(Decided::without_proof(refuted));
+    }
+    let fail = match certify(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
+        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
+        Err(fail) => fail,
+    };
+    if let Some(refuted) = case.counterexample(None) {
+        return Ok(Decided::without_proof(refuted));
+    }
+    let found = matches!(fail, Fail::Unwritten(_));
+    let reason = match rests_on(claim, cited) {
+        _ if found => format!("the search found a proof, but no certificate that the kernel accepts: {fail}"),
+        Some(reason) => reason,
+        None => fail.to_string(),
+    };
+    Ok(Decided { outcome: case.undecided(reason, fail.limit()), held: None, found })
+}
+
+/// What is said of the first claim that the argument cites and that is not proved.
+fn rests_on(claim: &Claim, cited: &[&Judged]) -> Option<String> {
+    let mut names = Vec::new();
+    instances(&claim.proof, &mut names);
+    let entry = |name: &str| cited.iter().filter_map(|c| c.entry.as_ref().ok()).find(|e| e.claim.name.text == name);
+    names.into_iter().filter(|name| claim.using.iter().any(|n| n.text == *name)).find_map(|name| match entry(name) {
+        None => Some(format!("rests on {name}, which is at fault")),
+        Some(entry) if entry.outcome.verdict == Verdict::Proved => None,
+        Some(Entry { outcome, .. }) => {
+            let reason = outcome.reason.as_ref().map_or(String::new(), |reason| format!(": {reason}"));
+            Some(format!("rests on {name}, which is {}{reason}", outcome.verdict.name()))
+        }
+    })
+}
+
+/// The claims and facts of which an argument takes instances.
+fn instances<'c>(proof: &'c claim::Proof, into: &mut Vec<&'c str>) {
+    for step in &proof.steps {
+        match step {
+            Step::Have { proof, .. } | Step::Case { proof, .. } => instances(proof, into),
+            Step::Obtain { .. } => {}
+        }
+    }
+    match &proof.close {
+        Some(Method::Instance { claim, .. }) => into.push(&claim.text),
+        Some(Method::Induction(_, steps)) => instances(steps, into),
+        _ => {}
     }
 }

@@ -8,9 +8,9 @@
 //!
 //! What is done and what is made is counted in [`Work`] where it happens, numbers by their length, so
 //! that time and memory are bounded. What only copies, such as [`Fraction::power`], is counted by the
-//! size of what it comes to, in [`super::Checker::value`].
+//! size of what it comes to, in `Checker::value`.
 
-use super::{Failure, declined};
+use super::{Reason, Refusal, rejected};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -44,9 +44,9 @@ impl Work {
     }
 
     /// Counts some work.
-    pub fn count(&self, amount: usize) -> Result<(), Failure> {
+    pub fn count(&self, amount: usize) -> Result<(), Refusal> {
         self.spend(amount);
-        if self.0.get() > WORK_LIMIT { declined("work") } else { Ok(()) }
+        if self.0.get() > WORK_LIMIT { Err(Refusal::Limit("work")) } else { Ok(()) }
     }
 }
 
@@ -56,22 +56,22 @@ fn words(q: &BigRational) -> usize {
 }
 
 /// The product; between integers no common divisor is sought.
-fn product(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Failure> {
+fn product(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Refusal> {
     let whole = a.is_integer() && b.is_integer();
     computed(if whole { BigRational::from_integer(a.numer() * b.numer()) } else { a * b }, work)
 }
 
 /// The sum; between integers no common divisor is sought.
-fn plus(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Failure> {
+fn plus(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Refusal> {
     let whole = a.is_integer() && b.is_integer();
     computed(if whole { BigRational::from_integer(a.numer() + b.numer()) } else { a + b }, work)
 }
 
 /// A number that was computed: its length is limited, and four times its square counted, for common
 /// divisors of long numbers take about so long.
-fn computed(q: BigRational, work: &Work) -> Result<BigRational, Failure> {
+fn computed(q: BigRational, work: &Work) -> Result<BigRational, Refusal> {
     work.count(words(&q).saturating_pow(2).saturating_mul(4))?;
-    if q.numer().bits().max(q.denom().bits()) > BITS_LIMIT { declined("digits") } else { Ok(q) }
+    if q.numer().bits().max(q.denom().bits()) > BITS_LIMIT { Err(Refusal::Limit("digits")) } else { Ok(q) }
 }
 
 /// Divides by a number as often as it can: how often that is. By its square first, so that 2^100000
@@ -92,7 +92,7 @@ fn divided_out(rest: &mut BigInt, divisor: &BigInt) -> i64 {
 pub type Monomial = Vec<(usize, u32)>;
 
 /// The product of two monomials, atoms in increasing order.
-fn monomial_product(m: &Monomial, n: &Monomial) -> Result<Monomial, Failure> {
+fn monomial_product(m: &Monomial, n: &Monomial) -> Result<Monomial, Refusal> {
     let mut out = Monomial::with_capacity(m.len() + n.len());
     let (mut left, mut right) = (m.iter().copied().peekable(), n.iter().copied().peekable());
     loop {
@@ -109,7 +109,7 @@ fn monomial_product(m: &Monomial, n: &Monomial) -> Result<Monomial, Failure> {
         };
         let Some((atom, k)) = power else { return Ok(out) };
         if i64::from(k) > EXPONENT_LIMIT {
-            return declined("degree");
+            return Err(Refusal::Limit("degree"));
         }
         out.push((atom, k));
     }
@@ -156,7 +156,7 @@ impl Poly {
         self.0.iter().map(|(monomial, c)| 1 + monomial.len() + words(c)).sum()
     }
 
-    fn add_term(&mut self, monomial: Monomial, c: BigRational, work: &Work) -> Result<(), Failure> {
+    fn add_term(&mut self, monomial: Monomial, c: BigRational, work: &Work) -> Result<(), Refusal> {
         match self.0.entry(monomial) {
             Entry::Vacant(entry) if !c.is_zero() => {
                 entry.insert(c);
@@ -171,11 +171,11 @@ impl Poly {
                 }
             }
         }
-        if self.0.len() > TERMS_LIMIT { declined("terms") } else { Ok(()) }
+        if self.0.len() > TERMS_LIMIT { Err(Refusal::Limit("terms")) } else { Ok(()) }
     }
 
     /// The product.
-    pub fn times(&self, other: &Poly, work: &Work) -> Result<Poly, Failure> {
+    pub fn times(&self, other: &Poly, work: &Work) -> Result<Poly, Refusal> {
         let mut out = Poly::default();
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
@@ -273,14 +273,14 @@ impl Fraction {
 
     /// Multiplies by a power of a factor. An exponent that reached a bound of its type would be another one, odd where
     /// it is even: it is held far below.
-    fn put(&mut self, poly: &Poly, k: i64) -> Result<(), Failure> {
+    fn put(&mut self, poly: &Poly, k: i64) -> Result<(), Refusal> {
         match self.factors.remove(poly).unwrap_or(0).checked_add(k) {
             Some(0) => Ok(()),
             Some(sum) if (-EXPONENT_LIMIT..=EXPONENT_LIMIT).contains(&sum) => {
                 self.factors.insert(poly.clone(), sum);
                 Ok(())
             }
-            _ => declined("degree"),
+            _ => Err(Refusal::Limit("degree")),
         }
     }
 
@@ -311,7 +311,7 @@ impl Fraction {
     }
 
     /// Multiplies it in place.
-    pub fn multiply(&mut self, other: &Fraction, work: &Work) -> Result<(), Failure> {
+    pub fn multiply(&mut self, other: &Fraction, work: &Work) -> Result<(), Refusal> {
         work.count(other.size())?;
         if self.is_zero() || other.is_zero() {
             *self = Fraction::integer(0);
@@ -325,7 +325,7 @@ impl Fraction {
     }
 
     /// The product.
-    pub fn times(&self, other: &Fraction, work: &Work) -> Result<Fraction, Failure> {
+    pub fn times(&self, other: &Fraction, work: &Work) -> Result<Fraction, Refusal> {
         work.count(self.size())?;
         let mut out = self.clone();
         out.multiply(other, work)?;
@@ -333,23 +333,23 @@ impl Fraction {
     }
 
     /// The whole power; 0 has positive powers only, and the power 0.
-    pub fn power(&self, k: i64) -> Result<Fraction, Failure> {
+    pub fn power(&self, k: i64) -> Result<Fraction, Refusal> {
         if k == 0 {
             return Ok(Fraction::integer(1));
         }
         if self.is_zero() {
-            return if k > 0 { Ok(Fraction::integer(0)) } else { super::rejected("a division by 0") };
+            return if k > 0 { Ok(Fraction::integer(0)) } else { rejected(Reason::DivisionByZero) };
         }
         let bits = self.coefficient.numer().bits().max(self.coefficient.denom().bits());
-        let Ok(small) = i32::try_from(k) else { return declined("degree") };
+        let Ok(small) = i32::try_from(k) else { return Err(Refusal::Limit("degree")) };
         if bits.saturating_mul(k.unsigned_abs()) > BITS_LIMIT {
-            return declined("digits");
+            return Err(Refusal::Limit("digits"));
         }
         let mut out = Fraction::number(self.coefficient.pow(small));
         for (poly, j) in &self.factors {
             match j.checked_mul(k) {
                 Some(j) if j.abs() <= EXPONENT_LIMIT => out.factors.insert(poly.clone(), j),
-                _ => return declined("degree"),
+                _ => return Err(Refusal::Limit("degree")),
             };
         }
         Ok(out)
@@ -361,7 +361,7 @@ impl Fraction {
     }
 
     /// The sum: what all summands share is set aside, the rest multiplied out.
-    pub fn sum(list: &[Fraction], work: &Work) -> Result<Fraction, Failure> {
+    pub fn sum(list: &[Fraction], work: &Work) -> Result<Fraction, Refusal> {
         let list: Vec<&Fraction> = list.iter().filter(|f| !f.is_zero()).collect();
         let Some(first) = list.first() else { return Ok(Fraction::integer(0)) };
         if list.len() == 1 {
@@ -392,16 +392,16 @@ impl Fraction {
     }
 
     /// The difference.
-    pub fn minus(&self, other: &Fraction, work: &Work) -> Result<Fraction, Failure> {
+    pub fn minus(&self, other: &Fraction, work: &Work) -> Result<Fraction, Refusal> {
         Fraction::sum(&[self.clone(), other.negated()], work)
     }
 
     /// The polynomial; a fraction with denominators is none.
-    pub fn expanded(&self, work: &Work) -> Result<Poly, Failure> {
+    pub fn expanded(&self, work: &Work) -> Result<Poly, Refusal> {
         let mut out = Poly::constant(self.coefficient.clone());
         for (poly, k) in &self.factors {
             if *k < 0 || *k > EXPONENT_LIMIT {
-                return super::rejected("a polynomial is needed where a fraction stands");
+                return rejected(Reason::NotAPolynomial);
             }
             for _ in 0..*k {
                 out = out.times(poly, work)?;
@@ -411,7 +411,7 @@ impl Fraction {
     }
 
     /// Numerator and denominator, multiplied out.
-    pub fn parts(&self, work: &Work) -> Result<(Poly, Poly), Failure> {
+    pub fn parts(&self, work: &Work) -> Result<(Poly, Poly), Refusal> {
         let mut top = Fraction::number(self.coefficient.clone());
         let mut bottom = Fraction::integer(1);
         for (poly, k) in &self.factors {
@@ -423,7 +423,7 @@ impl Fraction {
 
     /// The number's logarithm as whole multiples of those of primes: (prime, multiplicity). What has no
     /// small prime factor is kept whole: any splitting into factors is right.
-    pub fn prime_powers(&self, work: &Work) -> Result<Vec<(BigInt, i64)>, Failure> {
+    pub fn prime_powers(&self, work: &Work) -> Result<Vec<(BigInt, i64)>, Refusal> {
         let mut out = Vec::new();
         for (number, sign) in [(self.coefficient.numer(), 1), (self.coefficient.denom(), -1)] {
             let mut rest = number.abs();

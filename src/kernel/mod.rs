@@ -1,63 +1,73 @@
-//! The kernel: certificates re-checked with nothing but the claim, ring arithmetic and one lemma.
+//! The kernel: certificates checked step by step, each from its own text and the facts that it cites.
 //!
-//! Contract: [`Checker::finish`] returns [`Accepted`] only if the claim's goal holds, with a value for
-//! every expression in it, at every point that its hypotheses allow. The prover is not asked.
+//! Contract: [`check`] returns [`Verdict::Accepted`] only if the claim's goal holds, with a value for every expression
+//! in it, at every point that its hypotheses allow. The prover is not asked.
 //!
-//! **What a fact is.** The kernel keeps a list of facts. At every point that satisfies the hypotheses
-//! and the suppositions of the open blocks, each fact is true and every expression in it has a value.
-//! A rule adds a fact only if that stays so; above each rule stands why. A block ends by turning its
-//! last fact into an implication or a statement `for all`, and everything else in it is forgotten.
+//! **What a fact is.** At every point that satisfies the hypotheses and the suppositions of the open blocks, each fact
+//! is true and has a value (`logic` says when a proposition has one). A rule adds a fact only if that stays so. Above
+//! each rule stands why. A block ends by turning its conclusion into an implication or a statement `for all`, and all
+//! else in it is forgotten.
 //!
-//! **What is assumed.** The field and order of the reals; x ↦ exp x and its inverse ln on positive
-//! numbers, with b^E = exp(E·ln b); derivatives of these; induction; and one inequality, the weighted
-//! mean of two values ([`analysis`]). An acceptance says whether it rests on that.
+//! **No hidden state.** Besides the facts the kernel keeps the names in scope. What signs a step may use it reads from
+//! the facts under `by`, which equations it puts in from those under `using`. No step changes what a later one means.
 //!
-//! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. Nothing
-//! is searched: a step that lacks a hint is rejected. Work, depth and size have limits; reaching one
-//! is not a rejection but [`Verdict::Declined`].
+//! **What is assumed.** The field and order of the reals; exp and its inverse ln on positive numbers, with
+//! b^E = exp(E·ln b); derivatives of these; induction; and one inequality, the weighted mean of two values
+//! (`analysis`). An acceptance says whether it rests on that.
+//!
+//! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. Nothing is searched.
+//!
+//! Work, depth and size have limits. Reaching one is no rejection but [`Verdict::Declined`].
 
 pub mod analysis;
+mod arithmetic;
+mod defined;
+pub mod enclosure;
+mod evaluate;
 pub mod fraction;
-pub mod logic;
-pub mod marks;
+pub mod key;
+mod logic;
+mod memo;
 pub mod order;
+mod quantifier;
+mod reason;
+pub mod refutation;
+mod sign;
 pub mod statement;
+mod term;
 pub mod text;
-pub mod translate;
+pub mod view;
+pub mod words;
 
-use crate::certificate::{Certificate, Rule, Step};
-use crate::claim::syntax::{Binding, Claim, Prop, PropKind};
-use fraction::{Fraction, Work};
-use marks::{Source, Sources};
-use order::Note;
-use statement::Statement;
-use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
+pub use quantifier::domains;
+pub use reason::Reason;
+pub use term::numeral;
+
+use crate::certificate::{Certificate, Label, Rule, Show, Step};
+use crate::claim::syntax::{Binding, Claim, Expr, ExprKind, Prop, PropKind};
+use fraction::Work;
+use sign::Known;
+use statement::{Statement, Substitution, names_in};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
-use translate::Atom;
+use term::Atom;
 
 /// The most steps of a certificate.
-pub const STEPS_LIMIT: usize = 20_000;
+pub const STEPS_LIMIT: usize = 50_000;
 /// The most names that a statement declares, and that are in scope at once.
 pub const NAMES_LIMIT: usize = 1_000;
 
 /// Why a step was not taken.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Failure {
-    /// The step is not justified.
-    Rejected(String),
-    /// A limit was reached.
-    Declined(&'static str),
+#[derive(Clone, Debug)]
+pub enum Refusal {
+    /// It is not justified.
+    Rejected(Reason),
+    /// A limit was reached, by name.
+    Limit(&'static str),
 }
 
-/// A rejection.
-pub fn rejected<T>(reason: &str) -> Result<T, Failure> {
-    Err(Failure::Rejected(reason.to_string()))
-}
-
-/// A limit.
-pub fn declined<T>(limit: &'static str) -> Result<T, Failure> {
-    Err(Failure::Declined(limit))
+fn rejected<T>(reason: Reason) -> Result<T, Refusal> {
+    Err(Refusal::Rejected(reason))
 }
 
 /// A claim that was shown. Only the kernel makes one.
@@ -65,7 +75,7 @@ pub fn declined<T>(limit: &'static str) -> Result<T, Failure> {
 pub struct Accepted {
     statement: Statement,
     rests_on: BTreeSet<String>,
-    needed: BTreeSet<Source>,
+    assumed: BTreeSet<Label>,
 }
 
 impl Accepted {
@@ -84,9 +94,10 @@ impl Accepted {
         &self.rests_on
     }
 
-    /// The hypotheses that the proof needs, and the steps, by their places in the certificate.
-    pub fn needed(&self) -> &BTreeSet<Source> {
-        &self.needed
+    /// The hypotheses that it rests on although no step cites them: by which members of sequences have values, and
+    /// domains of families that are put for those of cited claims.
+    pub fn assumed(&self) -> &BTreeSet<Label> {
+        &self.assumed
     }
 }
 
@@ -95,14 +106,16 @@ impl Accepted {
 pub enum Verdict {
     /// The claim is shown.
     Accepted(Box<Accepted>),
+    /// The claim is false, at the point of the certificate.
+    Refuted,
     /// It is not, by this certificate.
     Rejected {
-        /// The first bad step, by label.
-        step: String,
+        /// The first bad step, by label; empty for the statement and the end.
+        step: Label,
         /// Its rule.
         rule: &'static str,
         /// What is wrong.
-        reason: String,
+        reason: Reason,
     },
     /// A limit was reached.
     Declined {
@@ -113,123 +126,71 @@ pub enum Verdict {
 
 /// Checks a certificate of a claim; `cited` holds what was accepted of the claims under `using`.
 pub fn check(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Verdict {
-    let verdict = |step: &str, rule, failure| match failure {
-        Failure::Rejected(reason) => Verdict::Rejected { step: step.to_string(), rule, reason },
-        Failure::Declined(limit) => Verdict::Declined { limit },
+    let verdict = |step: &str, rule, refusal| match refusal {
+        Refusal::Rejected(reason) => Verdict::Rejected { step: step.to_string(), rule, reason },
+        Refusal::Limit(limit) => Verdict::Declined { limit },
     };
-    let mut checker = match Checker::new(claim, cited) {
+    let refuting = match certificate.refutes.as_ref().map(|refutes| refutation::of(claim, refutes)) {
+        None => None,
+        Some(Ok(claim)) => Some(claim),
+        Some(Err(refusal)) => return verdict("", "statement", refusal),
+    };
+    let mut checker = match Checker::new(refuting.as_ref().unwrap_or(claim), cited) {
         Ok(checker) => checker,
-        Err(failure) => return verdict("", "statement", failure),
+        Err(refusal) => return verdict("", "statement", refusal),
     };
     if certificate.claim != claim.name.text {
-        return verdict("", "statement", Failure::Rejected("the certificate is of another claim".to_string()));
+        return verdict("", "statement", Refusal::Rejected(Reason::OtherClaim));
     }
     for step in &certificate.steps {
-        if let Err(failure) = checker.step(step) {
-            return verdict(&step.label, step.rule.name(), failure);
+        if let Err(refusal) = checker.step(step) {
+            return match step {
+                Step::Show(show) => verdict(&show.label, show.rule.name(), refusal),
+                Step::End(_) => verdict("", "end", refusal),
+            };
         }
     }
     match checker.finish() {
+        Ok(_) if refuting.is_some() => Verdict::Refuted,
         Ok(accepted) => Verdict::Accepted(Box::new(accepted)),
-        Err(failure) => verdict("", "qed", failure),
+        Err(refusal) => verdict("", "qed", refusal),
     }
 }
 
-/// Something known. Only the kernel makes one.
-#[derive(Clone, Debug)]
-pub struct Fact {
-    label: String,
-    prop: Rc<Prop>,
-    /// The same as text: facts are compared by it.
-    key: String,
-    source: Source,
+/// What a step rests on besides the facts that its rule cites.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Used {
+    /// Of the facts under `by`.
+    pub by: Vec<Label>,
+    /// Of the equations under `using`.
+    pub using: Vec<Label>,
 }
 
-impl Fact {
-    /// Its label.
-    pub fn label(&self) -> &str {
-        &self.label
-    }
-
-    /// What holds.
-    pub fn prop(&self) -> &Rc<Prop> {
-        &self.prop
-    }
-
-    /// What holds, as the kernel writes it.
-    pub fn key(&self) -> &str {
-        &self.key
-    }
-
-    /// From where it is known.
-    pub fn source(&self) -> Source {
-        self.source
-    }
-}
-
-/// A variable in scope.
-#[derive(Clone, Debug)]
-pub struct Variable {
+/// A name in scope.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Variable {
     name: String,
     natural: bool,
-    /// What says so; the index of a sum or product needs nothing.
-    source: Option<Source>,
+    /// What it stands for in fractions: itself, or a bound index.
+    atom: Atom,
 }
 
-impl Variable {
-    /// Its name.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// Whether it is a natural number.
-    pub fn is_natural(&self) -> bool {
-        self.natural
-    }
-}
-
-/// A family of the claim.
-struct Family<'s> {
-    binding: &'s Binding,
-    index: &'s str,
-    source: Source,
-}
-
-/// exp of `log` is `value`, as a step of rule `power` has shown.
+/// Something known.
 #[derive(Clone, Debug)]
-struct Power {
-    log: Fraction,
-    value: Fraction,
-    source: Source,
+struct Fact {
+    label: Label,
+    prop: Rc<Prop>,
+    /// The length of what it says, which whoever cites it reads.
+    size: usize,
 }
 
-/// An atom that is written as something else; that an index stands for itself needs no step.
-#[derive(Clone, Debug)]
-struct Replaced {
-    atom: usize,
-    value: Fraction,
-    source: Option<Source>,
-}
-
-/// The most work in all attempts of one search for a certificate.
-pub const DRAFT_LIMIT: u64 = 200 * fraction::WORK_LIMIT;
-
-/// How much work is allowed.
-#[derive(Clone)]
-enum Budget {
-    /// [`fraction::WORK_LIMIT`] for the whole check.
-    Whole,
-    /// As much for each step of a draft, and [`DRAFT_LIMIT`] for all, those of failed attempts among them.
-    EachStep(Rc<Cell<u64>>),
-}
-
-/// A block that is open, with what is forgotten at its end.
+/// A block that is open, with how much is kept at its end.
 #[derive(Clone, Debug)]
 struct Block {
-    label: String,
+    label: Label,
     goal: Prop,
-    kept: [usize; 5],
-    source: Source,
+    facts: usize,
+    scope: usize,
 }
 
 /// The state of a check.
@@ -241,28 +202,24 @@ struct Block {
 /// use carom::{claim::parse::parse, kernel::Checker};
 /// let claims = parse("claim false \"x = x + 1\"\ngiven x real\nprove x = x + 1\n").unwrap_or_default();
 /// let Ok(checker) = Checker::new(&claims[0], &[]) else { panic!("no checker") };
-/// assert!(checker.facts().is_empty());
+/// assert_eq!(checker.facts().count(), 0);
 /// assert!(checker.finish().is_err());
 /// ```
 ///
-/// Nor can the goal be slipped in among them:
+/// The goal cannot be slipped in among the facts, from outside, nor a new budget:
 ///
 /// ```compile_fail,E0616
-/// use carom::{claim::parse::parse, kernel::Checker};
-/// let claims = parse("claim false \"x = x + 1\"\ngiven x real\nprove x = x + 1\n").unwrap_or_default();
-/// let Ok(mut checker) = Checker::new(&claims[0], &[]) else { panic!("no checker") };
-/// let mut fact = checker.facts()[0].clone();
-/// fact.prop = std::rc::Rc::new(claims[0].goal.clone());
-/// checker.facts.push(fact);
-/// assert!(checker.finish().is_ok());
+/// use carom::{claim::syntax::Prop, kernel::Checker};
+/// fn forge(checker: &mut Checker, goal: Prop) {
+///     checker.facts.push(std::rc::Rc::new(goal).into());
+/// }
 /// ```
 ///
-/// Nor can a fact be made from nothing, nor the count of work be set back:
-///
-/// ```compile_fail,E0451
-/// use carom::{claim::parse::parse_prop, kernel::Fact};
-/// let prop = std::rc::Rc::new(parse_prop("x = x + 1").unwrap_or_else(|_| unreachable!()));
-/// let fact = Fact { label: String::new(), prop, key: String::new(), source: unreachable!() };
+/// ```compile_fail,E0624
+/// use carom::{claim::syntax::Prop, kernel::Checker};
+/// fn forge(checker: &mut Checker, goal: Prop) {
+///     let _ = checker.know("1", goal);
+/// }
 /// ```
 ///
 /// ```compile_fail,E0616
@@ -271,52 +228,49 @@ struct Block {
 ///     checker.work = Work::default();
 /// }
 /// ```
+///
+/// And an acceptance is not made by hand:
+///
+/// ```compile_fail,E0451
+/// use carom::kernel::{Accepted, statement::Statement};
+/// fn forge(statement: Statement) -> Accepted {
+///     Accepted { statement, rests_on: Default::default(), assumed: Default::default() }
+/// }
+/// ```
 #[derive(Clone)]
 pub struct Checker {
     statement: Rc<Statement>,
     cited: Rc<Vec<Accepted>>,
     rests_on: BTreeSet<String>,
+    /// What is used and not cited.
+    assumed: BTreeSet<Label>,
     facts: Vec<Fact>,
+    /// The facts by label.
+    labels: HashMap<Label, usize>,
     blocks: Vec<Block>,
-    variables: Vec<Variable>,
+    scope: Vec<Variable>,
     atoms: Vec<Atom>,
     atom_index: BTreeMap<Atom, usize>,
-    /// Polynomials of known signs.
-    signs: Vec<Note>,
-    powers: Vec<Power>,
-    replaced: Vec<Replaced>,
     /// How many indices of sums and products are in scope.
     binders: usize,
-    /// How many steps were tried.
+    /// The equations put in while an expression of a step is read; empty between.
+    put_in: Rc<Vec<sign::Equation>>,
+    /// Which of them were.
+    were_put_in: BTreeSet<usize>,
+    memo: memo::Memo,
     steps: usize,
-    /// How many were taken.
-    taken: usize,
-    /// What the steps that were taken used; a draft keeps no record.
-    trail: Vec<Sources>,
-    /// What was consulted since the last step.
-    used: RefCell<Sources>,
-    /// From where that is known which is noted now.
-    now: Source,
     work: Work,
-    budget: Budget,
 }
 
 impl Checker {
-    /// The state before the first step: the hypotheses are the facts `h1`, `h2`, …
-    pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
-        Checker::within(claim, cited, Budget::Whole)
-    }
-
-    /// The same for a search, which tries many steps: each has a budget of its own, and nothing is accepted in the end.
-    /// What was found is written down, and checked from nothing.
-    pub fn draft(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Failure> {
-        Checker::within(claim, cited, Budget::EachStep(Rc::default()))
-    }
-
-    fn within(claim: &Claim, cited: &[&Accepted], budget: Budget) -> Result<Checker, Failure> {
+    /// The state before the first step: the domains and hypotheses are the facts `h1`, `h2`, …
+    ///
+    /// # Errors
+    /// The statement makes no sense to the kernel, or is beyond a limit.
+    pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Refusal> {
         let statement = Statement::of(claim)?;
         if statement.bindings.iter().map(|b| b.names.len()).sum::<usize>() + statement.sequences.len() > NAMES_LIMIT {
-            return declined("names");
+            return Err(Refusal::Limit("names"));
         }
         let allowed: BTreeSet<&str> = claim.using.iter().map(|n| n.text.as_str()).collect();
         let cited =
@@ -325,57 +279,68 @@ impl Checker {
             statement: Rc::new(statement),
             cited: Rc::new(cited),
             rests_on: BTreeSet::new(),
+            assumed: BTreeSet::new(),
             facts: Vec::new(),
+            labels: HashMap::new(),
             blocks: Vec::new(),
-            variables: Vec::new(),
+            scope: Vec::new(),
             atoms: Vec::new(),
             atom_index: BTreeMap::new(),
-            signs: Vec::new(),
-            powers: Vec::new(),
-            replaced: Vec::new(),
             binders: 0,
+            put_in: Rc::new(Vec::new()),
+            were_put_in: BTreeSet::new(),
+            memo: memo::Memo::default(),
             steps: 0,
-            taken: 0,
-            trail: Vec::new(),
-            used: RefCell::default(),
-            now: Source::Hypothesis(0),
             work: Work::default(),
-            budget,
         };
-        let statement = checker.statement.clone();
-        for (place, binding) in statement.bindings.iter().enumerate() {
-            checker.declare(binding, Source::Binding(place))?;
+        checker.hypotheses()?;
+        Ok(checker)
+    }
+
+    /// Declares what the claim declares, and takes its domains and hypotheses as facts. A hypothesis is understood to
+    /// say of its own expressions that they have values.
+    fn hypotheses(&mut self) -> Result<(), Refusal> {
+        let statement = self.statement.clone();
+        for binding in &statement.bindings {
+            self.declare_binding(binding)?;
         }
-        // A sequence speaks of what the claim declares, never of a variable that a block introduces later, nor of
-        // a sequence that is defined after it; and of itself only by the member before.
+        // A sequence speaks of what the claim declares, never of a variable that a block introduces later, nor of a
+        // sequence that is defined after it; and of itself only by the member before.
         for (place, u) in statement.sequences.iter().enumerate() {
             let mut names = BTreeSet::new();
-            statement::names_in(&u.step, &mut names);
+            names_in(&u.step, &mut names);
             names.remove(&u.index);
-            statement::names_in(&u.initial, &mut names);
-            let known = |n: &String| checker.is_declared(n) || translate::FUNCTIONS.contains(&n.as_str());
+            names_in(&u.initial, &mut names);
+            let known = |n: &String| self.is_declared(n) || term::FUNCTIONS.contains(&n.as_str());
             if let Some(free) = names.iter().find(|n| !known(n)) {
-                return rejected(&format!("{free} in the sequence {} is not declared", u.name));
+                return rejected(Reason::Undeclared(free.clone()));
             }
             let later = statement.sequences.iter().skip(place + 1).any(|v| names.contains(&v.name));
             let mut first = BTreeSet::new();
-            statement::names_in(&u.initial, &mut first);
+            names_in(&u.initial, &mut first);
             if later || first.contains(&u.name) || !statement::steps_once(&u.step, &u.name, &u.index) {
-                return rejected(&format!("the sequence {} is not defined by the member before", u.name));
+                return rejected(Reason::Sequence(u.name.clone()));
             }
         }
-        let domains = statement.bindings.iter().flat_map(statement::domain);
+        self.moving_variables_are_free()?;
+        let domains = statement.bindings.iter().flat_map(quantifier::domains);
         for prop in domains.chain(statement.assumptions.iter().cloned()) {
-            let label = format!("h{}", checker.facts.len() + 1);
-            checker.now = Source::Hypothesis(checker.facts.len());
-            checker.know(&label, prop)?;
+            let label = format!("h{}", self.facts.len() + 1);
+            self.know(&label, prop)?;
         }
         // Every member has a value, so that a member is one wherever its index is a natural number.
+        let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
         for u in &statement.sequences {
-            checker.scalar(&u.initial)?;
-            checker.step_has_a_value(&u.index, &u.step)?;
+            let mut known = self.known(&all, &[])?;
+            self.defined(&u.initial, &mut known)?;
+            self.binders += 1;
+            let bound = self.binders;
+            let result = self.under(&u.index, bound, |checker| checker.defined(&u.step, &mut known));
+            self.binders -= 1;
+            result?;
+            self.assumed.extend(cited(known.used().0, &all));
         }
-        Ok(checker)
+        Ok(())
     }
 
     /// The statement that is to be shown.
@@ -383,245 +348,260 @@ impl Checker {
         &self.statement
     }
 
-    /// The statement of a claim that may be cited.
-    pub fn cited_statement(&self, name: &str) -> Option<Statement> {
-        self.cited.iter().find(|a| a.statement.name == name).map(|a| a.statement.clone())
+    /// What a claim says that was accepted and is cited under `using`.
+    pub fn cited_statement(&self, name: &str) -> Option<&Statement> {
+        self.cited.iter().map(|accepted| &accepted.statement).find(|statement| statement.name == name)
     }
 
-    /// The facts that are known now, those of open blocks among them.
-    pub fn facts(&self) -> &[Fact] {
-        &self.facts
+    /// The facts, with their labels.
+    pub fn facts(&self) -> impl Iterator<Item = (&str, &Prop)> {
+        self.facts.iter().map(|fact| (fact.label.as_str(), &*fact.prop))
     }
 
-    /// The variables in scope.
-    pub fn variables(&self) -> &[Variable] {
-        &self.variables
+    /// Whether a proposition is an equation that can be put in after these: its left side is an atom, a power or an exponential.
+    pub fn can_be_put_in(&mut self, p: &Prop, after: &[Label]) -> bool {
+        self.known(&[], after).is_ok_and(|known| self.equation(p, &known).is_ok())
     }
 
-    fn variable(&self, name: &str) -> Option<&Variable> {
-        self.variables.iter().find(|v| v.name == name)
+    /// The difference of the sides of a single comparison, if it is a number once the equations are put in.
+    ///
+    /// # Errors
+    /// A side cannot be read, or an equation cannot be put in.
+    pub fn constant(&mut self, p: &Prop, using: &[Label]) -> Result<Option<num_rational::BigRational>, Refusal> {
+        let known = self.known(&[], using)?;
+        let (a, _, b) = sign::single(p)?;
+        let difference = self.fraction_with(a, &known)?.minus(&self.fraction_with(b, &known)?, &self.work)?;
+        Ok(difference.as_number().cloned())
     }
 
-    /// Notes that something was consulted.
-    fn consult(&self, source: Source) {
-        self.used.borrow_mut().add(source);
-    }
-
-    fn consult_all(&self, sources: &Sources) {
-        self.used.borrow_mut().extend(sources);
-    }
-
-    /// Takes one step and says what it used, or says why not; then nothing is changed but the list of atoms.
-    pub fn step(&mut self, step: &Step) -> Result<Sources, Failure> {
-        if let Budget::EachStep(total) = &self.budget {
-            total.set(total.get().saturating_add(self.work.done()));
-            if total.get() > DRAFT_LIMIT {
-                return declined("work of a search");
-            }
-            self.work = Work::default();
-        }
-        self.used = RefCell::default();
-        self.now = Source::Step(self.taken);
-        self.take(step)?;
-        self.taken += 1;
-        let used = self.used.take();
-        if let Budget::Whole = self.budget {
-            self.trail.push(used.clone());
-        }
-        Ok(used)
-    }
-
-    fn take(&mut self, step: &Step) -> Result<(), Failure> {
+    /// Takes one step, or says why not; then no fact is added and no block opened or closed.
+    ///
+    /// # Errors
+    /// The step is not justified, or a limit was reached.
+    pub fn step(&mut self, step: &Step) -> Result<(), Refusal> {
         self.steps += 1;
         if self.steps > STEPS_LIMIT {
-            return declined("steps");
+            return Err(Refusal::Limit("steps"));
         }
-        // Labels are sought among all that are in use.
-        self.work.count(self.facts.len() + self.blocks.len())?;
-        self.fields(step)?;
-        let (kept, blocks) = (self.sizes(), self.blocks.len());
-        let result = match step.rule {
-            Rule::Power => self.power(step),
-            Rule::Logarithm => self.logarithm(step),
-            Rule::Replace => self.replace(step),
-            Rule::Unfold => self.unfold(step),
-            Rule::Member => self.member(step),
-            Rule::Note => self.note(step),
-            Rule::Sign => self.sign(step),
-            Rule::Combination => self.combination(step),
-            Rule::Suppose => self.suppose(step),
-            Rule::Let => self.let_values(step),
-            Rule::End => return self.end(),
-            Rule::All => self.all(step),
-            Rule::Part => self.part(step),
-            Rule::Either => self.either(step),
-            Rule::Excluded => self.excluded(step),
-            Rule::Cases => self.cases(step),
-            Rule::Apply => self.apply(step),
-            Rule::Equivalent => self.equivalent(step),
-            Rule::Negation => self.negation(step),
-            Rule::Absurd => self.absurd(step),
-            Rule::Instance => self.instance(step),
-            Rule::Induction => self.induction(step),
-            Rule::Witness => self.witness(step),
-            Rule::Monotone => self.monotone(step),
-            Rule::Mean => self.mean(step),
-            Rule::Extremum => self.extremum(step),
-            Rule::Limit => self.limit(step),
-            Rule::Squeeze => self.squeeze(step),
+        let show = match step {
+            Step::Show(show) => show,
+            Step::End(conclusion) => return self.end(conclusion),
         };
+        self.fresh_label(&show.label)?;
+        well_formed(show)?;
+        let (scope, binders) = (self.scope.len(), self.binders);
+        let result = self.show(show);
         if result.is_err() {
-            self.blocks.truncate(blocks);
-            self.forget(kept);
+            self.scope.truncate(scope);
+            self.binders = binders;
         }
         result
     }
 
+    /// Which facts under `by` and which equations under `using` a step that is justified rests on. Nothing is added:
+    /// for whoever writes a certificate and wants its citations short.
+    ///
+    /// # Errors
+    /// The step is not justified, or a limit was reached.
+    pub fn used(&mut self, show: &Show) -> Result<Used, Refusal> {
+        well_formed(show)?;
+        let (scope, binders, rests_on, assumed) =
+            (self.scope.len(), self.binders, self.rests_on.clone(), self.assumed.clone());
+        let spent = self.work.clone();
+        let result = self.justified(show);
+        self.work = spent;
+        self.scope.truncate(scope);
+        self.binders = binders;
+        self.rests_on = rests_on;
+        self.assumed = assumed;
+        let (by, using) = result?.used();
+        Ok(Used { by: cited(by, &show.by).collect(), using: cited(using, &show.using).collect() })
+    }
+
+    /// Whether the rule of a step justifies it; what it knew is returned.
+    fn justified(&mut self, show: &Show) -> Result<Known, Refusal> {
+        let goal = &show.prop;
+        let mut known = self.known(&show.by, &show.using)?;
+        match &show.rule {
+            Rule::Suppose => self.may_be_supposed(goal, &mut known)?,
+            Rule::Let => self.may_be_let(goal, &mut known)?,
+            Rule::Logic { from } => self.logic(goal, from, &mut known)?,
+            Rule::Instance { source, with, from } => self.instance(goal, source, with, from, &mut known)?,
+            Rule::Induction { base, advance } => self.induction(goal, base, advance)?,
+            Rule::Witness { with, from } => self.witness(goal, with, from, &mut known)?,
+            Rule::Extremum { from } => self.extremum(goal, from, &mut known)?,
+            Rule::Combination { times, terms } => self.combination(goal, times.as_ref(), terms, &mut known)?,
+            Rule::Power => self.power_rule(goal, &mut known)?,
+            Rule::Monotone { from } => self.monotone(goal, from, &mut known)?,
+            Rule::Unfold => self.unfold(goal, &mut known)?,
+            Rule::Termwise { from } => self.termwise(goal, from, &mut known)?,
+            Rule::Mean { with } => self.mean(goal, with, &mut known)?,
+            Rule::Limit { with } => self.limit(goal, with, &mut known)?,
+            Rule::Squeeze { from } => self.squeeze(goal, from)?,
+            Rule::Integer { from } => self.integer(goal, from, &mut known)?,
+            Rule::Name => self.name(goal, &mut known)?,
+            Rule::Evaluate => {
+                self.evaluate(goal, &show.using)?;
+                known.all_put_in(show.using.len());
+            }
+        }
+        Ok(known)
+    }
+
+    fn show(&mut self, show: &Show) -> Result<(), Refusal> {
+        self.justified(show)?;
+        match &show.rule {
+            Rule::Suppose | Rule::Let => self.open(&show.label, &show.prop),
+            _ => self.know(&show.label, show.prop.clone()),
+        }
+    }
+
     /// Whether the goal is shown.
-    pub fn finish(self) -> Result<Accepted, Failure> {
-        if let Budget::EachStep(_) = self.budget {
-            return rejected("a draft is not accepted: its steps are written down and checked from nothing");
-        }
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn finish(self) -> Result<Accepted, Refusal> {
         if !self.blocks.is_empty() {
-            return rejected("a block is open at the end");
+            return rejected(Reason::OpenBlock);
         }
-        self.work.count(0)?;
-        let Some(goal) = self.find(&self.statement.goal) else { return rejected("the goal is not among the facts") };
-        let needed = marks::needed(&self.trail, goal.source);
-        Ok(Accepted { needed, statement: (*self.statement).clone(), rests_on: self.rests_on })
-    }
-
-    /// A step has the fields that its rule reads and no others.
-    fn fields(&self, step: &Step) -> Result<(), Failure> {
-        let from = match step.rule {
-            Rule::Note | Rule::Replace | Rule::Part | Rule::Cases | Rule::Apply | Rule::Monotone | Rule::Absurd => 1,
-            Rule::Negation | Rule::Instance => 1,
-            _ => 0,
-        };
-        let with = matches!(step.rule, Rule::Instance | Rule::Witness | Rule::Monotone | Rule::Mean | Rule::Squeeze);
-        let combination = step.rule == Rule::Combination;
-        let prop = !matches!(step.rule, Rule::Note | Rule::Replace | Rule::End);
-        let label = step.rule != Rule::End;
-        let used =
-            self.facts.iter().any(|f| f.label == step.label) || self.blocks.iter().any(|b| b.label == step.label);
-        if step.from.len() != from
-            || step.prop.is_some() != prop
-            || (!with && !step.with.is_empty())
-            || (step.times.is_some() && !combination)
-            || (!step.terms.is_empty() && !combination)
-            || step.label.is_empty() == label
-        {
-            return rejected("a field is missing, or is not one of this rule");
-        }
-        // A walk that ends at the limits of depth and size; after it recursion is safe.
-        let walk = statement::Substitution::default();
-        step.prop.as_ref().map_or(Ok(()), |p| walk.prop(p).map(|_| ()))?;
-        let terms = step.terms.iter().map(|t| &t.factor);
-        for e in step.with.iter().map(|w| &w.1).chain(&step.times).chain(terms) {
-            walk.expr(e)?;
-        }
-        if used { rejected("the label is in use") } else { Ok(()) }
-    }
-
-    /// What a step shows; `fields` has seen that it is there.
-    fn shown(step: &Step) -> Result<&Prop, Failure> {
-        step.prop.as_ref().ok_or(Failure::Rejected("a step that shows nothing".to_string()))
-    }
-
-    /// The fact that a step cites.
-    fn cited_fact(&self, step: &Step) -> Result<Rc<Prop>, Failure> {
-        self.fact(step.from.first().map_or("", String::as_str))
-    }
-
-    /// A fact by label.
-    pub fn fact(&self, label: &str) -> Result<Rc<Prop>, Failure> {
-        match self.facts.iter().find(|f| f.label == label) {
-            Some(fact) => {
-                self.work.count(fact.key.len())?;
-                self.consult(fact.source);
-                Ok(fact.prop.clone())
+        let goal = key::prop(&self.statement.goal);
+        // The goal is what the last step shows.
+        match self.facts.last() {
+            Some(fact) if key::prop(&fact.prop) == goal => {
+                Ok(Accepted { statement: (*self.statement).clone(), rests_on: self.rests_on, assumed: self.assumed })
             }
-            None => rejected(&format!("there is no fact {label}")),
+            _ => rejected(Reason::GoalNotShown),
         }
     }
 
-    /// Whether this very proposition is a fact.
-    pub fn knows(&self, prop: &Prop) -> bool {
-        self.find(prop).is_some()
-    }
-
-    /// The fact that says this, the first if there are several.
-    fn find(&self, prop: &Prop) -> Option<&Fact> {
-        let key = text::prop(prop);
-        self.work.spend(key.len() + self.facts.len());
-        let found = self.facts.iter().find(|f| f.key == key);
-        found.iter().for_each(|fact| self.consult(fact.source));
-        found
-    }
-
-    /// A fact that a rule needs must be known word for word.
-    fn need(&self, prop: &Prop) -> Result<(), Failure> {
-        let known = self.knows(prop);
-        self.work.count(0)?;
-        if known { Ok(()) } else { rejected(&format!("needs {}", text::prop(prop))) }
-    }
-
-    /// Adds a fact; the sign of what it compares is noted where it can be translated.
-    fn know(&mut self, label: &str, prop: Prop) -> Result<(), Failure> {
-        if let PropKind::Compare(..) = &prop.kind {
-            // What the note needs is needed where the note is, not for the step.
-            let used = self.used.take();
-            let noted = self.note_comparison(&prop, false);
-            self.used = RefCell::new(used);
-            match noted {
-                Ok(()) | Err(Failure::Rejected(_)) => {}
-                Err(limit) => return Err(limit),
-            }
+    fn fresh_label(&self, label: &str) -> Result<(), Refusal> {
+        if self.labels.contains_key(label) || self.blocks.iter().any(|b| b.label == label) {
+            return rejected(Reason::LabelInUse(label.to_string()));
         }
-        let key = text::prop(&prop);
-        self.facts.push(Fact { label: label.to_string(), prop: Rc::new(prop), key, source: self.now });
         Ok(())
     }
 
-    fn declare(&mut self, binding: &Binding, source: Source) -> Result<(), Failure> {
+    /// A fact by label.
+    fn fact(&self, label: &str) -> Result<Rc<Prop>, Refusal> {
+        match self.labels.get(label).and_then(|place| self.facts.get(*place)) {
+            Some(fact) => {
+                self.work.count(fact.size)?;
+                Ok(fact.prop.clone())
+            }
+            None => rejected(Reason::NoFact(label.to_string())),
+        }
+    }
+
+    /// Adds a fact.
+    fn know(&mut self, label: &str, prop: Prop) -> Result<(), Refusal> {
+        self.fresh_label(label)?;
+        let size = key::prop(&prop).len();
+        self.work.count(size)?;
+        self.labels.insert(label.to_string(), self.facts.len());
+        self.facts.push(Fact { label: label.to_string(), prop: Rc::new(prop), size });
+        Ok(())
+    }
+
+    fn forget(&mut self, facts: usize, scope: usize) {
+        for fact in self.facts.drain(facts..) {
+            self.labels.remove(&fact.label);
+        }
+        self.scope.truncate(scope);
+    }
+
+    fn declare_binding(&mut self, binding: &Binding) -> Result<(), Refusal> {
         for (name, index) in &binding.names {
             if index.is_none() {
-                if self.is_declared(&name.text) {
-                    return rejected(&format!("the name {} is in use", name.text));
-                }
-                let name = name.text.clone();
-                self.variables.push(Variable { name, natural: binding.natural, source: Some(source) });
+                self.declare(&name.text, binding.natural, Atom::Variable(name.text.clone()))?;
             }
         }
-        if self.variables.len() > NAMES_LIMIT { declined("names") } else { Ok(()) }
+        Ok(())
+    }
+
+    /// Brings a name into scope, which must be new.
+    fn declare(&mut self, name: &str, natural: bool, atom: Atom) -> Result<(), Refusal> {
+        if self.is_declared(name) {
+            return rejected(Reason::NameInUse(name.to_string()));
+        }
+        self.scope.push(Variable { name: name.to_string(), natural, atom });
+        if self.scope.len() > NAMES_LIMIT { Err(Refusal::Limit("names")) } else { Ok(()) }
     }
 
     fn is_declared(&self, name: &str) -> bool {
-        self.variable(name).is_some() || self.is_family(name)
+        self.scope.iter().any(|v| v.name == name) || self.is_member(name)
     }
 
-    fn is_family(&self, name: &str) -> bool {
-        self.family(name).is_some() || self.statement.sequences.iter().any(|s| s.name == name)
+    /// Whether a name is that of a family or sequence.
+    fn is_member(&self, name: &str) -> bool {
+        self.family(name).is_some() || self.is_sequence(name)
     }
 
-    fn family(&self, name: &str) -> Option<Family<'_>> {
-        // Families are declared by the claim only, never in a block.
-        let index_in = |b: &'_ Binding| b.names.iter().position(|n| n.0.text == name && n.1.is_some());
-        let (place, binding) = self.statement.bindings.iter().enumerate().find(|(_, b)| index_in(b).is_some())?;
-        let index = binding.names.get(index_in(binding)?)?.1.as_ref()?;
-        Some(Family { binding, index: &index.text, source: Source::Binding(place) })
+    fn is_sequence(&self, name: &str) -> bool {
+        self.statement.sequences.iter().any(|s| s.name == name)
     }
 
-    fn sizes(&self) -> [usize; 5] {
-        [self.facts.len(), self.variables.len(), self.signs.len(), self.powers.len(), self.replaced.len()]
+    /// The declaration of a family. Families are declared by the claim only, never in a block.
+    fn family(&self, name: &str) -> Option<&Binding> {
+        let is_family = |b: &&Binding| b.names.iter().any(|n| n.1.is_some() && n.0.text == name);
+        self.statement.bindings.iter().find(is_family)
     }
+}
 
-    fn forget(&mut self, kept: [usize; 5]) {
-        let [facts, variables, signs, powers, replaced] = kept;
-        self.facts.truncate(facts);
-        self.variables.truncate(variables);
-        self.signs.truncate(signs);
-        self.powers.truncate(powers);
-        self.replaced.truncate(replaced);
+/// The labels at these places.
+fn cited(places: BTreeSet<usize>, labels: &[Label]) -> impl Iterator<Item = Label> {
+    places.into_iter().filter_map(|place| labels.get(place).cloned())
+}
+
+/// A walk over the trees of a step that ends at the limits of depth and size; after it recursion is safe.
+fn well_formed(show: &Show) -> Result<(), Refusal> {
+    let walk = Substitution::default();
+    walk.prop(&show.prop)?;
+    let mut exprs: Vec<&Expr> = Vec::new();
+    match &show.rule {
+        Rule::Instance { with, .. } | Rule::Witness { with, .. } | Rule::Mean { with } | Rule::Limit { with } => {
+            exprs.extend(with.iter().map(|w| &w.1));
+        }
+        Rule::Combination { times, terms } => {
+            exprs.extend(times.iter().chain(terms.iter().map(|t| &t.factor)));
+        }
+        _ => {}
+    }
+    for e in exprs {
+        walk.expr(e)?;
+    }
+    Ok(())
+}
+
+/// An expression with one name in place of another. The new name must not occur yet: it would be taken for the old one.
+fn renamed(e: &Expr, old: &str, new: &str) -> Result<Expr, Refusal> {
+    let mut names = BTreeSet::new();
+    names_in(e, &mut names);
+    if old != new && names.contains(new) {
+        return rejected(Reason::NameInUse(new.to_string()));
+    }
+    let mut map = Substitution::default();
+    map.replace(old, &statement::name(new));
+    map.expr(e)
+}
+
+/// The parts of an expression.
+fn parts(e: &Expr) -> Vec<&Expr> {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => Vec::new(),
+        ExprKind::Apply(_, arguments) => arguments.iter().collect(),
+        ExprKind::Negate(a) | ExprKind::Derivative(a, _) => vec![a],
+        ExprKind::Sum(list) => list.iter().map(|(_, e)| e).collect(),
+        ExprKind::Product(list) => list.iter().map(|(_, e)| e).collect(),
+        ExprKind::Power(a, b) => vec![a, b],
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => vec![&index.from, &index.to, body],
+        ExprKind::Matrix(rows) => rows.iter().flatten().collect(),
+    }
+}
+
+/// Whether a proposition is a conjunction, whose parts are facts where it is one.
+fn conjuncts(p: &Prop) -> Vec<&Prop> {
+    match &p.kind {
+        PropKind::And(list) => list.iter().flat_map(conjuncts).collect(),
+        _ => vec![p],
     }
 }

@@ -3,7 +3,7 @@
 //! Contract: a substitution replaces free names at once; where a bound name would capture a name of a
 //! replacement it is refused, so nothing is ever captured. Depth and size of the result are bounded.
 
-use super::{Failure, declined, rejected, text};
+use super::{Reason, Refusal, rejected, text};
 use crate::claim::syntax::*;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
@@ -43,7 +43,7 @@ pub struct Statement {
 
 impl Statement {
     /// The statement of a claim: every `let` is put in place, in the order written.
-    pub fn of(claim: &Claim) -> Result<Statement, Failure> {
+    pub fn of(claim: &Claim) -> Result<Statement, Refusal> {
         let mut lets = Substitution::default();
         let room = &mut Room::new();
         let (mut bindings, mut sequences, mut assumptions) = (Vec::new(), Vec::new(), Vec::new());
@@ -69,6 +69,19 @@ impl Statement {
         }
         let goal = lets.prop_in(&claim.goal, room)?;
         Ok(Statement { name: claim.name.text.clone(), bindings, sequences, assumptions, goal })
+    }
+
+    /// Every name that occurs, bound ones included.
+    pub fn names(&self) -> BTreeSet<String> {
+        let mut out = BTreeSet::new();
+        self.bindings.iter().for_each(|b| names_in_binding(b, &mut out));
+        for u in &self.sequences {
+            out.extend([u.name.clone(), u.index.clone()]);
+            names_in(&u.initial, &mut out);
+            names_in(&u.step, &mut out);
+        }
+        self.assumptions.iter().chain([&self.goal]).for_each(|p| names_in_prop(p, &mut out));
+        out
     }
 
     /// The statement, one hypothesis on each line: what the kernel understood.
@@ -196,12 +209,12 @@ impl Room {
         Room { depth: DEPTH_LIMIT, nodes: NODES_LIMIT }
     }
 
-    fn enter(&mut self) -> Result<(), Failure> {
+    fn enter(&mut self) -> Result<(), Refusal> {
         if self.depth == 0 {
-            return declined("depth");
+            return Err(Refusal::Limit("depth"));
         }
         if self.nodes == 0 {
-            return declined("size");
+            return Err(Refusal::Limit("size"));
         }
         self.depth -= 1;
         self.nodes -= 1;
@@ -232,14 +245,14 @@ impl Substitution {
     }
 
     /// The substitution under binders of these names.
-    fn without<'n>(&self, names: impl Iterator<Item = &'n Name>, room: &mut Room) -> Result<Substitution, Failure> {
+    fn without<'n>(&self, names: impl Iterator<Item = &'n Name>, room: &mut Room) -> Result<Substitution, Refusal> {
         let mut inner = self.clone();
         for name in names {
             if inner.replacement(&name.text).is_some() {
                 inner.hidden.push(name.text.clone());
             }
             if self.mentioned.contains(&name.text) && inner.hidden.len() < self.map.len() {
-                return rejected(&format!("the bound name {} would capture a name that is put in", name.text));
+                return rejected(Reason::Capture(name.text.clone()));
             }
         }
         room.nodes = room.nodes.saturating_sub(inner.hidden.len());
@@ -252,34 +265,32 @@ impl Substitution {
 
     /// Refuses a value for a variable that moves in a derivative or limit, and values that mention it:
     /// `for all y: derivative(x*y, x) = y` says nothing of y = x.
-    fn moves(&self, variable: &str) -> Result<(), Failure> {
+    fn moves(&self, variable: &str) -> Result<(), Refusal> {
         if self.replacement(variable).is_some() || self.put_in.contains(variable) || self.members_put_in {
-            return rejected(&format!(
-                "a value is put in that takes the place of {variable} or mentions it, which moves"
-            ));
+            return rejected(Reason::Moves(variable.to_string()));
         }
         Ok(())
     }
 
     /// The expression with the names replaced.
-    pub fn expr(&self, e: &Expr) -> Result<Expr, Failure> {
+    pub fn expr(&self, e: &Expr) -> Result<Expr, Refusal> {
         self.expr_in(e, &mut Room::new())
     }
 
     /// The proposition with the names replaced.
-    pub fn prop(&self, p: &Prop) -> Result<Prop, Failure> {
+    pub fn prop(&self, p: &Prop) -> Result<Prop, Refusal> {
         self.prop_in(p, &mut Room::new())
     }
 
     /// The binding with the names in its constraints replaced.
-    pub fn binding(&self, b: &Binding) -> Result<Binding, Failure> {
+    pub fn binding(&self, b: &Binding) -> Result<Binding, Refusal> {
         self.binding_in(b, &mut Room::new())
     }
 
-    fn expr_in(&self, e: &Expr, room: &mut Room) -> Result<Expr, Failure> {
+    fn expr_in(&self, e: &Expr, room: &mut Room) -> Result<Expr, Refusal> {
         room.enter()?;
         use ExprKind::*;
-        let all = |list: &[Expr], room: &mut Room| -> Result<Vec<Expr>, Failure> {
+        let all = |list: &[Expr], room: &mut Room| -> Result<Vec<Expr>, Refusal> {
             list.iter().map(|e| self.expr_in(e, room)).collect()
         };
         let kind = match &e.kind {
@@ -305,16 +316,16 @@ impl Substitution {
                     Some(Replacement::Family(other)) => {
                         Apply(crate::claim::syntax::Name { text: other.clone(), span: function.span }, arguments)
                     }
-                    Some(_) => return rejected(&format!("{} is not a function", function.text)),
+                    Some(_) => return rejected(Reason::NotAFunction(function.text.clone())),
                     None => Apply(function.clone(), arguments),
                 }
             }
             Negate(a) => Negate(Box::new(self.expr_in(a, room)?)),
             Sum(list) => {
-                Sum(list.iter().map(|(s, e)| Ok((*s, self.expr_in(e, room)?))).collect::<Result<_, Failure>>()?)
+                Sum(list.iter().map(|(s, e)| Ok((*s, self.expr_in(e, room)?))).collect::<Result<_, Refusal>>()?)
             }
             Product(list) => {
-                Product(list.iter().map(|(s, e)| Ok((*s, self.expr_in(e, room)?))).collect::<Result<_, Failure>>()?)
+                Product(list.iter().map(|(s, e)| Ok((*s, self.expr_in(e, room)?))).collect::<Result<_, Refusal>>()?)
             }
             Power(a, b) => Power(Box::new(self.expr_in(a, room)?), Box::new(self.expr_in(b, room)?)),
             SumOver(index, body) => {
@@ -331,20 +342,20 @@ impl Substitution {
                 }
                 Derivative(Box::new(self.expr_in(body, room)?), by.clone())
             }
-            Matrix(rows) => Matrix(rows.iter().map(|row| all(row, room)).collect::<Result<_, Failure>>()?),
+            Matrix(rows) => Matrix(rows.iter().map(|row| all(row, room)).collect::<Result<_, Refusal>>()?),
         };
         room.depth += 1;
         Ok(Expr { kind, span: e.span })
     }
 
-    fn over(&self, index: &Index, body: &Expr, room: &mut Room) -> Result<(Index, Box<Expr>), Failure> {
+    fn over(&self, index: &Index, body: &Expr, room: &mut Room) -> Result<(Index, Box<Expr>), Refusal> {
         let from = Box::new(self.expr_in(&index.from, room)?);
         let to = Box::new(self.expr_in(&index.to, room)?);
         let body = self.without([&index.name].into_iter(), room)?.expr_in(body, room)?;
         Ok((Index { name: index.name.clone(), from, to }, Box::new(body)))
     }
 
-    fn binding_in(&self, b: &Binding, room: &mut Room) -> Result<Binding, Failure> {
+    fn binding_in(&self, b: &Binding, room: &mut Room) -> Result<Binding, Refusal> {
         let inner = self.without(b.names.iter().filter_map(|n| n.1.as_ref()), room)?;
         let mut out = b.clone();
         for constraint in &mut out.constraints {
@@ -363,20 +374,20 @@ impl Substitution {
         Ok(out)
     }
 
-    fn prop_in(&self, p: &Prop, room: &mut Room) -> Result<Prop, Failure> {
+    fn prop_in(&self, p: &Prop, room: &mut Room) -> Result<Prop, Refusal> {
         room.enter()?;
         use PropKind::*;
-        let all = |list: &[Prop], room: &mut Room| -> Result<Vec<Prop>, Failure> {
+        let all = |list: &[Prop], room: &mut Room| -> Result<Vec<Prop>, Refusal> {
             list.iter().map(|p| self.prop_in(p, room)).collect()
         };
-        let bound = |bindings: &[Binding], room: &mut Room| -> Result<(Vec<Binding>, Substitution), Failure> {
+        let bound = |bindings: &[Binding], room: &mut Room| -> Result<(Vec<Binding>, Substitution), Refusal> {
             let inner = self.without(bindings.iter().flat_map(|b| b.names.iter().map(|n| &n.0)), room)?;
-            let list = bindings.iter().map(|b| inner.binding_in(b, room)).collect::<Result<_, Failure>>()?;
+            let list = bindings.iter().map(|b| inner.binding_in(b, room)).collect::<Result<_, Refusal>>()?;
             Ok((list, inner))
         };
         let kind = match &p.kind {
             Compare(sides, relations) => {
-                let sides = sides.iter().map(|e| self.expr_in(e, room)).collect::<Result<_, Failure>>()?;
+                let sides = sides.iter().map(|e| self.expr_in(e, room)).collect::<Result<_, Refusal>>()?;
                 Compare(sides, relations.clone())
             }
             And(list) => And(all(list, room)?),
@@ -395,7 +406,7 @@ impl Substitution {
             PropKind::Extremum(e) => {
                 // The point and the value stand outside the scope of the bound names.
                 let (over, inner) = bound(&e.over, room)?;
-                let at: Result<Vec<_>, Failure> =
+                let at: Result<Vec<_>, Refusal> =
                     e.at.iter().map(|(n, v)| Ok((n.clone(), self.expr_in(v, room)?))).collect();
                 PropKind::Extremum(Box::new(crate::claim::syntax::Extremum {
                     of: inner.expr_in(&e.of, room)?,
@@ -436,7 +447,7 @@ fn parts(e: &Expr) -> Vec<&Expr> {
 
 /// Whether a member of a family or sequence occurs.
 fn has_member(e: &Expr) -> bool {
-    let here = matches!(&e.kind, ExprKind::Apply(f, _) if !super::translate::FUNCTIONS.contains(&f.text.as_str()));
+    let here = matches!(&e.kind, ExprKind::Apply(f, _) if !super::term::FUNCTIONS.contains(&f.text.as_str()));
     here || parts(e).into_iter().any(has_member)
 }
 

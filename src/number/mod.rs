@@ -12,6 +12,7 @@ pub mod fixed;
 pub mod fraction;
 pub mod interval;
 pub mod parallel;
+pub mod plus_minus;
 pub mod product;
 pub mod radical;
 pub mod rational;

@@ -64,19 +64,22 @@ pub enum NumeralError {
 impl fmt::Display for NumeralError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::MissingDigits { at } => write!(f, "digits expected at byte {at}"),
+            Self::MissingDigits { at } => write!(f, "a number needs digits at character {}", at + 1),
+            Self::Unexpected { found: ',', .. } => write!(f, "a number has a decimal point, not a comma: write 1.5"),
             Self::Unexpected { at, found } => {
-                write!(f, "unexpected {found:?} in a numeral at byte {at}")
+                let hint =
+                    if *at > 0 && (*found == ' ' || found.is_alphabetic()) { "; write it without a unit" } else { "" };
+                write!(f, "expected a number, found {found:?} at character {}{hint}", at + 1)
             }
             Self::Uncertainty { at } => {
-                write!(f, "uncertainty in parentheses at byte {at}: write the exact number that is meant")
+                write!(f, "uncertainty in parentheses at character {}: write the exact number that is meant", at + 1)
             }
-            Self::ZeroDenominator { at } => write!(f, "denominator zero at byte {at}"),
+            Self::ZeroDenominator { at } => write!(f, "the denominator at character {} is zero", at + 1),
             Self::TooManyDigits { allowed, needed } => {
-                write!(f, "{needed} digits in a numeral, {allowed} allowed")
+                write!(f, "a number of {needed} digits; {allowed} are allowed")
             }
             Self::ExponentTooLarge { at, allowed } => {
-                write!(f, "exponent at byte {at} is larger than {allowed}")
+                write!(f, "the exponent at character {} is larger than {allowed}", at + 1)
             }
         }
     }

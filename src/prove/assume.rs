@@ -5,6 +5,7 @@
 //! that from the laws of a collision the velocities after it are found, not the masses.
 
 use super::context::*;
+use super::expand::{Sequence, Substitution};
 use super::translate::Value;
 use crate::algebra::factor;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form};
@@ -17,7 +18,7 @@ type Result<T> = std::result::Result<T, Failure>;
 /// The most variables that equations may determine in one context.
 const ELIMINATIONS: usize = 24;
 
-impl Engine<'_> {
+impl Engine {
     /// Declares variables with their domains.
     pub fn declare(&mut self, cx: &mut Context, bindings: &[Binding]) -> Result<()> {
         for binding in bindings {
@@ -37,13 +38,6 @@ impl Engine<'_> {
                             source: source(cx.facts.len()),
                         };
                         cx.families.insert(name.text.clone(), Rc::new(family));
-                        // The domain as a fact, so that its use can be reported.
-                        let text = Prop { kind: PropKind::And(Vec::new()), span: binding.span };
-                        cx.facts.push(Fact {
-                            label: Some(format!("{}({})", name.text, index.text)),
-                            prop: Rc::new(text),
-                            origin: Origin::Domain,
-                        });
                     }
                     None => cx.variables.push((name.text.clone(), binding.natural)),
                 }
@@ -51,18 +45,48 @@ impl Engine<'_> {
         }
         for binding in bindings {
             for prop in domain(binding) {
-                cx.facts.push(Fact { label: None, prop: Rc::new(prop), origin: Origin::Domain });
+                cx.facts.push(Fact { prop: Rc::new(prop) });
             }
         }
         self.rebuild(cx)
     }
 
+    /// Shows that every member of a sequence has a value: u(0), and u(k + 1) for any natural k and any number u(k).
+    pub fn members_valued(&mut self, cx: &Context, sequence: &Sequence) -> Result<()> {
+        if !sequence.steps_once() {
+            return Err(Failure::NotShown(format!("the sequence {} is defined by the member before", sequence.name)));
+        }
+        self.valued(&mut cx.clone(), &sequence.initial)?;
+        let (index, before) = ("'index", "'before");
+        let mut put = Substitution::default();
+        put.replace(&sequence.index, name_expr(index));
+        put.define(&sequence.name, vec!["'place".to_string()], name_expr(before));
+        let step = put.expr(&sequence.step)?;
+        let mut inner = cx.clone();
+        inner.variables.extend([(index.to_string(), true), (before.to_string(), false)]);
+        match self.valued(&mut inner, &step) {
+            Err(Failure::Undefined(what)) => {
+                let what = what
+                    .replace(index, &sequence.index)
+                    .replace(before, &format!("{}({})", sequence.name, sequence.index));
+                Err(Failure::Undefined(format!("in the sequence {} {what}", sequence.name)))
+            }
+            other => other,
+        }
+    }
+
+    fn valued(&mut self, cx: &mut Context, value: &Expr) -> Result<()> {
+        let mut conditions = Vec::new();
+        self.scalar(cx, value, &mut conditions)?;
+        self.show_conditions(cx, conditions)
+    }
+
     /// Takes a proposition as known.
-    pub fn assume(&mut self, cx: &mut Context, prop: &Prop, label: Option<String>, origin: Origin) -> Result<()> {
-        cx.facts.push(Fact { label, prop: Rc::new(prop.clone()), origin });
+    pub fn assume(&mut self, cx: &mut Context, prop: &Prop) -> Result<()> {
+        cx.facts.push(Fact { prop: Rc::new(prop.clone()) });
         if let PropKind::And(list) = &prop.kind {
-            // The parts are facts of their own; the whole keeps the label.
-            return list.iter().try_for_each(|part| self.assume(cx, part, None, origin));
+            // The parts are facts of their own.
+            return list.iter().try_for_each(|part| self.assume(cx, part));
         }
         let last = cx.facts.len() - 1;
         if self.take(cx, last)? {

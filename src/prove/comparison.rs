@@ -53,7 +53,7 @@ pub fn negated(relation: Relation) -> Relation {
     }
 }
 
-impl Engine<'_> {
+impl Engine {
     /// A form with the same sign as a − b.
     pub fn difference(&mut self, cx: &mut Context, a: &Form, b: &Form) -> Result<Form> {
         if a == b {

@@ -13,7 +13,6 @@ use crate::algebra::Polynomial;
 use crate::algebra::form::{AtomId, Form, Ring};
 use crate::algebra::positivity::Constraint;
 use crate::claim::syntax::{Binding, Diagnose, Expr, Prop, Relation};
-use crate::prove::outcome::Line;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -121,26 +120,11 @@ pub struct Literal {
     pub atoms: Vec<(AtomId, bool)>,
 }
 
-/// Where a fact comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
-    /// The domain of a variable.
-    Domain,
-    /// A hypothesis of the claim, a case, or the hypothesis of an implication or induction.
-    Hypothesis,
-    /// Shown from the others.
-    Derived,
-}
-
 /// A proposition known to hold.
 #[derive(Clone, Debug)]
 pub struct Fact {
-    /// Its label.
-    pub label: Option<String>,
     /// What holds.
     pub prop: Rc<Prop>,
-    /// Where it comes from.
-    pub origin: Origin,
 }
 
 /// A family: its domain in terms of the index name, and the indices where it is defined.
@@ -163,8 +147,6 @@ pub enum Failure {
     NotShown(String),
     /// An expression may have no value; the text says where.
     Undefined(String),
-    /// The argument cites a claim that is not proved.
-    RestsOn(String),
     /// The text of the claim makes no sense here.
     Fault(Diagnose),
 }
@@ -190,8 +172,6 @@ pub struct Context {
     pub indices: HashMap<String, Form>,
     /// The facts.
     pub facts: Vec<Fact>,
-    /// Facts that an induction set aside: they hold, but not of the variable's next value.
-    pub aside: Vec<Fact>,
     /// Signs of atoms that follow from facts.
     pub signs: HashMap<AtomId, (Signs, Sources)>,
     /// Comparisons of products of several atoms.
@@ -206,43 +186,29 @@ pub struct Context {
     pub searched: HashSet<AtomId>,
     /// How many indices of sums and products are in scope.
     pub binders: usize,
-    /// Names that were obtained: what they stand for may depend on any variable.
-    pub obtained: Vec<String>,
     /// Whether what is translated is being differentiated.
     pub differentiated: bool,
-    /// How many times cases were split to get here.
-    pub splits: usize,
-    /// Facts (by number) whose disjunction or implication was already used.
-    pub spent: HashSet<usize>,
 }
 
 /// The state of an argument that does not go back when a branch fails.
-pub struct Engine<'c> {
+pub struct Engine {
     /// Atoms and forms.
     pub ring: Ring,
-    /// The argument so far.
-    pub log: Vec<Line>,
-    /// Depth of the argument.
-    pub depth: usize,
     /// Facts that were used, by number.
     pub used: Sources,
     /// When to stop.
     pub deadline: Option<Instant>,
     /// Steps left: a deterministic bound on the search.
     pub steps: usize,
-    /// Statements that may be cited, by name.
-    pub cited: &'c BTreeMap<String, Rc<super::expand::Statement>>,
-    /// Claims that the argument names and that are not proved.
-    pub unproved: Vec<String>,
     /// Whether a limit was hit in a branch that failed.
     pub limit: Option<&'static str>,
-    /// The main rules used, for the name of the method.
-    pub rules: Vec<&'static str>,
+    /// At how many points the goal was seen to hold while a counterexample was sought.
+    pub points: usize,
     /// What certificates were found for a polynomial under constraints: all signs if none was.
     pub certified: HashMap<(Polynomial, Vec<Constraint>), Signs>,
 }
 
-impl Engine<'_> {
+impl Engine {
     /// Counts a step of the search.
     pub fn tick(&mut self) -> Result<(), Failure> {
         if self.steps == 0 {
@@ -261,34 +227,12 @@ impl Engine<'_> {
         Ok(())
     }
 
-    /// Writes a line of the argument.
-    pub fn line(&mut self, rule: &'static str, text: String) {
-        if !self.rules.contains(&rule) {
-            self.rules.push(rule);
-        }
-        self.log.push(Line { depth: self.depth, rule, text });
-    }
-
-    /// Runs a step; if it fails the lines that it wrote are taken back.
+    /// Runs a step, and remembers the limit at which it ended, if it did.
     pub fn attempt<T>(&mut self, step: impl FnOnce(&mut Self) -> Result<T, Failure>) -> Result<T, Failure> {
-        let (lines, depth, rules) = (self.log.len(), self.depth, self.rules.len());
         let result = step(self);
-        self.depth = depth;
-        if let Err(failure) = &result {
-            self.log.truncate(lines);
-            self.rules.truncate(rules);
-            if let Failure::Limit(name) = failure {
-                self.limit = Some(name);
-            }
+        if let Err(Failure::Limit(name)) = &result {
+            self.limit = Some(name);
         }
-        result
-    }
-
-    /// Runs a step one level deeper.
-    pub fn deeper<T>(&mut self, step: impl FnOnce(&mut Self) -> Result<T, Failure>) -> Result<T, Failure> {
-        self.depth += 1;
-        let result = step(self);
-        self.depth -= 1;
         result
     }
 }

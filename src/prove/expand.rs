@@ -7,6 +7,8 @@
 
 use crate::algebra::form::Limit;
 use crate::claim::syntax::*;
+use crate::claim::walk::nodes_in;
+pub use crate::claim::walk::{names_in, parts};
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeSet;
 
@@ -27,6 +29,15 @@ pub struct Sequence {
 }
 
 impl Sequence {
+    /// The names in its definition, but for its own index.
+    pub fn names(&self) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        names_in(&self.step, &mut names);
+        names.remove(&self.index);
+        names_in(&self.initial, &mut names);
+        names
+    }
+
     /// Whether the step speaks of the sequence by the member before only, u(k).
     pub fn steps_once(&self) -> bool {
         fn fine(e: &Expr, name: &str, index: &str) -> bool {
@@ -60,6 +71,8 @@ pub struct Statement {
     pub proof: Proof,
     /// Claims it may cite.
     pub using: Vec<String>,
+    /// A point at which the hypotheses hold, as the author says.
+    pub sample: Vec<(String, Expr)>,
 }
 
 /// What a name is replaced by.
@@ -98,6 +111,7 @@ impl Statement {
             goal: claim.goal.clone(),
             proof: Proof::default(),
             using: claim.using.iter().map(|n| n.text.clone()).collect(),
+            sample: claim.sample.iter().map(|(n, e)| (n.text.clone(), e.clone())).collect(),
         };
         for item in &claim.items {
             match item {
@@ -484,57 +498,11 @@ impl Substitution {
     }
 }
 
-/// Calls `visit` with every direct part of an expression.
-pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
-    use ExprKind::*;
-    match &expr.kind {
-        Number(_) | Name(_) => {}
-        Apply(_, list) => list.iter().for_each(visit),
-        Negate(a) | Derivative(a, _) => visit(a),
-        Sum(list) => list.iter().for_each(|(_, e)| visit(e)),
-        Product(list) => list.iter().for_each(|(_, e)| visit(e)),
-        Power(a, b) => {
-            visit(a);
-            visit(b);
-        }
-        SumOver(index, body) | ProductOver(index, body) => {
-            visit(&index.from);
-            visit(&index.to);
-            visit(body);
-        }
-        Matrix(rows) => rows.iter().flatten().for_each(visit),
-    }
-}
-
-/// All names that occur in an expression, bound ones and function names included.
-pub fn names_in(expr: &Expr, into: &mut BTreeSet<String>) {
-    match &expr.kind {
-        ExprKind::Name(name) => {
-            into.insert(name.clone());
-        }
-        ExprKind::Apply(name, _) => {
-            into.insert(name.text.clone());
-        }
-        ExprKind::Derivative(_, by) => into.extend(by.iter().map(|n| n.text.clone())),
-        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
-            into.insert(index.name.text.clone());
-        }
-        _ => {}
-    }
-    parts(expr, &mut |part| names_in(part, into));
-}
-
 /// Whether a member of a family or sequence occurs: of what it is made is not seen in it.
 fn has_member(expr: &Expr) -> bool {
     let mut found = matches!(&expr.kind, ExprKind::Apply(name, _) if !FUNCTIONS.iter().any(|f| f.0 == name.text));
     parts(expr, &mut |part| found |= has_member(part));
     found
-}
-
-fn nodes_in(expr: &Expr) -> usize {
-    let mut count = 1;
-    parts(expr, &mut |part| count += nodes_in(part));
-    count
 }
 
 /// All names that occur in a proposition.

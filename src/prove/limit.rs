@@ -1,90 +1,35 @@
-//! Limits at infinity: rational functions by their degrees, others by series or between two of those.
+//! Limits at infinity: rational functions by their degrees, others by series.
 //!
 //! Contract: the variable grows through all values that its declaration allows; hypotheses about it
 //! other than a constant lower bound are refused, so that what is shown holds for all large values.
 
-use super::argument::not_shown;
 use super::context::*;
-use super::expand::{names_in, names_of_binding, names_of_prop};
-use super::method::{compare, sequence_names};
+use super::expand::{names_of_binding, names_of_prop};
 use super::series::Tends;
 use crate::algebra::form::{Atom, Exponent, Form};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
-use std::collections::BTreeSet;
 
 type Result<T> = std::result::Result<T, Failure>;
 
-impl Engine<'_> {
-    /// Shows a limit that the degrees or a series give.
-    pub fn limit(&mut self, cx: &mut Context, limit: &Limit, goal: &Prop) -> Result<()> {
-        let mut conditions = Vec::new();
-        let value = self.scalar(cx, &limit.value, &mut conditions)?;
-        self.show_conditions(cx, conditions)?;
-        if !self.free_of(&value, &limit.variable.text) {
-            return Err(super::translate::fault(limit.variable.span, "the limit must not depend on the variable"));
-        }
-        let Some((Tends::To(found), how)) = self.tends(cx, limit)? else { return Err(not_shown(goal)) };
-        if self.ring.sub(&found, &value)?.is_zero() {
-            self.line("limit", format!("{}: by {how} {}", print::prop(goal), limit.variable.text));
-            return Ok(());
-        }
-        Err(not_shown(goal))
-    }
-
-    /// What the expression of a limit tends to, and by which method.
-    pub fn tends(&mut self, cx: &mut Context, limit: &Limit) -> Result<Option<(Tends, &'static str)>> {
+impl Engine {
+    /// What the expression of a limit tends to.
+    pub fn tends(&mut self, cx: &mut Context, limit: &Limit) -> Result<Option<Tends>> {
         self.unbounded(cx, &limit.variable)?;
         let mut conditions = Vec::new();
         let form = self.scalar(cx, &limit.of, &mut conditions)?;
         self.show_conditions(cx, conditions)?;
-        self.nothing_obtained(cx, limit, &form)?;
         if let Some(value) = self.rational_limit(cx, &form, &limit.variable.text)? {
-            return Ok(Some((Tends::To(value), "the degrees in")));
+            return Ok(Some(Tends::To(value)));
         }
-        let found = self.limit_by_series(cx, &form, &limit.variable.text)?;
-        Ok(found.map(|tends| (tends, "the series in 1 over")))
-    }
-
-    /// Refuses a limit of what was obtained: that may depend on the variable.
-    fn nothing_obtained(&mut self, cx: &Context, limit: &Limit, form: &Form) -> Result<()> {
-        let mut names = BTreeSet::new();
-        names_in(&limit.of, &mut names);
-        for name in &cx.obtained {
-            if *name == limit.variable.text || names.contains(name) || !self.free_of(form, name) {
-                return Err(Failure::NotShown(format!("a limit with {name}, which was obtained")));
-            }
-        }
-        Ok(())
-    }
-
-    /// Shows a limit between two expressions that have it.
-    pub fn squeeze(&mut self, cx: &mut Context, goal: &Prop, lower: &Expr, upper: &Expr) -> Result<()> {
-        let PropKind::Limit(limit) = &goal.kind else {
-            return Err(super::translate::fault(goal.span, "`squeeze` is for limits"));
-        };
-        let form = self.valued(cx, &limit.of)?;
-        self.nothing_obtained(cx, limit, &form)?;
-        for bound in [lower, upper] {
-            let inner = Limit { of: bound.clone(), variable: limit.variable.clone(), value: limit.value.clone() };
-            let prop = Prop { kind: PropKind::Limit(Box::new(inner.clone())), span: goal.span };
-            self.limit(cx, &inner, &prop)?;
-        }
-        for prop in [
-            compare(lower.clone(), Relation::LessEqual, limit.of.clone()),
-            compare(limit.of.clone(), Relation::LessEqual, upper.clone()),
-        ] {
-            self.line("limit", format!("for all {}: {}", limit.variable.text, print::prop(&prop)));
-            self.deeper(|engine| engine.show_goal(&mut cx.clone(), &prop))?;
-        }
-        Ok(())
+        self.limit_by_series(cx, &form, &limit.variable.text)
     }
 
     /// Refuses hypotheses that keep the variable from growing.
     fn unbounded(&mut self, cx: &Context, variable: &Name) -> Result<()> {
-        for fact in cx.facts.iter().chain(&cx.aside).filter(|f| f.origin != Origin::Derived) {
+        for fact in &cx.facts {
             if !lets_grow(&fact.prop, &variable.text) {
                 let text = format!(
                     "{} must be free to grow, but a hypothesis says {}",
@@ -104,7 +49,7 @@ impl Engine<'_> {
             }
         }
         for sequence in cx.sequences.values() {
-            if sequence_names(sequence).contains(&variable.text) {
+            if sequence.names().contains(&variable.text) {
                 let text = format!("the limit for {}: the sequence {} depends on it", variable.text, sequence.name);
                 return Err(Failure::NotShown(text));
             }

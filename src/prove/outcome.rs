@@ -63,23 +63,12 @@ pub struct Broken {
     pub right: String,
 }
 
-/// One line of an argument.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Line {
-    /// 0 for the main argument, deeper inside cases, inductions and auxiliary facts.
-    pub depth: usize,
-    /// The rule, in the field's words: `identity`, `elimination`, `sign`, `cases`, `induction`, …
-    pub rule: &'static str,
-    /// What is shown or used, as text in the claim language or close to it.
-    pub text: String,
-}
-
 /// What is said of a limit that was reached, with the flag that raises it.
 pub fn limit_reached(name: &str) -> String {
     let flag = match name {
         "degree" => " (--max-degree raises it)",
         "terms" => " (--max-terms raises it)",
-        "digits" => " (--max-digits raises it)",
+        "digits" => " (--max-bits raises it)",
         "steps" => " (--max-steps raises it)",
         "time" => " (--time raises it)",
         _ => "",
@@ -111,8 +100,9 @@ pub struct Outcome {
     pub reason: Option<String>,
     /// The limit that stood in the way, if one did.
     pub limit: Option<&'static str>,
-    /// The argument, line by line, for `carom explain`.
-    pub argument: Vec<Line>,
+    /// At how many points that satisfy the hypotheses an undecided claim was seen to hold, while a counterexample was
+    /// sought.
+    pub points: usize,
 }
 
 /// A claim that cannot be judged because it makes no sense; the audit of its file fails (exit 2).

@@ -5,6 +5,7 @@
 //! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
 
 use super::Instant;
+use super::catalogue::Limits;
 use super::context::{Context, Engine};
 use super::evaluate::{Assignment, Missing, STEPS};
 use super::expand::Statement;
@@ -13,6 +14,7 @@ use super::series::Tends;
 use crate::claim::parse::parse_prop;
 use crate::claim::print;
 use crate::claim::syntax::*;
+use crate::kernel::statement::compare;
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -32,19 +34,54 @@ const REALS: &[&str] = &[
 /// How many points are tried.
 const POINTS: usize = 6_000;
 
+/// How many points of those that a claim suggests.
+const SUGGESTED: usize = 2_500;
+
 /// At how many points limits are found anew.
 const LIMITS: usize = 60;
 
+/// At how many of them before a proof is sought.
+const FIRST_LIMITS: usize = 4;
+
+/// How long points are tried before a proof is sought.
+const FIRST_TIME: Duration = Duration::from_millis(100);
+
 /// A search over points.
-struct Search {
-    names: Vec<(String, bool)>,
+pub(super) struct Search {
+    /// The variables that are free to choose, and whether each is a natural number.
+    pub(super) names: Vec<(String, bool)>,
     values: Vec<Vec<Rational>>,
-    families: Vec<(String, bool, Vec<Prop>)>,
+    /// The families with what their members obey.
+    pub(super) families: Vec<(String, bool, Vec<Prop>)>,
     determined: Vec<(String, Expr)>,
     /// Whether families are geometric where their domains allow it, or run through listed values.
     geometric: bool,
-    hypotheses: Vec<Prop>,
-    base: Assignment,
+    /// Values for reals and naturals that the claim suggests, instead of the usual ones.
+    suggested: Option<[Vec<Rational>; 2]>,
+    /// What holds at a point.
+    pub(super) hypotheses: Vec<Prop>,
+    /// What all points have in common.
+    pub(super) base: Assignment,
+    /// How many expressions may still be evaluated.
+    left: Cell<u64>,
+}
+
+/// What is chosen at a point: the free variables and the families, in the order of the search.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// The variables.
+    pub scalars: Vec<Rational>,
+    /// The families.
+    pub families: Vec<Members>,
+}
+
+/// The members of a family.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Members {
+    /// These in turn.
+    InTurn(Vec<Rational>),
+    /// Member 0 and the ratio of a member to the one before.
+    Geometric(Rational, Rational),
 }
 
 impl Search {
@@ -55,8 +92,10 @@ impl Search {
             families: Vec::new(),
             determined: Vec::new(),
             geometric: false,
+            suggested: None,
             hypotheses: Vec::new(),
             base: Assignment::default(),
+            left: Cell::new(u64::MAX),
         };
         if let Some(statement) = statement {
             for sequence in &statement.sequences {
@@ -105,8 +144,9 @@ impl Search {
 
     /// Candidate values for each variable, the first `most` of those that its own constant bounds allow.
     fn candidates(&mut self, most: usize) {
-        let reals: Vec<Rational> = REALS.iter().filter_map(|t| rational::parse(t).ok()).collect();
-        let naturals: Vec<Rational> = (0..8).map(Rational::from).collect();
+        let [reals, naturals] = self.suggested.clone().unwrap_or_else(|| {
+            [REALS.iter().filter_map(|t| rational::parse(t).ok()).collect(), (0..8).map(Rational::from).collect()]
+        });
         let mentioned: Vec<BTreeSet<String>> = self.hypotheses.iter().map(super::expand::names_of_prop).collect();
         let kept = |name: &String, natural: bool, fits: &dyn Fn(&Assignment) -> bool| {
             let all = if natural { &naturals } else { &reals };
@@ -132,13 +172,30 @@ impl Search {
 
     /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
     fn run(&mut self, deadline: Option<Instant>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
+        self.run_choices(deadline, &mut |_, point| visit(point))
+    }
+
+    /// The same, with what was chosen.
+    pub(super) fn run_choices(
+        &mut self,
+        deadline: Option<Instant>,
+        visit: &mut dyn FnMut(&Choice, &Assignment) -> bool,
+    ) -> bool {
+        let mut visit = |search: &Search, ranks: &[usize]| {
+            let choice = search.chosen(ranks);
+            let Some(point) = search.at(&choice) else { return false };
+            let before = point.steps.get();
+            let done = visit(&choice, &point);
+            search.spend(before - point.steps.get());
+            done
+        };
         // The simplest point needs the first value of each only, and mostly it is enough.
         self.candidates(1);
         let width = self.values.len();
         if self.values.iter().any(Vec::is_empty) {
             return false;
         }
-        if self.point(&vec![0; width]).is_some_and(|point| visit(&point)) {
+        if visit(self, &vec![0; width]) {
             return true;
         }
         self.candidates(usize::MAX);
@@ -155,15 +212,13 @@ impl Search {
                     stack.pop();
                     if left == 0 {
                         tried += 1;
-                        if tried > POINTS {
+                        if tried > if self.suggested.is_some() { SUGGESTED } else { POINTS } {
                             return false;
                         }
-                        if deadline.is_some_and(|deadline| Instant::now() > deadline) {
+                        if self.left.get() == 0 || deadline.is_some_and(|deadline| Instant::now() > deadline) {
                             return false;
                         }
-                        if let Some(point) = self.point(&ranks)
-                            && visit(&point)
-                        {
+                        if visit(self, &ranks) {
                             return true;
                         }
                     }
@@ -198,39 +253,71 @@ impl Search {
         (total - used).saturating_sub(after).min(self.values[place].len() - 1)
     }
 
-    fn point(&self, ranks: &[usize]) -> Option<Assignment> {
-        let mut point = Assignment { steps: Rc::new(Cell::new(STEPS)), ..self.base.clone() };
-        for ((name, _), (rank, values)) in self.names.iter().zip(ranks.iter().zip(&self.values)) {
-            point.values.insert(name.clone(), values[*rank].clone());
-        }
-        let offset = self.names.len();
-        for (i, (name, _, _)) in self.families.iter().enumerate() {
-            let values = &self.values[offset + i];
-            let rank = ranks[offset + i];
+    /// The values at these ranks.
+    fn chosen(&self, ranks: &[usize]) -> Choice {
+        let (of_names, of_families) = ranks.split_at(self.names.len());
+        let scalars = of_names.iter().zip(&self.values).map(|(rank, values)| values[*rank].clone()).collect();
+        let values = &self.values[self.names.len()..];
+        let families = self.families.iter().zip(of_families.iter().zip(values)).map(|(family, (rank, values))| {
+            let ratio = Rational::from_signeds([2, 1, 3][rank % 3], [1, 2, 1][rank % 3]);
+            let first = values[*rank].clone();
+            if self.geometric && self.may_be_geometric(family, &first, &ratio) {
+                return Members::Geometric(first, ratio);
+            }
             // Members run through the values in turn, starting at the rank.
-            let list: Vec<Rational> =
-                (0..values.len().min(5)).map(|k| values[(rank + k * rank) % values.len()].clone()).collect();
-            point.families.insert(name.clone(), list);
+            let in_turn = (0..values.len().min(5)).map(|k| values[(rank + k * rank) % values.len()].clone());
+            Members::InTurn(in_turn.collect())
+        });
+        Choice { scalars, families: families.collect() }
+    }
+
+    /// Whether all members of a geometric family lie in its domain.
+    pub(super) fn may_be_geometric(
+        &self,
+        (name, natural, domain): &(String, bool, Vec<Prop>),
+        first: &Rational,
+        ratio: &Rational,
+    ) -> bool {
+        // Members rise or fall, and bounds on one side hold for all members if they do for the first and last.
+        let plain = domain.iter().all(|h| match &h.kind {
+            PropKind::Compare(_, relations) => !relations.contains(&Relation::NotEqual),
+            _ => false,
+        });
+        let whole = !natural || (first.is_integer() && ratio.is_integer());
+        let allowed = |k: i64| {
+            let mut alone = Assignment { naturals: self.base.naturals.clone(), ..Assignment::default() };
+            alone.values.insert(name.clone(), first * ratio.pow(k));
+            domain.iter().all(|h| alone.truth(h) == Ok(true))
+        };
+        plain && whole && (0..24).chain([super::evaluate::LARGEST + 1]).all(allowed)
+    }
+
+    /// The point of a choice, with what the hypotheses determine, if they all hold there for certain.
+    pub(super) fn at(&self, choice: &Choice) -> Option<Assignment> {
+        let steps = Rc::new(Cell::new(STEPS));
+        let point = self.at_with(choice, steps.clone());
+        self.spend(STEPS - steps.get());
+        point
+    }
+
+    /// Counts expressions that were evaluated, and the point itself.
+    fn spend(&self, expressions: u32) {
+        self.left.set(self.left.get().saturating_sub(1 + u64::from(expressions)));
+    }
+
+    fn at_with(&self, choice: &Choice, steps: Rc<Cell<u32>>) -> Option<Assignment> {
+        let mut point = Assignment { steps, ..self.base.clone() };
+        for ((name, _), value) in self.names.iter().zip(&choice.scalars) {
+            point.values.insert(name.clone(), value.clone());
         }
-        if self.geometric {
-            for (i, (name, natural, domain)) in self.families.iter().enumerate() {
-                let rank = ranks[offset + i];
-                let ratio = Rational::from_signeds([2, 1, 3][rank % 3], [1, 2, 1][rank % 3]);
-                let first = self.values[offset + i][rank].clone();
-                // Members rise or fall, and bounds on one side hold for all members if they do for the first and last.
-                let plain = domain.iter().all(|h| match &h.kind {
-                    PropKind::Compare(_, relations) => !relations.contains(&Relation::NotEqual),
-                    _ => false,
-                });
-                let allowed = (0..24).chain([super::evaluate::LARGEST + 1]).all(|k| {
-                    let mut alone = Assignment { naturals: self.base.naturals.clone(), ..Assignment::default() };
-                    alone.values.insert(name.clone(), &first * (&ratio).pow(k));
-                    domain.iter().all(|h| alone.truth(h) == Ok(true))
-                });
-                let whole = !natural || ((&first).is_integer() && (&ratio).is_integer());
-                if allowed && plain && whole {
-                    point.families.insert(name.clone(), vec![first]);
-                    point.ratios.insert(name.clone(), ratio);
+        for ((name, ..), members) in self.families.iter().zip(&choice.families) {
+            match members {
+                Members::InTurn(list) => {
+                    point.families.insert(name.clone(), list.clone());
+                }
+                Members::Geometric(first, ratio) => {
+                    point.families.insert(name.clone(), vec![first.clone()]);
+                    point.ratios.insert(name.clone(), ratio.clone());
                 }
             }
         }
@@ -247,7 +334,7 @@ impl Search {
     }
 }
 
-fn as_point(statement: &Statement, point: &Assignment) -> Point {
+pub(super) fn as_point(statement: &Statement, point: &Assignment) -> Point {
     let mut values = Vec::new();
     let mut named: Vec<String> = Vec::new();
     for binding in &statement.bindings {
@@ -269,10 +356,32 @@ fn as_point(statement: &Statement, point: &Assignment) -> Point {
     Point { values }
 }
 
-/// A point where all hypotheses of the statement hold.
+/// A point where all hypotheses of the statement hold: one that the author gives, or one that is found.
 pub fn sample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<Point> {
+    if !statement.sample.is_empty()
+        && let Some(point) = given_sample(engine, statement)
+    {
+        return Some(point);
+    }
     let mut search = Search::new(&statement.bindings, Some(statement));
     search.determine(engine, cx);
+    let mut found = None;
+    let mut visit = |point: &Assignment| {
+        found = Some(as_point(statement, point));
+        true
+    };
+    if !search.run(engine.deadline, &mut visit) {
+        search.suggested = Some(super::candidates::suggested(statement, &statement.goal));
+        search.run(engine.deadline, &mut visit);
+    }
+    found
+}
+
+/// The author's point, where the hypotheses hold at it; variables without a value there are sought.
+fn given_sample(engine: &Engine, statement: &Statement) -> Option<Point> {
+    let mut search = Search::new(&statement.bindings, Some(statement));
+    search.names.retain(|(name, _)| statement.sample.iter().all(|(given, _)| given != name));
+    search.determined.extend(statement.sample.iter().cloned());
     let mut found = None;
     search.run(engine.deadline, &mut |point| {
         found = Some(as_point(statement, point));
@@ -281,8 +390,28 @@ pub fn sample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Optio
     found
 }
 
-/// A counterexample to the statement.
-pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<Witness> {
+/// A goal made ready to be looked at, point by point.
+pub(super) struct Goal {
+    /// What is to hold, with derivatives and limits carried out where that succeeds.
+    pub(super) prop: Prop,
+    about_limits: bool,
+    identities: Rc<HashSet<(String, String)>>,
+    limits_left: usize,
+}
+
+/// What a goal is at a point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// It certainly holds.
+    Holds,
+    /// It certainly fails, or has no value.
+    Fails(Vec<Broken>),
+    /// The point does not decide it.
+    Open,
+}
+
+/// The points of a statement and its goal at them; `None` where a point says nothing of what moves.
+pub(super) fn aimed(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<(Search, Goal)> {
     let mut search = Search::new(&statement.bindings, Some(statement));
     search.determine(engine, cx);
     let (mut goal, mut bound) = (statement.goal.clone(), statement.bindings.clone());
@@ -304,18 +433,16 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
                 bound.extend(extremum.over.iter().cloned());
                 let relation = if extremum.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
                 let mut list = vec![
-                    super::method::compare(there, Relation::Equal, extremum.value.clone()),
-                    super::method::compare(extremum.of.clone(), relation, extremum.value.clone()),
+                    compare(there, Relation::Equal, extremum.value.clone()),
+                    compare(extremum.of.clone(), relation, extremum.value.clone()),
                 ];
                 if extremum.unique {
                     let same = extremum
                         .at
                         .iter()
-                        .map(|(n, e)| {
-                            super::method::compare(super::context::name_expr(&n.text), Relation::Equal, e.clone())
-                        })
+                        .map(|(n, e)| compare(super::context::name_expr(&n.text), Relation::Equal, e.clone()))
                         .collect();
-                    let equal = super::method::compare(extremum.of, Relation::Equal, extremum.value);
+                    let equal = compare(extremum.of, Relation::Equal, extremum.value);
                     let kind = PropKind::Implies(
                         Box::new(equal),
                         Box::new(Prop { kind: PropKind::And(same), span: goal.span }),
@@ -336,65 +463,100 @@ pub fn counterexample(engine: &mut Engine, cx: &Context, statement: &Statement) 
     let goal = without_derivatives(engine, cx, &goal);
     let about_limits = has_limit(&goal);
     let goal = without_limits(engine, cx, &goal);
-    // Shown under the hypotheses, so that only the goal is looked at by them: a hypothesis must hold by itself.
-    let identities = Rc::new(identities(engine, cx, &goal));
-    let mut found = None;
     // Limits that depend on the other variables are found point by point.
-    let mut limits_left = if has_limit(&goal) { LIMITS } else { 0 };
-    let deadline = engine.deadline;
-    let mut visit = |point: &Assignment| {
+    let limits_left = if has_limit(&goal) { LIMITS } else { 0 };
+    Some((search, Goal { prop: goal, about_limits, identities: Rc::default(), limits_left }))
+}
+
+impl Goal {
+    /// Finds the comparisons whose sides are one: under the hypotheses, so that only the goal is looked at by them. A
+    /// hypothesis must hold by itself.
+    pub(super) fn identify(&mut self, engine: &mut Engine, cx: &Context) {
+        self.identities = Rc::new(identities(engine, cx, &self.prop));
+    }
+
+    /// What it is at a point, which keeps the members of families that were looked up.
+    pub(super) fn at(&mut self, engine: &mut Engine, point: &Assignment) -> Seen {
         point.seen.borrow_mut().clear();
-        let there = if limits_left > 0 {
-            limits_left -= 1;
-            limits_at(engine, point, &goal)
+        let there = if self.limits_left > 0 {
+            self.limits_left -= 1;
+            limits_at(engine, point, &self.prop)
         } else {
             None
         };
-        let goal = there.as_ref().unwrap_or(&goal);
-        let point = &Assignment { identities: identities.clone(), ..point.clone() };
-        let broken = match point.truth(goal) {
+        let goal = there.as_ref().unwrap_or(&self.prop);
+        let here = Assignment { identities: self.identities.clone(), ..point.clone() };
+        let seen = match here.truth(goal) {
+            Ok(true) => Seen::Holds,
             Ok(false) => {
                 let mut list = Vec::new();
-                point.broken(goal, &mut list);
-                if list.is_empty() && about_limits {
+                here.broken(goal, &mut list);
+                if list.is_empty() && self.about_limits {
                     let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
                     list.push(Broken { statement, left: "no limit".to_string(), right: String::new() });
                 }
-                list
+                Seen::Fails(list)
             }
             Err(Missing::Undefined(text)) => {
-                vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }]
+                Seen::Fails(vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }])
             }
-            _ => return false,
+            Err(Missing::Unknown) => Seen::Open,
         };
-        found = Some(Witness { point: as_point(statement, point), broken });
-        true
+        point.seen.replace(here.seen.take());
+        seen
+    }
+}
+
+/// A counterexample to the statement, among all points or those that are tried with `most` expressions evaluated.
+pub(super) fn falsified_by(
+    engine: &mut Engine,
+    statement: &Statement,
+    search: &mut Search,
+    goal: &mut Goal,
+    most: Option<u64>,
+) -> Option<Witness> {
+    let (mut found, mut held) = (None, 0);
+    let first = most.and_then(|_| Instant::now().checked_add(FIRST_TIME));
+    let deadline = engine.deadline.into_iter().chain(first).min();
+    search.left.set(most.unwrap_or(u64::MAX));
+    search.geometric = false;
+    if has_limit(&goal.prop) {
+        goal.limits_left = if most.is_some() { FIRST_LIMITS } else { LIMITS };
+    }
+    let mut visit = |point: &Assignment| match goal.at(engine, point) {
+        Seen::Fails(broken) => {
+            found = Some(Witness { point: as_point(statement, point), broken });
+            true
+        }
+        Seen::Holds => {
+            held += 1;
+            false
+        }
+        Seen::Open => false,
     };
-    if !search.run(deadline, &mut visit) && !search.families.is_empty() {
+    let mut done = search.run(deadline, &mut visit);
+    if !done && !search.families.is_empty() {
         search.geometric = true;
+        done = search.run(deadline, &mut visit);
+        search.geometric = false;
+    }
+    if !done {
+        search.suggested = Some(super::candidates::suggested(statement, &statement.goal));
         search.run(deadline, &mut visit);
     }
+    engine.points = held;
     found
 }
 
-/// A counterexample found without the prover: only the evaluator and the statement's own words. For tests of
-/// soundness; a search of all points may take minutes, unless `time` ends it.
+/// A counterexample found by the evaluator and the statement's own words alone. For tests of soundness; a search of all
+/// points may take minutes, unless `time` ends it.
 pub fn falsified(statement: &Statement, time: Option<Duration>) -> Option<Witness> {
-    let cited = std::collections::BTreeMap::new();
-    let mut engine = Engine {
-        ring: Default::default(),
-        log: Vec::new(),
-        depth: 0,
-        used: 0,
-        deadline: time.and_then(|time| Instant::now().checked_add(time)),
-        steps: 100_000,
-        cited: &cited,
-        unproved: Vec::new(),
-        limit: None,
-        rules: Vec::new(),
-        certified: Default::default(),
-    };
-    counterexample(&mut engine, &Context::default(), statement)
+    let mut engine = super::catalogue::engine(&Limits { steps: 100_000, ..Limits::default() });
+    engine.deadline = time.and_then(|time| Instant::now().checked_add(time));
+    engine.ring.deadline = engine.deadline;
+    let (mut search, mut goal) = aimed(&mut engine, &Context::default(), statement)?;
+    goal.identify(&mut engine, &Context::default());
+    falsified_by(&mut engine, statement, &mut search, &mut goal, None)
 }
 
 /// Values for the variables of an `exists` that make its body certainly true.
@@ -524,7 +686,7 @@ fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
     let kind = match &prop.kind {
         PropKind::And(list) => PropKind::And(list.iter().map(|p| without_limits(engine, cx, p)).collect()),
         PropKind::Limit(limit) => match engine.tends(&mut cx.clone(), limit) {
-            Ok(Some((Tends::To(found), _))) => {
+            Ok(Some(Tends::To(found))) => {
                 let text = format!("0 = {}", super::show::form(&engine.ring, &found));
                 match parse_prop(&text) {
                     Ok(Prop { kind: PropKind::Compare(sides, relations), .. }) => {
@@ -535,7 +697,7 @@ fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
                 }
             }
             // No finite value is the limit: the statement is false everywhere.
-            Ok(Some((Tends::Infinitely, _))) => {
+            Ok(Some(Tends::Infinitely)) => {
                 PropKind::Not(Box::new(Prop { kind: PropKind::And(Vec::new()), span: prop.span }))
             }
             _ => return prop.clone(),
@@ -548,26 +710,55 @@ fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
 /// Whether a hypothesis or a domain keeps the variable of a limit from growing or ties the variable of a derivative to
 /// others: then what holds at a point says nothing of either.
 fn ties_what_moves(statement: &Statement, bindings: &[Binding], goal: &Prop) -> bool {
+    let (limit, derivative) = tied(statement, bindings, goal);
+    limit || derivative.is_some()
+}
+
+/// The variable of a derivative in the goal that a hypothesis ties to others, if there is one. The derivative is partial
+/// all the same, but a reader may think of another.
+pub(super) fn tied_derivative(statement: &Statement) -> Option<String> {
+    let (mut bindings, mut goal) = (statement.bindings.clone(), &statement.goal);
+    while let PropKind::ForAll(more, body) = &goal.kind {
+        bindings.extend(more.iter().cloned());
+        goal = body;
+    }
+    // Parts of an equivalence are shown from one another by the kernel as they are read: partial.
+    let mut premise = Vec::new();
+    while let PropKind::Implies(p, q) = &goal.kind {
+        premise.push((**p).clone());
+        goal = q;
+    }
+    tied_by(statement, &bindings, goal, premise).1
+}
+
+/// Whether the variable of a limit is kept from growing, and the variable of a derivative that is tied to others.
+fn tied(statement: &Statement, bindings: &[Binding], goal: &Prop) -> (bool, Option<String>) {
+    let mut said = Vec::new();
+    premises(goal, &mut said);
+    tied_by(statement, bindings, goal, said)
+}
+
+/// The same, where the goal is said under no more than this.
+fn tied_by(statement: &Statement, bindings: &[Binding], goal: &Prop, more: Vec<Prop>) -> (bool, Option<String>) {
     let (mut limits, mut derivatives) = (Vec::new(), Vec::new());
     moving(goal, &mut limits, &mut derivatives);
     if limits.is_empty() && derivatives.is_empty() {
-        return false;
+        return (false, None);
     }
-    let mut said: Vec<Prop> = statement.assumptions.iter().map(|a| a.1.clone()).collect();
+    let mut said = more;
+    said.extend(statement.assumptions.iter().map(|a| a.1.clone()));
     said.extend(bindings.iter().flat_map(super::assume::domain));
-    premises(goal, &mut said);
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
     let of_families: BTreeSet<String> = families.flat_map(super::expand::names_of_binding).collect();
-    limits.iter().any(|v| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v)))
-        || derivatives
-            .iter()
-            .any(|v| of_families.contains(v) || said.iter().any(|prop| super::translate::ties(prop, v)))
+    let kept = |v: &String| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v));
+    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| super::translate::ties(prop, v));
+    (limits.iter().any(kept), derivatives.into_iter().find(bound))
 }
 
 /// What a part of a goal may be said under: premises, and the other parts of an equivalence or disjunction.
 fn premises(goal: &Prop, into: &mut Vec<Prop>) {
     match &goal.kind {
-        PropKind::And(list) => list.iter().for_each(|p| premises(p, into)),
+        PropKind::And(list) => list.iter().filter(|p| speaks_of_what_moves(p)).for_each(|p| premises(p, into)),
         PropKind::Or(list) | PropKind::Equivalent(list) => {
             // One part of a disjunction is looked at where the others fail.
             for part in list.iter().filter(|p| !speaks_of_what_moves(p)) {

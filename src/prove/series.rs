@@ -71,7 +71,7 @@ impl Series {
     }
 }
 
-impl Engine<'_> {
+impl Engine {
     /// The limit of a form as the variable grows through all large values.
     pub fn limit_by_series(&mut self, cx: &mut Context, form: &Form, name: &str) -> Result<Option<Tends>> {
         let variable = self.ring.intern(Atom::Variable(name.to_string()));

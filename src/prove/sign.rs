@@ -9,6 +9,7 @@
 
 use super::comparison::Plain;
 use super::context::*;
+use super::translate::Condition;
 use crate::algebra::form::{Atom, AtomId, Exponent, Form, Over};
 use crate::algebra::{Polynomial, Var, diagonal, factor, positivity};
 use crate::claim::syntax::{Constraint, Relation};
@@ -22,7 +23,7 @@ pub const SEARCHED_DEGREE: u32 = 1_000;
 
 type Result<T> = std::result::Result<T, Failure>;
 
-impl Engine<'_> {
+impl Engine {
     /// The signs of a form that follow at once.
     pub fn signs(&mut self, cx: &mut Context, form: &Form) -> Result<Signs> {
         let mut signs = Signs::of_number(&form.coefficient);
@@ -184,6 +185,21 @@ impl Engine<'_> {
             self.used |= problem.sources;
         }
         Ok(found)
+    }
+
+    /// Shows that an expression has a value.
+    pub fn show_conditions(&mut self, cx: &mut Context, conditions: Vec<Condition>) -> Result<()> {
+        for condition in conditions {
+            let signs = self.searched_form_signs(cx, &condition.form)?;
+            if !signs.within(Signs::of(condition.relation)) {
+                let what = match condition.relation {
+                    Relation::NotEqual => format!("cannot show that {} is not 0", condition.text),
+                    _ => format!("cannot show that {} has a value", condition.text),
+                };
+                return Err(Failure::Undefined(what));
+            }
+        }
+        Ok(())
     }
 
     /// Uses the domain of every member of a family that the atom mentions.

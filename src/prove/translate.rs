@@ -40,7 +40,7 @@ const WRITTEN_OUT: i64 = 64;
 
 type Result<T> = std::result::Result<T, Failure>;
 
-impl Engine<'_> {
+impl Engine {
     /// The form of a scalar expression.
     pub fn scalar(&mut self, cx: &mut Context, expr: &Expr, conditions: &mut Vec<Condition>) -> Result<Form> {
         match self.translate(cx, expr, conditions)? {
@@ -490,7 +490,7 @@ impl Engine<'_> {
             return Err(Failure::Undefined(format!(
                 "in {text} the base is not known to be {}: {}",
                 if wanted == Signs::POSITIVE { "positive" } else { "non-negative" },
-                self.show(&Form::atom(atom))
+                super::show::form(&self.ring, &Form::atom(atom))
             )));
         }
         if out.coefficient < 0 {
@@ -844,7 +844,7 @@ pub fn is_natural_name(cx: &Context, name: &str) -> bool {
 
 /// Whether a hypothesis may tie a variable to others.
 fn tied(cx: &Context, variable: &str) -> bool {
-    let mut said = cx.facts.iter().chain(&cx.aside).filter(|f| f.origin != Origin::Derived);
+    let mut said = cx.facts.iter();
     // What a declaration says of the members of a family is not among the facts.
     let members =
         cx.families.values().any(|family| super::expand::names_of_binding(&family.binding).contains(variable));

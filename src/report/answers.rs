@@ -1,9 +1,13 @@
 //! The answers to a scene as text and as JSON.
 
+use super::padded;
 use crate::chain::best::Best;
 use crate::chain::recollision::{MAY_WARN, WARNING};
 use crate::chain::uncertain::meeting::Meeting;
 use crate::chain::{ChainError, threshold::Helps};
+use crate::claim::print::Style;
+use crate::number::plus_minus::plus_minus;
+use crate::number::rational::parse;
 use crate::number::real::Level;
 use crate::scene::Scene;
 use crate::scene::answer::{Answers, Number, Value};
@@ -58,22 +62,29 @@ fn is_tie(best: &Best) -> bool {
 /// The first quantity that has no answer, and why.
 pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<String, (Quantity, ChainError)> {
     let mut out = String::new();
-    for (quantity, value, level) in all(scene, answers)? {
+    let found = all(scene, answers)?;
+    out.push_str(&bodies(&found));
+    for (quantity, value, level) in found {
         let name = quantity.name();
         match value {
+            _ if OF_BODIES.contains(&quantity) => {
+                if explain {
+                    line(&mut out, name, &format!("settled at level {level}"));
+                }
+                continue;
+            }
             Value::Number(number) => number_lines(&mut out, name, number),
             Value::List(numbers) => {
-                // Body 0 is the first one; collision 1 is its own, and body 1 the first inserted one.
-                let first = usize::from(matches!(quantity, Quantity::Losses | Quantity::Threshold));
-                for (i, number) in numbers.iter().enumerate() {
-                    number_lines(&mut out, &format!("{name}[{}]", i + first), number);
+                for (number, place) in numbers.iter().zip(1..) {
+                    number_lines(&mut out, &format!("{name}[{place}]"), number);
                 }
             }
             Value::Matrices(list) => {
                 for (i, rows) in list.iter().enumerate() {
                     for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                         if let Some(number) = rows.get(row).and_then(|r: &[Number; 2]| r.get(column)) {
-                            number_lines(&mut out, &format!("{name}[{}][{row}][{column}]", i + 1), number);
+                            let place = format!("{name}[{}][{}][{}]", i + 1, row + 1, column + 1);
+                            number_lines(&mut out, &place, number);
                         }
                     }
                 }
@@ -116,23 +127,86 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
     Ok(out)
 }
 
+/// What is known of each body, in the columns of one table.
+const OF_BODIES: [Quantity; 2] = [Quantity::Masses, Quantity::Velocities];
+
+/// The table of the bodies, counted from 1 and named as the paper does: m₁, then the inserted μ₁, …, μₙ, then m₂.
+fn bodies(found: &Found<'_>) -> String {
+    let mut columns: Vec<(&str, &[Number])> = Vec::new();
+    for (quantity, value, _) in found {
+        if let (true, Value::List(numbers)) = (OF_BODIES.contains(quantity), value) {
+            let name = if *quantity == Quantity::Masses { "mass" } else { "velocity" };
+            columns.push((name, numbers));
+        }
+    }
+    let count = columns.iter().map(|c| c.1.len()).max().unwrap_or(0);
+    if count == 0 {
+        return String::new();
+    }
+    let mut rows = vec![vec!["body".to_owned(), String::new()]];
+    for (name, _) in &columns {
+        rows[0].extend([(*name).to_owned(), String::new()]);
+    }
+    for place in 0..count {
+        let name = match place {
+            0 => "m1".to_owned(),
+            _ if place + 1 == count => "m2".to_owned(),
+            _ => format!("mu{place}"),
+        };
+        let mut row = vec![(place + 1).to_string(), Style::Unicode.name(&name)];
+        for number in columns.iter().filter_map(|c| c.1.get(place)) {
+            row.extend([decimal(number), exactly(number).map_or(String::new(), |exact| format!("= {exact}"))]);
+        }
+        rows.push(row);
+    }
+    let mut out = String::new();
+    let width = |column: usize| rows.iter().filter_map(|r| r.get(column)).map(|c| c.chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
+    for row in &rows {
+        let cells = row.iter().zip(&widths).filter(|(_, width)| **width > 0);
+        let cells: Vec<String> = cells.map(|(cell, width)| padded(cell, *width, false)).collect();
+        out += &format!("{}\n", cells.join("  ").trim_end());
+    }
+    out
+}
+
+/// The decimal, or its ends.
+fn decimal(number: &Number) -> String {
+    let (lower, upper) = &number.enclosure;
+    number.decimal.clone().or_else(|| measured(number)).unwrap_or_else(|| format!("from {lower} to {upper}"))
+}
+
+/// The exact form, where it says more than the decimal; long ones fill no screen.
+fn exactly(number: &Number) -> Option<String> {
+    match (&number.exact, &number.radical) {
+        (Some(exact), _) => Some(exact.to_string()).filter(|exact| number.decimal.as_ref() != Some(exact)),
+        (None, radical) => radical.clone(),
+    }
+    .map(|exact| shortened(&exact))
+}
+
 fn line(out: &mut String, name: &str, value: &str) {
     let _ = writeln!(out, "{name:<14} {value}");
 }
 
 fn number_lines(out: &mut String, name: &str, number: &Number) {
+    line(out, name, &decimal(number));
+    if measured(number).is_some() {
+        let (lower, upper) = &number.enclosure;
+        line(out, "", &format!("from {lower} to {upper}"));
+    }
+    if let Some(exact) = exactly(number) {
+        line(out, "", &format!("= {exact}"));
+    }
+}
+
+/// A range as its centre and its reach, with as many digits as are known.
+fn measured(number: &Number) -> Option<String> {
+    if number.decimal.is_some() {
+        return None;
+    }
     let (lower, upper) = &number.enclosure;
-    match &number.decimal {
-        Some(decimal) => line(out, name, decimal),
-        None => line(out, name, &format!("from {lower} to {upper}")),
-    }
-    match (&number.exact, &number.radical) {
-        (Some(exact), _) if number.decimal.as_ref() != Some(&exact.to_string()) => {
-            line(out, "", &format!("= {}", shortened(&exact.to_string())));
-        }
-        (None, Some(radical)) => line(out, "", &format!("= {}", shortened(radical))),
-        _ => {}
-    }
+    plus_minus(&parse(lower).ok()?, &parse(upper).ok()?)
 }
 
 /// Long exact forms fill no screen; JSON has them in full.
@@ -199,6 +273,7 @@ fn number_json(number: &Number, digits: u64) -> Json {
         "radical": number.radical,
         "enclosure": [number.enclosure.0, number.enclosure.1],
         "decimal": number.decimal,
+        "measured": measured(number),
         "digits": digits,
     })
 }

@@ -1,13 +1,14 @@
-//! One claim with its whole argument, for `carom explain`.
+//! One claim with its whole proof in words, for `carom explain`.
 
 use super::latex::{code, escape};
 use super::{Entry, markdown, statement, visible};
 use crate::claim::print::Style;
-use crate::claim::syntax::Claim;
-use crate::prove::outcome::Point;
+use crate::claim::syntax::{Claim, ExprKind, Item, PropKind, Relation};
+use crate::explain;
+use crate::prove::outcome::{Broken, Point, Verdict};
 
-/// As text, with Unicode signs.
-pub fn text(entry: &Entry) -> String {
+/// As text, with Unicode signs, wrapped to so many columns.
+pub fn text(entry: &Entry, width: usize) -> String {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
     let mut out = format!("{}  {}\n", claim.name.text, visible(&claim.title));
     if let Some(source) = &claim.source {
@@ -15,55 +16,43 @@ pub fn text(entry: &Entry) -> String {
     }
     out.push('\n');
     for line in statement(claim, Style::Unicode) {
-        out.push_str(&format!("  {line}\n"));
+        out.push_str(&explain::text::paragraph(&line, 2, 6, width));
     }
     out.push_str(&format!("\n{}", outcome.verdict.name()));
     if !outcome.method.is_empty() {
         out.push_str(&format!(" ({})", outcome.method));
     }
     out.push('\n');
-    if let Some(reason) = &outcome.reason {
-        out.push_str(&format!("  {reason}\n"));
+    if let Some(document) = &entry.explained {
+        out.push_str(&format!("\nProof\n{}", explain::text::text(document, 2, width)));
     }
-    if !outcome.argument.is_empty() {
-        out.push_str("\nArgument\n");
-        for line in &outcome.argument {
-            out.push_str(&format!("  {}[{}] {}\n", "  ".repeat(line.depth), line.rule, line.text));
+    for (title, lines) in remarks(entry) {
+        out.push_str(&format!("\n{title}\n"));
+        for line in lines {
+            out.push_str(&explain::text::paragraph(&visible(&line), 2, 4, width));
         }
-    }
-    for (title, list) in [("Used", &outcome.used), ("Not needed", &outcome.unused)] {
-        if !list.is_empty() {
-            out.push_str(&format!("\n{title}\n"));
-            for item in list {
-                out.push_str(&format!("  {item}\n"));
-            }
-        }
-    }
-    if let Some(sample) = &outcome.sample {
-        let at: Vec<String> = sample.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
-        out.push_str(&format!("\nThe hypotheses hold, for instance, at {}\n", at.join(", ")));
-    }
-    for note in &claim.notes {
-        out.push_str(&format!("\nNote: {}\n", visible(note)));
     }
     out
 }
 
-/// What follows the argument: where it fails, why it is undecided, what was used, a point where the
-/// hypotheses hold, and the notes; each with its title.
+/// What follows the statement: where it fails, why it is undecided and what would help, what was used, a point where
+/// the hypotheses hold, and the notes; each with its title.
 pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
-    let at = |point: &Point| point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect::<Vec<_>>().join(", ");
     let mut out = Vec::new();
     if let Some(witness) = &outcome.witness {
         let mut lines = vec![at(&witness.point)];
-        lines.extend(witness.broken.iter().map(|b| match b.right.as_str() {
-            "" => b.statement.clone(),
-            right => format!("{}: left side {}, right side {right}", b.statement, b.left),
-        }));
+        lines.extend(witness.broken.iter().map(fails));
+        if entry.proof.is_none() {
+            lines.push("This was evaluated, not certified.".to_string());
+        }
         out.push(("It fails at", lines));
     }
-    out.push(("Why it is undecided", outcome.reason.iter().cloned().collect()));
+    if outcome.verdict == Verdict::Undecided {
+        out.push(("Why it is undecided", outcome.reason.iter().cloned().collect()));
+        out.push(("What was tried", tried(entry)));
+        out.push(("What would help", help(entry)));
+    }
     out.push(("Used", outcome.used.clone()));
     out.push(("Not needed", outcome.unused.clone()));
     out.push(("The hypotheses hold, for instance, at", outcome.sample.iter().map(at).collect()));
@@ -72,47 +61,143 @@ pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
     out
 }
 
-/// As LaTeX, ready for a document with amsmath.
+/// A point on one line.
+fn at(point: &Point) -> String {
+    point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect::<Vec<_>>().join(", ")
+}
+
+/// What fails at a point, with both sides where it has them.
+fn fails(broken: &Broken) -> String {
+    match broken.right.as_str() {
+        "" => broken.statement.clone(),
+        right => format!("{}: left side {}, right side {right}", broken.statement, broken.left),
+    }
+}
+
+/// What was tried on a claim that is undecided.
+fn tried(entry: &Entry) -> Vec<String> {
+    if entry.found || entry.outcome.limit.is_some() {
+        return Vec::new();
+    }
+    let guided = !entry.claim.proof.steps.is_empty() || entry.claim.proof.close.is_some();
+    let mut out = Vec::new();
+    if guided {
+        out.push("The claim's own argument, and the automatic methods without it.".to_string());
+    }
+    out.push(
+        "The difference of the sides was factored, the sign of each factor was sought from the hypotheses, and sums of \
+         squares and of products of the hypotheses were tried."
+            .to_string(),
+    );
+    out.push(match entry.outcome.points {
+        0 => "No point was found at which both sides could be compared.".to_string(),
+        1 => "No counterexample was found: the claim holds at the one point that was tried.".to_string(),
+        n => format!("No counterexample was found: the claim holds at all {n} points that were tried."),
+    });
+    out
+}
+
+/// Which step of the claim's own would help.
+fn help(entry: &Entry) -> Vec<String> {
+    if entry.found || entry.outcome.limit.is_some() {
+        return Vec::new();
+    }
+    let claim = &entry.claim;
+    let mut out = Vec::new();
+    let naturals = claim.items.iter().flat_map(|item| match item {
+        Item::Given(bindings) => bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names).collect::<Vec<_>>(),
+        _ => Vec::new(),
+    });
+    if let Some((name, _)) = naturals.into_iter().find(|(_, index)| index.is_none()) {
+        out.push(format!("An induction: write `by induction on {}` behind the claim.", name.text));
+    }
+    if let PropKind::Compare(sides, relations) = &claim.goal.kind
+        && let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice())
+        && !matches!(relation, Relation::NotEqual)
+    {
+        let minus = |e: &crate::claim::syntax::Expr| match &e.kind {
+            ExprKind::Sum(_) | ExprKind::Negate(_) => format!("({})", Style::Text.expr(e)),
+            _ => Style::Text.expr(e),
+        };
+        out.push(format!(
+            "A product or a sum of terms whose signs are plain: write `have split: {} - {} = …`.",
+            Style::Text.expr(a),
+            minus(b)
+        ));
+    }
+    out.push("A `have` for each step that you would write on paper, or a `case` for each case.".to_string());
+    out
+}
+
+/// The proof in words as lines, each with how deep it stands; of a claim that is refuted, where it fails and what fails
+/// there, behind the word for it; of one that is undecided, the reason.
+pub fn lines(entry: &Entry) -> Vec<(usize, &'static str, String)> {
+    match &entry.explained {
+        Some(document) => explain::text::lines(document).into_iter().map(|(depth, text)| (depth, "", text)).collect(),
+        None => {
+            let (witness, reason) = (entry.outcome.witness.as_ref(), entry.outcome.reason.as_ref());
+            let place = witness.map(|witness| (0, "witness", at(&witness.point)));
+            let broken = witness.iter().flat_map(|w| &w.broken).map(|b| (1, "witness", fails(b)));
+            place.into_iter().chain(broken).chain(reason.map(|reason| (0, "", reason.clone()))).collect()
+        }
+    }
+}
+
+/// As LaTeX, ready for a document with amsmath and graphicx.
 pub fn latex(entry: &Entry) -> String {
-    let (claim, outcome) = (&entry.claim, &entry.outcome);
-    let mut out = statement_latex(claim);
-    out.push_str(&format!("\\emph{{{}}}", outcome.verdict.name()));
+    let outcome = &entry.outcome;
+    let mut out = statement_latex(&entry.claim);
+    out.push_str(&format!("\\noindent\\emph{{{}}}", outcome.verdict.name()));
     if !outcome.method.is_empty() {
         out.push_str(&format!(" ({})", escape(&outcome.method)));
     }
-    out.push('\n');
-    if !outcome.argument.is_empty() && outcome.witness.is_none() {
-        // Lists nest four deep at most in LaTeX; a margin has no such limit.
-        out.push_str("\\begin{itemize}\n");
-        for line in &outcome.argument {
-            out.push_str(&format!(
-                "  \\item \\hspace*{{{}em}}\\textit{{{}}}: {}\n",
-                2 * line.depth,
-                escape(line.rule),
-                code(&line.text)
-            ));
-        }
-        out.push_str("\\end{itemize}\n");
+    out.push_str("\\par\n");
+    if let Some(document) = &entry.explained {
+        out.push_str("\\smallskip\\noindent\\textit{Proof}\\par\n");
+        out.push_str(&explain::latex::latex(document));
     }
     for (title, lines) in remarks(entry) {
         if title == "Notes" {
-            out.push_str(&format!("\nNote: {}\n", escape(&lines.join(" "))));
+            out.push_str(&format!("\n{{\\raggedright\\noindent Note: {}\\par}}\n", escape(&lines.join(" "))));
             continue;
         }
         let lines: Vec<String> = lines.iter().map(|l| code(l)).collect();
-        out.push_str(&format!("\n{title}: {}.\n", lines.join("; ")));
+        out.push_str(&format!("\n{{\\raggedright\\noindent {title}: {}.\\par}}\n", lines.join("; ")));
     }
     out
 }
 
-/// Name, title, hypotheses and goal as LaTeX.
+/// Name, title, hypotheses and goal as LaTeX, with what each line is.
 pub fn statement_latex(claim: &Claim) -> String {
-    format!(
-        "\\paragraph{{{}}} {}\n\\begin{{gather*}}\n{}\n\\end{{gather*}}\n",
-        escape(&claim.name.text),
-        escape(&claim.title),
-        statement(claim, Style::Latex).join(" \\\\\n")
-    )
+    let mut out =
+        format!("{}\\paragraph{{{}}} {}\n", explain::latex::MACROS, escape(&claim.name.text), escape(&claim.title));
+    out.push_str(&clauses_latex(claim));
+    out
+}
+
+/// Hypotheses and goal as LaTeX, each with the word for what it is: given, let, define, assume, prove.
+pub fn clauses_latex(claim: &Claim) -> String {
+    let mut out = String::new();
+    let mut before = "";
+    let clauses = claim.items.iter().map(|item| (word(item), Style::Latex.item(item)));
+    for (word, math) in clauses.chain([("Prove", Style::Latex.prop(&claim.goal))]) {
+        if word != before {
+            out.push_str(&format!("\n\\noindent\\textit{{{word}}}\n"));
+            before = word;
+        }
+        out.push_str(&explain::latex::formula("", &math));
+    }
+    out
+}
+
+/// The word for a clause.
+fn word(item: &Item) -> &'static str {
+    match item {
+        Item::Given(_) => "Given",
+        Item::Let { .. } => "Let",
+        Item::Define { .. } => "Define",
+        Item::Assume { .. } => "Assume",
+    }
 }
 
 /// As Markdown, the formulas in code so that every viewer shows them.
@@ -132,16 +217,8 @@ pub fn markdown(entry: &Entry) -> String {
         out.push_str(&format!(" ({})", markdown::escape(&outcome.method)));
     }
     out.push('\n');
-    if !outcome.argument.is_empty() && outcome.witness.is_none() {
-        out.push_str("\n## Argument\n\n");
-        for line in &outcome.argument {
-            out.push_str(&format!(
-                "{}- *{}*: {}\n",
-                "  ".repeat(line.depth),
-                markdown::escape(line.rule),
-                code(&line.text)
-            ));
-        }
+    if let Some(document) = &entry.explained {
+        out.push_str(&format!("\n## Proof\n\n```text\n{}```\n", explain::text::text(document, 0, 100)));
     }
     for (title, lines) in remarks(entry) {
         out.push_str(&format!("\n## {title}\n\n"));

@@ -1,6 +1,6 @@
 //! An audit as JSON: the contract of the command line.
 
-use super::{Audit, Entry, reading, summary};
+use super::{Audit, Entry, number, reading, summary};
 use crate::claim::print::Style;
 use serde_json::{Map, Value, json};
 
@@ -38,7 +38,7 @@ fn one(entry: &Entry) -> Value {
     };
     json!({
         "id": claim.name.text,
-        "number": claim.number,
+        "number": number(claim),
         "title": claim.title,
         "source": claim.source,
         "section": claim.section,

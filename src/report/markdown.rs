@@ -1,6 +1,6 @@
 //! An audit as Markdown.
 
-use super::{Audit, Entry, counted, reading_of_source, summary};
+use super::{Audit, Entry, counted, reading, summary};
 use crate::claim::print::Style;
 
 /// The report: a table for each section, then what could not be judged.
@@ -44,17 +44,18 @@ fn row(out: &mut String, entry: &Entry) {
     if let Some(witness) = &outcome.witness {
         let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
         remarks.push(format!("fails at {}", at.join(", ")));
+        remarks.extend(entry.proof.is_none().then(|| "evaluated, not certified".to_string()));
     }
     remarks.extend(outcome.reason.clone());
     remarks.extend(claim.notes.iter().cloned());
-    let number = claim.number.map_or(String::new(), |n| n.to_string());
+    let number = claim.number.as_deref().map_or(String::new(), escape);
     out.push_str(&format!(
         "| {} {} | {number} | {}{} | {} | `{}` | {} |\n",
         escape(&claim.name.text),
         escape(&claim.title),
         outcome.verdict.name(),
         if entry.as_expected() { "" } else { " (not as expected)" },
-        reading_of_source(claim).unwrap_or_default(),
+        reading(claim).unwrap_or_default(),
         entry.goal(Style::Unicode).replace('|', "\\|").replace('`', "'"),
         escape(&remarks.join("; ")),
     ));

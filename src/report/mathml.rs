@@ -17,6 +17,16 @@ pub fn expression(e: &Expr) -> String {
     math(&expr(e))
 }
 
+/// A proposition within a sentence.
+pub fn within(p: &Prop) -> String {
+    format!("<math>{}</math>", prop(p))
+}
+
+/// An expression within a sentence.
+pub fn expression_within(e: &Expr) -> String {
+    format!("<math>{}</math>", expr(e))
+}
+
 /// A hypothesis or definition.
 pub fn item(item: &Item) -> String {
     math(&match item {

@@ -3,6 +3,7 @@
 
 pub mod answers;
 pub mod argument;
+pub mod drop;
 #[cfg(feature = "cli")]
 pub mod handout;
 pub mod json;
@@ -17,12 +18,15 @@ pub mod plot;
 pub mod replay;
 pub mod table;
 pub mod text;
+#[cfg(feature = "cli")]
+pub mod theorems;
 pub mod worksheet;
 
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};
 pub use crate::judge::Entry;
 use crate::prove::outcome::Verdict;
+use serde_json::Value;
 use std::borrow::Cow;
 
 /// A claim, or a file of claims, that could not be judged.
@@ -128,17 +132,22 @@ pub fn summary(entries: &[Entry]) -> Summary {
     out
 }
 
-/// The same where it says something: a claim without a source was restored from none.
-pub fn reading_of_source(claim: &Claim) -> Option<&'static str> {
-    (claim.source.is_some() || claim.reading != Reading::Restored).then(|| reading(claim))
-}
-
-/// `restored`, `extracted` or `beyond`.
-pub fn reading(claim: &Claim) -> &'static str {
-    match claim.reading {
+/// `as printed`, `restored`, `extracted` or `beyond`, where the claim says it.
+pub fn reading(claim: &Claim) -> Option<&'static str> {
+    claim.reading.map(|reading| match reading {
+        Reading::Printed => "as printed",
         Reading::Restored => "restored",
         Reading::Extracted => "extracted",
         Reading::Beyond => "beyond",
+    })
+}
+
+/// The equation number for a program: a JSON number where it is a plain one, else the text that the source prints.
+pub fn number(claim: &Claim) -> Value {
+    let Some(text) = &claim.number else { return Value::Null };
+    match text.parse::<u32>() {
+        Ok(plain) if plain.to_string() == *text => plain.into(),
+        _ => text.as_str().into(),
     }
 }
 

@@ -1,7 +1,8 @@
 //! An audit for a terminal.
 
-use super::{Audit, Entry, counted, reading, summary, visible};
+use super::{Audit, Entry, counted, summary, visible};
 use crate::claim::print::Style;
+use crate::claim::syntax::Reading;
 use crate::prove::outcome::Verdict;
 
 const GREEN: &str = "\x1b[32m";
@@ -13,16 +14,30 @@ const PLAIN: &str = "\x1b[0m";
 
 /// The report with colours; who writes it to something else than a terminal strips them.
 pub fn report(audit: &Audit) -> String {
+    shown(audit, |_| true)
+}
+
+/// The same with those claims only whose verdict is not the expected one.
+pub fn unexpected(audit: &Audit) -> String {
+    shown(audit, |entry| !entry.as_expected())
+}
+
+fn shown(audit: &Audit, wanted: impl Fn(&Entry) -> bool) -> String {
     let mut out = String::new();
-    for (place, (section, entries)) in audit.sections().into_iter().enumerate() {
-        out.push_str(&format!("{}{BOLD}{}{PLAIN}\n", if place == 0 { "" } else { "\n" }, visible(section)));
+    for (section, mut entries) in audit.sections() {
+        entries.retain(|entry| wanted(entry));
+        if entries.is_empty() {
+            continue;
+        }
+        out.push_str(&format!("{}{BOLD}{}{PLAIN}\n", if out.is_empty() { "" } else { "\n" }, visible(section)));
         for entry in entries {
             one(&mut out, entry);
         }
     }
     let s = summary(&audit.entries);
+    let gap = if out.is_empty() { "" } else { "\n" };
     out.push_str(&format!(
-        "\n{BOLD}{}: {} proved, {} refuted, {} undecided{PLAIN}",
+        "{gap}{BOLD}{}: {} proved, {} refuted, {} undecided{PLAIN}",
         audit.count(),
         s.proved,
         s.refuted,
@@ -47,10 +62,14 @@ fn one(out: &mut String, entry: &Entry) {
         Verdict::Refuted => (RED, "refuted  "),
         Verdict::Undecided => (YELLOW, "undecided"),
     };
-    let number = claim.number.map_or(String::new(), |n| format!("({n})"));
-    let extracted = if reading(claim) == "extracted" { ", as extracted" } else { "" };
+    let number = claim.number.as_ref().map_or(String::new(), |n| format!("({n})"));
+    let reading = match claim.reading {
+        Some(Reading::Extracted) => ", as extracted",
+        Some(Reading::Printed) => ", as printed",
+        Some(Reading::Restored | Reading::Beyond) | None => "",
+    };
     out.push_str(&format!(
-        "  {colour}{mark}{PLAIN} {number:>5} {BOLD}{}{PLAIN}  {}{extracted}\n",
+        "  {colour}{mark}{PLAIN} {number:>5} {BOLD}{}{PLAIN}  {}{reading}\n",
         claim.name.text,
         visible(&claim.title)
     ));
@@ -71,6 +90,9 @@ fn one(out: &mut String, entry: &Entry) {
                     broken.left, broken.right
                 ));
             }
+        }
+        if entry.proof.is_none() {
+            out.push_str("                  evaluated, not certified\n");
         }
     }
     if let Some(reason) = &outcome.reason {

@@ -123,6 +123,12 @@ impl<'a> Answers<'a> {
         }
     }
 
+    /// Takes an answer that was computed.
+    pub fn take(&mut self, quantity: Quantity) -> Option<Value> {
+        let cell = self.cells.get_mut(quantity.index())?;
+        cell.take()?.ok().map(|(value, _)| value)
+    }
+
     /// What was computed so far, in the order of [`Quantity::ALL`].
     #[must_use]
     pub fn computed(&self) -> Vec<Quantity> {

@@ -1,13 +1,16 @@
 //! Scenes: a chain, what is asked of it, and the answers.
 //!
 //! [`read`] turns a TOML file into a [`Scene`]; [`answer`] computes what the scene wants and nothing else;
-//! [`quantity`] holds the table of what needs what. [`replay`] reads the scenes of `carom replay`.
+//! [`quantity`] holds the table of what needs what. [`mod@drop`] has balls that are dropped together. [`replay`] reads the scenes
+//! of `carom replay`.
 
 pub mod answer;
+pub mod drop;
 mod keys;
 pub mod quantity;
 pub mod read;
 pub mod replay;
+pub mod versions;
 
 pub use crate::chain::uncertain::Coefficients;
 use crate::chain::uncertain::Range;
@@ -28,6 +31,21 @@ pub struct Scene {
     pub rounding: Rounding,
     /// What is known of the chain.
     pub inputs: Inputs,
+}
+
+/// What a scene says of itself, for sheets and pictures.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct About {
+    /// Its title.
+    pub title: Option<String>,
+    /// A sentence or two for those who work with it.
+    pub text: Option<String>,
+    /// The unit of masses.
+    pub mass: Option<String>,
+    /// The unit of velocities.
+    pub velocity: Option<String>,
+    /// The unit of heights.
+    pub height: Option<String>,
 }
 
 impl Scene {

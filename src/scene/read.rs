@@ -1,11 +1,12 @@
 //! Scene files: TOML with exact numbers.
 //!
 //! Numbers are integers or strings that [`crate::number::rational`] reads exactly; a mass or a coefficient may
-//! also be measured, `"57.1 ± 0.1"` or `"[0.84, 0.90]"`. A TOML float is refused, since it is not exact. Unknown
+//! also be measured, `"57.1 ± 0.1"`, `"57.1(1)"` or `"[0.84, 0.90]"`. A TOML float is refused, since it is not exact. Unknown
 //! keys are refused with the nearest known one.
 
+use super::drop::Drop;
 use super::quantity::{Input, Quantity};
-use super::{Coefficients, Inputs, Inserted, Scene, Start, keys};
+use super::{About, Coefficients, Inputs, Inserted, Scene, Start, keys};
 use crate::chain::uncertain::{Range, RangeError};
 use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution};
 use crate::claim::diagnostic::{Diagnostic, Fault};
@@ -26,7 +27,10 @@ pub const DEFAULT_DIGITS: u64 = 15;
 /// The JSON schema of scene files, for editors.
 pub const SCHEMA: &str = include_str!("schema.json");
 
-const SCENE_KEYS: [&str; 5] = ["want", "digits", "places", "rounding", "chain"];
+const SCENE_KEYS: [&str; 8] = ["title", "about", "units", "want", "digits", "places", "rounding", "chain"];
+const DROP_SCENE_KEYS: [&str; 5] = ["title", "about", "units", "digits", "drop"];
+const DROP_KEYS: [&str; 4] = ["masses", "floor", "restitution", "height"];
+const UNIT_KEYS: [&str; 3] = ["mass", "velocity", "height"];
 const CHAIN_KEYS: [&str; 6] = ["first", "last", "inserted", "restitution", "speed", "velocities"];
 
 type Value<'a> = Spanned<DeValue<'a>>;
@@ -61,6 +65,107 @@ fn of_range(span: std::ops::Range<usize>, error: &RangeError) -> SceneFault {
     SceneFault { limit, ..fault(span, error.to_string(), help) }
 }
 
+/// What a scene file is of.
+#[derive(Clone, Debug)]
+pub enum Subject {
+    /// A chain.
+    Chain(Scene),
+    /// Balls that are dropped together, and the digits of each answer.
+    Drop(Drop, u64),
+}
+
+/// Reads a scene with what it says of itself.
+///
+/// # Errors
+/// The first fault, with its place.
+pub fn described(text: &str) -> Result<(About, Subject), SceneFault> {
+    let document = document(text)?;
+    let table = document.get_ref();
+    let about = about(table)?;
+    match find(table, "drop") {
+        None => Ok((about, Subject::Chain(chain_scene(table)?))),
+        Some(value) => {
+            known_keys(table, &DROP_SCENE_KEYS, "a scene with [drop]")?;
+            let digits = find(table, "digits").map_or(Ok(DEFAULT_DIGITS), |value| match natural(value, "digits")? {
+                0 => Err(fault(value.span(), "digits must be at least 1, not 0", None)),
+                count => Ok(count),
+            })?;
+            Ok((about, Subject::Drop(dropped(value)?, digits)))
+        }
+    }
+}
+
+/// Title, text and units.
+fn about(table: &DeTable<'_>) -> Result<About, SceneFault> {
+    let text = |table: &DeTable<'_>, key: &str| -> Result<Option<String>, SceneFault> {
+        let Some(value) = find(table, key) else { return Ok(None) };
+        let Some(text) = value.get_ref().as_str() else {
+            return Err(fault(value.span(), format!("{key} must be a text"), Some(format!("write {key} = \"…\""))));
+        };
+        Ok(Some(text.trim().to_owned()).filter(|text| !text.is_empty()))
+    };
+    let mut about = About { title: text(table, "title")?, text: text(table, "about")?, ..About::default() };
+    let Some(value) = find(table, "units") else { return Ok(about) };
+    let Some(units) = value.get_ref().as_table() else {
+        let help = "write units = { mass = \"g\", velocity = \"m/s\" }".to_owned();
+        return Err(fault(value.span(), "units must be a table", Some(help)));
+    };
+    known_keys(units, &UNIT_KEYS, "units")?;
+    for (key, place) in [("mass", &mut about.mass), ("velocity", &mut about.velocity), ("height", &mut about.height)] {
+        *place = text(units, key)?;
+        if let (Some(unit), Some(value)) = (place.as_deref(), find(units, key))
+            && (unit.chars().count() > MAX_UNIT || unit.chars().any(|c| c.is_control() || c.is_ascii_digit()))
+        {
+            let message = format!("{unit:?} is no unit");
+            return Err(fault(value.span(), message, Some("write a unit such as kg, g, m/s or cm".to_owned())));
+        }
+    }
+    Ok(about)
+}
+
+/// The most characters of a unit.
+const MAX_UNIT: usize = 12;
+
+/// The balls of a table `[drop]`.
+fn dropped(value: &Value<'_>) -> Result<Drop, SceneFault> {
+    let Some(table) = value.get_ref().as_table() else {
+        let help = "write [drop] on a line of its own".to_owned();
+        return Err(fault(value.span(), "drop must be a table", Some(help)));
+    };
+    known_keys(table, &DROP_KEYS, "[drop]")?;
+    let needed = |key: &'static str, example: &str| {
+        find(table, key)
+            .ok_or_else(|| fault(value.span(), format!("[drop] has no {key}"), Some(format!("add {key} = {example}"))))
+    };
+    let masses = needed("masses", "[\"620\", \"57.7\"], from the lowest ball to the highest")?;
+    let restitution = needed("restitution", "\"0.8\", or a list with one for each pair of neighbours")?;
+    let floor = find(table, "floor").map_or_else(
+        || Restitution::new(Rational::from(1)).map(Range::point).map_err(|e| of_chain(value.span(), &e)),
+        coefficient,
+    )?;
+    let height = find(table, "height").map(mass).transpose()?;
+    let list = list(masses, "masses", mass)?;
+    Drop::new(list, coefficients(restitution)?, floor, height).map_err(|error| {
+        let place = if let ChainError::Count { of: "masses", .. } = error { masses } else { restitution };
+        of_chain(place.span(), &error)
+    })
+}
+
+fn coefficients(value: &Value<'_>) -> Result<Coefficients, SceneFault> {
+    if value.get_ref().is_array() {
+        return Ok(Coefficients::Each(list(value, "restitution", coefficient)?));
+    }
+    Ok(Coefficients::Same(coefficient(value)?))
+}
+
+fn document(text: &str) -> Result<Spanned<DeTable<'_>>, SceneFault> {
+    if text.len() > MAX_BYTES {
+        let message = format!("limit reached: at most {MAX_BYTES} bytes in a scene file");
+        return Err(SceneFault { limit: true, ..fault(0..0, message, None) });
+    }
+    DeTable::parse(text).map_err(|e| fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), None))
+}
+
 /// Reads a scene. An input that is not there is no fault here: [`Scene::missing`] tells which quantity needs it, and
 /// [`lacking`] says so.
 ///
@@ -73,13 +178,21 @@ fn of_range(span: std::ops::Range<usize>, error: &RangeError) -> SceneFault {
 /// # Errors
 /// The first fault, with its place.
 pub fn scene(text: &str) -> Result<Scene, SceneFault> {
-    if text.len() > MAX_BYTES {
-        let message = format!("limit reached: at most {MAX_BYTES} bytes in a scene file");
-        return Err(SceneFault { limit: true, ..fault(0..0, message, None) });
-    }
-    let document = DeTable::parse(text)
-        .map_err(|e| fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), None))?;
+    let document = document(text)?;
     let table = document.get_ref();
+    about(table)?;
+    if let Some(drop) = find(table, "drop") {
+        let help = "`carom eval`, `carom worksheet` and `carom plot velocities` read it; a chain has a table [chain]";
+        return Err(fault(
+            drop.span(),
+            "this scene has balls that are dropped, and is no chain",
+            Some(help.to_owned()),
+        ));
+    }
+    chain_scene(table)
+}
+
+fn chain_scene(table: &DeTable<'_>) -> Result<Scene, SceneFault> {
     if let Some(body) = find(table, "body") {
         let help = "`carom replay` reads it; a chain has a table [chain]".to_owned();
         return Err(fault(body.span(), "this scene has bodies on a line, and is no chain", Some(help)));
@@ -153,11 +266,7 @@ fn inputs(value: &Value<'_>) -> Result<Inputs, SceneFault> {
         Some(value) => Inserted::Optimal(natural(value, "inserted")?),
     };
     let restitution = find(table, "restitution");
-    let coefficients = match restitution {
-        None => None,
-        Some(value) if value.get_ref().is_array() => Some(Coefficients::Each(list(value, "restitution", coefficient)?)),
-        Some(value) => Some(Coefficients::Same(coefficient(value)?)),
-    };
+    let coefficients = restitution.map(coefficients).transpose()?;
     let start = match (find(table, "speed"), find(table, "velocities")) {
         (Some(_), Some(velocities)) => {
             return Err(fault(

@@ -124,7 +124,8 @@ pub struct Foreign<R> {
     reader: R,
     line: u64,
     separator: char,
-    columns: usize,
+    /// The names in the heading.
+    pub names: Vec<String>,
     /// The columns that mean something.
     pub roles: Vec<(usize, Role)>,
 }
@@ -144,12 +145,11 @@ impl<R: BufRead> Foreign<R> {
     /// # Errors
     /// [`ForeignError`].
     pub fn open(reader: R) -> Result<Foreign<R>, ForeignError> {
-        let mut table = Foreign { reader, line: 0, separator: ',', columns: 0, roles: Vec::new() };
+        let mut table = Foreign { reader, line: 0, separator: ',', names: Vec::new(), roles: Vec::new() };
         let Some(heading) = table.next_line()? else { return Err(ForeignError::Empty) };
         let heading = heading.trim_start_matches('\u{feff}').to_owned();
         table.separator = [';', '\t'].into_iter().find(|c| heading.contains(*c)).unwrap_or(',');
         let names = table.split(&heading)?;
-        table.columns = names.len();
         for (place, name) in names.iter().enumerate() {
             let key = name.to_lowercase();
             let Some((_, role)) = NAMES.iter().find(|n| n.0 == key) else { continue };
@@ -158,6 +158,7 @@ impl<R: BufRead> Foreign<R> {
             }
             table.roles.push((place, *role));
         }
+        table.names = names;
         Ok(table)
     }
 
@@ -173,8 +174,9 @@ impl<R: BufRead> Foreign<R> {
     pub fn row(&mut self) -> Result<Option<Fields>, ForeignError> {
         let Some(text) = self.next_line()? else { return Ok(None) };
         let mut fields = self.split(&text)?;
-        if fields.len() != self.columns {
-            return Err(ForeignError::Fields { line: self.line, given: fields.len(), needed: self.columns });
+        let needed = self.names.len();
+        if fields.len() != needed {
+            return Err(ForeignError::Fields { line: self.line, given: fields.len(), needed });
         }
         if self.separator == ';' {
             fields.iter_mut().for_each(|f| *f = f.replace(',', "."));

@@ -103,7 +103,7 @@ impl fmt::Display for GridError {
             Self::Twice { part } => write!(f, "{part} is given twice; leave one of them out"),
             Self::Still => write!(f, "the run stands still; write a step other than 0 or a factor other than 1"),
             Self::Away => {
-                write!(f, "the run leads away from its stop; turn the sign of the step, or invert the factor")
+                write!(f, "the steps never reach the stop; turn the sign of the step, or invert the factor")
             }
             Self::NotPositive => write!(f, "a geometric run needs a positive start, stop and factor"),
             Self::Limit { limit, allowed } => write!(f, "limit reached: {limit}: {allowed} allowed"),
@@ -392,8 +392,8 @@ mod tests {
         assert!(fault("1,2:3:1").contains("mixed"));
         assert!(fault("1:2:0").contains("stands still"));
         assert!(fault("1:2:x1").contains("stands still"));
-        assert!(fault("1:2:-1").contains("away"));
-        assert!(fault("1:2:x1/2").contains("away"));
+        assert!(fault("1:2:-1").contains("never reach the stop"));
+        assert!(fault("1:2:x1/2").contains("never reach the stop"));
         assert!(fault("0:2:x2").contains("positive"));
         assert!(fault("1.2(3)").contains("uncertainty"));
         assert!(fault("one").contains("\"one\""));

@@ -4,8 +4,8 @@
 //! are not negative. Every operation is monotone in each operand there, so that its ends come from ends alone,
 //! the lower one cut downwards and the upper one upwards.
 
+use super::failure::{Failure, declined};
 use super::work::Work;
-use crate::kernel::{Failure, declined};
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::{One, Zero};

@@ -15,14 +15,17 @@
 //! not assumed: what is not known exactly is enclosed, and an enclosure decides or a limit is reached.
 
 pub mod dyadic;
+mod failure;
 pub mod root;
 pub mod rounding;
 pub mod text;
 pub mod value;
 pub mod work;
 
-use crate::kernel::{Failure, declined, rejected};
+pub use failure::Failure;
+
 use dyadic::{Interval, Toward};
+use failure::{declined, rejected};
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};

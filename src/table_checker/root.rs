@@ -4,8 +4,8 @@
 //! `lo^N <= r`, and `t <= hi` by `r <= hi^N`, with powers rounded against what is to be shown.
 
 use super::dyadic::{Dyadic, Interval, Toward};
+use super::failure::{Failure, declined};
 use super::work::Work;
-use crate::kernel::{Failure, declined};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};

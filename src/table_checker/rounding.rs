@@ -4,8 +4,8 @@
 //! decimal of every number between them. Numbers are not negative.
 
 use super::dyadic::{Dyadic, Toward};
+use super::failure::{Failure, declined, rejected};
 use super::work::Work;
-use crate::kernel::{Failure, declined, rejected};
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::{One, Zero};

@@ -4,9 +4,9 @@
 //! no other keys and no other order of keys.
 
 use super::dyadic::Dyadic;
+use super::failure::{Failure, declined, rejected};
 use super::rounding::{DIGITS_LIMIT, Digits, Rounding};
 use super::work::Work;
-use crate::kernel::{Failure, declined, rejected};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::Zero;

@@ -8,9 +8,9 @@
 //!   `2·((1+a)/2)^(n+1)/((1+b)/2)^n − 1`.
 
 use super::dyadic::{Dyadic, Interval};
+use super::failure::{Failure, declined};
 use super::root::{enclosure, rational};
 use super::work::Work;
-use crate::kernel::{Failure, declined};
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, Pow, ToPrimitive};

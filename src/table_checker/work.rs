@@ -4,7 +4,7 @@
 //! checked for longer than its length explains. Every operation on numbers that may be long is counted before it is
 //! done, by the lengths of its operands; what is linear in the line is not counted.
 
-use crate::kernel::{Failure, declined};
+use super::failure::{Failure, declined};
 use std::cell::Cell;
 
 /// The work that any table may cost, in products of two words of 64 bits.

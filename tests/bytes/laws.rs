@@ -122,7 +122,7 @@ fn replayed(scene: &carom::scene::replay::Scene) {
 pub fn numeral(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let ours = carom::number::rational::parse(text);
-    if let (Ok(theirs), Ok(ours)) = (kernel::translate::numeral(text), &ours) {
+    if let (Ok(theirs), Ok(ours)) = (kernel::numeral(text), &ours) {
         assert_eq!(theirs.to_string(), ours.to_string(), "{text}");
     }
     if let (Ok(range), Ok(number)) = (carom::chain::uncertain::Range::read(text), &ours) {

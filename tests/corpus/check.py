@@ -674,6 +674,9 @@ def main():
         sys.exit(1 if unneeded(report, paths) else 0)
     wrong = count = points = hand = 0
     for path in paths:
+        if any(line.startswith("define ") for line in path.read_text().splitlines()):
+            print(f"{path.name}: not tried, it defines a sequence")
+            continue
         for claim in claims(path):
             fault, tried = claim.check()
             count, points, hand = count + 1, points + tried, hand + claim.by_hand

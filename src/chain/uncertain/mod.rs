@@ -28,7 +28,8 @@ use crate::number::NumberError;
 use crate::number::rational::{NumeralError, parse};
 use crate::number::real::{Level, Real};
 use malachite::Rational;
-use malachite::base::num::basic::traits::One;
+use malachite::base::num::arithmetic::traits::Abs;
+use malachite::base::num::basic::traits::{One, Zero};
 use std::fmt;
 
 /// The most bodies of a chain with given masses of which some input is measured.
@@ -52,6 +53,8 @@ pub enum RangeError {
     Reversed,
     /// An uncertainty below zero.
     NegativeUncertainty,
+    /// Parentheses that do not hold the uncertainty of the last digits.
+    Parentheses,
 }
 
 impl fmt::Display for RangeError {
@@ -64,6 +67,7 @@ impl fmt::Display for RangeError {
             Self::Brackets => write!(f, "a range is written [lower, upper]"),
             Self::Reversed => write!(f, "the lower end of a range is above its upper end"),
             Self::NegativeUncertainty => write!(f, "an uncertainty must not be below 0"),
+            Self::Parentheses => write!(f, "an uncertainty of the last digits is written 57.1(1), which is 57.1 ± 0.1"),
         }
     }
 }
@@ -113,31 +117,94 @@ impl<T: Clone + PartialOrd> Range<T> {
 }
 
 impl Range<Rational> {
-    /// Reads `57.1`, `57.1 ± 0.1`, `57.1 +- 0.1` or `[57.0, 57.2]`.
+    /// All sums with the numbers of another range.
+    #[must_use]
+    pub fn plus(&self, other: &Range<Rational>) -> Range<Rational> {
+        Range { lo: &self.lo + &other.lo, hi: &self.hi + &other.hi }
+    }
+
+    /// All products with the numbers of another range.
+    #[must_use]
+    pub fn times(&self, other: &Range<Rational>) -> Range<Rational> {
+        let corner = |a: &Rational, b: &Rational| a * b;
+        let (a, b) = (corner(&self.lo, &other.lo), corner(&self.lo, &other.hi));
+        let (c, d) = (corner(&self.hi, &other.lo), corner(&self.hi, &other.hi));
+        let lo = (&a).min(&b).min(&c).min(&d).clone();
+        Range { lo, hi: a.max(b).max(c).max(d) }
+    }
+
+    /// All squares.
+    #[must_use]
+    pub fn square(&self) -> Range<Rational> {
+        let (a, b) = (&self.lo * &self.lo, &self.hi * &self.hi);
+        if self.lo <= 0 && self.hi >= 0 {
+            return Range { lo: Rational::ZERO, hi: a.max(b) };
+        }
+        if a <= b { Range { lo: a, hi: b } } else { Range { lo: b, hi: a } }
+    }
+
+    /// Reads `57.1`, `57.1 ± 0.1`, `57.1 +- 0.1`, `57.1 ± 1 %`, `57.1(1)`, `(5.71 ± 0.01)e1` or `[57.0, 57.2]`.
+    ///
+    /// An uncertainty is a bound: the value lies within it, and nothing outside is considered.
     ///
     /// ```
     /// use carom::chain::uncertain::Range;
     /// assert_eq!(Range::read("57.1 ± 0.1"), Range::read("[57, 57.2]"));
+    /// assert_eq!(Range::read("57.1(1)"), Range::read("57.1 ± 0.1"));
+    /// assert_eq!(Range::read("50 ± 2 %"), Range::read("[49, 51]"));
     /// ```
     ///
     /// # Errors
     /// [`RangeError`].
     pub fn read(text: &str) -> Result<Range<Rational>, RangeError> {
         let text = text.trim();
-        let numeral = |t: &str| parse(t.trim()).map_err(RangeError::Numeral);
         if let Some(inside) = text.strip_prefix('[') {
             let inside = inside.strip_suffix(']').ok_or(RangeError::Brackets)?;
             let (lo, hi) = inside.split_once(',').ok_or(RangeError::Brackets)?;
             return Range::new(numeral(lo)?, numeral(hi)?);
         }
+        if let Some(inside) = text.strip_prefix('(') {
+            let (inside, exponent) = inside.split_once(")e").ok_or(RangeError::Parentheses)?;
+            let scale = numeral(&format!("1e{exponent}"))?;
+            let Range { lo, hi } = Range::read(inside)?;
+            return Ok(Range { lo: lo * &scale, hi: hi * scale });
+        }
         let parts = ["±", "+-", "+/-"].iter().find_map(|sign| text.split_once(sign));
-        let Some((centre, reach)) = parts else { return Ok(Range::point(numeral(text)?)) };
-        let (centre, reach) = (numeral(centre)?, numeral(reach)?);
+        let (centre, reach) = match parts {
+            None if text.contains('(') => concise(text)?,
+            None => return Ok(Range::point(numeral(text)?)),
+            Some((centre, reach)) => {
+                let centre = numeral(centre)?;
+                let reach = match reach.trim().strip_suffix('%') {
+                    Some(share) => numeral(share)? * (&centre).abs() / Rational::from(100),
+                    None => numeral(reach)?,
+                };
+                (centre, reach)
+            }
+        };
         if reach < 0 {
             return Err(RangeError::NegativeUncertainty);
         }
         Ok(Range { lo: &centre - &reach, hi: centre + reach })
     }
+}
+
+fn numeral(text: &str) -> Result<Rational, RangeError> {
+    parse(text.trim()).map_err(RangeError::Numeral)
+}
+
+/// Centre and reach of `57.1(1)`: the digits in parentheses count in the last places before them.
+fn concise(text: &str) -> Result<(Rational, Rational), RangeError> {
+    let (before, rest) = text.split_once('(').ok_or(RangeError::Parentheses)?;
+    let (digits, exponent) = rest.split_once(')').ok_or(RangeError::Parentheses)?;
+    let power = !exponent.is_empty() && !exponent.starts_with(['e', 'E']);
+    if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) || power || before.contains(['e', 'E', '/']) {
+        return Err(RangeError::Parentheses);
+    }
+    let places = before.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+    let scale = numeral(&format!("1{exponent}"))?;
+    let last = numeral(&format!("1e-{places}"))?;
+    Ok((numeral(before)? * &scale, numeral(digits)? * last * scale))
 }
 
 /// Coefficients of restitution, each perhaps measured.

@@ -5,11 +5,18 @@ use super::*;
 
 impl Parser {
     pub(super) fn claims(&mut self) -> Vec<Claim> {
-        let mut claims = Vec::new();
+        self.file = true;
+        self.printed = self.preamble.printed.clone();
+        self.preamble();
+        let (mut claims, mut prose) = (Vec::new(), Vec::new());
         while self.peek() != &Kind::End {
             if self.word("claim") {
-                if let Some(claim) = self.claim() {
+                if let Some(claim) = self.claim(std::mem::take(&mut prose)) {
                     claims.push(claim);
+                }
+            } else if self.is_word("text") {
+                if self.prose(&mut prose).is_err() {
+                    self.skip();
                 }
             } else {
                 let help = match self.peek() {
@@ -26,10 +33,55 @@ impl Parser {
         claims
     }
 
-    fn claim(&mut self) -> Option<Claim> {
+    /// The clauses before the first claim, which all claims share.
+    fn preamble(&mut self) {
+        while self.at_clause() && PREAMBLE.iter().any(|word| self.is_word(word)) {
+            self.preamble.is_said = true;
+            if self.shared().is_err() {
+                self.skip();
+            }
+        }
+        self.preamble.printed = self.printed.clone();
+        self.preamble.names.extend(std::mem::take(&mut self.declared));
+    }
+
+    fn shared(&mut self) -> Parsed<()> {
+        let token = self.advance();
+        let Kind::Word(word) = &token.kind else { return Err(Reported) };
+        match word.as_str() {
+            "paper" => self.preamble.paper = Some(self.text()?),
+            "source" => self.preamble.source = Some(self.text()?),
+            "section" => self.preamble.section = Some(self.text()?),
+            "reading" => self.preamble.reading = Some(self.reading()?),
+            _ => {
+                let items = self.items(word)?;
+                self.preamble.items.extend(items);
+            }
+        }
+        self.end_of_clause()
+    }
+
+    /// A paragraph for readers, printed above the claim that follows.
+    fn prose(&mut self, into: &mut Vec<String>) -> Parsed<()> {
+        let token = self.advance();
+        into.push(self.text()?);
+        self.end_of_clause()?;
+        if self.is_word("claim") || self.is_word("text") {
+            return Ok(());
+        }
+        Err(self.other("a text stands above a claim", Some("a remark on a claim is its `note`"), token.span))
+    }
+
+    fn end_of_clause(&mut self) -> Parsed<()> {
+        if self.at_clause() { Ok(()) } else { Err(self.expected("the end of the clause")) }
+    }
+
+    fn claim(&mut self, prose: Vec<String>) -> Option<Claim> {
         let before = self.faults.len();
         let name = self.name("the name of the claim").ok();
-        self.printed.clear();
+        self.printed = self.preamble.printed.clone();
+        self.declared = self.preamble.names.clone();
+        self.growing.clear();
         let title = match self.peek() {
             Kind::Text(_) => self.text().unwrap_or_default(),
             _ => {
@@ -42,20 +94,23 @@ impl Parser {
         let mut claim = Claim {
             name,
             title,
+            paper: None,
             source: None,
             section: None,
             number: None,
-            reading: Reading::Restored,
+            reading: None,
+            prose,
             notes: Vec::new(),
             using: Vec::new(),
             items: Vec::new(),
+            sample: Vec::new(),
             goal: empty,
             proof: Proof::default(),
             expect: Expectation::Proved,
         };
         let mut proved = false;
         loop {
-            if self.peek() == &Kind::End || (self.at_clause() && self.is_word("claim")) {
+            if self.peek() == &Kind::End || (self.at_clause() && (self.is_word("claim") || self.is_word("text"))) {
                 break;
             }
             if !self.at_clause() {
@@ -75,6 +130,7 @@ impl Parser {
             let fault = Fault::Missing { claim: claim.name.text.clone(), clause: "prove" };
             self.faults.push(Diagnostic::new(fault, claim.name.span));
         }
+        self.declare_what_grows(&mut claim);
         (self.faults.len() == before).then_some(claim)
     }
 
@@ -96,23 +152,14 @@ impl Parser {
             "section" => claim.section = Some(self.text()?),
             "note" => claim.notes.push(self.text()?),
             "number" => match self.peek().clone() {
-                Kind::Number(text) if text.parse::<u32>().is_ok() => {
+                Kind::Text(text) => {
                     self.advance();
-                    claim.number = text.parse().ok();
+                    claim.number = Some(text);
                 }
-                _ => return Err(self.expected("an equation number")),
+                _ => return Err(self.expected("an equation number such as 13, 2.13, A.3 or 7a")),
             },
-            "reading" => {
-                claim.reading = if self.word("restored") {
-                    Reading::Restored
-                } else if self.word("extracted") {
-                    Reading::Extracted
-                } else if self.word("beyond") {
-                    Reading::Beyond
-                } else {
-                    return Err(self.expected("`restored`, `extracted` or `beyond`"));
-                };
-            }
+            "reading" => claim.reading = Some(self.reading()?),
+            "sample" => claim.sample.extend(self.assignments()?),
             "expect" => {
                 claim.expect = if self.word("proved") {
                     Expectation::Proved
@@ -130,7 +177,49 @@ impl Parser {
                     break;
                 }
             },
-            "given" => claim.items.push(Item::Given(self.bindings()?)),
+            "given" | "let" | "define" | "assume" => {
+                let items = self.items(word)?;
+                claim.items.extend(items);
+            }
+            "prove" => {
+                if *proved {
+                    return Err(self.other("a claim has one `prove` clause", Some("write a second claim"), token.span));
+                }
+                *proved = true;
+                claim.goal = self.prop()?;
+                claim.proof = self.proof()?;
+            }
+            _ => {
+                let help = Some("it stands in the preamble, before the first claim of a file");
+                return Err(self.other(&format!("`{word}` is no clause of a claim"), help, token.span));
+            }
+        }
+        self.end_of_clause()
+    }
+
+    fn reading(&mut self) -> Parsed<Reading> {
+        if self.word("as") {
+            return match self.word("printed") {
+                true => Ok(Reading::Printed),
+                false => Err(self.expected("`printed`")),
+            };
+        }
+        let words = [
+            ("printed", Reading::Printed),
+            ("restored", Reading::Restored),
+            ("extracted", Reading::Extracted),
+            ("beyond", Reading::Beyond),
+        ];
+        match words.into_iter().find(|(word, _)| self.word(word)) {
+            Some((_, reading)) => Ok(reading),
+            None => Err(self.expected("`as printed`, `restored`, `extracted` or `beyond`")),
+        }
+    }
+
+    /// What a clause declares: `given`, `let`, `define` or `assume`.
+    fn items(&mut self, word: &str) -> Parsed<Vec<Item>> {
+        match word {
+            "given" => self.given(),
             "let" => {
                 let name = self.name("a name to define")?;
                 let mut parameters = Vec::new();
@@ -144,38 +233,29 @@ impl Parser {
                     self.need_sign(")", "after the parameters")?;
                 }
                 self.need_sign("=", "before the value")?;
-                claim.items.push(Item::Let { name, parameters, value: self.expr()? });
+                self.declared.insert(name.text.clone());
+                Ok(vec![Item::Let { name, parameters, value: self.expr()? }])
             }
-            "define" => claim.items.push(self.sequence()?),
-            "assume" => {
+            "define" => Ok(vec![self.sequence()?]),
+            _ => {
                 let labelled = matches!(self.peek(), Kind::Word(_)) && self.peek_at(1) == &Kind::Sign(":");
                 let mut label = None;
                 if labelled {
                     label = Some(self.name("a label")?);
                     self.advance();
                 }
-                claim.items.push(Item::Assume { label, prop: self.prop()? });
+                Ok(vec![Item::Assume { label, prop: self.prop()? }])
             }
-            "prove" => {
-                if *proved {
-                    return Err(self.other("a claim has one `prove` clause", Some("write a second claim"), token.span));
-                }
-                *proved = true;
-                claim.goal = self.prop()?;
-                claim.proof = self.proof()?;
-            }
-            _ => return Err(Reported),
         }
-        if !self.at_clause() {
-            return Err(self.expected("the end of the clause"));
-        }
-        Ok(())
     }
 
     /// `define u by u(0) = A, u(k + 1) = B`
     fn sequence(&mut self) -> Parsed<Item> {
         let start = self.span().start;
         let name = self.name("a name to define")?;
+        if matches!(self.peek(), Kind::Sign(",")) {
+            return Err(self.expected_with("`by`", Some(FAMILY.to_string())));
+        }
         self.need_word("by")?;
         let shape = "`u(0) = …, u(k + 1) = …`";
         let same = |p: &mut Self| -> Parsed<()> {
@@ -198,6 +278,9 @@ impl Parser {
         self.need_sign(",", &format!("and the step, as in {shape}"))?;
         same(self)?;
         self.need_sign("(", "after the name")?;
+        if matches!(self.peek(), Kind::Number(_)) {
+            return Err(self.expected_with("the index name", Some(FAMILY.to_string())));
+        }
         let index = self.name("the index name")?;
         self.need_sign("+", "1: the step defines the next member")?;
         if self.peek() != &Kind::Number("1".to_string()) {
@@ -207,6 +290,11 @@ impl Parser {
         self.need_sign(")", "after the index")?;
         self.need_sign("=", "before the next value")?;
         let step = self.expr()?;
+        self.declared.insert(name.text.clone());
         Ok(Item::Define { name, initial, index, step, span: self.since(start) })
     }
 }
+
+/// What to write for a sequence of the second order, or for two that refer to each other.
+const FAMILY: &str = "a `define` has one sequence and u(k + 1) by u(k); write a family with its recurrence: \
+                      `given F(k) real` and `assume for all k natural: F(k + 2) = F(k + 1) + F(k)`";

@@ -72,13 +72,30 @@ impl Parser {
 
     fn power(&mut self) -> Parsed<Expr> {
         let start = self.span().start;
-        let base = self.atom()?;
+        let base = self.with_factorial()?;
         if self.sign("^") {
             let exponent = self.deeper(Self::signed_power)?;
             let kind = ExprKind::Power(Box::new(base), Box::new(exponent));
             return Ok(Expr { kind, span: self.since(start) });
         }
         Ok(base)
+    }
+
+    /// An atom, perhaps with its factorial: `n!`.
+    fn with_factorial(&mut self) -> Parsed<Expr> {
+        let start = self.span().start;
+        let mut out = self.atom()?;
+        let mut signs = 0;
+        while matches!(self.peek(), Kind::Sign("!")) {
+            let sign = self.advance().span;
+            signs += 1;
+            if signs > 1 {
+                return Err(self.other("n!! is not there", Some("write (n!)! or a product"), sign));
+            }
+            let name = Name { text: "factorial".to_string(), span: sign };
+            out = Expr { kind: ExprKind::Apply(name, vec![out]), span: self.since(start) };
+        }
+        Ok(out)
     }
 
     fn atom(&mut self) -> Parsed<Expr> {
@@ -93,6 +110,13 @@ impl Parser {
                 let inner = self.expr()?;
                 self.need_sign(")", "to close the parenthesis")?;
                 Ok(inner)
+            }
+            Kind::Sign("|") => {
+                self.advance();
+                let inner = self.expr()?;
+                self.need_sign("|", "to close the absolute value")?;
+                let name = Name { text: "abs".to_string(), span: self.since(start) };
+                Ok(Expr { kind: ExprKind::Apply(name, vec![inner]), span: self.since(start) })
             }
             Kind::Sign("[") => self.deeper(Self::matrix),
             Kind::Word(word) if word == "sum" || word == "product" => {

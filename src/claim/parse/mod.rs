@@ -7,20 +7,26 @@
 
 mod clause;
 mod expression;
+mod given;
 mod proof;
 mod proposition;
 
 use super::diagnostic::{Diagnostic, Fault};
 use super::lex::{FILE_LIMIT, Kind, Token, tokens};
+use super::preamble::Preamble;
 use super::print::Style;
 use super::syntax::*;
-use std::collections::BTreeMap;
+use proposition::relation_of;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Words that begin a clause.
-const CLAUSES: &[&str] = &[
-    "claim", "source", "section", "number", "reading", "note", "using", "given", "let", "define", "assume", "prove",
-    "expect",
+pub(super) const CLAUSES: &[&str] = &[
+    "claim", "paper", "text", "source", "section", "number", "reading", "note", "using", "given", "let", "define",
+    "assume", "sample", "prove", "expect",
 ];
+
+/// Words that begin a clause of a preamble.
+const PREAMBLE: &[&str] = &["paper", "source", "section", "reading", "given", "let", "define", "assume"];
 
 /// Words that cannot be names of variables.
 const RESERVED: &[&str] = &[
@@ -70,40 +76,75 @@ const RESERVED: &[&str] = &[
 
 /// The claims of a source text.
 pub fn parse(source: &str) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    parse_under(source, &Preamble::default()).map(|file| file.0)
+}
+
+/// The claims of a source text under the preamble of its folder, and the preamble that the file leaves to others.
+///
+/// A claim as it is returned has what it takes from the preambles, and every abbreviation is written out.
+pub fn parse_under(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
+    let mut faults = Vec::new();
+    let (mut claims, preamble) = clauses(source, folder)?;
+    super::check::preamble(&preamble, &mut faults);
+    if faults.is_empty() {
+        for claim in &mut claims {
+            preamble.put_before(claim, &mut faults);
+            super::check::check(claim, &mut faults);
+        }
+    }
+    if faults.is_empty() {
+        claims.iter_mut().for_each(|claim| super::abbreviation::write_out(claim, &mut faults));
+    }
+    if faults.is_empty() { Ok((claims, preamble)) } else { Err(faults) }
+}
+
+/// The clauses of a file as they are written: no name is looked up.
+pub fn clauses(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
     if source.len() > FILE_LIMIT {
         let fault = Fault::Limit { name: "bytes in a claim file", allowed: FILE_LIMIT };
         return Err(vec![Diagnostic::new(fault, Span::default())]);
     }
     let (tokens, faults) = tokens(source);
-    let mut parser = Parser { tokens, at: 0, depth: 0, printed: BTreeMap::new(), faults };
+    let mut parser = Parser::new(tokens, faults);
+    parser.preamble = folder.clone();
     let claims = parser.claims();
     let mut faults = parser.faults;
-    if claims.is_empty() && faults.is_empty() {
+    if claims.is_empty() && faults.is_empty() && !parser.preamble.is_said {
         faults.push(Diagnostic::new(Fault::Empty, Span { start: 0, end: source.len().min(1) }));
     }
-    if faults.is_empty() {
-        for claim in &claims {
-            super::check::check(claim, &mut faults);
-        }
-    }
-    if faults.is_empty() { Ok(claims) } else { Err(faults) }
+    if faults.is_empty() { Ok((claims, parser.preamble)) } else { Err(faults) }
+}
+
+/// The names of the claims in a file, be it faulty or not.
+pub fn claim_names(source: &str) -> Vec<String> {
+    let (tokens, _) = tokens(source);
+    let begins = |token: &Token| token.first_on_line && token.kind == Kind::Word("claim".to_string());
+    let pairs = tokens.windows(2).filter(|pair| begins(&pair[0]));
+    pairs
+        .filter_map(|pair| match &pair[1].kind {
+            Kind::Word(name) => Some(name.clone()),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The text of a file's bytes.
+pub fn text_of(bytes: &[u8]) -> Result<&str, Vec<Diagnostic>> {
+    std::str::from_utf8(bytes).map_err(|fault| {
+        let start = fault.valid_up_to();
+        vec![Diagnostic::new(Fault::NotText, Span { start, end: start + 1 })]
+    })
 }
 
 /// The claims of a file's bytes.
 pub fn parse_bytes(bytes: &[u8]) -> Result<Vec<Claim>, Vec<Diagnostic>> {
-    match std::str::from_utf8(bytes) {
-        Ok(source) => parse(source),
-        Err(fault) => {
-            let start = fault.valid_up_to();
-            Err(vec![Diagnostic::new(Fault::NotText, Span { start, end: start + 1 })])
-        }
-    }
+    parse(text_of(bytes)?)
 }
 
 /// A proposition by itself, for tests and tools.
 pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
     let (tokens, faults) = tokens(source);
-    let mut parser = Parser { tokens, at: 0, depth: 0, printed: BTreeMap::new(), faults };
+    let mut parser = Parser::new(tokens, faults);
     let prop = parser.prop();
     if let Ok(prop) = prop
         && parser.faults.is_empty()
@@ -120,7 +161,7 @@ pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
 /// An expression by itself, for certificates and tools.
 pub fn parse_expr(source: &str) -> Result<Expr, Vec<Diagnostic>> {
     let (tokens, faults) = tokens(source);
-    let mut parser = Parser { tokens, at: 0, depth: 0, printed: BTreeMap::new(), faults };
+    let mut parser = Parser::new(tokens, faults);
     let expr = parser.expr();
     if let Ok(expr) = expr
         && parser.faults.is_empty()
@@ -145,10 +186,35 @@ struct Parser {
     depth: usize,
     /// The names of the claim so far, by what they look like in print.
     printed: BTreeMap<String, String>,
+    /// What the claims of the file share.
+    preamble: Preamble,
+    /// What the claim, or the preamble, has declared so far.
+    declared: BTreeSet<String>,
+    /// The variables of limits, and whether they are natural numbers, where it is said.
+    growing: Vec<(Name, Option<bool>)>,
+    /// The word `integer` of the declaration that was just read.
+    whole: Option<Span>,
+    /// Whether clauses of a file are read, not what a certificate or a tool says.
+    file: bool,
     faults: Vec<Diagnostic>,
 }
 
 impl Parser {
+    fn new(tokens: Vec<Token>, faults: Vec<Diagnostic>) -> Parser {
+        Parser {
+            tokens,
+            at: 0,
+            depth: 0,
+            printed: BTreeMap::new(),
+            preamble: Preamble::default(),
+            declared: BTreeSet::new(),
+            growing: Vec::new(),
+            whole: None,
+            file: false,
+            faults,
+        }
+    }
+
     fn peek(&self) -> &Kind {
         &self.tokens[self.at].kind
     }

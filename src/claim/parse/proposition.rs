@@ -88,9 +88,18 @@ impl Parser {
             let of = self.expr()?;
             self.need_word("as")?;
             let variable = self.name("the variable that grows")?;
+            self.grows(&variable);
             self.need_sign("->", "between the variable and infinity")?;
-            self.need_word("infinity")?;
+            if !self.word("infinity") {
+                let help =
+                    "limits at a point are not there; for x -> a from above write a + 1/h for x, as h -> infinity";
+                return Err(self.expected_with("`infinity`", Some(help.to_string())));
+            }
             self.need_word("is")?;
+            if self.is_word("infinity") {
+                let help = "a limit is a number; that f grows beyond all bounds is said by 1/f and 0";
+                return Err(self.expected_with("a number", Some(help.to_string())));
+            }
             let value = self.expr()?;
             let kind = PropKind::Limit(Box::new(Limit { of, variable, value }));
             return Ok(Prop { kind, span: self.since(start) });
@@ -139,20 +148,13 @@ impl Parser {
     }
 
     fn relation(&mut self) -> Option<Relation> {
-        let relation = match self.peek() {
-            Kind::Sign("=") => Relation::Equal,
-            Kind::Sign("!=") => Relation::NotEqual,
-            Kind::Sign("<") => Relation::Less,
-            Kind::Sign("<=") => Relation::LessEqual,
-            Kind::Sign(">") => Relation::Greater,
-            Kind::Sign(">=") => Relation::GreaterEqual,
-            _ => return None,
-        };
+        let Kind::Sign(sign) = self.peek() else { return None };
+        let relation = relation_of(sign)?;
         self.advance();
         Some(relation)
     }
 
-    fn comparison(&mut self) -> Parsed<Prop> {
+    pub(super) fn comparison(&mut self) -> Parsed<Prop> {
         let start = self.span().start;
         let mut sides = vec![self.expr()?];
         let mut relations = Vec::new();
@@ -201,6 +203,10 @@ impl Parser {
         let mut list = Vec::new();
         loop {
             list.push(self.binding()?);
+            if let Some(span) = self.whole.take() {
+                let help = "write a difference of natural numbers: `for all i, j natural` and i - j";
+                return Err(self.other("an `integer` is declared under `given` only", Some(help), span));
+            }
             if !(self.sign(";") || self.constrained(&list) && self.sign(",")) {
                 return Ok(list);
             }
@@ -210,11 +216,11 @@ impl Parser {
         }
     }
 
-    fn constrained(&self, list: &[Binding]) -> bool {
+    pub(super) fn constrained(&self, list: &[Binding]) -> bool {
         list.last().is_some_and(|b| b.natural || !b.constraints.is_empty())
     }
 
-    fn binding(&mut self) -> Parsed<Binding> {
+    pub(super) fn binding(&mut self) -> Parsed<Binding> {
         let start = self.span().start;
         let mut names = Vec::new();
         loop {
@@ -233,14 +239,22 @@ impl Parser {
         let mut constraints = Vec::new();
         let mut any = false;
         loop {
-            if any {
-                self.word("and");
+            // `a > b > 0` reads as a chain, which says more than two conditions on a.
+            let mut beside = any && matches!(constraints.last(), Some(Constraint::Relation(..)));
+            if any && self.word("and") {
+                beside = false;
             }
             if self.word("real") {
                 // The default; said for the reader.
             } else if self.word("natural") {
                 natural = true;
+            } else if self.is_word("integer") {
+                self.whole = Some(self.advance().span);
             } else if let Some(relation) = self.relation() {
+                if self.file && beside {
+                    let span = self.span();
+                    return Err(self.other("two conditions stand side by side", Some(given::CHAIN), span));
+                }
                 constraints.push(Constraint::Relation(relation, self.expr()?));
             } else if self.word("in") {
                 constraints.push(self.interval(&mut natural)?);
@@ -250,7 +264,7 @@ impl Parser {
             any = true;
         }
         if !any {
-            return Err(self.expected("a domain: `real`, `natural`, `> 0`, `in [0, 1]` or `in 1..n`"));
+            return Err(self.expected("a domain: `real`, `natural`, `integer`, `> 0`, `in [0, 1]` or `in 1..n`"));
         }
         let mut indices = None;
         if self.word("for") {
@@ -302,4 +316,17 @@ impl Parser {
         *natural = true;
         Ok(Constraint::Range(from, to))
     }
+}
+
+/// The relation that a sign stands for.
+pub(super) fn relation_of(sign: &str) -> Option<Relation> {
+    Some(match sign {
+        "=" => Relation::Equal,
+        "!=" => Relation::NotEqual,
+        "<" => Relation::Less,
+        "<=" => Relation::LessEqual,
+        ">" => Relation::Greater,
+        ">=" => Relation::GreaterEqual,
+        _ => return None,
+    })
 }

@@ -7,15 +7,15 @@
 use super::evidence::Evidence;
 use super::numbers::{Plot, Table, WHAT_IS_CERTAIN};
 use super::{Handout, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
-use crate::claim::print::Style;
+use crate::explain;
 use crate::prove::outcome::Verdict;
-use crate::report::argument::remarks;
+use crate::report::argument::{clauses_latex, remarks};
 use crate::report::latex::{code, escape};
 use crate::report::table::Entry as Cell;
 use crate::report::table::latex::PAGE;
-use crate::report::{Entry, reading_of_source, statement, summary};
+use crate::report::{Entry, reading, summary};
 
-/// `\formula{…}` sets a formula: on a line of its own if it fits, else broken over lines; `\argument{depth}{…}` a step.
+/// What the document needs; formulas are set by [`explain::latex::MACROS`].
 const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
 \usepackage{iftex}
 \ifpdftex\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\pdfsuppressptexinfo=-1 \pdftrailerid{}\fi
@@ -26,13 +26,6 @@ const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
 \setcounter{secnumdepth}{0}\setcounter{tocdepth}{1}
 \sloppy\hbadness=10000
 \relpenalty=100 \binoppenalty=300
-\newsavebox{\carombox}
-\newcommand{\formula}[1]{\sbox{\carombox}{$\displaystyle #1$}%
-  \par\smallskip
-  \ifdim\wd\carombox<\linewidth{\centering\usebox{\carombox}\par}%
-  \else\ifdim\wd\carombox<1.3\linewidth\noindent\resizebox{\linewidth}{!}{\usebox{\carombox}}\par
-  \else{\raggedright\hangindent=2em\hangafter=1\noindent\small\lineskip=3pt$\displaystyle #1$\par}\fi\fi\smallskip}
-\newcommand{\argument}[2]{{\footnotesize\raggedright\leftskip=#1em\hangindent=1.5em\hangafter=1\noindent#2\par}}
 ";
 
 /// The document.
@@ -40,8 +33,9 @@ pub fn document(handout: &Handout) -> String {
     let s = summary(&handout.audit.entries);
     let title = escape(&handout.title);
     let mut out = format!(
-        "{PREAMBLE}\\title{{{title}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\
+        "{PREAMBLE}{}\\title{{{title}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\
          {}: {} proved, {} refuted, {} undecided; {} not as expected.\n{}\n\\tableofcontents\n",
+        explain::latex::MACROS,
         handout.audit.count(),
         s.proved,
         s.refuted,
@@ -61,6 +55,9 @@ pub fn document(handout: &Handout) -> String {
     for (section, entries) in handout.audit.sections() {
         out.push_str(&format!("\n\\section{{{}}}\n", escape(section)));
         for entry in entries {
+            for paragraph in &entry.claim.prose {
+                out.push_str(&format!("\n{}\n\n", escape(paragraph)));
+            }
             claim(&mut out, entry, handout.evidence.get(&entry.claim.name.text));
         }
     }
@@ -104,13 +101,13 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
     let marks: Vec<&str> =
         evidence.map(|e| e.marks(outcome.verdict)).unwrap_or_default().into_iter().map(|m| m.0).collect();
     let verdict = std::iter::once(outcome.verdict.name()).chain(marks).collect::<Vec<_>>().join(", ");
-    let number = claim.number.map_or(String::new(), |n| format!("({n}) "));
+    let number = claim.number.as_ref().map_or(String::new(), |n| format!("({}) ", escape(n)));
     out.push_str(&format!(
         "\n\\subsection{{{number}{}}}\n\\textbf{{{verdict}}}. {}",
         escape(&claim.title),
         code(&claim.name.text)
     ));
-    for part in [claim.source.as_deref(), reading_of_source(claim)].into_iter().flatten() {
+    for part in [claim.source.as_deref(), reading(claim)].into_iter().flatten() {
         out.push_str(&format!("; {}", escape(part)));
     }
     if !outcome.method.is_empty() {
@@ -120,19 +117,9 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         out.push_str("; \\textbf{not as expected}");
     }
     out.push_str(".\n");
-    let lines = statement(claim, Style::Latex);
-    let (hypotheses, goal) = lines.split_at(lines.len().saturating_sub(1));
-    for (title, lines) in [("Hypotheses and definitions", hypotheses), ("Claim", goal)] {
-        if !hypotheses.is_empty() {
-            out.push_str(&format!("\n\\textit{{{title}}}\n"));
-        }
-        lines.iter().for_each(|line| out.push_str(&format!("\\formula{{{line}}}\n")));
-    }
-    if !outcome.argument.is_empty() && outcome.witness.is_none() {
-        for line in &outcome.argument {
-            let (rule, text) = (escape(line.rule), code(&line.text));
-            out.push_str(&format!("\\argument{{{}}}{{\\textit{{{rule}}}: {text}}}\n", line.depth.min(20)));
-        }
+    out.push_str(&clauses_latex(claim));
+    if let Some(document) = &entry.explained {
+        out.push_str(&format!("\n\\textit{{Proof}}\n{}", explain::latex::latex(document)));
     }
     for (title, lines) in remarks(entry) {
         let text = if title == "Notes" {
@@ -166,7 +153,7 @@ fn shown_by(name: &str, evidence: &Evidence) -> Vec<String> {
         Ok(theorem) => format!(
             "Coq: theorem {}, stated in {}, proved in {}.",
             code(&theorem.name),
-            code(&coq_file("claims")),
+            code(&coq_file(theorem.stated)),
             code(&coq_file(&theorem.module))
         ),
         Err(reason) => format!("Not in Coq: {}.", escape(reason)),

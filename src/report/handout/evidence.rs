@@ -1,13 +1,15 @@
 //! Who has shown a claim: the kernel, by a certificate that it accepted in this run, and Coq, by a theorem.
 //!
 //! Contract: a theorem of Coq is named only where its statement stands in `proofs/coq/claims.v` letter by letter as this claim is
-//! exported, and says what the verdict says. Coq itself is not run: whoever doubts runs it on the files in the folder.
+//! exported, and says what the verdict says. Coq itself is not run there: whoever doubts runs it on the files in the folder.
+//! Where Coq was run on proofs made from the certificates ([`ran`]), a theorem is named only where Coq accepted it.
 
 use crate::claim::embedded;
 use crate::claim::syntax::{Claim, Expectation};
 use crate::export::coq;
 use crate::judge::Proof;
 use crate::prove::outcome::Verdict;
+use crate::report::theorems::{File, Folder};
 use crate::report::{Audit, Entry};
 use std::collections::BTreeMap;
 
@@ -17,6 +19,10 @@ pub struct Theorem {
     pub name: String,
     /// The file of its proof, without folder and ending.
     pub module: String,
+    /// The file that states it.
+    pub stated: &'static str,
+    /// Whether Coq accepted it while the report was made.
+    pub accepted: bool,
     /// Its statement, as it stands in `claims.v`; of a refuted claim, the negation.
     pub statement: String,
     /// Its proof, as it stands in the file.
@@ -32,7 +38,8 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    /// Whether nobody but the search vouches for the verdict: a counterexample that Coq has not shown.
+    /// Whether nobody but the search vouches for the verdict: a counterexample that it evaluated, without a certificate, and
+    /// that Coq has not shown.
     #[must_use]
     pub fn is_alone(&self) -> bool {
         self.kernel.is_none() && self.coq.is_err()
@@ -43,8 +50,21 @@ impl Evidence {
     pub fn marks(&self, verdict: Verdict) -> Vec<(&'static str, bool)> {
         match (verdict, &self.coq) {
             (Verdict::Undecided, _) => Vec::new(),
-            (Verdict::Refuted, Ok(_)) => vec![("negation proved in Coq", true)],
-            (Verdict::Refuted, Err(_)) => vec![("refuted by the prover alone", false)],
+            (Verdict::Refuted, coq) => {
+                let mut marks = match (&self.kernel, coq) {
+                    (Some(_), _) => vec![("refutation checked by the kernel", true)],
+                    (None, Ok(_)) => Vec::new(),
+                    (None, Err(_)) => vec![("evaluated, not certified", false)],
+                };
+                marks.extend(coq.as_ref().ok().map(|theorem| match theorem.accepted {
+                    true => ("negation accepted by Coq", true),
+                    false => ("negation proved in Coq", true),
+                }));
+                marks
+            }
+            (Verdict::Proved, Ok(theorem)) if theorem.accepted => {
+                vec![("checked by the kernel", true), ("accepted by Coq", true)]
+            }
             (Verdict::Proved, Ok(_)) => vec![("checked by the kernel", true), ("proved in Coq", true)],
             (Verdict::Proved, Err(_)) => vec![("checked by the kernel", true), ("not in Coq", false)],
         }
@@ -59,6 +79,41 @@ pub fn gather(audit: &Audit) -> BTreeMap<String, Evidence> {
         (entry.claim.name.text.clone(), Evidence { kernel: entry.proof.clone(), coq })
     };
     audit.entries.iter().map(one).collect()
+}
+
+/// The evidence where Coq was run on a folder of generated proofs; `refused` says of theorems and files why Coq did not
+/// accept them.
+pub fn ran(audit: &Audit, made: &Folder, refused: &dyn Fn(&str, &str) -> Option<String>) -> BTreeMap<String, Evidence> {
+    let one = |entry: &Entry| {
+        let file = made.files.iter().find(|file| file.claim == entry.claim.name.text);
+        let coq = match file.map(|file| (file, file.module.as_ref(), file.theorems.first())) {
+            Some((file, Some(module), Some(theorem))) if !theorem.name.ends_with("_defined") => {
+                match refused(module, &theorem.name) {
+                    Some(why) => Err(why),
+                    None => Ok(accepted(file, module, &theorem.name)),
+                }
+            }
+            Some((file, _, _)) => Err(file.open.first().map_or_else(String::new, |open| open.1.clone())),
+            None => Err("it has no file for Coq".to_string()),
+        };
+        (entry.claim.name.text.clone(), Evidence { kernel: entry.proof.clone(), coq })
+    };
+    audit.entries.iter().map(one).collect()
+}
+
+/// A theorem of a generated file that Coq accepted.
+fn accepted(file: &File, module: &str, name: &str) -> Theorem {
+    let from = file.text.find(&format!("Theorem {name} :\n")).unwrap_or_default();
+    let (statement, proof) = file.text[from..].split_once("\nProof.").unwrap_or_default();
+    let proof = proof.split_once("\nQed.").map_or(proof, |(proof, _)| proof);
+    Theorem {
+        name: name.to_string(),
+        module: module.to_string(),
+        stated: "statements",
+        accepted: true,
+        statement: statement.to_string(),
+        proof: format!("Proof.{proof}\nQed."),
+    }
 }
 
 /// The Coq files.
@@ -96,7 +151,8 @@ impl Library {
         match proof.filter(|_| self.claims.contains(&whole)) {
             Some(proof) => {
                 let statement = format!("Theorem {name} :\n{}.", said.full);
-                Ok(Theorem { name, module: module.clone(), statement, proof: proof.to_string() })
+                let proof = proof.to_string();
+                Ok(Theorem { name, module: module.clone(), stated: "claims", accepted: false, statement, proof })
             }
             None => Err(export),
         }
@@ -137,7 +193,8 @@ mod tests {
         assert_eq!(checked.marks(Verdict::Proved), [("checked by the kernel", true), ("not in Coq", false)]);
         let refuted = Evidence { kernel: None, coq: none() };
         assert!(refuted.is_alone());
-        assert_eq!(refuted.marks(Verdict::Refuted), [("refuted by the prover alone", false)]);
+        assert_eq!(refuted.marks(Verdict::Refuted), [("evaluated, not certified", false)]);
+        assert_eq!(checked.marks(Verdict::Refuted), [("refutation checked by the kernel", true)]);
         assert_eq!(refuted.marks(Verdict::Undecided), []);
     }
 }

@@ -24,7 +24,8 @@ pub fn of(audit: &Audit) -> Vec<Finding<'_>> {
     for entry in &audit.entries {
         let (claim, outcome) = (&entry.claim, &entry.outcome);
         let kind = match (claim.reading, outcome.verdict) {
-            (Reading::Extracted, Verdict::Refuted) => "a damaged line of the text",
+            (Some(Reading::Extracted), Verdict::Refuted) => "a damaged line of the text",
+            (Some(Reading::Printed), Verdict::Refuted) => "false as printed",
             (_, Verdict::Refuted) => "false as stated",
             (_, Verdict::Undecided) => "undecided",
             _ if !claim.notes.is_empty() => "note",

@@ -31,6 +31,9 @@ pub fn report(handout: &Handout) -> String {
     for (section, entries) in handout.audit.sections() {
         out.push_str(&format!("\n## {}, claim by claim\n", escape(&one_line(section))));
         for entry in entries {
+            for paragraph in &entry.claim.prose {
+                out.push_str(&format!("\n{}\n", escape(paragraph)));
+            }
             claim(&mut out, entry, handout.evidence.get(&entry.claim.name.text));
         }
     }
@@ -90,7 +93,7 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         Ok(theorem) => out.push_str(&format!(
             "\nCoq: theorem `{}`, stated in {}, proved in {}.\n",
             theorem.name,
-            link(&coq_file("claims")),
+            link(&coq_file(theorem.stated)),
             link(&coq_file(&theorem.module))
         )),
         Err(reason) => out.push_str(&format!("\nNot in Coq: {}.\n", escape(reason))),

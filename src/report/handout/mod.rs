@@ -26,6 +26,8 @@ pub struct Handout {
     pub title: String,
     /// Who else has shown each claim.
     pub evidence: BTreeMap<String, Evidence>,
+    /// The proofs that Coq was run on while the report was made, as files; `None` where it was not.
+    pub ran: Option<Vec<(String, String)>>,
     /// Whether the claims are those of the built-in catalogue.
     pub catalogue: bool,
     /// Its tables.
@@ -39,9 +41,11 @@ pub struct Handout {
 pub struct Counts {
     /// Proved, and accepted by the kernel.
     pub kernel: usize,
+    /// Refuted, and accepted by the kernel.
+    pub refutations: usize,
     /// Proved or refuted, and so by a theorem of Coq.
     pub coq: usize,
-    /// Refuted by the prover alone.
+    /// Refuted by evaluation alone.
     pub alone: usize,
 }
 
@@ -59,7 +63,9 @@ impl Handout {
                 out.push((certificate_of(name), proof.certificate.clone().into_bytes()));
             }
         }
-        if self.evidence.values().any(|e| e.coq.is_ok()) {
+        if let Some(files) = &self.ran {
+            out.extend(files.iter().map(|(name, text)| (format!("coq/{name}"), text.clone().into_bytes())));
+        } else if self.evidence.values().any(|e| e.coq.is_ok()) {
             out.extend(embedded::coq_files().iter().map(|f| (coq_file(f.path), f.text.as_bytes().to_vec())));
             out.push((COQ_CHECK.to_string(), embedded::coq_check().as_bytes().to_vec()));
         }
@@ -80,7 +86,10 @@ impl Handout {
         let mut out = Counts::default();
         for entry in entries.filter(|e| e.outcome.verdict != Verdict::Undecided) {
             let Some(evidence) = self.evidence.get(&entry.claim.name.text) else { continue };
-            out.kernel += usize::from(evidence.kernel.is_some());
+            match entry.outcome.verdict {
+                Verdict::Refuted => out.refutations += usize::from(evidence.kernel.is_some()),
+                _ => out.kernel += usize::from(evidence.kernel.is_some()),
+            }
             out.coq += usize::from(evidence.coq.is_ok());
             out.alone += usize::from(evidence.is_alone());
         }
@@ -92,21 +101,34 @@ impl Handout {
     pub fn vouched(&self) -> Vec<String> {
         let counts = self.counts(self.audit.entries.iter());
         let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
+        let refuted = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Refuted).count();
         let found = self.audit.entries.iter().filter(|e| e.found).count();
         let (has, rests) = match counts.alone {
             1 => ("verdict", "rests"),
             _ => ("verdicts", "rest"),
         };
         vec![
-            format!("The kernel accepted {} of the {} in this run.", counts.kernel, counted(proved + found, "proof")),
+            format!(
+                "The kernel accepted {} of the {}{} in this run.",
+                counts.kernel,
+                counted(proved + found, "proof"),
+                match refuted {
+                    0 => String::new(),
+                    some => format!(", and {} of the {}", counts.refutations, counted(some, "refutation")),
+                }
+            ),
             match counts.coq {
                 0 => "No verdict has a theorem in Coq.".to_string(),
+                some if self.ran.is_some() => format!(
+                    "Coq accepted theorems for {some} of the {} in this run.",
+                    counted(self.audit.entries.len(), "verdict")
+                ),
                 some => format!(
                     "The Coq files beside this report prove {some} of the {}.",
                     counted(self.audit.entries.len(), "verdict")
                 ),
             },
-            format!("{} {has} {rests} on the prover alone.", counts.alone),
+            format!("{} {has} {rests} on the evaluation of a witness alone.", counts.alone),
         ]
     }
 
@@ -127,7 +149,12 @@ impl Handout {
         if !self.tables.is_empty() {
             out.push(("carom check tables/*.jsonl".to_string(), "the kernel, on every cell of the tables"));
         }
-        if self.evidence.values().any(|e| e.coq.is_ok()) {
+        if self.ran.is_some() {
+            out.push((
+                "bash coq/check".to_string(),
+                "Coq, on the proofs made from the certificates, and what axioms they rest on",
+            ));
+        } else if self.evidence.values().any(|e| e.coq.is_ok()) {
             out.push((
                 "bash coq/check --fast".to_string(),
                 "Coq, on the proofs, and what axioms they rest on; this report did not run Coq",

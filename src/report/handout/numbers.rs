@@ -1,9 +1,9 @@
 //! The certified tables of a report, and its pictures.
 
-use crate::kernel::Failure;
 use crate::report::table::{Entry, Head};
 use crate::table::Quantity;
 use crate::table_checker::Checker;
+use crate::table_checker::Failure;
 
 /// The most rows of a table in a report: it is read by people.
 pub const ROWS: u64 = 1_000;

@@ -29,6 +29,8 @@ const LINE: f32 = 18.0;
 const ENTRY: f32 = 20.0;
 /// From the frame to the legend.
 const ASIDE: f32 = 14.0;
+/// Half the width of a bar's end.
+const CAP: f32 = 4.0;
 /// From the left edge to the line on which the label of the vertical axis stands, and the room that it takes.
 const UPRIGHT: (f32, f32) = (24.0, 34.0);
 
@@ -38,6 +40,7 @@ enum Key {
     Curve(usize),
     Dot(usize, bool),
     Area(Colour),
+    Own,
 }
 
 impl Key {
@@ -45,7 +48,7 @@ impl Key {
         match self {
             Key::Nothing => 0.0,
             Key::Curve(_) => 34.0,
-            Key::Dot(..) => 20.0,
+            Key::Dot(..) | Key::Own => 20.0,
             Key::Area(_) => 24.0,
         }
     }
@@ -57,6 +60,8 @@ enum Mark {
     Border(Vec<(f64, f64)>),
     Area(Vec<(f64, f64)>, Colour),
     Dot { number: usize, at: (f64, f64), full: bool, radius: f32 },
+    Bar { number: usize, x: f64, ends: (f64, f64) },
+    Own { x: (f64, f64), y: (f64, f64) },
 }
 
 /// A picture in the making.
@@ -68,13 +73,15 @@ pub struct Chart {
     marks: Vec<Mark>,
     legend: Vec<(Key, String)>,
     note: Option<String>,
+    /// Whether limits were given, beyond which marks are cut off.
+    cut: bool,
 }
 
 impl Chart {
     /// A frame with its scales; `grid` draws fine lines at the ticks.
     #[must_use]
     pub fn new(title: &str, x: Scale, y: Scale, grid: bool) -> Chart {
-        Chart { title: title.to_owned(), x, y, grid, marks: Vec::new(), legend: Vec::new(), note: None }
+        Chart { title: title.to_owned(), x, y, grid, marks: Vec::new(), legend: Vec::new(), note: None, cut: false }
     }
 
     /// A curve in the colour and dashes of its number.
@@ -92,9 +99,56 @@ impl Chart {
         self.marks.push(Mark::Dot { number, at: (x, y), full, radius });
     }
 
+    /// An upright bar with its two ends, in the colour of a curve.
+    pub fn bar(&mut self, number: usize, x: f64, ends: (f64, f64)) {
+        self.marks.push(Mark::Bar { number, x, ends });
+    }
+
     /// A filled area through pairs of values.
     pub fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
         self.marks.push(Mark::Area(points.to_vec(), colour));
+    }
+
+    /// A title in place of its own.
+    pub fn rename(&mut self, title: &str) {
+        title.clone_into(&mut self.title);
+    }
+
+    /// The horizontal axis has these ends; what lies beyond them is cut off.
+    ///
+    /// # Errors
+    /// [`Unclear::Limits`] where there is no such axis.
+    pub fn cut_across(&mut self, ends: (f64, f64)) -> Result<(), Unclear> {
+        self.cut = true;
+        limited(&mut self.x, ends)
+    }
+
+    /// The vertical axis has these ends; what lies beyond them is cut off.
+    ///
+    /// # Errors
+    /// [`Unclear::Limits`] where there is no such axis.
+    pub fn cut_upright(&mut self, ends: (f64, f64)) -> Result<(), Unclear> {
+        self.cut = true;
+        limited(&mut self.y, ends)
+    }
+
+    /// A reader's own measurement, with its uncertainties as bars.
+    ///
+    /// # Errors
+    /// [`Unclear::Beyond`] where it lies outside of the picture.
+    pub fn measured(&mut self, x: (f64, f64), y: (f64, f64)) -> Result<(), Unclear> {
+        let inside =
+            |scale: &Scale, ends: (f64, f64)| [ends.0, ends.1].iter().all(|v| (0.0..=1.0).contains(&scale.share(*v)));
+        if !inside(&self.x, x) || !inside(&self.y, y) {
+            return Err(Unclear::Beyond);
+        }
+        self.marks.push(Mark::Own { x, y });
+        Ok(())
+    }
+
+    /// A reader's own points in the legend.
+    pub fn legend_own(&mut self, text: &str) {
+        self.legend.push((Key::Own, text.to_owned()));
     }
 
     /// A line under the picture.
@@ -150,34 +204,72 @@ impl Chart {
     }
 }
 
-/// A text in lines of at most so many points; words that are longer are broken.
-fn lines(letters: &Letters, text: &str, size: f32, room: f32) -> Vec<String> {
-    let mut out = vec![String::new()];
-    for word in text.split_whitespace() {
-        let mut word = word.to_owned();
-        loop {
-            let last = out.last().map_or("", String::as_str);
-            let joined = if last.is_empty() { word.clone() } else { format!("{last} {word}") };
-            if letters.width(&joined, size) <= room {
-                out.pop();
-                out.push(joined);
-                break;
-            }
-            if !last.is_empty() {
-                out.push(String::new());
-                continue;
-            }
-            let fits = |(end, _): &(usize, char)| *end == 0 || letters.width(&word[..*end], size) <= room;
-            let end = word.char_indices().skip(1).take_while(fits).last().map_or(word.len(), |(end, _)| end);
-            let rest = word.split_off(end);
-            out.pop();
-            out.extend([std::mem::replace(&mut word, rest), String::new()]);
-            if word.is_empty() {
-                break;
+/// Gives a scale its ends.
+fn limited(scale: &mut Scale, ends: (f64, f64)) -> Result<(), Unclear> {
+    let finite = [ends.0, ends.1].iter().all(|v| v.is_finite() && v.abs() <= 1e300);
+    if !finite || ends.0 >= ends.1 || (scale.logarithmic && ends.0 <= 0.0) {
+        return Err(Unclear::Limits);
+    }
+    scale.ends = ends;
+    Ok(())
+}
+
+/// The part of a line in the unit square, in pieces.
+fn inside(points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+    for pair in points.windows(2) {
+        let ((x, y), (dx, dy)) = (pair[0], (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1));
+        // From where to where on the way from one point to the next, for each edge.
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (p, q) in [(-dx, x), (dx, 1.0 - x), (-dy, y), (dy, 1.0 - y)] {
+            if p == 0.0 {
+                if q < 0.0 {
+                    to = -1.0;
+                }
+            } else if p < 0.0 {
+                from = from.max(q / p);
+            } else {
+                to = to.min(q / p);
             }
         }
+        if from > to {
+            continue;
+        }
+        let at = |t: f64| (x + t * dx, y + t * dy);
+        match pieces.last_mut() {
+            Some(piece) if from == 0.0 && piece.last() == Some(&pair[0]) => {}
+            _ => pieces.push(vec![at(from)]),
+        }
+        if let Some(piece) = pieces.last_mut() {
+            piece.push(if to == 1.0 { pair[1] } else { at(to) });
+        }
     }
-    out
+    pieces
+}
+
+/// How far a point lies inside of an edge.
+type Depth = fn(&(f64, f64)) -> f64;
+
+/// The part of an area in the unit square: cut along one edge after the other.
+fn area_inside(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let edges: [Depth; 4] = [|p| p.0, |p| 1.0 - p.0, |p| p.1, |p| 1.0 - p.1];
+    let mut area = points.to_vec();
+    for depth in edges {
+        let mut kept = Vec::new();
+        for (place, b) in area.iter().enumerate() {
+            let a = &area[if place == 0 { area.len() - 1 } else { place - 1 }];
+            let (from, to) = (depth(a), depth(b));
+            if (from < 0.0) != (to < 0.0) {
+                let t = from / (from - to);
+                kept.push((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+            }
+            if to >= 0.0 {
+                kept.push(*b);
+            }
+        }
+        area = kept;
+    }
+    area
 }
 
 /// A page with its measures.
@@ -190,6 +282,7 @@ struct Drawing<'a> {
     y: &'a Scale,
     across: Ticks,
     upright: Ticks,
+    cut: bool,
     title: Vec<String>,
     note: Vec<String>,
     shapes: Vec<Shape>,
@@ -221,12 +314,12 @@ impl<'a> Drawing<'a> {
         });
         let across = across.ok_or_else(|| Unclear::Axis(plain(&chart.x.label)))?;
         let room = width - 2.0 * EDGE;
-        let title = lines(&letters, &chart.title, LARGE, room);
-        let note = chart.note.as_ref().map_or_else(Vec::new, |note| lines(&letters, note, SMALL, room));
+        let title = letters.lines(&chart.title, LARGE, room);
+        let note = chart.note.as_ref().map_or_else(Vec::new, |note| letters.lines(note, SMALL, room));
         let top = TOP + LINE * (title.len() as f32 - 1.0);
         let height = top + FRAME.1 + BOTTOM + LINE * note.len() as f32;
         let (x, y, corner) = (&chart.x, &chart.y, (left, top));
-        Ok(Drawing { width, height, corner, x, y, across, upright, title, note, shapes: Vec::new() })
+        Ok(Drawing { width, height, corner, x, y, across, upright, cut: chart.cut, title, note, shapes: Vec::new() })
     }
 
     /// The point on the page at these shares of the frame's width and height.
@@ -243,8 +336,42 @@ impl<'a> Drawing<'a> {
         Ok(self.point(across.clamp(0.0, 1.0), up.clamp(0.0, 1.0)))
     }
 
-    fn all(&self, points: &[(f64, f64)]) -> Result<Vec<(f32, f32)>, Unclear> {
-        points.iter().map(|p| self.at(*p)).collect()
+    /// The points on the page of a line, in one piece; in several where it is cut off.
+    fn all(&self, points: &[(f64, f64)]) -> Result<Vec<Vec<(f32, f32)>>, Unclear> {
+        if !self.cut {
+            return Ok(vec![points.iter().map(|p| self.at(*p)).collect::<Result<_, _>>()?]);
+        }
+        Ok(inside(&self.shares(points)?).iter().map(|piece| self.placed(piece)).collect())
+    }
+
+    /// The points on the page of an area.
+    fn filled(&self, points: &[(f64, f64)]) -> Result<Vec<(f32, f32)>, Unclear> {
+        if !self.cut {
+            return points.iter().map(|p| self.at(*p)).collect();
+        }
+        Ok(self.placed(&area_inside(&self.shares(points)?)))
+    }
+
+    /// Shares of the frame, which may lie outside of it.
+    fn shares(&self, points: &[(f64, f64)]) -> Result<Vec<(f64, f64)>, Unclear> {
+        let share = |p: &(f64, f64)| {
+            let (across, up) = (self.x.share(p.0), self.y.share(p.1));
+            if across.is_nan() || up.is_nan() {
+                Err(Unclear::Outside)
+            } else {
+                Ok((across.clamp(-1e6, 1e6), up.clamp(-1e6, 1e6)))
+            }
+        };
+        points.iter().map(share).collect()
+    }
+
+    fn placed(&self, shares: &[(f64, f64)]) -> Vec<(f32, f32)> {
+        shares.iter().map(|(across, up)| self.point(*across, *up)).collect()
+    }
+
+    /// Whether a value is beyond limits that were given.
+    fn beyond(&self, (x, y): (f64, f64)) -> bool {
+        self.cut && [self.x.share(x), self.y.share(y)].iter().any(|share| !(-1e-9..=1.0 + 1e-9).contains(share))
     }
 
     fn line(&mut self, points: Vec<(f32, f32)>, colour: Colour, width: f32) {
@@ -268,20 +395,63 @@ impl<'a> Drawing<'a> {
         let style = |number: usize| (PALETTE[number % PALETTE.len()], DASHES[number % DASHES.len()]);
         match mark {
             Mark::Curve(number, points) => {
-                let ((colour, dash), points) = (style(*number), self.all(points)?);
-                self.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
+                let (colour, dash) = style(*number);
+                for points in self.all(points)? {
+                    self.shapes.push(Shape::Line { points, colour, width: 1.8, dash });
+                }
             }
-            Mark::Border(points) => self.line(self.all(points)?, WHITE, 0.9),
+            Mark::Border(points) => {
+                for points in self.all(points)? {
+                    self.line(points, WHITE, 0.9);
+                }
+            }
             Mark::Area(points, colour) => {
-                let points = self.all(points)?;
+                let points = self.filled(points)?;
                 self.shapes.push(Shape::Area { points, colour: *colour });
             }
+            Mark::Bar { number, x, ends } => {
+                let colour = style(*number).0;
+                for piece in self.all(&[(*x, ends.0), (*x, ends.1)])? {
+                    self.line(piece, colour, 1.5);
+                }
+                for end in [ends.0, ends.1].into_iter().filter(|end| !self.beyond((*x, *end))).collect::<Vec<_>>() {
+                    let (x, y) = self.at((*x, end))?;
+                    self.line(vec![(x - CAP, y), (x + CAP, y)], colour, 1.5);
+                }
+            }
+            Mark::Own { x, y } => {
+                let (left, right) = (self.at((x.0, y.0))?, self.at((x.1, y.1))?);
+                let middle = (f32::midpoint(left.0, right.0), f32::midpoint(left.1, right.1));
+                if x.0 < x.1 {
+                    self.line(vec![(left.0, middle.1), (right.0, middle.1)], BLACK, 1.2);
+                    for x in [left.0, right.0] {
+                        self.line(vec![(x, middle.1 - CAP), (x, middle.1 + CAP)], BLACK, 1.2);
+                    }
+                }
+                if y.0 < y.1 {
+                    self.line(vec![(middle.0, left.1), (middle.0, right.1)], BLACK, 1.2);
+                    for y in [left.1, right.1] {
+                        self.line(vec![(middle.0 - CAP, y), (middle.0 + CAP, y)], BLACK, 1.2);
+                    }
+                }
+                self.cross(middle);
+            }
+            Mark::Dot { at, .. } if self.beyond(*at) => {}
             Mark::Dot { number, at, full, radius } => {
                 let (at, colour) = (self.at(*at)?, style(*number).0);
                 self.shapes.push(Shape::Dot { at, radius: *radius, colour, full: *full });
             }
         }
         Ok(())
+    }
+
+    /// A cross with arms of four points, which no curve has.
+    fn cross(&mut self, (x, y): (f32, f32)) {
+        for width in [4.5, 2.0] {
+            let colour = if width > 3.0 { WHITE } else { BLACK };
+            self.line(vec![(x - CAP, y - CAP), (x + CAP, y + CAP)], colour, width);
+            self.line(vec![(x + CAP, y - CAP), (x - CAP, y + CAP)], colour, width);
+        }
     }
 
     /// A line of the legend, right of the frame.
@@ -299,6 +469,7 @@ impl<'a> Drawing<'a> {
                 let colour = PALETTE[number % PALETTE.len()];
                 self.shapes.push(Shape::Dot { at: (x + 8.0, y - 4.0), radius: 4.0, colour, full: *full });
             }
+            Key::Own => self.cross((x + 8.0, y - 4.0)),
             Key::Area(colour) => {
                 let points = vec![(x, y - 11.0), (x + 18.0, y - 11.0), (x + 18.0, y + 2.0), (x, y + 2.0)];
                 let mut border = points.clone();

@@ -2,15 +2,15 @@
 
 use super::axes::Chart;
 use super::scale::{Scale, Spread, from_zero, shares};
-use super::shape::{Colour, Page};
+use super::shape::Colour;
 use super::unclear::{NUMBER, Unclear};
 use crate::chain::best::{Best, best};
-use crate::chain::recollision::WARNING;
+use crate::chain::recollision::{MAY_WARN, WARNING};
 use crate::chain::threshold::threshold;
 use crate::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
 use crate::number::real::Real;
 use crate::table::grid::decimal_or_fraction;
-use crate::table::worksheet::Worksheet;
+use crate::table::worksheet::{Entry, Worksheet};
 use malachite::Rational;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
@@ -72,14 +72,14 @@ fn number(name: &'static str, value: &Rational) -> Result<String, Unclear> {
     Ok(format!("{factor}10^{{{}}}", exponent.to_string().replace('-', "−")))
 }
 
-/// A page with a curve for each number, against the mass ratio.
+/// A picture with a curve for each number, against the mass ratio.
 fn of_ratio(
     title: &str,
     quantity: &str,
     (from, to): (&Positive, &Positive),
     numbers: &[u64],
     value: impl Fn(&Positive, u64) -> Result<Real, ChainError>,
-) -> Result<Page, Unclear> {
+) -> Result<Chart, Unclear> {
     let points = ratios(from, to);
     let curve = |n: &u64| points.iter().map(|r| Ok((float(r.value()), drawn(&value(r, *n)?)))).collect();
     let curves = numbers.iter().map(curve).collect::<Result<Vec<Curve>, ChainError>>()?;
@@ -88,7 +88,7 @@ fn of_ratio(
         chart.curve(place, points);
         chart.legend_curve(place, &bodies(*n));
     }
-    chart.finish()
+    Ok(chart)
 }
 
 /// The scale of mass ratios.
@@ -113,7 +113,7 @@ fn told_apart(curves: &[Curve], quantity: &str) -> Result<Scale, Unclear> {
 ///
 /// # Errors
 /// [`Unclear`].
-pub fn eta_of_ratio(from: &Positive, to: &Positive, e: &Restitution, numbers: &[u64]) -> Result<Page, Unclear> {
+pub fn eta_of_ratio(from: &Positive, to: &Positive, e: &Restitution, numbers: &[u64]) -> Result<Chart, Unclear> {
     let title = format!("Energy handed on through n optimal bodies, e = {}", number("e", e.value())?);
     let all = Restitutions::Same(e.clone());
     of_ratio(&title, "η", (from, to), numbers, |ratio, n| transfer::optimal(ratio, &all, n))
@@ -137,7 +137,7 @@ fn counts(most: u64) -> Vec<u64> {
 ///
 /// # Errors
 /// [`Unclear`].
-pub fn eta_of_number(ratio: &Positive, restitutions: &[Restitution], most: u64) -> Result<Page, Unclear> {
+pub fn eta_of_number(ratio: &Positive, restitutions: &[Restitution], most: u64) -> Result<Chart, Unclear> {
     let most = most.max(1);
     let title = format!("The best number of inserted bodies, m_{{1}}/m_{{2}} = {}", number("m1/m2", ratio.value())?);
     let mut curves: Vec<Curve> = Vec::new();
@@ -173,14 +173,14 @@ pub fn eta_of_number(ratio: &Positive, restitutions: &[Restitution], most: u64) 
     if labels.iter().any(|(_, found)| found.is_some()) {
         chart.legend_dot(4, false, "n* (best)");
     }
-    chart.finish()
+    Ok(chart)
 }
 
 /// `L_n` against the mass ratio, a curve for each number.
 ///
 /// # Errors
 /// [`Unclear`].
-pub fn thresholds(from: &Positive, to: &Positive, numbers: &[u64]) -> Result<Page, Unclear> {
+pub fn thresholds(from: &Positive, to: &Positive, numbers: &[u64]) -> Result<Chart, Unclear> {
     of_ratio("Least restitution with which the n-th body helps", "L_{n}", (from, to), numbers, |ratio, n| {
         Ok(threshold(ratio, n)?)
     })
@@ -196,7 +196,7 @@ const CROWDED: f64 = 0.1;
 ///
 /// # Errors
 /// [`Unclear`].
-pub fn map(from: &Positive, to: &Positive) -> Result<Page, Unclear> {
+pub fn map(from: &Positive, to: &Positive) -> Result<Chart, Unclear> {
     let points = ratios(from, to);
     let at = |r: &Positive| float(r.value());
     let border = |n: u64| points.iter().map(|r| Ok((at(r), drawn(&threshold(r, n)?)))).collect();
@@ -222,7 +222,7 @@ pub fn map(from: &Positive, to: &Positive) -> Result<Page, Unclear> {
         }
         chart.legend_area(colour, &if n + 1 == AREAS { format!("{n} or more") } else { n.to_string() });
     }
-    chart.finish()
+    Ok(chart)
 }
 
 /// The colours of the map `viridis`: even steps of lightness, from dark to light, also without colours.
@@ -243,40 +243,65 @@ fn viridis(share: f64) -> Colour {
     Colour(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
 }
 
-/// The velocities of a chain's bodies: as each one is about to strike the next, and after the pass.
+/// The velocities of a chain's bodies: as each one is about to strike the next, and after the pass. Bars show what measured
+/// inputs leave open.
 ///
 /// # Errors
 /// [`Unclear`].
-pub fn velocities(worksheet: &Worksheet, title: &str) -> Result<Page, Unclear> {
-    let mut arriving = Vec::new();
-    let mut after = Vec::new();
-    for (place, collision) in worksheet.collisions.iter().enumerate() {
-        let number = (place + 1) as f64;
-        arriving.push((number, drawn(&collision.bodies[0].velocity.before)));
-        after.push((number, drawn(&collision.bodies[0].velocity.after)));
-    }
-    if let Some(last) = worksheet.collisions.last() {
-        after.push((worksheet.collisions.len() as f64 + 1.0, drawn(&last.bodies[1].velocity.after)));
-    }
-    let all = arriving.iter().chain(&after).map(|p: &(f64, f64)| p.1);
+pub fn velocities(worksheet: &Worksheet, title: &str) -> Result<Chart, Unclear> {
+    let collisions = &worksheet.collisions;
+    let arriving: Vec<Bar> =
+        collisions.iter().zip(1u32..).map(|(c, i)| Bar::of(i, &c.bodies[0].velocity.before)).collect();
+    let after: Vec<Bar> = worksheet.velocities().into_iter().zip(1u32..).map(|(v, i)| Bar::of(i, v)).collect();
+    let all = arriving.iter().chain(&after).flat_map(|bar| [bar.lo, bar.hi]);
     if all.clone().any(|v| v.is_nan() || v.abs() > 1e300) {
         return Err(Unclear::Outside);
     }
-    let moves = worksheet.collisions.iter().any(|c| drawn(&c.bodies[0].velocity.before) != 0.0);
+    let moves = arriving.iter().any(|bar| bar.middle() != 0.0);
     if moves && all.clone().all(|v| v.abs() < TINY) {
         return Err(Unclear::Tiny);
     }
     let (bottom, top) = from_zero(all, 0.08);
     let x = Scale::whole(0.5, after.len() as f64 + 0.5, "body");
     let mut chart = Chart::new(title, x, Scale::even(bottom, top, "velocity"), true);
-    for (place, points) in [&arriving, &after].into_iter().enumerate() {
-        chart.curve(place, points);
-        points.iter().for_each(|p| chart.dot(place, p.0, p.1, place == 1, 4.0));
+    // Side by side where bars would cover one another.
+    let measured = arriving.iter().chain(&after).any(|bar| bar.lo < bar.hi);
+    for (place, bars) in [&arriving, &after].into_iter().enumerate() {
+        let aside = if measured { [-0.08, 0.08][place] } else { 0.0 };
+        for bar in bars {
+            if bar.lo < bar.hi {
+                chart.bar(place, bar.at + aside, (bar.lo, bar.hi));
+            }
+            chart.dot(place, bar.at + aside, bar.middle(), place == 1, 4.0);
+        }
     }
     chart.legend_dot(0, false, "before it strikes");
     chart.legend_dot(1, true, "after the pass");
-    if worksheet.again {
-        chart.note(&format!("Note: {WARNING}."));
+    match worksheet.again {
+        Some(false) => {}
+        Some(true) => chart.note(&format!("Note: {WARNING}.")),
+        None => chart.note(&format!("Note: {MAY_WARN}.")),
     }
-    chart.finish()
+    Ok(chart)
+}
+
+/// A velocity of a body, or the range of it.
+struct Bar {
+    at: f64,
+    lo: f64,
+    hi: f64,
+}
+
+impl Bar {
+    fn of(body: u32, entry: &Entry) -> Bar {
+        let (lo, hi) = match entry {
+            Entry::Number(x) => (drawn(x), drawn(x)),
+            Entry::Between(range) => (float(range.lo()), float(range.hi())),
+        };
+        Bar { at: f64::from(body), lo, hi }
+    }
+
+    fn middle(&self) -> f64 {
+        f64::midpoint(self.lo, self.hi)
+    }
 }

@@ -13,6 +13,8 @@ pub struct Letters {
 pub struct Letter {
     /// Which.
     pub glyph: GlyphId,
+    /// The character that it shows.
+    pub character: char,
     /// To the right.
     pub x: f32,
     /// Down.
@@ -62,6 +64,49 @@ impl Letters {
         self.row(text, size).1
     }
 
+    /// A text in lines of at most so many points; words that are longer are broken.
+    #[must_use]
+    pub fn lines(&self, text: &str, size: f32, room: f32) -> Vec<String> {
+        let mut out = vec![String::new()];
+        for word in text.split_whitespace() {
+            let mut word = word.to_owned();
+            loop {
+                let last = out.last().map_or("", String::as_str);
+                let joined = if last.is_empty() { word.clone() } else { format!("{last} {word}") };
+                if self.width(&joined, size) <= room {
+                    out.pop();
+                    out.push(joined);
+                    break;
+                }
+                if !last.is_empty() {
+                    out.push(String::new());
+                    continue;
+                }
+                let fits = |(end, _): &(usize, char)| *end == 0 || self.width(&word[..*end], size) <= room;
+                let end = word.char_indices().skip(1).take_while(fits).last().map_or(word.len(), |(end, _)| end);
+                let rest = word.split_off(end);
+                out.pop();
+                out.extend([std::mem::replace(&mut word, rest), String::new()]);
+                if word.is_empty() {
+                    break;
+                }
+            }
+        }
+        out
+    }
+
+    /// Units of the font for each size of 1.
+    #[must_use]
+    pub fn units(&self) -> f32 {
+        self.face.as_ref().map_or(1.0, |face| f32::from(face.units_per_em()))
+    }
+
+    /// How far a letter takes the pen, in units of the font.
+    #[must_use]
+    pub fn advance(&self, glyph: GlyphId) -> u16 {
+        self.face.as_ref().and_then(|face| face.glyph_hor_advance(glyph)).unwrap_or(0)
+    }
+
     /// The letters of a text that begins at 0, and where it ends. A character that the font lacks is its empty box.
     fn row(&self, text: &str, size: f32) -> (Vec<Letter>, f32) {
         let Some(face) = &self.face else { return (Vec::new(), 0.0) };
@@ -83,7 +128,7 @@ impl Letters {
                         1 => (unit * 0.7, size * -0.36),
                         _ => (unit, 0.0),
                     };
-                    out.push(Letter { glyph, x, y, scale });
+                    out.push(Letter { glyph, character: c, x, y, scale });
                     x += f32::from(face.glyph_hor_advance(glyph).unwrap_or(0)) * scale;
                 }
             }

@@ -4,6 +4,18 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
+impl Colour {
+    /// The grey that is as bright.
+    #[must_use]
+    pub fn grey(self) -> Colour {
+        let Colour(r, g, b) = self;
+        // Weights of the three colours in the brightness of a screen (ITU-R BT.601), in thousandths.
+        let grey = (299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b)) / 1000;
+        let grey = u8::try_from(grey).unwrap_or(u8::MAX);
+        Colour(grey, grey, grey)
+    }
+}
+
 /// Ink.
 pub const BLACK: Colour = Colour(0, 0, 0);
 /// Fine lines behind the curves.
@@ -97,4 +109,22 @@ pub struct Page {
     pub description: String,
     /// The shapes.
     pub shapes: Vec<Shape>,
+}
+
+impl Page {
+    /// The page without colours. Curves are told apart by their dashes, areas by their brightness.
+    #[must_use]
+    pub fn grey(mut self) -> Page {
+        for shape in &mut self.shapes {
+            match shape {
+                // A pale curve would be lost.
+                Shape::Line { colour, width, .. } if *width > 1.6 && *colour != WHITE => *colour = BLACK,
+                Shape::Line { colour, .. } | Shape::Area { colour, .. } | Shape::Dot { colour, .. } => {
+                    *colour = colour.grey();
+                }
+                Shape::Text { .. } => {}
+            }
+        }
+        self
+    }
 }

@@ -17,6 +17,10 @@ pub enum Unclear {
     Same,
     /// A value is too large to be drawn.
     Outside,
+    /// Limits that an axis cannot have.
+    Limits,
+    /// An own point lies outside of the picture.
+    Beyond,
     /// Fewer than two numbers fit to an axis.
     Axis(String),
     /// A number is too long for a title or legend.
@@ -51,6 +55,11 @@ impl fmt::Display for Unclear {
             Self::Outside => {
                 write!(f, "a value is beyond 1e300 and cannot be drawn; print the values with `carom eval`")
             }
+            Self::Limits => write!(
+                f,
+                "an axis goes from a smaller to a greater number, and a logarithmic one begins above 0; write for instance 0.1,1"
+            ),
+            Self::Beyond => write!(f, "an own point lies outside of the picture; widen --xlim, --ylim or --ratio"),
             Self::Axis(label) => write!(f, "fewer than two numbers fit beside the axis {label}; draw a wider range"),
             Self::Long { name, characters } => {
                 write!(

@@ -4,6 +4,7 @@
 //! then is a whole table. Text holds the first thousand rows to choose the widths of its columns, and LaTeX all of
 //! [`LATEX_ROWS`] at most; the other forms hold none.
 
+pub mod cross;
 mod csv;
 mod json;
 pub(in crate::report) mod latex;
@@ -195,13 +196,24 @@ pub struct Writer {
     held: Vec<Vec<Entry>>,
     widths: Option<Vec<usize>>,
     rows: u64,
+    /// The place of a column that is left out.
+    without: Option<usize>,
 }
 
 impl Writer {
     /// Nothing is written yet.
     #[must_use]
     pub fn new(form: Form, head: Head) -> Writer {
-        Writer { form, head, held: Vec::new(), widths: None, rows: 0 }
+        Writer { form, head, held: Vec::new(), widths: None, rows: 0, without: None }
+    }
+
+    /// Leaves a column out, and what the head says of it.
+    #[must_use]
+    pub fn without(mut self, name: &str) -> Writer {
+        self.without = self.head.columns.iter().position(|column| column.name == name);
+        self.head.columns.retain(|column| column.name != name);
+        self.head.facts.retain(|fact| fact.0 != name);
+        self
     }
 
     /// The head as CSV has it, for comparing with a file begun earlier.
@@ -233,8 +245,11 @@ impl Writer {
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn row(&mut self, row: Vec<Entry>, out: &mut dyn Write) -> io::Result<()> {
+    pub fn row(&mut self, mut row: Vec<Entry>, out: &mut dyn Write) -> io::Result<()> {
         self.rows += 1;
+        if let Some(place) = self.without.filter(|place| *place < row.len()) {
+            row.remove(place);
+        }
         match self.form {
             Form::Csv => csv::row(&row, out),
             Form::Json => json::row(&self.head, &row, self.rows == 1, out),

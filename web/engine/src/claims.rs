@@ -138,7 +138,7 @@ pub fn catalogue(_: &Request) -> Result<Value, Fault> {
         for claim in parse(file.text).unwrap_or_default() {
             list.push(json!({
                 "id": claim.name.text,
-                "number": claim.number,
+                "number": report::number(&claim),
                 "title": claim.title,
                 "section": claim.section,
                 "reading": report::reading(&claim),
@@ -209,7 +209,7 @@ fn described(entry: &Entry, text: Option<&str>) -> Value {
     json!({
         "id": claim.name.text,
         "title": claim.title,
-        "number": claim.number,
+        "number": report::number(claim),
         "source": claim.source,
         "section": claim.section,
         "reading": report::reading(claim),
@@ -221,7 +221,7 @@ fn described(entry: &Entry, text: Option<&str>) -> Value {
         "statement": entry.goal(Style::Unicode),
         "mathml": mathml::statement(&claim.goal),
         "hypotheses": hypotheses(claim),
-        "argument": outcome.argument.iter().map(|l| json!([l.depth, l.rule, l.text])).collect::<Vec<_>>(),
+        "argument": report::argument::lines(entry),
         "used": outcome.used,
         "unused": outcome.unused,
         "sample": outcome.sample.as_ref().map(point),

@@ -3,6 +3,7 @@
 use crate::request::{Fault, Request};
 use carom::chain::best::{Best, best};
 use carom::chain::{Positive, Restitution};
+use carom::report::plot::axes::Chart;
 use carom::report::plot::charts;
 use carom::report::plot::svg;
 use carom::report::plot::unclear::Unclear;
@@ -39,7 +40,7 @@ pub fn plot(request: &Request) -> Result<Value, Fault> {
         }
         other => return Err(Fault::at("picture", format!("no picture is called {other:?}"))),
     };
-    Ok(json!({ "svg": svg::render(&page.map_err(|unclear| match unclear {
+    Ok(json!({ "svg": svg::render(&page.and_then(Chart::finish).map_err(|unclear| match unclear {
         Unclear::Chain(error) => fault(error),
         unclear => Fault::new(unclear.to_string()),
     })?) }))

@@ -1,11 +1,12 @@
-//! The section of a claim: statement, witness, argument, and who else has shown it.
+//! The section of a claim: statement, witness, proof, and who else has shown it.
 
 use super::point;
 use crate::claim::print::{self, Style};
+use crate::explain;
 use crate::report::handout::evidence::Evidence;
 use crate::report::handout::{Handout, address, certificate_of, coq_file};
 use crate::report::markup::escape;
-use crate::report::{Entry, mathml, reading_of_source};
+use crate::report::{Entry, mathml, reading};
 
 /// Writes the section.
 pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
@@ -15,7 +16,7 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
     let mark = |(text, good)| format!(" <span class=\"mark {}\">{text}</span>", if good { "good" } else { "lack" });
     let marks: Vec<String> =
         evidence.map(|e| e.marks(outcome.verdict)).unwrap_or_default().into_iter().map(mark).collect();
-    let number = claim.number.map_or(String::new(), |n| format!("({n}) "));
+    let number = claim.number.as_ref().map_or(String::new(), |n| format!("({}) ", escape(n)));
     out.push_str(&format!(
         "<section class=\"claim\" aria-labelledby=\"{0}\">\n<h3 id=\"{0}\">{number}{1} \
          <span class=\"verdict {verdict}\">{verdict}</span>{2}</h3>\n<p class=\"meta\">{0}",
@@ -26,7 +27,7 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
     if let Some(source) = &claim.source {
         out.push_str(&format!(" · {}", escape(source)));
     }
-    if let Some(reading) = reading_of_source(claim) {
+    if let Some(reading) = reading(claim) {
         out.push_str(&format!(" · {reading}"));
     }
     if !outcome.method.is_empty() {
@@ -70,17 +71,10 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
     for note in &claim.notes {
         out.push_str(&format!("<p>{}</p>\n", escape(note)));
     }
-    if !outcome.argument.is_empty() && outcome.witness.is_none() {
-        out.push_str("<details><summary>Argument</summary>\n<ol class=\"argument\">\n");
-        for line in &outcome.argument {
-            out.push_str(&format!(
-                "<li style=\"padding-left:{}em\"><span class=\"rule\">{}</span>: <code>{}</code></li>\n",
-                2 * line.depth.min(20),
-                escape(line.rule),
-                escape(&line.text)
-            ));
-        }
-        out.push_str("</ol></details>\n");
+    if let Some(document) = &entry.explained {
+        out.push_str("<details><summary>Proof</summary>\n<div class=\"proof\">\n");
+        out.push_str(&explain::html::html(document));
+        out.push_str("</div></details>\n");
     }
     for (title, list) in [("Used", &outcome.used), ("Stated but not needed", &outcome.unused)] {
         if !list.is_empty() {
@@ -122,7 +116,7 @@ fn shown_by(out: &mut String, name: &str, evidence: &Evidence) {
              <details><summary>The theorem and its proof in Coq</summary>\n\
              <pre><code>{}</code></pre>\n<pre><code>{}</code></pre>\n</details>\n",
             escape(&theorem.name),
-            link(&coq_file("claims")),
+            link(&coq_file(theorem.stated)),
             link(&coq_file(&theorem.module)),
             escape(&theorem.statement),
             escape(&theorem.proof)

@@ -49,6 +49,9 @@ pub fn page(handout: &Handout) -> String {
     for (place, (section, entries)) in audit.sections().into_iter().enumerate() {
         heading(&mut body, &format!("page.section.{}", place + 1), section);
         for entry in entries {
+            for paragraph in &entry.claim.prose {
+                body.push_str(&format!("<p>{}</p>\n", escape(paragraph)));
+            }
             claim::section(&mut body, entry, handout);
         }
     }

@@ -1,0 +1,616 @@
+#!/usr/bin/env python3
+"""Checks certificates by docs/certificates.md. It shares no code with Carom.
+
+    check.py CLAIMS... -- CERTIFICATES...      files, or folders of *.claim and *.cert files
+
+Prints `accepted NAME`, `refuted NAME`, or `rejected NAME: step LABEL (RULE): reason`. Exit code: 0 if every certificate is
+accepted, 1 if one is not, 2 if a file cannot be read.
+"""
+import collections
+import hashlib
+import itertools
+import os
+import re
+import sys
+from fractions import Fraction as Q
+
+from checker import refutation
+from checker.numbers import evaluate
+from checker.claims import (
+    as_power, compare, conjuncts, constraints, domain, FUNCTIONS, N, names_in, need, num, Parser, plus, put,
+    Refused, same, single, subtrees, text,
+)
+from checker.logic import Logic
+from checker.signs import NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES
+from checker.terms import atom, coefficients, F, ONE, primes, total, ZERO
+
+sys.setrecursionlimit(20000)
+LEMMA = "the weighted mean inequality for two values"
+NO_FACT = "no fact and no accepted claim under `using` is called {}"
+ONE_VALUE = "each variable has one value, and nothing else has any"
+ONE_VARIABLE = "a statement `for all` one variable is needed"
+
+
+class Checker(Logic):
+    """The facts, the open blocks and the rules: sections 3, 4 and 8 of the page."""
+
+    def __init__(self, claim, accepted):
+        super().__init__(claim)
+        self.accepted, self.rests_on, self.facts, self.blocks = accepted, set(), {}, []
+        self.statement()
+
+    def statement(self):
+        claim, count = self.claim, itertools.count(1)
+        for b in claim.given:
+            self.declare(b)
+        moving = {x[2] for p in claim.assumptions + [claim.goal] for x in subtrees(p) if x[0] == "limit"}
+        later = set(self.sequences)
+        facts = [p for b in claim.given for p in self.domains(b)] + claim.assumptions
+        for u, initial, k, step in claim.sequences:
+            names = names_in(initial) | names_in(step) - {k}
+            later.discard(u)
+            once = [x for x in subtrees(step) if x[0] == "call" and x[1] == u]
+            free = put(step, {k: N("name", "!")})
+            same = sum(x == N("call", u, (N("name", "!"),)) for x in subtrees(free))
+            need(u not in names_in(initial) and same == len(once) and not names & later and not names & moving,
+                 f"the sequence {u} is not defined by the member before")
+            for n in names:
+                need(n in FUNCTIONS or self.is_declared(n), f"{n} is not declared here")
+        for v in moving:
+            need(v in self.scope, f"{v} is not declared here")
+            for p in facts:
+                bound = p[0] == "cmp" and p[1][0] == N("name", v) and p[2] in ((">",), (">=",)) and p[1][1][0] == "num"
+                need(bound or v not in names_in(p), f"{v} grows without bound and is tied to something else")
+        for n in set().union(*map(names_in, [*facts, claim.goal])):
+            need(n in FUNCTIONS or self.is_declared(n), f"{n} is not declared here")
+        for p in facts:
+            self.know(f"h{next(count)}", p)
+        for u, initial, k, step in claim.sequences:
+            known = self.known(self.facts, ())
+            self.defined(initial, known)
+            self.inside({k: self.variable(k, True)}, lambda: self.defined(step, known))
+
+    def domains(self, b):
+        yield from domain([b])
+        for n, i in b[1]:
+            facts = list(constraints(b, N("call", n, (N("name", i),)))) if i is not None else []
+            if facts:
+                index = N("bind", ((i, None),), True, (("range", True, *b[4], True),) if b[4] else (), None)
+                yield N("all", (index,), facts[0] if len(facts) == 1 else N("and", tuple(facts)))
+
+    # Facts and blocks.
+    def fact(self, label):
+        need(label in self.facts, NO_FACT.format(label))
+        return self.facts[label]
+
+    def know(self, label, p):
+        need(label not in self.facts and label not in [b[0] for b in self.blocks], f"the label {label} is in use")
+        self.facts[label] = p
+
+    def end(self, conclusion):
+        need(self.blocks, "no block is open")
+        label, goal, facts, scope = self.blocks[-1]
+        need(same(self.fact(conclusion), goal[2]), f"the fact {conclusion} is not the block's conclusion")
+        self.blocks.pop()
+        self.facts, self.scope = facts, scope
+        self.know(label, goal)
+
+    def step(self, s):
+        goal = s.goal
+        known = self.known(s.by, s.using)
+        need(s.label not in self.facts and s.label not in [b[0] for b in self.blocks], f"the label {s.label} is in use")
+        facts, scope = dict(self.facts), dict(self.scope)
+        getattr(self, "rule_" + s.rule)(goal, s, known)
+        if s.rule not in ("suppose", "let"):
+            return self.know(s.label, goal)
+        new = [goal[1]] if s.rule == "suppose" else domain(goal[1])
+        for k, p in enumerate(new):
+            self.know(f"{s.label}s" if s.rule == "suppose" else f"{s.label}d{k + 1}", p)
+        if s.rule == "let":
+            for b in goal[1]:
+                self.declare(b)
+        self.blocks.append((s.label, goal, facts, scope))
+
+    def finish(self):
+        need(not self.blocks, "a block is open at the end")
+        shown = list(self.facts.values())[-1:]
+        need(shown and same(shown[0], self.claim.goal), "the last step does not show the goal")
+
+    # Rules.
+    def rule_suppose(self, goal, s, known):
+        need(goal[0] == "imp", "an implication is needed")
+        self.has_value(goal[1], known)
+
+    def rule_let(self, goal, s, known):
+        need(goal[0] == "all", "a statement `for all` is needed")
+        self.within(goal[1], known, lambda inner: None)
+
+    def holds(self, p, s, known):
+        """Whether p is a cited fact or a part of one, or a comparison that signs show."""
+        if any(same(p, part) for label in s.sources for part in [self.fact(label), *conjuncts(self.fact(label))]):
+            return
+        if p[0] == "and":
+            for part in p[1]:
+                self.holds(part, s, known)
+            return
+        need(p[0] == "cmp", f"needs {text(p)}")
+        self.has_value(p, known)
+        for a, r, b in zip(p[1], p[2], p[1][1:]):
+            difference = self.read(a, known.equations) - self.read(b, known.equations)
+            need(not self.signs(difference, known) & ~SIGNS[r], f"needs {text(p)}")
+
+    def rule_instance(self, goal, s, known):
+        source, *sources = s.sources
+        s = s._replace(sources=sources)
+        if source in self.facts:
+            fact = self.facts[source]
+            need(fact[0] == "all", "a statement `for all` is needed")
+            bindings, assumptions, shown = fact[1], [], fact[2]
+        else:
+            need(source in self.accepted and source in self.claim.using, NO_FACT.format(source))
+            cited, rests_on = self.accepted[source]
+            need(not cited.sequences or not s.values and all(u in self.claim.sequences for u in cited.sequences),
+                 "a sequence of the cited claim is another here")
+            bindings, assumptions, shown = cited.given, cited.assumptions, cited.goal
+            self.rests_on |= rests_on | {source}
+        m = self.values(bindings, s.values, known)
+        for p in domain(bindings) + assumptions:
+            self.holds(put(p, m), s, known)
+        need(same(put(shown, m), goal), f"with these values it says {text(put(shown, m))}")
+
+    def values(self, bindings, given, known):
+        """The values for the variables of bindings; one without a value keeps its name."""
+        names, m = [n for n, _ in given], {}
+        need(len(set(names)) == len(names) and set(names) <= {n for b in bindings for n, _ in b[1]},
+             ONE_VALUE)
+        for b in bindings:
+            for n, index in b[1]:
+                e = m[n] = dict(given).get(n, N("name", n))
+                if index is not None:
+                    need(e[0] == "name" and e[1] in self.families, "a family is put for a family")
+                    here, said = self.families[e[1]], lambda c: list(constraints(c, N("name", "!")))
+                    free = set().union(*map(names_in, said(b))) - {"!"}
+                    plain = not free and b[4] is None and here[4] is None
+                    need(plain and said(b) == said(here) and b[2] == here[2], f"the family {e[1]} has another domain")
+                    continue
+                self.number_defined(e, known)
+                if b[2]:
+                    self.show_whole(e)
+                    self.show(e, NOT_NEGATIVE, known)
+        return m
+
+    def rule_induction(self, goal, s, known):
+        need(goal[0] == "all" and len(goal[1]) == 1, ONE_VARIABLE)
+        (_, names, natural, limits, indices), = goal[1]
+        (n, index), *more = names
+        need(not more and index is None and natural and len(limits) < 2, "induction is on one natural variable")
+        need(not self.is_declared(n), f"the name {n} is in use")
+        first = num(0)
+        for c in limits:
+            first = c[2]
+            digits = first[0] == "num" and first[1].isdigit()
+            need(c[:2] == ("relation", ">=") and digits, "the bound of an induction is a numeral")
+        advance = N("imp", goal[2], put(goal[2], {n: plus(N("name", n), num(1))}, None))
+        for label, p in zip(s.sources, (put(goal[2], {n: first}), N("all", goal[1], advance))):
+            need(same(self.fact(label), p), f"needs {text(p)}")
+
+    def rule_witness(self, goal, s, known):
+        need(goal[0] == "exists", "`exists` is needed")
+        need(all(i is None for b in goal[1] for _, i in b[1]), "families are declared by the claim only")
+        need(len(s.values) == sum(len(b[1]) for b in goal[1]), ONE_VALUE)
+        m = self.values(goal[1], s.values, known)
+        for p in domain(goal[1]) + [goal[2]]:
+            self.holds(put(p, m), s, known)
+
+    def rule_extremum(self, goal, s, known):
+        need(goal[0] == "extremum", "an extremum is needed")
+        _, word, only, of, over, at, value = goal
+        names, m = [n for b in over for n, _ in b[1]], dict(at)
+        free = names_in(value).union(*(names_in(e) for _, e in at))
+        need(sorted(names) == sorted(n for n, _ in at) == sorted(set(names)) and not free & set(names) and
+             not any(b[2] or i is not None for b in over for _, i in b[1]),
+             "an extremum is over real variables, with a value for each")
+        for _, e in at:
+            self.number_defined(e, known)
+        there = [compare(N("name", n), "=", e) for n, e in at]
+        there = there[0] if len(there) == 1 else N("and", tuple(there))
+        parts = [put(p, m) for p in domain(over)] + [compare(put(of, m), "=", value)]
+        parts.append(N("all", over, compare(of, "<=" if word == "maximum" else ">=", value)))
+        if only:
+            parts.append(N("all", over, N("imp", compare(of, "=", value), there)))
+        for p in parts:
+            self.holds(p, s, known)
+
+    def difference(self, p, known):
+        a, relation, b = single(p)
+        return self.read(a, known.equations) - self.read(b, known.equations), SIGNS[relation]
+
+    def rule_combination(self, goal, s, known):
+        self.has_value(goal, known)
+        a, relation, b = single(goal)
+        x = self.value(a, known.equations)
+        if not isinstance(x, F):
+            need(relation == "=" and not s.terms and s.times is None, "the signs do not show this")
+            for row, other in zip(x, self.value(b, known.equations)):
+                for f, g in zip(row, other):
+                    need(self.signs(f - g, known) == 2, "the signs do not show this")
+            return
+        difference, wanted = self.difference(goal, known)
+        if not s.terms and s.times is None:
+            signs = self.signs(difference, known) & self.signs(self.read(a) - self.read(b), known)
+            return need(not signs & ~wanted, "the signs do not show this")
+        times = ONE
+        if s.times is not None:
+            self.defined(s.times, known)
+            times = self.read(s.times, known.equations)
+        signs, summands = 2, [-(times * difference)]
+        for facts, e in s.terms:
+            self.defined(e, known)
+            summand = self.read(e, known.equations)
+            part = self.signs(self.read(e), known) & self.signs(summand, known)
+            for label in facts:
+                f, relation = self.difference(self.fact(label), known)
+                summand, part = summand * f, TIMES[part][relation]
+            signs = PLUS[signs][part]
+            summands.append(summand)
+        need(not total(summands).c, "the two sides of the identity differ")
+        divisor = self.signs(times, known)
+        need(not divisor & 2, "the multiplier may be 0")
+        need(not TIMES[signs][divisor] & ~wanted, "the signs do not show this")
+
+    def rule_power(self, goal, s, known):
+        self.has_value(goal, known)
+        a, relation, b = single(goal)
+        need(relation == "=", "an equation is needed")
+        a, b = self.read(a, known.equations), self.read(b, known.equations)
+        if not self.expanded_logarithms(a - b, known).c:
+            return
+        why = "the powers on both sides are not shown to be the same"
+        need(a.c * b.c > 0, why)
+        bases, logs = {}, []
+
+        def collect(f, e, whole, side):
+            for p, k in primes(abs(f.c)):
+                bases.setdefault(F(p), []).append((e * F(k), whole, side))
+            for p, k in f.factors.items():
+                inner, exponent = self.kind(p, "power", "exp") or (None,), e * F(k)
+                if inner[0] == "power":
+                    need(inner[1].c > 0, why)
+                    collect(inner[1], exponent * inner[2], whole and self.is_whole(inner[2]), side)
+                elif inner[0] == "exp":
+                    logs.append(exponent * inner[1] * F(side))
+                else:
+                    bases.setdefault(F(1, {p: 1}), []).append((exponent, whole, side))
+
+        collect(a, ONE, True, 1)
+        collect(b, ONE, True, -1)
+        for base, places in bases.items():
+            balance, signs = total([e * F(side) for e, _, side in places]), self.signs(base, known)
+            if signs == POSITIVE:
+                logs.append(balance * atom(self.intern(("ln", base))))
+                continue
+            exponents = [self.signs(e, known) for e, _, _ in places]
+            whole = all(w for _, w, _ in places) and (not signs & 2 or not any(e & 1 for e in exponents))
+            both = len({side for _, _, side in places}) == 2
+            root = both and not signs & 1 and all(e == POSITIVE for e in exponents)
+            need(not balance.c and (whole or root), why)
+        need(not self.expanded_logarithms(total(logs), known).c, why)
+
+    def expanded_logarithms(self, f, known):
+        for a in f.atoms():
+            if self.atoms[a][0] == "ln":
+                value = self.logarithm_of(self.atoms[a][1], known)
+                if value != atom(a):
+                    f = self.replaced_all(f, [(a, value, None)])
+        return f
+
+    def logarithm_of(self, x, known):
+        """ln of a product of positive factors as a sum."""
+        if x.c <= 0 or any(self.signs(F(1, {p: 1}), known) != POSITIVE for p in x.factors):
+            return atom(self.intern(("ln", x)))
+        terms = [atom(self.intern(("ln", F(p)))) * F(k) for p, k in primes(x.c)]
+        for p, k in x.factors.items():
+            inner = self.kind(p, "power", "exp") or (None,)
+            if inner[0] == "exp":
+                log = inner[1]
+            elif inner[0] == "power":
+                log = self.logarithm_of(inner[1], known) * inner[2]
+            else:
+                log = atom(self.intern(("ln", F(1, {p: 1}))))
+            terms.append(log * F(k))
+        return total(terms)
+
+    def rule_monotone(self, goal, s, known):
+        self.has_value(goal, known)
+        fact = self.fact(s.sources[0])
+        def raised(low, high):
+            (a, r, b), (c, q, d) = single(low), single(high)
+            c, d = as_power(c), as_power(d)
+            return c and d and r == q and same(c[1], d[1]) and same(c[0], a) and same(d[0], b) and (a, b, c[1])
+        found = raised(fact, goal) or raised(goal, fact)
+        need(found, "these are not powers of the fact's sides with one exponent, nor the other way round")
+        for e, signs in zip(found, (NOT_NEGATIVE, NOT_NEGATIVE, POSITIVE)):
+            self.show(e, signs, known)
+
+    def rule_unfold(self, goal, s, known):
+        self.has_value(goal, known)
+        left, relation, right = single(goal)
+        need(relation == "=", "an equation is needed")
+        if left[0] == "call":
+            need(left[1] in self.sequences, "a member of a sequence, a sum or a product is needed")
+            _, initial, k, step = self.sequences[left[1]]
+            before = plus(left[2][0], num(1), -1)
+            candidates = [initial]
+            if self.read(left[2][0]).c:
+                self.show(before, NOT_NEGATIVE, known)
+                candidates = [put(step, {k: before})]
+        else:
+            need(left[0] == "over", "a member of a sequence, a sum or a product is needed")
+            _, kind, i, low, high, body = left
+            room, is_sum = total([self.read(high), ONE, -self.read(low)]), kind == "sum"
+            candidates = [num(0 if is_sum else 1)]
+            if room.c:
+                self.in_range(left, [room - ONE], known)
+                join = lambda rest, e: plus(rest, e) if is_sum else N("prod", (("*", rest), ("*", e)))
+                candidates = [join(N("over", kind, i, low, plus(high, num(1), -1), body), put(body, {i: high})),
+                              join(N("over", kind, i, plus(low, num(1)), high, body), put(body, {i: low}))]
+        need(any(not (self.read(e) - self.read(right)).c for e in candidates), "this is not what the definition says")
+
+    def rule_termwise(self, goal, s, known):
+        self.has_value(goal, known)
+        fact, (left, relation, right) = self.fact(s.sources[0]), single(goal)
+        why = "two sums or products over one range are needed, and a fact for all of it"
+        need(fact[0] == "all" and len(fact[1]) == 1 and len(fact[1][0][1]) == 1, ONE_VARIABLE)
+        (binding,), body = fact[1:]
+        need(left[0] == right[0] == "over" and left[1] == right[1], why)
+        need(relation in (("=", "<=", ">=") if left[1] == "sum" else ("=",)), why)
+        low, high = self.read(left[3]), self.read(left[4])
+        need(not (low - self.read(right[3])).c and not (high - self.read(right[4])).c, why)
+        at = lambda n, x: put(x, {n: N("name", "!")})
+        n = binding[1][0][0]
+        members = compare(at(left[2], left[5]), relation, at(right[2], right[5]))
+        need(same(at(n, body), members), "needs the comparison of the members")
+        def inside():
+            for p in constraints(binding, N("name", n)):
+                f, wanted = self.difference(p, known)
+                need(not self.signs(f, known) & ~wanted, why)
+        self.at_index(n, low, high, known, inside)
+
+    def rule_mean(self, goal, s, known):
+        self.has_value(goal, known)
+        given = dict(s.values)
+        need(sorted(n for n, _ in s.values) == ["a", "b", "p"], ONE_VALUE)
+        a, b, p = given["a"], given["b"], given["p"]
+        q = plus(num(1), p, -1)
+        left = N("prod", (("*", N("pow", a, q)), ("*", N("pow", b, p))))
+        right = plus(N("prod", (("*", q), ("*", a))), N("prod", (("*", p), ("*", b))))
+        strict = same(goal, compare(left, "<", right))
+        weak, weight = compare(left, "<=", right), POSITIVE if strict else NOT_NEGATIVE
+        need(strict or same(goal, weak), f"with these values it says {text(weak)}")
+        for e, signs in ((a, POSITIVE), (b, POSITIVE), (p, weight), (q, weight)):
+            self.show(e, signs, known)
+        if strict:
+            need(self.has(plus(a, b, -1), NOT_ZERO, known), f"needs {text(compare(a, '!=', b))}")
+        self.rests_on.add(LEMMA)
+
+    def grows(self, goal):
+        """The number of the variable that grows in a limit."""
+        need(goal[0] == "limit", "a limit is needed")
+        v = goal[2]
+        need(v in self.scope, f"{v} is not declared here")
+        for _, initial, k, step in self.sequences.values():
+            need(v not in names_in(initial) | names_in(step) - {k}, f"{v} is tied to something else")
+        return self.is_natural(self.scope[v])
+
+    def rule_limit(self, goal, s, known):
+        denied, goal = goal[0] == "not", goal[1] if goal[0] == "not" else goal
+        natural = self.grows(goal)
+        x = self.variable(goal[2], natural)
+        known = known.copy()
+        if s.values:
+            (word, e), = s.values[:1]
+            need(len(s.values) == 1 and word == "from" and e[0] == "num", "`with from = NUMERAL` is needed")
+            least = F(Q(e[1]))
+            self.learn_signs(atom(x) - least, NOT_NEGATIVE, known)
+            self.learn_signs(atom(x), PLUS[NOT_NEGATIVE][sign(least.c)], known)
+        if natural:
+            self.learn_for_all(x, known)
+        def run():
+            for e in (goal[1], goal[3]):
+                self.defined(e, known)
+            f, value = self.read(goal[1]), self.read(goal[3])
+            top, bottom = (coefficients(p.expanded(), x) for p in f.parts())
+            for p in [*top.values(), *bottom.values(), value]:
+                need(x not in self.free_in(p), "a quotient of polynomials in the variable that grows is needed")
+            degree = max(bottom)
+            need(not self.signs(bottom[degree], known) & 2, "the leading coefficient of the divisor may be 0")
+            grows, quotient = max(top, default=0) > degree, top.get(degree, ZERO) * bottom[degree].power(-1)
+            if denied:
+                apart = top[max(top)] if grows else quotient - value
+                return need(not self.signs(apart, known) & 2, "the limit is another")
+            need(not grows and not (quotient - value).c, "the limit is another")
+        self.inside({goal[2]: x}, run)
+
+    def rule_squeeze(self, goal, s, known):
+        natural = self.grows(goal)
+        lower, upper, lower_limit, upper_limit = map(self.fact, s.sources)
+        at = lambda n, x: put(x, {n: N("name", "!")})
+        for bound, limit, below in ((lower, lower_limit, True), (upper, upper_limit, False)):
+            need(limit[0] == "limit", "a limit is needed")
+            need(limit[2] == goal[2] and same(limit[3], goal[3]), "the limit is another")
+            need(bound[0] == "all" and len(bound[1]) == 1 and len(bound[1][0][1]) == 1, ONE_VARIABLE)
+            (_, ((n, index),), over_naturals, limits, _), = bound[1]
+            unbounded = not limits or len(limits) == 1 and limits[0][1] in (">", ">=") and limits[0][2][0] == "num"
+            need(unbounded and index is None, "the bound does not hold for all large values")
+            need(natural or not over_naturals, "the bound holds for natural numbers only")
+            a, f = at(goal[2], limit[1]), at(goal[2], goal[1])
+            expected = compare(a, "<=", f) if below else compare(f, "<=", a)
+            need(same(at(n, bound[2]), expected), f"needs {text(expected)}")
+
+    def rule_name(self, goal, s, known):
+        e, relation, new = single(goal)
+        need(relation == "=" and new[0] == "name", "the right side must be a new name")
+        self.number_defined(e, known)
+        claim = self.claim
+        used = words((claim.given, claim.sequences, claim.assumptions, claim.goal, [b[1] for b in self.blocks]))
+        need(new[1] not in used and not self.is_declared(new[1]), f"the name {new[1]} is in use")
+        self.scope[new[1]] = self.variable(new[1], False)
+
+    def rule_evaluate(self, goal, s, known):
+        evaluate(self, goal, [self.fact(label) for label in s.using])
+
+    def rule_integer(self, goal, s, known):
+        self.has_value(goal, known)
+        (f, relation), (g, claimed) = self.difference(self.fact(s.sources[0]), known), self.difference(goal, known)
+        need(relation in (1, 4) and claimed in (3, 6), "`<` or `>` is needed, and `<=` or `>=` as the conclusion")
+        f, g = f if relation == 4 else -f, g if claimed == 6 else -g
+        self.whole(f)
+        need(not (f - ONE - g).c, "the two sides of the identity differ")
+
+
+def words(x):
+    return {x} if isinstance(x, str) else set().union(*map(words, x)) if isinstance(x, (tuple, list)) else set()
+
+
+# --------------------------------------------------------------------------------------------------- certificates
+Step = collections.namedtuple("Step", "label rule goal sources by using values times terms")
+# How many facts stand behind `from`, at least and at most.
+COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
+          "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
+          "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "limit": (0, 0),
+          "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
+
+
+def expression(source):
+    parser = Parser(source)
+    return parser.whole(parser.expr)
+
+
+def steps(lines):
+    """The steps after the three lines of the head; a step `end` is its label."""
+    labels = lambda t: [(need(re.fullmatch("[A-Za-z0-9]+", w), f"{w!r} is no label"), w)[1] for w in t.split(" ")]
+    need(lines and lines[-1] == "qed", "the last line is `qed`")
+    out = []
+    for line in lines[:-1]:
+        line = line.lstrip(" ")
+        if line.startswith("end "):
+            out.append(labels(line[4:])[0])
+        elif line.startswith("| "):
+            need(out and isinstance(out[-1], Step), "a step before its fields")
+            s, field = out[-1], re.match(r"\| (by|using|with|times|term)\b ?(.*)$", line)
+            need(field, f"unknown field: {line}")
+            word, rest = field.groups()
+            if word in ("by", "using"):
+                need(not getattr(s, word), f"the field `{word}` stands twice")
+                s = s._replace(**{word: labels(rest)})
+            elif word == "with":
+                name, _, value = rest.partition(" = ")
+                need(s.rule in ("instance", "witness", "mean", "limit"), "`with` is no field of this rule")
+                s.values.append((name, expression(value)))
+            else:
+                need(s.rule == "combination", f"`{word}` is no field of this rule")
+                if word == "times":
+                    need(s.times is None, "the field `times` stands twice")
+                    s = s._replace(times=expression(rest))
+                else:
+                    facts, _, value = (" " + rest).partition(": ")
+                    s.terms.append((labels(facts.strip(" ")) if facts.strip(" ") else [], expression(value)))
+            out[-1] = s
+        else:
+            head, _, goal = line.partition(": ")
+            label, rule, *sources = head.split(" ") + [""] * (" " not in head)
+            need(rule in COUNTS and sources[:1] in ([], ["from"]), f"unknown rule: {head}")
+            sources = sources[1:]
+            least, most = COUNTS[rule]
+            need(least <= len(sources) <= most, f"the rule {rule} reads another number of facts behind `from`")
+            parser = Parser(goal)
+            out.append(Step(labels(label)[0], rule, parser.whole(parser.proposition), sources, [], [], [], None, []))
+    return out
+
+
+def stated(claim, lines):
+    """The statement that steps show, and how many lines in front of them say where and how the claim is false."""
+    lines = [line.lstrip(" ") for line in lines]
+    if lines[:1] != ["refutes"]:
+        return claim, 0
+    places = list(itertools.takewhile(lambda line: line.startswith("at ") and ": " not in line, lines[1:]))
+    point = [line[3:].partition(" = ") for line in places]
+    undefined = [line[10:] for line in lines[len(places) + 1:][:1] if line.startswith("undefined ") and ": " not in line]
+    point = [(expression(place), expression(value)) for place, _, value in point]
+    claim = refutation.of(claim, point, *map(expression, undefined))
+    return claim, 1 + len(places) + len(undefined)
+
+
+def check(claim, source, accepted):
+    """What an accepted certificate rests on, and whether it refutes the claim; Refused says why one is not accepted."""
+    lines = source.split("\n")
+    lines = lines[:-1] if lines[-1] == "" else lines
+    claim, places = stated(claim, lines[3:])
+    digest = hashlib.sha256(claim.text().encode()).hexdigest()
+    head = ["carom-certificate 2", f"claim {claim.name}", f"statement sha256 {digest}"]
+    need(lines[:3] == head, "the first three lines are not those of this statement in format 2")
+    where = "statement"
+    try:
+        checker = Checker(claim, accepted)
+        for s in steps(lines[3 + places:]):
+            where = f"step {s.label} ({s.rule})" if isinstance(s, Step) else f"end {s}"
+            checker.step(s) if isinstance(s, Step) else checker.end(s)
+        where = "qed"
+        checker.finish()
+    except Refused as refused:
+        raise Refused(f"{where}: {refused}")
+    except (ArithmeticError, LookupError, TypeError, AttributeError, ValueError, RecursionError, MemoryError) as fault:
+        raise Refused(f"{where}: it makes no sense, or is too large for this checker: {fault!r}")
+    return checker.rests_on, places > 0
+
+
+def files(paths, ending):
+    for path in paths:
+        inside = [os.path.join(folder, name) for folder, _, names in os.walk(path) for name in sorted(names)]
+        for file in [f for f in inside if f.endswith(ending)] if os.path.isdir(path) else [path]:
+            with open(file, encoding="utf-8") as stream:
+                yield file, stream.read()
+
+
+def main(arguments):
+    if "--" not in arguments:
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    split, claims, texts, accepted, done, count = arguments.index("--"), {}, {}, {}, set(), 0
+    try:
+        for file, source in files(arguments[:split], ".claim"):
+            claims.update({c.name: c for c in Parser(source).claims()})
+        for file, source in files(arguments[split + 1:], ".cert"):
+            name = source.split("\n")[1:2]
+            name = name[0].removeprefix("claim ") if name else ""
+            need(name in claims, f"{file}: no claim {name!r} is given")
+            need(name not in texts, f"{file}: the claim {name} has another certificate")
+            texts[name] = source
+    except (OSError, UnicodeDecodeError, Refused) as fault:
+        print(f"check.py: {fault}", file=sys.stderr)
+        return 2
+
+    def visit(name):
+        nonlocal count
+        if name in done or name not in texts:
+            return
+        done.add(name)
+        for cited in claims[name].using:
+            visit(cited)
+        try:
+            rests_on, refuted = check(claims[name], texts[name], accepted)
+            if not refuted:
+                accepted[name] = (claims[name], rests_on)
+            count += 1
+            print(f"{'refuted' if refuted else 'accepted'} {name}" + (f", by {LEMMA}" if LEMMA in rests_on else ""))
+        except Refused as refused:
+            print(f"rejected {name}: {refused}")
+
+    for name in texts:
+        visit(name)
+    print(f"{count} of {len(texts)} certificates accepted")
+    return 0 if count == len(texts) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

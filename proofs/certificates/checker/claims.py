@@ -1,0 +1,511 @@
+"""Claim files, expressions and propositions as trees: sections 2, 3 and 4 of docs/certificates.md."""
+import re
+
+
+class Refused(Exception):
+    """Why a text is malformed or a step is not taken."""
+
+
+def need(holds, why):
+    if not holds:
+        raise Refused(why)
+
+
+class Node(tuple):
+    """(tag, parts...): an expression, a proposition or a binding. Tuples in it are lists."""
+
+
+EXPRESSIONS = {"num", "name", "call", "neg", "sum", "prod", "pow", "over", "deriv", "matrix"}
+
+
+def nodes(x):
+    """The nodes directly below x."""
+    for y in x:
+        if isinstance(y, Node):
+            yield y
+        elif isinstance(y, tuple):
+            yield from nodes(y)
+
+
+def N(tag, *parts):
+    x = Node((tag,) + parts)
+    arithmetic = tag in EXPRESSIONS or tag in ("cmp", "bind", "limit")
+    for y in nodes(x):
+        if y[0] != "bind" and tag != "extremum":
+            need((y[0] in EXPRESSIONS) == arithmetic, "a statement where a number is needed, or a number for one")
+    return x
+
+
+def num(k):
+    return N("num", str(k))
+
+
+def plus(a, b, sign=1):
+    return N("sum", ((1, a), (sign, b)))
+
+
+def compare(a, relation, b):
+    return N("cmp", (a, b), (relation,))
+
+
+def names_in(x, out=None):
+    """Every name in a tree but those that are bound in it."""
+    out = set() if out is None else out
+    if x[0] in ("name", "call"):
+        out.add(x[1])
+    if x[0] == "deriv":
+        out.update(x[2])
+    if x[0] == "limit":
+        out.add(x[2])
+    inner = set()
+    for y in nodes(x):
+        names_in(y, inner)
+    bound = {x[2]} if x[0] == "over" else {n for b in bindings_of(x) for n, _ in b[1]}
+    if x[0] == "over":
+        names_in(x[3], out), names_in(x[4], out)
+    out |= inner - bound
+    return out
+
+
+def bindings_of(x):
+    return {"all": x[1:2], "exists": x[1:2], "extremum": x[4:5]}.get(x[0], ((),))[0]
+
+
+def moves(m, v):
+    """Nothing may be put in for a variable that moves in a derivative or limit, nor may what is put in depend on it."""
+    for key, value in m.items():
+        if not (value[0] == "name" and value[1].startswith("#")):
+            members = any(y[0] == "call" and y[1] not in FUNCTIONS for y in subtrees(value))
+            moved = key == v or v in names_in(value) or members
+            need(not moved, f"a value is put in that {v}, which moves, may change")
+
+
+def subtrees(x):
+    yield x
+    for y in nodes(x):
+        yield from subtrees(y)
+
+
+def put(x, m, depth=0):
+    """x with values put in for free names, all at once, and bound names by number: two propositions are the same if they
+    are equal after put(x, {}). With depth None bound names are kept, and one that would capture a name is refused."""
+    go = lambda y: put(y, m, depth)
+    tag = x[0]
+
+    def under(names):
+        if depth is not None:
+            return {**m, **{v: N("name", f"#{depth + k}") for k, v in enumerate(names)}}, depth + len(names)
+        inner = {key: value for key, value in m.items() if key not in names}
+        for value in inner.values():
+            free = names_in(value[2]) - set(value[1]) if value[0] == "define" else names_in(value)
+            need(not free & set(names), "a bound name would capture a name that is put in")
+        return inner, None
+
+    new = lambda v, inner: inner[v][1] if depth is not None else v
+    if tag == "name":
+        value = m.get(x[1], x)
+        return value if value[0] != "define" else value[2] if not value[1] else x
+    if tag == "call":
+        value, arguments = m.get(x[1]), tuple(map(go, x[2]))
+        if value is None:
+            return N("call", x[1], arguments)
+        if value[0] == "define" and len(value[1]) == len(arguments):
+            return put(value[2], dict(zip(value[1], arguments)), None)
+        need(value[0] == "name", f"{x[1]} is not a function")
+        return N("call", value[1], arguments)
+    if tag == "over":
+        inner, below = under([x[2]])
+        return N("over", x[1], new(x[2], inner), go(x[3]), go(x[4]), put(x[5], inner, below))
+    if tag in ("deriv", "limit"):
+        for v in x[2] if tag == "deriv" else [x[2]]:
+            moves({} if any(w[0] == "define" for w in m.values()) else m, v)
+        rename = lambda v: m[v][1] if v in m and m[v][0] == "name" else v
+        by = tuple(map(rename, x[2])) if tag == "deriv" else rename(x[2])
+        return N(tag, go(x[1]), by, *map(go, x[3:]))
+    if tag in ("all", "exists", "extremum"):
+        inner, below = under([n for b in bindings_of(x) for n, _ in b[1]])
+        bind = lambda b: N("bind", tuple((new(n, inner), i) for n, i in b[1]), b[2],
+                           *(shaped(y, lambda z: put(z, inner, below)) for y in b[3:]))
+        if tag != "extremum":
+            return N(tag, tuple(map(bind, x[1])), put(x[2], inner, below))
+        at = tuple((new(n, inner) if n in inner else n, go(e)) for n, e in x[5])
+        return N(tag, x[1], x[2], put(x[3], inner, below), tuple(map(bind, x[4])), at, go(x[6]))
+    return N(tag, *(shaped(y, go) for y in x[1:]))
+
+
+def shaped(y, go):
+    return go(y) if isinstance(y, Node) else tuple(shaped(z, go) for z in y) if isinstance(y, tuple) else y
+
+
+def constraints(binding, value):
+    """What a binding says of a value."""
+    for c in binding[3]:
+        if c[0] == "relation":
+            yield compare(value, c[1], c[2])
+        else:
+            yield compare(value, ">=" if c[1] else ">", c[2])
+            yield compare(value, "<=" if c[4] else "<", c[3])
+
+
+def domain(bindings):
+    return [p for b in bindings for n, index in b[1] if index is None for p in constraints(b, N("name", n))]
+
+
+# ---------------------------------------------------------------------------------------------------- reading text
+GREEK = dict(zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΦΨΩ", """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu
+    nu xi pi rho sigma tau upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Phi Psi Omega""".split()))
+OTHER = {"≤": "<=", "≥": ">=", "≠": "!=", "⇒": "=>", "⇔": "<=>", "·": "*", "×": "*", "−": "-", "→": "->",
+         "∧": " and ", "∨": " or ", "¬": " not ", "∞": " infinity ", "√": " sqrt "}
+TOKEN = re.compile(r'''(?a:(?P<skip>[ \t\r\ufeff]+|\#[^\n]*|\n)|(?P<number>\d+(\.\d+)?([eE][+-]?\d+)?)
+    |(?P<word>[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*'*(?![\w']))|(?P<text>"[^"\n]*")
+    |(?P<sign><=>|<=|>=|!=|=>|->|\.\.|[-+*/^()\[\]{},;:=<>]))''', re.X)
+DASHED = re.compile(r"(?a:(?P<word>[A-Za-z](\w|-(?=\w))*))")
+CLAUSES = set("claim source section number reading note using given let define assume prove expect".split())
+RESERVED = CLAUSES | set("""and or not exists for all each in is at over of as by with maximum minimum limit infinity have
+    obtain case real natural sum product derivative only conclude""".split())
+FUNCTIONS = set("det transpose sqrt cbrt exp ln cosh sinh sech tanh".split())
+RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
+
+
+class Parser:
+    def __init__(self, source):
+        source = source.translate(str.maketrans({**GREEK, **OTHER}))
+        self.tokens, self.at_token, at, first, in_list = [], 0, 0, True, False
+        while at < len(source):
+            # The names of claims, behind `claim` and in the list behind `using`, may hold dashes.
+            last = self.tokens[-1][1] if self.tokens else ""
+            in_list = last == "using" or (in_list and last not in CLAUSES and self.tokens[-1][0] in ("word", "sign"))
+            dashed = last == "claim" or (in_list and last in ("using", ","))
+            found = (dashed and DASHED.match(source, at)) or TOKEN.match(source, at)
+            need(found, f"unexpected {source[at]!r}")
+            at = found.end()
+            if found.lastgroup == "number":
+                digits, _, exponent = found.group().lower().partition("e")
+                short = len(digits) <= 10_000 and abs(int(exponent or 0)) <= 10_000
+                need(short, "a numeral too long for this checker")
+            if found.lastgroup == "skip":
+                first = first or "\n" in found.group()
+                continue
+            self.tokens.append((found.lastgroup, found.group(), first))
+            first = False
+        self.tokens.append(("end", "", True))
+
+    def at(self, *texts):
+        return self.tokens[self.at_token][1] in texts
+
+    def take(self, *texts):
+        if self.at(*texts):
+            self.at_token += 1
+            return self.tokens[self.at_token - 1][1]
+
+    def want(self, text):
+        need(self.at(text), f"expected `{text}`, found `{self.tokens[self.at_token][1]}`")
+        return self.take(text)
+
+    def kind(self, kind):
+        found = self.tokens[self.at_token]
+        need(found[0] == kind, f"expected a {kind}, found `{found[1]}`")
+        self.at_token += 1
+        return found[1]
+
+    def name(self):
+        need(self.tokens[self.at_token][1] not in RESERVED, "a word of the language is no name")
+        return self.kind("word")
+
+    def read(self, pattern):
+        """Reads by a pattern: E is an expression, N a name, B bindings, A assignments; anything else is itself."""
+        readers = {"E": self.expr, "N": self.name, "B": self.bindings, "A": self.assignments}
+        return [readers[part]() if part in readers else self.want(part) for part in pattern.split()]
+
+    def many(self, read, *signs):
+        """Parts with signs between them: [(sign before the part, part)]."""
+        parts = [(None, read())]
+        while sign := self.take(*signs):
+            parts.append((sign, read()))
+        return parts
+
+    def whole(self, read):
+        x = read()
+        need(self.tokens[self.at_token][0] == "end", f"unexpected `{self.tokens[self.at_token][1]}`")
+        return x
+
+    # Expressions. A parenthesis may hold a statement: N refuses it where a number is needed.
+    def expr(self):
+        e = self.sum()
+        need(e[0] in EXPRESSIONS, "a number is needed")
+        return e
+
+    def sum(self):
+        terms = [(1, self.signed())]
+        while sign := self.take("+", "-"):
+            terms.append((1 if sign == "+" else -1, self.product()))
+        return terms[0][1] if len(terms) == 1 else N("sum", tuple(terms))
+
+    def signed(self):
+        return N("neg", self.signed()) if self.take("-") else self.product()
+
+    def product(self):
+        factors = [("*", self.power())]
+        while operator := self.take("*", "/"):
+            factors.append((operator, self.signed_power()))
+        return factors[0][1] if len(factors) == 1 else N("prod", tuple(factors))
+
+    def signed_power(self):
+        return N("neg", self.signed_power()) if self.take("-") else self.power()
+
+    def power(self):
+        base = self.atom()
+        return N("pow", base, self.signed_power()) if self.take("^") else base
+
+    def atom(self):
+        if self.tokens[self.at_token][0] == "number":
+            return N("num", self.kind("number"))
+        if self.take("("):
+            inner = self.prop()
+            self.want(")")
+            return inner
+        if self.take("["):
+            rows = []
+            for sign, entry in self.many(self.expr, ",", ";"):
+                rows[-1].append(entry) if sign == "," else rows.append([entry])
+            self.want("]")
+            need(len(set(map(len, rows))) == 1, "the rows of a matrix differ in length")
+            return N("matrix", tuple(map(tuple, rows)))
+        if word := self.take("sum", "product"):
+            _, v, _, low, _, high, _, body, _ = self.read("( N = E .. E , E )")
+            return N("over", word, v, low, high, body)
+        if self.take("derivative"):
+            _, body, _, first = self.read("( E , N")
+            by = [first] + [self.name() for _ in iter(lambda: self.take(","), None)]
+            self.want(")")
+            return N("deriv", body, tuple(by))
+        name = self.name()
+        if not self.take("("):
+            return N("name", name)
+        arguments = [e for _, e in self.many(self.expr, ",")]
+        self.want(")")
+        return N("call", name, tuple(arguments))
+
+    # Propositions.
+    def prop(self):
+        return self.chain("iff", "<=>", self.implication)
+
+    def proposition(self):
+        p = self.prop()
+        need(p[0] not in EXPRESSIONS, "a comparison is needed")
+        return p
+
+    def chain(self, tag, sign, part):
+        parts = [p for _, p in self.many(part, sign)]
+        return parts[0] if len(parts) == 1 else N(tag, tuple(parts))
+
+    def implication(self):
+        left = self.chain("or", "or", lambda: self.chain("and", "and", self.negation))
+        return N("imp", left, self.implication()) if self.take("=>") else left
+
+    def negation(self):
+        if self.take("not"):
+            return N("not", self.negation())
+        if word := self.take("exists", "for"):
+            need(word == "exists" or self.take("all", "each"), "expected `all`")
+            bindings, _ = self.read("B :")
+            return N("exists" if word == "exists" else "all", bindings, self.proposition())
+        if word := self.take("maximum", "minimum"):
+            _, of, _, over = self.read("of E over B")
+            only = bool(self.take("only"))
+            _, at, _, value = self.read("at A is E")
+            return N("extremum", word, only, of, over, at, value)
+        if self.take("limit"):
+            _, of, _, v, _, _, _, value = self.read("of E as N -> infinity is E")
+            return N("limit", of, v, value)
+        sides = self.many(self.sum, *RELATIONS)
+        relations = tuple(r for r, _ in sides[1:])
+        return N("cmp", tuple(e for _, e in sides), relations) if relations else sides[0][1]
+
+    def assignments(self):
+        return tuple((n, e) for _, (n, _, e) in self.many(lambda: self.read("N = E"), ","))
+
+    def bindings(self):
+        out = []
+        while True:
+            out.append(self.binding())
+            more = self.take(";") or ((out[-1][2] or out[-1][3]) and self.take(","))
+            if not more or self.at_clause():
+                return tuple(out)
+
+    def binding(self):
+        names, natural, limits, indices, any_domain = [], False, [], None, False
+        while not names or self.take(","):
+            name, index = self.name(), None
+            if self.take("("):
+                index = self.name()
+                self.want(")")
+            names.append((name, index))
+        while True:
+            if any_domain:
+                self.take("and")
+            if self.take("real"):
+                pass
+            elif self.take("natural"):
+                natural = True
+            elif relation := self.take(*RELATIONS):
+                limits.append(("relation", relation, self.expr()))
+            elif self.take("in"):
+                limits.append(self.interval())
+                natural = natural or limits[-1][0] == "range"
+            else:
+                break
+            any_domain = True
+        need(any_domain, "expected a domain such as `real`, `natural` or `> 0`")
+        if self.take("for"):
+            index, _, low, _, high = self.read("N in E .. E")
+            need(index in {i for _, i in names}, "not the index of this family")
+            indices = (low, high)
+        return N("bind", tuple(names), natural, tuple(limits), indices)
+
+    def interval(self):
+        start = self.at_token
+        if opening := self.take("[", "("):
+            try:
+                low = self.expr()
+                self.want(",")
+                return ("interval", opening == "[", low, self.expr(), self.kind("sign") == "]")
+            except Refused:
+                self.at_token = start
+        low, _, high = self.read("E .. E")
+        return ("range", True, low, high, True)
+
+    # Claim files.
+    def at_clause(self):
+        kind, text, first = self.tokens[self.at_token]
+        return kind == "end" or (first and text in CLAUSES)
+
+    def claims(self):
+        while self.tokens[self.at_token][0] != "end":
+            yield self.claim()
+
+    def claim(self):
+        self.want("claim")
+        name, items, using, goal = self.kind("word"), [], [], None
+        self.kind("text")
+        while not self.at("claim") and self.tokens[self.at_token][0] != "end":
+            word = self.kind("word")
+            if word == "using":
+                using += [n for _, n in self.many(lambda: self.kind("word"), ",")]
+            elif word == "given":
+                items.append((word, self.bindings()))
+            elif word == "let":
+                new, parameters = self.name(), []
+                if self.take("("):
+                    parameters = [n for _, n in self.many(self.name, ",")]
+                    self.want(")")
+                items.append((word, new, tuple(parameters), self.read("= E")[1]))
+            elif word == "define":
+                u = self.name()
+                *_, initial = self.read(f"by {u} ( 0 ) = E")
+                _, _, _, index, *_, step = self.read(f", {u} ( N + 1 ) = E")
+                items.append((word, u, initial, index, step))
+            elif word == "assume":
+                if self.tokens[self.at_token + 1][1] == ":":
+                    self.at_token += 2
+                items.append((word, self.proposition()))
+            elif word == "prove":
+                need(goal is None, "two goals")
+                goal = self.proposition()
+            while word not in ("using", "given", "let", "define", "assume") and not self.at_clause():
+                self.at_token += 1
+            need(self.at_clause(), f"expected the end of the clause, found `{self.tokens[self.at_token][1]}`")
+        need(goal, f"{name} has no goal")
+        return Claim(name, using, items, goal)
+
+
+# ------------------------------------------------------------------------------------------------------- statements
+class Claim:
+    """A statement: definitions by `let` are put in place."""
+
+    def __init__(self, name, using, items, goal):
+        self.name, self.using, self.given, self.sequences, self.assumptions = name, using, [], [], []
+        lets = {}
+        for item in items:
+            if item[0] == "given":
+                for b in item[1]:
+                    without = {k: v for k, v in lets.items() if k not in [i for _, i in b[1]]}
+                    bounds = (shaped(y, lambda e: put(e, without, None)) for y in b[3:])
+                    self.given.append(N("bind", b[1], b[2], *bounds))
+            elif item[0] == "let":
+                outside = {k: v for k, v in lets.items() if k not in item[2]}
+                lets[item[1]] = Node(("define", item[2], put(item[3], outside, None)))
+            elif item[0] == "define":
+                step = put(item[4], {k: v for k, v in lets.items() if k != item[3]}, None)
+                self.sequences.append((item[1], put(item[2], lets, None), item[3], step))
+            else:
+                self.assumptions.append(put(item[1], lets, None))
+        self.goal = put(goal, lets, None)
+
+    def text(self):
+        out = [f"claim {self.name}"] + [f"given {text(b)}" for b in self.given]
+        for u, initial, k, step in self.sequences:
+            out.append(f"define {u} by {u}(0) = {text(initial)}, {u}({k} + 1) = {text(step)}")
+        return "\n".join(out + [f"assume {text(p)}" for p in self.assumptions] + [f"prove {text(self.goal)}"]) + "\n"
+
+
+def text(x):
+    """The text of a tree, every compound part in parentheses: what the digest is taken of."""
+    tag = x[0]
+    each = lambda between, list_: between.join(map(text, list_))
+    signed = lambda parts, signs: text(parts[0][1]) + "".join(signs[s] + text(e) for s, e in parts[1:])
+    if tag in ("num", "name"):
+        return x[1]
+    if tag == "call":
+        return f"{x[1]}({each(', ', x[2])})"
+    if tag == "over":
+        return f"{x[1]}({x[2]} = {text(x[3])}..{text(x[4])}, {text(x[5])})"
+    if tag == "deriv":
+        return f"derivative({text(x[1])}, {', '.join(x[2])})"
+    if tag == "matrix":
+        return "[" + "; ".join(each(", ", row) for row in x[1]) + "]"
+    if tag == "bind":
+        out = ", ".join(n if i is None else f"{n}({i})" for n, i in x[1]) + (" natural" if x[2] else " real")
+        for c in x[3]:
+            if c[0] == "relation":
+                out += f" {c[1]} {text(c[2])}"
+            elif c[0] == "range":
+                out += f" in {text(c[2])}..{text(c[3])}"
+            else:
+                out += f" in {'[' if c[1] else '('}{text(c[2])}, {text(c[3])}{']' if c[4] else ')'}"
+        return out + (f" for indices in {text(x[4][0])}..{text(x[4][1])}" if x[4] else "")
+    return "(" + {
+        "neg": lambda: "-" + text(x[1]),
+        "sum": lambda: signed(x[1], {1: " + ", -1: " - "}),
+        "prod": lambda: signed(x[1], {"*": "*", "/": "/"}),
+        "pow": lambda: text(x[1]) + "^" + text(x[2]),
+        "cmp": lambda: text(x[1][0]) + "".join(f" {r} {text(e)}" for r, e in zip(x[2], x[1][1:])),
+        "and": lambda: each(" and ", x[1]), "or": lambda: each(" or ", x[1]), "iff": lambda: each(" <=> ", x[1]),
+        "not": lambda: "not " + text(x[1]),
+        "imp": lambda: text(x[1]) + " => " + text(x[2]),
+        "exists": lambda: f"exists {each('; ', x[1])}: {text(x[2])}",
+        "all": lambda: f"for all {each('; ', x[1])}: {text(x[2])}",
+        "extremum": lambda: f"{x[1]} of {text(x[3])} over {each('; ', x[4])} {'only ' if x[2] else ''}at "
+                            + ", ".join(f"{n} = {text(e)}" for n, e in x[5]) + f" is {text(x[6])}",
+        "limit": lambda: f"limit of {text(x[1])} as {x[2]} -> infinity is {text(x[3])}",
+    }[tag]() + ")"
+
+
+def same(p, q):
+    return put(p, {}) == put(q, {})
+
+
+def single(p):
+    need(p[0] == "cmp" and len(p[2]) == 1, "a single comparison is needed, not a chain")
+    return p[1][0], p[2][0], p[1][1]
+
+
+def conjuncts(p):
+    return [q for part in p[1] for q in conjuncts(part)] if p[0] == "and" else [p]
+
+
+def as_power(e):
+    if e[0] == "pow":
+        return e[1], e[2]
+    if e[0] == "call" and e[1] in ("sqrt", "cbrt"):
+        return e[2][0], N("prod", (("*", num(1)), ("/", num(2 if e[1] == "sqrt" else 3))))

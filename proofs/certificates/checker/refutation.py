@@ -1,0 +1,170 @@
+"""What has to be shown so that a claim is false at a point, or has no value there: section 9 of docs/certificates.md."""
+import operator
+import re
+from fractions import Fraction
+
+from .claims import Claim, N, compare, constraints, domain, names_in, need, nodes, num, plus, put, subtrees, text
+from .signs import number as in_numerals
+
+COMPARE = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+
+
+def natural(e):
+    return e[0] == "num" and re.fullmatch("0|[1-9][0-9]*", e[1]) is not None
+
+
+def number(e):
+    """p, -p, p/q or -p/q as a fraction; else None."""
+    if natural(e):
+        return Fraction(int(e[1]))
+    if e[0] == "neg" and e[1][0] != "neg":
+        return None if number(e[1]) is None else -number(e[1])
+    if e[0] == "prod" and len(e[1]) == 2:
+        (first, p), (second, q) = e[1]
+        if (first, second) == ("*", "/") and natural(p) and natural(q) and q != num(0):
+            return Fraction(int(p[1]), int(q[1]))
+    return None
+
+
+def whole(e, point):
+    """A sum of numerals and variables of the point as a whole number; else None."""
+    if natural(e):
+        return int(e[1])
+    if e[0] == "name":
+        value = next((v for place, v in point if place == e), None)
+        return int(value[1]) if value is not None and natural(value) else None
+    if e[0] == "sum":
+        parts = [(sign, whole(part, point)) for sign, part in e[1]]
+        return None if any(p is None for _, p in parts) else sum(sign * p for sign, p in parts)
+    return None
+
+
+def peeled(bindings, goal):
+    """The bindings with those in front of the goal, and what is left of the goal."""
+    while goal[0] == "all":
+        bindings, goal = bindings + list(goal[1]), goal[2]
+    if goal[0] != "extremum":
+        return bindings, goal
+    _, word, only, of, over, at, value = goal
+    parts = [compare(put(of, dict(at), None), "=", value), compare(of, "<=" if word == "maximum" else ">=", value)]
+    there = [compare(N("name", n), "=", e) for n, e in at]
+    if only and there:
+        there = there[0] if len(there) == 1 else N("and", tuple(there))
+        parts.append(N("imp", compare(of, "=", value), there))
+    return bindings + list(over), N("and", tuple(parts))
+
+
+def only(bindings, families):
+    for b in bindings:
+        names = tuple(n for n in b[1] if (n[1] is not None) == families)
+        if names:
+            yield N("bind", names, *b[2:])
+
+
+def without_value(e, bindings, goal, sequences):
+    """The bindings around an expression of the goal, the premises before it, and what it needs for its value."""
+    def way(p, bound, premises):
+        """The way to the first place where e stands."""
+        if p == e:
+            return bound, premises
+        if p[0] in ("exists", "extremum", "limit"):
+            return None
+        parts = [(q, bound, premises) for q in nodes(p) if q[0] != "bind"]
+        if p[0] == "imp":
+            parts[1] = (p[2], bound, premises + [p[1]])
+        if p[0] == "all":
+            parts = [(p[2], bound + list(p[1]), premises)]
+        if p[0] == "over":
+            index = N("bind", ((p[2], None),), True, (("range", True, p[3], p[4], True),), None)
+            parts[2] = (p[5], bound + [index], premises)
+        return next((found for part in parts if (found := way(*part)) is not None), None)
+
+    found = way(goal, [], [])
+    nothing = f"{text(e)} is no expression of the goal, or nothing is needed for its value"
+    need(found is not None and not any(i is not None for b in found[0] for _, i in b[1]), nothing)
+    bound, premises = found
+    natural = {n for b in bindings + bound if b[2] for n, _ in b[1]}
+
+    def whole(x):
+        v = in_numerals(x)
+        if v is not None:
+            return v.denominator == 1
+        if x[0] == "pow":
+            k = in_numerals(x[2])
+            return whole(x[1]) and k is not None and k >= 0 and k.denominator == 1
+        if x[0] in ("name", "call"):
+            return x[1] in natural
+        divides = x[0] == "prod" and any(operator == "/" for operator, _ in x[1])
+        return x[0] in ("neg", "sum", "prod") and not divides and all(map(whole, nodes(x)))
+
+    zero, needed = num(0), []
+    if e[0] == "prod":
+        needed = [compare(part, "!=", zero) for operator, part in e[1] if operator == "/"]
+    elif e[0] == "pow":
+        k = in_numerals(e[2])
+        if k is not None and k.denominator == 1:
+            needed = [compare(e[1], "!=", zero)] if k < 0 else []
+        elif k is not None or not whole(e[2]):
+            needed = [compare(e[1], ">=" if k is not None and k > 0 else ">", zero)]
+        else:
+            needed = [N("or", (compare(e[1], "!=", zero), compare(e[2], ">=", zero)))]
+    elif e[0] == "over":
+        needed = [compare(e[3], "<=", plus(e[4], num(1)))]
+    elif e[0] == "call" and e[1] in ("sqrt", "cbrt", "ln"):
+        needed = [compare(e[2][0], ">" if e[1] == "ln" else ">=", zero)]
+    elif e[0] == "call" and len(e[2]) == 1:
+        family = next((b for b in bindings if any(n == e[1] and i is not None for n, i in b[1])), None)
+        if family or e[1] in [u[0] for u in sequences]:
+            needed = [compare(e[2][0], ">=", zero)]
+        if family and family[4]:
+            needed += [compare(family[4][0], "<=", e[2][0]), compare(e[2][0], "<=", family[4][1])]
+    need(needed, nothing)
+    return bound, premises, needed[0] if len(needed) == 1 else N("and", tuple(needed))
+
+
+def tells_how_it_grows(p, moving):
+    """Whether a domain or hypothesis is a lower bound of a variable that grows; it may say nothing else of one."""
+    grows = sorted(names_in(p) & moving)
+    bound = p[0] == "cmp" and p[2] in ((">",), (">=",)) and p[1][0][0] == "name" and p[1][1][0] == "num"
+    need(not grows or bound and p[1][0][1] == grows[0], f"{grows} grows without bound and is tied to something else")
+    return bool(grows)
+
+
+def of(claim, point, undefined=None):
+    """The claim that another one is false at a point, or that an expression of it has no value there."""
+    bindings, goal = peeled(claim.given, claim.goal)
+    premises = []
+    if undefined is not None:
+        bound, premises, goal = without_value(undefined, bindings, goal, claim.sequences)
+        bindings = bindings + bound
+    plain, families = list(only(bindings, False)), list(only(bindings, True))
+    seen, equations = set(), []
+    for place, value in point:
+        no_place = f"{place[1]} is no place of a point here, or its value is no number for it"
+        if place[0] == "name":
+            found = [b for b in plain if place[1] in [n for n, _ in b[1]]]
+        else:
+            need(place[0] == "call" and len(place[2]) == 1 and natural(place[2][0]), no_place)
+            found = [b for b in families if place[1] in [n for n, _ in b[1]]]
+            for b in found[:1]:
+                for c in constraints(b, value):
+                    sides = [number(e) for e in c[1]]
+                    need(None not in sides and COMPARE[c[2][0]](*sides), no_place)
+                if b[4]:
+                    low, index, high = whole(b[4][0], point), int(place[2][0][1]), whole(b[4][1], point)
+                    need(low is not None and high is not None and low <= index <= high, no_place)
+        need(found and place not in seen, no_place)
+        need(natural(value) if found[0][2] else number(value) is not None, no_place)
+        seen.add(place)
+        equations.append(compare(place, "=", value))
+    for b in families:
+        for n, _ in b[1]:
+            given = any(place[0] == "call" and place[1] == n for place in seen)
+            need(given or not b[3], f"{n} may have no other members in its domain")
+    moving = {p[2] for p in subtrees(goal) if p[0] == "limit"}
+    parts = [p for p in domain(plain) + claim.assumptions if not tells_how_it_grows(p, moving)]
+    parts += premises + [N("not", goal)]
+    free = [N("bind", b[1], b[2], (), b[4]) for b in plain]
+    out = Claim(claim.name, [], [], parts[0] if len(parts) == 1 else N("and", tuple(parts)))
+    out.given, out.sequences, out.assumptions = free + families, claim.sequences, equations
+    return out

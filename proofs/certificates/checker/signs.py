@@ -1,0 +1,354 @@
+"""Signs, and when an expression has a value: sections 6 and 7 of docs/certificates.md."""
+from fractions import Fraction as Q
+
+from checker.claims import conjuncts, constraints, domain, N, need, nodes, single, text
+from checker.terms import atom, F, factored, ONE, size, Terms, the_atom, total
+
+# A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
+SIGNS = {"=": 2, "!=": 5, "<": 1, "<=": 3, ">": 4, ">=": 6}
+NOT_ZERO, POSITIVE, NOT_NEGATIVE, ANY = 5, 4, 6, 7
+SHOWN = {5: "other than 0", 4: "positive", 6: "at least 0"}
+
+
+def sign(q):
+    return 4 if q > 0 else 1 if q < 0 else 2
+
+
+def table(rule):
+    """The signs of a op b for all sets of signs of a and b."""
+    return [[sum({1 << k for a in (-1, 0, 1) if s & 1 << a + 1 for b in (-1, 0, 1) if t & 1 << b + 1
+                  for k in (0, 1, 2) if rule(a, b) & 1 << k}) for t in range(8)] for s in range(8)]
+
+
+TIMES = table(lambda a, b: sign(a * b))
+PLUS = table(lambda a, b: 7 if a * b < 0 else sign(a + b))
+
+
+def sign_power(s, k):
+    s = (s & 2) | (4 if s & 5 else 0) if k % 2 == 0 else s
+    return s & NOT_ZERO if k < 0 else s
+
+
+class Known:
+    """What a step reads from the facts under `by` and `using`."""
+
+    def __init__(self, notes=(), equations=(), for_all=()):
+        self.notes, self.equations, self.for_all = dict(notes), list(equations), list(for_all)
+
+    def copy(self):
+        return Known(self.notes, self.equations, self.for_all)
+
+
+def number(e):
+    """The value of an expression of numerals alone, or None."""
+    tag = e[0]
+    if tag == "num":
+        return Q(e[1])
+    parts = [number(y) for y in nodes(e)]
+    if None in parts or tag not in ("neg", "sum", "prod", "pow"):
+        return None
+    if tag == "neg":
+        return -parts[0]
+    if tag == "sum":
+        return sum(s * v for (s, _), v in zip(e[1], parts))
+    if tag == "pow":
+        fits = parts[1].denominator == 1 and abs(parts[1]) <= 1000 and (parts[0] or parts[1] >= 0)
+        return parts[0] ** int(parts[1]) if fits else None
+    out = Q(1)
+    for (operator, _), v in zip(e[1], parts):
+        if operator == "/" and not v:
+            return None
+        out = out * v if operator == "*" else out / v
+    return out
+
+
+class Values(Terms):
+    """Signs of expressions and whether they have values, from what a step cites."""
+
+    # Signs.
+    def known(self, by, using):
+        known = Known()
+        for label in using:
+            a, relation, b = single(self.fact(label))
+            left, right = self.read(a, known.equations), self.read(b, known.equations)
+            need(relation == "=", "an equation is needed")
+            number, = left.atoms() if len(left.factors) == 1 and len(left.atoms()) == 1 else (None,)
+            if number is not None and left != atom(number) * F(left.c):
+                number = None
+            written = self.written(a)
+            need(number is not None or written, "the left side of an equation is no atom, power or exponential")
+            # c*A = B says A = B/c. A value for a power is that of the left side as it is written.
+            new = [(number, right * F(1 / left.c), None)] if number is not None else []
+            known.equations = [(n, self.replaced_all(f, new), w) for n, f, w in known.equations] + new
+            known.equations += [(None, right, written)] if written else []
+        for label in by:
+            self.learn(self.fact(label), known)
+        return known
+
+    def learn(self, p, known):
+        if p[0] == "and":
+            for part in p[1]:
+                self.learn(part, known)
+        if p[0] == "all" and len(p[1]) == 1 and len(p[1][0][1]) == 1 and p[1][0][2]:
+            known.for_all.append(p)
+        if p[0] == "cmp":
+            for side in p[1]:
+                self.learn_needs(side, known)
+            for a, relation, b in zip(p[1], p[2], p[1][1:]):
+                sides = self.value(a), self.value(b)
+                if isinstance(sides[0], F) and isinstance(sides[1], F):
+                    self.note(sides[0] - sides[1], SIGNS[relation], known)
+                    if known.equations:
+                        replaced = self.read(a, known.equations) - self.read(b, known.equations)
+                        self.note(replaced, SIGNS[relation], known)
+
+    def learn_needs(self, e, known):
+        """A fact has a value, so that its divisors are not 0, and so on."""
+        if e[0] not in ("over", "deriv"):
+            for part in nodes(e):
+                self.learn_needs(part, known)
+        for part, signs, other in self.needs(e):
+            if other is None:
+                self.note(self.read(part), signs, known)
+                if known.equations:
+                    self.note(self.read(part, known.equations), signs, known)
+
+    def learn_signs(self, f, signs, known):
+        self.note(f, signs, known)
+        if known.equations:
+            self.note(self.replaced_all(f, known.equations), signs, known)
+
+    def note(self, f, allowed, known):
+        """Keeps what the sign of a fraction says of the one factor whose sign is open."""
+        rest, open_ = sign(f.c), []
+        for p, k in f.factors.items():
+            signs = sign_power(self.poly_signs(p, known, {}), k)
+            if signs in (1, 4):
+                rest = TIMES[rest][signs]
+            else:
+                open_.append((p, k))
+        keep = lambda p, signs: known.notes.__setitem__(p, known.notes.get(p, ANY) & signs)
+        if allowed & 2 == 0:
+            for p, _ in open_:
+                keep(p, NOT_ZERO)
+        if len(open_) == 1 and rest in (1, 4):
+            (p, k), = open_
+            possible = (1, 4) if k < 0 else (1, 2, 4)
+            signs = sum(s for s in possible if not TIMES[sign_power(s, k)][rest] & ~allowed)
+            if not signs:
+                return
+            keep(p, signs)
+            c = dict(p).get((), 0)
+            beyond = POSITIVE if c < 0 and not signs & ~NOT_NEGATIVE else 1 if c > 0 and not signs & ~3 else 0
+            if beyond:
+                moved = factored(1, {m: d for m, d in p if m})
+                if len(moved.factors) == 1 and set(moved.factors.values()) == {1}:
+                    keep(next(iter(moved.factors)), TIMES[sign(moved.c)][beyond])
+
+    def signs(self, f, known):
+        signs = self.fraction_signs(f, known, {})
+        if known.equations:
+            signs &= self.fraction_signs(self.replaced_all(f, known.equations), known, {})
+        return signs
+
+    def fraction_signs(self, f, known, found):
+        out = sign(f.c)
+        for p, k in f.factors.items():
+            out = TIMES[out][sign_power(self.poly_signs(p, known, found), k)]
+        return out
+
+    def poly_signs(self, p, known, found):
+        if the_atom(p) is not None:
+            return self.atom_signs(the_atom(p), known, found)
+        out = 2
+        for m, c in p:
+            term = sign(c)
+            for a, k in m:
+                term = TIMES[term][sign_power(self.atom_signs(a, known, found), k)]
+            out = PLUS[out][term]
+        return out & known.notes.get(p, ANY)
+
+    def atom_signs(self, a, known, found):
+        if a not in found:
+            found[a] = known.notes.get(next(iter(atom(a).factors)), ANY) & self.form_signs(a, known, found)
+        return found[a]
+
+    def form_signs(self, a, known, found):
+        kind, *inner = self.atoms[a]
+        if self.is_natural(a):
+            return NOT_NEGATIVE
+        if kind == "exp":
+            return POSITIVE
+        if kind == "ln":
+            return self.fraction_signs(inner[0] - ONE, known, found)
+        if kind == "power":
+            base = self.fraction_signs(inner[0], known, found)
+            if not self.is_whole(inner[1]):
+                return POSITIVE if not base & 2 or inner[1].factors else NOT_NEGATIVE
+            return next((s for s in (POSITIVE, NOT_NEGATIVE, NOT_ZERO) if not base & ~s), ANY)
+        if kind == "over":
+            body = self.fraction_signs(inner[4], known, found)
+            kinds = (NOT_NEGATIVE,) if inner[0] == "sum" else (POSITIVE, NOT_NEGATIVE, NOT_ZERO)
+            return next((s for s in kinds if not body & ~s), ANY)
+        out = ANY
+        if kind == "member":
+            indices = self.families[inner[0]][4] if inner[0] in self.families else None
+            whole = [("range", True, *indices, True)] if indices else []
+            for _, (binding,), body in known.for_all:
+                (k, index), limits = binding[1][0], list(binding[3])
+                for p in conjuncts(body) if index is None and limits in ([], whole) else []:
+                    left = p[1][0] if p[0] == "cmp" and len(p[2]) == 1 else p
+                    if left[0] == "call" and left[1] == inner[0] and list(left[2]) == [N("name", k)] and p[1][1][0] == "num":
+                        out &= PLUS[SIGNS[p[2][0]]][sign(Q(p[1][1][1]))]
+        return out
+
+    # Values.
+    def is_whole_form(self, e):
+        v, tag = number(e), e[0]
+        if v is not None:
+            return v.denominator == 1
+        if tag == "name":
+            return e[1] in self.scope and self.is_natural(self.scope[e[1]])
+        if tag == "call":
+            return e[1] in self.families and self.families[e[1]][2]
+        if tag == "pow":
+            k = number(e[2])
+            return self.is_whole_form(e[1]) and k is not None and k >= 0 and k.denominator == 1
+        if tag == "prod" and any(operator == "/" for operator, _ in e[1]):
+            return False
+        return tag in ("neg", "sum", "prod") and all(map(self.is_whole_form, nodes(e)))
+
+    def needs(self, e):
+        """(part, signs it needs, None); or (base, NOT_ZERO, exponent), if the exponent may be not negative instead."""
+        if e[0] == "prod":
+            yield from ((part, NOT_ZERO, None) for operator, part in e[1] if operator == "/")
+        elif e[0] == "pow":
+            k = number(e[2])
+            if k is not None and k.denominator == 1:
+                yield from [(e[1], NOT_ZERO, None)] if k < 0 else []
+            elif k is not None or not self.is_whole_form(e[2]):
+                yield e[1], NOT_NEGATIVE if k is not None and k > 0 else POSITIVE, None
+            else:
+                yield e[1], NOT_ZERO, e[2]
+        elif e[0] == "call" and e[1] in ("sqrt", "cbrt", "ln"):
+            yield e[2][0], POSITIVE if e[1] == "ln" else NOT_NEGATIVE, None
+
+    def has(self, e, signs, known):
+        found = self.fraction_signs(self.read(e), known, {})
+        if known.equations:
+            found &= self.fraction_signs(self.read(e, known.equations), known, {})
+        return not found & ~signs
+
+    def show(self, e, signs, known):
+        need(self.has(e, signs, known), f"{text(e)} is not shown to be {SHOWN[signs]}")
+
+    def in_range(self, e, differences, known):
+        for f in differences:
+            need(not self.signs(f, known) & ~NOT_NEGATIVE, f"the range or index of {text(e)} is not shown to be one")
+
+    def show_whole(self, e):
+        need(self.is_whole_form(e), "an index or exponent that is not a whole number by its form")
+
+    def number_defined(self, e, known):
+        """Whether e has a value and is a number; reading it shows that every name in it is declared."""
+        self.defined(e, known)
+        self.read(e)
+
+    def defined(self, e, known):
+        if e[0] == "over":
+            for end in e[3:5]:
+                self.defined(end, known)
+                self.show_whole(end)
+            low, high = self.read(e[3]), self.read(e[4])
+            self.show(e[3], NOT_NEGATIVE, known)
+            self.in_range(e, [total([high, ONE, -low])], known)
+            known = known.copy()
+            self.at_index(e[2], low, high, known, lambda: self.defined(e[5], known))
+            return
+        for part in nodes(e):
+            self.defined(part, known)
+        if e[0] == "call" and self.is_declared(e[1]):
+            for argument in e[2]:
+                self.show_whole(argument)
+                self.show(argument, NOT_NEGATIVE, known)
+                ends = self.families[e[1]][4] if e[1] in self.families else None
+                if ends:
+                    index = self.read(argument)
+                    self.in_range(e, [index - self.read(ends[0]), self.read(ends[1]) - index], known)
+        for part, signs, exponent in self.needs(e):
+            if exponent is None or not self.has(exponent, NOT_NEGATIVE, known):
+                self.show(part, signs, known)
+        if e[0] == "deriv":
+            self.smooth(e[1], e[2], known)
+
+    def at_index(self, name, low, high, known, run):
+        """Runs something where a name is a natural number between low and high."""
+        index = self.variable(name, True)
+        for f in (atom(index) - low, high - atom(index)):
+            self.learn_signs(f, NOT_NEGATIVE, known)
+        self.learn_for_all(index, known)
+        return self.inside({name: index}, run)
+
+    def learn_for_all(self, index, known):
+        """What cited facts `for all` natural numbers say of an index that lies in their domain."""
+        for _, (binding,), body in list(known.for_all):
+            name = binding[1][0][0]
+            def learn():
+                for p in constraints(binding, N("name", name)):
+                    a, relation, b = single(p)
+                    if self.signs(self.read(a) - self.read(b), known) & ~SIGNS[relation]:
+                        return
+                for part in conjuncts(body):
+                    if part[0] != "all":
+                        self.learn(part, known)
+            self.inside({name: index}, learn)
+
+    def smooth(self, e, by, known):
+        """Whether what has a value can be differentiated: what is needed holds nearby as well."""
+        if e[0] == "over":
+            need(not {self.scope[x] for x in by} & self.free_in(self.read(e)), "a derivative of a sum over an index")
+            return
+        for part, signs, exponent in self.needs(e):
+            if e[0] != "prod":
+                self.show(part, POSITIVE if signs == NOT_NEGATIVE else signs, known)
+        for part in nodes(e):
+            self.smooth(part, by, known)
+
+    def has_value(self, p, known):
+        tag = p[0]
+        if tag == "cmp":
+            sizes = set()
+            for e in p[1]:
+                self.defined(e, known)
+                sizes.add(size(self.value(e)))
+            ordered = any(r not in ("=", "!=") for r in p[2])
+            need(len(sizes) == 1 and not (ordered and sizes != {None}), "matrices of different sizes, or in order")
+        elif tag in ("all", "exists"):
+            self.within(p[1], known, lambda inner: self.has_value(p[2], inner))
+        elif tag == "extremum":
+            for e in [e for _, e in p[5]] + [p[6]]:
+                self.number_defined(e, known)
+            self.within(p[4], known, lambda inner: self.number_defined(p[3], inner))
+        elif tag == "imp":
+            self.has_value(p[1], known)
+            known = known.copy()
+            self.learn(p[1], known)
+            self.has_value(p[2], known)
+        else:
+            need(tag != "limit", "a limit cannot be supposed")
+            for part in nodes(p):
+                self.has_value(part, known)
+
+    def within(self, bindings, known, run):
+        """Runs something where the names of bindings are declared and their domains known."""
+        known = known.copy()
+        def enter():
+            for b in bindings:
+                need(all(i is None for _, i in b[1]), "families are declared by the claim only")
+                self.declare(b)
+                for p in domain([b]):
+                    for e in p[1]:
+                        self.defined(e, known)
+                    self.learn(p, known)
+            return run(known)
+        return self.inside({}, enter)

@@ -1,0 +1,758 @@
+(** What the generated proofs rest on: for each rule of the kernel its lemmas and tactics.
+
+rule suppose: intro
+rule let: intro
+rule logic: logic
+rule instance: give, premises, same
+rule induction: nat_ind1, nat_from
+rule witness: exists
+rule extremum: finish
+rule combination: by_sign, note_sign, divided, matrices, derive
+rule name: named
+rule power: by_logarithms, pw
+rule monotone: rising_pow, rising_rpower, rising_sqrt, all_relations
+rule unfold: product_last, product_first, sum_last, sum_first, product_empty, sum_empty, member
+rule mean: mean_weak, mean_strict
+rule limit: lim_inv, lim_seq_inv
+rule squeeze: squeeze_lim, squeeze_seq
+
+Missing: termwise, integer. *)
+From Carom Require Export vocabulary.
+From Coq Require Export Lra Lia List ZArith Bool.
+Import ListNotations.
+Open Scope R_scope.
+
+(** * Which of negative, zero, positive a number may be *)
+Record sg := S3 { neg : bool; zer : bool; pos : bool }.
+Definition holds (s : sg) (x : R) : Prop :=
+  (x < 0 -> neg s = true) /\ (x = 0 -> zer s = true) /\ (0 < x -> pos s = true).
+
+Definition within (s t : sg) : bool :=
+  implb (neg s) (neg t) && implb (zer s) (zer t) && implb (pos s) (pos t).
+Definition apart (s t : sg) : bool :=
+  negb (neg s && neg t) && negb (zer s && zer t) && negb (pos s && pos t).
+Definition meet (s t : sg) : sg := S3 (neg s && neg t) (zer s && zer t) (pos s && pos t).
+Definition times (s t : sg) : sg :=
+  S3 (neg s && pos t || pos s && neg t) (zer s && (neg t || zer t || pos t) || zer t && (neg s || zer s || pos s))
+     (neg s && neg t || pos s && pos t).
+Definition plus (s t : sg) : sg :=
+  S3 (neg s && (neg t || zer t || pos t) || neg t && (zer s || pos s))
+     (zer s && zer t || neg s && pos t || pos s && neg t)
+     (pos s && (neg t || zer t || pos t) || pos t && (zer s || neg s)).
+Definition power (s : sg) (k : nat) : sg :=
+  match k with O => S3 false false true
+  | _ => if Nat.even k then S3 false (zer s) (neg s || pos s) else s end.
+Definition number (z : Z) : sg :=
+  match z with Z0 => S3 false true false | Zpos _ => S3 false false true | Zneg _ => S3 true false false end.
+
+Inductive sx := SA (i : nat) | SN (n : Z) (d : positive) | SM (a b : sx) | SP (a b : sx) | SW (a : sx) (k : nat) | SI (a : sx).
+
+Fixpoint ev (env : list R) (t : sx) : R :=
+  match t with
+  | SA i => nth i env 0
+  | SN n xH => IZR n
+  | SN n d => IZR n / IZR (Zpos d)
+  | SM a b => ev env a * ev env b
+  | SP a b => ev env a + ev env b
+  | SW a k => ev env a ^ k
+  | SI a => / ev env a
+  end.
+
+Fixpoint sgn (se : list sg) (t : sx) : sg :=
+  match t with
+  | SA i => nth i se (S3 true true true)
+  | SN n _ => number n
+  | SM a b => times (sgn se a) (sgn se b)
+  | SP a b => plus (sgn se a) (sgn se b)
+  | SW a k => power (sgn se a) k
+  | SI a => sgn se a
+  end.
+
+Fixpoint ok (env : list R) (se : list sg) : Prop :=
+  match env, se with
+  | x :: e, s :: t => holds s x /\ ok e t
+  | nil, nil => True
+  | _, _ => False
+  end.
+
+Ltac bools := repeat match goal with b : bool |- _ => destruct b end; cbn in *; try tauto; try lra; try congruence.
+
+Lemma three : forall x, x < 0 \/ x = 0 \/ 0 < x. Proof. intro. lra. Qed.
+
+Lemma holds_times : forall s t x y, holds s x -> holds t y -> holds (times s t) (x * y).
+Proof.
+  intros [a b c] [d e f] x y (h1 & h2 & h3) (k1 & k2 & k3). unfold holds, times. cbn in *.
+  destruct (three x) as [hx | [hx | hx]]; destruct (three y) as [hy | [hy | hy]].
+  all: try (assert (0 < x * y) by nra). all: try (assert (x * y < 0) by nra). all: try (assert (x * y = 0) by nra).
+  all: repeat split; intro; try (exfalso; lra).
+  all: try rewrite (h1 hx); try rewrite (h2 hx); try rewrite (h3 hx); try rewrite (k1 hy); try rewrite (k2 hy); try rewrite (k3 hy).
+  all: clear; bools.
+Qed.
+
+Lemma holds_plus : forall s t x y, holds s x -> holds t y -> holds (plus s t) (x + y).
+Proof.
+  intros [a b c] [d e f] x y (h1 & h2 & h3) (k1 & k2 & k3). unfold holds, plus. cbn in *.
+  destruct (three x) as [hx | [hx | hx]]; destruct (three y) as [hy | [hy | hy]].
+  all: try rewrite (h1 hx); try rewrite (h2 hx); try rewrite (h3 hx); try rewrite (k1 hy); try rewrite (k2 hy); try rewrite (k3 hy).
+  all: repeat split; intro; try (exfalso; lra); clear; bools.
+Qed.
+
+Lemma even_pow_pos : forall x k, x <> 0 -> Nat.even k = true -> 0 < x ^ k.
+Proof.
+  intros x k hx hk. apply Nat.even_spec in hk. destruct hk as [m ->]. rewrite pow_mult.
+  apply pow_lt. nra.
+Qed.
+
+Lemma holds_power : forall s x k, holds s x -> holds (power s k) (x ^ k).
+Proof.
+  intros [a b c] x k (h1 & h2 & h3). destruct k as [| k]. { cbn. split; [| split]; cbn; intro; first [reflexivity | exfalso; lra]. }
+  unfold power. cbn in h1, h2, h3. destruct (Nat.even (S k)) eqn:p.
+  - destruct (three x) as [hx | [hx | hx]].
+    + assert (0 < x ^ S k) by (apply even_pow_pos; [lra | exact p]). rewrite (h1 hx).
+      split; [| split]; cbn [neg zer pos]; intro; first [reflexivity | exfalso; lra].
+    + assert (x ^ S k = 0) by (rewrite hx; apply pow_i; lia). rewrite (h2 hx).
+      split; [| split]; cbn [neg zer pos]; intro; first [reflexivity | exfalso; lra].
+    + assert (0 < x ^ S k) by (apply even_pow_pos; [lra | exact p]). rewrite (h3 hx).
+      split; [| split]; cbn [neg zer pos]; intro; first [apply orb_true_r | exfalso; lra].
+  - assert (q : Nat.even k = true).
+    { rewrite Nat.even_succ in p. rewrite <- Nat.negb_odd. rewrite p. reflexivity. }
+    destruct (three x) as [hx | [hx | hx]].
+    + assert (0 < x ^ k) by (apply even_pow_pos; [lra | exact q]).
+      split; [| split]; cbn [neg zer pos pow]; intro; first [now auto | exfalso; nra].
+    + split; [| split]; cbn [neg zer pos pow]; intro; first [now auto | exfalso; nra].
+    + assert (0 < x ^ k) by (apply even_pow_pos; [lra | exact q]).
+      split; [| split]; cbn [neg zer pos pow]; intro; first [now auto | exfalso; nra].
+Qed.
+
+Lemma holds_inv : forall s x, holds s x -> holds s (/ x).
+Proof.
+  intros s x (h1 & h2 & h3). destruct (three x) as [hx | [hx | hx]].
+  - assert (/ x < 0) by (now apply Rinv_lt_0_compat). split; [| split]; intro; first [now auto | exfalso; lra].
+  - rewrite hx. rewrite Rinv_0. split; [| split]; intro; first [now auto | exfalso; lra].
+  - assert (0 < / x) by (now apply Rinv_0_lt_compat). split; [| split]; intro; first [now auto | exfalso; lra].
+Qed.
+
+Lemma holds_number : forall n d, holds (number n) (ev nil (SN n d)).
+Proof.
+  intros n d. assert (hd : 0 < / IZR (Zpos d)) by (apply Rinv_0_lt_compat, IZR_lt; lia).
+  assert (h : exists x, 0 < x /\ ev nil (SN n d) = IZR n * x).
+  { destruct d; [exists (/ IZR (Zpos d~1)) | exists (/ IZR (Zpos d~0)) | exists 1]; (split; [first [exact hd | lra] | cbn [ev]; unfold Rdiv; ring]). }
+  destruct h as (x & hx & ->). destruct n; cbn [number].
+  - split; [| split]; cbn; intro; first [reflexivity | exfalso; lra].
+  - assert (0 < IZR (Zpos p)) by (apply IZR_lt; lia). split; [| split]; cbn [neg zer pos]; intro; first [reflexivity | exfalso; nra].
+  - assert (IZR (Zneg p) < 0) by (apply IZR_lt; lia). split; [| split]; cbn [neg zer pos]; intro; first [reflexivity | exfalso; nra].
+Qed.
+
+Lemma holds_any : forall x, holds (S3 true true true) x.
+Proof. intro. repeat split. Qed.
+
+Lemma nth_holds : forall env se i, ok env se -> holds (nth i se (S3 true true true)) (nth i env 0).
+Proof.
+  induction env as [| x env IH]; intros [| s se] i h; cbn in h; try tauto.
+  - destruct i; apply holds_any.
+  - destruct i; cbn; [apply h | apply IH, h].
+Qed.
+
+Theorem sgn_sound : forall env se t, ok env se -> holds (sgn se t) (ev env t).
+Proof.
+  intros env se t h. induction t.
+  - apply nth_holds, h.
+  - apply holds_number.
+  - now apply holds_times.
+  - now apply holds_plus.
+  - now apply holds_power.
+  - now apply holds_inv.
+Qed.
+
+Lemma weaken : forall s t x, within s t = true -> holds s x -> holds t x.
+Proof.
+  intros [a b c] [d e f] x w (h1 & h2 & h3). unfold within in w. cbn in *. repeat split; intro h; cbn.
+  - rewrite (h1 h) in w. clear - w. bools.
+  - rewrite (h2 h) in w. clear - w. bools.
+  - rewrite (h3 h) in w. clear - w. bools.
+Qed.
+
+Definition LT := S3 true false false.
+Definition LE := S3 true true false.
+Definition GT := S3 false false true.
+Definition GE := S3 false true true.
+Definition EQ := S3 false true false.
+Definition NE := S3 true false true.
+
+Lemma by_sign : forall env se t s d, ok env se -> d = ev env t -> within (sgn se t) s = true -> holds s d.
+Proof. intros env se t s d h -> w. apply (weaken _ _ _ w), sgn_sound, h. Qed.
+
+Ltac decide_by h := destruct h as (h1 & h2 & h3); cbn in h1, h2, h3.
+Lemma to_lt : forall a b, holds LT (a - b) -> a < b.
+Proof. intros a b (h1 & h2 & h3). cbn in *. destruct (three (a - b)) as [h | [h | h]]; [lra | discriminate (h2 h) | discriminate (h3 h)]. Qed.
+Lemma to_le : forall a b, holds LE (a - b) -> a <= b.
+Proof. intros a b (h1 & h2 & h3). cbn in *. destruct (three (a - b)) as [h | [h | h]]; [lra | lra | discriminate (h3 h)]. Qed.
+Lemma to_gt : forall a b, holds GT (a - b) -> a > b.
+Proof. intros a b (h1 & h2 & h3). cbn in *. destruct (three (a - b)) as [h | [h | h]]; [discriminate (h1 h) | discriminate (h2 h) | lra]. Qed.
+Lemma to_ge : forall a b, holds GE (a - b) -> a >= b.
+Proof. intros a b (h1 & h2 & h3). cbn in *. destruct (three (a - b)) as [h | [h | h]]; [discriminate (h1 h) | lra | lra]. Qed.
+Lemma to_eq : forall a b, holds EQ (a - b) -> a = b.
+Proof. intros a b (h1 & h2 & h3). cbn in *. destruct (three (a - b)) as [h | [h | h]]; [discriminate (h1 h) | lra | discriminate (h3 h)]. Qed.
+Lemma to_ne : forall a b, holds NE (a - b) -> a <> b.
+Proof. intros a b (h1 & h2 & h3) e. cbn in *. assert (h : a - b = 0) by lra. discriminate (h2 h). Qed.
+Lemma to_nz : forall a, holds NE a -> a <> 0.
+Proof. intros a (h1 & h2 & h3) e. cbn in *. discriminate (h2 e). Qed.
+Lemma to_pos : forall a, holds GT a -> 0 < a.
+Proof. intros a (h1 & h2 & h3). cbn in *. destruct (three a) as [h | [h | h]]; [discriminate (h1 h) | discriminate (h2 h) | exact h]. Qed.
+Ltac from := intros; repeat split; cbn; intros; try reflexivity; exfalso; lra.
+Lemma of_lt : forall a b, a < b -> holds LT (a - b). Proof. from. Qed.
+Lemma of_le : forall a b, a <= b -> holds LE (a - b). Proof. from. Qed.
+Lemma of_gt : forall a b, a > b -> holds GT (a - b). Proof. from. Qed.
+Lemma of_ge : forall a b, a >= b -> holds GE (a - b). Proof. from. Qed.
+Lemma of_eq : forall a b, a = b -> holds EQ (a - b). Proof. from. Qed.
+Lemma of_ne : forall a b, a <> b -> holds NE (a - b). Proof. intros a b h. repeat split; cbn; intros; try reflexivity. exfalso; apply h; lra. Qed.
+Lemma of_nz : forall a, a <> 0 -> holds NE a. Proof. intros a h. repeat split; cbn; intros; try reflexivity. exfalso; apply h; lra. Qed.
+Lemma of_pos : forall a, 0 < a -> holds GT a. Proof. from. Qed.
+Lemma of_nat : forall n : nat, holds GE (INR n). Proof. intro n. assert (h := pos_INR n). from. Qed.
+Lemma both : forall s t x, holds s x -> holds t x -> holds (meet s t) x.
+Proof. intros [a b c] [d e f] x (h1 & h2 & h3) (k1 & k2 & k3). repeat split; intro h; cbn in *;
+ [rewrite (h1 h), (k1 h) | rewrite (h2 h), (k2 h) | rewrite (h3 h), (k3 h)]; reflexivity. Qed.
+
+Definition sg_of (n : Z) := number n.
+Lemma absurd_sign : forall (n : Z) s, apart (number n) s = true -> holds s (IZR n) -> False.
+Proof.
+  intros n s a (h1 & h2 & h3). unfold apart in a. destruct n as [| p | p]; cbn [number neg zer pos] in a.
+  - rewrite (h2 eq_refl) in a. cbn in a. discriminate.
+  - assert (q : 0 < IZR (Zpos p)) by (apply IZR_lt; lia). rewrite (h3 q) in a. cbn in a. discriminate.
+  - assert (q : IZR (Zneg p) < 0) by (apply IZR_lt; lia). rewrite (h1 q) in a. cbn in a. discriminate.
+Qed.
+
+(** Entry 0 is the factor whose sign is open: it has those with which the product may have the known signs. *)
+Lemma note_sign : forall p env se t d known s, ok env se -> d = ev (p :: env) t -> holds known d ->
+  (neg s || apart (sgn (LT :: se) t) known) && (zer s || apart (sgn (EQ :: se) t) known)
+  && (pos s || apart (sgn (GT :: se) t) known) = true -> holds s p.
+Proof.
+  intros p env se t d known s h e k c.
+  apply andb_prop in c. destruct c as [c c3]. apply andb_prop in c. destruct c as [c1 c2].
+  assert (q : forall u, holds u p -> apart (sgn (u :: se) t) known = true -> False).
+  { intros u hu a. assert (g : holds (sgn (u :: se) t) d) by (rewrite e; apply sgn_sound; split; assumption).
+    clear - g k a. destruct (sgn (u :: se) t) as [x y z], known as [x' y' z']. destruct g as (g1 & g2 & g3), k as (k1 & k2 & k3).
+    unfold apart in a. cbn in *. destruct (three d) as [i | [i | i]].
+    - rewrite (g1 i), (k1 i) in a. discriminate.
+    - rewrite (g2 i), (k2 i) in a. clear - a. bools.
+    - rewrite (g3 i), (k3 i) in a. clear - a. bools. }
+  repeat split; intro h'.
+  - destruct (neg s); [reflexivity |]. exfalso. apply (q LT); [| exact c1]. clear - h'. repeat split; cbn; intros; try reflexivity; exfalso; lra.
+  - destruct (zer s); [reflexivity |]. exfalso. apply (q EQ); [| exact c2]. clear - h'. repeat split; cbn; intros; try reflexivity; exfalso; lra.
+  - destruct (pos s); [reflexivity |]. exfalso. apply (q GT); [| exact c3]. clear - h'. repeat split; cbn; intros; try reflexivity; exfalso; lra.
+Qed.
+
+(** * Products of powers: each factor with its exponent and its logarithm *)
+Fixpoint dbl (n : nat) : nat := match n with O => O | S m => S (S (dbl m)) end.
+Fixpoint pnat (p : positive) : nat := match p with xH => 1%nat | xO q => dbl (pnat q) | xI q => S (dbl (pnat q)) end.
+Lemma pnat_ok : forall p, pnat p = Pos.to_nat p.
+Proof.
+  assert (d : forall n, dbl n = (2 * n)%nat) by (induction n; cbn; [reflexivity | rewrite IHn; lia]).
+  induction p; cbn [pnat]; rewrite ?d, ?IHp; lia.
+Qed.
+Definition zpow (x : R) (k : Z) : R := match k with Z0 => 1 | Zpos n => x ^ pnat n | Zneg n => / x ^ pnat n end.
+Fixpoint prodz (l : list (R * Z * R)) : R := match l with nil => 1 | (p, k, _) :: t => zpow p k * prodz t end.
+Fixpoint sumz (l : list (R * Z * R)) : R := match l with nil => 0 | (_, k, q) :: t => IZR k * q + sumz t end.
+Fixpoint logs (l : list (R * Z * R)) : Prop := match l with nil => True | (p, _, q) :: t => (0 < p /\ ln p = q) /\ logs t end.
+
+Lemma zpow_pos : forall x k, 0 < x -> 0 < zpow x k.
+Proof. intros x [| n | n] h; cbn; [lra | now apply pow_lt | apply Rinv_0_lt_compat; now apply pow_lt]. Qed.
+Lemma ln_pow' : forall x n, 0 < x -> ln (x ^ n) = INR n * ln x.
+Proof. intros x n h. rewrite <- Rpower_pow by exact h. unfold Rpower. apply ln_exp. Qed.
+Lemma ln_zpow : forall x k, 0 < x -> ln (zpow x k) = IZR k * ln x.
+Proof.
+  intros x [| n | n] h; cbn [zpow].
+  - rewrite ln_1. ring.
+  - rewrite ln_pow' by exact h. rewrite pnat_ok, INR_IZR_INZ, positive_nat_Z. reflexivity.
+  - rewrite ln_Rinv by now apply pow_lt. rewrite ln_pow' by exact h. rewrite pnat_ok, INR_IZR_INZ, positive_nat_Z.
+    change (Zneg n) with (- Zpos n)%Z. rewrite opp_IZR. ring.
+Qed.
+Lemma prodz_pos : forall l, logs l -> 0 < prodz l.
+Proof. induction l as [| [[p k] q] l IH]; cbn; [lra |]. intros ((h & _) & g). apply Rmult_lt_0_compat; [now apply zpow_pos | now apply IH]. Qed.
+Lemma ln_prodz : forall l, logs l -> ln (prodz l) = sumz l.
+Proof.
+  induction l as [| [[p k] q] l IH]; cbn; [intros; apply ln_1 |]. intros ((h & <-) & g).
+  rewrite ln_mult; [| now apply zpow_pos | now apply prodz_pos]. rewrite ln_zpow by exact h. rewrite IH by exact g. reflexivity.
+Qed.
+
+Lemma rpower_leaf : forall X Y V lx lv, logs lx -> logs lv -> X = prodz lx -> V = prodz lv -> Y * sumz lx = sumz lv -> Rpower X Y = V.
+Proof.
+  intros X Y V lx lv hx hv -> -> e. unfold Rpower. rewrite ln_prodz by exact hx. rewrite e, <- ln_prodz by exact hv.
+  apply exp_ln, prodz_pos, hv.
+Qed.
+Lemma pow_leaf : forall X n V lx lv, logs lx -> logs lv -> X = prodz lx -> V = prodz lv -> INR n * sumz lx = sumz lv -> X ^ n = V.
+Proof.
+  intros X n V lx lv hx hv e1 e2 e. rewrite <- Rpower_pow by (rewrite e1; now apply prodz_pos).
+  now apply (rpower_leaf _ _ _ lx lv).
+Qed.
+Lemma sqrt_leaf : forall X V lx lv, logs lx -> logs lv -> X = prodz lx -> V = prodz lv -> / 2 * sumz lx = sumz lv -> sqrt X = V.
+Proof.
+  intros X V lx lv hx hv e1 e2 e. rewrite <- Rpower_sqrt by (rewrite e1; now apply prodz_pos).
+  now apply (rpower_leaf _ _ _ lx lv).
+Qed.
+Lemma cbrt_leaf : forall X V lx lv, logs lx -> logs lv -> X = prodz lx -> V = prodz lv -> 1 / 3 * sumz lx = sumz lv -> cbrt X = V.
+Proof. intros. unfold cbrt. now apply (rpower_leaf _ _ _ lx lv). Qed.
+Lemma exp_leaf : forall X V lv, logs lv -> V = prodz lv -> X = sumz lv -> exp X = V.
+Proof. intros X V lv hv -> ->. rewrite <- ln_prodz by exact hv. apply exp_ln, prodz_pos, hv. Qed.
+Lemma ln_leaf : forall X V lx, logs lx -> X = prodz lx -> sumz lx = V -> ln X = V.
+Proof. intros X V lx h -> <-. now apply ln_prodz. Qed.
+Lemma same_logs : forall A B la lb, logs la -> logs lb -> A = prodz la -> B = prodz lb -> sumz la = sumz lb -> A = B.
+Proof. intros A B la lb ha hb -> -> e. rewrite <- (exp_ln (prodz la)), <- (exp_ln (prodz lb)) by now apply prodz_pos. rewrite !ln_prodz by assumption. now rewrite e. Qed.
+
+Lemma inv_pow_leaf : forall X n V lx lv, logs lx -> logs lv -> X = prodz lx -> V = prodz lv -> IZR (-1) * INR n * sumz lx = sumz lv -> / X ^ n = V.
+Proof.
+  intros X n V lx lv hx hv e1 e2 e. assert (hp : 0 < prodz lx) by now apply prodz_pos. rewrite <- Rpower_pow by (rewrite e1; exact hp).
+  rewrite <- Rpower_Ropp. apply (rpower_leaf _ _ _ lx lv); try assumption. rewrite <- e. ring.
+Qed.
+Fixpoint prodn (n : nat) (l : list (R * Z * R)) : R := match l with nil => 1 | (p, k, _) :: t => zpow (p ^ n) k * prodn n t end.
+Lemma zpow_power : forall x k n, zpow x k ^ n = zpow (x ^ n) k.
+Proof.
+  intros x [| m | m] n; cbn [zpow].
+  - apply pow1.
+  - rewrite <- !pow_mult. now rewrite Nat.mul_comm.
+  - rewrite pow_inv, <- !pow_mult. now rewrite Nat.mul_comm.
+Qed.
+Lemma pow_of_prod : forall X n l, X = prodz l -> X ^ n = prodn n l.
+Proof. intros X n l ->. induction l as [| [[p k] q] l IH]; cbn; [apply pow1 |]. now rewrite Rpow_mult_distr, zpow_power, IH. Qed.
+Lemma same_times : forall a b u x y, a = u * x -> x = y -> b = u * y -> a = b. Proof. intros a b u x y -> -> ->. reflexivity. Qed.
+Lemma prime_log : forall x, 0 < x -> 0 < x /\ ln x = ln x. Proof. intros x h. now split. Qed.
+Lemma ln_of_rpower : forall b E S, ln b = S -> ln (Rpower b E) = E * S.
+Proof. intros b E S <-. unfold Rpower. apply ln_exp. Qed.
+Lemma ln_of_pow : forall b n S, 0 < b -> ln b = S -> ln (b ^ n) = INR n * S.
+Proof. intros b n S h <-. now apply ln_pow'. Qed.
+Lemma sech_is : forall x, sech x = 1 / cosh x. Proof. intro x. unfold sech. rewrite <- (Rmult_1_l (/ cosh x)). reflexivity. Qed.
+Lemma tanh_is : forall x, tanh x = sinh x / cosh x. Proof. reflexivity. Qed.
+Lemma same_cons : forall (A : Type) (x y : A) (s t : list A), x = y -> s = t -> x :: s = y :: t. Proof. intros A x y s t <- <-. reflexivity. Qed.
+
+(** * Identities: the values of variables are put in, divisors stay variables that are not 0. *)
+Definition stands (p v : R) : Prop := p = v.
+Ltac put_in := repeat match goal with H : stands _ _ |- _ => unfold stands in H; subst end.
+Ltac identity := intros; subst; first
+  [ reflexivity
+  | solve [put_in; ring]
+  | (field; solve [repeat split; assumption])
+  | (field_simplify_eq; [put_in; ring | repeat split; assumption])
+  | solve [put_in; field; repeat split; assumption]
+  | solve [put_in; unfold Rdiv; ring] ].
+Ltac nat_power n m := replace n with m by (first [lia | ring]); rewrite ?pow_add, ?pow_mult; ring.
+
+(** * Powers rise; the weighted mean; induction *)
+Lemma mono_lt : forall a b p, 0 < a -> 0 < b -> 0 < p -> a < b -> Rpower a p < Rpower b p.
+Proof. intros a b p ha hb hp h. unfold Rpower. apply exp_increasing. apply Rmult_lt_compat_l; [exact hp |]. now apply ln_increasing. Qed.
+Lemma mono_le : forall a b p, 0 < a -> 0 < b -> 0 < p -> a <= b -> Rpower a p <= Rpower b p.
+Proof. intros a b p ha hb hp [h | ->]; [left; now apply mono_lt | right; reflexivity]. Qed.
+
+Lemma exp_tangent : forall s, 1 + s <= exp s.
+Proof. intro s. destruct (Req_dec s 0) as [-> | h]; [rewrite exp_0; lra | left; now apply exp_ineq1]. Qed.
+
+Lemma mean_weak : forall a b p, 0 < a -> 0 < b -> 0 <= p <= 1 -> Rpower a (1 - p) * Rpower b p <= (1 - p) * a + p * b.
+Proof.
+  intros a b p ha hb hp. set (G := Rpower a (1 - p) * Rpower b p).
+  assert (hg : 0 < G) by (apply Rmult_lt_0_compat; apply exp_pos).
+  assert (lg : ln G = (1 - p) * ln a + p * ln b).
+  { unfold G. rewrite ln_mult by apply exp_pos. unfold Rpower. now rewrite !ln_exp. }
+  assert (q : forall x, 0 < x -> x >= G * (1 + (ln x - ln G))).
+  { intros x hx. assert (e := exp_tangent (ln x - ln G)). unfold Rminus in e at 2. rewrite exp_plus, exp_Ropp, exp_ln, exp_ln in e by assumption.
+    replace x with (G * (x * / G)) at 1 by (field; lra). apply Rle_ge. apply Rmult_le_compat_l; lra. }
+  assert (qa := q a ha). assert (qb := q b hb).
+  assert (e : G = (1 - p) * (G * (1 + (ln a - ln G))) + p * (G * (1 + (ln b - ln G)))) by (rewrite lg; ring). 
+  nra.
+Qed.
+
+Lemma mean_strict : forall a b p, 0 < a -> 0 < b -> 0 < p < 1 -> a <> b -> Rpower a (1 - p) * Rpower b p < (1 - p) * a + p * b.
+Proof.
+  intros a b p ha hb hp hab. set (G := Rpower a (1 - p) * Rpower b p).
+  assert (hg : 0 < G) by (apply Rmult_lt_0_compat; apply exp_pos).
+  assert (lg : ln G = (1 - p) * ln a + p * ln b).
+  { unfold G. rewrite ln_mult by apply exp_pos. unfold Rpower. now rewrite !ln_exp. }
+  assert (hl : ln a <> ln b) by (intro e; apply hab; now apply ln_inv).
+  assert (q : forall x, 0 < x -> ln x <> ln G -> x > G * (1 + (ln x - ln G))).
+  { intros x hx hn. assert (e := exp_ineq1 (ln x - ln G) ltac:(lra)). unfold Rminus in e at 2. rewrite exp_plus, exp_Ropp, exp_ln, exp_ln in e by assumption.
+    replace x with (G * (x * / G)) at 1 by (field; lra). apply Rmult_lt_compat_l; lra. }
+  assert (na : ln a <> ln G) by (rewrite lg; intro e; apply hl; assert (p * (ln a - ln b) = 0) by lra; nra).
+  assert (nb : ln b <> ln G) by (rewrite lg; intro e; apply hl; assert ((1 - p) * (ln a - ln b) = 0) by lra; nra).
+  assert (qa := q a ha na). assert (qb := q b hb nb).
+  assert (e : G = (1 - p) * (G * (1 + (ln a - ln G))) + p * (G * (1 + (ln b - ln G)))) by (rewrite lg; ring).
+  nra.
+Qed.
+
+Lemma nat_from : forall (P : nat -> Prop) b, P b -> (forall n, INR n >= INR b -> P n -> P (n + 1)%nat) -> forall n, INR n >= INR b -> P n.
+Proof.
+  intros P b h s n hn. assert (k : (b <= n)%nat) by (apply INR_le; lra). clear hn.
+  induction k; [exact h |]. replace (S m) with (m + 1)%nat by lia. apply s; [apply Rle_ge, le_INR, k | exact IHk].
+Qed.
+Lemma nat_ind1 : forall (P : nat -> Prop), P 0%nat -> (forall n, P n -> P (n + 1)%nat) -> forall n, P n.
+Proof. intros P h s n. induction n; [exact h |]. replace (S n) with (n + 1)%nat by lia. now apply s. Qed.
+
+(** * Sums and products over a range *)
+Lemma product_ext : forall a b f g, (forall k, (a <= k < b + 1)%nat -> f k = g k) -> product_over a b f = product_over a b g.
+Proof.
+  intros a b f g h. unfold product_over. assert (q : forall c, (a + c <= b + 1)%nat -> product_terms f a c = product_terms g a c).
+  { induction c; intro hc; cbn; [reflexivity |]. rewrite IHc by lia. rewrite h by lia. reflexivity. }
+  destruct (Nat.le_gt_cases a (b + 1)). - apply q. lia. - replace (b + 1 - a)%nat with 0%nat by lia. reflexivity.
+Qed.
+Lemma sum_ext : forall a b f g, (forall k, (a <= k < b + 1)%nat -> f k = g k) -> sum_over a b f = sum_over a b g.
+Proof.
+  intros a b f g h. unfold sum_over. assert (q : forall c, (a + c <= b + 1)%nat -> sum_terms f a c = sum_terms g a c).
+  { induction c; intro hc; cbn; [reflexivity |]. rewrite IHc by lia. rewrite h by lia. reflexivity. }
+  destruct (Nat.le_gt_cases a (b + 1)). - apply q. lia. - replace (b + 1 - a)%nat with 0%nat by lia. reflexivity.
+Qed.
+Lemma sum_ext2 : forall a a' b b' f g, a = a' -> b = b' -> (forall k, (a <= k < b + 1)%nat -> f k = g k) -> sum_over a b f = sum_over a' b' g.
+Proof. intros a a' b b' f g <- <-. apply sum_ext. Qed.
+Lemma product_mult : forall a b f g, product_over a b (fun k => f k * g k) = product_over a b f * product_over a b g.
+Proof. intros. unfold product_over. induction (b + 1 - a)%nat; cbn; [ring | rewrite IHn; ring]. Qed.
+Lemma product_pow : forall a b f m, product_over a b (fun k => f k ^ m) = product_over a b f ^ m.
+Proof. intros. unfold product_over. induction (b + 1 - a)%nat; cbn [product_terms]; [now rewrite pow1 | rewrite IHn; now rewrite Rpow_mult_distr]. Qed.
+Lemma product_inv : forall a b f, product_over a b (fun k => / f k) = / product_over a b f.
+Proof. intros. unfold product_over. induction (b + 1 - a)%nat; cbn; [now rewrite Rinv_1 | rewrite IHn; now rewrite Rinv_mult]. Qed.
+Lemma product_zpow : forall a b f m, product_over a b (fun k => zpow (f k) m) = zpow (product_over a b f) m.
+Proof.
+  intros a b f [| m | m]; cbn [zpow].
+  - unfold product_over. induction (b + 1 - a)%nat; cbn; [reflexivity | rewrite IHn; ring].
+  - apply product_pow.
+  - rewrite product_inv. now rewrite product_pow.
+Qed.
+Lemma product_holds_gt : forall a b f, (forall k, 0 < f k) -> holds GT (product_over a b f).
+Proof. intros a b f h. apply of_pos. unfold product_over. induction (b + 1 - a)%nat; cbn; [lra | apply Rmult_lt_0_compat; auto]. Qed.
+Lemma product_holds_ge : forall a b f, (forall k, 0 <= f k) -> holds GE (product_over a b f).
+Proof.
+  intros a b f h. assert (q : 0 <= product_over a b f).
+  { unfold product_over. induction (b + 1 - a)%nat; cbn; [lra | apply Rmult_le_pos; auto]. }
+  repeat split; cbn; intros; try reflexivity; exfalso; lra.
+Qed.
+Lemma sum_holds_ge : forall a b f, (forall k, 0 <= f k) -> holds GE (sum_over a b f).
+Proof.
+  intros a b f h. assert (q : 0 <= sum_over a b f).
+  { unfold sum_over. induction (b + 1 - a)%nat; cbn; [lra | assert (g := h (a + n)%nat); lra]. }
+  repeat split; cbn; intros; try reflexivity; exfalso; lra.
+Qed.
+Lemma product_empty : forall a b f, (b + 1 = a)%nat -> product_over a b f = 1.
+Proof. intros a b f h. unfold product_over. now replace (b + 1 - a)%nat with 0%nat by lia. Qed.
+Lemma sum_empty : forall a b f, (b + 1 = a)%nat -> sum_over a b f = 0.
+Proof. intros a b f h. unfold sum_over. now replace (b + 1 - a)%nat with 0%nat by lia. Qed.
+Lemma product_last : forall a b c f, (c + 1 = b)%nat -> (a <= b)%nat -> product_over a b f = product_over a c f * f b.
+Proof. intros a b c f h g. unfold product_over. replace (b + 1 - a)%nat with (S (c + 1 - a)) by lia. cbn. now replace (a + (c + 1 - a))%nat with b by lia. Qed.
+Lemma sum_last : forall a b c f, (c + 1 = b)%nat -> (a <= b)%nat -> sum_over a b f = sum_over a c f + f b.
+Proof. intros a b c f h g. unfold sum_over. replace (b + 1 - a)%nat with (S (c + 1 - a)) by lia. cbn. now replace (a + (c + 1 - a))%nat with b by lia. Qed.
+
+Lemma terms_first : forall f a c, product_terms f a (S c) = product_terms f (a + 1) c * f a.
+Proof. intros f a c. induction c; [cbn; replace (a + 0)%nat with a by lia; ring |].
+  change (product_terms f a (S c) * f (a + S c)%nat = product_terms f (a + 1) c * f (a + 1 + c)%nat * f a).
+  rewrite IHc. replace (a + S c)%nat with (a + 1 + c)%nat by lia. ring. Qed.
+Lemma sterms_first : forall f a c, sum_terms f a (S c) = sum_terms f (a + 1) c + f a.
+Proof. intros f a c. induction c; [cbn; replace (a + 0)%nat with a by lia; ring |].
+  change (sum_terms f a (S c) + f (a + S c)%nat = sum_terms f (a + 1) c + f (a + 1 + c)%nat + f a).
+  rewrite IHc. replace (a + S c)%nat with (a + 1 + c)%nat by lia. ring. Qed.
+Lemma product_first : forall a b c f, (a + 1 = c)%nat -> (a <= b)%nat -> product_over a b f = product_over c b f * f a.
+Proof. intros a b c f h g. unfold product_over. subst c. replace (b + 1 - a)%nat with (S (b + 1 - (a + 1))) by lia. apply terms_first. Qed.
+Lemma sum_first : forall a b c f, (a + 1 = c)%nat -> (a <= b)%nat -> sum_over a b f = sum_over c b f + f a.
+Proof. intros a b c f h g. unfold sum_over. subst c. replace (b + 1 - a)%nat with (S (b + 1 - (a + 1))) by lia. apply sterms_first. Qed.
+Lemma mono_ne : forall a b p, 0 < a -> 0 < b -> 0 < p -> a <> b -> Rpower a p <> Rpower b p.
+Proof. intros a b p ha hb hp h. destruct (Rtotal_order a b) as [g | [g | g]]; [| tauto |].
+  - assert (z := mono_lt a b p ha hb hp g). lra. - assert (z := mono_lt b a p hb ha hp g). lra. Qed.
+Lemma ln_sign : forall s x, 0 < x -> holds s (x - 1) -> holds s (ln x).
+Proof.
+  intros s x h (h1 & h2 & h3). destruct (Rtotal_order x 1) as [g | [g | g]].
+  - assert (ln x < 0) by (rewrite <- ln_1; now apply ln_increasing). split; [| split]; intro; first [apply h1; lra | exfalso; lra].
+  - assert (ln x = 0) by (rewrite g; apply ln_1). split; [| split]; intro; first [apply h2; lra | exfalso; lra].
+  - assert (0 < ln x) by (rewrite <- ln_1; apply ln_increasing; lra). split; [| split]; intro; first [apply h3; lra | exfalso; lra].
+Qed.
+
+Lemma second_derivative : forall (f g : R -> R) x a v, (forall y, y > a -> Derive f y = g y) -> x > a -> is_derive g x v -> is_derive_n f 2 x v.
+Proof.
+  intros f g x a v h hx hg. cbn. apply (is_derive_ext_loc g); [| exact hg].
+  assert (e : 0 < x - a) by lra. exists (mkposreal _ e). intros y hy. symmetry. apply h.
+  unfold ball in hy. cbn in hy. unfold AbsRing_ball, abs, minus, plus, opp in hy. cbn in hy. apply Rabs_def2 in hy. lra.
+Qed.
+(** * Limits of quotients in 1/x, and between two others *)
+Lemma lim_inv_R : forall P Q : R -> R, ex_derive P 0 -> ex_derive Q 0 -> Q 0 <> 0 -> is_lim (fun x => P (/ x) / Q (/ x)) p_infty (P 0 / Q 0).
+Proof.
+  intros P Q hP hQ hq. assert (z : is_lim (fun x => / x) p_infty 0).
+  { evar_last. apply is_lim_inv; [apply is_lim_id | discriminate]. reflexivity. }
+  assert (c : forall f : R -> R, ex_derive f 0 -> is_lim (fun x => f (/ x)) p_infty (f 0)).
+  { intros f hf. exact (filterlim_comp _ _ _ (fun x => / x) f _ _ _ z (ex_derive_continuous f 0 hf)). }
+  evar_last. apply is_lim_div; [apply c, hP | apply c, hQ | | ]; cbn; try (intro k; injection k; exact hq).
+  - unfold is_Rbar_div, is_Rbar_mult, Rbar_mult'. cbn. reflexivity.
+  - cbn. reflexivity.
+Qed.
+Lemma lim_inv : forall f (P Q : R -> R) v b, (forall x, x > b -> f x = P (/ x) / Q (/ x)) -> ex_derive P 0 -> ex_derive Q 0 -> Q 0 <> 0 -> P 0 / Q 0 = v -> is_lim f p_infty v.
+Proof.
+  intros f P Q v b h hP hQ hq <-. apply (is_lim_ext_loc (fun x => P (/ x) / Q (/ x))); [| now apply lim_inv_R].
+  exists b. intros x hx. symmetry. apply h. lra.
+Qed.
+Lemma lim_seq_inv : forall f (P Q : R -> R) v b, (forall n : nat, INR n > b -> f n = P (/ INR n) / Q (/ INR n)) -> ex_derive P 0 -> ex_derive Q 0 -> Q 0 <> 0 -> P 0 / Q 0 = v -> is_lim_seq f v.
+Proof.
+  intros f P Q v b h hP hQ hq <-. apply (is_lim_seq_ext_loc (fun n => P (/ INR n) / Q (/ INR n))).
+  - assert (g := is_lim_seq_INR). apply is_lim_seq_spec in g. destruct (g b) as [N hN]. exists N. intros n hn. symmetry. apply h. apply hN, hn.
+  - apply (is_lim_comp_seq (fun x => P (/ x) / Q (/ x)) INR p_infty); [now apply lim_inv_R | now exists 0%nat | apply is_lim_seq_INR].
+Qed.
+Lemma squeeze_seq : forall f lo hi (v : R) b, (forall n : nat, INR n > b -> lo n <= f n /\ f n <= hi n) -> is_lim_seq lo v -> is_lim_seq hi v -> is_lim_seq f v.
+Proof.
+  intros f lo hi v b h hl hh. apply (is_lim_seq_le_le_loc lo f hi); [| exact hl | exact hh].
+  assert (g := is_lim_seq_INR). apply is_lim_seq_spec in g. destruct (g b) as [N hN]. exists N. intros n hn. apply h. apply hN, hn.
+Qed.
+Lemma squeeze_lim : forall f lo hi (v : R) b, (forall x : R, x > b -> lo x <= f x /\ f x <= hi x) -> is_lim lo p_infty v -> is_lim hi p_infty v -> is_lim f p_infty v.
+Proof.
+  intros f lo hi v b h hl hh. apply (is_lim_le_le_loc lo hi f p_infty v); [| exact hl | exact hh]. exists b. intros x hx. apply h. lra.
+Qed.
+
+(** * Tactics of the generated proofs *)
+
+Lemma named : forall x : R, exists r, x = r. Proof. intro x. now exists x. Qed.
+Lemma rpower_is_positive : forall x y, holds GT (Rpower x y). Proof. intros. apply of_pos, exp_pos. Qed.
+Lemma exp_is_positive : forall x, holds GT (exp x). Proof. intros. apply of_pos, exp_pos. Qed.
+Lemma power_is_positive : forall x n, 0 < x -> holds GT (x ^ n). Proof. intros. now apply of_pos, pow_lt. Qed.
+Lemma by_logarithms : forall a b, 0 < a -> 0 < b -> ln a = ln b -> a = b.
+Proof. intros. now apply ln_inv. Qed.
+Lemma ln_rpower : forall x y, ln (Rpower x y) = y * ln x. Proof. intros. unfold Rpower. apply ln_exp. Qed.
+Lemma ln_quotient : forall a b, 0 < a -> 0 < b -> ln (a / b) = ln a - ln b.
+Proof. intros. unfold Rdiv. rewrite ln_mult, ln_Rinv; [ring | assumption | assumption | now apply Rinv_0_lt_compat]. Qed.
+Lemma ln_root : forall x, 0 < x -> ln (sqrt x) = / 2 * ln x.
+Proof. intros. rewrite <- Rpower_sqrt by assumption. apply ln_rpower. Qed.
+
+(** INR of a sum or product is taken apart, numerals become real ones and stand last in sums. *)
+Ltac closed_nat k := lazymatch k with O => idtac | S ?m => closed_nat m end.
+Ltac numerals := repeat match goal with |- context [INR ?k] => closed_nat k;
+  let z := eval cbv in (Z.of_nat k) in replace (INR k) with (IZR z) by (cbn [INR]; ring) end.
+Ltac pushinr := repeat first [rewrite plus_INR | rewrite mult_INR | rewrite pow_INR]; numerals;
+  repeat match goal with |- context [IZR ?c + INR ?n] => rewrite (Rplus_comm (IZR c) (INR n)) end.
+Ltac naturals := repeat match goal with
+  | H : (?a >= ?b)%nat |- _ => apply le_INR in H
+  | H : (?a <= ?b)%nat |- _ => apply le_INR in H
+  | H : (?a > ?b)%nat |- _ => apply lt_INR in H
+  | H : (?a < ?b)%nat |- _ => apply lt_INR in H
+  end; rewrite ?plus_INR, ?mult_INR in *; cbn [INR] in *.
+
+(** Positive, by the facts that say so of its parts. *)
+Ltac pos := first
+  [ assumption
+  | lazymatch goal with
+    | |- 0 < _ * _ => apply Rmult_lt_0_compat; pos
+    | |- 0 < _ / _ => apply Rdiv_lt_0_compat; pos
+    | |- 0 < / _ => apply Rinv_0_lt_compat; pos
+    | |- 0 < _ ^ _ => apply pow_lt; pos
+    | |- 0 < exp _ => apply exp_pos
+    | |- 0 < Rpower _ _ => apply exp_pos
+    | |- 0 < cbrt _ => apply exp_pos
+    | |- 0 < sqrt _ => apply sqrt_lt_R0; pos
+    | |- 0 < _ + _ => apply Rplus_lt_0_compat; pos
+    end
+  | lra
+  | (pushinr; lra) ].
+Ltac nz1 := first
+  [ assumption
+  | lazymatch goal with
+    | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nz1
+    | |- _ ^ _ <> 0 => apply pow_nonzero; nz1
+    | |- / _ <> 0 => apply Rinv_neq_0_compat; nz1
+    | |- _ / _ <> 0 => apply Rmult_integral_contrapositive_currified; nz1
+    end
+  | match goal with H : ?p <> 0 |- ?q <> 0 => solve [let z := fresh in intro z; apply H; lra] end
+  | apply Rgt_not_eq; pos
+  | lra
+  | match goal with H : ?p <> 0 |- ?q <> 0 => solve [let z := fresh in intro z; apply H; ring_simplify; ring_simplify in z; lra] end ].
+Ltac nz := repeat split; nz1.
+Ltac evs := cbv [ev nth prodz sumz zpow pnat dbl].
+Ltac entries := cbn [mat_scale mat_mul mat_add row_add row_times map det2].
+Ltac fld := first [reflexivity | ring | (field; nz) | (entries; first [ring | field; nz]) | (pushinr; first [ring | field; nz])].
+Ltac inr := pushinr; fld.
+
+(** A hypothesis, as the statement writes it or as the proof does. *)
+Ltac apart_all := repeat match goal with H : _ /\ _ |- _ => destruct H end.
+Ltac at_hand := first [assumption | lra].
+Ltac at_index k := repeat match goal with H : forall _ : nat, _ |- _ => let z := fresh in assert (z := H k); clear H end.
+Ltac hyp := first
+  [ assumption
+  | solve [apart_all; at_hand]
+  | solve [naturals; apart_all; pushinr; first [at_hand | (repeat split; lra)]]
+  | solve [apply INR_le; pushinr; naturals; lra]
+  | solve [apply INR_lt; pushinr; naturals; lra]
+  | solve [repeat split; first [at_hand | (naturals; lra)]]
+  | solve [let k := fresh in intro k; at_index k; apart_all; repeat split; at_hand]
+  | solve [intros; repeat split; intros; match goal with H : forall _, _ |- _ => first [apply H; at_hand | apply H] end] ].
+
+(** The logarithm of a product of positive numbers. *)
+Ltac logs := repeat first
+  [ rewrite ln_rpower | rewrite ln_exp | rewrite ln_1
+  | match goal with
+    | |- context [ln (?a * ?b)] => rewrite (ln_mult a b) by pos
+    | |- context [ln (?a / ?b)] => rewrite (ln_quotient a b) by pos
+    | |- context [ln (/ ?a)] => rewrite (ln_Rinv a) by pos
+    | |- context [ln (?a ^ ?n)] => rewrite (ln_pow' a n) by pos
+    | |- context [ln (sqrt ?a)] => rewrite (ln_root a) by pos
+    end ].
+Ltac same_arguments := repeat match goal with
+  | |- context [ln ?a] => match goal with |- context [ln ?b] =>
+      first [constr_eq a b; fail 1 | replace (ln b) with (ln a) by (apply f_equal; solve [fld | (pushinr; fld)])] end end.
+Ltac logfield := pushinr; first [ring | (field; nz) | (same_arguments; first [ring | (field; nz)])].
+Ltac unroot := unfold sech, tanh, cosh, sinh, cbrt in *.
+
+(** Equations between products of powers; [k] writes the exponents by the names of powers. *)
+Ltac hide_logs := repeat match goal with |- context [ln ?a] => generalize (ln a); intro end.
+Ltac pw k := first
+  [ reflexivity | ring | (field; nz)
+  | (pushinr; first [ring | (field; nz)])
+  | (rewrite ?pow_add, ?pow_mult, ?Rpow_mult_distr, ?pow1; first [reflexivity | ring | (field; nz)])
+  | (apply by_logarithms; [pos | pos | logs; first [logfield | (hide_logs; k; logfield)]])
+  | (logs; first [logfield | (hide_logs; k; logfield)])
+  | (unroot; apply by_logarithms; [pos | pos | logs; first [logfield | (hide_logs; k; logfield)]]) 
+  | (unroot; k; rewrite ?Ropp_involutive; first [ring | field; nz]) ].
+
+Lemma divided : forall env se t D sd d s, ok env se -> holds sd D -> D * d = ev env t -> within sd NE = true ->
+  within (times (sgn se t) sd) s = true -> holds s d.
+Proof.
+  intros env se t D sd d s h hD e w1 w2. assert (nz : D <> 0) by (apply to_nz; now apply (weaken _ _ _ w1)).
+  assert (q : holds (sgn se t) (D * d)) by (rewrite e; now apply sgn_sound).
+  apply (weaken _ _ _ w2). replace d with ((D * d) * / D) by (field; exact nz).
+  apply holds_times; [exact q | now apply holds_inv].
+Qed.
+Lemma to_ge0 : forall a, holds GE a -> 0 <= a.
+Proof. intros a (h1 & h2 & h3). cbn in *. destruct (three a) as [h | [h | h]]; [discriminate (h1 h) | lra | lra]. Qed.
+Lemma mean_weak_signs : forall a b p, holds GT a -> holds GT b -> holds GE p -> holds GE (1 - p) ->
+  Rpower a (1 - p) * Rpower b p <= (1 - p) * a + p * b.
+Proof. intros a b p ha hb hp hq. apply to_pos in ha, hb. apply to_ge0 in hp, hq. apply mean_weak; lra. Qed.
+Lemma mean_strict_signs : forall a b p, holds GT a -> holds GT b -> holds GT p -> holds GT (1 - p) -> holds NE (a - b) ->
+  Rpower a (1 - p) * Rpower b p < (1 - p) * a + p * b.
+Proof. intros a b p ha hb hp hq hn. apply to_pos in ha, hb, hp, hq. apply to_ne in hn. apply mean_strict; lra. Qed.
+
+(** A part of a fact that is a conjunction. *)
+Ltac part h := let z := fresh in assert (z := h); apart_all; assumption.
+(** The sign of a member, from what its family says of all. *)
+Ltac family x := lazymatch x with ?f ?i => 
+  repeat match goal with H : forall k : nat, _ |- _ => let z := fresh in assert (z := H i); clear H end;
+  apart_all; unfold LT, LE, EQ, NE, GE, GT; repeat split; cbn [neg zer pos]; intro; first [reflexivity | exfalso; lra] end.
+Ltac matrices := entries; repeat match goal with |- @cons _ _ _ = _ => apply f_equal2 | |- nil = nil => reflexivity end.
+(** Facts for all natural numbers at the indices of the goal, and one form for indices that are the same. *)
+Ltac simple_fact t := lazymatch t with
+  | _ < _ => idtac | _ <= _ => idtac | _ > _ => idtac | _ >= _ => idtac | _ = _ => fail
+  | ?a /\ _ => simple_fact a
+  | (_ <= _ <= _)%nat -> ?b => simple_fact b | INR _ >= _ -> ?b => simple_fact b | INR _ <= _ -> ?b => simple_fact b end.
+Ltac at_members := repeat match goal with
+  | H : forall j : nat, _ |- context [_ ?i] => lazymatch type of i with nat => idtac end;
+      let t := type of (H i) in let t := eval cbv beta in t in simple_fact t;
+      lazymatch goal with _ : t |- _ => fail | _ => assert t by exact (H i) end end;
+  repeat match goal with H : ?A -> _ |- _ => lazymatch type of A with Prop => specialize (H ltac:(first [lia | lra | hyp])) end end;
+  apart_all.
+Ltac same_indices := repeat match goal with |- context [?f ?i] => lazymatch type of i with nat => idtac end;
+  match goal with |- context [f ?j] => lazymatch j with i => fail | _ => replace j with i by lia end end end.
+Ltac body := cbv beta; intros; same_indices; at_members; first [reflexivity | (pushinr; first [ring | (field; nz)])].
+Lemma sum_scale : forall c a b f, c * sum_over a b f = sum_over a b (fun k => c * f k).
+Proof. intros. unfold sum_over. induction (b + 1 - a)%nat; cbn; [ring | rewrite <- IHn; ring]. Qed.
+Lemma sum_plus : forall a b f g, sum_over a b f + sum_over a b g = sum_over a b (fun k => f k + g k).
+Proof. intros. unfold sum_over. induction (b + 1 - a)%nat; cbn; [ring | rewrite <- IHn; ring]. Qed.
+Lemma product_ext2 : forall a a' b b' f g, a = a' -> b = b' -> (forall k, (a <= k < b + 1)%nat -> f k = g k) -> product_over a b f = product_over a' b' g.
+Proof. intros a a' b b' f g <- <-. apply product_ext. Qed.
+Ltac over := first
+  [ reflexivity
+  | solve [apply product_ext2; [lia | lia | body]]
+  | solve [apply sum_ext2; [lia | lia | body]]
+  | solve [rewrite ?sum_scale, ?sum_plus; apply sum_ext2; [lia | lia | body]]
+  | solve [unfold Rdiv; rewrite <- ?product_inv, <- ?product_pow, <- ?product_mult; apply product_ext2; [lia | lia | body]] ].
+Lemma product_in_gt : forall a b f, (forall k, (a <= k < b + 1)%nat -> 0 < f k) -> holds GT (product_over a b f).
+Proof.
+  intros a b f h. apply of_pos. unfold product_over.
+  assert (q : forall c, (a + c <= b + 1)%nat -> 0 < product_terms f a c).
+  { induction c; intro hc; cbn; [lra | apply Rmult_lt_0_compat; [apply IHc; lia | apply h; lia]]. }
+  destruct (Nat.le_gt_cases a (b + 1)). - apply q. lia. - replace (b + 1 - a)%nat with 0%nat by lia. cbn. lra.
+Qed.
+Ltac over_positive := apply product_in_gt; cbv beta; intros; at_members; pos.
+Ltac member_at i := match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u ?t = _ =>
+  replace t with (i + 1)%nat by lia; rewrite (H i); body end.
+Ltac split_off := first
+  [ (apply product_empty; lia) | (apply sum_empty; lia)
+  | (match goal with |- _ = product_over ?a ?c _ * _ => etransitivity; [apply (product_last a _ c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld])
+  | (match goal with |- _ = product_over ?c ?b _ * _ => etransitivity; [apply (product_first _ b c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld])
+  | (match goal with |- _ = sum_over ?a ?c _ + _ => etransitivity; [apply (sum_last a _ c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld])
+  | (match goal with |- _ = sum_over ?c ?b _ + _ => etransitivity; [apply (sum_first _ b c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld]) ].
+Ltac member k := first [assumption | (symmetry; assumption)
+  | match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u (?i + 1)%nat = _ => rewrite (H i); k; fld end
+  | match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u (1 + ?i)%nat = _ =>
+      replace (1 + i)%nat with (i + 1)%nat by lia; rewrite (H i); k; fld end
+  | match goal with H : ?u 0%nat = _ |- ?u _ = _ => rewrite H; k; fld end
+  | match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u ?j = _ => 
+      first [ change j with (0 + 1)%nat; rewrite (H 0%nat); cbn [INR Nat.add]; k; fld
+            | change j with (1 + 1)%nat; rewrite (H 1%nat); cbn [INR Nat.add]; k; fld
+            | change j with (2 + 1)%nat; rewrite (H 2%nat); cbn [INR Nat.add]; k; fld ] end ].
+Ltac induct h s := match goal with |- forall n : nat, @?P n => exact (nat_ind1 P h s) end.
+Ltac induct_from h s := apply nat_from; [exact h | exact s].
+
+Lemma rising_pow : forall a b n, (0 < n)%nat -> 0 <= a -> 0 <= b -> (a < b <-> a ^ n < b ^ n).
+Proof.
+  assert (q : forall a b n, (0 < n)%nat -> 0 <= a -> a < b -> a ^ n < b ^ n).
+  { intros a b n hn ha h. induction hn; cbn; [lra |]. assert (0 <= a ^ m) by now apply pow_le. 
+    apply Rle_lt_trans with (a * b ^ m); [apply Rmult_le_compat_l; lra | apply Rmult_lt_compat_r; [apply pow_lt; lra | exact h]]. }
+  intros a b n hn ha hb. split; [now apply q |]. intro h. destruct (Rtotal_order a b) as [g | [g | g]]; [exact g | subst; lra |].
+  assert (z := q b a n hn hb g). lra.
+Qed.
+Lemma rising_rpower : forall a b p, 0 < p -> 0 < a -> 0 < b -> (a < b <-> Rpower a p < Rpower b p).
+Proof.
+  intros a b p hp ha hb. split; [now apply mono_lt |]. intro h. destruct (Rtotal_order a b) as [g | [g | g]]; [exact g | subst; lra |].
+  assert (z := mono_lt b a p hb ha hp g). lra.
+Qed.
+Lemma rising_sqrt : forall a b, 0 <= a -> 0 <= b -> (a < b <-> sqrt a < sqrt b).
+Proof. intros a b ha hb. split; intro h; [now apply sqrt_lt_1 | now apply sqrt_lt_0]. Qed.
+Lemma all_relations : forall a b x y, (a < b <-> x < y) -> (b < a <-> y < x) ->
+  (a < b <-> x < y) /\ (a <= b <-> x <= y) /\ (a > b <-> x > y) /\ (a >= b <-> x >= y) /\ (a = b <-> x = y) /\ (a <> b <-> x <> y).
+Proof. intros a b x y (h1 & h2) (h3 & h4). unfold Rgt. repeat split; intro h;
+  destruct (Rtotal_order a b) as [g | [g | g]]; destruct (Rtotal_order x y) as [k | [k | k]];
+  try (assert (g1 := h1 g)); try (assert (g2 := h3 g)); try (assert (g3 := h2 k)); try (assert (g4 := h4 k)); lra. Qed.
+Ltac nposit := first [lia | (apply INR_lt; pushinr; cbn [INR]; lra)].
+Ltac nonneg := first [lra | (apply Rlt_le; pos)].
+Ltac rise h k := match type of h with _ => match goal with
+  | |- _ (Rpower ?x ?p) (Rpower ?y ?p) => let z := fresh in
+      assert (z := all_relations _ _ _ _ (rising_rpower x y p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)) (rising_rpower y x p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)));
+      apply z; exact h
+  | |- _ (sqrt ?x) (sqrt ?y) => let z := fresh in
+      assert (z := all_relations _ _ _ _ (rising_sqrt x y ltac:(k; nonneg) ltac:(k; nonneg)) (rising_sqrt y x ltac:(k; nonneg) ltac:(k; nonneg)));
+      apply z; exact h
+  | |- _ (?x ^ ?n) (?y ^ ?n) => let z := fresh in
+      assert (z := all_relations _ _ _ _ (rising_pow x y n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)) (rising_pow y x n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)));
+      apply z; exact h
+  end end.
+Ltac fall h k := match type of h with
+  | _ (Rpower ?x ?p) (Rpower ?y ?p) => let z := fresh in
+      assert (z := all_relations _ _ _ _ (rising_rpower x y p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)) (rising_rpower y x p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)));
+      apply z; exact h
+  | _ (sqrt ?x) (sqrt ?y) => let z := fresh in
+      assert (z := all_relations _ _ _ _ (rising_sqrt x y ltac:(k; nonneg) ltac:(k; nonneg)) (rising_sqrt y x ltac:(k; nonneg) ltac:(k; nonneg)));
+      apply z; exact h
+  | _ (?x ^ ?n) (?y ^ ?n) => let z := fresh in
+      assert (z := all_relations _ _ _ _ (rising_pow x y n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)) (rising_pow y x n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)));
+      apply z; exact h
+  end.
+Ltac rise_ne h k := let w := fresh in intro w; apply h; first [fall w k | rise w k].
+Ltac rising h k := first [rise h k | fall h k | rise_ne h k | (unfold cbrt in *; first [rise h k | fall h k])].
+
+(** Statements over numbers and propositions that are left as they are. *)
+Ltac orders := repeat match goal with
+  | x : R, y : R |- _ => lazymatch goal with
+     | _ : x < y |- _ => fail | _ : y < x |- _ => fail | _ : x = y |- _ => fail
+     | _ => destruct (Rtotal_order x y) as [? | [? | ?]] end end.
+Ltac logic := intros; first [solve [tauto] | solve [intuition lra] | solve [intuition (subst; first [assumption | lra])]
+  | match goal with |- context [?A -> _] => destruct (Classical_Prop.classic A); solve [intuition lra] end
+  | (orders; solve [intuition lra]) ].
+
+(** The premises of a fact, one after the other. *)
+Ltac premises z := repeat match type of z with
+  | (?A -> ?B) => let h := fresh in assert (h : A) by (first [hyp | nz]); specialize (z h); clear h end.
+Ltac give z v := premises z; specialize (z v).
+Ltac same z := first [exact z | (cbv beta zeta in z |- *; exact z)
+  | (cbn [INR Nat.add Nat.mul] in z |- *; exact z)
+  | (rewrite ?plus_INR, ?mult_INR in z; cbn [INR] in z; rewrite ?plus_INR, ?mult_INR; cbn [INR]; exact z)
+  | (revert z; apply eq_ind_r with (P := fun t => t -> _); tauto) ].
+Ltac by_any := match goal with H : forall _, _ |- _ => solve [apply H; at_hand | apply H; [at_hand | at_hand] | apply H] end.
+Ltac pieces := repeat (cbv beta; intros; match goal with |- _ /\ _ => split end); intros; apart_all;
+  first [at_hand | by_any | (cbv beta in *; first [at_hand | by_any])].
+Ltac finish z := first [exact z | (cbv beta zeta; exact z) | (cbv beta zeta; solve [pieces])
+  | solve [cbv beta zeta; repeat match goal with |- _ /\ _ => split end; intros; apart_all; first [hyp | tauto | (apply z; hyp)]]
+  | solve [cbv beta zeta; naturals; hyp] | (generalize z; cbn; tauto)].
+Ltac derive k := first [ (auto_derive; [repeat split; first [nz1 | pos | exact I] | k; fld])
+  | (evar_last; [auto_derive; [repeat split; first [nz1 | pos | exact I] | reflexivity] | k; fld]) ].
+Ltac limit_by l := apply l; cbv beta;
+  [ let k := fresh in let h := fresh in intros k h; 
+    repeat match goal with H : forall _, _ |- _ => let z := fresh in assert (z := H k); clear H; try specialize (z ltac:(lra)) end;
+    apart_all; first [ring | (field; repeat split; first [nz1 | lra])]
+  | auto_derive; repeat split; first [exact I | nz1] | auto_derive; repeat split; first [exact I | nz1]
+  | first [nz1 | (match goal with |- ?q <> 0 => let h := fresh in intro h; ring_simplify in h; revert h; change (q <> 0) end; nz1)
+          | (match goal with |- ?q <> 0 => let h := fresh in intro h; assert (h2 : q = 0) by exact h; ring_simplify in h2; revert h2; nz1 end)]
+  | first [ring | (field; repeat split; nz1) | (unfold Rdiv; ring)] ].

@@ -1,0 +1,283 @@
+//! What is known, as polynomials over letters.
+
+use super::letters::{number, product, whole_power};
+use super::products::{Kind, Known};
+use super::{Fail, Prover};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule, Show};
+use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, numeral};
+use crate::prove::refute::literal;
+use malachite::Rational;
+use malachite::base::num::basic::traits::{One, Zero};
+
+/// An expression as a number times powers of polynomials.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The number; with 0 there are no factors.
+    pub number: Rational,
+    /// The powers.
+    pub factors: Vec<Factored>,
+}
+
+/// A factor of a reading.
+#[derive(Clone, Debug)]
+pub struct Factored {
+    /// The polynomial.
+    pub poly: Polynomial,
+    /// What it is raised to.
+    pub power: i64,
+    /// The signs that the polynomial may have, as far as they were asked for.
+    pub signs: Signs,
+}
+
+/// Whether these signs are those of a number of one known sign other than 0.
+pub fn is_settled(signs: Signs) -> bool {
+    signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less))
+}
+
+/// a − b.
+pub fn minus(a: &Expr, b: &Expr) -> Expr {
+    expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]))
+}
+
+impl Prover {
+    /// An expression as the kernel reads it with the equations put in, and with the signs that it sees if wanted.
+    pub fn read(&mut self, e: &Expr, signs: bool) -> Option<Reading> {
+        self.read_by(e, signs, &[])
+    }
+
+    fn read_by(&mut self, e: &Expr, signs: bool, without: &[Label]) -> Option<Reading> {
+        let mut by = if signs { self.signs() } else { Vec::new() };
+        by.retain(|label| !without.contains(label));
+        let show = Show {
+            label: "x".to_string(),
+            rule: Rule::Name,
+            prop: compare(e.clone(), Relation::Equal, e.clone()),
+            by,
+            using: self.equations.clone(),
+        };
+        let view = self.checker.view(e, &show, true).ok()?;
+        let mut factors = Vec::new();
+        for part in &view.factors {
+            factors.push(Factored { poly: self.letters.polynomial(&part.of)?, power: part.power, signs: part.signs });
+        }
+        Some(Reading { number: number(&view.number)?, factors })
+    }
+
+    /// The signs that an expression may have, as far as the kernel sees.
+    pub fn signs_of(&mut self, e: &Expr) -> Signs {
+        let Some(reading) = self.read(e, true) else { return Signs::ANY };
+        reading.factors.iter().fold(sign_of(&reading.number), |s, f| s.times(f.signs.power(f.power)))
+    }
+
+    /// A fact as a polynomial that is 0, positive or not negative.
+    pub fn known_of(&mut self, label: &str, fact: &Prop) -> Option<Known> {
+        let PropKind::Compare(sides, relations) = &fact.kind else { return None };
+        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+        let (kind, up) = match relation {
+            Relation::Equal => (Kind::Zero, true),
+            Relation::Greater => (Kind::Strict, true),
+            Relation::GreaterEqual => (Kind::Weak, true),
+            Relation::Less => (Kind::Strict, false),
+            Relation::LessEqual => (Kind::Weak, false),
+            Relation::NotEqual => return None,
+        };
+        let at = (label.to_string(), self.equations.clone());
+        let reading = match self.readings.get(&at) {
+            Some(reading) => reading.clone(),
+            None => {
+                let reading = self.read(&minus(a, b), false);
+                self.readings.insert(at, reading.clone());
+                reading
+            }
+        }?;
+        if reading.number == Rational::ZERO {
+            return None;
+        }
+        let mut poly = Polynomial::one();
+        let mut rest = vec![literal(&(Rational::ONE / &reading.number))];
+        let mut positive = (reading.number > 0) == up;
+        let single = matches!(reading.factors.as_slice(), [Factored { power: 1, .. }]);
+        for f in &reading.factors {
+            let signs = if single { Signs::ANY } else { self.signs_of(&self.letters.written(&f.poly)) };
+            let signs = signs.power(f.power);
+            if is_settled(signs) || (kind == Kind::Zero && signs.within(Signs::NOT_ZERO)) {
+                positive ^= !signs.within(Signs::POSITIVE);
+                rest.push(whole_power(self.letters.written(&f.poly), -f.power));
+            } else if f.power > 0 {
+                poly = poly.try_mul(&f.poly.pow(u32::try_from(f.power).ok()?).ok()?).ok()?;
+            } else {
+                return None;
+            }
+        }
+        if poly.term_count() > 60 {
+            return None;
+        }
+        let poly = if positive { poly } else { poly.neg() };
+        // poly = ± rest·(a − b)
+        let same = positive;
+        let factor = product(rest);
+        let factor = if same { factor } else { expr(ExprKind::Negate(Box::new(factor))) };
+        Some(Known { poly, kind, facts: vec![label.to_string()], factors: vec![factor], order: 1 })
+    }
+
+    /// Everything that is known of signs, as polynomials; those of letters among them.
+    pub fn all_known(&mut self, extra: &[Polynomial]) -> Vec<Known> {
+        let list: Vec<(Label, Prop)> = self
+            .checker
+            .facts()
+            .filter(|(_, p)| matches!(p.kind, PropKind::Compare(..)))
+            .map(|(l, p)| (l.to_string(), p.clone()))
+            .collect();
+        let mut out: Vec<Known> = Vec::new();
+        for (label, fact) in list.iter().rev() {
+            let Some(known) = self.known_of(label, fact) else { continue };
+            // A fact about numbers helps only where it is false.
+            if known.poly.as_constant().is_some_and(|c| c > 0 || (c == 0 && known.kind != Kind::Strict)) {
+                continue;
+            }
+            let same = |k: &Known| k.poly == known.poly && (k.kind == known.kind || known.kind == Kind::Weak);
+            if !out.iter().any(same) {
+                out.retain(|k| !(k.poly == known.poly && k.kind == Kind::Weak));
+                out.push(known);
+            }
+        }
+        let mut letters: Vec<u32> = out.iter().flat_map(|k| k.poly.variables()).collect();
+        letters.extend(extra.iter().flat_map(Polynomial::variables));
+        letters.sort_unstable();
+        letters.dedup();
+        for v in letters {
+            let Some(e) = self.letters.expr(v).cloned() else { continue };
+            let signs = self.signs_of(&e);
+            let poly = Polynomial::variable(v);
+            let kind = if signs.within(Signs::POSITIVE) {
+                Kind::Strict
+            } else if signs.within(Signs::NOT_NEGATIVE) {
+                Kind::Weak
+            } else {
+                continue;
+            };
+            if !out.iter().any(|k| k.poly == poly && (k.kind == kind || kind == Kind::Weak)) {
+                out.retain(|k| k.poly != poly);
+                out.push(Known { poly, kind, facts: Vec::new(), factors: vec![e], order: 0 });
+            }
+        }
+        out
+    }
+
+    /// Uses a fact: its parts, and what follows from it at once.
+    pub fn take_in(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
+        match &fact.kind {
+            PropKind::Compare(sides, relations) if relations.len() == 1 => {
+                let sides = sides.clone();
+                self.enrich(&sides.iter().collect::<Vec<_>>());
+                sides.iter().for_each(|e| self.note_squares(e));
+                self.consequences(label, fact);
+            }
+            PropKind::Compare(sides, relations) => {
+                for (pair, relation) in sides.windows(2).zip(relations) {
+                    let part = compare(pair[0].clone(), *relation, pair[1].clone());
+                    self.take_part(label, &part)?;
+                }
+            }
+            PropKind::And(list) => {
+                for part in list {
+                    self.take_part(label, part)?;
+                }
+            }
+            PropKind::Not(inner) => {
+                if let Some(part) = opposite(inner) {
+                    self.take_part(label, &part)?;
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn take_part(&mut self, label: &str, part: &Prop) -> Result<(), Fail> {
+        if self.known(part).is_none()
+            && let Ok(new) = self.logic(&[label], part)
+        {
+            self.take_in(&new, part)?;
+        }
+        Ok(())
+    }
+
+    /// What follows from a comparison at once: of whole numbers, of powers.
+    fn consequences(&mut self, label: &str, fact: &Prop) {
+        let PropKind::Compare(sides, relations) = &fact.kind else { return };
+        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return };
+        let plus_one = |e: &Expr| match &e.kind {
+            ExprKind::Number(text) if text.len() < 9 => numeral(text.parse::<u32>().unwrap_or(0) + 1),
+            _ => expr(ExprKind::Sum(vec![(Sign::Plus, e.clone()), (Sign::Plus, numeral(1))])),
+        };
+        let whole =
+            |c: &Prover, e: &Expr| crate::claim::definedness::is_whole(e, &|n| c.naturals.iter().any(|m| m == n));
+        if whole(self, a) && whole(self, b) {
+            let next = match relation {
+                Relation::Greater => Some(compare(a.clone(), Relation::GreaterEqual, plus_one(b))),
+                Relation::Less => Some(compare(b.clone(), Relation::GreaterEqual, plus_one(a))),
+                _ => None,
+            };
+            if let Some(next) = next
+                && self.known(&next).is_none()
+            {
+                let _ = self.emit(Rule::Integer { from: label.to_string() }, next);
+            }
+        }
+        let power = |e: &Expr| match &e.kind {
+            ExprKind::Power(base, exponent) => Some(((**base).clone(), (**exponent).clone())),
+            ExprKind::Apply(f, list) if f.text == "sqrt" => {
+                let half = expr(ExprKind::Product(vec![(Factor::Times, numeral(1)), (Factor::Over, numeral(2))]));
+                list.first().map(|x| (x.clone(), half))
+            }
+            _ => None,
+        };
+        if let (Some((x, p)), Some((y, q))) = (power(a), power(b))
+            && p == q
+        {
+            let next = compare(x, *relation, y);
+            if self.known(&next).is_none() {
+                let _ = self.emit(Rule::Monotone { from: label.to_string() }, next);
+            }
+        }
+    }
+}
+
+/// The sign of a number.
+pub fn sign_of(q: &Rational) -> Signs {
+    if *q == Rational::ZERO {
+        Signs::ZERO
+    } else if *q > 0 {
+        Signs::POSITIVE
+    } else {
+        Signs::of(Relation::Less)
+    }
+}
+
+/// What holds where a proposition does not.
+pub fn opposite(p: &Prop) -> Option<Prop> {
+    use crate::kernel::statement::prop;
+    Some(match &p.kind {
+        PropKind::Compare(sides, relations) => {
+            let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+            let other = match relation {
+                Relation::Equal => Relation::NotEqual,
+                Relation::NotEqual => Relation::Equal,
+                Relation::Less => Relation::GreaterEqual,
+                Relation::LessEqual => Relation::Greater,
+                Relation::Greater => Relation::LessEqual,
+                Relation::GreaterEqual => Relation::Less,
+            };
+            compare(a.clone(), other, b.clone())
+        }
+        PropKind::And(list) => prop(PropKind::Or(list.iter().map(opposite).collect::<Option<_>>()?)),
+        PropKind::Or(list) => prop(PropKind::And(list.iter().map(opposite).collect::<Option<_>>()?)),
+        PropKind::Not(inner) => (**inner).clone(),
+        PropKind::Implies(a, b) => prop(PropKind::And(vec![(**a).clone(), opposite(b)?])),
+        _ => return None,
+    })
+}

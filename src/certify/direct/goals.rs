@@ -1,0 +1,193 @@
+//! Goals taken apart by their connectives.
+
+use super::facts::opposite;
+use super::{Fail, Prover, implies, put};
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::kernel::analysis::at_the_point;
+use crate::kernel::statement::{Substitution, compare, domain, prop};
+use crate::prove::refute::{example, literal};
+
+impl Prover {
+    /// Shows a goal; returns the label of the fact that says it.
+    pub fn show(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        self.tick()?;
+        if let Some(label) = self.known(goal) {
+            return Ok(label);
+        }
+        match &goal.kind {
+            PropKind::Compare(_, relations) if relations.len() == 1 => match self.attempt(|c| c.comparison(goal)) {
+                Ok(label) => Ok(label),
+                Err(first) => match self.by_induction(goal) {
+                    Ok(label) => Ok(label),
+                    Err(_) if self.splits >= 3 => Err(first),
+                    Err(_) => self.by_cases(goal).map_err(|_| first),
+                },
+            },
+            PropKind::Compare(sides, relations) => {
+                let pairs = sides.windows(2).zip(relations);
+                let parts: Vec<Prop> = pairs.map(|(p, r)| compare(p[0].clone(), *r, p[1].clone())).collect();
+                self.show_all(goal, &parts)
+            }
+            PropKind::And(parts) => self.show_all(goal, parts),
+            PropKind::Or(parts) => self.show_or(goal, parts),
+            PropKind::Not(inner) => {
+                let p = opposite(inner).ok_or(Fail::No("a negation that is not followed"))?;
+                let label = self.show(&p)?;
+                self.logic(&[&label], goal)
+            }
+            PropKind::Implies(p, q) => {
+                let mut sides = Vec::new();
+                sides_in(p, &mut sides);
+                sides.iter().for_each(|e| self.define(e));
+                self.block(goal, |c, _| {
+                    c.solve_equations();
+                    c.show(q)
+                })
+            }
+            PropKind::Equivalent(parts) => {
+                let mut from = Vec::new();
+                for pair in parts.windows(2) {
+                    for (p, q) in [(&pair[0], &pair[1]), (&pair[1], &pair[0])] {
+                        from.push(self.show(&implies(p, q))?);
+                    }
+                }
+                self.emit(Rule::Logic { from }, goal.clone())
+            }
+            PropKind::ForAll(_, body) => match self.attempt(|c| c.block(goal, |c, _| c.show(body))) {
+                Ok(label) => Ok(label),
+                Err(first) => self.all_by_induction(goal).map_err(|_| first),
+            },
+            PropKind::Exists(bindings, body) => {
+                let point: Vec<(String, Expr)> = match example(bindings, body, None) {
+                    Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
+                    None => vec![self.solution(bindings, body)?],
+                };
+                let mut map = Substitution::default();
+                let mut with = Vec::new();
+                for (n, value) in point {
+                    map.replace(&n, &value);
+                    with.push((Name { text: n, span: Span::default() }, value));
+                }
+                let mut from = Vec::new();
+                for fact in bindings.iter().flat_map(domain).chain([(**body).clone()]) {
+                    from.push(self.show(&map.prop(&fact).map_err(Fail::from)?)?);
+                }
+                self.emit(Rule::Witness { with, from }, goal.clone())
+            }
+            PropKind::Extremum(e) => self.extremum(goal, e),
+            PropKind::Limit(l) => self.limit(goal, l),
+        }
+    }
+
+    fn show_all(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {
+        let from = parts.iter().map(|p| self.show(p)).collect::<Result<Vec<_>, _>>()?;
+        self.emit(Rule::Logic { from }, goal.clone())
+    }
+
+    fn show_or(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {
+        let mut sides = Vec::new();
+        sides_in(goal, &mut sides);
+        sides.iter().for_each(|e| self.define(e));
+        if let Ok(label) = self.logic(&[], goal) {
+            return Ok(label);
+        }
+        for part in parts {
+            if let Ok(label) = self.quietly(part) {
+                return self.logic(&[&label], goal);
+            }
+        }
+        let (first, rest) = parts.split_first().ok_or(Fail::No("an empty disjunction"))?;
+        let rest = match rest {
+            [only] => only.clone(),
+            _ => prop(PropKind::Or(rest.to_vec())),
+        };
+        let other = opposite(first).ok_or(Fail::No("an opposite"))?;
+        let block = self.block(&implies(&other, &rest), |c, _| c.show(&rest))?;
+        self.logic(&[&block], goal)
+    }
+
+    /// The value of the one variable of an `exists` that solves its equation, which is linear in it.
+    fn solution(&mut self, bindings: &[Binding], body: &Prop) -> Result<(String, Expr), Fail> {
+        let no = || Fail::No("a witness");
+        let [Binding { names, .. }] = bindings else { return Err(no()) };
+        let [(variable, None)] = names.as_slice() else { return Err(no()) };
+        let PropKind::Compare(sides, relations) = &body.kind else { return Err(no()) };
+        let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let difference = super::facts::minus(a, b);
+        let at = |k: u32| {
+            let mut map = Substitution::default();
+            map.replace(&variable.text, &crate::kernel::statement::numeral(k));
+            map.expr(&difference).map_err(Fail::from)
+        };
+        // f(0)/(f(0) − f(1)).
+        let value = crate::kernel::statement::expr(ExprKind::Product(vec![
+            (Factor::Times, at(0)?),
+            (Factor::Over, super::facts::minus(&at(0)?, &at(1)?)),
+        ]));
+        self.define(&value);
+        let reading = self.read(&value, false).ok_or_else(no)?;
+        let mut factors = vec![literal(&reading.number)];
+        for f in &reading.factors {
+            factors.push(super::letters::whole_power(self.letters.written(&f.poly), f.power));
+        }
+        Ok((variable.text.clone(), super::letters::product(factors)))
+    }
+
+    fn extremum(&mut self, goal: &Prop, e: &Extremum) -> Result<Label, Fail> {
+        let mut at = Substitution::default();
+        e.at.iter().for_each(|(n, v)| at.replace(&n.text, v));
+        let mut from = Vec::new();
+        for fact in e.over.iter().flat_map(domain) {
+            from.push(self.show(&at.prop(&fact).map_err(Fail::from)?)?);
+        }
+        let there = at.expr(&e.of).map_err(Fail::from)?;
+        from.push(self.show(&compare(there, Relation::Equal, e.value.clone()))?);
+        let every = |body: Prop| prop(PropKind::ForAll(e.over.clone(), Box::new(body)));
+        let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
+        from.push(self.show(&every(compare(e.of.clone(), relation, e.value.clone())))?);
+        if e.unique {
+            let there = at_the_point(e).ok_or(Fail::No("a point"))?;
+            let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
+            from.push(self.show(&every(implies(&equal, &there)))?);
+        }
+        self.emit(Rule::Extremum { from }, goal.clone())
+    }
+
+    /// A fact for all values, with a value put in for its one variable.
+    pub fn instance(&mut self, source: &str, value: &Expr) -> Result<Label, Fail> {
+        let Some(Prop { kind: PropKind::ForAll(bindings, body), .. }) = self.fact(source) else {
+            return Err(Fail::No("a fact for all values"));
+        };
+        let [binding] = bindings.as_slice() else { return Err(Fail::No("one variable")) };
+        let [(variable, None)] = binding.names.as_slice() else { return Err(Fail::No("one variable")) };
+        let mut from = Vec::new();
+        for fact in domain(binding) {
+            from.push(self.quietly(&put(&fact, &variable.text, value)?)?);
+        }
+        let shown = put(&body, &variable.text, value)?;
+        if let Some(label) = self.known(&shown) {
+            return Ok(label);
+        }
+        let with = vec![(variable.clone(), value.clone())];
+        let label = self.emit(Rule::Instance { source: source.to_string(), with, from }, shown.clone())?;
+        self.take_in(&label, &shown)?;
+        Ok(label)
+    }
+}
+
+/// The sides of every comparison in a proposition, but for those under quantifiers.
+pub fn sides_in(p: &Prop, out: &mut Vec<Expr>) {
+    match &p.kind {
+        PropKind::Compare(sides, _) => out.extend(sides.iter().cloned()),
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+            list.iter().for_each(|p| sides_in(p, out));
+        }
+        PropKind::Not(inner) => sides_in(inner, out),
+        PropKind::Implies(a, b) => {
+            sides_in(a, out);
+            sides_in(b, out);
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,147 @@
+//! Induction, tried by itself.
+
+use super::values::at_next;
+use super::{Fail, Prover, implies, put};
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::kernel::statement::{name, names_in_prop, numeral, prop};
+use std::collections::BTreeSet;
+
+impl Prover {
+    /// Shows a goal by induction on one of its natural numbers.
+    pub fn by_induction(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if self.inductions >= 2 || self.splits > 0 {
+            return Err(Fail::No("induction"));
+        }
+        let mut names = BTreeSet::new();
+        names_in_prop(goal, &mut names);
+        let candidates: Vec<String> =
+            self.naturals.iter().rev().filter(|n| names.contains(*n) && is_bound_within(goal, n)).cloned().collect();
+        for variable in candidates {
+            let done = self.attempt(|c| {
+                c.inductions += 1;
+                let base = c.least(&variable);
+                let fresh = c.fresh("k");
+                let body = put(goal, &variable, &name(&fresh))?;
+                let both = match c.attempt(|c| c.induction(&fresh, base, &body)) {
+                    Ok(every) => return c.closed(&every, &variable),
+                    Err(first) if !c.looks_back() => return Err(first),
+                    Err(_) => prop(PropKind::And(vec![body.clone(), at_next(&body, &fresh)?])),
+                };
+                // Where members are told by the two before, two neighbours are shown together.
+                let every = c.induction(&fresh, base, &both)?;
+                let pair = c.closed(&every, &variable)?;
+                c.logic(&[&pair], goal)
+            });
+            if done.is_ok() {
+                return done;
+            }
+        }
+        Err(Fail::No("induction"))
+    }
+
+    /// The statement for all natural numbers, for the variable that it is about.
+    fn closed(&mut self, every: &str, variable: &str) -> Result<Label, Fail> {
+        self.inductions -= 1;
+        self.instance(every, &name(variable))
+    }
+
+    /// Whether a fact for all numbers, or a sequence, relates members.
+    fn looks_back(&self) -> bool {
+        self.checker.facts().any(|(_, p)| matches!(p.kind, PropKind::ForAll(..)))
+    }
+
+    /// Shows a statement for all natural numbers by induction.
+    pub fn all_by_induction(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let PropKind::ForAll(bindings, body) = &goal.kind else { return Err(Fail::No("a statement for all values")) };
+        let ([binding], true) = (bindings.as_slice(), self.inductions < 2 && self.splits == 0) else {
+            return Err(Fail::No("induction"));
+        };
+        let ([(variable, None)], true) = (binding.names.as_slice(), binding.natural) else {
+            return Err(Fail::No("induction"));
+        };
+        let base = match binding.constraints.as_slice() {
+            [] => None,
+            [Constraint::Relation(Relation::GreaterEqual, bound)] => super::letters::natural(bound),
+            _ => return Err(Fail::No("induction")),
+        };
+        self.attempt(|c| {
+            c.inductions += 1;
+            let label = c.induction(&variable.text, base, body)?;
+            c.inductions -= 1;
+            Ok(label)
+        })
+    }
+
+    /// The numeral that a natural number is at least.
+    fn least(&self, variable: &str) -> Option<u32> {
+        let is_variable = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == variable);
+        let bounds = self.checker.facts().filter_map(|(_, p)| {
+            let PropKind::Compare(sides, relations) = &p.kind else { return None };
+            match (sides.as_slice(), relations.as_slice()) {
+                ([a, b], [Relation::GreaterEqual]) if is_variable(a) => super::letters::natural(b),
+                ([a, b], [Relation::LessEqual]) if is_variable(b) => super::letters::natural(a),
+                ([a, b], [Relation::Greater]) if is_variable(a) => super::letters::natural(b).map(|k| k + 1),
+                _ => None,
+            }
+        });
+        bounds.max().filter(|k| *k > 0)
+    }
+
+    fn induction(&mut self, variable: &str, base: Option<u32>, body: &Prop) -> Result<Label, Fail> {
+        let first = numeral(base.unwrap_or(0));
+        let at_base = put(body, variable, &first)?;
+        let start = self.attempt(|c| {
+            c.splits += 1;
+            c.show(&at_base)
+        })?;
+        let constraints = base.map(|k| Constraint::Relation(Relation::GreaterEqual, numeral(k)));
+        let binding = Binding {
+            names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
+            natural: true,
+            constraints: constraints.into_iter().collect(),
+            indices: None,
+            span: Span::default(),
+        };
+        let every = |p: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p)));
+        let step = implies(body, &at_next(body, variable)?);
+        let advance = self.block(&every(step.clone()), |c, _| {
+            c.block(&step, |c, _| {
+                let PropKind::Implies(_, next) = &step.kind else { return Err(Fail::No("a step")) };
+                c.show(next)
+            })
+        })?;
+        self.emit(Rule::Induction { base: start, advance }, every(body.clone()))
+    }
+}
+
+/// Whether induction on a name may help: it stands in an exponent, at the end of a sum or product, or in a member.
+fn is_bound_within(p: &Prop, variable: &str) -> bool {
+    let mut sides = Vec::new();
+    super::goals::sides_in(p, &mut sides);
+    sides.iter().any(|e| within(e, variable))
+}
+
+fn within(e: &Expr, variable: &str) -> bool {
+    let holds = |e: &Expr| {
+        let mut names = BTreeSet::new();
+        crate::kernel::statement::names_in(e, &mut names);
+        names.contains(variable)
+    };
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => false,
+        ExprKind::Apply(f, list) => {
+            (!crate::claim::syntax::FUNCTIONS.iter().any(|g| g.0 == f.text) && list.iter().any(holds))
+                || list.iter().any(|e| within(e, variable))
+        }
+        ExprKind::Negate(a) => within(a, variable),
+        ExprKind::Sum(list) => list.iter().any(|(_, e)| within(e, variable)),
+        ExprKind::Product(list) => list.iter().any(|(_, e)| within(e, variable)),
+        ExprKind::Power(a, b) => holds(b) || within(a, variable),
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+            holds(&index.to) || within(body, variable)
+        }
+        ExprKind::Derivative(a, _) => within(a, variable),
+        ExprKind::Matrix(rows) => rows.iter().flatten().any(|e| within(e, variable)),
+    }
+}

@@ -1,0 +1,305 @@
+//! Limits that no rule gives at once: squeezed between bounds that fall like 1/(n + 1), or as a geometric sequence does.
+
+use super::letters::{natural, product, whole_power};
+use super::values::at_next;
+use super::{Fail, Prover, implies};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::statement::{Substitution, compare, expr, name, names_in, numeral, prop};
+use std::collections::BTreeSet;
+
+/// a + b.
+fn plus(a: &Expr, b: Expr) -> Expr {
+    expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Plus, b)]))
+}
+
+/// a/b.
+pub fn over(a: Expr, b: Expr) -> Expr {
+    expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]))
+}
+
+fn holds(e: &Expr, variable: &str) -> bool {
+    let mut names = BTreeSet::new();
+    names_in(e, &mut names);
+    names.contains(variable)
+}
+
+/// A geometric part of an expression: constant + slope·ratio^n.
+struct Geometric {
+    constant: Expr,
+    slope: Expr,
+    ratio: Expr,
+}
+
+impl Prover {
+    /// Shows a limit.
+    pub fn limit(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        self.define(&l.value);
+        let from = vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(1))];
+        let first = match self.emit(Rule::Limit { with: Vec::new() }, goal.clone()) {
+            Ok(label) => return Ok(label),
+            Err(first) => first,
+        };
+        if let Ok(label) = self.emit(Rule::Limit { with: from }, goal.clone()) {
+            return Ok(label);
+        }
+        if self.splits > 2 {
+            return Err(first);
+        }
+        self.splits += 1;
+        let done = self.squeezed(goal, l);
+        self.splits -= 1;
+        done.map_err(|_| first)
+    }
+
+    fn squeezed(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let n = name(&l.variable.text);
+        if self.naturals.contains(&l.variable.text)
+            && let Ok(geometric) = self.geometric(l)
+            && let Ok(label) = self.attempt(|c| c.by_ratio(goal, l, &geometric))
+        {
+            return Ok(label);
+        }
+        let next = plus(&n, numeral(1));
+        let falling = |k: u32| over(numeral(k), next.clone());
+        let minus = |k: u32| expr(ExprKind::Sum(vec![(Sign::Plus, l.value.clone()), (Sign::Minus, falling(k))]));
+        let above = |k: u32| plus(&l.value, falling(k));
+        // Where a first value and the limit tell all: value + (first − value)·g(n).
+        for closed in self.closed_forms(l) {
+            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[])) {
+                return Ok(label);
+            }
+        }
+        for (lower, upper) in [
+            (l.value.clone(), above(1)),
+            (minus(1), l.value.clone()),
+            (l.value.clone(), above(4)),
+            (minus(4), l.value.clone()),
+        ] {
+            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&lower, &upper), &[])) {
+                return Ok(label);
+            }
+        }
+        Err(Fail::No("a squeeze"))
+    }
+
+    /// The values that a sum has if it is value + (first − value)·g(n), for g that occur or fall like 1/(n + 1).
+    fn closed_forms(&mut self, l: &Limit) -> Vec<Expr> {
+        let ExprKind::SumOver(index, body) = &l.of.kind else { return Vec::new() };
+        if !matches!(&index.to.kind, ExprKind::Name(n) if *n == l.variable.text) {
+            return Vec::new();
+        }
+        let n = name(&l.variable.text);
+        let mut ratios = Vec::new();
+        powers_of(body, &index.name.text, &mut ratios);
+        let mut falling: Vec<Expr> =
+            ratios.iter().map(|r| expr(ExprKind::Power(Box::new(r.clone()), Box::new(n.clone())))).collect();
+        falling.push(over(numeral(1), plus(&n, numeral(1))));
+        let first = if natural(&index.from) == Some(0) {
+            let mut map = Substitution::default();
+            map.replace(&index.name.text, &numeral(0));
+            map.expr(body).ok()
+        } else {
+            Some(numeral(0))
+        };
+        let Some(first) = first else { return Vec::new() };
+        let gap = expr(ExprKind::Sum(vec![(Sign::Plus, first), (Sign::Minus, l.value.clone())]));
+        falling.into_iter().map(|g| plus(&l.value, product(vec![gap.clone(), g]))).collect()
+    }
+
+    /// An expression as constant + slope·ratio^n.
+    fn geometric(&mut self, l: &Limit) -> Result<Geometric, Fail> {
+        let no = || Fail::No("a geometric sequence");
+        let reading = self.read(&l.of, false).ok_or_else(no)?;
+        let variable = l.variable.text.as_str();
+        let (mut top, mut bottom) = (Polynomial::constant(reading.number.clone()), Vec::new());
+        let mut power: Option<u32> = None;
+        let mut below = 0i64;
+        let letters: Vec<u32> = reading.factors.iter().flat_map(|f| f.poly.variables()).collect();
+        for v in letters {
+            let e = self.letters.expr(v).cloned().ok_or_else(no)?;
+            if holds(&e, variable) {
+                let is_power = match &e.kind {
+                    ExprKind::Power(base, exponent) => {
+                        !holds(base, variable) && matches!(&exponent.kind, ExprKind::Name(n) if n == variable)
+                    }
+                    ExprKind::Apply(f, _) => f.text == "exp",
+                    _ => false,
+                };
+                if !is_power || power.is_some_and(|p| p != v) {
+                    return Err(no());
+                }
+                power = Some(v);
+            }
+        }
+        let x = power.ok_or_else(no)?;
+        for f in &reading.factors {
+            if f.power > 0 {
+                let k = u32::try_from(f.power).map_err(|_| no())?;
+                top = top.try_mul(&f.poly.pow(k).map_err(|_| no())?).map_err(|_| no())?;
+            } else if f.poly == Polynomial::variable(x) {
+                below = -f.power;
+            } else if f.poly.contains(x) {
+                return Err(no());
+            } else {
+                bottom.push(whole_power(self.letters.written(&f.poly), -f.power));
+            }
+        }
+        let (mut constant, mut slope) = (numeral(0), None);
+        for (k, part) in top.coefficients_in(x).iter().enumerate() {
+            if part.is_zero() {
+                continue;
+            }
+            let part = over(self.letters.written(part), product(bottom.clone()));
+            match i64::try_from(k).unwrap_or(0) - below {
+                0 => constant = part,
+                j if slope.is_none() => slope = Some((part, j)),
+                _ => return Err(no()),
+            }
+        }
+        let (slope, j) = slope.ok_or_else(no)?;
+        let ratio = match self.letters.expr(x).map(|e| e.kind.clone()) {
+            Some(ExprKind::Power(base, _)) => whole_power(*base, j),
+            Some(ExprKind::Apply(f, list)) => {
+                // exp(c·n): the ratio is exp(j·c).
+                let mut map = Substitution::default();
+                map.replace(variable, &numeral(1));
+                let c = map.expr(list.first().ok_or_else(no)?).map_err(Fail::from)?;
+                let times = crate::prove::refute::literal(&malachite::Rational::from(j));
+                expr(ExprKind::Apply(f, vec![product(vec![times, c])]))
+            }
+            _ => return Err(no()),
+        };
+        Ok(Geometric { constant, slope, ratio })
+    }
+
+    /// A limit of constant + slope·r^n for 0 < r < 1, since r^n·(r + n·(1 − r)) <= r.
+    fn by_ratio(&mut self, goal: &Prop, l: &Limit, g: &Geometric) -> Result<Label, Fail> {
+        let r = &g.ratio;
+        self.define(r);
+        for (relation, bound) in [(Relation::Greater, 0), (Relation::Less, 1)] {
+            let p = compare(r.clone(), relation, numeral(bound));
+            self.show(&p)?;
+        }
+        let k = self.fresh("k");
+        let rest = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, r.clone())]));
+        let room = |at: &Expr| plus(r, product(vec![at.clone(), rest.clone()]));
+        let power = |at: &Expr| expr(ExprKind::Power(Box::new(r.clone()), Box::new(at.clone())));
+        let at = name(&k);
+        let body = compare(product(vec![power(&at), room(&at)]), Relation::LessEqual, r.clone());
+        let binding = natural_binding(&k);
+        let every = |p: &Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p.clone())));
+        let start = self.show(&super::put(&body, &k, &numeral(0))?)?;
+        let next = at_next(&body, &k)?;
+        let step = implies(&body, &next);
+        let advance = self.block(&every(&step), |c, _| {
+            c.block(&step, |c, block| {
+                let square = whole_power(rest.clone(), 2);
+                let extra = expr(ExprKind::Negate(Box::new(product(vec![power(&at), at.clone(), square]))));
+                let terms = vec![
+                    Term { facts: vec![format!("{block}s")], factor: numeral(1) },
+                    Term { facts: Vec::new(), factor: extra },
+                ];
+                c.combination(next.clone(), terms)
+            })
+        })?;
+        let bound = self.emit(Rule::Induction { base: start, advance }, every(&body))?;
+        // That the divisor is positive is to be known of the variable that grows.
+        let divisor = every(&compare(room(&at), Relation::Greater, numeral(0)));
+        self.show(&divisor)?;
+        let n = name(&l.variable.text);
+        let falling = plus(&g.constant, product(vec![g.slope.clone(), over(r.clone(), room(&n))]));
+        let pairs = [(g.constant.clone(), falling.clone()), (falling, g.constant.clone())];
+        let mut last = Err(Fail::No("a squeeze"));
+        for (lower, upper) in pairs {
+            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), std::slice::from_ref(&bound)));
+            if last.is_ok() {
+                break;
+            }
+        }
+        last
+    }
+
+    fn between(
+        &mut self,
+        goal: &Prop,
+        l: &Limit,
+        (lower, upper): (&Expr, &Expr),
+        facts: &[Label],
+    ) -> Result<Label, Fail> {
+        let mut from = Vec::new();
+        let k = self.fresh("k");
+        let is_natural = self.naturals.contains(&l.variable.text);
+        let mut map = Substitution::default();
+        map.replace(&l.variable.text, &name(&k));
+        let at = |e: &Expr| map.expr(e).map_err(Fail::from);
+        let binding = Binding {
+            names: vec![(Name { text: k.clone(), span: Span::default() }, None)],
+            natural: is_natural,
+            constraints: vec![Constraint::Relation(Relation::GreaterEqual, numeral(1))],
+            indices: None,
+            span: Span::default(),
+        };
+        let mut limits = Vec::new();
+        for bound in [lower, upper] {
+            let same = prop(PropKind::Limit(Box::new(Limit { of: bound.clone(), ..l.clone() })));
+            limits.push(self.show(&same)?);
+        }
+        for (a, b) in [(lower, &l.of), (&l.of, upper)] {
+            let body = compare(at(a)?, Relation::LessEqual, at(b)?);
+            let every = prop(PropKind::ForAll(vec![binding.clone()], Box::new(body.clone())));
+            // A closed form is shown by induction; other bounds are shown at once or not at all.
+            let effort = if lower == upper { 0 } else { 2 };
+            let splits = std::mem::replace(&mut self.splits, effort);
+            let shown = if facts.is_empty() {
+                self.show(&every)
+            } else {
+                self.block(&every, |c, _| {
+                    for fact in facts {
+                        c.instance(fact, &name(&k))?;
+                    }
+                    c.show(&body)
+                })
+            };
+            self.splits = splits;
+            from.push(shown?);
+        }
+        from.extend(limits);
+        self.emit(Rule::Squeeze { from }, goal.clone())
+    }
+}
+
+fn natural_binding(variable: &str) -> Binding {
+    Binding {
+        names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
+        natural: true,
+        constraints: Vec::new(),
+        indices: None,
+        span: Span::default(),
+    }
+}
+
+/// The bases of powers whose exponent is this name.
+fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
+    match &e.kind {
+        ExprKind::Power(base, exponent) => {
+            if matches!(&exponent.kind, ExprKind::Name(n) if n == index) && !holds(base, index) {
+                out.push((**base).clone());
+            } else if let ExprKind::Product(list) = &exponent.kind
+                && let [
+                    (_, Expr { kind: ExprKind::Number(k), .. }),
+                    (Factor::Times, Expr { kind: ExprKind::Name(n), .. }),
+                ] = list.as_slice()
+                && n == index
+                && let Ok(k) = k.parse::<i64>()
+            {
+                out.push(whole_power((**base).clone(), k));
+            }
+        }
+        ExprKind::Negate(a) => powers_of(a, index, out),
+        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| powers_of(e, index, out)),
+        ExprKind::Product(list) => list.iter().for_each(|(_, e)| powers_of(e, index, out)),
+        _ => {}
+    }
+}

@@ -1,0 +1,130 @@
+//! Signs of exponentials, and of sums of logarithms as the logarithm of a product.
+
+use super::letters::{product, whole_power};
+use super::{Fail, Prover};
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, name, numeral};
+use crate::prove::refute::literal;
+use malachite::Rational;
+
+impl Prover {
+    /// Whether an exponential is below or above 1, by the sign of its exponent.
+    pub fn exponential(&mut self, e: &Expr, exponent: &Expr) -> Result<(), Fail> {
+        let signs = self.signs_of(exponent);
+        let relation = [Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual]
+            .into_iter()
+            .find(|r| signs.within(Signs::of(*r)))
+            .ok_or(Fail::No("the sign of an exponent"))?;
+        let goal = compare(e.clone(), relation, numeral(1));
+        self.attempt(|c| c.by_logarithm(&goal, e, exponent)).map(|_| ())
+    }
+
+    /// exp(x) > 1 from x > 0: otherwise ln of it, which is x, is at most 0.
+    fn by_logarithm(&mut self, goal: &Prop, e: &Expr, exponent: &Expr) -> Result<Label, Fail> {
+        let other = super::facts::opposite(goal).ok_or(Fail::No("an opposite"))?;
+        let block = self.block(&super::implies(&other, goal), |c, _| {
+            let r = name(&c.fresh("r"));
+            let named = c.emit(Rule::Name, compare(e.clone(), Relation::Equal, r.clone()))?;
+            let turned = compare(r.clone(), Relation::Equal, e.clone());
+            let turned = c.logic(&[&named], &turned)?;
+            let PropKind::Compare(_, relations) = &other.kind else { return Err(Fail::No("a comparison")) };
+            let equations = std::mem::take(&mut c.equations);
+            c.equations.push(named);
+            let bound = c.combination(compare(r.clone(), relations[0], numeral(1)), Vec::new());
+            c.equations = vec![turned];
+            let log = expr(ExprKind::Apply(Name { text: "ln".to_string(), span: Span::default() }, vec![r]));
+            let same = c.combination(compare(log.clone(), Relation::Equal, exponent.clone()), Vec::new());
+            c.equations = equations;
+            bound?;
+            let same = same?;
+            let low = c.combination(compare(log, relations[0], numeral(0)), Vec::new())?;
+            let terms = [(same, -1), (low, 1)]
+                .map(|(label, k)| crate::certificate::Term { facts: vec![label], factor: literal(&Rational::from(k)) });
+            let wrong = c.combination(compare(exponent.clone(), relations[0], numeral(0)), terms.to_vec())?;
+            c.logic(&[&wrong], goal).or_else(|_| c.absurd(0, goal, None))
+        })?;
+        self.logic(&[&block], goal)
+    }
+
+    /// Orders numbers whose logarithms some fact is about: where the opposite held, so would that of the logarithms.
+    pub fn by_order_of_logarithms(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("logarithms in order");
+        let log =
+            |e: &Expr| expr(ExprKind::Apply(Name { text: "ln".to_string(), span: Span::default() }, vec![e.clone()]));
+        let known: Vec<String> = self.checker.facts().map(|(_, p)| crate::kernel::text::prop(p)).collect();
+        let (x, y) = (log(a), log(b));
+        let occurs = |e: &Expr| known.iter().any(|text| text.contains(&crate::kernel::text::expr(e)));
+        if !(occurs(&x) && occurs(&y)) {
+            return Err(no());
+        }
+        let other = super::facts::opposite(goal).ok_or_else(no)?;
+        let PropKind::Compare(_, relations) = &other.kind else { return Err(no()) };
+        let block = self.block(&super::implies(&other, goal), |c, _| {
+            let order = compare(x.clone(), relations[0], y.clone());
+            c.of_logarithms(&order, &x, relations[0], &y)?;
+            c.absurd(0, goal, Some(&order))
+        })?;
+        self.logic(&[&block], goal)
+    }
+
+    /// A comparison of sums of logarithms: their difference is the logarithm of a product.
+    pub fn of_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("a sum of logarithms");
+        let reading = self.read(&super::facts::minus(a, b), true).ok_or_else(no)?;
+        let mut rest = vec![literal(&reading.number)];
+        let mut sum = None;
+        for f in &reading.factors {
+            let e = self.letters.written(&f.poly);
+            let logs = f.poly.variables().into_iter().any(|v| self.letters.expr(v).is_some_and(is_logarithm));
+            match (logs, f.power) {
+                (true, 1) if sum.is_none() => sum = Some(f.poly.clone()),
+                (false, _) if super::facts::is_settled(f.signs) => rest.push(whole_power(e, f.power)),
+                _ => return Err(no()),
+            }
+        }
+        let sum = sum.ok_or_else(no)?;
+        let denominators =
+            sum.terms().map(|(_, c)| Rational::from(c.denominator_ref())).fold(Rational::from(1), |a, b| a * b);
+        let scaled = sum.scale(&denominators);
+        let mut factors = Vec::new();
+        for (m, c) in scaled.terms() {
+            let [(v, 1)] = m.powers() else { return Err(no()) };
+            let argument = match self.letters.expr(*v).map(|e| &e.kind) {
+                Some(ExprKind::Apply(f, list)) if f.text == "ln" => list.first().cloned().ok_or_else(no)?,
+                _ => return Err(no()),
+            };
+            let k = i64::try_from(c.numerator_ref()).map_err(|_| no())?;
+            factors.push(whole_power(argument, if *c < 0 { -k } else { k }));
+        }
+        let whole = product(factors);
+        let log = expr(ExprKind::Apply(Name { text: "ln".to_string(), span: Span::default() }, vec![whole.clone()]));
+        self.define(&log);
+        let written = self.letters.written(&scaled);
+        let same = self.emit(Rule::Power, compare(written, Relation::Equal, log.clone()))?;
+        // a − b = number·rest·sum.
+        let signs = rest.iter().fold(Signs::POSITIVE, |s, e| s.times(self.signs_of(e)));
+        let wanted = [
+            Relation::Greater,
+            Relation::GreaterEqual,
+            Relation::Less,
+            Relation::LessEqual,
+            Relation::Equal,
+            Relation::NotEqual,
+        ]
+        .into_iter()
+        .find(|r| signs.times(Signs::of(*r)) == Signs::of(relation))
+        .ok_or_else(no)?;
+        self.show(&compare(whole, wanted, numeral(1)))?;
+        let low = self.combination(compare(log, wanted, numeral(0)), Vec::new())?;
+        rest.push(literal(&(Rational::from(1) / denominators)));
+        let factor = product(rest);
+        let terms = [same, low].map(|label| crate::certificate::Term { facts: vec![label], factor: factor.clone() });
+        self.combination(goal.clone(), terms.to_vec())
+    }
+}
+
+fn is_logarithm(e: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln")
+}

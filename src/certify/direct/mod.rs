@@ -1,0 +1,280 @@
+//! A second search, which speaks to the kernel itself: for what the draft does not reach.
+//!
+//! Contract: [`prove`] returns a certificate that the kernel accepted, or says what it could not show. Nothing here is
+//! trusted.
+//!
+//! Method: a goal is taken apart by its connectives down to comparisons. Roots, powers, sums and members are letters;
+//! what is known of them becomes polynomials that are 0, positive or not negative. A linear program finds products
+//! of these that add up to the goal, or to a contradiction with its opposite (`products`). Where that fails, cases are
+//! distinguished and induction is tried.
+
+mod cases;
+mod comparison;
+mod facts;
+mod goals;
+mod induction;
+mod instances;
+mod letters;
+mod limits;
+mod logarithms;
+mod means;
+mod products;
+mod squares;
+#[cfg(test)]
+mod tests;
+mod values;
+
+use super::Fail;
+use crate::algebra::Instant;
+use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
+use crate::claim::syntax::{Claim, Expr, Prop, PropKind};
+use crate::kernel::statement::{Substitution, prop};
+use crate::kernel::{Accepted, Checker, Verdict, key};
+use crate::prove::catalogue::Limits;
+use letters::Letters;
+use std::collections::{BTreeSet, HashMap};
+
+/// How many steps are tried for one claim.
+const TRIES: usize = 1_000;
+
+/// How large all linear programs of one claim are together: columns times entries.
+const PROGRAMS: usize = 3_000_000;
+
+/// A certificate of a claim, found without its argument.
+///
+/// # Errors
+/// What could not be shown.
+pub fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    let checker = Checker::new(claim, cited).map_err(Fail::from)?;
+    let statement = checker.statement().clone();
+    let mut prover = Prover {
+        checker,
+        steps: Vec::new(),
+        counter: 0,
+        letters: Letters::default(),
+        readings: HashMap::new(),
+        keys: HashMap::new(),
+        equations: Vec::new(),
+        naturals: statement
+            .bindings
+            .iter()
+            .filter(|b| b.natural)
+            .flat_map(|b| &b.names)
+            .map(|n| n.0.text.clone())
+            .collect(),
+        names: statement.names(),
+        enriched: BTreeSet::new(),
+        failed: BTreeSet::new(),
+        squares_written: Vec::new(),
+        roots: Vec::new(),
+        deadline: Instant::now().checked_add(limits.time),
+        tries: 0,
+        spent: 0,
+        splits: 0,
+        inductions: 0,
+    };
+    let given: Vec<(Label, Prop)> = prover.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
+    for (label, fact) in &given {
+        prover.take_in(label, fact)?;
+    }
+    let shown = prover.show(&statement.goal)?;
+    // The goal is what the last step shows.
+    if prover.checker.facts().last().is_none_or(|last| last.0 != shown) {
+        prover.emit(Rule::Logic { from: vec![shown] }, statement.goal.clone())?;
+    }
+    let digest = crate::certificate::text::digest(&statement.text());
+    let whole = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: prover.steps };
+    let written = super::elaborate::swept::swept(whole);
+    let text = crate::certificate::text::write(&written);
+    let read = crate::certificate::text::read(&text)
+        .map_err(|m| Fail::Value(m.fault.to_string()).within(&format!("line {}", m.line)))?;
+    match crate::kernel::check(claim, &read, cited) {
+        Verdict::Accepted(shown) => Ok((read, *shown)),
+        other => Err(Fail::whole(other)),
+    }
+}
+
+/// The state of the search.
+pub(super) struct Prover {
+    checker: Checker,
+    steps: Vec<Step>,
+    counter: usize,
+    letters: Letters,
+    /// The differences of facts as they were read, by label and how many equations were put in.
+    readings: HashMap<(Label, Vec<Label>), Option<facts::Reading>>,
+    /// The facts by what they say.
+    keys: HashMap<Label, String>,
+    /// The equations that are put in.
+    equations: Vec<Label>,
+    /// Names of natural numbers.
+    naturals: Vec<String>,
+    /// Names in use.
+    names: BTreeSet<String>,
+    /// The letters of which facts were made, by what they stand for.
+    enriched: BTreeSet<String>,
+    /// Those of which none could be made, under the suppositions that are open.
+    failed: BTreeSet<String>,
+    /// Bases of even powers, as they were written.
+    squares_written: Vec<crate::algebra::Polynomial>,
+    /// Roots of numbers that facts were made of.
+    roots: Vec<Expr>,
+    deadline: Option<Instant>,
+    tries: usize,
+    /// The size of all linear programs so far.
+    spent: usize,
+    /// How many distinctions of cases are open.
+    splits: usize,
+    /// How many inductions are open.
+    inductions: usize,
+}
+
+impl Prover {
+    fn tick(&mut self) -> Result<(), Fail> {
+        self.tries += 1;
+        if self.deadline.is_some_and(|deadline| Instant::now() > deadline) {
+            return Err(Fail::Limit("time"));
+        }
+        if self.tries > TRIES { Err(Fail::Limit("tries")) } else { Ok(()) }
+    }
+
+    /// Takes a step with no more citations than the kernel asks for, if the kernel takes it; returns its label.
+    fn emit(&mut self, rule: Rule, shown: Prop) -> Result<Label, Fail> {
+        self.tick()?;
+        let by = self.signs();
+        let show =
+            Show { label: format!("{}", self.counter + 1), rule, prop: shown, by, using: self.equations.clone() };
+        let used = match self.checker.used(&show) {
+            Ok(used) => Ok((show, used)),
+            Err(refusal) if show.using.is_empty() => Err(refusal),
+            Err(_) => {
+                let plain = Show { using: Vec::new(), ..show };
+                self.checker.used(&plain).map(|used| (plain, used))
+            }
+        };
+        let (show, used) = used.map_err(Fail::from)?;
+        let short = Show { by: used.by, using: used.using, ..show.clone() };
+        let show = if self.checker.used(&short).is_ok() { short } else { show };
+        let label = show.label.clone();
+        let step = Step::Show(Box::new(show));
+        self.checker.step(&step).map_err(Fail::from)?;
+        self.counter += 1;
+        self.steps.push(step);
+        Ok(label)
+    }
+
+    /// Counts a linear program with these columns.
+    fn spend(&mut self, columns: &[products::Known]) -> Result<(), Fail> {
+        self.spent += columns.len() * columns.iter().map(|c| c.poly.term_count()).sum::<usize>();
+        if self.spent > PROGRAMS { Err(Fail::Limit("linear programs")) } else { Ok(()) }
+    }
+
+    fn combination(&mut self, shown: Prop, terms: Vec<Term>) -> Result<Label, Fail> {
+        self.emit(Rule::Combination { times: None, terms }, shown)
+    }
+
+    fn logic(&mut self, from: &[&str], shown: &Prop) -> Result<Label, Fail> {
+        self.emit(Rule::Logic { from: from.iter().map(|l| (*l).to_string()).collect() }, shown.clone())
+    }
+
+    /// Runs something; if it fails everything is as before.
+    fn attempt<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        let checker = self.checker.clone();
+        let (steps, equations, naturals) = (self.steps.len(), self.equations.clone(), self.naturals.clone());
+        let (splits, inductions, enriched) = (self.splits, self.inductions, self.enriched.clone());
+        let roots = self.roots.len();
+        let result = run(self);
+        if result.is_err() {
+            self.checker = checker;
+            self.steps.truncate(steps);
+            self.equations = equations;
+            self.naturals = naturals;
+            self.enriched = enriched;
+            self.roots.truncate(roots);
+            (self.splits, self.inductions) = (splits, inductions);
+        }
+        result
+    }
+
+    /// Shows an implication or a statement for all values in a block.
+    fn block(&mut self, goal: &Prop, run: impl FnOnce(&mut Self, &str) -> Result<Label, Fail>) -> Result<Label, Fail> {
+        if let Some(label) = self.known(goal) {
+            return Ok(label);
+        }
+        let (equations, naturals) = (self.equations.clone(), self.naturals.clone());
+        let (enriched, roots) = (self.enriched.clone(), self.roots.len());
+        let rule = if matches!(goal.kind, PropKind::ForAll(..)) { Rule::Let } else { Rule::Suppose };
+        let block = self.emit(rule, goal.clone())?;
+        let failed = std::mem::take(&mut self.failed);
+        if let PropKind::ForAll(bindings, _) = &goal.kind {
+            for binding in bindings.iter().filter(|b| b.natural) {
+                self.naturals.extend(binding.names.iter().map(|n| n.0.text.clone()));
+            }
+        }
+        let new: Vec<(Label, Prop)> = self
+            .checker
+            .facts()
+            .filter(|(label, _)| label.strip_prefix(block.as_str()).is_some_and(|rest| rest.starts_with(['s', 'd'])))
+            .map(|(l, p)| (l.to_string(), p.clone()))
+            .collect();
+        for (label, fact) in &new {
+            self.take_in(label, fact)?;
+        }
+        let conclusion = run(self, &block);
+        self.failed = failed;
+        let conclusion = conclusion?;
+        let end = Step::End(conclusion);
+        self.checker.step(&end).map_err(Fail::from)?;
+        self.steps.push(end);
+        self.equations = equations;
+        self.naturals = naturals;
+        self.enriched = enriched;
+        self.roots.truncate(roots);
+        Ok(block)
+    }
+
+    /// The fact that says this.
+    fn known(&mut self, wanted: &Prop) -> Option<Label> {
+        let wanted = key::prop(wanted);
+        let facts: Vec<&str> = self.checker.facts().map(|f| f.0).collect();
+        let missing: Vec<(Label, String)> = self
+            .checker
+            .facts()
+            .filter(|(label, _)| !self.keys.contains_key(*label))
+            .map(|(label, p)| (label.to_string(), key::prop(p)))
+            .collect();
+        let found =
+            facts.iter().rev().find(|l| self.keys.get(**l).is_some_and(|k| *k == wanted)).map(|l| (*l).to_string());
+        let new = missing.iter().find(|(_, k)| *k == wanted).map(|(l, _)| l.clone());
+        self.keys.extend(missing);
+        found.or(new)
+    }
+
+    /// The facts whose signs a step may use.
+    fn signs(&self) -> Vec<Label> {
+        let speaks = |p: &Prop| matches!(p.kind, PropKind::Compare(..) | PropKind::And(_) | PropKind::ForAll(..));
+        self.checker.facts().filter(|(_, p)| speaks(p)).map(|f| f.0.to_string()).collect()
+    }
+
+    fn fact(&self, label: &str) -> Option<Prop> {
+        self.checker.facts().find(|f| f.0 == label).map(|f| f.1.clone())
+    }
+
+    /// A name that is not in use anywhere.
+    fn fresh(&mut self, stem: &str) -> String {
+        let fresh = (1..).map(|k| format!("{stem}{k}")).find(|n| !self.names.contains(n)).unwrap_or_default();
+        self.names.insert(fresh.clone());
+        fresh
+    }
+}
+
+/// `P => Q`.
+fn implies(p: &Prop, q: &Prop) -> Prop {
+    prop(PropKind::Implies(Box::new(p.clone()), Box::new(q.clone())))
+}
+
+/// A proposition with a value for a name.
+fn put(p: &Prop, name: &str, value: &Expr) -> Result<Prop, Fail> {
+    let mut map = Substitution::default();
+    map.replace(name, value);
+    map.prop(p).map_err(Fail::from)
+}

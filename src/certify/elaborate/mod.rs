@@ -1,0 +1,597 @@
+//! Drafts written as certificates: the last stage of the search.
+//!
+//! Contract: [`elaborate`] returns a certificate that the kernel accepted step by step, or says at which step of the
+//! draft it got stuck. Nothing is searched: each step of a draft becomes one step of the certificate (two or three where
+//! the kernel's rules are smaller) with the facts that it rests on written out. The kernel says which those are.
+
+mod limit;
+mod otherwise;
+pub(super) mod swept;
+
+use crate::algebra::Instant;
+use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
+use crate::certify::draft;
+use crate::claim::syntax::*;
+use crate::kernel::statement::{compare, name, names_in_prop, numeral};
+use crate::kernel::{Accepted, Checker, Reason, Refusal, key};
+use std::collections::{BTreeSet, HashMap};
+
+/// Where an elaboration got stuck.
+#[derive(Clone, Debug)]
+pub enum Stuck {
+    /// The kernel refuses the step that a step of the draft became.
+    Refused {
+        /// Its label in the draft.
+        step: Label,
+        /// Its rule.
+        rule: &'static str,
+        /// What the kernel says.
+        refusal: Box<Refusal>,
+    },
+    /// The draft is not well formed: a fact that is not there, a step without its proposition.
+    Malformed(Label),
+    /// The kernel refuses the statement.
+    Statement(Refusal),
+    /// The kernel refuses the end.
+    Unfinished(Refusal),
+    /// The time for the claim is over.
+    Time,
+}
+
+/// A fact of the new certificate.
+#[derive(Clone)]
+struct Fact {
+    label: Label,
+    prop: Prop,
+    key: String,
+}
+
+/// An open block, with what is forgotten at its end.
+struct Block {
+    label: Label,
+    goal: Prop,
+    facts: usize,
+    equations: Vec<Equation>,
+}
+
+/// An equation that the draft put in from where it was introduced on.
+#[derive(Clone, PartialEq)]
+struct Equation {
+    label: Label,
+    kind: Kind,
+}
+
+/// What an equation does.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// A power that others are written by gets a name: it is not looked into.
+    Named,
+    /// A power is written by others.
+    Written,
+    /// A variable or another atom is replaced.
+    Replaced,
+}
+
+struct Elaborator {
+    checker: Checker,
+    steps: Vec<Step>,
+    facts: Vec<Fact>,
+    /// The labels by those of the draft.
+    labels: HashMap<Label, Label>,
+    /// Equations that are put in from where they were introduced on.
+    equations: Vec<Equation>,
+    blocks: Vec<Block>,
+    counter: usize,
+    /// The steps of the draft so far.
+    past: Vec<draft::Step>,
+    /// The places among them of those that opened a block that is open.
+    opened: Vec<usize>,
+    /// Names that are in use somewhere.
+    names: BTreeSet<String>,
+    deadline: Option<Instant>,
+}
+
+/// The certificate that the steps of a draft become; `cited` holds what was accepted of the claims under `using`.
+///
+/// # Errors
+/// Where it got stuck.
+pub fn elaborate(
+    claim: &Claim,
+    draft: &[draft::Step],
+    cited: &[&Accepted],
+    deadline: Option<Instant>,
+) -> Result<Certificate, Stuck> {
+    let checker = Checker::new(claim, cited).map_err(Stuck::Statement)?;
+    let mut names = checker.statement().names();
+    for step in draft {
+        step.prop.iter().for_each(|p| names_in_prop(p, &mut names));
+    }
+    let mut elaborator = Elaborator {
+        facts: checker
+            .facts()
+            .map(|(label, prop)| Fact { label: label.to_string(), prop: prop.clone(), key: key::prop(prop) })
+            .collect(),
+        checker,
+        steps: Vec::new(),
+        labels: HashMap::new(),
+        equations: Vec::new(),
+        blocks: Vec::new(),
+        counter: 0,
+        past: Vec::new(),
+        opened: Vec::new(),
+        names,
+        deadline,
+    };
+    elaborator.hypotheses(claim)?;
+    for step in draft {
+        elaborator.in_time()?;
+        elaborator.step(step)?;
+    }
+    // The goal is what the last step shows.
+    let goal = elaborator.checker.statement().goal.clone();
+    if elaborator.facts.last().is_none_or(|f| f.key != key::prop(&goal)) {
+        let from = elaborator.find(&goal).into_iter().collect();
+        elaborator.emit("qed", Rule::Logic { from }, &goal)?;
+    }
+    let digest = crate::certificate::text::digest(&elaborator.checker.statement().text());
+    let certificate =
+        Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: elaborator.steps };
+    elaborator.checker.finish().map_err(Stuck::Unfinished)?;
+    Ok(swept::swept(certificate))
+}
+
+impl Elaborator {
+    /// A draft has no facts about families among the hypotheses; all others are found by what they say.
+    fn hypotheses(&mut self, claim: &Claim) -> Result<(), Stuck> {
+        let statement = crate::kernel::statement::Statement::of(claim).map_err(Stuck::Statement)?;
+        let domains = statement.bindings.iter().flat_map(crate::kernel::statement::domain);
+        let mut taken = std::collections::BTreeSet::new();
+        for (place, prop) in domains.chain(statement.assumptions.iter().cloned()).enumerate() {
+            let wanted = key::prop(&prop);
+            let found = self.facts.iter().find(|f| f.key == wanted && !taken.contains(&f.label));
+            let Some(found) = found else { return Err(Stuck::Malformed(format!("h{}", place + 1))) };
+            taken.insert(found.label.clone());
+            self.labels.insert(format!("h{}", place + 1), found.label.clone());
+        }
+        Ok(())
+    }
+
+    fn in_time(&self) -> Result<(), Stuck> {
+        if self.deadline.is_some_and(|deadline| Instant::now() > deadline) { Err(Stuck::Time) } else { Ok(()) }
+    }
+
+    fn label(&self, old: &str) -> Result<Label, Stuck> {
+        self.labels.get(old).cloned().ok_or_else(|| Stuck::Malformed(old.to_string()))
+    }
+
+    /// A fact that says this.
+    fn find(&self, prop: &Prop) -> Option<Label> {
+        let wanted = key::prop(prop);
+        self.facts.iter().rev().find(|f| f.key == wanted).map(|f| f.label.clone())
+    }
+
+    fn prop_of(&self, label: &str) -> Option<Prop> {
+        self.facts.iter().rev().find(|f| f.label == label).map(|f| f.prop.clone())
+    }
+
+    /// The facts whose signs a step may use.
+    fn signs(&self) -> Vec<Label> {
+        let speaks = |p: &Prop| matches!(p.kind, PropKind::Compare(..) | PropKind::And(_) | PropKind::ForAll(..));
+        self.facts.iter().filter(|f| speaks(&f.prop)).map(|f| f.label.clone()).collect()
+    }
+
+    /// The step with no more citations than it needs: without those that the kernel did not look at, and without each
+    /// that it can do without, hypotheses first.
+    fn trimmed(&mut self, show: Show) -> Result<Show, Refusal> {
+        let used = self.checker.used(&show)?;
+        let mut best = show.clone();
+        let shorter = Show { by: used.by, using: used.using, ..show };
+        if self.checker.used(&shorter).is_ok() {
+            best = shorter;
+        }
+        let mut tried: Vec<Label> = best.by.iter().chain(&best.using).cloned().collect();
+        // A hypothesis that no step has needed so far is spared first, then those that others need as well.
+        let needed: BTreeSet<&Label> = self.steps.iter().filter_map(Step::show).flat_map(Show::cited).collect();
+        tried.sort_by_key(|label| (!label.starts_with('h'), needed.contains(label)));
+        for label in tried {
+            let mut fewer = best.clone();
+            fewer.by.retain(|l| *l != label);
+            fewer.using.retain(|l| *l != label);
+            if self.checker.used(&fewer).is_ok() {
+                best = fewer;
+            }
+        }
+        Ok(best)
+    }
+
+    /// The equations that a step is tried with, one list after the other.
+    fn lists(&self, rule: &Rule) -> Vec<Vec<Label>> {
+        let of = |kinds: &[Kind]| {
+            let kept = self.equations.iter().filter(|e| kinds.contains(&e.kind));
+            kept.map(|e| e.label.clone()).collect::<Vec<Label>>()
+        };
+        let all = of(&[Kind::Named, Kind::Written, Kind::Replaced]);
+        let mut lists = match rule {
+            // The draft saw the bases of powers here.
+            Rule::Power => vec![of(&[Kind::Written]), of(&[Kind::Written, Kind::Replaced]), all, Vec::new()],
+            _ => vec![all, of(&[Kind::Written, Kind::Replaced]), Vec::new()],
+        };
+        let mut seen: Vec<Vec<Label>> = Vec::new();
+        lists.retain(|list| {
+            let new = !seen.contains(list);
+            seen.push(list.clone());
+            new
+        });
+        lists
+    }
+
+    /// Adds a step that the kernel accepts; returns its label.
+    fn emit(&mut self, old: &str, rule: Rule, prop: &Prop) -> Result<Label, Stuck> {
+        self.in_time()?;
+        let label = (self.counter + 1).to_string();
+        let refused = |refusal| Stuck::Refused { step: old.to_string(), rule: rule.name(), refusal: Box::new(refusal) };
+        let by = self.signs();
+        let mut first = None;
+        let mut found = None;
+        for using in self.lists(&rule) {
+            let show = Show { label: label.clone(), rule: rule.clone(), prop: prop.clone(), by: by.clone(), using };
+            match self.trimmed(show) {
+                Ok(show) => {
+                    found = Some(show);
+                    break;
+                }
+                Err(refusal) => first = first.or(Some(refusal)),
+            }
+        }
+        let Some(show) = found else {
+            return Err(refused(first.unwrap_or(Refusal::Rejected(Reason::Signs))));
+        };
+        let opens = show.opens();
+        let step = Step::Show(Box::new(show));
+        self.checker.step(&step).map_err(&refused)?;
+        self.counter += 1;
+        if opens {
+            self.blocks.push(Block {
+                label: label.clone(),
+                goal: prop.clone(),
+                facts: self.facts.len(),
+                equations: self.equations.clone(),
+            });
+        }
+        self.take_in();
+        self.steps.push(step);
+        Ok(label)
+    }
+
+    /// Takes over the facts that the kernel has and this list does not.
+    fn take_in(&mut self) {
+        let new = self.checker.facts().skip(self.facts.len());
+        let new: Vec<Fact> =
+            new.map(|(label, p)| Fact { label: label.to_string(), prop: p.clone(), key: key::prop(p) }).collect();
+        self.facts.extend(new);
+    }
+
+    fn end(&mut self) -> Result<(), Stuck> {
+        let Some(block) = self.blocks.pop() else { return Err(Stuck::Malformed("end".to_string())) };
+        let (PropKind::Implies(_, q) | PropKind::ForAll(_, q)) = &block.goal.kind else {
+            return Err(Stuck::Malformed(block.label));
+        };
+        let refused = |refusal| Stuck::Refused { step: block.label.clone(), rule: "end", refusal: Box::new(refusal) };
+        let Some(conclusion) = self.find(q) else {
+            return Err(refused(Refusal::Rejected(Reason::OtherConclusion(String::new()))));
+        };
+        let step = Step::End(conclusion);
+        self.checker.step(&step).map_err(refused)?;
+        self.facts.truncate(block.facts);
+        self.equations = block.equations;
+        self.take_in();
+        self.steps.push(step);
+        Ok(())
+    }
+
+    /// One step of the draft.
+    fn step(&mut self, step: &draft::Step) -> Result<(), Stuck> {
+        self.new_steps(step)?;
+        match step.rule {
+            draft::Rule::Suppose | draft::Rule::Let => self.opened.push(self.past.len()),
+            draft::Rule::End => drop(self.opened.pop()),
+            _ => {}
+        }
+        self.past.push(step.clone());
+        Ok(())
+    }
+
+    /// What a step of the draft becomes.
+    fn new_steps(&mut self, step: &draft::Step) -> Result<(), Stuck> {
+        if step.rule == draft::Rule::End {
+            return self.end();
+        }
+        let cited = step.from.first().map(String::as_str).unwrap_or_default();
+        match step.rule {
+            // What a fact says of signs is read wherever the fact is cited.
+            draft::Rule::Note => return Ok(()),
+            draft::Rule::Replace => {
+                let label = self.label(cited)?;
+                self.put_in(label, Kind::Replaced);
+                return Ok(());
+            }
+            _ => {}
+        }
+        let prop = step.prop.as_ref().ok_or_else(|| Stuck::Malformed(step.label.clone()))?;
+        let rule = match step.rule {
+            draft::Rule::Power => {
+                // A power that others are written by.
+                if let PropKind::Compare(sides, _) = &prop.kind
+                    && let [a, b] = sides.as_slice()
+                    && key::expr(a) == key::expr(b)
+                {
+                    return self.named(&step.label, a);
+                }
+                Rule::Power
+            }
+            draft::Rule::Logarithm => Rule::Power,
+            draft::Rule::Unfold => Rule::Unfold,
+            draft::Rule::Sign => Rule::Combination { times: None, terms: Vec::new() },
+            draft::Rule::Combination => {
+                let terms = step.terms.iter().map(|term| {
+                    let facts = term.facts.iter().map(|f| self.label(f)).collect::<Result<Vec<_>, _>>()?;
+                    Ok(Term { facts, factor: term.factor.clone() })
+                });
+                Rule::Combination { times: step.times.clone(), terms: terms.collect::<Result<_, Stuck>>()? }
+            }
+            draft::Rule::Suppose => Rule::Suppose,
+            draft::Rule::Let => Rule::Let,
+            draft::Rule::All
+            | draft::Rule::Part
+            | draft::Rule::Either
+            | draft::Rule::Excluded
+            | draft::Rule::Cases
+            | draft::Rule::Apply
+            | draft::Rule::Equivalent
+            | draft::Rule::Negation => Rule::Logic { from: self.premises(step, prop)? },
+            draft::Rule::Absurd => self.absurd(step)?,
+            draft::Rule::Instance => {
+                let source = self.labels.get(cited).cloned().unwrap_or_else(|| cited.to_string());
+                Rule::Instance { source, with: step.with.clone(), from: self.domain_facts() }
+            }
+            draft::Rule::Induction => self.induction(step, prop)?,
+            draft::Rule::Witness => Rule::Witness { with: step.with.clone(), from: self.domain_facts() },
+            draft::Rule::Extremum => Rule::Extremum { from: self.domain_facts() },
+            draft::Rule::Monotone => Rule::Monotone { from: self.label(cited)? },
+            draft::Rule::Mean => Rule::Mean { with: step.with.clone() },
+            draft::Rule::Limit | draft::Rule::Squeeze => {
+                let label =
+                    if step.rule == draft::Rule::Limit { self.limit(step, prop) } else { self.squeeze(step, prop) }?;
+                self.labels.insert(step.label.clone(), label);
+                return Ok(());
+            }
+            draft::Rule::Note | draft::Rule::Replace | draft::Rule::End => return Ok(()),
+        };
+        let rule = self.short(rule, prop);
+        let label = match self.emit(&step.label, rule.clone(), prop) {
+            Err(stuck) => self.otherwise(step, rule, prop).ok_or(stuck)?,
+            Ok(label) => label,
+        };
+        self.labels.insert(step.label.clone(), label.clone());
+        match step.rule {
+            draft::Rule::Suppose => {
+                self.labels.insert(format!("{}s", step.label), format!("{label}s"));
+            }
+            draft::Rule::Let => {
+                for place in 1..=self.facts.len() {
+                    self.labels.insert(format!("{}d{place}", step.label), format!("{label}d{place}"));
+                }
+            }
+            // From here on the draft wrote the power as the other side.
+            draft::Rule::Power => self.put_in(label, Kind::Written),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// A name that is not in use anywhere: the stem and a number.
+    fn fresh_name(&mut self, stem: &str) -> String {
+        let fresh = (1..).map(|k| format!("{stem}{k}")).find(|n| !self.names.contains(n)).unwrap_or_default();
+        self.names.insert(fresh.clone());
+        fresh
+    }
+
+    /// Gives a power a name and shows its sign, so that it is not looked into from here on.
+    fn named(&mut self, old: &str, power: &Expr) -> Result<(), Stuck> {
+        let new = name(&self.fresh_name("r"));
+        let label = self.emit(old, Rule::Name, &compare(power.clone(), Relation::Equal, new.clone()))?;
+        let minus_one = crate::kernel::statement::expr(ExprKind::Negate(Box::new(numeral(1))));
+        let terms = vec![
+            Term { facts: vec![label.clone()], factor: minus_one },
+            Term { facts: Vec::new(), factor: power.clone() },
+        ];
+        for relation in [Relation::Greater, Relation::GreaterEqual, Relation::NotEqual] {
+            let rule = Rule::Combination { times: None, terms: terms.clone() };
+            if self.emit(old, rule, &compare(new.clone(), relation, numeral(0))).is_ok() {
+                break;
+            }
+        }
+        self.put_in(label, Kind::Named);
+        Ok(())
+    }
+
+    /// Puts an equation in from here on. A variable that is replaced again is replaced by its last value.
+    fn put_in(&mut self, label: Label, kind: Kind) {
+        let left = |p: Option<Prop>| match p.map(|p| p.kind) {
+            Some(PropKind::Compare(sides, _)) => sides.first().map(key::expr),
+            _ => None,
+        };
+        let Some(prop) = self.prop_of(&label) else { return };
+        let same = left(Some(prop.clone()));
+        let before = self.equations.clone();
+        self.equations
+            .retain(|e| left(self.facts.iter().rev().find(|f| f.label == e.label).map(|f| f.prop.clone())) != same);
+        let using = self.using();
+        if self.checker.can_be_put_in(&prop, &using) {
+            self.equations.push(Equation { label, kind });
+        } else {
+            self.equations = before;
+        }
+    }
+
+    /// The equations that are put in.
+    fn using(&self) -> Vec<Label> {
+        self.equations.iter().map(|e| e.label.clone()).collect()
+    }
+
+    /// All facts, for rules whose premises are found by what they say; [`Elaborator::short`] leaves those it needs.
+    fn domain_facts(&self) -> Vec<Label> {
+        self.facts.iter().map(|f| f.label.clone()).collect()
+    }
+
+    /// The rule without the facts under `from` that it does not need, tried one half after the other.
+    fn short(&mut self, rule: Rule, prop: &Prop) -> Rule {
+        let all = match &rule {
+            Rule::Instance { from, .. } | Rule::Witness { from, .. } | Rule::Extremum { from } => from.clone(),
+            _ => return rule,
+        };
+        let with_from = |from: Vec<Label>| match &rule {
+            Rule::Instance { source, with, .. } => Rule::Instance { source: source.clone(), with: with.clone(), from },
+            Rule::Witness { with, .. } => Rule::Witness { with: with.clone(), from },
+            _ => Rule::Extremum { from },
+        };
+        let (by, using) = (self.signs(), self.using());
+        let mut holds = |from: Vec<Label>| {
+            let show = Show {
+                label: "x".to_string(),
+                rule: with_from(from),
+                prop: prop.clone(),
+                by: by.clone(),
+                using: using.clone(),
+            };
+            self.checker.used(&show).is_ok()
+        };
+        let mut kept = all;
+        let mut size = kept.len().div_ceil(2);
+        while size > 0 {
+            let mut start = 0;
+            while start < kept.len() {
+                let mut fewer = kept.clone();
+                fewer.drain(start..(start + size).min(kept.len()));
+                if holds(fewer.clone()) { kept = fewer } else { start += size }
+            }
+            size /= 2;
+        }
+        with_from(kept)
+    }
+
+    /// The facts that a step of logic of the draft looked up.
+    fn premises(&self, step: &draft::Step, goal: &Prop) -> Result<Vec<Label>, Stuck> {
+        let missing = || Stuck::Malformed(step.label.clone());
+        let cited: Vec<Label> = step.from.iter().map(|f| self.label(f)).collect::<Result<_, _>>()?;
+        let implies = |p: &Prop, q: &Prop| Prop {
+            kind: PropKind::Implies(Box::new(p.clone()), Box::new(q.clone())),
+            span: Span::default(),
+        };
+        let needed: Vec<Prop> = match step.rule {
+            draft::Rule::All => parts(goal),
+            draft::Rule::Either => match &goal.kind {
+                PropKind::Or(list) => list.iter().find(|p| self.find(p).is_some()).cloned().into_iter().collect(),
+                _ => return Err(missing()),
+            },
+            draft::Rule::Cases => match cited.first().and_then(|label| self.prop_of(label)).map(|p| p.kind) {
+                Some(PropKind::Or(list)) => list.iter().map(|case| implies(case, goal)).collect(),
+                _ => return Err(missing()),
+            },
+            draft::Rule::Apply => match cited.first().and_then(|label| self.prop_of(label)).map(|p| p.kind) {
+                Some(PropKind::Implies(p, _)) => vec![*p],
+                Some(PropKind::Equivalent(list)) => {
+                    list.into_iter().find(|p| self.find(p).is_some()).into_iter().collect()
+                }
+                _ => return Err(missing()),
+            },
+            draft::Rule::Equivalent => match &goal.kind {
+                PropKind::Equivalent(list) => list
+                    .windows(2)
+                    .flat_map(|pair| match pair {
+                        [p, q] => vec![implies(p, q), implies(q, p)],
+                        _ => Vec::new(),
+                    })
+                    .collect(),
+                _ => return Err(missing()),
+            },
+            _ => Vec::new(),
+        };
+        let mut from = cited;
+        for prop in needed {
+            from.push(self.find(&prop).ok_or_else(missing)?);
+        }
+        Ok(from)
+    }
+
+    /// The comparison of numbers that a fact comes to, which is false.
+    fn absurd(&mut self, step: &draft::Step) -> Result<Rule, Stuck> {
+        let missing = || Stuck::Malformed(step.label.clone());
+        let label = self.label(step.from.first().map(String::as_str).unwrap_or_default())?;
+        let fact = self.prop_of(&label).ok_or_else(missing)?;
+        let PropKind::Compare(_, relations) = &fact.kind else { return Err(missing()) };
+        let using = self.using();
+        let Ok(Some(number)) = self.checker.constant(&fact, &using) else { return Err(missing()) };
+        use crate::kernel::statement::{compare, expr, numeral};
+        let digits = |n: num_bigint::BigInt| expr(ExprKind::Number(n.to_string()));
+        let size = num_traits::Signed::abs(&number);
+        let mut value = digits(size.numer().clone());
+        if !size.is_integer() {
+            value = expr(ExprKind::Product(vec![(Factor::Times, value), (Factor::Over, digits(size.denom().clone()))]));
+        }
+        if num_traits::Signed::is_negative(&number) {
+            value = expr(ExprKind::Negate(Box::new(value)));
+        }
+        let false_one = compare(value, relations[0], numeral(0));
+        let terms = vec![Term { facts: vec![label], factor: numeral(1) }];
+        let shown = self.emit(&step.label, Rule::Combination { times: None, terms }, &false_one)?;
+        Ok(Rule::Logic { from: vec![shown] })
+    }
+
+    fn induction(&mut self, step: &draft::Step, prop: &Prop) -> Result<Rule, Stuck> {
+        let missing = || Stuck::Malformed(step.label.clone());
+        let PropKind::ForAll(bindings, body) = &prop.kind else { return Err(missing()) };
+        let [binding] = bindings.as_slice() else { return Err(missing()) };
+        let [(variable, None)] = binding.names.as_slice() else { return Err(missing()) };
+        use crate::kernel::statement::{Substitution, expr, name, numeral};
+        let first = match binding.constraints.as_slice() {
+            [Constraint::Relation(_, bound)] => bound.clone(),
+            _ => numeral(0),
+        };
+        let next = expr(ExprKind::Sum(vec![(Sign::Plus, name(&variable.text)), (Sign::Plus, numeral(1))]));
+        let at = |value: &Expr| {
+            let mut map = Substitution::default();
+            map.replace(&variable.text, value);
+            map.prop(body).map_err(|_| missing())
+        };
+        let advance = Prop { kind: PropKind::Implies(body.clone(), Box::new(at(&next)?)), span: prop.span };
+        let advance = Prop { kind: PropKind::ForAll(bindings.clone(), Box::new(advance)), span: prop.span };
+        Ok(Rule::Induction {
+            base: self.find(&at(&first)?).ok_or_else(missing)?,
+            advance: self.find(&advance).ok_or_else(missing)?,
+        })
+    }
+}
+
+/// The parts of a conjunction or chain.
+fn parts(p: &Prop) -> Vec<Prop> {
+    match &p.kind {
+        PropKind::And(list) => list.clone(),
+        PropKind::Compare(sides, relations) => sides
+            .windows(2)
+            .zip(relations)
+            .map(|(pair, r)| Prop { kind: PropKind::Compare(pair.to_vec(), vec![*r]), span: p.span })
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn is_equation(p: &Prop) -> bool {
+    matches!(&p.kind, PropKind::Compare(_, relations) if *relations == [Relation::Equal])
+}
+
+fn mentions(p: &Prop, name: &str) -> bool {
+    let mut names = std::collections::BTreeSet::new();
+    crate::kernel::statement::names_in_prop(p, &mut names);
+    names.contains(name)
+}

@@ -1,0 +1,66 @@
+//! What a user wants to see on a terminal: colours, progress and notes.
+
+use super::output::message;
+use clap::ValueEnum;
+use std::io::Write;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// When colours are shown.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Color {
+    /// On a terminal, unless NO_COLOR is set
+    Auto,
+    /// Also in files and pipes
+    Always,
+    /// Nowhere
+    Never,
+}
+
+/// Flags of all commands.
+#[derive(clap::Args)]
+pub struct Flags {
+    /// When to use colours
+    #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", help_heading = "Everywhere")]
+    color: Color,
+    /// Print no progress and no notes; of an audit or a test only what is not as expected, of a check no statements
+    #[arg(short, long, global = true, help_heading = "Everywhere")]
+    quiet: bool,
+}
+
+impl Flags {
+    /// Holds from now on.
+    pub fn apply(&self) {
+        match self.color {
+            Color::Auto => anstream::ColorChoice::Auto,
+            Color::Always => anstream::ColorChoice::AlwaysAnsi,
+            Color::Never => anstream::ColorChoice::Never,
+        }
+        .write_global();
+        QUIET.store(self.quiet, Ordering::Relaxed);
+    }
+}
+
+/// Whether no more is to be said than is needed.
+pub fn quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// Whether messages have colours.
+pub fn colour() -> bool {
+    anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never
+}
+
+/// Something worth knowing that is no error.
+pub fn note(text: &str) {
+    if !quiet() {
+        // What cannot be said does no harm.
+        let _ = writeln!(anstream::stderr(), "{}", message(text, colour()));
+    }
+}
+
+/// The columns of the terminal that output goes to, if it is one.
+pub fn width() -> Option<usize> {
+    terminal_size::terminal_size_of(std::io::stdout()).map(|(columns, _)| usize::from(columns.0))
+}

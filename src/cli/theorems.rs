@@ -1,0 +1,130 @@
+//! `carom export coq --proofs`: a folder of theorems with their proofs; Coq run on such a folder for a report.
+
+use super::audit::load;
+use super::export::names_after_from;
+use super::interrupt::{Interrupt, interrupted};
+use super::{Exit, Language, print, terminal, write_file};
+use crate::claim::syntax::Claim;
+use crate::judge::Settings;
+use crate::prove::catalogue::{Catalogue, Limits};
+use crate::report::handout::evidence::{self, Evidence};
+use crate::report::theorems::{Folder, folder};
+use crate::report::{Audit, counted};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// The script of the folder that runs Coq.
+const CHECK: &str = "check";
+
+/// What Coq said of each claim, and the files that it was run on.
+type Ran = (BTreeMap<String, Evidence>, Vec<(String, String)>);
+
+/// Writes the folder: everything is judged and made first, so that nothing is written where that fails.
+pub fn run(
+    language: Option<Language>,
+    ids: &[String],
+    from: &[PathBuf],
+    output: Option<&Path>,
+    limits: &Limits,
+) -> Result<u8, Exit> {
+    if language != Some(Language::Coq) {
+        return Err(Exit::usage("error: --proofs are for Coq: write `carom export coq --proofs --output DIR`"));
+    }
+    names_after_from(ids, from)?;
+    let out = output.unwrap_or(Path::new("."));
+    is_free(out)?;
+    let loaded = load(from, ids)?.with_certificates(false)?;
+    let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
+    let asked: Vec<Claim> = loaded.catalogue.claims().iter().filter(wanted).cloned().collect();
+    let names: Vec<String> = loaded.catalogue.in_order(&asked).into_iter().map(|c| c.name.text).collect();
+    let settings = Settings { limits: limits.clone(), ..Settings::default() };
+    let mut entries = Vec::new();
+    for (name, entry) in loaded.judge(&names, &settings).entries {
+        entries.push(entry.map_err(|fault| loaded.failure(&name, fault))?);
+    }
+    let made = folder(&loaded.catalogue, &entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))?;
+    let interrupt = Interrupt::listen();
+    write(&made, out)?;
+    if interrupt.asked() {
+        return Err(interrupted("everything is written"));
+    }
+    let files = made.files.iter().filter(|f| f.module.is_some()).count();
+    print(&format!(
+        "{} with {} in {}; `bash {}/check` has Coq verify them\n",
+        counted(files, "claim"),
+        counted(made.theorems(), "theorem"),
+        out.display(),
+        out.display()
+    ))?;
+    for file in &made.files {
+        for (name, reason) in &file.open {
+            terminal::note(&format!("no proof of {name}: {reason}"));
+        }
+    }
+    Ok(0)
+}
+
+/// A folder that holds something is left alone.
+fn is_free(out: &Path) -> Result<(), Exit> {
+    let here = out.display();
+    match std::fs::read_dir(out).map(Iterator::count) {
+        Ok(1..) => {
+            Err(Exit::usage(format!("error: {here} is not empty: --proofs needs a new folder, or an empty one")))
+        }
+        Err(_) if out.as_os_str() == "-" => {
+            Err(Exit::usage("error: --proofs writes a folder, which cannot go to standard output"))
+        }
+        Err(e) if out.exists() => Err(Exit::usage(format!("error: {here} is no folder that can be read: {e}"))),
+        _ => Ok(()),
+    }
+}
+
+/// Writes the files of a folder.
+pub fn write(made: &Folder, out: &Path) -> Result<(), Exit> {
+    std::fs::create_dir_all(out)
+        .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", out.display())))?;
+    made.contents().iter().try_for_each(|(name, text)| write_file(&out.join(name), text))
+}
+
+/// Whether Coq is here.
+fn is_installed() -> bool {
+    let silent = Command::new("coqc").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    silent.is_ok_and(|status| status.success())
+}
+
+/// The evidence by Coq for an audit, with the files that Coq was run on; `None` where Coq is not installed.
+pub fn ran(audit: &Audit, limits: &Limits) -> Result<Option<Ran>, Exit> {
+    if !is_installed() {
+        terminal::note("note: coqc is not installed, so Coq is not run: the report names the theorems of proofs/coq");
+        return Ok(None);
+    }
+    let claims: Vec<Claim> = audit.entries.iter().map(|e| e.claim.clone()).collect();
+    let catalogue =
+        Catalogue::new(claims).map_err(|_| Exit::usage("error: the claims are not those that were judged"))?;
+    let made = folder(&catalogue, &audit.entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))?;
+    let place = tempfile::tempdir().map_err(|e| Exit::usage(format!("error: cannot make a folder for Coq: {e}")))?;
+    write(&made, place.path())?;
+    let cannot = |e: std::io::Error| Exit::usage(format!("error: cannot run {CHECK} of the Coq proofs: {e}"));
+    let output = Command::new("bash").arg(place.path().join(CHECK)).stdin(Stdio::null()).output().map_err(cannot)?;
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    // What is wrong with all of it stands on standard error.
+    let wrong =
+        String::from_utf8_lossy(&output.stderr).lines().find_map(|l| l.strip_prefix("error: ")).map(str::to_string);
+    let refused = |module: &str, theorem: &str| {
+        let word = |line: &str, from: &str| {
+            let name = line.strip_prefix(from)?.trim_start().split([' ', ':']).next()?;
+            (name == module).then(|| line.split_whitespace().collect::<Vec<_>>().join(" "))
+        };
+        let line = |from: &str| said.lines().find_map(|line| word(line, from));
+        let axioms = format!("axioms of {theorem}:");
+        let known = said.lines().any(|line| line.starts_with(&axioms));
+        ["failed ", "timed out ", "not tried "]
+            .iter()
+            .find_map(|from| line(from))
+            .or_else(|| wrong.clone())
+            .or_else(|| (!known).then(|| "Coq said nothing of it".to_string()))
+    };
+    let evidence = evidence::ran(audit, &made, &refused);
+    Ok(Some((evidence, made.contents())))
+}

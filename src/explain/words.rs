@@ -1,0 +1,690 @@
+//! What is said of each rule, and which steps are worth a sentence.
+
+use super::document::{Block, Piece};
+use super::follow::{Followed, Node, Seen, difference, sides};
+use super::shorthand::Shorthand;
+use super::signs;
+use crate::certificate::{Label, Rule};
+use crate::claim::print::{self, Style};
+use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, name, numeral};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Facts of so many letters are cited by what they say.
+const PLAIN: usize = 14;
+/// A part of a fact of more letters is cited by the whole fact.
+const LONG: usize = 30;
+/// A supposition of at most so many letters stands in its sentence.
+const SENTENCE: usize = 48;
+/// How a sentence ends that finds a contradiction.
+const CONTRADICTION: &str = ", which is impossible.";
+
+/// The sentences of a proof.
+pub(super) struct Words<'a> {
+    pub(super) followed: &'a Followed,
+    pub(super) short: Shorthand,
+    /// What the hypotheses are called.
+    hypotheses: BTreeMap<Label, String>,
+    /// Facts that are false, since what is supposed cannot be.
+    absurd: BTreeSet<Label>,
+    /// Equations that only give names, or write something by them.
+    naming: BTreeSet<Label>,
+    /// Comparisons that a product shows, and that serve for a sign only: the product is put in where the sign is needed.
+    pub(super) products: BTreeSet<Label>,
+    /// Facts that another says as well, which is cited for them.
+    same: BTreeMap<Label, Label>,
+    /// What is supposed, from the outside to the inside.
+    open: Vec<Prop>,
+    /// The suppositions that are the second direction of an equivalence.
+    converse: BTreeSet<Label>,
+    /// The suppositions that are cases.
+    cases: BTreeSet<Label>,
+}
+
+/// A sentence out of words.
+pub(super) fn say(text: &str) -> Piece {
+    Piece::Text(text.to_string())
+}
+
+impl<'a> Words<'a> {
+    pub(super) fn of(claim: &Claim, followed: &'a Followed) -> Words<'a> {
+        let named = claim.items.iter().filter_map(|item| match item {
+            Item::Assume { label, .. } => Some(label.as_ref().map(|l| l.text.clone())),
+            _ => None,
+        });
+        let named: Vec<Option<String>> = named.collect();
+        // The assumptions come behind the domains.
+        let first = followed.facts.keys().filter_map(|l| l.strip_prefix('h')?.parse::<usize>().ok()).max().unwrap_or(0);
+        let start = first.saturating_sub(named.len());
+        let hypotheses = named
+            .into_iter()
+            .enumerate()
+            .filter_map(|(k, label)| Some((format!("h{}", start + k + 1), label?)))
+            .collect();
+        let mut words = Words {
+            followed,
+            short: Shorthand::of(claim),
+            hypotheses,
+            absurd: BTreeSet::new(),
+            naming: BTreeSet::new(),
+            products: BTreeSet::new(),
+            same: BTreeMap::new(),
+            open: Vec::new(),
+            converse: BTreeSet::new(),
+            cases: BTreeSet::new(),
+        };
+        words.look_ahead();
+        words
+    }
+
+    /// The whole proof.
+    pub(super) fn all(mut self) -> Vec<Block> {
+        let followed = self.followed;
+        let mut out = Vec::new();
+        self.nodes(&followed.nodes, &mut out);
+        let closing = match followed.seen.last().map(|seen| &seen.show.rule) {
+            Some(Rule::Logic { .. }) => "With this, every part of the claim is shown.",
+            _ => "This is the claim.",
+        };
+        out.push(Block::Sentence(vec![say(closing)]));
+        out
+    }
+
+    /// Finds what is false, what gives names, which polynomials are products, and what a supposition is for.
+    fn look_ahead(&mut self) {
+        for seen in &self.followed.seen {
+            let show = &seen.show;
+            match &show.rule {
+                Rule::Name => {
+                    self.naming.insert(show.label.clone());
+                }
+                Rule::Power if is_plain_power(&show.prop) => {
+                    self.naming.insert(show.label.clone());
+                }
+                Rule::Logic { from } => {
+                    // A part of a long fact is cited by the whole.
+                    if let [one] = from.as_slice()
+                        && matches!(self.followed.facts.get(one).map(|p| &p.kind), Some(PropKind::And(_)))
+                        && print::prop(&self.short.prop(&show.prop)).len() > LONG
+                    {
+                        self.same.insert(show.label.clone(), one.clone());
+                    }
+                    if from.iter().any(|label| self.absurd.contains(label)) {
+                        self.absurd.insert(show.label.clone());
+                    }
+                    if let (PropKind::Equivalent(_), [_, second]) = (&show.prop.kind, from.as_slice()) {
+                        self.converse.insert(second.clone());
+                    }
+                    let is_or =
+                        |l: &&Label| matches!(self.followed.facts.get(*l).map(|p| &p.kind), Some(PropKind::Or(_)));
+                    if from.iter().any(|label| is_or(&label)) {
+                        self.cases.extend(from.iter().filter(|l| !is_or(l)).cloned());
+                    }
+                }
+                Rule::Combination { terms, .. } => {
+                    let text = print::prop(&show.prop);
+                    let cited = show.by.iter().chain(terms.iter().flat_map(|t| &t.facts));
+                    let says = |label: &&Label| self.followed.facts.get(*label).is_some_and(|p| print::prop(p) == text);
+                    if let Some(same) = cited.into_iter().find(says) {
+                        self.same.insert(show.label.clone(), same.clone());
+                    }
+                    if is_false(&show.prop) {
+                        self.absurd.insert(show.label.clone());
+                    }
+                    // A polynomial whose sign is plain from its factors, and that serves for its sign only.
+                    if let [term] = terms.as_slice()
+                        && term.facts.is_empty()
+                        && !self.followed.cited.contains(&show.label)
+                    {
+                        self.products.insert(show.label.clone());
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn nodes(&mut self, nodes: &[Node], out: &mut Vec<Block>) {
+        let given = self.short.given();
+        let mut rest = nodes;
+        while let Some(node) = rest.first() {
+            let names = self.names(rest, out);
+            if names > 0 {
+                rest = rest.get(names..).unwrap_or_default();
+                continue;
+            }
+            match node {
+                Node::Step(place) => self.step(&self.followed.seen[*place], out),
+                Node::Block(place, inner, conclusion) => self.block(*place, inner, conclusion, out),
+            }
+            rest = rest.get(1..).unwrap_or_default();
+        }
+        self.short.back_to(given);
+    }
+
+    /// Steps in a row that give names, with what they say of the names; how many they are.
+    fn names(&mut self, nodes: &[Node], out: &mut Vec<Block>) -> usize {
+        let (mut given, mut positive, mut written) = (Vec::new(), Vec::new(), Vec::new());
+        let mut count = 0;
+        for node in nodes {
+            let Node::Step(place) = node else { break };
+            let show = &self.followed.seen[*place].show;
+            let Some((a, relation, b)) = sides(&show.prop) else { break };
+            match (&show.rule, &a.kind, &b.kind) {
+                (Rule::Name, _, ExprKind::Name(new)) => {
+                    given.push(compare(b.clone(), Relation::Equal, self.short.expr(a)));
+                    self.short.give(new, a);
+                }
+                (Rule::Combination { .. }, ExprKind::Name(r), _) if self.short.is_given(r) && *b == numeral(0) => {
+                    positive.push((a.clone(), relation));
+                }
+                (Rule::Power, _, _) if self.naming.contains(&show.label) && !given.is_empty() => {
+                    written.push(self.short.prop(&show.prop));
+                }
+                _ => break,
+            }
+            count += 1;
+        }
+        if given.is_empty() {
+            return 0;
+        }
+        out.push(Block::Sentence(vec![say("Write")]));
+        out.extend(given.into_iter().map(|prop| Block::Formula { label: None, prop, number: None }));
+        let mut sentence = Vec::new();
+        if !positive.is_empty() {
+            signs::listed(&positive, &mut sentence);
+            let one = positive.len() == 1;
+            sentence.push(say(if one {
+                ", as a power of a positive number."
+            } else {
+                ", as powers of positive numbers."
+            }));
+            let above = positive.iter().all(|p| p.1 == Relation::Greater);
+            if !above {
+                sentence.pop();
+                sentence.push(say("."));
+            }
+        }
+        if !written.is_empty() {
+            if !sentence.is_empty() {
+                sentence.push(say(" "));
+            }
+            sentence.push(say("Then"));
+            out.push(Block::Sentence(sentence));
+            out.extend(written.into_iter().map(|prop| Block::Formula { label: None, prop, number: None }));
+        } else if !sentence.is_empty() {
+            out.push(Block::Sentence(sentence));
+        }
+        count
+    }
+
+    fn block(&mut self, place: usize, inner: &[Node], conclusion: &Label, out: &mut Vec<Block>) {
+        if self.is_plain(inner) {
+            return;
+        }
+        let show = &self.followed.seen[place].show;
+        let mut blocks = Vec::new();
+        let is_absurd = self.absurd.contains(conclusion);
+        if let PropKind::Implies(condition, _) = &show.prop.kind {
+            // What is supposed already needs no case, and what contradicts it makes none.
+            let text = print::prop(condition);
+            if self.open.iter().any(|p| print::prop(p) == text) {
+                return self.nodes(inner, out);
+            }
+            if self.cases.contains(&show.label) && self.open.iter().any(|p| contradict(p, condition)) {
+                return;
+            }
+        }
+        let last = match &show.prop.kind {
+            PropKind::Implies(condition, goal) => {
+                let lead = match (self.cases.contains(&show.label), self.converse.contains(&show.label)) {
+                    (_, true) => "Conversely, suppose that",
+                    (true, _) => "Consider the case",
+                    _ => "Suppose that",
+                };
+                self.open.push((**condition).clone());
+                self.introduced(lead, condition, &format!("{}s", show.label), out);
+                (**goal).clone()
+            }
+            PropKind::ForAll(bindings, goal) => {
+                let mut sentence = vec![say("Let ")];
+                for (place, binding) in bindings.iter().enumerate() {
+                    if place > 0 {
+                        sentence.push(say(", and "));
+                    }
+                    signs::bound(binding, &mut sentence);
+                }
+                sentence.push(say(" be arbitrary."));
+                out.push(Block::Sentence(sentence));
+                (**goal).clone()
+            }
+            _ => show.prop.clone(),
+        };
+        let depth = self.open.len();
+        self.nodes(inner, &mut blocks);
+        if matches!(show.prop.kind, PropKind::Implies(..)) {
+            self.open.truncate(depth.saturating_sub(1));
+        }
+        if is_absurd {
+            blocks.push(Block::Sentence(vec![say("So this case does not occur.")]));
+        } else if let Some(Block::Sentence(_)) | None = blocks.last() {
+            self.hence("So", &last, None, &mut blocks);
+        }
+        out.push(Block::Inner(blocks));
+    }
+
+    /// A supposition.
+    fn introduced(&self, lead: &str, condition: &Prop, label: &str, out: &mut Vec<Block>) {
+        let prop = self.short.prop(condition);
+        if Style::Text.prop(&prop).len() <= SENTENCE {
+            out.push(Block::Sentence(vec![say(lead), say(" "), Piece::Prop(prop), say(".")]));
+            return;
+        }
+        out.push(Block::Sentence(vec![say(lead)]));
+        out.push(Block::Formula { label: Some(label.to_string()), prop, number: None });
+    }
+
+    /// Whether a block says nothing that a reader does not see by himself.
+    fn is_plain(&self, inner: &[Node]) -> bool {
+        inner.iter().all(|node| match node {
+            Node::Step(place) => matches!(self.followed.seen[*place].show.rule, Rule::Logic { .. }),
+            Node::Block(_, inner, _) => self.is_plain(inner),
+        })
+    }
+
+    /// A formula that is shown, behind a word.
+    pub(super) fn hence(&self, lead: &str, prop: &Prop, label: Option<&Label>, out: &mut Vec<Block>) {
+        self.formula(vec![say(lead)], prop, label, out);
+    }
+
+    pub(super) fn formula(&self, lead: Vec<Piece>, prop: &Prop, label: Option<&Label>, out: &mut Vec<Block>) {
+        let prop = self.short.prop(prop);
+        if let Some(Block::Formula { prop: before, .. }) = out.last()
+            && print::prop(before) == print::prop(&prop)
+        {
+            return;
+        }
+        out.push(Block::Sentence(lead));
+        out.push(Block::Formula { label: label.cloned(), prop, number: None });
+    }
+
+    /// A fact as it is cited.
+    pub(super) fn cited(&self, label: &Label) -> Piece {
+        let mut label = label;
+        while let Some(same) = self.same.get(label) {
+            label = same;
+        }
+        if self.followed.seen.iter().any(|seen| seen.show.label == *label && seen.show.opens()) {
+            return say("what was shown above");
+        }
+        if let Some(called) = self.hypotheses.get(label) {
+            return Piece::Text(format!("the hypothesis “{called}”"));
+        }
+        match self.followed.facts.get(label) {
+            Some(prop) => Piece::Fact(label.clone(), self.short.prop(prop)),
+            None => Piece::Text(label.clone()),
+        }
+    }
+
+    /// Facts as they are cited, separated by commas and `and`.
+    pub(super) fn cited_all(&self, labels: &[Label]) -> Vec<Piece> {
+        let mut out = Vec::new();
+        for (place, label) in labels.iter().enumerate() {
+            if place > 0 {
+                out.push(say(if place + 1 == labels.len() { " and " } else { ", " }));
+            }
+            out.push(self.cited(label));
+        }
+        out
+    }
+
+    /// Whether a fact is so short that it is cited by what it says, like `m > 0`.
+    pub(super) fn is_short(&self, label: &Label) -> bool {
+        let Some((a, relation, b)) = self.followed.facts.get(label).and_then(sides) else { return false };
+        relation != Relation::Equal
+            && matches!(b.kind, ExprKind::Number(_) | ExprKind::Name(_))
+            && Style::Text.expr(&self.short.expr(a)).len() <= PLAIN
+    }
+
+    /// Whether a fact only says that a name of the proof is positive, which was said with the name.
+    fn is_of_name(&self, label: &Label) -> bool {
+        let sides = self.followed.facts.get(label).and_then(sides);
+        matches!(sides, Some((Expr { kind: ExprKind::Name(r), .. }, _, _)) if self.short.is_given(r))
+    }
+
+    /// `since m₁, m₂ > 0 and e ≥ 0`, of those facts that are short; nothing if there are none.
+    pub(super) fn since(&self, labels: &[Label]) -> Vec<Piece> {
+        let facts: Vec<(Expr, Relation, Expr)> = labels
+            .iter()
+            .filter(|label| self.is_short(label) && !self.is_of_name(label))
+            .filter_map(|label| self.followed.facts.get(label).and_then(sides))
+            .map(|(a, r, b)| (self.short.expr(a), r, b.clone()))
+            .collect();
+        let mut out = Vec::new();
+        if !facts.is_empty() {
+            out.push(say("since "));
+            signs::grouped(&facts, &mut out);
+        }
+        out
+    }
+
+    /// The equations that a step puts in, but for those that only give names.
+    pub(super) fn put_in(&self, seen: &Seen) -> Vec<Label> {
+        seen.used.using.iter().filter(|label| !self.naming.contains(*label)).cloned().collect()
+    }
+
+    fn step(&mut self, seen: &Seen, out: &mut Vec<Block>) {
+        let show = &seen.show;
+        let (prop, label) = (&show.prop, Some(&show.label));
+        let fact = |label: &Label| self.cited(label);
+        let lead = match &show.rule {
+            Rule::Suppose | Rule::Let => return,
+            Rule::Combination { .. } => return self.combination(seen, out),
+            Rule::Logic { from } => return self.logic(seen, from, out),
+            Rule::Name => return,
+            Rule::Power => vec![say("By the rules for powers,")],
+            Rule::Instance { source, with, .. } => {
+                let mut lead = vec![say("By ")];
+                lead.push(match self.followed.facts.get(source) {
+                    Some(_) => fact(source),
+                    None => Piece::Text(source.clone()),
+                });
+                self.values(with, &mut lead);
+                lead.push(say(","));
+                lead
+            }
+            Rule::Induction { base, advance } => {
+                vec![fact(base), say(" is the beginning of an induction, and "), fact(advance), say(" its step. Hence")]
+            }
+            Rule::Witness { with, .. } => {
+                let mut lead = vec![say("Such values exist:")];
+                self.values(with, &mut lead);
+                lead.push(say(" all that is asked for holds. Hence"));
+                lead
+            }
+            Rule::Extremum { from } => return self.extremum(prop, from, label, out),
+            Rule::Monotone { from } => self.raised(prop, from),
+            Rule::Unfold => vec![say("By definition,")],
+            Rule::Termwise { from } => vec![say("Taking "), fact(from), say(" together for all indices,")],
+            Rule::Mean { with } => {
+                let mut lead = vec![say("The weighted inequality between geometric and arithmetic mean says,")];
+                self.values(with, &mut lead);
+                lead.push(say(","));
+                lead
+            }
+            Rule::Limit { .. } => vec![say(
+                "Numerator and denominator are polynomials in the variable that grows; the terms of highest degree give",
+            )],
+            Rule::Squeeze { from } => {
+                let mut lead = vec![say("By ")];
+                lead.extend(self.cited_all(from));
+                lead.push(say(", the expression lies between two others with the same limit. Hence"));
+                lead
+            }
+            Rule::Evaluate => vec![say("By arithmetic,")],
+            Rule::Integer { from } => vec![say("Both sides of "), fact(from), say(" are whole numbers, so")],
+        };
+        self.formula(lead, prop, label, out);
+    }
+
+    /// ` with a = …, b = …`
+    fn values(&self, with: &[(Name, Expr)], lead: &mut Vec<Piece>) {
+        for (place, (variable, value)) in with.iter().enumerate() {
+            lead.push(say(if place == 0 { " with " } else { ", " }));
+            let prop = compare(name(&variable.text), Relation::Equal, self.short.expr(value));
+            lead.push(Piece::Prop(prop));
+        }
+    }
+
+    fn raised(&self, prop: &Prop, from: &Label) -> Vec<Piece> {
+        let before = self.followed.facts.get(from).and_then(sides);
+        let exponent = match (sides(prop), before) {
+            (Some((Expr { kind: ExprKind::Power(base, exponent), .. }, _, _)), Some((a, _, _))) if **base == *a => {
+                Some(exponent)
+            }
+            _ => None,
+        };
+        match exponent {
+            Some(exponent) => vec![
+                say("Both sides of "),
+                self.cited(from),
+                say(" are not negative, so they may be raised to the power "),
+                Piece::Expr(self.short.expr(exponent)),
+                say(":"),
+            ],
+            None => vec![
+                say("Positive powers keep the order of numbers that are not negative, so "),
+                self.cited(from),
+                say(" gives"),
+            ],
+        }
+    }
+
+    fn extremum(&self, prop: &Prop, from: &[Label], label: Option<&Label>, out: &mut Vec<Block>) {
+        let only = matches!(&prop.kind, PropKind::Extremum(x) if x.unique) && from.len() > 1;
+        let lead = match only {
+            true => "No other value is better, and at the stated point alone it is reached. Hence",
+            false => "No other value is better, and at the stated point it is reached. Hence",
+        };
+        self.formula(vec![say(lead)], prop, label, out);
+    }
+
+    fn logic(&self, seen: &Seen, from: &[Label], out: &mut Vec<Block>) {
+        let (show, facts) = (&seen.show, &self.followed.facts);
+        if from.is_empty() || self.absurd.contains(&show.label) {
+            return;
+        }
+        let kind = |label: &Label| facts.get(label).map(|p| &p.kind);
+        let by_cases = from.iter().any(|l| matches!(kind(l), Some(PropKind::Or(_))));
+        // A part of what is known, or parts put together, are seen without a word.
+        let single = from.len() == 1 && !matches!(kind(&from[0]), Some(PropKind::Implies(..)));
+        if single || matches!(show.prop.kind, PropKind::And(_)) && !by_cases {
+            return;
+        }
+        let lead = match &show.prop.kind {
+            _ if by_cases => vec![say("This covers all cases, so")],
+            PropKind::Equivalent(_) => vec![say("Both directions together say")],
+            _ => {
+                let mut lead = vec![say("By ")];
+                lead.extend(self.cited_all(from));
+                lead.push(say(","));
+                lead
+            }
+        };
+        self.formula(lead, &show.prop, Some(&show.label), out);
+    }
+
+    fn combination(&self, seen: &Seen, out: &mut Vec<Block>) {
+        let show = &seen.show;
+        let Rule::Combination { times, terms } = &show.rule else { return };
+        let facts: Vec<Label> = terms.iter().flat_map(|t| t.facts.clone()).collect();
+        if self.absurd.contains(&show.label) {
+            if facts.iter().any(|label| self.absurd.contains(label)) {
+                return;
+            }
+            if matches!(out.last(), Some(Block::Sentence(last)) if matches!(last.last(), Some(Piece::Text(t)) if t.as_str() == CONTRADICTION))
+            {
+                return;
+            }
+            let put_in = self.put_in(seen);
+            let mut lead = Vec::new();
+            if facts.len() > 1 && put_in.is_empty() {
+                lead.extend(self.cited_all(&facts));
+                lead.push(say(" say the opposite of each other"));
+            } else {
+                lead.push(say("But "));
+                if !put_in.is_empty() {
+                    lead.push(say("with "));
+                    lead.extend(self.cited_all(&put_in));
+                    lead.push(say(" put in, "));
+                }
+                lead.extend(self.cited_all(&facts));
+                lead.push(say(" becomes "));
+                lead.push(Piece::Prop(show.prop.clone()));
+            }
+            lead.push(say(CONTRADICTION));
+            out.push(Block::Sentence(lead));
+            return;
+        }
+        if self.same.contains_key(&show.label) {
+            return;
+        }
+        if terms.is_empty() {
+            return self.by_signs(seen, out);
+        }
+        let put_in = self.put_in(seen);
+        let mut lead = Vec::new();
+        let one = expr(ExprKind::Number("1".to_string()));
+        if facts.is_empty() {
+            // The product that shows a sign is said where it is needed.
+            if !self.products.contains(&show.label) {
+                self.by_product(seen, out);
+            }
+            return;
+        }
+        let is_equation = matches!(sides(&show.prop), Some((_, Relation::Equal, _)));
+        match terms.as_slice() {
+            [term] if times.is_none() && put_in.is_empty() && is_unit(&term.factor) && is_zero_goal(&show.prop) => {
+                lead.push(say("Bring everything in "));
+                lead.extend(self.cited_all(&term.facts));
+                lead.push(say(" to one side and factor:"));
+            }
+            [term] if times.is_none() => {
+                lead.push(say("From "));
+                lead.extend(self.cited_all(&term.facts));
+                if !put_in.is_empty() {
+                    lead.push(say(", with "));
+                    lead.extend(self.cited_all(&put_in));
+                    lead.push(say(" put in,"));
+                }
+                let factor = self.short.expr(&term.factor);
+                let plain = matches!(&factor.kind, ExprKind::Number(_))
+                    || matches!(&factor.kind, ExprKind::Negate(a) if matches!(a.kind, ExprKind::Number(_)));
+                if plain || factor == one {
+                    lead.push(say(" it follows that"));
+                } else {
+                    lead.push(say(", multiplied by "));
+                    lead.push(Piece::Expr(factor));
+                    lead.push(say(", it follows that"));
+                }
+            }
+            _ => {
+                lead.push(say("Multiply "));
+                let mut first = true;
+                for term in terms.iter().filter(|t| !t.facts.is_empty()) {
+                    if !first {
+                        lead.push(say(", "));
+                    }
+                    first = false;
+                    for (place, label) in term.facts.iter().enumerate() {
+                        if place > 0 {
+                            lead.push(say(" times "));
+                        }
+                        lead.push(self.cited(label));
+                    }
+                    lead.push(say(" by "));
+                    lead.push(Piece::Expr(self.short.expr(&term.factor)));
+                }
+                lead.push(say(" and add"));
+                let alone: Vec<&Expr> = terms.iter().filter(|t| t.facts.is_empty()).map(|t| &t.factor).collect();
+                for (place, factor) in alone.iter().enumerate() {
+                    lead.push(say(if place == 0 { " " } else { " and " }));
+                    lead.push(Piece::Expr(self.short.expr(factor)));
+                }
+                if !put_in.is_empty() {
+                    lead.push(say(", with "));
+                    lead.extend(self.cited_all(&put_in));
+                    lead.push(say(" put in"));
+                }
+                if !is_equation {
+                    let since = self.since(&seen.used.by);
+                    if !since.is_empty() {
+                        lead.push(say("; the factors have the right signs "));
+                        lead.extend(since);
+                    }
+                }
+                lead.push(say(". This gives"));
+            }
+        }
+        self.formula(lead, &show.prop, Some(&show.label), out);
+    }
+
+    /// A comparison whose difference is a sum of expressions with plain signs.
+    fn by_product(&self, seen: &Seen, out: &mut Vec<Block>) {
+        let show = &seen.show;
+        let (Rule::Combination { terms, .. }, Some((a, relation, b))) = (&show.rule, sides(&show.prop)) else { return };
+        let summed: Vec<(Sign, Expr)> = terms.iter().map(|t| (Sign::Plus, self.short.expr(&t.factor))).collect();
+        let sum = match summed.as_slice() {
+            [(_, one)] => one.clone(),
+            _ => expr(ExprKind::Sum(summed)),
+        };
+        self.hence("It holds that", &show.prop, Some(&show.label), out);
+        let whole = self.short.expr(&difference(a, b));
+        let prop = Prop {
+            kind: PropKind::Compare(vec![whole, sum, numeral(0)], vec![Relation::Equal, relation]),
+            span: show.prop.span,
+        };
+        let mut lead = vec![say("since ")];
+        if let Some(view) = seen.terms.first().and_then(|v| v.as_ref()).filter(|_| terms.len() == 1) {
+            lead = vec![say("because")];
+            out.push(Block::Sentence(lead));
+            out.push(Block::Formula { label: None, prop, number: None });
+            let reasons = self.reasons(view, relation, &seen.used.by, None);
+            if !reasons.is_empty() {
+                out.push(Block::Sentence(reasons));
+            }
+            return;
+        }
+        lead.clear();
+        lead.push(say("because"));
+        out.push(Block::Sentence(lead));
+        out.push(Block::Formula { label: None, prop, number: None });
+        let since = self.since(&seen.used.by);
+        if !since.is_empty() {
+            let mut sentence = vec![say("Each summand has this sign, ")];
+            sentence.extend(since);
+            sentence.push(say("."));
+            out.push(Block::Sentence(sentence));
+        }
+    }
+}
+
+/// An equation that writes a product of powers by a few others, and needs no words.
+fn is_plain_power(p: &Prop) -> bool {
+    sides(p).is_some()
+}
+
+/// Whether a comparison of numerals is false.
+fn is_false(p: &Prop) -> bool {
+    let zero = |text: &str| text.bytes().all(|b| b == b'0' || b == b'.');
+    let signs = |e: &Expr| match &e.kind {
+        ExprKind::Number(text) => Some(if zero(text) { Signs::ZERO } else { Signs::POSITIVE }),
+        ExprKind::Negate(inner) => match &inner.kind {
+            ExprKind::Number(text) if !zero(text) => Some(Signs::of(Relation::Less)),
+            _ => None,
+        },
+        _ => None,
+    };
+    match sides(p) {
+        Some((a, relation, b)) if *b == numeral(0) => signs(a).is_some_and(|found| !found.within(Signs::of(relation))),
+        _ => false,
+    }
+}
+
+/// Whether two propositions are an equation and that it does not hold.
+fn contradict(p: &Prop, q: &Prop) -> bool {
+    let (Some((a, r, b)), Some((c, s, d))) = (sides(p), sides(q)) else { return false };
+    a == c && b == d && matches!((r, s), (Relation::Equal, Relation::NotEqual) | (Relation::NotEqual, Relation::Equal))
+}
+
+/// Whether a factor is 1 or −1.
+fn is_unit(e: &Expr) -> bool {
+    let one = |e: &Expr| matches!(&e.kind, ExprKind::Number(text) if text == "1");
+    one(e) || matches!(&e.kind, ExprKind::Negate(inner) if one(inner))
+}
+
+/// Whether a comparison is one with 0.
+fn is_zero_goal(p: &Prop) -> bool {
+    sides(p).is_some_and(|(_, _, b)| *b == numeral(0))
+}

@@ -1,0 +1,204 @@
+//! The rules of arithmetic: combinations, monotone powers, the mean, sums and products.
+
+use super::identity::Side;
+use super::signs::{Environment, Tree, by_sign};
+use super::*;
+
+impl Writer<'_> {
+    pub(super) fn combination(
+        &mut self,
+        goal: &Prop,
+        times: Option<&Expr>,
+        terms: &[Term],
+        given: &Given,
+    ) -> Found<String> {
+        let (a, relation, b) = self.sides(goal, "combination")?;
+        let to = lower(relation);
+        if self.checker.is_matrix(a) {
+            let (left, right) = (self.entries(a)?, self.entries(b)?);
+            let mut rows = Vec::new();
+            for (x, y) in left.iter().zip(&right) {
+                let mut row = "eq_refl".to_string();
+                for (x, y) in x.iter().zip(y).rev() {
+                    row = format!("(same_cons _ _ _ _ _ {} {row})", self.identity(x, y, &given.using, given)?);
+                }
+                rows.push(row);
+            }
+            let rows = rows
+                .into_iter()
+                .rev()
+                .fold("eq_refl".to_string(), |rest, row| format!("(same_cons _ _ _ _ _ {row} {rest})"));
+            return Ok(format!("exact {rows}"));
+        }
+        if let ExprKind::Derivative(body, by) = &a.kind {
+            if by.len() > 1 && relation == Relation::Equal {
+                return self.second_derivative(body, by, given);
+            }
+            if relation != Relation::Equal {
+                return Err(Open::Untranslated("combination".to_string(), "a derivative that is compared"));
+            }
+            let f = self.checker.read(body, &[])?;
+            for poly in f.factors.keys() {
+                self.not_zero(poly, given)?;
+            }
+            self.positive(&f, given)?;
+            return Ok("derive ltac:(idtac)".to_string());
+        }
+        let (text_a, text_b) = (self.expr(a)?, self.expr(b)?);
+        let wanted = Signs::of(relation);
+        if terms.is_empty() && times.is_none() {
+            let mut using = given.using.clone();
+            let (x, y) = (self.checker.read(a, &using)?, self.checker.read(b, &using)?);
+            let mut f = self.checker.difference_of(&x, &y)?;
+            if !self.checker.signs(&f, &given.signed)?.within(wanted) {
+                using.clear();
+                f = self.plain_difference(a, b)?;
+            }
+            let side = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
+            let h = self.sign(&format!("{text_a} - {text_b}"), &side, &using, &f, wanted, given)?;
+            return Ok(format!("exact (to_{to} _ _ {h})"));
+        }
+        let mut env = Environment::default();
+        let mut tree: Option<Tree> = None;
+        for term in terms {
+            let mut f = self.checker.read(&term.factor, &given.using)?;
+            let mut using = given.using.clone();
+            let signs = self.checker.signs(&f, &given.signed)?;
+            let plain = self.checker.read(&term.factor, &[])?;
+            let other = self.checker.signs(&plain, &given.signed)?;
+            if other != signs && other.within(signs) {
+                (f, using) = (plain, Vec::new());
+            }
+            let signs = self.checker.signs(&f, &given.signed)?;
+            let text = self.expr(&term.factor)?;
+            let side = Side::Expr(term.factor.clone());
+            let h = self.sign(&text, &side, &using, &f, signs, given)?;
+            let mut product = env.get(text, side, signs, h);
+            for label in &term.facts {
+                let fact_prop = self.fact_prop(label)?;
+                let (x, relation, y) = self.sides(&fact_prop, "combination")?;
+                let text = format!("({} - {})", self.expr(x)?, self.expr(y)?);
+                let h = format!("(of_{} _ _ {})", lower(relation), fact(label));
+                let side = Side::Expr(x.clone()).minus(Side::Expr(y.clone()));
+                product = product.times(env.get(text, side, Signs::of(relation), h));
+            }
+            tree = Some(match tree {
+                None => product,
+                Some(before) => before.plus(product),
+            });
+        }
+        let tree = tree.unwrap_or(Tree::Number(BigRational::from_integer(0.into())));
+        let (numbers, list, proof) = env.packed();
+        let difference = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
+        let right = env.side(&tree);
+        let Some(times) = times else {
+            let equal = self.identity(&difference, &right, &given.using, given)?;
+            return Ok(format!("apply to_{to}; {}", by_sign(&env, &tree, wanted, &equal)));
+        };
+        let f = self.checker.read(times, &given.using)?;
+        let signs = self.checker.signs(&f, &given.signed)?;
+        let side = Side::Expr(times.clone());
+        let times = self.expr(times)?;
+        let h = self.sign(&times, &side, &given.using, &f, signs, given)?;
+        let equal = self.identity(&side.times(difference), &right, &given.using, given)?;
+        Ok(format!(
+            "apply to_{to}; exact (divided {numbers} {list} {tree} {times} {} _ {} {proof} {h} {equal} eq_refl eq_refl)",
+            signs_word(signs),
+            signs_word(wanted)
+        ))
+    }
+
+    /// Asserts that an extremum's point lies in the domain and has the value, where signs show it.
+    pub(super) fn point(&mut self, goal: &Prop, given: &Given) -> Found<()> {
+        let PropKind::Extremum(extremum) = &goal.kind else { return Ok(()) };
+        let at_point =
+            |text: &str| extremum.at.iter().find(|p| p.0.text == text).map_or_else(|| name(text), |p| p.1.clone());
+        for binding in &extremum.over {
+            self.domain(binding, &at_point, given)?;
+        }
+        let mut values = crate::kernel::statement::Substitution::default();
+        extremum.at.iter().for_each(|(n, value)| values.replace(&n.text, value));
+        let of = values.expr(&extremum.of).map_err(Open::Refused)?;
+        self.comparison(&compare(of, Relation::Equal, extremum.value.clone()), given)
+    }
+
+    pub(super) fn monotone(&mut self, goal: &Prop, from: &str, given: &Given) -> Found<String> {
+        let p = self.fact_prop(from)?;
+        for prop in [goal, &p] {
+            let (a, _, b) = self.sides(prop, "monotone")?;
+            let mut open = vec![a.clone(), b.clone()];
+            while let Some(e) = open.pop() {
+                if let Ok(f) = self.checker.read(&e, &given.using) {
+                    self.positive(&f, given)?;
+                }
+                crate::prove::expand::parts(&e, &mut |part| open.push(part.clone()));
+            }
+        }
+        Ok(format!("rising {} ltac:(idtac)", fact(from)))
+    }
+
+    pub(super) fn unfold(&mut self, goal: &Prop) -> Found<String> {
+        let (a, _, _) = self.sides(goal, "unfold")?;
+        Ok(match &a.kind {
+            ExprKind::SumOver(..) | ExprKind::ProductOver(..) => "split_off".to_string(),
+            _ => {
+                let ExprKind::Apply(_, arguments) = &a.kind else { return Ok("member ltac:(idtac)".to_string()) };
+                let Some(index) = arguments.first() else { return Ok("member ltac:(idtac)".to_string()) };
+                let index = self.checker.read(index, &[])?;
+                let before = self.checker.difference_of(&index, &Fraction::integer(1))?;
+                if before.coefficient.is_negative() {
+                    return Ok("member ltac:(idtac)".to_string());
+                }
+                let before = self.checker.fraction_words(&before);
+                let before = at(self.printer.natural(&before)?, ATOM);
+                format!("first [member ltac:(idtac) | member_at {before}%nat]")
+            }
+        })
+    }
+
+    pub(super) fn mean(&mut self, goal: &Prop, with: &[(Name, Expr)], given: &Given) -> Found<String> {
+        let (_, relation, _) = self.sides(goal, "mean")?;
+        let value = |text: &str| with.iter().find(|w| w.0.text == text).map(|w| w.1.clone());
+        let (Some(a), Some(b), Some(p)) = (value("a"), value("b"), value("p")) else {
+            return Err(Open::Untranslated("mean".to_string(), "its values"));
+        };
+        let strict = relation == Relation::Less;
+        let rest = sum(vec![(Sign::Plus, crate::kernel::statement::numeral(1)), (Sign::Minus, p.clone())]);
+        let mut asked = vec![(a.clone(), Signs::POSITIVE), (b.clone(), Signs::POSITIVE)];
+        let least = if strict { Signs::POSITIVE } else { Signs::NOT_NEGATIVE };
+        asked.extend([(p.clone(), least), (rest, least)]);
+        if strict {
+            asked.push((sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]), Signs::NOT_ZERO));
+        }
+        let mut hypotheses = Vec::new();
+        for (e, signs) in asked {
+            let mut using = given.using.clone();
+            let mut f = self.checker.read(&e, &using)?;
+            if !self.checker.signs(&f, &given.signed)?.within(signs) {
+                using.clear();
+                f = self.checker.read(&e, &using)?;
+            }
+            let text = self.expr(&e)?;
+            hypotheses.push(self.sign(&text, &Side::Expr(e), &using, &f, signs, given)?);
+        }
+        let (a, b, p) = (self.expr(&a)?, self.expr(&b)?, self.expr(&p)?);
+        let lemma = if strict { "mean_strict_signs" } else { "mean_weak_signs" };
+        Ok(format!("exact ({lemma} {a} {b} {p} {})", hypotheses.join(" ")))
+    }
+
+    pub(super) fn equation(&self, e: &Expr, using: &[Label]) -> Option<(Label, Expr)> {
+        let wanted = key::expr(e);
+        using.iter().find_map(|label| {
+            let p = self.fact_prop(label).ok()?;
+            let PropKind::Compare(sides, _) = &p.kind else { return None };
+            let [a, b] = sides.as_slice() else { return None };
+            (key::expr(a) == wanted).then(|| (label.clone(), b.clone()))
+        })
+    }
+
+    /// A sum or product over an index, by what its body comes to.
+    pub(super) fn over(&mut self, e: &Expr, value: &Side, given: &Given) -> Found<String> {
+        let _ = (e, value, given);
+        Ok("over".to_string())
+    }
+}

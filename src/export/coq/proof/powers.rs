@@ -1,0 +1,691 @@
+//! Powers, roots, exponentials and logarithms: each is a product of powers of positive factors, and the sum of their
+//! logarithms says what it comes to.
+
+use super::identity::{Side, Valued};
+use super::*;
+use crate::kernel::statement::power;
+
+/// A product of powers of positive factors: the list of factors, exponents and logarithms, the proof that these are the
+/// logarithms, the product and the sum of the logarithms.
+pub(super) struct Logs {
+    list: String,
+    proof: String,
+    product: Side,
+    sum: Side,
+}
+
+impl Writer<'_> {
+    /// A leaf of an expression, with its value and the proof of it.
+    pub(super) fn leaf(&mut self, e: &Expr, using: &[Label], given: &Given) -> Found<Valued> {
+        if self.expands
+            && let ExprKind::Apply(f, arguments) = &e.kind
+            && f.text == "ln"
+            && let Some(argument) = arguments.first()
+        {
+            let plain = self.checker.read(argument, &[])?;
+            if let Some(logs) = self.logs(&plain, using, given)? {
+                let text = self.expr(e)?;
+                let inner = self.identity(&Side::Expr(argument.clone()), &logs.product, &[], given)?;
+                let proof = format!("(ln_leaf _ _ {} {} {inner} eq_refl)", logs.list, logs.proof);
+                return Ok(Valued { text, value: logs.sum, proof: Some(proof) });
+            }
+        }
+        let f = self.checker.read(e, using)?;
+        let (text, value) = (self.expr(e)?, self.fraction(&f)?);
+        if text == value || text == format!("({value})") || format!("({text})") == value {
+            return Ok(Valued { text, value: Side::Value(f), proof: None });
+        }
+        let statement = format!("{text} = {value}");
+        if let Some(found) = self.shown.iter().find(|s| s.1 == statement) {
+            return Ok(Valued { text, value: Side::Value(f), proof: Some(found.2.clone()) });
+        }
+        if self.busy.contains(&statement) {
+            if using.is_empty() {
+                return Err(Open::Untranslated(text, "a value that rests on itself"));
+            }
+            return self.leaf(e, &[], given);
+        }
+        self.divisors(&f, given)?;
+        self.busy.push(statement.clone());
+        let expands = std::mem::replace(&mut self.expands, false);
+        let tactic = self.leaf_tactic(e, &f, using, given);
+        self.expands = expands;
+        self.busy.pop();
+        let hypothesis = self.lemma("L", &statement, &tactic?);
+        Ok(Valued { text, value: Side::Value(f), proof: Some(hypothesis) })
+    }
+
+    fn leaf_tactic(&mut self, e: &Expr, f: &Fraction, using: &[Label], given: &Given) -> Found<String> {
+        let value = Side::Value(f.clone());
+        if let Some((label, right)) = self.equation(e, using) {
+            let right = Side::Expr(right);
+            let before: Vec<Label> = using.iter().take_while(|l| **l != label).cloned().collect();
+            let Side::Expr(words) = &right else { return Err(Open::Untranslated(label, "a side")) };
+            let first = self.checker.read(words, &before)?;
+            // Its right side was read with the equations before it; those behind it are put into what came of that.
+            let rest = if self.checker.read(words, using)? == *f || first == *f {
+                let using = if first == *f { &before } else { using };
+                self.identity(&right, &value, using, given)?
+            } else {
+                let one = self.identity(&right, &Side::Value(first.clone()), &before, given)?;
+                let two = self.identity(&Side::Plain(first), &value, using, given)?;
+                format!("(eq_trans {one} {two})")
+            };
+            return Ok(format!("exact (eq_trans {} {rest})", fact(&label)));
+        }
+        let plain = self.checker.read(e, &[])?;
+        if !using.is_empty() && plain != *f {
+            // The left side of an equation comes to a multiple of the same.
+            for label in using {
+                let p = self.fact_prop(label)?;
+                let (a, _, b) = self.sides(&p, "equation")?;
+                let left = self.checker.read(a, &[])?;
+                if left.factors == plain.factors && !left.is_zero() {
+                    let c = Side::Number(&plain.coefficient / &left.coefficient);
+                    let before = c.clone().times(Side::Expr(a.clone()));
+                    let after = c.times(Side::Expr(b.clone()));
+                    let first = self.identity(&Side::Expr(e.clone()), &before, &[], given)?;
+                    let rest = self.identity(&after, &value, using, given)?;
+                    let h = fact(label);
+                    return Ok(format!("exact (eq_trans {first} (eq_trans (f_equal (Rmult _) {h}) {rest}))"));
+                }
+            }
+        }
+        let natural = is_natural(e, &self.printer.kinds) && !matches!(e.kind, ExprKind::Power(..));
+        let atomic = natural
+            || matches!(&e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Name(_))
+            || matches!(&e.kind, ExprKind::Apply(f, _) if self.printer.kinds.contains_key(&f.text));
+        if atomic {
+            if plain != *f {
+                // First what it comes to by itself, then the equations.
+                let words = self.checker.fraction_words(&plain);
+                let first = self.leaf(e, &[], given)?;
+                let second = self.identity(&Side::Plain(plain.clone()), &value, using, given)?;
+                let _ = words;
+                return Ok(match first.proof {
+                    Some(first) => format!("exact (eq_trans {first} {second})"),
+                    None => format!("exact {second}"),
+                });
+            }
+            return Ok(match &e.kind {
+                ExprKind::SumOver(..) | ExprKind::ProductOver(..) => self.over(e, &value, given)?,
+                _ if natural => "clear; pushinr; ring".to_string(),
+                _ => "f_equal; lia".to_string(),
+            });
+        }
+        if let ExprKind::Apply(function, arguments) = &e.kind
+            && let Some(x) = arguments.first()
+        {
+            let x_minus = expr(ExprKind::Negate(Box::new(x.clone())));
+            let call = |f: &str, x: &Expr| {
+                let function = Name { text: f.to_string(), span: e.span };
+                Side::Expr(expr(ExprKind::Apply(function, vec![x.clone()])))
+            };
+            let half = || Side::integer(2).inverse();
+            let other = match function.text.as_str() {
+                "cosh" => Some(call("exp", x).plus(call("exp", &x_minus)).times(half())),
+                "sinh" => Some(call("exp", x).minus(call("exp", &x_minus)).times(half())),
+                "sech" | "tanh" => {
+                    let cosh = self.checker.read(&apply("cosh", x), using)?;
+                    for poly in cosh.factors.keys() {
+                        self.not_zero(poly, given)?;
+                    }
+                    let one = expr(ExprKind::Number("1".to_string()));
+                    let top = if function.text == "sech" { one } else { apply("sinh", x) };
+                    let quotient = vec![(Factor::Times, top), (Factor::Over, apply("cosh", x))];
+                    let quotient = Side::Expr(expr(ExprKind::Product(quotient)));
+                    let rest = self.identity(&quotient, &value, using, given)?;
+                    let unfolded = if function.text == "sech" { "sech_is" } else { "tanh_is" };
+                    return Ok(format!("exact (eq_trans ({unfolded} _) {rest})"));
+                }
+                _ => None,
+            };
+            if let Some(other) = other {
+                return Ok(format!("exact {}", self.identity(&other, &value, using, given)?));
+            }
+        }
+        if let ExprKind::Apply(function, arguments) = &e.kind
+            && let ("det", Some(matrix)) = (function.text.as_str(), arguments.first())
+        {
+            let rows = self.entries(matrix)?;
+            if let [[a, b], [c, d]] = rows.iter().map(Vec::as_slice).collect::<Vec<_>>().as_slice() {
+                let (ad, bc) = (a.clone().times(d.clone()), b.clone().times(c.clone()));
+                return Ok(format!("exact {}", self.identity(&ad.minus(bc), &value, using, given)?));
+            }
+        }
+        if let Some(tactic) = self.power_tactic(e, f, using, given)? {
+            return Ok(tactic);
+        }
+        if let ExprKind::Power(base, exponent) = &e.kind
+            && is_natural(exponent, &self.printer.kinds)
+        {
+            return self.whole_power(base, exponent, f, using, given);
+        }
+        self.by_rules(e, using, given)
+    }
+
+    /// A power with a whole exponent of what may be 0 or negative: factor by factor.
+    fn whole_power(
+        &mut self,
+        base: &Expr,
+        exponent: &Expr,
+        f: &Fraction,
+        using: &[Label],
+        given: &Given,
+    ) -> Found<String> {
+        let plain = self.checker.read(base, &[])?;
+        let n = at(self.printer.natural(exponent)?, ATOM);
+        let mut items: Vec<(String, Side, Side, i64)> = Vec::new();
+        if plain.coefficient.is_negative() {
+            let minus = Fraction::integer(-1);
+            items.push(("(-1)".to_string(), Side::integer(-1), self.factor_power(&minus, "(-1)", exponent, given)?, 1));
+        }
+        for (prime, k) in self.checker.primes(&plain)? {
+            let number = Fraction::number(BigRational::from_integer(prime.clone()));
+            let power = self.factor_power(&number, &prime.to_string(), exponent, given)?;
+            items.push((prime.to_string(), Side::Number(number.coefficient), power, k));
+        }
+        for (poly, k) in &plain.factors {
+            let text = self.poly(poly)?;
+            let power = self.factor_power(
+                &Fraction { coefficient: BigRational::one(), factors: [(poly.clone(), 1)].into() },
+                &text,
+                exponent,
+                given,
+            )?;
+            items.push((text, Side::Poly(poly.clone()), power, *k));
+        }
+        let (mut list, mut product, mut powers) = (Vec::new(), Side::integer(1), Side::integer(1));
+        for (text, side, power, k) in items.into_iter().rev() {
+            list.push(format!("({text}, ({k})%Z, 0)"));
+            let raised = |side: Side| {
+                let side = Side::Power(Box::new(side), k.unsigned_abs());
+                if k < 0 { side.inverse() } else { side }
+            };
+            product = raised(side).times(product);
+            powers = raised(power).times(powers);
+        }
+        list.reverse();
+        let first = self.identity(&Side::Expr(base.clone()), &product, &[], given)?;
+        let second = if self.checker.read(&power(base, exponent), &[])? == *f {
+            self.identity(&powers, &Side::Value(f.clone()), &[], given)?
+        } else {
+            let value = self.checker.read(&power(base, exponent), &[])?;
+            let before = self.identity(&powers, &Side::Value(value.clone()), &[], given)?;
+            let after = self.identity(&Side::Plain(value), &Side::Value(f.clone()), using, given)?;
+            format!("(eq_trans {before} {after})")
+        };
+        Ok(format!("exact (eq_trans (pow_of_prod _ {n} [{}] {first}) {second})", list.join("; ")))
+    }
+
+    /// A factor to a whole power, with its value.
+    fn factor_power(&mut self, factor: &Fraction, text: &str, exponent: &Expr, given: &Given) -> Found<Side> {
+        let words = power(&self.checker.fraction_words(factor), exponent);
+        let value = self.checker.read(&words, &[])?;
+        let n = at(self.printer.natural(exponent)?, ATOM);
+        let value_text = self.fraction(&value)?;
+        let statement = format!("{text} ^ {n} = {value_text}");
+        let logs = match (self.logs(factor, &[], given)?, self.logs(&value, &[], given)?) {
+            (Some(left), Some(right)) => Some((left, right)),
+            _ => None,
+        };
+        let tactic = match logs {
+            Some((left, right)) => {
+                let side = match factor.factors.keys().next() {
+                    Some(poly) => Side::Poly(poly.clone()),
+                    None => Side::Number(factor.coefficient.clone()),
+                };
+                let first = self.identity(&side, &left.product, &[], given)?;
+                let second = self.identity(&Side::Value(value.clone()), &right.product, &[], given)?;
+                self.expands = true;
+                let sum = self.identity(&Side::Expr(exponent.clone()).times(left.sum), &right.sum, &[], given);
+                self.expands = false;
+                let sum = sum?;
+                format!(
+                    "exact (pow_leaf _ _ _ {} {} {} {} {first} {second} {sum})",
+                    left.list, right.list, left.proof, right.proof
+                )
+            }
+            None => {
+                let plain = self.checker.read(exponent, &[])?;
+                let poly = self.checker.expanded(&plain)?;
+                let mut terms = Vec::new();
+                for (monomial, c) in poly.terms() {
+                    let mut one = Poly::constant(BigRational::one());
+                    for (atom, k) in monomial {
+                        for _ in 0..*k {
+                            one = self
+                                .checker
+                                .expanded(&self.checker.product_of(&Fraction::of(&one), &Fraction::atom(*atom))?)?;
+                        }
+                    }
+                    let words = self.checker.poly_words(&one);
+                    let words = at(self.printer.natural(&words)?, ATOM);
+                    terms.push(if monomial.is_empty() { c.to_string() } else { format!("{words} * {c}") });
+                }
+                format!("clear; nat_power ({n})%nat ({})%nat", terms.join(" + "))
+            }
+        };
+        let h = self.lemma("W", &statement, &tactic);
+        Ok(Side::Known(format!("({text} ^ {n})"), value, h))
+    }
+
+    /// A power, root, exponential or logarithm by logarithms, where the factors are positive.
+    fn power_tactic(&mut self, e: &Expr, f: &Fraction, using: &[Label], given: &Given) -> Found<Option<String>> {
+        let value = Side::Value(f.clone());
+        let (lemma, base, times): (&str, Expr, Side) = match &e.kind {
+            ExprKind::Power(base, exponent) => {
+                let whole = is_natural(exponent, &self.printer.kinds);
+                let opposite = match &exponent.kind {
+                    ExprKind::Negate(inner) if !whole && is_natural(inner, &self.printer.kinds) => Some(inner),
+                    _ => None,
+                };
+                match (whole, opposite) {
+                    (true, _) => ("pow_leaf", (**base).clone(), Side::Expr((**exponent).clone())),
+                    (_, Some(inner)) => ("inv_pow_leaf", (**base).clone(), Side::Expr((**inner).clone())),
+                    _ => ("rpower_leaf", (**base).clone(), Side::Expr((**exponent).clone())),
+                }
+            }
+            ExprKind::Apply(function, arguments) => {
+                let Some(x) = arguments.first().cloned() else { return Ok(None) };
+                match function.text.as_str() {
+                    "sqrt" => ("sqrt_leaf", x, Side::integer(2).inverse()),
+                    "cbrt" => ("cbrt_leaf", x, Side::integer(1).times(Side::integer(3).inverse())),
+                    "exp" => {
+                        let Some(right) = self.logs(f, using, given)? else { return Ok(None) };
+                        let product = self.identity(&value, &right.product, &[], given)?;
+                        self.expands = true;
+                        let sum = self.identity(&Side::Expr(x), &right.sum, using, given);
+                        self.expands = false;
+                        let sum = sum?;
+                        return Ok(Some(format!(
+                            "exact (exp_leaf _ _ {} {} {product} {sum})",
+                            right.list, right.proof
+                        )));
+                    }
+                    "ln" => {
+                        let plain = self.checker.read(&x, &[])?;
+                        let Some(left) = self.logs(&plain, using, given)? else { return Ok(None) };
+                        let product = self.identity(&Side::Expr(x), &left.product, &[], given)?;
+                        self.expands = true;
+                        let sum = self.identity(&left.sum, &Side::Plain(f.clone()), using, given);
+                        self.expands = false;
+                        let sum = sum?;
+                        return Ok(Some(format!("exact (ln_leaf _ _ {} {} {product} {sum})", left.list, left.proof)));
+                    }
+                    _ => return Ok(None),
+                }
+            }
+            _ => return Ok(None),
+        };
+        let plain = self.checker.read(&base, &[])?;
+        let Some(left) = self.logs(&plain, using, given)? else { return Ok(None) };
+        let Some(right) = self.logs(f, using, given)? else { return Ok(None) };
+        let first = self.identity(&Side::Expr(base), &left.product, &[], given)?;
+        let second = self.identity(&value, &right.product, &[], given)?;
+        self.expands = true;
+        let sum = match lemma {
+            "inv_pow_leaf" => self.identity(&Side::integer(-1).times(times).times(left.sum), &right.sum, using, given),
+            _ => self.identity(&times.times(left.sum), &right.sum, using, given),
+        };
+        self.expands = false;
+        let sum = sum?;
+        Ok(Some(
+            format!(
+                "exact ({lemma} _ _ _ {} {} {} {} {first} {second} {sum})",
+                left.list, right.list, left.proof, right.proof
+            )
+            .replace("(sqrt_leaf _ _ _", "(sqrt_leaf _ _")
+            .replace("(cbrt_leaf _ _ _", "(cbrt_leaf _ _"),
+        ))
+    }
+
+    /// A fraction as a product of powers of positive factors, if its factors are shown to be positive.
+    pub(super) fn logs(&mut self, f: &Fraction, using: &[Label], given: &Given) -> Found<Option<Logs>> {
+        if !f.coefficient.is_positive() {
+            return Ok(None);
+        }
+        let mut items: Vec<(String, i64, Side, String, Side)> = Vec::new();
+        for (prime, k) in self.checker.primes(f)? {
+            let q = BigRational::from_integer(prime.clone());
+            let proof = format!("(prime_log {prime} ltac:(lra))");
+            items.push((prime.to_string(), k, Side::Number(q), proof, Side::Whole(format!("(ln {prime})"))));
+        }
+        for (poly, k) in &f.factors {
+            let Some((proof, sum)) = self.log_of(poly, using, given)? else { return Ok(None) };
+            items.push((self.poly(poly)?, *k, Side::Poly(poly.clone()), proof, sum));
+        }
+        let (mut list, mut proof) = (Vec::new(), "I".to_string());
+        let (mut product, mut sum) = (Side::integer(1), Side::integer(0));
+        for (text, k, factor, log, q) in items.into_iter().rev() {
+            let q_text = self.full(&q)?;
+            list.push(format!("({text}, ({k})%Z, {q_text})"));
+            proof = format!("(conj {log} {proof})");
+            let power = Side::Power(Box::new(factor), k.unsigned_abs());
+            product = if k < 0 { power.inverse() } else { power }.times(product);
+            sum = Side::integer(k).times(q).plus(sum);
+        }
+        list.reverse();
+        Ok(Some(Logs { list: format!("[{}]", list.join("; ")), proof, product, sum }))
+    }
+
+    /// The text of a side outside an identity.
+    fn full(&mut self, side: &Side) -> Found<String> {
+        self.side(side)
+    }
+
+    /// The logarithm of a positive factor, and the proof that the factor is positive and has it.
+    fn log_of(&mut self, poly: &Poly, using: &[Label], given: &Given) -> Found<Option<(String, Side)>> {
+        let Some(positive) = self.positive_fact(poly, given)? else { return Ok(None) };
+        let text = self.poly(poly)?;
+        let opaque = Side::Whole(format!("(ln {text})"));
+        let closed = (format!("(conj {positive} eq_refl)"), opaque);
+        if self.busy.contains(&format!("ln {text}")) {
+            return Ok(Some(closed));
+        }
+        self.busy.push(format!("ln {text}"));
+        let found = self.log_shown(poly, &text, &positive, using, given);
+        self.busy.pop();
+        Ok(Some(found?.unwrap_or(closed)))
+    }
+
+    fn log_shown(
+        &mut self,
+        poly: &Poly,
+        text: &str,
+        positive: &str,
+        using: &[Label],
+        given: &Given,
+    ) -> Found<Option<(String, Side)>> {
+        let Some(place) = poly.single_atom() else { return self.log_forth(poly, text, positive, using, given) };
+        let (statement, tactic, side) = match self.checker.atom_form(place) {
+            Form::Power(base, exponent, whole) => {
+                let Some(logs) = self.logs(&base, using, given)? else { return Ok(None) };
+                let product = self.identity(&Side::Value(base.clone()), &logs.product, &[], given)?;
+                let inner = format!("(ln_leaf _ _ {} {} {product} eq_refl)", logs.list, logs.proof);
+                let (lemma, times) = if whole {
+                    let words = self.checker.fraction_words(&exponent);
+                    ("ln_of_pow", Side::Expr(words))
+                } else {
+                    ("ln_of_rpower", Side::Plain(exponent))
+                };
+                let side = times.times(logs.sum);
+                let positive_base =
+                    if whole { format!("{} ", self.positive_value(&base, given)?) } else { String::new() };
+                (self.full(&side)?, format!("exact ({lemma} _ _ _ {positive_base}{inner})"), side)
+            }
+            Form::Exponential(inner) => {
+                let side = Side::Plain(inner);
+                (self.full(&side)?, "apply ln_exp".to_string(), side)
+            }
+            _ => {
+                let ExprKind::Name(r) = self.checker.atom_words(place).kind else { return Ok(None) };
+                let forth = self.log_forth(poly, text, positive, using, given)?;
+                if forth.is_some() {
+                    return Ok(forth);
+                }
+                let Some((label, left)) = self.named_by(&r, using)? else { return Ok(None) };
+                let plain = self.checker.read(&left, &[])?;
+                if self.leads_back(&plain, &r, using)? {
+                    return Ok(None);
+                }
+                let Some(logs) = self.logs(&plain, using, given)? else { return Ok(None) };
+                let product = self.identity(&Side::Expr(left), &logs.product, &[], given)?;
+                let side = logs.sum;
+                let h = fact(&label);
+                let tactic = format!(
+                    "exact (ln_leaf _ _ {} {} (eq_trans (eq_sym {h}) {product}) eq_refl)",
+                    logs.list, logs.proof
+                );
+                (self.full(&side)?, tactic, side)
+            }
+        };
+        let h = self.lemma("Q", &format!("ln {text} = {statement}"), &tactic);
+        Ok(Some((format!("(conj {positive} {h})"), side)))
+    }
+
+    /// The logarithm of what a factor comes to with the equations, if these change it to something else.
+    fn log_forth(
+        &mut self,
+        poly: &Poly,
+        text: &str,
+        positive: &str,
+        using: &[Label],
+        given: &Given,
+    ) -> Found<Option<(String, Side)>> {
+        let words = self.checker.poly_words(poly);
+        let value = self.checker.read(&words, using)?;
+        if value == Fraction::of(poly) {
+            return Ok(None);
+        }
+        if let ExprKind::Name(x) = &words.kind {
+            let mut names = BTreeSet::new();
+            crate::prove::expand::names_in(&self.checker.fraction_words(&value), &mut names);
+            if names.contains(x) {
+                return Ok(None);
+            }
+        }
+        let Some(logs) = self.logs(&value, using, given)? else { return Ok(None) };
+        let first = self.identity(&Side::Poly(poly.clone()), &Side::Expr(words.clone()), &[], given)?;
+        let second = self.identity(&Side::Expr(words), &logs.product, using, given)?;
+        let statement = self.full(&logs.sum)?;
+        let tactic = format!("exact (ln_leaf _ _ {} {} (eq_trans {first} {second}) eq_refl)", logs.list, logs.proof);
+        let h = self.lemma("Q", &format!("ln {text} = {statement}"), &tactic);
+        Ok(Some((format!("(conj {positive} {h})"), logs.sum)))
+    }
+
+    /// The equation by which a variable is the name of a power.
+    pub(super) fn named_by(&self, r: &str, using: &[Label]) -> Found<Option<(Label, Expr)>> {
+        for label in using {
+            let p = self.fact_prop(label)?;
+            let (a, _, b) = self.sides(&p, "equation")?;
+            if matches!(&b.kind, ExprKind::Name(n) if n == r) && !matches!(a.kind, ExprKind::Name(_)) {
+                return Ok(Some((label.clone(), a.clone())));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether the names in a fraction come to something with this name, with the equations put in.
+    fn leads_back(&mut self, f: &Fraction, r: &str, using: &[Label]) -> Found<bool> {
+        let mut names = BTreeSet::new();
+        crate::prove::expand::names_in(&self.checker.fraction_words(f), &mut names);
+        for n in names {
+            if self.printer.kinds.get(&n) != Some(&Kind::Real) {
+                continue;
+            }
+            let value = self.checker.read(&name(&n), using)?;
+            let mut inner = BTreeSet::new();
+            crate::prove::expand::names_in(&self.checker.fraction_words(&value), &mut inner);
+            if inner.contains(r) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// A proof that a fraction is positive, by its factors.
+    fn positive_value(&mut self, f: &Fraction, given: &Given) -> Found<String> {
+        let h = {
+            let text = self.fraction(f)?;
+            self.sign(&text, &Side::Value(f.clone()), &[], f, Signs::POSITIVE, given)?
+        };
+        Ok(format!("(to_pos _ {h})"))
+    }
+
+    /// An equation between products of powers.
+    pub(super) fn power_rule(&mut self, goal: &Prop, given: &Given) -> Found<String> {
+        let (a, _, b) = self.sides(goal, "power")?;
+        let using = given.using.clone();
+        let (left, right) = (Side::Expr(a.clone()), Side::Expr(b.clone()));
+        let (x, y) = (self.checker.read(a, &using)?, self.checker.read(b, &using)?);
+        if x == y || self.checker.difference_of(&x, &y)?.is_zero() {
+            return Ok(format!("exact {}", self.identity(&left, &right, &using, given)?));
+        }
+        if let (Some(l), Some(r)) = (self.logs(&x, &using, given)?, self.logs(&y, &using, given)?) {
+            let first = self.identity(&left, &l.product, &using, given)?;
+            let second = self.identity(&right, &r.product, &using, given)?;
+            self.expands = true;
+            let sum = self.identity(&l.sum, &r.sum, &using, given);
+            self.expands = false;
+            let sum = sum?;
+            return Ok(format!(
+                "exact (same_logs _ _ {} {} {} {} {first} {second} {sum})",
+                l.list, r.list, l.proof, r.proof
+            ));
+        }
+        if let Some(proof) = self.common_factors(a, b, &x, &y, given)? {
+            return Ok(proof);
+        }
+        if holds_ln(a) || holds_ln(b) {
+            self.expands = true;
+            let proof = self.identity(&left, &right, &using, given);
+            self.expands = false;
+            return Ok(format!("exact {}", proof?));
+        }
+        self.by_rules(a, &using, given).and_then(|_| self.by_rules(b, &using, given))
+    }
+
+    /// An equation between products with the same factors that may be 0 or negative, and powers of positive ones.
+    fn common_factors(
+        &mut self,
+        a: &Expr,
+        b: &Expr,
+        x: &Fraction,
+        y: &Fraction,
+        given: &Given,
+    ) -> Found<Option<String>> {
+        let one = || Fraction::integer(1);
+        let (mut common, mut left, mut right) = (one(), one(), one());
+        left.coefficient = x.coefficient.abs();
+        right.coefficient = y.coefficient.abs();
+        if x.coefficient.is_negative() != y.coefficient.is_negative() {
+            return Ok(None);
+        }
+        if x.coefficient.is_negative() {
+            common = Fraction::integer(-1);
+        }
+        for (f, rest) in [(x, &mut left), (y, &mut right)] {
+            for (poly, k) in &f.factors {
+                if self.positive_fact(poly, given)?.is_some() {
+                    rest.factors.insert(poly.clone(), *k);
+                } else if x.factors.get(poly) == y.factors.get(poly) {
+                    common.factors.insert(poly.clone(), *k);
+                } else {
+                    return Ok(None);
+                }
+            }
+        }
+        let using = given.using.clone();
+        let (Some(l), Some(r)) = (self.logs(&left, &using, given)?, self.logs(&right, &using, given)?) else {
+            return Ok(None);
+        };
+        let u = self.fraction(&common)?;
+        let common = Side::Value(common);
+        let first = self.identity(&Side::Expr(a.clone()), &common.clone().times(l.product), &using, given)?;
+        let second = self.identity(&Side::Expr(b.clone()), &common.times(r.product), &using, given)?;
+        self.expands = true;
+        let sum = self.identity(&l.sum, &r.sum, &using, given);
+        self.expands = false;
+        let sum = sum?;
+        Ok(Some(format!(
+            "exact (same_times _ _ {u} (prodz {}) (prodz {}) {first} (same_logs _ _ {} {} {} {} eq_refl eq_refl {sum}) {second})",
+            l.list, r.list, l.list, r.list, l.proof, r.proof
+        )))
+    }
+
+    /// By the rules for powers, for what may be 0 or negative.
+    fn by_rules(&mut self, e: &Expr, using: &[Label], given: &Given) -> Found<String> {
+        let mut parts = Vec::new();
+        crate::prove::expand::parts(e, &mut |part| parts.push(part.clone()));
+        for part in &parts {
+            let f = self.checker.read(part, using)?;
+            self.positive(&f, given)?;
+        }
+        let equations: String = using.iter().map(|label| format!("rewrite ?{}; ", fact(label))).collect();
+        Ok(format!("first [pw ltac:(idtac) | ({equations}pw ltac:(idtac))]"))
+    }
+
+    /// The entries of a matrix.
+    pub(super) fn entries(&mut self, e: &Expr) -> Found<Vec<Vec<Side>>> {
+        let times = |c: &Side, rows: Vec<Vec<Side>>| -> Vec<Vec<Side>> {
+            rows.into_iter().map(|row| row.into_iter().map(|x| c.clone().times(x)).collect()).collect()
+        };
+        let add = |a: Vec<Side>, b: Vec<Side>| -> Vec<Side> { a.into_iter().zip(b).map(|(x, y)| x.plus(y)).collect() };
+        Ok(match &e.kind {
+            ExprKind::Matrix(rows) => {
+                rows.iter().map(|row| row.iter().map(|x| Side::Expr(x.clone())).collect()).collect()
+            }
+            ExprKind::Negate(inner) => times(&minus_one(), self.entries(inner)?),
+            ExprKind::Sum(list) => {
+                let mut out: Option<Vec<Vec<Side>>> = None;
+                for (sign, part) in list {
+                    let mut rows = self.entries(part)?;
+                    if *sign == Sign::Minus {
+                        rows = times(&minus_one(), rows);
+                    }
+                    out = Some(match out {
+                        None => rows,
+                        Some(before) => before.into_iter().zip(rows).map(|(a, b)| add(a, b)).collect(),
+                    });
+                }
+                out.unwrap_or_default()
+            }
+            ExprKind::Product(list) => {
+                let (mut numbers, mut out) = (Vec::new(), None::<Vec<Vec<Side>>>);
+                for (operator, part) in list {
+                    if !self.checker.is_matrix(part) {
+                        numbers.push((*operator, part.clone()));
+                        continue;
+                    }
+                    let rows = self.entries(part)?;
+                    out = Some(match out {
+                        None => rows,
+                        Some(before) => before.into_iter().map(|row| row_times(row, &rows)).collect(),
+                    });
+                }
+                let out = out.unwrap_or_default();
+                if numbers.is_empty() {
+                    return Ok(out);
+                }
+                if numbers.first().is_some_and(|n| n.0 == Factor::Over) {
+                    numbers.insert(0, (Factor::Times, expr(ExprKind::Number("1".to_string()))));
+                }
+                let c = match numbers.as_slice() {
+                    [(Factor::Times, one)] => one.clone(),
+                    _ => expr(ExprKind::Product(numbers)),
+                };
+                times(&Side::Expr(c), out)
+            }
+            _ => return Err(Open::Untranslated("matrix".to_string(), "its entries")),
+        })
+    }
+}
+
+/// `- 1` as the statement writes it.
+fn minus_one() -> Side {
+    Side::Expr(expr(ExprKind::Negate(Box::new(expr(ExprKind::Number("1".to_string()))))))
+}
+
+fn row_times(row: Vec<Side>, rows: &[Vec<Side>]) -> Vec<Side> {
+    let mut out: Option<Vec<Side>> = None;
+    for (x, b) in row.into_iter().zip(rows).rev() {
+        let scaled: Vec<Side> = b.iter().map(|y| x.clone().times(y.clone())).collect();
+        out = Some(match out {
+            None => scaled,
+            Some(after) => scaled.into_iter().zip(after).map(|(s, t)| s.plus(t)).collect(),
+        });
+    }
+    out.unwrap_or_default()
+}
+
+fn holds_ln(e: &Expr) -> bool {
+    let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln");
+    crate::prove::expand::parts(e, &mut |part| found = found || holds_ln(part));
+    found
+}
+
+fn apply(function: &str, x: &Expr) -> Expr {
+    let function = Name { text: function.to_string(), span: x.span };
+    expr(ExprKind::Apply(function, vec![x.clone()]))
+}

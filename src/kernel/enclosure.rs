@@ -1,0 +1,263 @@
+//! Numbers that are known exactly, or to lie between two rational numbers.
+//!
+//! Contract: the result of an operation encloses the result for all numbers that its arguments enclose. What is rational
+//! by the four operations, by whole powers and by exact roots stays exact, until it is longer than [`EXACT_BITS`]; other ends
+//! are rounded outwards to [`PRECISION`] bits.
+//!
+//! Roots are whole roots of whole numbers. exp is its series at q/2^k, squared k times; ln is that of artanh. What is left
+//! of a series is bounded by a geometric one.
+
+use super::fraction::{BITS_LIMIT, Work};
+use super::order::Signs;
+use super::{Reason, Refusal, rejected};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+/// Bits that are kept of an end that is rounded.
+pub const PRECISION: u64 = 256;
+/// The most bits of an exact number.
+pub const EXACT_BITS: u64 = 10_000;
+/// The largest exponent of a number other than 0, 1 and -1.
+pub const POWER_LIMIT: u32 = 1_000_000;
+/// The highest root that is taken as one; higher ones are taken by ln and exp.
+pub const ROOT_LIMIT: u32 = 64;
+
+/// A number between two others, which may be equal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Enclosure {
+    low: BigRational,
+    high: BigRational,
+}
+
+fn length(q: &BigRational) -> u64 {
+    q.numer().bits().max(q.denom().bits())
+}
+
+/// 2^k.
+fn two_to(k: i64) -> BigRational {
+    let size = BigInt::one() << k.unsigned_abs();
+    if k < 0 { BigRational::new(BigInt::one(), size) } else { BigRational::from_integer(size) }
+}
+
+/// The number that is not above q, or not below it, with [`PRECISION`] bits over a power of two.
+fn rounded(q: &BigRational, up: bool) -> BigRational {
+    let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX);
+    let shift = i64::try_from(PRECISION).unwrap_or(0) - (bits(q.numer()) - bits(q.denom()));
+    let scaled = q * two_to(shift);
+    (if up { scaled.ceil() } else { scaled.floor() }) * two_to(-shift)
+}
+
+impl Enclosure {
+    /// This number.
+    pub fn exact(q: BigRational) -> Enclosure {
+        Enclosure { low: q.clone(), high: q }
+    }
+
+    fn integer(k: i64) -> Enclosure {
+        Enclosure::exact(BigRational::from_integer(BigInt::from(k)))
+    }
+
+    /// The ends in order, rounded where they are long. What is long is counted by its square.
+    fn between(low: BigRational, high: BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+        let long = length(&low).max(length(&high));
+        let words = usize::try_from(long / 64).unwrap_or(usize::MAX).saturating_add(1);
+        work.count(words.saturating_mul(words).saturating_mul(4))?;
+        if long > BITS_LIMIT {
+            return Err(Refusal::Limit("digits"));
+        }
+        let short = long <= if low == high { EXACT_BITS } else { 2 * PRECISION };
+        Ok(if short {
+            Enclosure { low, high }
+        } else {
+            Enclosure { low: rounded(&low, false), high: rounded(&high, true) }
+        })
+    }
+
+    /// The number, if it is known exactly.
+    pub fn number(&self) -> Option<&BigRational> {
+        (self.low == self.high).then_some(&self.low)
+    }
+
+    /// The signs that it may have.
+    pub fn signs(&self) -> Signs {
+        let ends = Signs::of_number(&self.low).or(Signs::of_number(&self.high));
+        if self.low.is_negative() && self.high.is_positive() { Signs::ANY } else { ends }
+    }
+
+    /// The opposite.
+    pub fn negated(&self) -> Enclosure {
+        Enclosure { low: -&self.high, high: -&self.low }
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
+        Enclosure::between(&self.low + &other.low, &self.high + &other.high, work)
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
+        self.plus(&other.negated(), work)
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
+        if let (Some(a), Some(b)) = (self.number(), other.number()) {
+            let product = a * b;
+            return Enclosure::between(product.clone(), product, work);
+        }
+        let ends =
+            [(&self.low, &other.low), (&self.low, &other.high), (&self.high, &other.low), (&self.high, &other.high)];
+        let products = ends.map(|(a, b)| a * b);
+        let [first, rest @ ..] = &products;
+        let low = rest.iter().fold(first, |a, b| a.min(b));
+        let high = rest.iter().fold(first, |a, b| a.max(b));
+        Enclosure::between(low.clone(), high.clone(), work)
+    }
+
+    /// The reciprocal of what is not 0.
+    pub fn inverse(&self, work: &Work) -> Result<Enclosure, Refusal> {
+        if !self.signs().within(Signs::NOT_ZERO) || self.low.is_negative() != self.high.is_negative() {
+            return rejected(Reason::NotDecided);
+        }
+        Enclosure::between(self.high.recip(), self.low.recip(), work)
+    }
+
+    /// The k-th power; that to 0 is 1.
+    pub fn power(&self, k: &BigInt, work: &Work) -> Result<Enclosure, Refusal> {
+        if let Some(q) = self.number().filter(|q| q.is_integer() && q.numer().bits() <= 1) {
+            // 0, 1 and -1, whatever the exponent.
+            let kept = k.bit(0) || (q.is_zero() && !k.is_zero());
+            return Ok(if kept { self.clone() } else { Enclosure::integer(1) });
+        }
+        let Some(k) = k.to_u32().filter(|k| *k <= POWER_LIMIT) else { return Err(Refusal::Limit("degree")) };
+        let (low, high) = (power_of(&self.low, k, work)?, power_of(&self.high, k, work)?);
+        if k % 2 == 1 || !self.low.is_negative() {
+            return Enclosure::between(low.low, high.high, work);
+        }
+        let least = if self.high.is_positive() { BigRational::zero() } else { high.low };
+        Enclosure::between(least, low.high.max(high.high), work)
+    }
+
+    /// The k-th root, k from 1 to [`ROOT_LIMIT`], of what is not negative.
+    pub fn root(&self, k: u32, work: &Work) -> Result<Enclosure, Refusal> {
+        if self.low.is_negative() || k == 0 || k > ROOT_LIMIT {
+            return rejected(Reason::NotDecided);
+        }
+        let (low, high) = (root_of(&self.low, k, work)?, root_of(&self.high, k, work)?);
+        Enclosure::between(low.low, high.high, work)
+    }
+
+    /// e to this power.
+    pub fn exp(&self, work: &Work) -> Result<Enclosure, Refusal> {
+        let low = exp_of(&self.low, work)?;
+        let high = if self.number().is_some() { low.clone() } else { exp_of(&self.high, work)? };
+        Enclosure::between(low.low, high.high, work)
+    }
+
+    /// The natural logarithm of what is positive.
+    pub fn ln(&self, work: &Work) -> Result<Enclosure, Refusal> {
+        if !self.low.is_positive() {
+            return rejected(Reason::NotDecided);
+        }
+        let low = ln_of(&self.low, work)?;
+        let high = if self.number().is_some() { low.clone() } else { ln_of(&self.high, work)? };
+        Enclosure::between(low.low, high.high, work)
+    }
+
+    /// The same, and as much more or less as 2^-k.
+    fn widened(&self, k: i64, work: &Work) -> Result<Enclosure, Refusal> {
+        Enclosure::between(&self.low - two_to(-k), &self.high + two_to(-k), work)
+    }
+}
+
+/// q^k.
+fn power_of(q: &BigRational, mut k: u32, work: &Work) -> Result<Enclosure, Refusal> {
+    let (mut out, mut square) = (Enclosure::integer(1), Enclosure::exact(q.clone()));
+    while k > 0 {
+        if k % 2 == 1 {
+            out = out.times(&square, work)?;
+        }
+        k /= 2;
+        if k > 0 {
+            square = square.times(&square, work)?;
+        }
+    }
+    Ok(out)
+}
+
+/// The k-th root of q ≥ 0: exact where numerator and denominator are k-th powers, else r/2^s and (r + 1)/2^s, r being
+/// the whole root of the whole part of q·2^(s·k).
+fn root_of(q: &BigRational, k: u32, work: &Work) -> Result<Enclosure, Refusal> {
+    let (top, bottom) = (q.numer().nth_root(k), q.denom().nth_root(k));
+    if top.pow(k) == *q.numer() && bottom.pow(k) == *q.denom() {
+        return Ok(Enclosure::exact(BigRational::new(top, bottom)));
+    }
+    let spare = q.denom().bits().saturating_sub(q.numer().bits()) / u64::from(k);
+    let bits = PRECISION.saturating_add(spare).saturating_add(1);
+    let long = bits.saturating_mul(u64::from(k));
+    if long > BITS_LIMIT {
+        return Err(Refusal::Limit("digits"));
+    }
+    let words = usize::try_from(long / 64).unwrap_or(usize::MAX);
+    work.count(words.saturating_mul(words).saturating_mul(8))?;
+    let root = (q * BigRational::from_integer(BigInt::one() << long)).to_integer().nth_root(k);
+    let below = BigInt::one() << bits;
+    let low = BigRational::new(root.clone(), below.clone());
+    Enclosure::between(low, BigRational::new(root + 1, below), work)
+}
+
+/// e^q: Σ tⁿ/n! for t = q/2^k, |t| ≤ 1/2, squared k times. The terms behind the 60th come to less than 2^-330, for
+/// 61! > 2^277.
+fn exp_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+    if q.is_zero() {
+        return Ok(Enclosure::integer(1));
+    }
+    let halvings = q.to_integer().bits() + 1;
+    if halvings > 18 {
+        return Err(Refusal::Limit("digits"));
+    }
+    let shift = i64::try_from(halvings).unwrap_or(0);
+    let t = Enclosure::exact(q.clone()).times(&Enclosure::exact(two_to(-shift)), work)?;
+    let (mut sum, mut term) = (Enclosure::integer(1), Enclosure::integer(1));
+    for n in 1..=60 {
+        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n)));
+        term = term.times(&t, work)?.times(&over, work)?;
+        sum = sum.plus(&term, work)?;
+    }
+    let mut out = sum.widened(330, work)?;
+    for _ in 0..halvings {
+        out = out.times(&out, work)?;
+    }
+    Ok(out)
+}
+
+/// ln q for q = m·2^e, 1/2 < m < 2: ln m + e·ln 2 with ln m = 2·artanh((m − 1)/(m + 1)) and ln 2 = 2·artanh(1/3).
+fn ln_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+    let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(0);
+    let e = bits(q.numer()) - bits(q.denom());
+    let m = q * two_to(-e);
+    let z = (&m - BigRational::one()) / (&m + BigRational::one());
+    let mut out = artanh(&z, work)?;
+    if e != 0 {
+        let third = BigRational::new(BigInt::one(), BigInt::from(3));
+        out = out.plus(&artanh(&third, work)?.times(&Enclosure::integer(e), work)?, work)?;
+    }
+    out.times(&Enclosure::integer(2), work)
+}
+
+/// Σ z^(2j + 1)/(2j + 1) for |z| ≤ 1/3. The terms behind the 100th come to less than 3^-201·9/8 < 2^-318.
+fn artanh(z: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+    if z.is_zero() {
+        return Ok(Enclosure::integer(0));
+    }
+    let mut power = Enclosure::between(z.clone(), z.clone(), work)?;
+    let square = power.times(&power, work)?;
+    let mut sum = Enclosure::integer(0);
+    for j in 0..100 {
+        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2 * j + 1)));
+        sum = sum.plus(&power.times(&over, work)?, work)?;
+        power = power.times(&square, work)?;
+    }
+    sum.widened(318, work)
+}

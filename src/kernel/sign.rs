@@ -1,0 +1,578 @@
+//! The signs of fractions, from the facts that a step cites.
+//!
+//! Contract: at every point that the facts allow, a fraction whose expression has a value there has one of the signs
+//! that [`Checker::signs_of`] returns. Nothing is known but what [`Known`] was told for this one step, and what an
+//! atom's form says: naturals and roots are not negative, exponentials are positive.
+
+use super::fraction::{Fraction, Poly};
+use super::order::Signs;
+use super::term::{Atom, Value};
+use super::{Checker, Reason, Refusal, conjuncts, key, rejected};
+use crate::claim::definedness::{Need, needs};
+use crate::claim::syntax::*;
+use num_traits::Signed;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// How deep signs of products over an index may nest.
+pub(super) const NESTING: usize = 20;
+
+/// What a step knows: the signs that its cited facts give, and the equations that it replaces by. It marks which of
+/// them were asked for.
+#[derive(Default)]
+pub(super) struct Known {
+    pub(super) signs: Vec<Sign>,
+    /// The places among them of the signs of each polynomial, in order.
+    places: BTreeMap<Poly, Vec<usize>>,
+    equations: Rc<Vec<Equation>>,
+    /// Cited facts for all values of one natural variable, with their places under `by`.
+    pub(super) for_all: Vec<(Binding, Prop, usize)>,
+    /// The places under `by` that the answers so far rest on.
+    asked: RefCell<BTreeSet<usize>>,
+    /// The places under `using` of the equations that were put in.
+    put_in: RefCell<BTreeSet<usize>>,
+    /// The place under `by` of the fact that is taken in, if it is one of those.
+    source: Option<usize>,
+}
+
+/// An equation whose left side is replaced by its right side while a step is read.
+#[derive(Clone, Debug)]
+pub(super) struct Equation {
+    /// The atom that the left side comes to, and what it equals.
+    pub(super) atom: Option<(usize, Fraction)>,
+    /// The power or exponential that stands on the left, and what it equals.
+    pub(super) power: Option<(Written, Fraction)>,
+    /// The places of the equations that this comes from, its own among them.
+    pub(super) rests_on: BTreeSet<usize>,
+}
+
+/// A power or exponential as it is written, its parts as fractions without any equation put in.
+///
+/// Where two of them have values and their parts are equal, so are they.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Written {
+    /// b^E.
+    Power(Fraction, Fraction),
+    /// exp of a fraction.
+    Exponential(Fraction),
+}
+
+/// The signs of a polynomial, with the places under `by` and under `using` of the facts that they are known from.
+pub(super) struct Sign {
+    pub(super) poly: Poly,
+    pub(super) signs: Signs,
+    from: Rc<BTreeSet<usize>>,
+    put_in: Rc<BTreeSet<usize>>,
+}
+
+/// What a fact says.
+pub(super) enum Lesson {
+    /// The signs that a fraction may have, with the places of the equations that were put in to read it.
+    Sign(Fraction, Signs, BTreeSet<usize>),
+    /// Something for all values of one natural variable.
+    ForAll(Binding, Prop),
+}
+
+/// How much a step knew at some point.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    signs: usize,
+    for_all: usize,
+}
+
+impl Known {
+    /// The places under `by` and under `using` of what was asked for.
+    pub(super) fn used(&self) -> (BTreeSet<usize>, BTreeSet<usize>) {
+        (self.asked.borrow().clone(), self.put_in.borrow().clone())
+    }
+
+    /// Notes that the answers rest on all the equations.
+    pub(super) fn all_put_in(&self, count: usize) {
+        self.put_in.borrow_mut().extend(0..count);
+    }
+
+    /// Begins anew to note what is asked for.
+    pub(super) fn forget_used(&self) {
+        self.asked.take();
+        self.put_in.take();
+    }
+
+    /// The equations that are put in.
+    pub(super) fn equations(&self) -> Rc<Vec<Equation>> {
+        self.equations.clone()
+    }
+
+    /// Says that the equations at these places were put in.
+    pub(super) fn mark_put_in(&self, places: BTreeSet<usize>) {
+        self.put_in.borrow_mut().extend(places);
+    }
+
+    fn add(&mut self, sign: Sign) {
+        self.places.entry(sign.poly.clone()).or_default().push(self.signs.len());
+        self.signs.push(sign);
+    }
+
+    /// Says that what is learned from here on comes from the fact at that place under `by`.
+    pub(super) fn comes_from(&mut self, source: Option<usize>) {
+        self.source = source;
+    }
+
+    /// How much is known, to go back to.
+    pub(super) fn mark(&self) -> Mark {
+        Mark { signs: self.signs.len(), for_all: self.for_all.len() }
+    }
+
+    /// Forgets what was learned since.
+    pub(super) fn back_to(&mut self, mark: Mark) {
+        for sign in self.signs.drain(mark.signs..) {
+            if let Some(places) = self.places.get_mut(&sign.poly) {
+                places.pop();
+            }
+        }
+        self.for_all.truncate(mark.for_all);
+    }
+
+    /// Forgets the facts for all values that were learned since.
+    pub(super) fn forget_for_all(&mut self, mark: Mark) {
+        self.for_all.truncate(mark.for_all);
+    }
+}
+
+/// The signs of atoms found so far in one question.
+pub(super) type Found = BTreeMap<usize, Signs>;
+
+impl Checker {
+    /// What the facts under `by` say of signs, in order, with the equations under `using`.
+    pub(super) fn known(&mut self, by: &[String], using: &[String]) -> Result<Known, Refusal> {
+        self.memo.begin(&self.scope);
+        let facts = using.iter().map(|label| self.fact(label)).collect::<Result<Vec<_>, _>>()?;
+        let equations = match self.memo.equations(&facts) {
+            Some(equations) => equations,
+            None => {
+                let equations = Rc::new(self.equations(&facts)?);
+                self.memo.put_in(facts, &equations);
+                equations
+            }
+        };
+        let mut known = Known { equations, ..Known::default() };
+        for (place, label) in by.iter().enumerate() {
+            let fact = self.fact(label)?;
+            let lessons = match self.memo.lessons(&fact) {
+                Some(lessons) => lessons,
+                None => {
+                    let mut lessons = Vec::new();
+                    self.read_fact(&fact, &known, &mut lessons)?;
+                    let lessons = Rc::new(lessons);
+                    self.memo.keep_lessons(&fact, &lessons);
+                    lessons
+                }
+            };
+            known.comes_from(Some(place));
+            self.take_in(&lessons, &mut known)?;
+        }
+        known.comes_from(None);
+        known.forget_used();
+        Ok(known)
+    }
+
+    /// Facts as equations, each with those before it put in; earlier values that hold its atom are written anew.
+    fn equations(&mut self, facts: &[Rc<Prop>]) -> Result<Vec<Equation>, Refusal> {
+        let mut equations: Vec<Equation> = Vec::new();
+        for (place, fact) in facts.iter().enumerate() {
+            let known = Known { equations: Rc::new(equations.clone()), ..Known::default() };
+            let mut new = self.equation(fact, &known)?;
+            new.rests_on.insert(place);
+            if let Some((atom, value)) = &new.atom {
+                for old in &mut equations {
+                    let values = [old.atom.as_mut().map(|a| &mut a.1), old.power.as_mut().map(|p| &mut p.1)];
+                    for earlier in values.into_iter().flatten() {
+                        let replaced = self.replaced(earlier, *atom, value)?;
+                        if replaced != *earlier {
+                            *earlier = replaced;
+                            old.rests_on.extend(new.rests_on.iter().copied());
+                        }
+                    }
+                }
+            }
+            equations.push(new);
+        }
+        Ok(equations)
+    }
+
+    /// A fact as an equation that can be put in: its left side is an atom, a power or an exponential. Equations before
+    /// it are put in.
+    pub(super) fn equation(&mut self, fact: &Prop, known: &Known) -> Result<Equation, Refusal> {
+        let (left, relation, right) = single(fact)?;
+        if relation != Relation::Equal {
+            return rejected(Reason::NotAnEquation);
+        }
+        let written = self.written(left)?;
+        let (left, right) = (self.fraction_with(left, known)?, self.fraction_with(right, known)?);
+        let atom = match left.factors.iter().next() {
+            Some((poly, 1)) if left.factors.len() == 1 => poly.single_atom(),
+            _ => None,
+        };
+        if atom.is_none() && written.is_none() {
+            return rejected(Reason::NotAnAtom);
+        }
+        // c·A = B says A = B/c.
+        let inverse = Fraction::number(left.coefficient.clone());
+        let atom = match atom {
+            Some(atom) => Some((atom, right.times(&inverse.power(-1)?, &self.work)?)),
+            None => None,
+        };
+        let rests_on = known.put_in.take();
+        Ok(Equation { atom, power: written.map(|written| (written, right)), rests_on })
+    }
+
+    /// Takes in what a fact says.
+    pub(super) fn learn(&mut self, fact: &Prop, known: &mut Known) -> Result<(), Refusal> {
+        let mut lessons = Vec::new();
+        self.read_fact(fact, known, &mut lessons)?;
+        self.take_in(&lessons, known)
+    }
+
+    fn take_in(&mut self, lessons: &[Lesson], known: &mut Known) -> Result<(), Refusal> {
+        for lesson in lessons {
+            match lesson {
+                Lesson::Sign(f, signs, places) => self.note(f, *signs, places, known)?,
+                Lesson::ForAll(binding, body) => {
+                    let place = known.source.unwrap_or_default();
+                    known.for_all.push((binding.clone(), body.clone(), place));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What a fact says of signs: of the difference of its sides, and of whatever its expressions need to have values,
+    /// for a fact has them; as they stand and with the equations put in.
+    fn read_fact(&mut self, fact: &Prop, known: &Known, out: &mut Vec<Lesson>) -> Result<(), Refusal> {
+        match &fact.kind {
+            PropKind::Compare(sides, relations) => {
+                for side in sides {
+                    self.read_needs(side, known, out)?;
+                }
+                for (pair, relation) in sides.windows(2).zip(relations) {
+                    let [a, b] = pair else { continue };
+                    if let (Value::Scalar(x), Value::Scalar(y)) = (self.value(a)?, self.value(b)?) {
+                        let difference = x.minus(&y, &self.work)?;
+                        let signs = Signs::of(*relation);
+                        if !known.equations.is_empty() {
+                            let (x, mut places) = self.put_into(a, known)?;
+                            let (y, others) = self.put_into(b, known)?;
+                            places.extend(others);
+                            let replaced = x.minus(&y, &self.work)?;
+                            if replaced != difference {
+                                out.push(Lesson::Sign(difference, signs, BTreeSet::new()));
+                                out.push(Lesson::Sign(replaced, signs, places));
+                                continue;
+                            }
+                        }
+                        out.push(Lesson::Sign(difference, signs, BTreeSet::new()));
+                    }
+                }
+                Ok(())
+            }
+            PropKind::And(list) => list.iter().try_for_each(|p| self.read_fact(p, known, out)),
+            PropKind::ForAll(bindings, body) => {
+                if let [binding] = bindings.as_slice()
+                    && binding.natural
+                    && binding.names.len() == 1
+                {
+                    out.push(Lesson::ForAll(binding.clone(), (**body).clone()));
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What an expression that has a value needed for that, innermost first; not under bound names.
+    fn read_needs(&mut self, e: &Expr, known: &Known, out: &mut Vec<Lesson>) -> Result<(), Refusal> {
+        if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Derivative(..)) {
+            for part in super::parts(e) {
+                self.read_needs(part, known, out)?;
+            }
+        }
+        let natural = self.natural_names();
+        for need in needs(e, &|name| natural.contains(name)) {
+            let (part, signs) = match need {
+                Need::NotZero(e) => (e, Signs::NOT_ZERO),
+                Need::Positive(e) => (e, Signs::POSITIVE),
+                Need::NotNegative(e) => (e, Signs::NOT_NEGATIVE),
+                Need::NotZeroOrNatural(..) | Need::Range(..) | Need::Differentiable(..) => continue,
+            };
+            let plain = self.fraction(&part)?;
+            out.push(Lesson::Sign(plain.clone(), signs, BTreeSet::new()));
+            if !known.equations.is_empty() {
+                let (replaced, places) = self.put_into(&part, known)?;
+                if replaced != plain {
+                    out.push(Lesson::Sign(replaced, signs, places));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes what a sign of a fraction says of the one factor whose sign is open; as it stands, and with the equations.
+    pub(super) fn learn_signs(&mut self, f: &Fraction, allowed: Signs, known: &mut Known) -> Result<(), Refusal> {
+        self.note(f, allowed, &BTreeSet::new(), known)?;
+        if known.equations.is_empty() {
+            return Ok(());
+        }
+        let (replaced, places) = self.all_replaced(f, &known.equations())?;
+        if replaced == *f { Ok(()) } else { self.note(&replaced, allowed, &places.into_iter().collect(), known) }
+    }
+
+    /// Sound: a fraction is the product of its factors. If it is not 0, no factor is; if all but one have one known
+    /// sign other than 0, the last has a sign whose power, times theirs, is allowed.
+    pub(super) fn note(
+        &self,
+        f: &Fraction,
+        allowed: Signs,
+        places: &BTreeSet<usize>,
+        known: &mut Known,
+    ) -> Result<(), Refusal> {
+        let before = (known.asked.take(), known.put_in.take());
+        let mut rest = Signs::of_number(&f.coefficient);
+        let mut open = Vec::new();
+        for (poly, k) in &f.factors {
+            let signs = self.poly_signs(poly, known, NESTING, &mut Found::new())?.power(*k);
+            let strict = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
+            if strict { rest = rest.times(signs) } else { open.push((poly.clone(), *k)) }
+        }
+        // What the signs of the other factors rest on, this rests on as well.
+        let (mut from, mut put_in) = (known.asked.replace(before.0), known.put_in.replace(before.1));
+        from.extend(known.source);
+        put_in.extend(places);
+        let (from, put_in) = (Rc::new(from), Rc::new(put_in));
+        let mut add = |poly: &Poly, signs| {
+            known.add(Sign { poly: poly.clone(), signs, from: from.clone(), put_in: put_in.clone() });
+        };
+        if allowed.within(Signs::NOT_ZERO) {
+            open.iter().for_each(|(poly, _)| add(poly, Signs::NOT_ZERO));
+        }
+        if let [(poly, k)] = open.as_slice()
+            && rest.within(Signs::NOT_ZERO)
+        {
+            let possible = [Signs::of(Relation::Less), Signs::ZERO, Signs::POSITIVE];
+            let signs = possible
+                .into_iter()
+                .filter(|s| !(*k < 0 && *s == Signs::ZERO) && s.power(*k).times(rest).within(allowed))
+                .reduce(Signs::or);
+            // No sign at all: the facts contradict each other, which is not said here.
+            if let Some(signs) = signs {
+                add(poly, signs);
+                // p − c ≥ 0 says that p > 0, and p + c ≤ 0 that p < 0, for a number c > 0.
+                let bound = poly.terms().find(|t| t.0.is_empty()).map(|t| t.1.clone());
+                let beyond = match bound {
+                    Some(c) if c.is_negative() && signs.within(Signs::NOT_NEGATIVE) => Some((c, Signs::POSITIVE)),
+                    Some(c) if c.is_positive() && signs.within(Signs::of(Relation::LessEqual)) => {
+                        Some((c, Signs::of(Relation::Less)))
+                    }
+                    _ => None,
+                };
+                if let Some((c, signs)) = beyond {
+                    let moved = Fraction::sum(&[Fraction::of(poly), Fraction::number(-c)], &self.work)?;
+                    // What is left has the leading coefficient 1; it may be a product.
+                    if let (Some((rest, 1)), 1) = (moved.factors.iter().next(), moved.factors.len()) {
+                        let signs = Signs::of_number(&moved.coefficient).times(signs);
+                        add(rest, signs);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The signs of an expression, as it stands and with the equations put in.
+    pub(super) fn signs_of_expr(&mut self, e: &Expr, known: &Known) -> Result<Signs, Refusal> {
+        let plain = self.fraction(e)?;
+        let signs = self.signs_as_read(&plain, known)?;
+        if known.equations.is_empty() {
+            return Ok(signs);
+        }
+        let replaced = self.fraction_with(e, known)?;
+        Ok(signs.and(self.signs_as_read(&replaced, known)?))
+    }
+
+    /// The signs of a fraction, with the equations put in.
+    pub(super) fn signs_of(&mut self, f: &Fraction, known: &Known) -> Result<Signs, Refusal> {
+        let plain = self.signs_as_read(f, known)?;
+        if known.equations.is_empty() {
+            return Ok(plain);
+        }
+        let replaced = self.with_equations(f, known)?;
+        Ok(plain.and(self.signs_as_read(&replaced, known)?))
+    }
+
+    /// A fraction with the equations put in.
+    pub(super) fn with_equations(&mut self, f: &Fraction, known: &Known) -> Result<Fraction, Refusal> {
+        let (out, places) = self.all_replaced(f, &known.equations())?;
+        known.mark_put_in(places.into_iter().collect());
+        Ok(out)
+    }
+
+    /// The signs of a fraction as it is.
+    pub(super) fn signs_as_read(&self, f: &Fraction, known: &Known) -> Result<Signs, Refusal> {
+        self.fraction_signs(f, known, NESTING, &mut Found::new())
+    }
+
+    fn fraction_signs(&self, f: &Fraction, known: &Known, depth: usize, found: &mut Found) -> Result<Signs, Refusal> {
+        let mut signs = Signs::of_number(&f.coefficient);
+        for (poly, k) in &f.factors {
+            signs = signs.times(self.poly_signs(poly, known, depth, found)?.power(*k));
+        }
+        Ok(signs)
+    }
+
+    pub(super) fn noted(&self, poly: &Poly, known: &Known) -> Result<Signs, Refusal> {
+        self.work.count(1 + poly.size())?;
+        let mut all = Signs::ANY;
+        let places = known.places.get(poly).into_iter().flatten();
+        for sign in places.filter_map(|place| known.signs.get(*place)) {
+            // Only what says something new is asked for.
+            if !all.within(sign.signs) {
+                all = all.and(sign.signs);
+                known.asked.borrow_mut().extend(sign.from.iter().copied());
+                known.put_in.borrow_mut().extend(sign.put_in.iter().copied());
+            }
+        }
+        Ok(all)
+    }
+
+    /// The signs of a polynomial: those noted of it, and those of the sum of its terms.
+    pub(super) fn poly_signs(
+        &self,
+        poly: &Poly,
+        known: &Known,
+        depth: usize,
+        found: &mut Found,
+    ) -> Result<Signs, Refusal> {
+        if let Some(atom) = poly.single_atom() {
+            return self.atom_signs(atom, known, depth, found);
+        }
+        let mut sum = Signs::ZERO;
+        for (monomial, c) in poly.terms() {
+            let mut term = Signs::of_number(c);
+            for (atom, k) in monomial {
+                term = term.times(self.atom_signs(*atom, known, depth, found)?.power(i64::from(*k)));
+            }
+            sum = sum.plus(term);
+        }
+        // What follows from the terms alone need not be asked for.
+        let strict = sum.within(Signs::POSITIVE) || sum.within(Signs::of(Relation::Less)) || sum.within(Signs::ZERO);
+        if strict { Ok(sum) } else { Ok(sum.and(self.noted(poly, known)?)) }
+    }
+
+    /// The signs of an atom, sought once in each question: an atom may stand in every term.
+    fn atom_signs(&self, atom: usize, known: &Known, depth: usize, found: &mut Found) -> Result<Signs, Refusal> {
+        if let Some(signs) = found.get(&atom) {
+            return Ok(*signs);
+        }
+        let signs = self.noted(&Poly::atom(atom), known)?.and(self.structural(atom, known, depth, found)?);
+        found.insert(atom, signs);
+        Ok(signs)
+    }
+
+    /// What the form of an atom says of its sign. Atoms that have no value at a point have no sign there.
+    fn structural(&self, atom: usize, known: &Known, depth: usize, found: &mut Found) -> Result<Signs, Refusal> {
+        let Some(depth) = depth.checked_sub(1) else { return Err(Refusal::Limit("nesting of products")) };
+        if self.is_natural_atom(atom) {
+            return Ok(Signs::NOT_NEGATIVE);
+        }
+        Ok(match self.atoms.get(atom) {
+            Some(Atom::Exponential(_)) => Signs::POSITIVE,
+            Some(Atom::Power(base, exponent)) => {
+                let base = self.fraction_signs(base, known, depth, found)?;
+                match self.is_whole(exponent)? {
+                    // A power that is not whole has a value for bases that are not negative only, and for 0 only if
+                    // its exponent is a numeral.
+                    false if base.within(Signs::NOT_ZERO) || exponent.as_number().is_none() => Signs::POSITIVE,
+                    false => Signs::NOT_NEGATIVE,
+                    true => [Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO]
+                        .into_iter()
+                        .find(|kind| base.within(*kind))
+                        .unwrap_or(Signs::ANY),
+                }
+            }
+            // ln x rises with x, and ln 1 = 0.
+            Some(Atom::Logarithm(inner)) => {
+                let shifted = Fraction::sum(&[inner.clone(), Fraction::integer(-1)], &self.work)?;
+                self.fraction_signs(&shifted, known, depth, found)?
+            }
+            Some(Atom::Member(name, _)) => self.member_signs(name, known)?,
+            // What is known of an index of this number is said of another sum or product, which is read right now; the
+            // one in this atom, which an equation put in, has all values of its own range.
+            Some(Atom::Over(over)) if self.is_index_known(over.depth, known)? => Signs::ANY,
+            Some(Atom::Over(over)) => {
+                let body = self.fraction_signs(&over.body, known, depth, found)?;
+                // A range may be empty: an empty sum is 0, an empty product 1.
+                let kinds = if over.sum {
+                    vec![Signs::NOT_NEGATIVE]
+                } else {
+                    vec![Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO]
+                };
+                kinds.into_iter().find(|kind| body.within(*kind)).unwrap_or(Signs::ANY)
+            }
+            _ => Signs::ANY,
+        })
+    }
+
+    /// Whether a sign is noted of something that holds the index of this number.
+    fn is_index_known(&self, depth: usize, known: &Known) -> Result<bool, Refusal> {
+        for sign in &known.signs {
+            if self.holds_free_index(&Fraction::of(&sign.poly), depth)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The signs that cited facts `for all k natural: f(k) relation numeral` give to every member of a family or
+    /// sequence. Such a fact may be for the indices of the family's declaration: other members do not exist.
+    fn member_signs(&self, member: &str, known: &Known) -> Result<Signs, Refusal> {
+        let indices = self.family(member).and_then(|b| b.indices.as_ref());
+        let mut signs = Signs::ANY;
+        for (binding, body, place) in &known.for_all {
+            let for_every_index = match (binding.constraints.as_slice(), indices) {
+                ([], _) => true,
+                ([Constraint::Range(a, b)], Some((from, to))) => {
+                    key::expr(a) == key::expr(from) && key::expr(b) == key::expr(to)
+                }
+                _ => false,
+            };
+            let Some((index, None)) = binding.names.first().filter(|_| for_every_index) else { continue };
+            for part in conjuncts(body) {
+                let Ok((Expr { kind: ExprKind::Apply(f, arguments), .. }, relation, bound)) = single(part) else {
+                    continue;
+                };
+                let of_index =
+                    matches!(arguments.as_slice(), [Expr { kind: ExprKind::Name(n), .. }] if *n == index.text);
+                let ExprKind::Number(bound) = &bound.kind else { continue };
+                if f.text == member && of_index {
+                    let bound = super::term::numeral(bound)?;
+                    // x relation b with b ≥ 0: x is the sum of x − b and b.
+                    let given = Signs::of(relation).plus(Signs::of_number(&bound));
+                    if !signs.within(given) {
+                        signs = signs.and(given);
+                        known.asked.borrow_mut().insert(*place);
+                    }
+                }
+            }
+        }
+        Ok(signs)
+    }
+}
+
+/// The sides and the relation of a single comparison.
+pub(super) fn single(prop: &Prop) -> Result<(&Expr, Relation, &Expr), Refusal> {
+    if let PropKind::Compare(sides, relations) = &prop.kind
+        && let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice())
+    {
+        return Ok((a, *relation, b));
+    }
+    rejected(Reason::NotSingle)
+}

@@ -1,0 +1,126 @@
+#!/usr/bin/env bash
+# Compiles the theorems of this folder and says of each file whether Coq accepts it; holds each theorem against
+# statements.v, prints the axioms that it rests on and holds them against a list.
+#
+#     bash check [NAME…]      # the files of these claims, and what they cite; all if none is given
+#
+# LIMIT: the most seconds for each file (default 120). JOBS: how many at a time (default 2).
+# Exit code 0: all as it should be, 1: not, 2: Coq is missing or a NAME is unknown.
+set -uo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+limit=${LIMIT:-120} jobs=${JOBS:-2}
+
+# The axioms of Coq's real numbers and of classical logic; nothing else.
+allowed="ClassicalDedekindReals.sig_forall_dec
+ClassicalDedekindReals.sig_not_dec
+FunctionalExtensionality.functional_extensionality_dep
+Classical_Prop.classic"
+
+if ! command -v coqc > /dev/null || ! [ -d "$(coqc -where)/user-contrib/Coquelicot" ]; then
+  echo "error: Coq with Coquelicot is needed: apt-get install coq libcoq-coquelicot, or opam install coq coq-coquelicot" >&2
+  exit 2
+fi
+
+# What is asked for, and what that needs.
+declare -A needs wanted
+files=()
+while read -r name rest; do needs[$name]=$rest files+=("$name"); done < "$here/order.txt"
+want() {
+  local name=${1%.v}
+  if [ -z "${needs[$name]+known}" ]; then echo "error: order.txt has no file $name" >&2; exit 2; fi
+  [ -z "${wanted[$name]+seen}" ] || return 0
+  wanted[$name]=yes
+  local need
+  for need in ${needs[$name]}; do want "$need"; done
+}
+for name in "${@:-${files[@]}}"; do want "$name"; done
+
+# A clean folder: a stale compiled file could hold anything.
+clean=$(mktemp -d)
+trap 'kill $(jobs -p) 2> /dev/null; rm -rf "$clean"' EXIT
+cp "$here"/*.v "$clean"
+cd "$clean" || exit 1
+coq() { timeout "$limit" coqc -w none -Q . Carom "$@"; }
+compile() {
+  local name=$1 begun=$EPOCHREALTIME code=0 need said
+  for need in ${needs[$name]:-}; do
+    if [ "$(cat "$need.done")" != 0 ]; then
+      echo "not tried  $name: it needs $need"
+      echo skipped > "$name.done"
+      return
+    fi
+  done
+  coq "$name.v" > "$name.log" 2>&1 || code=$?
+  case $code in
+    0) said="accepted   $name" ;;
+    124 | 137) said="timed out  $name after $limit s" ;;
+    *) said="failed     $name: $(tr -s ' \n' ' ' < "$name.log" | cut -c 1-300)" ;;
+  esac
+  echo "$said ($(awk "BEGIN { printf \"%.1f\", $EPOCHREALTIME - $begun }") s)"
+  echo "$code" > "$name.done"
+}
+
+while read -r name; do
+  coqc -w none -Q . Carom "$name.v" || { echo "error: $name.v, which all rests on, does not compile" >&2; exit 1; }
+done < "$here/library.txt"
+running=0
+for name in "${files[@]}"; do
+  [ -n "${wanted[$name]+yes}" ] || continue
+  for need in ${needs[$name]}; do
+    while ! [ -e "$need.done" ]; do wait -n; running=$((running - 1)); done
+  done
+  while [ "$running" -ge "$jobs" ]; do wait -n; running=$((running - 1)); done
+  compile "$name" &
+  running=$((running + 1))
+done
+wait
+
+# What the theorems say, and what they rest on.
+accepted=0 failed=() late=() skipped=()
+for name in "${files[@]}"; do
+  [ -n "${wanted[$name]+yes}" ] || continue
+  case $(cat "$name.done" 2> /dev/null) in
+    0) accepted=$((accepted + 1)) ;;
+    124 | 137) late+=("$name") ;;
+    skipped) skipped+=("$name") ;;
+    *) failed+=("$name") ;;
+  esac
+done
+wrong=0
+{
+  echo "From Carom Require statements."
+  while read -r name theorem says; do
+    [ "$(cat "$name.done" 2> /dev/null)" = 0 ] || continue
+    echo "From Carom Require $name."
+    echo "Definition the_theorem_$theorem : $says := $name.$theorem."
+    echo "Redirect \"$theorem.axioms\" Print Assumptions the_theorem_$theorem."
+  done < "$here/theorems.txt"
+} > assumptions.v
+if ! coqc -w none -Q . Carom assumptions.v > assumptions.log 2>&1; then
+  cat assumptions.log >&2
+  echo "error: a theorem does not say what statements.v says: $(grep -oE 'the_theorem_[A-Za-z0-9_'"'"']+' assumptions.log | head -n 1)" >&2
+  wrong=1
+fi
+count=0
+while read -r name theorem says; do
+  [ "$(cat "$name.done" 2> /dev/null)" = 0 ] || continue
+  if ! [ -e "$theorem.axioms.out" ]; then
+    [ "$wrong" = 1 ] || echo "error: nothing is known of what $theorem rests on" >&2
+    wrong=1
+    continue
+  fi
+  axioms=$(sed -nE 's/^([A-Za-z_][A-Za-z0-9_.'"'"']*)( :.*)?$/\1/p' "$theorem.axioms.out" | grep -vE '^(Axioms|Closed)' | sort -u)
+  echo "axioms of $theorem: $(tr '\n' ' ' <<< "${axioms:-none}")"
+  foreign=$(grep -vxF "$allowed" <<< "$axioms" | grep . || true)
+  if [ -n "$foreign" ]; then
+    echo "error: $theorem rests on what is not allowed: $foreign" >&2
+    wrong=1
+  fi
+  count=$((count + 1))
+done < "$here/theorems.txt"
+list() { local what=$1; shift; [ $# = 0 ] || echo "$what: $*"; }
+list failed ${failed[@]+"${failed[@]}"}
+list "timed out" ${late[@]+"${late[@]}"}
+list "not tried" ${skipped[@]+"${skipped[@]}"}
+echo "files accepted $accepted, failed ${#failed[@]}, timed out ${#late[@]}, not tried ${#skipped[@]}; theorems accepted $count"
+[ "$wrong" = 0 ] && [ $((${#failed[@]} + ${#late[@]} + ${#skipped[@]})) = 0 ]
