@@ -52,13 +52,11 @@ fn main() {
     for bodies in arguments {
         let pass = chain(bodies.parse().unwrap());
         let started = Instant::now();
-        let (above, below) = if all {
-            pass.velocities_after().unwrap().pop().unwrap().into_numerator_and_denominator()
-        } else {
-            pass.last_velocity().unwrap().into_parts()
-        };
+        let last =
+            if all { pass.velocities_from_rest().unwrap().pop().unwrap() } else { pass.last_velocity().unwrap() };
         let spent = started.elapsed().as_secs_f64();
-        let (p, q) = (&above % &modulus, &below % &modulus);
+        let (above, below) = (last.numerator(), last.denominator());
+        let (p, q) = (above % &modulus, below % &modulus);
         println!("{bodies} {spent:.6} {} {} {p} {q}", above.significant_bits(), below.significant_bits());
     }
 }

@@ -6,12 +6,14 @@
 
 use carom::chain::best::{Best, best};
 use carom::chain::pass::Pass;
+use carom::chain::replay::{Body, Line, Options, replay};
 use carom::chain::threshold::{Helps, helps, threshold};
 use carom::chain::{Positive, Restitution, Restitutions, fast, transfer};
 use carom::claim::{embedded, parse::parse};
 use carom::judge::hand::AtHand;
 use carom::judge::{Settings, judge};
 use carom::number::decimal::{Decimal, Digits, Rounding, bits_of_digits};
+use carom::number::fraction::Fraction;
 use carom::number::rational;
 use carom::number::real::Real;
 use carom::prove::catalogue::Catalogue;
@@ -200,11 +202,11 @@ fn chain(run: &Run, bodies: usize) -> Pass {
 
 fn long_chains(run: &Run) {
     let modulo = |above: &Natural, below: &Natural| (above % prime(), below % prime());
-    let parts = |v: &Rational| {
-        let (up, down) = modulo(v.numerator_ref(), v.denominator_ref());
-        (if *v < 0 { prime() - up } else { up }, down)
+    let parts = |v: &Fraction| {
+        let (up, down) = modulo(v.numerator(), v.denominator());
+        (if v.is_negative() { prime() - up } else { up }, down)
     };
-    let all = |list: Vec<Rational>| {
+    let all = |list: Vec<Fraction>| {
         let sum: Natural = (1u64..)
             .zip(&list)
             .map(|(i, v)| (parts(v), i))
@@ -213,7 +215,7 @@ fn long_chains(run: &Run) {
     };
     if run.wanted.is_empty() || run.wanted.iter().any(|w| w == "all/1000") {
         let pass = chain(run, 1_000);
-        run.case("all/1000", || pass.velocities_after().unwrap(), all);
+        run.case("all/1000", || pass.velocities_from_rest().unwrap(), all);
     }
     for bodies in [100, 1_000, 10_000, 100_000, 1_000_000] {
         let name = format!("last/{bodies}");
@@ -241,6 +243,40 @@ fn best_numbers(run: &Run) {
             other => format!("{other:?}"),
         };
         run.case(case, || best(black_box(&r), black_box(&e)).unwrap().0, count);
+    }
+}
+
+/// A line of bodies from its file.
+fn line(run: &Run, bodies: u64) -> Line {
+    let rows: Vec<[i64; 7]> = run
+        .text(&format!("J9-{bodies}.txt"))
+        .lines()
+        .map(|line| line.split(' ').map(|w| w.parse().unwrap()).collect::<Vec<_>>().try_into().unwrap())
+        .collect();
+    let body = |w: &[i64; 7]| Body {
+        mass: Rational::from(w[0]),
+        position: Rational::from_signeds(w[1], w[2]),
+        velocity: Rational::from_signeds(w[3], w[4]),
+        length: Rational::from(0),
+    };
+    let e: Vec<Rational> = rows[..rows.len() - 1].iter().map(|w| Rational::from_signeds(w[5], w[6])).collect();
+    Line::new(&rows.iter().map(body).collect::<Vec<_>>(), &e, None, None).unwrap()
+}
+
+/// Up to ten collisions a body; their number and the sum of the places of their pairs is the answer.
+fn replays(run: &Run) {
+    for bodies in [10u64, 100, 1_000, 10_000] {
+        let name = bodies.to_string();
+        if !run.wanted.is_empty() && !run.wanted.contains(&name) {
+            continue;
+        }
+        let line = line(run, bodies);
+        let options = |list| Options { max_events: 10 * bodies, list, ..Options::default() };
+        let (seconds, _) = measure(|| replay(&line, &options(0)).unwrap());
+        let found = replay(&line, &options(10 * bodies as usize)).unwrap();
+        let sum: usize = found.events.iter().map(|event| event.pair).sum();
+        let per = seconds / found.count as f64;
+        println!("{{\"case\": \"{name}\", \"seconds\": {per:e}, \"answer\": \"{} {sum}\"}}", found.count);
     }
 }
 
@@ -292,7 +328,7 @@ fn binomial(n: u64, k: u64) -> Natural {
 fn main() {
     let mut arguments = std::env::args().skip(1);
     let (Some(job), Some(work)) = (arguments.next(), arguments.next()) else {
-        eprintln!("usage: peers JOB WORK [CASE…]; JOB is J1, J2a, J2b, J3, J4, J5, J6, J7 or growth");
+        eprintln!("usage: peers JOB WORK [CASE…]; JOB is J1, J2a, J2b, J3, J4, J5, J6, J7, J9 or growth");
         std::process::exit(2);
     };
     let run = Run { work: Path::new(&work).to_owned(), wanted: arguments.collect() };
@@ -305,6 +341,7 @@ fn main() {
         "J5" => growth(&run),
         "J6" => long_chains(&run),
         "J7" => best_numbers(&run),
+        "J9" => replays(&run),
         "growth" => growing(&run),
         other => {
             eprintln!("no job is called {other}");

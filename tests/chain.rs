@@ -86,6 +86,7 @@ proptest! {
         prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap().into()));
         let optimum = Optimum::new(masses[0].clone(), masses[n as usize + 1].clone(), n, same).unwrap();
         let velocities = pass.velocities_after().unwrap();
+        prop_assert_eq!(&pass.velocities_from_rest().unwrap(), &velocities);
         for i in 0..=n + 1 {
             prop_assert!(optimum.mass(i).as_rational() == Some(masses[i as usize].value()));
             prop_assert!(optimum.velocity(i, &speed).as_rational() == Some(&velocities[i as usize]));
@@ -116,6 +117,7 @@ proptest! {
         prop_assert_eq!(eta.as_rational(), Some(&pass.transfer().unwrap().into()));
         let optimum = Optimum::new(first, last, n, list).unwrap();
         let velocities = pass.velocities_after().unwrap();
+        prop_assert_eq!(&pass.velocities_from_rest().unwrap(), &velocities);
         for (i, v) in velocities.iter().enumerate() {
             let found = optimum.velocity(i as u64, &Rational::ONE);
             prop_assert_eq!(found.as_rational(), Some(v));

@@ -14,6 +14,7 @@ use super::{ChainError, Positive, Restitution, Restitutions, collision};
 use crate::number::NumberError;
 use crate::number::fraction::Fraction;
 use crate::number::product::quotient;
+use crate::number::running::{Step, quotients};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Natural, Rational};
@@ -173,6 +174,23 @@ impl Pass {
         Ok(list)
     }
 
+    /// The velocity of each body after the pass, with the others at rest before, as fractions in lowest terms: that of
+    /// body `i` is `(m_i − e·m_(i+1))/(m_i + m_(i+1))` times its velocity on arrival, a running product
+    /// ([`crate::number::running`]). Quicker than [`Pass::velocities_after`] for many bodies.
+    ///
+    /// # Errors
+    /// [`ChainError::NotAtRest`]; a limit above [`MAX_PASS_BITS`].
+    pub fn velocities_from_rest(&self) -> Result<Vec<Fraction>, ChainError> {
+        let speed = match self.velocities.first() {
+            Some(speed) if self.starts_from_rest() => speed,
+            _ => return Err(ChainError::NotAtRest),
+        };
+        self.limit_size()?;
+        let (steps, backwards): (Vec<Step>, Vec<bool>) = self.pairs().map(|(m1, m2, e)| step(m1, m2, e)).unzip();
+        let found = quotients(speed.numerator_ref().clone(), speed.denominator_ref().clone(), &steps);
+        Ok(found.into_iter().zip(backwards.into_iter().chain([false])).map(|(v, back)| v.signed(back)).collect())
+    }
+
     /// The kinetic energy lost in each collision.
     ///
     /// # Errors
@@ -243,6 +261,18 @@ impl Pass {
             _ => Err(ChainError::NotAtRest),
         }
     }
+}
+
+/// One collision with a body at rest as a step of a running product, and whether the first body bounces back: with
+/// `m1 = a/b`, `m2 = c/d`, `e = p/q` the velocity on arrival times `(a·d·q − b·c·p)/((a·d + b·c)·q)` is kept, and times
+/// `a·d·(p + q)/((a·d + b·c)·q)` given on.
+fn step(m1: &Positive, m2: &Positive, e: &Restitution) -> (Step, bool) {
+    let ((a, b), (c, d), (p, q)) = (parts(m1.value()), parts(m2.value()), parts(e.value()));
+    let (first, second) = (a * d, b * c);
+    let (ahead, back) = (&first * q, &second * p);
+    let backwards = back > ahead;
+    let kept = if backwards { back - ahead } else { ahead - back };
+    (Step { below: vec![first + second, q.clone()], kept, given: vec![a.clone(), d.clone(), p + q] }, backwards)
 }
 
 /// Numerator and denominator of a mass or a coefficient, which are not negative.

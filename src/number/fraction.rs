@@ -8,27 +8,45 @@ use super::parallel::{MIN_BITS, both};
 use malachite::base::num::arithmetic::traits::{DivExact, DivMod, Gcd, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
-use malachite::{Natural, Rational};
+use malachite::{Integer, Natural, Rational};
 
-/// A fraction that is not negative, in lowest terms; its denominator is not zero.
+/// A fraction in lowest terms; its denominator is not zero, and zero is not negative.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {
+    negative: bool,
     numerator: Natural,
     denominator: Natural,
 }
 
 impl Fraction {
+    /// `numerator/denominator`, which have no common divisor.
+    pub(super) fn of_coprime(numerator: Natural, denominator: Natural) -> Fraction {
+        Fraction { negative: false, numerator, denominator }
+    }
+
     /// `numerator/denominator`, where `common` is their greatest common divisor.
     pub(super) fn reduced(numerator: Natural, denominator: Natural, common: &Natural) -> Fraction {
         if *common == Natural::ONE {
-            return Fraction { numerator, denominator };
+            return Fraction::of_coprime(numerator, denominator);
         }
         let worth = numerator.significant_bits() >= MIN_BITS;
         let (numerator, denominator) = both(worth, || (&numerator).div_exact(common), || denominator.div_exact(common));
-        Fraction { numerator, denominator }
+        Fraction::of_coprime(numerator, denominator)
     }
 
-    /// The numerator.
+    /// The same with the sign of a number that is negative, or not.
+    #[must_use]
+    pub fn signed(self, negative: bool) -> Fraction {
+        Fraction { negative: negative && self.numerator != Natural::ZERO, ..self }
+    }
+
+    /// Whether it is below zero.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.negative
+    }
+
+    /// The absolute value of the numerator.
     #[must_use]
     pub fn numerator(&self) -> &Natural {
         &self.numerator
@@ -42,23 +60,24 @@ impl Fraction {
 
     /// The numerator and the denominator.
     #[must_use]
-    pub fn into_parts(self) -> (Natural, Natural) {
-        (self.numerator, self.denominator)
+    pub fn into_parts(self) -> (Integer, Natural) {
+        (Integer::from_sign_and_abs(!self.negative, self.numerator), self.denominator)
     }
 
     /// Its square: parts without a common divisor have none when squared.
     #[must_use]
     pub fn square(self) -> Fraction {
-        Fraction { numerator: self.numerator.square(), denominator: self.denominator.square() }
+        Fraction::of_coprime(self.numerator.square(), self.denominator.square())
     }
 
-    /// The product with `|x|`: two common divisors of a long number with a short one, where `x` is short.
+    /// The product with `x`: two common divisors of a long number with a short one, where `x` is short.
     #[must_use]
     pub fn times(self, x: &Rational) -> Fraction {
         let (above, below) = (x.numerator_ref(), x.denominator_ref());
         let (left, right) = ((&self.numerator).gcd(below), (&self.denominator).gcd(above));
         let (numerator, denominator) = (self.numerator.div_exact(&left), self.denominator.div_exact(&right));
-        Fraction { numerator: numerator * above.div_exact(right), denominator: denominator * below.div_exact(left) }
+        Fraction::of_coprime(numerator * above.div_exact(right), denominator * below.div_exact(left))
+            .signed(self.negative != (*x < Rational::ZERO))
     }
 
     /// The bits of both parts.
@@ -105,13 +124,23 @@ fn without(mut x: Natural, p: Natural) -> Natural {
 impl From<Fraction> for Rational {
     /// Takes the greatest common divisor once more, as malachite does.
     fn from(x: Fraction) -> Rational {
-        Rational::from_naturals(x.numerator, x.denominator)
+        Rational::from_sign_and_naturals(!x.negative, x.numerator, x.denominator)
+    }
+}
+
+impl From<Rational> for Fraction {
+    fn from(x: Rational) -> Fraction {
+        let negative = x < Rational::ZERO;
+        let (numerator, denominator) = x.into_numerator_and_denominator();
+        Fraction { negative, numerator, denominator }
     }
 }
 
 impl PartialEq<Rational> for Fraction {
     fn eq(&self, x: &Rational) -> bool {
-        *x >= Rational::ZERO && self.numerator == *x.numerator_ref() && self.denominator == *x.denominator_ref()
+        self.negative == (*x < Rational::ZERO)
+            && self.numerator == *x.numerator_ref()
+            && self.denominator == *x.denominator_ref()
     }
 }
 
@@ -133,6 +162,9 @@ mod tests {
             let (x, y) = (Rational::from_unsigneds(a, b), Rational::from_unsigneds(c, d));
             prop_assert_eq!(fraction(&x).square(), (&x).square());
             prop_assert_eq!(fraction(&x).times(&y), &x * &y);
+            prop_assert_eq!(fraction(&x).signed(true).times(&y), -(&x * &y));
+            prop_assert_eq!(Fraction::from(-(&x * &y)), fraction(&x).times(&-&y));
+            prop_assert_eq!(Rational::from(fraction(&x).signed(true)), -x.clone());
             prop_assert_eq!(Rational::from(fraction(&x)), x.clone());
             let common = Natural::from(a).gcd(Natural::from(b));
             prop_assert_eq!(Fraction::reduced(Natural::from(a), Natural::from(b), &common), x);

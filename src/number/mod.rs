@@ -18,6 +18,7 @@ pub mod radical;
 pub mod rational;
 pub mod real;
 pub mod root;
+pub mod running;
 
 use std::fmt;
 

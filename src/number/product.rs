@@ -63,8 +63,7 @@ pub fn quotient(above: impl IntoIterator<Item = Natural>, below: impl IntoIterat
     if up.zero {
         return Fraction::reduced(Natural::ZERO, Natural::ONE, &Natural::ONE);
     }
-    let bound = SMALL.min(up.len().min(down.len()) as u64);
-    for prime in (2..bound).filter(|p| (2..).take_while(|d| d * d <= *p).all(|d| p % d != 0)).map(Prime::new) {
+    for prime in Prime::small(up.len().min(down.len())) {
         let (gained, lost) = (up.without(&prime), down.without(&prime));
         let side = if gained >= lost { &mut up } else { &mut down };
         side.others.push(Natural::from(prime.value).pow(gained.abs_diff(lost)));
@@ -75,6 +74,16 @@ pub fn quotient(above: impl IntoIterator<Item = Natural>, below: impl IntoIterat
     let (numerator, below) = both(worth, || product(&up.blocks()), || Tree::of(&down));
     let common = below.common(&numerator);
     Fraction::reduced(numerator, below.root(), &common)
+}
+
+/// A number that every common prime of both products divides, and no other prime does; no factor may be zero.
+pub(super) fn shared(above: impl IntoIterator<Item = Natural>, below: impl IntoIterator<Item = Natural>) -> Natural {
+    let (mut up, mut down) = (Factors::of(above), Factors::of(below));
+    up.pack();
+    down.pack();
+    let worth = up.bits().min(down.bits()) >= THREAD_BITS;
+    let (numerator, below) = both(worth, || product(&up.blocks()), || Tree::of(&down));
+    below.common(&numerator)
 }
 
 /// The factors of a product, by length.
@@ -117,13 +126,10 @@ impl Factors {
                 times += u64::from(twos);
             }
         } else {
-            let most = u64::MAX / prime.value;
             for factor in &mut self.words {
-                let mut rest = factor.wrapping_mul(prime.inverse);
-                while rest <= most {
+                while let Some(rest) = prime.divided_word(*factor) {
                     *factor = rest;
                     times += 1;
-                    rest = rest.wrapping_mul(prime.inverse);
                 }
             }
         }
@@ -262,17 +268,34 @@ fn common_word(x: &Natural, word: u64) -> u64 {
     u64::try_from(&(x % Natural::from(word))).map_or(1, |rest| rest.gcd(word))
 }
 
-/// A prime, and its inverse modulo 2^64 if it is odd.
-struct Prime {
-    value: u64,
+/// A prime, its inverse modulo 2^64 if it is odd, and the largest quotient of a word.
+pub(super) struct Prime {
+    pub(super) value: u64,
     inverse: u64,
+    most: u64,
 }
 
 impl Prime {
+    /// The primes that are worth looking for one by one in so many factors.
+    pub(super) fn small(factors: usize) -> Vec<Prime> {
+        let bound = SMALL.min(factors as u64);
+        (2..bound).filter(|p| (2..).take_while(|d| d * d <= *p).all(|d| p % d != 0)).map(Prime::new).collect()
+    }
+
     fn new(value: u64) -> Prime {
         // An odd p is its own inverse modulo 8; each step p·i = 1 + d becomes 1 − d²: 3, 6, 12, 24, 48, 96 bits.
         let step = |i: u64, _| i.wrapping_mul(2_u64.wrapping_sub(value.wrapping_mul(i)));
-        Prime { value, inverse: (0..5).fold(value, step) }
+        Prime { value, inverse: (0..5).fold(value, step), most: u64::MAX / value }
+    }
+
+    /// `x/p` where that is whole, for x not zero: the multiples of p are those whose product with the inverse is at
+    /// most `(2^64 − 1)/p`.
+    pub(super) fn divided_word(&self, x: u64) -> Option<u64> {
+        if self.value == 2 {
+            return x.is_multiple_of(2).then_some(x / 2);
+        }
+        let rest = x.wrapping_mul(self.inverse);
+        (rest <= self.most).then_some(rest)
     }
 
     /// `x/p` where that is whole.
@@ -280,7 +303,7 @@ impl Prime {
     /// With `x = h·2^64 + l`, a whole quotient is `l/p` modulo 2^64 in its lower half, call it `q`, and `h − (q·p >> 64)`
     /// over `p` in the upper one; that is whole if the product with the inverse is at most `(2^64 − 1)/p`, since the
     /// multiples of p take those values, once each.
-    fn divided(&self, x: u128) -> Option<u128> {
+    pub(super) fn divided(&self, x: u128) -> Option<u128> {
         if self.value == 2 {
             return x.is_multiple_of(2).then_some(x / 2);
         }
@@ -289,7 +312,7 @@ impl Prime {
         let lower = low.wrapping_mul(self.inverse);
         let carried = ((u128::from(lower) * u128::from(self.value)) >> 64) as u64;
         let upper = high.checked_sub(carried)?.wrapping_mul(self.inverse);
-        (upper <= u64::MAX / self.value).then(|| u128::from(upper) << 64 | u128::from(lower))
+        (upper <= self.most).then(|| u128::from(upper) << 64 | u128::from(lower))
     }
 }
 

@@ -90,7 +90,7 @@ impl Real {
             return Real::rational(x.into());
         }
         let (numerator, denominator) = x.into_parts();
-        let (numerator, denominator) = (Integer::from(numerator), Integer::from(denominator));
+        let denominator = Integer::from(denominator);
         Real::enclosed(move |bits| {
             let leading = |x: &Integer| Interval::from_integer(x.clone()).round(bits + 8);
             leading(&numerator).divide(&leading(&denominator), bits + 2)
