@@ -34,6 +34,7 @@ mod table_contents;
 mod table_cross;
 mod table_merge;
 mod table_rows;
+mod table_write;
 mod terminal;
 mod theorems;
 mod worksheet;

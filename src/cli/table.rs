@@ -1,22 +1,19 @@
 //! `carom table`
 
-use super::interrupt::{Interrupt, interrupted};
+use super::interrupt::interrupted;
 use super::output::{Output, place};
 use super::partial::{self, Partial, Target};
-use super::progress::Progress;
 use super::table_contents::{Contents, grid, joined};
 use super::table_cross::{self, Axis};
 use super::table_rows::{self, Rows};
+use super::table_write::{End, Stop, write};
 use super::{Exit, form, table_check, table_merge};
-use crate::chain::best::Best;
 use crate::number::decimal::{Digits, Rounding};
-use crate::number::interval::Interval;
 use crate::report::table::{Entry, Form, Head, LATEX_ROWS, Writer, entries};
 use crate::table::grid::{Grid, Shape};
 use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
-use crate::table::{Found, Plan, Quantity, Row, TableError, Value};
-use malachite::Integer;
+use crate::table::{Plan, Quantity, TableError};
 use serde_json::json;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
@@ -130,9 +127,9 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
 }
 
 /// A table, or a part of its rows with what binds it to the table.
-struct Job<'a> {
-    plan: &'a Plan,
-    rows: Range<u64>,
+pub(super) struct Job<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) rows: Range<u64>,
     binding: Option<Binding>,
 }
 
@@ -150,7 +147,7 @@ impl<'a> Job<'a> {
     }
 
     /// The first line of its certificate.
-    fn certificate_head(&self) -> String {
+    pub(super) fn certificate_head(&self) -> String {
         let head = certificate_head(self.plan);
         match &self.binding {
             None => head,
@@ -332,90 +329,4 @@ pub fn rows(plan: &Plan) -> Result<Vec<Vec<Entry>>, Exit> {
         Ok(entries(plan, plan.row(row, found)?.0))
     };
     (0..plan.rows()).map(one).collect::<Result<_, TableError>>().map_err(|e| exit(&e))
-}
-
-/// How the work ended.
-enum End {
-    Complete,
-    /// After so many rows.
-    Interrupted(u64),
-}
-
-/// Why the work stopped.
-enum Stop {
-    Write(io::Error),
-    Table(TableError),
-}
-
-impl From<io::Error> for Stop {
-    fn from(error: io::Error) -> Stop {
-        Stop::Write(error)
-    }
-}
-
-impl From<TableError> for Stop {
-    fn from(error: TableError) -> Stop {
-        Stop::Table(error)
-    }
-}
-
-/// Computes and writes a job's rows from one of them on.
-fn write(
-    job: &Job<'_>,
-    mut writer: Writer,
-    from: u64,
-    out: &mut dyn Write,
-    mut certificate: Option<&mut dyn Write>,
-) -> Result<End, Stop> {
-    let Job { plan, rows, .. } = job;
-    if from == 0 {
-        writer.begin(out)?;
-        if let Some(certificate) = certificate.as_deref_mut() {
-            certificate.write_all(job.certificate_head().as_bytes())?;
-        }
-    }
-    writer.resume(from);
-    let interrupt = Interrupt::listen();
-    let progress = Progress::rows(from, rows.end - rows.start);
-    let mut factors = Factors::new(plan);
-    for row in rows.start + from..rows.end {
-        if interrupt.asked() {
-            return Ok(End::Interrupted(row - rows.start));
-        }
-        progress.now(row - rows.start, "");
-        let found = factors.value(row)?;
-        let best = match &found {
-            Found::Open(Value::Count(best)) => Some(best.clone()),
-            _ => None,
-        };
-        let (line, enclosure) = plan.labelled(row, factors.labels(row), found)?;
-        if let Some(certificate) = certificate.as_deref_mut() {
-            writeln!(certificate, "{}", proof(plan, row, &line, best.as_ref(), enclosure.as_ref()))?;
-        }
-        writer.row(entries(plan, line), out)?;
-    }
-    writer.end(out)?;
-    out.flush()?;
-    Ok(End::Complete)
-}
-
-/// A row with all that is needed to check it: exact inputs, what is printed, and an enclosure, or the exact
-/// value, of which every element is printed so.
-fn proof(plan: &Plan, row: u64, line: &Row, best: Option<&Best>, enclosure: Option<&Interval>) -> String {
-    let place = plan.place(row);
-    let end = |end: Option<(Integer, i64)>| {
-        end.map(|(mantissa, exponent)| json!({ "mantissa": mantissa.to_string(), "exponent": exponent }))
-    };
-    let value = json!({
-        "row": row,
-        "ratio": place.as_ref().map(|p| p.ratio.value().to_string()),
-        "e": place.as_ref().and_then(|p| p.e.as_ref()).map(|e| e.value().to_string()),
-        "n": place.as_ref().and_then(|p| p.n).map(|n| n.to_string()),
-        "printed": line.value,
-        "exact": line.exact,
-        "lower": enclosure.and_then(|x| end(x.lower())),
-        "upper": enclosure.and_then(|x| end(x.upper())),
-        "tie": best.map(|b| matches!(b, Best::Finite { tie: true, .. })),
-    });
-    value.to_string()
 }

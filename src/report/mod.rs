@@ -101,8 +101,21 @@ fn steers(c: char) -> bool {
 /// A text filled up with spaces to so many characters, on its left or on its right. (The widths of `format!` end at
 /// 65,535, and there are longer numbers.)
 pub(crate) fn padded(text: &str, width: usize, to_the_right: bool) -> String {
-    let space = " ".repeat(width.saturating_sub(text.chars().count()));
-    if to_the_right { space + text } else { text.to_owned() + &space }
+    let mut out = String::new();
+    push_padded(&mut out, text, width, to_the_right);
+    out
+}
+
+/// The same at the end of a line.
+pub(crate) fn push_padded(line: &mut String, text: &str, width: usize, to_the_right: bool) {
+    let space = width.saturating_sub(if text.is_ascii() { text.len() } else { text.chars().count() });
+    if !to_the_right {
+        line.push_str(text);
+    }
+    line.extend(std::iter::repeat_n(' ', space));
+    if to_the_right {
+        line.push_str(text);
+    }
 }
 
 /// The counts of an audit.

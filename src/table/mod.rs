@@ -2,7 +2,8 @@
 //!
 //! **Contract.** A [`Plan`] names the quantity, its axes and how it is printed; [`Plan::row`] gives the row of
 //! any place, counted with the last axis running fastest. Every printed digit is right, every `p/q` exact.
-//! Rows are made one at a time: a table of 10^8 rows takes no more memory than one of ten.
+//! Rows are made one at a time, or in short pieces on several cores: a table of 10^8 rows takes no more memory than one
+//! of a few pieces.
 //!
 //! **Shared work.** (25) is a product of a factor of `e` and one of the ratio, for each `n`: see [`shared`].
 

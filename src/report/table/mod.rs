@@ -190,6 +190,7 @@ impl Entry {
 }
 
 /// Writes one table.
+#[derive(Clone)]
 pub struct Writer {
     form: Form,
     head: Head,
@@ -222,7 +223,18 @@ impl Writer {
         csv::head(&self.head)
     }
 
-    /// Goes on after rows that are written already (CSV).
+    /// A writer that writes the same rows in the same way; `None` as long as rows are held back, or any would be.
+    #[must_use]
+    pub fn settled(&self) -> Option<Writer> {
+        let settled = match self.form {
+            Form::Text => self.widths.is_some(),
+            Form::Latex => false,
+            Form::Csv | Form::Json | Form::Markdown => true,
+        };
+        settled.then(|| self.clone())
+    }
+
+    /// Goes on after rows that are written already, by another writer or in an earlier run (CSV).
     pub fn resume(&mut self, rows: u64) {
         self.rows = rows;
     }

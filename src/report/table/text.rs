@@ -1,7 +1,8 @@
 //! Aligned columns: numbers to the right, words to the left.
 
 use super::{Entry, Head};
-use crate::report::padded;
+use crate::report::push_padded;
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
@@ -12,11 +13,14 @@ pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Small digits stand after a bar.
-fn shown(entry: &Entry) -> String {
+fn shown(entry: &Entry) -> Cow<'_, str> {
+    if !matches!(entry, Entry::Small(..)) {
+        return Cow::Borrowed(entry.plain());
+    }
     let (kept, small, exponent) = entry.parts();
     let bar = if small.is_empty() { "" } else { "|" };
     let e = if exponent.is_empty() { "" } else { "e" };
-    format!("{kept}{bar}{small}{e}{exponent}")
+    Cow::Owned(format!("{kept}{bar}{small}{e}{exponent}"))
 }
 
 pub fn widths(head: &Head, rows: &[Vec<Entry>]) -> Vec<usize> {
@@ -35,7 +39,14 @@ pub fn heading(head: &Head, widths: &[usize], out: &mut dyn Write) -> io::Result
 }
 
 pub fn row(head: &Head, row: &[Entry], widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
-    let cells = row.iter().zip(&head.columns).zip(widths);
-    let cells = cells.map(|((entry, column), width)| padded(&shown(entry), *width, column.numeric));
-    writeln!(out, "{}", cells.collect::<Vec<_>>().join("  ").trim_end())
+    let mut line = String::with_capacity(widths.iter().sum::<usize>() + 2 * widths.len());
+    for (place, ((entry, column), width)) in row.iter().zip(&head.columns).zip(widths).enumerate() {
+        if place > 0 {
+            line.push_str("  ");
+        }
+        push_padded(&mut line, &shown(entry), *width, column.numeric);
+    }
+    line.truncate(line.trim_end().len());
+    line.push('\n');
+    out.write_all(line.as_bytes())
 }
