@@ -75,6 +75,15 @@ def lines(record):
     if has("J7"):
         slowest = max(time_of(record, "J7", "Carom", case) for case in cases_of(record, "J7"))
         found.append(("J7", "50 µs", f"{slowest * 1e6:.0f} µs", slowest <= 50e-6))
+    if has("J9"):
+        for case in cases_of(record, "J9"):
+            for kind in ("over all pairs", "with a heap"):
+                value = over_carom(record, "J9", f"C loop {kind}", [case])
+                text = None if value is None else f"{1 / value:.2g} times its time"
+                if text:
+                    found.append(("J9", f"at most 10 times the C loop {kind}, {case} bodies", text, value >= 0.1))
+            ratio("J9", f"ahead of exact fractions in Python, {case} bodies",
+                  over_carom(record, "J9", "Python loop with a heap, fractions", [case]), 1)
     if has("J8"):
         mine = time_of(record, "J8", "Carom", cold)
         found.append(("J8", "3 ms", f"{mine * 1e3:.1f} ms", mine <= 3e-3))

@@ -7,6 +7,7 @@ import numpy
 
 CELLS = 100_000
 SIDE = 1_000
+LINES = (10, 100, 1_000, 10_000)
 BODIES = (100, 1_000, 10_000, 100_000, 1_000_000)
 # A prime: long answers are compared by their remainders.
 PRIME = 2**127 - 1
@@ -74,13 +75,26 @@ def best(work):
     (work / "J7.txt").write_text(f"3 10 9/10\n1e9 10000000000 {nine}\n")
 
 
+def lines(work):
+    """J9: mass, position (numerator, denominator), velocity and restitution (the same) of the bodies of dilute lines."""
+    for bodies in LINES:
+        rng, at = random.Random(bodies), 0
+        with open(work / f"J9-{bodies}.txt", "w") as file:
+            for _ in range(bodies):
+                at += 997 + rng.randrange(997)
+                file.write(f"{1 + rng.randrange(4)} {at} 997 {rng.randrange(2001) - 1000} 1009 {9 + rng.randrange(2)} 10\n")
+
+
 def write(work):
     work = Path(work)
     work.mkdir(parents=True, exist_ok=True)
-    if not (work / "complete").exists():
-        for part in (cells, grid, signs, chains, best):
-            part(work)
-        (work / "complete").touch()
+    # A folder made before there was a job lacks its input alone.
+    parts = {"complete": (cells, grid, signs, chains, best), "complete-J9": (lines,)}
+    for mark, written in parts.items():
+        if not (work / mark).exists():
+            for part in written:
+                part(work)
+            (work / mark).touch()
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ from pathlib import Path
 PRIME = 2**127 - 1
 DIGITS = (100, 150, 200, 600, 1_000, 10_000, 100_000, 1_000_000)
 BODIES = (100, 1_000, 10_000, 100_000, 1_000_000)
+# J9: bodies in a line; ten collisions each.
+LINES = (10, 100, 1_000, 10_000)
 # Leading digits that may differ between a number rounded up and one rounded down are not compared.
 SPARE = 10
 

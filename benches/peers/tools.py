@@ -21,6 +21,7 @@ TITLES = {
     "J6": "Exact velocities in a chain of so many bodies",
     "J7": "The best number of bodies n*",
     "J8": "Cold process to first answer",
+    "J9": "One collision in a line of so many bodies",
 }
 # Seconds for one case. More time buys the solvers one or two further n.
 LIMITS = {"J4": 10, "J5": 10}
@@ -125,6 +126,13 @@ class Place:
                 Tool("mpmath, 160 bits", PLAIN, self.py("mpmath_peer", "J7")),
             ],
             "J8": self.cold(),
+            "J9": [
+                Tool("Carom", CERTIFIED, self.rust("J9")),
+                Tool("C loop over all pairs, doubles", PLAIN, self.c("events", "J9")),
+                Tool("C loop with a heap, doubles", PLAIN, self.c("events", "J9-heap")),
+                Tool("Python loop with a heap, doubles", PLAIN, self.py("replay_peer", "J9-doubles")),
+                Tool("Python loop with a heap, fractions", EXACT, self.py("replay_peer", "J9-fractions")),
+            ],
         }
 
     def cold(self):
