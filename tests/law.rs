@@ -1,7 +1,9 @@
 //! `carom test`: claims of the language at random exact points.
 #![cfg(feature = "proptest")]
 
-use carom::property::law::{Failure, Outcome, Settings, law, tried};
+use carom::property::law::{Assurance, Failure, Outcome, Settings, law};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, TestRunner};
 use std::process::{Command, Output};
 
 fn carom(arguments: &[&str]) -> Output {
@@ -15,7 +17,7 @@ fn text(bytes: &[u8]) -> String {
 /// What becomes of a claim at so many points.
 fn of(claim: &str, cases: u32, seed: u64) -> Outcome {
     let claim = law(claim).expect("it parses");
-    tried(&claim, &Settings { cases, seed, ..Settings::default() }, &mut |_| {})
+    claim.tried(&Settings { cases, seed, ..Settings::default() })
 }
 
 fn failure(claim: &str, seed: u64) -> Failure {
@@ -189,4 +191,58 @@ fn bad_claims_and_names_are_errors() {
     let out = carom(&["test", "--only", "eq17x"]);
     assert_eq!(out.status.code(), Some(2));
     assert!(text(&out.stderr).contains("did you mean"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn a_law_draws_points_that_satisfy_it_and_shrinks_them() {
+    let claim =
+        law("given a > 0;  b in [a, 2*a];  n natural in 1..4;  mu(k) in (0, 1)\nprove b*mu(n) < 7").expect("it parses");
+    let mut runner = TestRunner::new(Config { cases: 200, failure_persistence: None, ..Config::default() });
+    let kept = runner.run(&claim, |at| {
+        let mu = at.get(&format!("mu({})", at["n"])).expect("the member that the goal speaks of").clone();
+        assert!(at["a"] > 0 && at["b"] >= at["a"] && at["b"] <= &at["a"] + &at["a"] && mu > 0 && mu < 1, "{at:?}");
+        assert_eq!(claim.holds(&at), Some(&at["b"] * mu < 7), "{at:?}");
+        Ok(())
+    });
+    assert_eq!(kept, Ok(()));
+    // The smallest point at which a test of one's own fails, whatever was drawn first.
+    let free = law("given a > 0;  e in [0, 1]\nprove a > 0").expect("it parses");
+    let mut tree = free.new_tree(&mut runner).expect("a point");
+    while tree.current()["a"] <= 1 {
+        tree = free.new_tree(&mut runner).expect("a point");
+    }
+    let mut more = tree.simplify();
+    while more {
+        more = if tree.current()["a"] >= 1 { tree.simplify() } else { tree.complicate() };
+    }
+    let at = tree.current();
+    assert!(at["a"] == 1 && at["e"] == 0, "{at:?}");
+    // A whole claim is read as well.
+    assert!(law("claim mine \"Mine\"\ngiven x > 0\nprove x > 0\n").is_ok());
+}
+
+#[test]
+fn what_is_proved_is_not_tried() {
+    let known = |text: &str| law(text).expect("it parses").assured(&Settings::default());
+    assert!(matches!(known("given a, b real\nprove a^2 + b^2 >= 2*a*b"), Assurance::Proved(sha) if sha.len() == 64));
+    assert!(matches!(known("given a, b real\nprove a^2 + b^2 > 2*a*b"), Assurance::Tried(Outcome::Failed(_))));
+}
+
+#[test]
+fn extreme_masses_are_far_apart() {
+    use carom::property::strategies::extreme_masses;
+    let mut runner = TestRunner::new(Config { cases: 64, failure_persistence: None, ..Config::default() });
+    let mut widest = malachite::Rational::from(0);
+    runner
+        .run(&extreme_masses().prop_map(|list| list.iter().map(|m| m.value().clone()).collect::<Vec<_>>()), |masses| {
+            let ratio = masses.iter().max().expect("one") / masses.iter().min().expect("one");
+            assert!(masses.len() >= 2 && ratio >= 1);
+            Ok(())
+        })
+        .expect("it holds");
+    for _ in 0..64 {
+        let masses = extreme_masses().new_tree(&mut runner).expect("masses").current();
+        widest = widest.max(masses[1].value().clone());
+    }
+    assert!(widest > 1_000_000_000, "{widest}");
 }

@@ -1,16 +1,27 @@
 //! Claims of the language as properties: tried at random exact points that satisfy their hypotheses.
 //!
+//! [`law`] reads a claim. The [`Law`] tries itself ([`Law::tried`]), and it is a strategy of proptest that draws points
+//! where its hypotheses hold, for tests of your own code at such points:
+//!
 //! ```
 //! use carom::property::law::{Outcome, Settings, law};
+//! use proptest::prelude::*;
 //!
 //! let claim = law("given m1, m2 > 0;  e in [0, 1]\nprove (1 + e)*m1/(m1 + m2) <= 1").expect("it parses");
-//! let Outcome::Failed(failure) = carom::property::law::tried(&claim, &Settings::default(), &mut |_| {}) else { panic!() };
+//! let Outcome::Failed(failure) = claim.tried(&Settings::default()) else { panic!() };
 //! assert_eq!(failure.witness.point.values[2], ("e".to_string(), "1".to_string()));
+//!
+//! let kept = law("given m1, m2 > 0;  e in [0, 1]\nprove (1 + e)*m1/(m1 + m2) <= 2").expect("it parses");
+//! proptest!(|(at in kept.clone())| {
+//!     prop_assert_eq!(kept.holds(&at), Some(true));
+//!     prop_assert!(at["m1"] > 0 && at["e"] <= 1);
+//! });
 //! ```
 //!
-//! A claim that held is not proved: `carom audit` proves. A claim that failed is false: its hypotheses hold at the point
-//! for certain and its goal does not ([`crate::prove::trial`]).
+//! A claim that held is not proved: [`Law::assured`] proves it where it can, and tries what it cannot prove. A claim that
+//! failed is false: its hypotheses hold at the point for certain and its goal does not ([`crate::prove::trial`]).
 
+use super::points::Values;
 use crate::algebra::Instant;
 use crate::claim::diagnostic::Diagnostic;
 use crate::claim::parse::parse;
@@ -72,13 +83,71 @@ pub struct Failure {
     pub found: u32,
 }
 
-/// A claim from its hypotheses and goal: what stands after the first line of a claim file.
+/// A claim as a property.
+#[derive(Clone, Debug)]
+pub struct Law {
+    claim: Claim,
+}
+
+/// A law from a claim as it stands in a file, or from its hypotheses and goal alone: what stands after the first line.
 ///
 /// # Errors
 /// Faults of the text.
-pub fn law(text: &str) -> Result<Claim, Vec<Diagnostic>> {
-    let mut claims = parse(&format!("claim law \"\"\n{text}\n"))?;
-    claims.pop().ok_or_else(Vec::new)
+pub fn law(text: &str) -> Result<Law, Vec<Diagnostic>> {
+    let whole = text.lines().any(|line| line.starts_with("claim "));
+    let mut claims = if whole { parse(text)? } else { parse(&format!("claim law \"\"\n{text}\n"))? };
+    claims.pop().map(|claim| Law { claim }).ok_or_else(Vec::new)
+}
+
+/// What is known of a law.
+#[cfg(feature = "report")]
+#[derive(Clone, Debug)]
+pub enum Assurance {
+    /// It holds for all values: the kernel accepted a certificate, whose SHA-256 this is.
+    Proved(String),
+    /// There is no proof, and this came of trying it.
+    Tried(Outcome),
+}
+
+impl Law {
+    /// The claim.
+    #[must_use]
+    pub fn claim(&self) -> &Claim {
+        &self.claim
+    }
+
+    /// Whether the goal holds at a point; `None` where that is left open.
+    #[must_use]
+    pub fn holds(&self, at: &Values) -> Option<bool> {
+        at.holds
+    }
+
+    /// Tries the law at random points.
+    #[must_use]
+    pub fn tried(&self, settings: &Settings) -> Outcome {
+        tried(&self.claim, settings, &mut |_| {})
+    }
+
+    /// Proves the law, or tries it where no proof is found. What is proved is not tried.
+    #[cfg(feature = "report")]
+    #[must_use]
+    pub fn assured(&self, settings: &Settings) -> Assurance {
+        use crate::judge::{self, hand::AtHand};
+        use crate::prove::catalogue::Catalogue;
+        use crate::prove::outcome::Verdict;
+        let names = [self.claim.name.text.clone()];
+        let found = Catalogue::new(vec![self.claim.clone()]).ok().map(|catalogue| {
+            let limits = Limits { time: settings.time, ..Limits::default() };
+            let settings = judge::Settings { limits, ..judge::Settings::default() };
+            judge::judge(&catalogue, &names, &AtHand::default(), &settings, &|_, _| {})
+        });
+        let entries = found.into_iter().flat_map(|found| found.entries);
+        let entry = entries.filter_map(|(_, entry)| entry.ok()).find(|entry| entry.outcome.verdict == Verdict::Proved);
+        match entry.and_then(|entry| entry.proof) {
+            Some(proof) => Assurance::Proved(proof.sha256),
+            None => Assurance::Tried(self.tried(settings)),
+        }
+    }
 }
 
 /// Tries a claim; `now` hears how many points are done. The same seed gives the same points, whatever else is tried.

@@ -41,6 +41,19 @@ pub fn restitution() -> impl Strategy<Value = Restitution> {
     prop_oneof![8 => inner, 1 => Just(Rational::ONE)].prop_filter_map("from 0 to 1", |e| Restitution::new(e).ok())
 }
 
+/// The masses of a chain with neighbours up to `10^30` apart: what is lost in doubles.
+pub fn extreme_masses() -> impl Strategy<Value = Vec<Positive>> {
+    let step = (positive(), -30i64..=30).prop_map(|(m, k)| m.value() * Rational::from(10u32).pow(k));
+    vec(step, 1..=BODIES + 1).prop_filter_map("above zero", |steps| {
+        let mut mass = Rational::ONE;
+        let list = std::iter::once(Rational::ONE).chain(steps.into_iter().map(|step| {
+            mass *= step;
+            mass.clone()
+        }));
+        list.map(|m| Positive::new(m).ok()).collect()
+    })
+}
+
 fn assembled(first: Positive, last: Positive, inserted: Inserted, e: Restitution) -> Option<Chain> {
     let coefficients = Coefficients::Same(Range::point(e));
     Chain::new(Range::point(first), Range::point(last), inserted, coefficients, Start::unit()).ok()
@@ -48,8 +61,17 @@ fn assembled(first: Positive, last: Positive, inserted: Inserted, e: Restitution
 
 /// A chain with given masses and a coefficient for each collision, or one for all.
 pub fn chain() -> impl Strategy<Value = Chain> {
+    chain_of(masses())
+}
+
+/// The same with neighbours up to `10^30` apart.
+pub fn extreme_chain() -> impl Strategy<Value = Chain> {
+    chain_of(extreme_masses())
+}
+
+fn chain_of(masses: impl Strategy<Value = Vec<Positive>>) -> impl Strategy<Value = Chain> {
     let coefficients = prop_oneof![vec(restitution(), 1), vec(restitution(), BODIES + 1)];
-    (coefficients, masses()).prop_filter_map("a chain", |(list, masses)| {
+    (coefficients, masses).prop_filter_map("a chain", |(list, masses)| {
         let [first, inserted @ .., last] = masses.as_slice() else { return None };
         let list: Vec<_> = list.into_iter().map(Range::point).collect();
         let coefficients = match list.as_slice() {

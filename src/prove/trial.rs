@@ -12,7 +12,7 @@ use super::catalogue::{Limits, engine, given_in};
 use super::context::Engine;
 use super::evaluate::{Assignment, Number};
 use super::expand::{Statement, names_in};
-use super::outcome::{Fault, Witness};
+use super::outcome::{Fault, Point, Witness};
 use super::refute::{Choice, Goal, Members, Search, Seen, aimed, as_point};
 use crate::algebra::form::Limit;
 use crate::claim::syntax::*;
@@ -124,10 +124,22 @@ impl Trial {
 
     /// A random point where the hypotheses hold, if one is found.
     pub fn random(&self, below: Below<'_>) -> Option<Choice> {
-        (0..DRAWS).find_map(|_| {
-            let choice = self.drawn(below)?;
-            self.search.at(&choice).map(|_| choice)
-        })
+        (0..DRAWS).find_map(|_| self.once(below))
+    }
+
+    /// One random choice from numbers that the caller has; `None` where the hypotheses do not hold.
+    pub fn once(&self, below: Below<'_>) -> Option<Choice> {
+        self.drawn(below).filter(|choice| self.search.at(choice).is_some())
+    }
+
+    /// The values of a point by their names.
+    pub fn named(&self, point: &Assignment) -> Point {
+        as_point(&self.statement, point)
+    }
+
+    /// The choices in which one number, or the list of a family, is shorter.
+    pub fn simpler(choice: &Choice) -> Vec<Choice> {
+        simpler(choice)
     }
 
     /// A counterexample as small as it can be made: at each step one number becomes simpler and the goal still fails.
