@@ -52,6 +52,8 @@ pub mod property;
 #[cfg(feature = "engine")]
 pub mod prove;
 #[cfg(feature = "report")]
+pub mod referee;
+#[cfg(feature = "report")]
 pub mod report;
 #[cfg(feature = "engine")]
 pub mod scene;

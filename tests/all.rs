@@ -91,6 +91,9 @@ mod pictures;
 #[path = "published.rs"]
 mod published;
 #[cfg(feature = "cli")]
+#[path = "referee.rs"]
+mod referee;
+#[cfg(feature = "cli")]
 #[path = "refutations.rs"]
 mod refutations;
 #[cfg(feature = "cli")]

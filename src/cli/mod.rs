@@ -23,6 +23,7 @@ mod plot;
 mod progress;
 #[cfg(feature = "proptest")]
 mod properties;
+mod referee;
 mod replay;
 mod report;
 mod restitution;
@@ -151,6 +152,8 @@ enum Command {
     Worksheet(worksheet::Flags),
     /// Find the coefficient of restitution from measured heights or times of bounces
     Restitution(restitution::Flags),
+    /// Judge a simulator of collisions by exact reference scenes: right, or wrong from which digit on
+    Referee(referee::Flags),
     /// Write an audit as a folder to hand in: HTML that needs nothing else, Markdown, LaTeX or PDF, certificates, Coq
     /// proofs, certified tables and pictures
     Report(report::Flags),
@@ -361,6 +364,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Eval(flags) => eval::run(&flags),
         Command::Worksheet(flags) => worksheet::run(&flags),
         Command::Restitution(flags) => restitution::run(&flags),
+        Command::Referee(flags) => referee::run(&flags),
         #[cfg(feature = "plot")]
         Command::Plot(flags) => plot::run(&flags),
         #[cfg(feature = "proptest")]

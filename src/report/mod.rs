@@ -15,6 +15,7 @@ pub mod markup;
 pub mod mathml;
 #[cfg(feature = "svg")]
 pub mod plot;
+pub mod referee;
 pub mod replay;
 pub mod table;
 pub mod text;
