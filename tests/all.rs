@@ -8,6 +8,9 @@
 #[path = "algebra.rs"]
 mod algebra;
 #[cfg(feature = "cli")]
+#[path = "bad_inputs.rs"]
+mod bad_inputs;
+#[cfg(feature = "cli")]
 #[path = "bytes.rs"]
 mod bytes;
 #[cfg(feature = "cli")]

@@ -234,7 +234,22 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
 fn coefficients(text: &str) -> Result<Coefficients, Exit> {
     match elements(text).as_slice() {
         [one] => Ok(Coefficients::Same(coefficient("-e", one)?)),
-        list => Ok(Coefficients::Each(list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>()?)),
+        list => {
+            // `0,9` is a list of two, and was hardly meant as one.
+            let whole = |text: &&str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+            let hint = |exit: Exit| match list {
+                [a, b] if whole(a) && whole(b) => Exit {
+                    message: format!(
+                        "{}; if one number is meant, write it with a decimal point: {a}.{b}",
+                        exit.message
+                    ),
+                    ..exit
+                },
+                _ => exit,
+            };
+            let all = list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>();
+            Ok(Coefficients::Each(all.map_err(hint)?))
+        }
     }
 }
 

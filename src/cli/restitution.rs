@@ -99,8 +99,17 @@ fn read(flags: &Flags) -> Result<Measurements, Exit> {
     if bytes.len() > MAX_BYTES {
         return Err(Exit { code: 3, message: format!("error: {shown}: limit reached: {MAX_BYTES} bytes in a file") });
     }
-    let foreign =
-        |e: ForeignError| Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {shown}: {e}") };
+    let foreign = |e: ForeignError| {
+        let said = match &e {
+            ForeignError::Empty => "the file has no heading; write for instance: height".to_owned(),
+            other => other.to_string(),
+        };
+        Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {shown}: {said}") }
+    };
+    if let Some(within) = &flags.within {
+        Range::read(&format!("1 ± {within}"))
+            .map_err(|e| Exit::usage(format!("error: --within {within}: {e}; write for instance 0.01 or \"2 %\"")))?;
+    }
     let mut table = Foreign::open(bytes.as_slice()).map_err(foreign)?;
     let columns = columns(&table.names).map_err(|e| Exit::usage(format!("error: {shown}: {e}")))?;
     let kind = if let Columns::Readings(kind, ..) = columns { kind } else { Kind::Heights };

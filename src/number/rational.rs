@@ -67,8 +67,11 @@ impl fmt::Display for NumeralError {
             Self::MissingDigits { at } => write!(f, "a number needs digits at character {}", at + 1),
             Self::Unexpected { found: ',', .. } => write!(f, "a number has a decimal point, not a comma: write 1.5"),
             Self::Unexpected { at, found } => {
-                let hint =
-                    if *at > 0 && (*found == ' ' || found.is_alphabetic()) { "; write it without a unit" } else { "" };
+                let hint = match found {
+                    ' ' if *at > 0 => "; write it without a unit and without spaces",
+                    found if *at > 0 && found.is_alphabetic() => "; write it without a unit",
+                    _ => "",
+                };
                 write!(f, "expected a number, found {found:?} at character {}{hint}", at + 1)
             }
             Self::Uncertainty { at } => {
