@@ -96,7 +96,7 @@ fn examples_of_the_page_about_the_format() {
         }
     }
     // One for each rule, `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 19);
+    assert_eq!(count, 20);
 }
 
 /// Propositions are compared by their keys.

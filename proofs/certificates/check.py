@@ -26,6 +26,7 @@ from checker.terms import atom, coefficients, F, ONE, primes, total, ZERO
 
 sys.setrecursionlimit(20000)
 LEMMA = "the weighted mean inequality for two values"
+TANGENT = "exp lies above its tangent"
 NO_FACT = "no fact and no accepted claim under `using` is called {}"
 ONE_VALUE = "each variable has one value, and nothing else has any"
 ONE_VARIABLE = "a statement `for all` one variable is needed"
@@ -393,6 +394,17 @@ class Checker(Logic):
             need(self.has(plus(a, b, -1), NOT_ZERO, known), f"needs {text(compare(a, '!=', b))}")
         self.rests_on.add(LEMMA)
 
+    def rule_tangent(self, goal, s, known):
+        self.has_value(goal, known)
+        need([n for n, _ in s.values] == ["x"], ONE_VALUE)
+        (_, x), = s.values
+        says = lambda relation: compare(plus(num(1), x), relation, N("call", "exp", (x,)))
+        strict = same(goal, says("<"))
+        need(strict or same(goal, says("<=")), f"with these values it says {text(says('<='))}")
+        if strict:
+            need(self.has(x, NOT_ZERO, known), f"needs {text(compare(x, '!=', num(0)))}")
+        self.rests_on.add(TANGENT)
+
     def grows(self, goal):
         """The number of the variable that grows in a limit."""
         need(goal[0] == "limit", "a limit is needed")
@@ -477,7 +489,7 @@ Step = collections.namedtuple("Step", "label rule goal sources by using values t
 # How many facts stand behind `from`, at least and at most.
 COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
           "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
-          "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "limit": (0, 0),
+          "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "limit": (0, 0),
           "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
 
 
@@ -505,7 +517,7 @@ def steps(lines):
                 s = s._replace(**{word: labels(rest)})
             elif word == "with":
                 name, _, value = rest.partition(" = ")
-                need(s.rule in ("instance", "witness", "mean", "limit"), "`with` is no field of this rule")
+                need(s.rule in ("instance", "witness", "mean", "tangent", "limit"), "`with` is no field of this rule")
                 s.values.append((name, expression(value)))
             else:
                 need(s.rule == "combination", f"`{word}` is no field of this rule")
@@ -602,7 +614,8 @@ def main(arguments):
             if not refuted:
                 accepted[name] = (claims[name], rests_on)
             count += 1
-            print(f"{'refuted' if refuted else 'accepted'} {name}" + (f", by {LEMMA}" if LEMMA in rests_on else ""))
+            lemmas = [lemma for lemma in (LEMMA, TANGENT) if lemma in rests_on]
+            print(", by ".join([f"{'refuted' if refuted else 'accepted'} {name}", *lemmas]))
         except Refused as refused:
             print(f"rejected {name}: {refused}")
 

@@ -13,6 +13,7 @@ rule power: by_logarithms, pw
 rule monotone: rising_pow, rising_rpower, rising_sqrt, all_relations
 rule unfold: product_last, product_first, sum_last, sum_first, product_empty, sum_empty, member
 rule mean: mean_weak, mean_strict
+rule tangent: tangent_weak, tangent_strict
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
 
@@ -614,6 +615,10 @@ Proof. intros a b p ha hb hp hq. apply to_pos in ha, hb. apply to_ge0 in hp, hq.
 Lemma mean_strict_signs : forall a b p, holds GT a -> holds GT b -> holds GT p -> holds GT (1 - p) -> holds NE (a - b) ->
   Rpower a (1 - p) * Rpower b p < (1 - p) * a + p * b.
 Proof. intros a b p ha hb hp hq hn. apply to_pos in ha, hb, hp, hq. apply to_ne in hn. apply mean_strict; lra. Qed.
+Lemma tangent_weak : forall x, 1 + x <= exp x.
+Proof. exact exp_ineq1_le. Qed.
+Lemma tangent_strict : forall x, holds NE x -> 1 + x < exp x.
+Proof. intros x h. apply exp_ineq1. apply to_ne in h. lra. Qed.
 
 (** A part of a fact that is a conjunction. *)
 Ltac part h := let z := fresh in assert (z := h); apart_all; assumption.

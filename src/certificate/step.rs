@@ -136,9 +136,14 @@ pub enum Rule {
         /// The comparison for all indices.
         from: Label,
     },
-    /// The weighted mean inequality for two values: the one analytic lemma.
+    /// The weighted mean inequality for two values: an analytic lemma.
     Mean {
         /// The values a, b and the weight p.
+        with: Vec<(Name, Expr)>,
+    },
+    /// exp lies above its tangent at 0: an analytic lemma.
+    Tangent {
+        /// The exponent x.
         with: Vec<(Name, Expr)>,
     },
     /// A limit of a rational function by degrees.
@@ -177,11 +182,24 @@ impl Rule {
             Rule::Unfold => "unfold",
             Rule::Termwise { .. } => "termwise",
             Rule::Mean { .. } => "mean",
+            Rule::Tangent { .. } => "tangent",
             Rule::Limit { .. } => "limit",
             Rule::Squeeze { .. } => "squeeze",
             Rule::Integer { .. } => "integer",
             Rule::Name => "name",
             Rule::Evaluate => "evaluate",
+        }
+    }
+
+    /// The values that the rule puts in for names.
+    pub fn values(&self) -> &[(Name, Expr)] {
+        match self {
+            Rule::Instance { with, .. }
+            | Rule::Witness { with, .. }
+            | Rule::Mean { with }
+            | Rule::Tangent { with }
+            | Rule::Limit { with } => with,
+            _ => &[],
         }
     }
 
@@ -226,6 +244,7 @@ impl Show {
             | Rule::Evaluate
             | Rule::Unfold
             | Rule::Mean { .. }
+            | Rule::Tangent { .. }
             | Rule::Limit { .. } => {}
         }
     }

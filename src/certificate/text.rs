@@ -127,18 +127,15 @@ pub fn write(certificate: &Certificate) -> String {
         out +=
             &format!("{indent}{} {}{}: {}\n", show.label, show.rule.name(), from(&show.rule), print::prop(&show.prop));
         let mut field = |text: String| out += &format!("{indent}    | {text}\n");
-        match &show.rule {
-            Rule::Instance { with, .. } | Rule::Witness { with, .. } | Rule::Mean { with } | Rule::Limit { with } => {
-                with.iter().for_each(|(name, value)| field(format!("with {} = {}", name.text, print::expr(value))));
+        for (name, value) in show.rule.values() {
+            field(format!("with {} = {}", name.text, print::expr(value)));
+        }
+        if let Rule::Combination { times, terms } = &show.rule {
+            times.iter().for_each(|e| field(format!("times {}", print::expr(e))));
+            for term in terms {
+                let facts: String = term.facts.iter().map(|f| format!(" {f}")).collect();
+                field(format!("term{facts}: {}", print::expr(&term.factor)));
             }
-            Rule::Combination { times, terms } => {
-                times.iter().for_each(|e| field(format!("times {}", print::expr(e))));
-                for term in terms {
-                    let facts: String = term.facts.iter().map(|f| format!(" {f}")).collect();
-                    field(format!("term{facts}: {}", print::expr(&term.factor)));
-                }
-            }
-            _ => {}
         }
         for (name, labels) in [("by", &show.by), ("using", &show.using)] {
             if !labels.is_empty() {
@@ -321,7 +318,7 @@ fn read_field(draft: &mut Draft, field: &str) -> Result<(), Fault> {
 /// The step with the fields of its rule; a field that is not one of it is an error.
 fn finished(draft: Draft) -> Result<Show, Fault> {
     let Draft { label, rule, prop, from, by, using, with, times, terms, .. } = draft;
-    let has_with = matches!(rule.as_str(), "instance" | "witness" | "mean" | "limit");
+    let has_with = matches!(rule.as_str(), "instance" | "witness" | "mean" | "tangent" | "limit");
     let has_from = matches!(
         rule.as_str(),
         "logic" | "instance" | "induction" | "witness" | "extremum" | "monotone" | "termwise" | "squeeze" | "integer"
@@ -355,6 +352,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "unfold" => Rule::Unfold,
         "termwise" => Rule::Termwise { from: one(&mut given)? },
         "mean" => Rule::Mean { with },
+        "tangent" => Rule::Tangent { with },
         "limit" => Rule::Limit { with },
         "squeeze" => Rule::Squeeze { from: given.by_ref().collect() },
         "integer" => Rule::Integer { from: one(&mut given)? },

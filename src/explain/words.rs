@@ -413,6 +413,12 @@ impl<'a> Words<'a> {
                 lead.push(say(","));
                 lead
             }
+            Rule::Tangent { with } => {
+                let mut lead = vec![say("The exponential function lies above its tangent at 0;")];
+                self.values(with, &mut lead);
+                lead.push(say(":"));
+                lead
+            }
             Rule::Limit { .. } => vec![say(
                 "Numerator and denominator are polynomials in the variable that grows; the terms of highest degree give",
             )],

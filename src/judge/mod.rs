@@ -9,6 +9,7 @@
 pub mod hand;
 mod hypotheses;
 pub mod refuted;
+mod satisfiable;
 mod threads;
 
 use crate::certificate::Certificate;
@@ -165,7 +166,7 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
         Err(Untried::Limit(name)) => Decided::without_proof(beyond(claim, name)),
         Err(Untried::Moves) => Decided::without_proof(beyond(claim, "points")),
         Ok(case) => match held {
-            Some(held) => Decided { outcome: case.proved(), held: Some(held), found: false },
+            Some(held) => Decided { outcome: proved(claim, case, &settings.limits), held: Some(held), found: false },
             None => match searched(claim, case, cited, &accepted, &settings.limits) {
                 Err(fault) => return Judged { entry: Err(fault), accepted: None },
                 Ok(decided) => decided,
@@ -202,6 +203,14 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
     Judged { entry: Ok(entry), accepted: Some(shown) }
 }
 
+/// What is said of a claim whose proof is accepted. Where no point was found for its hypotheses, one may be shown to exist.
+fn proved(claim: &Claim, mut case: Case, limits: &Limits) -> Outcome {
+    if case.lacks_a_point() {
+        case.found_a_point(satisfiable::point(claim, limits));
+    }
+    case.proved()
+}
+
 /// What the search says of a claim.
 struct Decided {
     outcome: Outcome,
@@ -233,7 +242,7 @@ fn searched(
         return Ok(Decided::without_proof(refuted));
     }
     let fail = match certify(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
-        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
+        Ok(held) => return Ok(Decided { outcome: proved(claim, case, limits), held: Some(held), found: false }),
         Err(fail) => fail,
     };
     if let Some(refuted) = case.counterexample(None) {

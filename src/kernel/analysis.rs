@@ -1,15 +1,18 @@
-//! Limits, and the one analytic lemma.
+//! Limits, and the two analytic lemmas.
 
 use super::fraction::Fraction;
 use super::order::Signs;
 use super::sign::Known;
-use super::statement::{compare, name, one_minus, power, product, prop, sum};
+use super::statement::{compare, expr, name, numeral, one_minus, power, product, prop, sum};
 use super::term::Atom;
 use super::{Checker, Reason, Refusal, Variable, key, rejected};
 use crate::claim::syntax::*;
 
-/// What an acceptance says where it rests on the analytic lemma.
+/// What an acceptance says where it rests on rule `mean`.
 pub const LEMMA: &str = "the weighted mean inequality for two values";
+
+/// What an acceptance says where it rests on rule `tangent`.
+pub const TANGENT: &str = "exp lies above its tangent";
 
 /// `a^(1 - p)*b^p relation (1 - p)*a + p*b`.
 pub fn weighted_mean(a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Prop {
@@ -18,6 +21,13 @@ pub fn weighted_mean(a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Prop {
     let right =
         sum(vec![(Sign::Plus, product(vec![rest, a.clone()])), (Sign::Plus, product(vec![p.clone(), b.clone()]))]);
     compare(left, relation, right)
+}
+
+/// `1 + x relation exp(x)`.
+pub fn tangent(x: &Expr, relation: Relation) -> Prop {
+    let line = sum(vec![(Sign::Plus, numeral(1)), (Sign::Plus, x.clone())]);
+    let exp = Name { text: "exp".to_string(), span: Span::default() };
+    compare(line, relation, expr(ExprKind::Apply(exp, vec![x.clone()])))
 }
 
 /// `x = A`, or `x = A and y = B …`: that the variables of an extremum are at its point; `None` without variables.
@@ -32,7 +42,7 @@ pub fn at_the_point(e: &Extremum) -> Option<Prop> {
 impl Checker {
     /// Rule `mean`: `a^(1 - p)*b^p <= (1 - p)*a + p*b` for a, b > 0 and 0 ≤ p ≤ 1; with `<` where a ≠ b and 0 < p < 1.
     ///
-    /// Sound: ln is concave, strictly. This is the kernel's one analytic lemma; an acceptance that rests on it says so.
+    /// Sound: ln is concave, strictly. An acceptance that rests on it says so.
     pub(super) fn mean(&mut self, goal: &Prop, with: &[(Name, Expr)], known: &mut Known) -> Result<(), Refusal> {
         self.prop_defined(goal, known)?;
         let find = |name: &str| with.iter().find(|w| w.0.text == name).map(|w| w.1.clone());
@@ -57,6 +67,28 @@ impl Checker {
             }
         }
         self.rests_on.insert(LEMMA.to_string());
+        Ok(())
+    }
+
+    /// Rule `tangent`: `1 + x <= exp(x)`; with `<` where x ≠ 0.
+    ///
+    /// Sound: f(x) = exp x − 1 − x has f′(x) = exp x − 1, negative for x < 0 and positive for x > 0. So f falls strictly up to
+    /// 0 and rises strictly from there, and f(0) = 0. An acceptance that rests on it says so.
+    pub(super) fn tangent(&mut self, goal: &Prop, with: &[(Name, Expr)], known: &mut Known) -> Result<(), Refusal> {
+        self.prop_defined(goal, known)?;
+        let x = match with {
+            [(word, x)] if word.text == "x" => x,
+            _ => return rejected(Reason::ValueForNoVariable),
+        };
+        let shown = key::prop(goal);
+        let strict = shown == key::prop(&tangent(x, Relation::Less));
+        if !strict && shown != key::prop(&tangent(x, Relation::LessEqual)) {
+            return rejected(Reason::ItSays(tangent(x, Relation::LessEqual)));
+        }
+        if strict && !self.signs_of_expr(x, known)?.within(Signs::NOT_ZERO) {
+            return rejected(Reason::Needs(compare(x.clone(), Relation::NotEqual, numeral(0))));
+        }
+        self.rests_on.insert(TANGENT.to_string());
         Ok(())
     }
 

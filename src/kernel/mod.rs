@@ -12,8 +12,8 @@
 //! the facts under `by`, which equations it puts in from those under `using`. No step changes what a later one means.
 //!
 //! **What is assumed.** The field and order of the reals; exp and its inverse ln on positive numbers, with
-//! b^E = exp(E·ln b); derivatives of these; induction; and one inequality, the weighted mean of two values
-//! (`analysis`). An acceptance says whether it rests on that.
+//! b^E = exp(E·ln b); derivatives of these; induction; and two inequalities, the weighted mean of two values
+//! and exp above its tangent (`analysis`). An acceptance says whether it rests on them.
 //!
 //! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. Nothing is searched.
 //!
@@ -436,6 +436,7 @@ impl Checker {
             Rule::Unfold => self.unfold(goal, &mut known)?,
             Rule::Termwise { from } => self.termwise(goal, from, &mut known)?,
             Rule::Mean { with } => self.mean(goal, with, &mut known)?,
+            Rule::Tangent { with } => self.tangent(goal, with, &mut known)?,
             Rule::Limit { with } => self.limit(goal, with, &mut known)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
             Rule::Integer { from } => self.integer(goal, from, &mut known)?,
@@ -557,14 +558,9 @@ fn well_formed(show: &Show) -> Result<(), Refusal> {
     let walk = Substitution::default();
     walk.prop(&show.prop)?;
     let mut exprs: Vec<&Expr> = Vec::new();
-    match &show.rule {
-        Rule::Instance { with, .. } | Rule::Witness { with, .. } | Rule::Mean { with } | Rule::Limit { with } => {
-            exprs.extend(with.iter().map(|w| &w.1));
-        }
-        Rule::Combination { times, terms } => {
-            exprs.extend(times.iter().chain(terms.iter().map(|t| &t.factor)));
-        }
-        _ => {}
+    exprs.extend(show.rule.values().iter().map(|w| &w.1));
+    if let Rule::Combination { times, terms } = &show.rule {
+        exprs.extend(times.iter().chain(terms.iter().map(|t| &t.factor)));
     }
     for e in exprs {
         walk.expr(e)?;

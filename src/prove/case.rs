@@ -108,10 +108,20 @@ impl Case {
         Ok(())
     }
 
+    /// Whether the claim has hypotheses, and no point was found at which they hold.
+    pub fn lacks_a_point(&self) -> bool {
+        self.statement.has_hypotheses() && self.sample.is_none()
+    }
+
+    /// Notes a point at which the hypotheses were shown to hold.
+    pub fn found_a_point(&mut self, point: Option<Point>) {
+        self.sample = point;
+    }
+
     /// What is said of a claim whose proof is accepted: that its hypotheses can hold has to be known as well.
     pub fn proved(self) -> Outcome {
         let mut outcome = undecided(&self.statement.name, None, self.limit());
-        if self.statement.has_hypotheses() && self.sample.is_none() {
+        if self.lacks_a_point() {
             let limit = outcome.limit.map_or(String::new(), |name| format!("; {}", limit_reached(name)));
             outcome.reason = Some(format!("{NO_POINT}{limit}"));
         } else {
@@ -139,7 +149,7 @@ impl Case {
 
     /// A counterexample among the points that are tried with so many expressions evaluated, or among all.
     pub fn counterexample(&mut self, most: Option<u64>) -> Option<Outcome> {
-        if self.statement.has_hypotheses() && self.sample.is_none() {
+        if self.lacks_a_point() {
             return None;
         }
         let witness = self.falsified(most)?;

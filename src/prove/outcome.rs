@@ -37,7 +37,8 @@ impl Verdict {
 /// An exact point: variable names with exact values in the order of declaration.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Point {
-    /// `("m1", "4")`, `("mu(1)", "3/2")`: the values are integers or fractions `p/q`.
+    /// `("m1", "4")`, `("mu(1)", "3/2")`: the values are integers or fractions `p/q`; those of a
+    /// sample point may be roots, `("x", "1/2 + 1/2*sqrt(5)")`.
     pub values: Vec<(String, String)>,
 }
 
@@ -84,7 +85,7 @@ pub struct Outcome {
     /// The verdict.
     pub verdict: Verdict,
     /// The main rule of the argument, or of the refutation: `identity`, `elimination`, `sign`,
-    /// `equivalence`, `extremum`, `induction`, `mean inequality`, `limit`, `witness`, `search`,
+    /// `equivalence`, `extremum`, `induction`, `mean inequality`, `tangent`, `limit`, `witness`, `search`,
     /// `definedness`, …; empty when undecided.
     pub method: String,
     /// The hypotheses that the argument used, as text; hypotheses that only make expressions

@@ -56,6 +56,11 @@ impl Prover {
                 return Ok(label);
             }
         }
+        if self.speaks_of_numbers(goal)
+            && let Ok(label) = self.emit(Rule::Evaluate, goal.clone())
+        {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.of_logarithms(goal, a, *relation, b)) {
             return Ok(label);
         }
@@ -107,6 +112,9 @@ impl Prover {
         {
             return Ok(label);
         }
+        if !quiet && let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
+            return Ok(label);
+        }
         if quiet {
             return Err(Fail::NotShown(crate::claim::print::prop(goal)));
         }
@@ -116,6 +124,14 @@ impl Prover {
             return Ok(label);
         }
         Err(Fail::NotShown(crate::claim::print::prop(goal)))
+    }
+
+    /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
+    fn speaks_of_numbers(&self, p: &Prop) -> bool {
+        let mut names = BTreeSet::new();
+        crate::kernel::statement::names_in_prop(p, &mut names);
+        let sequences = &self.checker.statement().sequences;
+        names.iter().all(|n| FUNCTIONS.iter().any(|f| f.0 == n) || sequences.iter().any(|s| s.name == *n))
     }
 
     /// Notes the bases of even powers as they are written: what is squared is lost where it is multiplied out.

@@ -94,7 +94,10 @@ impl Prover {
             }
         }?;
         if reading.number == Rational::ZERO {
-            return None;
+            // 0 < 0 is a contradiction; 0 = 0 says nothing.
+            let factors = vec![literal(&Rational::from(if up { 1 } else { -1 }))];
+            let absurd = Known { poly: Polynomial::zero(), kind, facts: vec![label.to_string()], factors, order: 1 };
+            return (kind == Kind::Strict).then_some(absurd);
         }
         let mut poly = Polynomial::one();
         let mut rest = vec![literal(&(Rational::ONE / &reading.number))];

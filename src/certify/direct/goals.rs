@@ -61,7 +61,10 @@ impl Prover {
             PropKind::Exists(bindings, body) => {
                 let point: Vec<(String, Expr)> = match example(bindings, body, None) {
                     Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
-                    None => vec![self.solution(bindings, body)?],
+                    None => match self.solved(bindings, body) {
+                        Some(point) => point,
+                        None => vec![self.solution(bindings, body)?],
+                    },
                 };
                 let mut map = Substitution::default();
                 let mut with = Vec::new();

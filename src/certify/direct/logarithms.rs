@@ -69,7 +69,7 @@ impl Prover {
         self.logic(&[&block], goal)
     }
 
-    /// A comparison of sums of logarithms: their difference is the logarithm of a product.
+    /// A comparison of sums of logarithms and a number c: their difference is the logarithm of a product with exp(c).
     pub fn of_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("a sum of logarithms");
         let reading = self.read(&super::facts::minus(a, b), true).ok_or_else(no)?;
@@ -90,6 +90,11 @@ impl Prover {
         let scaled = sum.scale(&denominators);
         let mut factors = Vec::new();
         for (m, c) in scaled.terms() {
+            if m.powers().is_empty() {
+                let exp = Name { text: "exp".to_string(), span: Span::default() };
+                factors.push(expr(ExprKind::Apply(exp, vec![literal(c)])));
+                continue;
+            }
             let [(v, 1)] = m.powers() else { return Err(no()) };
             let argument = match self.letters.expr(*v).map(|e| &e.kind) {
                 Some(ExprKind::Apply(f, list)) if f.text == "ln" => list.first().cloned().ok_or_else(no)?,

@@ -19,7 +19,9 @@ mod limits;
 mod logarithms;
 mod means;
 mod products;
+mod solutions;
 mod squares;
+mod tangents;
 #[cfg(test)]
 mod tests;
 mod values;

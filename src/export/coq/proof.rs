@@ -420,6 +420,7 @@ impl Writer<'_> {
             Rule::Monotone { from } => self.monotone(goal, from, &given)?,
             Rule::Unfold => self.unfold(goal)?,
             Rule::Mean { with } => self.mean(goal, with, &given)?,
+            Rule::Tangent { with } => self.tangent(goal, with, &given)?,
             Rule::Termwise { .. } => return Err(Open::Untranslated(show.label.clone(), "termwise")),
             Rule::Limit { with, .. } => self.limit(goal, with)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,

@@ -186,6 +186,18 @@ impl Writer<'_> {
         Ok(format!("exact ({lemma} {a} {b} {p} {})", hypotheses.join(" ")))
     }
 
+    pub(super) fn tangent(&mut self, goal: &Prop, with: &[(Name, Expr)], given: &Given) -> Found<String> {
+        let (_, relation, _) = self.sides(goal, "tangent")?;
+        let [(_, x)] = with else { return Err(Open::Untranslated("tangent".to_string(), "its value")) };
+        let text = self.expr(x)?;
+        if relation != Relation::Less {
+            return Ok(format!("exact (tangent_weak {text})"));
+        }
+        let f = self.checker.read(x, &given.using)?;
+        let sign = self.sign(&text, &Side::Expr(x.clone()), &given.using, &f, Signs::NOT_ZERO, given)?;
+        Ok(format!("exact (tangent_strict {text} {sign})"))
+    }
+
     pub(super) fn equation(&self, e: &Expr, using: &[Label]) -> Option<(Label, Expr)> {
         let wanted = key::expr(e);
         using.iter().find_map(|label| {
