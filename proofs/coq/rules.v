@@ -10,7 +10,7 @@ rule extremum: finish
 rule combination: by_sign, note_sign, divided, matrices, derive
 rule name: named
 rule power: by_logarithms, pw
-rule monotone: rising_pow, rising_rpower, rising_sqrt, all_relations
+rule monotone: rise_pow, rise_rpower, rise_sqrt, rise_cbrt, raised
 rule unfold: product_last, product_first, sum_last, sum_first, product_empty, sum_empty, member
 rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
@@ -524,6 +524,9 @@ Ltac naturals := repeat match goal with
   | H : (?a < ?b)%nat |- _ => apply lt_INR in H
   end; rewrite ?plus_INR, ?mult_INR in *; cbn [INR] in *.
 
+Lemma cosh_pos : forall x, 0 < cosh x.
+Proof. intro x. unfold cosh. assert (a := exp_pos x). assert (b := exp_pos (- x)). lra. Qed.
+
 (** Positive, by the facts that say so of its parts. *)
 Ltac pos := first
   [ assumption
@@ -535,6 +538,7 @@ Ltac pos := first
     | |- 0 < exp _ => apply exp_pos
     | |- 0 < Rpower _ _ => apply exp_pos
     | |- 0 < cbrt _ => apply exp_pos
+    | |- 0 < cosh _ => apply cosh_pos
     | |- 0 < sqrt _ => apply sqrt_lt_R0; pos
     | |- 0 < _ + _ => apply Rplus_lt_0_compat; pos
     end
@@ -549,7 +553,7 @@ Ltac nz1 := first
     | |- _ / _ <> 0 => apply Rmult_integral_contrapositive_currified; nz1
     end
   | match goal with H : ?p <> 0 |- ?q <> 0 => solve [let z := fresh in intro z; apply H; lra] end
-  | apply Rgt_not_eq; pos
+  | (apply Rgt_not_eq; red; pos)
   | lra
   | match goal with H : ?p <> 0 |- ?q <> 0 => solve [let z := fresh in intro z; apply H; ring_simplify; ring_simplify in z; lra] end ].
 Ltac nz := repeat split; nz1.
@@ -702,31 +706,17 @@ Proof. intros a b x y (h1 & h2) (h3 & h4). unfold Rgt. repeat split; intro h;
   destruct (Rtotal_order a b) as [g | [g | g]]; destruct (Rtotal_order x y) as [k | [k | k]];
   try (assert (g1 := h1 g)); try (assert (g2 := h3 g)); try (assert (g3 := h2 k)); try (assert (g4 := h4 k)); lra. Qed.
 Ltac nposit := first [lia | (apply INR_lt; pushinr; cbn [INR]; lra)].
-Ltac nonneg := first [lra | (apply Rlt_le; pos)].
-Ltac rise h k := match type of h with _ => match goal with
-  | |- _ (Rpower ?x ?p) (Rpower ?y ?p) => let z := fresh in
-      assert (z := all_relations _ _ _ _ (rising_rpower x y p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)) (rising_rpower y x p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)));
-      apply z; exact h
-  | |- _ (sqrt ?x) (sqrt ?y) => let z := fresh in
-      assert (z := all_relations _ _ _ _ (rising_sqrt x y ltac:(k; nonneg) ltac:(k; nonneg)) (rising_sqrt y x ltac:(k; nonneg) ltac:(k; nonneg)));
-      apply z; exact h
-  | |- _ (?x ^ ?n) (?y ^ ?n) => let z := fresh in
-      assert (z := all_relations _ _ _ _ (rising_pow x y n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)) (rising_pow y x n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)));
-      apply z; exact h
-  end end.
-Ltac fall h k := match type of h with
-  | _ (Rpower ?x ?p) (Rpower ?y ?p) => let z := fresh in
-      assert (z := all_relations _ _ _ _ (rising_rpower x y p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)) (rising_rpower y x p ltac:(k; pos) ltac:(k; pos) ltac:(k; pos)));
-      apply z; exact h
-  | _ (sqrt ?x) (sqrt ?y) => let z := fresh in
-      assert (z := all_relations _ _ _ _ (rising_sqrt x y ltac:(k; nonneg) ltac:(k; nonneg)) (rising_sqrt y x ltac:(k; nonneg) ltac:(k; nonneg)));
-      apply z; exact h
-  | _ (?x ^ ?n) (?y ^ ?n) => let z := fresh in
-      assert (z := all_relations _ _ _ _ (rising_pow x y n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)) (rising_pow y x n ltac:(nposit) ltac:(k; nonneg) ltac:(k; nonneg)));
-      apply z; exact h
-  end.
-Ltac rise_ne h k := let w := fresh in intro w; apply h; first [fall w k | rise w k].
-Ltac rising h k := first [rise h k | fall h k | rise_ne h k | (unfold cbrt in *; first [rise h k | fall h k])].
+Lemma rise_pow : forall n, (0 < n)%nat -> forall a b, holds GE a -> holds GE b -> (a < b <-> a ^ n < b ^ n).
+Proof. intros n hn a b ha hb. apply to_ge0 in ha, hb. now apply rising_pow. Qed.
+Lemma rise_rpower : forall p, holds GT p -> forall a b, holds GT a -> holds GT b -> (a < b <-> Rpower a p < Rpower b p).
+Proof. intros p hp a b ha hb. apply to_pos in hp, ha, hb. now apply rising_rpower. Qed.
+Lemma rise_sqrt : forall a b, holds GE a -> holds GE b -> (a < b <-> sqrt a < sqrt b).
+Proof. intros a b ha hb. apply to_ge0 in ha, hb. now apply rising_sqrt. Qed.
+Lemma rise_cbrt : forall a b, holds GT a -> holds GT b -> (a < b <-> cbrt a < cbrt b).
+Proof. intros a b ha hb. apply to_pos in ha, hb. apply rising_rpower; [lra | exact ha | exact hb]. Qed.
+(** Two powers, or their bases, from the comparison [h] of the others; [l] and [r] say that both rise. *)
+Ltac raised l r h := let z := fresh in assert (z := all_relations _ _ _ _ l r);
+  destruct z as (? & ? & ? & ? & ? & ?); match goal with z : _ <-> _ |- _ => apply z; exact h end.
 
 (** Statements over numbers and propositions that are left as they are. *)
 Ltac orders := repeat match goal with
@@ -744,20 +734,32 @@ Ltac give z v := premises z; specialize (z v).
 Ltac same z := first [exact z | (cbv beta zeta in z |- *; exact z)
   | (cbn [INR Nat.add Nat.mul] in z |- *; exact z)
   | (rewrite ?plus_INR, ?mult_INR in z; cbn [INR] in z; rewrite ?plus_INR, ?mult_INR; cbn [INR]; exact z)
-  | (revert z; apply eq_ind_r with (P := fun t => t -> _); tauto) ].
+  | (revert z; apply eq_ind_r with (P := fun t => t -> _); tauto) | solve [intros; exact z] ].
 Ltac by_any := match goal with H : forall _, _ |- _ => solve [apply H; at_hand | apply H; [at_hand | at_hand] | apply H] end.
 Ltac pieces := repeat (cbv beta; intros; match goal with |- _ /\ _ => split end); intros; apart_all;
   first [at_hand | by_any | (cbv beta in *; first [at_hand | by_any])].
 Ltac finish z := first [exact z | (cbv beta zeta; exact z) | (cbv beta zeta; solve [pieces])
   | solve [cbv beta zeta; repeat match goal with |- _ /\ _ => split end; intros; apart_all; first [hyp | tauto | (apply z; hyp)]]
   | solve [cbv beta zeta; naturals; hyp] | (generalize z; cbn; tauto)].
+Lemma derive_is : forall (f : R -> R) x u v, is_derive f x u -> u = v -> is_derive f x v.
+Proof. intros f x u v h <-. exact h. Qed.
+(** [auto_derive] knows of exp and ln. *)
+Ltac unroot_all := unfold tanh, sech, cosh, sinh, cbrt, Rpower.
+Ltac in_exp := rewrite ?exp_Ropp; (field; repeat split; first [nz1 | (rewrite <- exp_Ropp; nz1)]).
 Ltac derive k := first [ (auto_derive; [repeat split; first [nz1 | pos | exact I] | k; fld])
-  | (evar_last; [auto_derive; [repeat split; first [nz1 | pos | exact I] | reflexivity] | k; fld]) ].
-Ltac limit_by l := apply l; cbv beta;
-  [ let k := fresh in let h := fresh in intros k h; 
-    repeat match goal with H : forall _, _ |- _ => let z := fresh in assert (z := H k); clear H; try specialize (z ltac:(lra)) end;
-    apart_all; first [ring | (field; repeat split; first [nz1 | lra])]
-  | auto_derive; repeat split; first [exact I | nz1] | auto_derive; repeat split; first [exact I | nz1]
-  | first [nz1 | (match goal with |- ?q <> 0 => let h := fresh in intro h; ring_simplify in h; revert h; change (q <> 0) end; nz1)
-          | (match goal with |- ?q <> 0 => let h := fresh in intro h; assert (h2 : q = 0) by exact h; ring_simplify in h2; revert h2; nz1 end)]
-  | first [ring | (field; repeat split; nz1) | (unfold Rdiv; ring)] ].
+  | (evar_last; [auto_derive; [repeat split; first [nz1 | pos | exact I] | reflexivity] | k; fld])
+  | (unroot_all; auto_derive; [repeat split; first [exact I | pos | solve [apply Rgt_not_eq; red; pos] | nz1] | in_exp]) ].
+(** A divisor that is a multiple of what a fact compares with 0. *)
+Ltac nz_by := match goal with H : ?p > 0 |- _ <> 0 =>
+  let z := fresh in intro z; apply (Rgt_not_eq _ _ H); field_simplify_eq; [lra | nz] end.
+Ltac at_point k := repeat match goal with H : forall _ : _, _ |- _ =>
+  let z := fresh in assert (z := H k); clear H; try specialize (z ltac:(lra)) end; apart_all.
+Ltac lead_nz z := first [exact z | (let h := fresh in intro h; apply z; first [rewrite <- h; ring | lra]) | nz1].
+(** What [f] is in 1/x, P over Q, from [b] on; [z] says that the leading coefficient of the divisor is not 0. *)
+Ltac limit_by l P Q b z := refine (l _ P Q _ b _ _ _ _ _); cbv beta;
+  [ let k := fresh in let h := fresh in intros k h; at_point k;
+    first [ring | (field; repeat split; first [nz1 | lra | nz_by]) | (pushinr; field; repeat split; first [nz1 | lra | nz_by])]
+  | auto_derive; repeat split; first [exact I | nz1]
+  | auto_derive; repeat split; first [exact I | nz1]
+  | lead_nz z
+  | first [ring | (field; repeat split; first [lead_nz z | nz1]) | (unfold Rdiv; ring)] ].

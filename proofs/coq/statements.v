@@ -1329,11 +1329,11 @@ Definition b_matrix : Prop :=
   forall (m1 m2 : R), m1 > 0 -> m2 > 0 ->
   forall (e : R), 0 <= e <= 1 ->
   let M := mat_scale (1 / (m1 + m2)) [[m1 - e * m2; m2 * (1 + e)]; [m1 * (1 + e); m2 - e * m1]] in
-  let I := [[1; 0]; [0; 1]] in
+  let I_ := [[1; 0]; [0; 1]] in
   det2 M = - e /\
-  det2 (mat_add M (mat_scale (- 1) I)) = 0 /\
-  det2 (mat_add M (mat_scale e I)) = 0 /\
-  mat_mul (mat_add M (mat_scale (- 1) I)) (mat_add M (mat_scale e I)) = mat_scale 0 I /\
+  det2 (mat_add M (mat_scale (- 1) I_)) = 0 /\
+  det2 (mat_add M (mat_scale e I_)) = 0 /\
+  mat_mul (mat_add M (mat_scale (- 1) I_)) (mat_add M (mat_scale e I_)) = mat_scale 0 I_ /\
   mat_mul M [[1]; [1]] = [[1]; [1]] /\
   mat_mul M [[- m2]; [m1]] = mat_scale (- 1) (mat_scale e [[- m2]; [m1]]).
 

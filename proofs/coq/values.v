@@ -1,9 +1,7 @@
-(** Second theorems: that every expression has a value, and that a claim fails at a point. *)
+(** Second theorems: that every expression of a claim has a value. *)
 From Carom Require Export rules.
 From Coq Require Import Lra Lia.
 Open Scope R_scope.
-
-(** * Values *)
 
 (** Positive by its form: made of what is positive, and of natural numbers, without a minus sign. *)
 Ltac by_form := first
@@ -17,6 +15,7 @@ Ltac by_form := first
     | |- 0 < exp _ => apply exp_pos
     | |- 0 < Rpower _ _ => apply exp_pos
     | |- 0 < cbrt _ => apply exp_pos
+    | |- 0 < cosh _ => apply cosh_pos
     | |- 0 < sqrt _ => apply sqrt_lt_R0; by_form
     | |- 0 < INR _ + _ => first [apply Rplus_le_lt_0_compat; [apply pos_INR | by_form] | apply Rplus_lt_le_0_compat; [by_form | apply pos_INR]]
     | |- 0 < _ + INR _ => apply Rplus_lt_le_0_compat; [by_form | apply pos_INR]
@@ -36,7 +35,18 @@ Ltac need := first
     end ].
 
 (** That a derivative is there, from what its parts need. *)
-Ltac smooth := auto_derive; repeat split; first [exact I | need | nz1].
+Ltac smooth := first
+  [ (auto_derive; repeat split; first [exact I | need | nz1])
+  | (unroot_all; auto_derive; repeat split; first [exact I | pos | solve [apply Rgt_not_eq; red; pos] | need | nz1]) ].
+Lemma second_is_there : forall (f g : R -> R) x, 0 < x ->
+  (forall y, 0 < y -> is_derive f y (g y)) -> ex_derive g x -> ex_derive_n f 2 x.
+Proof.
+  intros f g x hx h hg. cbn. apply (ex_derive_ext_loc g); [| exact hg].
+  exists (mkposreal x hx). intros y hy. symmetry. apply is_derive_unique, h.
+  unfold ball in hy. cbn in hy. unfold AbsRing_ball, abs, minus, plus, opp in hy. cbn in hy. apply Rabs_def2 in hy. lra.
+Qed.
+Ltac smooth_twice := eapply second_is_there; [need |
+  (let y := fresh in let h := fresh in intros y h; auto_derive; [repeat split; first [exact I | need | nz1] | reflexivity]) | smooth].
 
 (** What a claim's expressions need, one after the other: by its form, or from the fact that says the rest. *)
 Ltac valued_by z := first
@@ -44,66 +54,7 @@ Ltac valued_by z := first
   | lazymatch goal with
     | |- _ /\ _ => split; [valued_by z | valued_by z]
     | |- ex_derive _ _ => smooth
+    | |- ex_derive_n _ 2 _ => smooth_twice
     | _ => first [need | hyp | finish z]
     end ].
 Ltac valued z := cbv beta zeta; first [exact z | (let all := fresh in assert (all := z); apart_all; valued_by z)].
-
-(** * Points *)
-
-(** A root of a fraction that is a fraction with small numbers, found by trying. *)
-Lemma sqrt_is : forall a r, 0 <= r -> r * r = a -> sqrt a = r.
-Proof. intros a r h e. subst. now apply sqrt_square. Qed.
-Lemma cbrt_is : forall a r, 0 < r -> r * r * r = a -> cbrt a = r.
-Proof.
-  intros a r h e. subst. unfold cbrt. replace (r * r * r) with (Rpower r (INR 3)) by (rewrite Rpower_pow by exact h; cbn; ring).
-  rewrite Rpower_mult. replace (INR 3 * (1 / 3)) with 1 by (cbn; lra). now apply Rpower_1.
-Qed.
-Ltac try_root is a p q := let r := constr:(IZR p / IZR q) in rewrite (is a r) in * by lra.
-Ltac with_top is a q p := first
-  [ try_root is a p q
-  | lazymatch p with 20%Z => fail | _ => let s := eval compute in (p + 1)%Z in with_top is a q s end ].
-Ltac with_bottom is a q := first
-  [ with_top is a q 0%Z
-  | lazymatch q with 12%Z => fail | _ => let s := eval compute in (q + 1)%Z in with_bottom is a s end ].
-Ltac roots := repeat match goal with
-  | |- context [sqrt ?a] => with_bottom sqrt_is a 1%Z
-  | |- context [cbrt ?a] => with_bottom cbrt_is a 1%Z
-  | _ : context [sqrt ?a] |- _ => with_bottom sqrt_is a 1%Z
-  | _ : context [cbrt ?a] |- _ => with_bottom cbrt_is a 1%Z
-  end.
-
-(** A statement of numbers, by computing it. *)
-Ltac numbers := cbn [pow Nat.add Nat.mul Nat.pow INR] in *; roots; lra.
-Ltac holds_there := first
-  [ numbers
-  | lazymatch goal with
-    | |- _ /\ _ => split; holds_there
-    | |- _ <-> _ => split; holds_there
-    | |- _ \/ _ => first [left; holds_there | right; holds_there]
-    | |- ~ _ => let h := fresh in intro h; fails_there h
-    | |- _ -> _ => let h := fresh in intro h; first [holds_there | exfalso; fails_there h]
-    end ]
-with fails_there h := first
-  [ (exfalso; clear - h; numbers)
-  | lazymatch type of h with
-    | _ /\ _ => let a := fresh in let b := fresh in destruct h as [a b]; first [fails_there a | fails_there b]
-    | ?A <-> ?B => let a := fresh in let b := fresh in destruct h as [a b]; first [fails_there a | fails_there b]
-    | _ \/ _ => destruct h as [h | h]; fails_there h
-    | ~ _ => apply h; holds_there
-    | ?A -> ?B => let a := fresh in assert (a : A) by holds_there; let b := fresh in assert (b := h a); clear h; fails_there b
-    end ].
-Ltac computed := cbv beta zeta; intros; subst; repeat match goal with |- _ /\ _ => split end; holds_there.
-
-(** A function given by its first values: what holds of all of them. *)
-Ltac members_from k := first [solve [cbn; lra] | (destruct k as [| k]; [solve [cbn; lra] | members_from k])].
-Ltac members := let k := fresh in intro k; members_from k.
-
-(** Numbers put for variables. *)
-Ltac plain := first [reflexivity | assumption | lra | lia | solve [repeat split; first [lra | lia]] | solve [members] | solve [cbn; lra]].
-Ltac premises_at z := repeat match type of z with
-  | (?A -> ?B) => let h := fresh in assert (h : A) by (first [plain | hyp]); specialize (z h); clear h end.
-Ltac put z v := premises_at z; specialize (z v); cbv beta in z.
-
-(** The statement [z], with the point put in, is what [w] denies. *)
-Ltac contrary w z := cbv beta iota in w, z; repeat match type of w with _ /\ _ => let a := fresh in destruct w as [a w] end;
-  first [exact (w z) | (cbn in w, z; exact (w z)) | (apply w; solve [intros; apply z; plain])].

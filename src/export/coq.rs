@@ -30,7 +30,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The longest line that is printed where there is a space to break at.
 const WIDTH: usize = 110;
 
-/// Words that a name of a claim must not take: Coq's own, and those that statements are made of.
+/// Words that a name of a claim must not take: Coq's own, and those that statements and proofs are made of.
 const RESERVED: &[&str] = &[
     "as",
     "at",
@@ -89,6 +89,37 @@ const RESERVED: &[&str] = &[
     "is_lim",
     "p_infty",
     "_",
+    // Words that proofs are made of.
+    "EQ",
+    "GE",
+    "GT",
+    "I",
+    "IZR",
+    "LE",
+    "LT",
+    "NE",
+    "Rgt_not_eq",
+    "Rmult",
+    "S3",
+    "SA",
+    "SI",
+    "SM",
+    "SN",
+    "SP",
+    "SW",
+    "both",
+    "by_sign",
+    "conj",
+    "divided",
+    "eq_refl",
+    "eq_sym",
+    "eq_trans",
+    "f_equal",
+    "holds",
+    "holds_any",
+    "named",
+    "prodz",
+    "stands",
 ];
 
 /// A claim's statement for Coq.
@@ -825,6 +856,11 @@ impl Printer {
             Relation::Greater => ">",
             Relation::GreaterEqual => ">=",
         };
+        if let (ExprKind::Derivative(..), Relation::NotEqual, true) = (&a.kind, relation, self.inside) {
+            // The contrary of the equation, so that the rules of logic see the one in the other.
+            let (equal, _) = self.comparison(a, Relation::Equal, b)?;
+            return Ok((format!("~ ({equal})"), NOT));
+        }
         if let (ExprKind::Derivative(body, by), Relation::Equal) = (&a.kind, relation) {
             let (name, order) = same_variable(by, a.span)?;
             let (function, x, value) = (self.function_of(body, name)?, self.word(&name.text), self.real_at(b, ATOM)?);

@@ -20,6 +20,8 @@ use std::rc::Rc;
 mod arithmetic;
 mod identity;
 mod limits;
+mod logarithms;
+mod matrices;
 mod powers;
 mod rules;
 mod signs;
@@ -395,7 +397,7 @@ impl Writer<'_> {
             }
             Rule::Extremum { from } => {
                 self.point(goal, &given)?;
-                let all: Vec<String> = from.iter().map(|f| format!("assert (z_{f} := {}); ", fact(f))).collect();
+                let all: Vec<String> = from.iter().map(|f| format!("assert (z__{f} := {}); ", fact(f))).collect();
                 format!("{}finish I", all.join(""))
             }
             Rule::Combination { times, terms } => self.combination(goal, times.as_ref(), terms, &given)?,
@@ -422,7 +424,7 @@ impl Writer<'_> {
             Rule::Mean { with } => self.mean(goal, with, &given)?,
             Rule::Tangent { with } => self.tangent(goal, with, &given)?,
             Rule::Termwise { .. } => return Err(Open::Untranslated(show.label.clone(), "termwise")),
-            Rule::Limit { with, .. } => self.limit(goal, with)?,
+            Rule::Limit { with, .. } => self.limit(goal, with, &given)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
             Rule::Evaluate => return Err(Open::Untranslated(show.label.clone(), "evaluate")),
             Rule::Integer { .. } => return Err(Open::Untranslated(show.label.clone(), "integer")),

@@ -4,7 +4,8 @@
 #
 #     bash check [NAME…]      # the files of these claims, and what they cite; all if none is given
 #
-# LIMIT: the most seconds for each file (default 120). JOBS: how many at a time (default 2).
+# LIMIT: the most seconds for each file (default 120). JOBS: how many at a time (default 2). KEEP: a folder that takes the
+# compiled files.
 # Exit code 0: all as it should be, 1: not, 2: Coq is missing or a NAME is unknown.
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -74,6 +75,8 @@ for name in "${files[@]}"; do
   running=$((running + 1))
 done
 wait
+
+[ -z "${KEEP:-}" ] || cp ./*.vo "$KEEP"
 
 # What the theorems say, and what they rest on.
 accepted=0 failed=() late=() skipped=()

@@ -12,11 +12,11 @@ const THEOREMS: &str = "theorems.txt";
 /// The library's own files, in the order of compiling.
 const LIBRARY: &str = "library.txt";
 
-/// The Coq files that generated proofs rest on, in the order of compiling: `values` and what it imports.
+/// The Coq files that generated proofs rest on, in the order of compiling: `values`, `points` and what they import.
 fn library() -> Vec<embedded::File> {
     let files = embedded::coq_files();
     let mut out: Vec<embedded::File> = Vec::new();
-    let mut open = vec![("values".to_string(), false)];
+    let mut open = vec![("points".to_string(), false), ("values".to_string(), false)];
     while let Some((name, ready)) = open.pop() {
         let Some(file) = files.iter().find(|f| f.path == name) else { continue };
         if out.iter().any(|f| f.path == name) {

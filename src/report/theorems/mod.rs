@@ -143,7 +143,7 @@ impl Maker<'_> {
                 Err(reason) => file.open.push((name, reason)),
             }
         }
-        file.text = head(&file.needs);
+        file.text = head(&file.needs, entry.outcome.verdict == Verdict::Refuted);
         file.text += &format!("\n(* statement sha256 {} *)\n", stated.digest);
         for (name, reason) in &file.open {
             let full = stated.propositions().into_iter().find(|p| p.0 == *name).map_or("", |p| p.1);
@@ -235,9 +235,10 @@ impl Made {
     }
 }
 
-/// What a file begins with.
-fn head(needs: &BTreeSet<String>) -> String {
-    let mut text = "From Carom Require Import vocabulary rules values.\n".to_string();
+/// What a file begins with; the tactics for points are for refuted claims.
+fn head(needs: &BTreeSet<String>, refuted: bool) -> String {
+    let points = if refuted { " points" } else { "" };
+    let mut text = format!("From Carom Require Import vocabulary rules values{points}.\n");
     needs.iter().for_each(|module| text += &format!("From Carom Require {module}.\n"));
     text
 }

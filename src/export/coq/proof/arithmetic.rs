@@ -4,6 +4,25 @@ use super::identity::Side;
 use super::signs::{Environment, Tree, by_sign};
 use super::*;
 
+/// The equation that a hypothesis says; that of a derivative says that there is one, too.
+pub(super) fn equation_by(left: &Expr, hypothesis: &str) -> String {
+    match left.kind {
+        ExprKind::Derivative(..) => format!("(is_derive_unique _ _ _ {hypothesis})"),
+        _ => hypothesis.to_string(),
+    }
+}
+
+/// A power or root that rises with its base.
+struct Raised {
+    lemma: &'static str,
+    base: Expr,
+    natural: Option<Expr>,
+    real: Option<Expr>,
+    exponent: Option<String>,
+    /// What the lemma asks of the base.
+    least: Signs,
+}
+
 impl Writer<'_> {
     pub(super) fn combination(
         &mut self,
@@ -42,7 +61,16 @@ impl Writer<'_> {
                 self.not_zero(poly, given)?;
             }
             self.positive(&f, given)?;
-            return Ok("derive ltac:(idtac)".to_string());
+            let (plain, value) = (self.checker.read(a, &[])?, self.checker.read(b, &[])?);
+            if plain == value {
+                return Ok("derive ltac:(idtac)".to_string());
+            }
+            // What it comes to by itself, then the equations.
+            let words = self.checker.fraction_words(&plain);
+            let text = self.prop(&compare(a.clone(), Relation::Equal, words.clone()))?;
+            let alone = self.lemma("L", &text, "derive ltac:(idtac)");
+            let equal = self.identity(&Side::Expr(words), &Side::Expr(b.clone()), &given.using, given)?;
+            return Ok(format!("exact (derive_is _ _ _ _ {alone} {equal})"));
         }
         let (text_a, text_b) = (self.expr(a)?, self.expr(b)?);
         let wanted = Signs::of(relation);
@@ -78,7 +106,10 @@ impl Writer<'_> {
                 let fact_prop = self.fact_prop(label)?;
                 let (x, relation, y) = self.sides(&fact_prop, "combination")?;
                 let text = format!("({} - {})", self.expr(x)?, self.expr(y)?);
-                let h = format!("(of_{} _ _ {})", lower(relation), fact(label));
+                let h = match relation {
+                    Relation::Equal => format!("(of_eq _ _ {})", equation_by(x, &fact(label))),
+                    _ => format!("(of_{} _ _ {})", lower(relation), fact(label)),
+                };
                 let side = Side::Expr(x.clone()).minus(Side::Expr(y.clone()));
                 product = product.times(env.get(text, side, Signs::of(relation), h));
             }
@@ -124,17 +155,64 @@ impl Writer<'_> {
 
     pub(super) fn monotone(&mut self, goal: &Prop, from: &str, given: &Given) -> Found<String> {
         let p = self.fact_prop(from)?;
-        for prop in [goal, &p] {
-            let (a, _, b) = self.sides(prop, "monotone")?;
-            let mut open = vec![a.clone(), b.clone()];
-            while let Some(e) = open.pop() {
-                if let Ok(f) = self.checker.read(&e, &given.using) {
-                    self.positive(&f, given)?;
-                }
-                crate::prove::expand::parts(&e, &mut |part| open.push(part.clone()));
+        for (low, high) in [(&p, goal), (goal, &p)] {
+            let ((a, _, b), (x, _, y)) = (self.sides(low, "monotone")?, self.sides(high, "monotone")?);
+            let (Some(left), Some(right)) = (self.raised(x)?, self.raised(y)?) else { continue };
+            let same = key::expr(&left.base) == key::expr(a) && key::expr(&right.base) == key::expr(b);
+            if !same || left.lemma != right.lemma || left.exponent != right.exponent {
+                continue;
             }
+            let mut words = Vec::new();
+            if let Some(exponent) = &left.natural {
+                words.push(format!("{}%nat ltac:(nposit)", at(self.printer.natural(exponent)?, ATOM)));
+            }
+            let mut asked = Vec::new();
+            if let Some(exponent) = &left.real {
+                asked.push((exponent.clone(), Signs::POSITIVE));
+            }
+            asked.extend([(left.base.clone(), left.least), (right.base.clone(), left.least)]);
+            let mut hypotheses = Vec::new();
+            for (e, signs) in asked {
+                hypotheses.push(self.sign_of(&e, signs, given)?);
+            }
+            let (ha, hb) = (hypotheses.pop().unwrap_or_default(), hypotheses.pop().unwrap_or_default());
+            words.extend(hypotheses.iter().map(|h| format!("_ {h}")));
+            let lemma = format!("{} {}", left.lemma, words.join(" "));
+            return Ok(format!("raised ({lemma} _ _ {hb} {ha}) ({lemma} _ _ {ha} {hb}) {}", fact(from)));
         }
-        Ok(format!("rising {} ltac:(idtac)", fact(from)))
+        Err(Open::Untranslated("monotone".to_string(), "powers of other forms"))
+    }
+
+    /// A power or root with its base, its exponent and the lemma that it rises.
+    fn raised(&mut self, e: &Expr) -> Found<Option<Raised>> {
+        let (lemma, base, natural, real, least) = match &e.kind {
+            ExprKind::Power(base, exponent) if is_natural(exponent, &self.printer.kinds) => {
+                ("rise_pow", (**base).clone(), Some((**exponent).clone()), None, Signs::NOT_NEGATIVE)
+            }
+            ExprKind::Power(base, exponent) => {
+                ("rise_rpower", (**base).clone(), None, Some((**exponent).clone()), Signs::POSITIVE)
+            }
+            ExprKind::Apply(function, arguments) => match (function.text.as_str(), arguments.as_slice()) {
+                ("sqrt", [base]) => ("rise_sqrt", base.clone(), None, None, Signs::NOT_NEGATIVE),
+                ("cbrt", [base]) => ("rise_cbrt", base.clone(), None, None, Signs::POSITIVE),
+                _ => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        let exponent = natural.as_ref().or(real.as_ref()).map(key::expr);
+        Ok(Some(Raised { lemma, base, natural, real, exponent, least }))
+    }
+
+    /// The hypothesis that an expression has these signs, with the equations put in or as it is.
+    fn sign_of(&mut self, e: &Expr, signs: Signs, given: &Given) -> Found<String> {
+        let mut using = given.using.clone();
+        let mut f = self.checker.read(e, &using)?;
+        if !self.checker.signs(&f, &given.signed)?.within(signs) {
+            using.clear();
+            f = self.checker.read(e, &using)?;
+        }
+        let text = self.expr(e)?;
+        self.sign(&text, &Side::Expr(e.clone()), &using, &f, signs, given)
     }
 
     pub(super) fn unfold(&mut self, goal: &Prop) -> Found<String> {
@@ -172,14 +250,7 @@ impl Writer<'_> {
         }
         let mut hypotheses = Vec::new();
         for (e, signs) in asked {
-            let mut using = given.using.clone();
-            let mut f = self.checker.read(&e, &using)?;
-            if !self.checker.signs(&f, &given.signed)?.within(signs) {
-                using.clear();
-                f = self.checker.read(&e, &using)?;
-            }
-            let text = self.expr(&e)?;
-            hypotheses.push(self.sign(&text, &Side::Expr(e), &using, &f, signs, given)?);
+            hypotheses.push(self.sign_of(&e, signs, given)?);
         }
         let (a, b, p) = (self.expr(&a)?, self.expr(&b)?, self.expr(&p)?);
         let lemma = if strict { "mean_strict_signs" } else { "mean_weak_signs" };

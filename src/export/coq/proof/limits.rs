@@ -1,10 +1,11 @@
 //! The rules of limits and of second derivatives.
 
+use super::identity::Side;
 use super::*;
 
 impl Writer<'_> {
     /// The limit of a quotient of polynomials in the variable, by what it is in the inverse of the variable.
-    pub(super) fn limit(&mut self, goal: &Prop, with: &[(Name, Expr)]) -> Found<String> {
+    pub(super) fn limit(&mut self, goal: &Prop, with: &[(Name, Expr)], given: &Given) -> Found<String> {
         let PropKind::Limit(limit) = &goal.kind else {
             return Err(Open::Untranslated("limit".to_string(), "a goal"));
         };
@@ -13,13 +14,24 @@ impl Writer<'_> {
         let (top, bottom) = self.checker.parts_of(&f)?;
         let place = self.checker.read(&name(&x), &[])?.atoms().next().unwrap_or(usize::MAX);
         let (top, bottom) = (top.coefficients(place), bottom.coefficients(place));
-        let degree = bottom.keys().next_back().copied().unwrap_or(0);
+        let Some((degree, lead)) = bottom.iter().next_back() else {
+            return Err(Open::Untranslated("limit".to_string(), "a divisor"));
+        };
+        let text = self.poly(lead)?;
+        let of = Fraction::of(lead);
+        if !self.checker.signs(&of, &given.signed)?.within(Signs::NOT_ZERO) {
+            return Err(Open::Untranslated("limit".to_string(), "a leading coefficient other than 0"));
+        }
+        let lead = self.sign(&text, &Side::Poly(lead.clone()), &[], &of, Signs::NOT_ZERO, given)?;
         let mut sides = Vec::new();
         for list in [&top, &bottom] {
             let mut terms = vec!["0".to_string()];
             for (k, c) in list {
                 let c = self.poly(c)?;
-                terms.push(format!("{c} * y__0 ^ {}", degree.saturating_sub(*k)));
+                terms.push(match degree.saturating_sub(*k) {
+                    0 => c,
+                    power => format!("{c} * y__0 ^ {power}"),
+                });
             }
             sides.push(format!("(fun y__0 : R => {})", terms.join(" + ")));
         }
@@ -29,7 +41,7 @@ impl Writer<'_> {
             Some((_, e)) => self.expr(e)?,
             None => "0".to_string(),
         };
-        Ok(format!("limit_by ({lemma} _ {} _ {from})", sides.join(" ")))
+        Ok(format!("limit_by {lemma} {} {from} (to_nz _ {lead})", sides.join(" ")))
     }
 
     /// A limit between two others.
@@ -53,6 +65,34 @@ impl Writer<'_> {
             "refine ({lemma} _ _ _ _ {bound} _ {a} {b}); let k := fresh in let h := fresh in intros k h; \
              split; [first [apply {lower} | apply Rge_le; apply {lower}]; lra | first [apply {upper} | apply Rge_le; apply {upper}]; lra]"
         ))
+    }
+
+    /// A derivative that stands in an expression: what it comes to by itself, then the equations.
+    pub(super) fn derivative_leaf(
+        &mut self,
+        e: &Expr,
+        (body, by): (&Expr, &[Name]),
+        plain: &Fraction,
+        f: &Fraction,
+        using: &[Label],
+        given: &Given,
+    ) -> Found<String> {
+        if plain != f {
+            let first = self.leaf(e, &[], given)?;
+            let second = self.identity(&Side::Plain(plain.clone()), &Side::Value(f.clone()), using, given)?;
+            return Ok(match first.proof {
+                Some(first) => format!("exact (eq_trans {first} {second})"),
+                None => format!("exact {second}"),
+            });
+        }
+        if by.len() > 1 {
+            let label = "a derivative".to_string();
+            return Err(Open::Untranslated(label, "one of higher order inside an expression"));
+        }
+        let inside = self.checker.read(body, &[])?;
+        self.divisors(&inside, given)?;
+        self.positive(&inside, given)?;
+        Ok("apply is_derive_unique; derive ltac:(idtac)".to_string())
     }
 
     /// A second derivative, by the first one.

@@ -30,7 +30,11 @@ impl Writer<'_> {
         let statement = if parts.list.is_empty() { body } else { format!("{statement}, {body}") };
         let values: Vec<String> = parts.list.iter().map(|(_, text, _)| text.clone()).collect();
         let facts: Vec<String> = from.iter().map(|f| fact(f)).collect();
-        Ok(format!("assert (z : {statement}) by (clear; logic); exact (z {} {})", values.join(" "), facts.join(" ")))
+        Ok(format!(
+            "assert (z__ : {statement}) by (clear; logic); exact (z__ {} {})",
+            values.join(" "),
+            facts.join(" ")
+        ))
     }
 
     pub(super) fn skeleton(&mut self, p: &Prop, parts: &mut Skeleton) -> Found<String> {
@@ -39,9 +43,11 @@ impl Writer<'_> {
                 let mut out = Vec::new();
                 for (pair, relation) in sides.windows(2).zip(relations) {
                     let [a, b] = pair else { continue };
-                    if matches!(a.kind, ExprKind::Derivative(..)) && *relation == Relation::Equal {
-                        let text = self.prop(&compare(a.clone(), *relation, b.clone()))?;
-                        out.push(parts.get(text, "Prop"));
+                    let contrary = *relation == Relation::NotEqual;
+                    if matches!(a.kind, ExprKind::Derivative(..)) && (contrary || *relation == Relation::Equal) {
+                        let text = self.prop(&compare(a.clone(), Relation::Equal, b.clone()))?;
+                        let word = parts.get(text, "Prop");
+                        out.push(if contrary { format!("~ {word}") } else { word });
                         continue;
                     }
                     let sign = match relation {
@@ -106,7 +112,7 @@ impl Writer<'_> {
         let is_fact = self.checker.facts().any(|f| f.0 == source);
         let mut out = String::new();
         for label in from {
-            out += &format!("assert (y_{label} := {}); ", fact(label));
+            out += &format!("assert (y__{label} := {}); ", fact(label));
         }
         let value = |text: &str| with.iter().find(|w| w.0.text == text).map_or_else(|| name(text), |w| w.1.clone());
         if is_fact {
@@ -114,22 +120,22 @@ impl Writer<'_> {
             let PropKind::ForAll(bindings, _) = &p.kind else {
                 return Err(Open::Untranslated(show.label.clone(), "an instance of no statement for all"));
             };
-            out += &format!("assert (z := {}); ", fact(source));
+            out += &format!("assert (z__ := {}); ", fact(source));
             for binding in bindings {
                 self.domain(binding, &value, given)?;
                 for (n, _) in &binding.names {
                     let text = self.value(&value(&n.text), binding.natural)?;
-                    out += &format!("give z {text}; ");
+                    out += &format!("give z__ {text}; ");
                 }
             }
-            return Ok(format!("{out}premises z; same z"));
+            return Ok(format!("{out}premises z__; same z__"));
         }
         let Some(claim) = (self.claims)(source) else {
             return Err(Open::Untranslated(show.label.clone(), "a cited claim that is not there"));
         };
         self.cites.insert(source.to_string());
         let word = identifier(source);
-        out += &format!("assert (z := {word}.{word}); cbv beta zeta in z; ");
+        out += &format!("assert (z__ := {word}.{word}); cbv beta zeta in z__; ");
         let mut domains = Vec::new();
         for item in &claim.items {
             match item {
@@ -146,14 +152,14 @@ impl Writer<'_> {
                                 }
                                 None => self.value(&value(&n.text), binding.natural)?,
                             };
-                            out += &format!("give z {text}; ");
+                            out += &format!("give z__ {text}; ");
                         }
                         domains.push(binding.clone());
                     }
                 }
                 Item::Define { name, .. } => {
                     let text = self.printer.word(&name.text);
-                    out += &format!("give z {text}; ");
+                    out += &format!("give z__ {text}; ");
                 }
                 Item::Let { .. } | Item::Assume { .. } => {}
             }
@@ -161,7 +167,7 @@ impl Writer<'_> {
         for binding in &domains {
             self.domain(binding, &value, given)?;
         }
-        Ok(format!("{out}premises z; same z"))
+        Ok(format!("{out}premises z__; same z__"))
     }
 
     pub(super) fn value(&mut self, e: &Expr, natural: bool) -> Found<String> {

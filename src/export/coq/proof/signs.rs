@@ -1,6 +1,7 @@
 //! The signs of numbers: trees of sums, products and powers over numbers whose signs are known, for the library's function
 //! that computes signs.
 
+use super::arithmetic::equation_by;
 use super::identity::Side;
 use super::*;
 
@@ -71,6 +72,18 @@ impl Environment {
             list(self.items.iter().map(|item| signs_word(item.1)).collect()),
             proof,
         )
+    }
+
+    /// The signs of a tree by those of its entries.
+    fn signs(&self, tree: &Tree) -> Signs {
+        match tree {
+            Tree::Entry(place) => self.items.get(*place).map_or(Signs::ANY, |item| item.1),
+            Tree::Number(q) => Signs::of_number(q),
+            Tree::Times(a, b) => self.signs(a).times(self.signs(b)),
+            Tree::Plus(a, b) => self.signs(a).plus(self.signs(b)),
+            Tree::Power(a, k) => self.signs(a).power(i64::try_from(*k).unwrap_or(i64::MAX)),
+            Tree::Inverse(a) | Tree::Poly(_, a) => self.signs(a),
+        }
     }
 
     /// What a tree comes to.
@@ -247,18 +260,15 @@ impl Writer<'_> {
     ) -> Found<Tree> {
         let mut out = (f.factors.is_empty() || !f.coefficient.is_one()).then(|| Tree::Number(f.coefficient.clone()));
         for (poly, k) in &f.factors {
-            let unknown = *k < 0
-                && hole != Some(poly)
-                && poly.single_atom().is_none()
-                && (limit < usize::MAX || !self.checker.factor_signs(poly, &given.signed)?.within(Signs::NOT_ZERO));
-            let shown = format!("{} <> 0", self.poly(poly)?);
-            let shown = self.shown.iter().find(|s| unknown && s.1 == shown).map(|s| s.2.clone());
-            let part = match shown {
-                Some(h) => {
-                    env.get(self.poly(poly)?, Side::Poly(poly.clone()), Signs::NOT_ZERO, format!("(of_nz _ {h})"))
+            let mut part = self.poly_tree(poly, given, env, hole, limit)?;
+            if *k < 0 && !env.signs(&part).within(Signs::NOT_ZERO) && hole != Some(poly) {
+                // What is known of it here does not say so: that it is not 0 was shown.
+                let text = self.poly(poly)?;
+                let shown = self.shown.iter().find(|s| s.1 == format!("{text} <> 0")).map(|s| s.2.clone());
+                if let Some(h) = shown {
+                    part = env.get(text, Side::Poly(poly.clone()), Signs::NOT_ZERO, format!("(of_nz _ {h})"));
                 }
-                None => self.poly_tree(poly, given, env, hole, limit)?,
-            };
+            }
             let mut part = part.power(k.unsigned_abs());
             if *k < 0 {
                 part = Tree::Inverse(Box::new(part));
@@ -315,6 +325,7 @@ impl Writer<'_> {
             let using = if plain { Vec::new() } else { given.using.clone() };
             let left = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
             let equal = self.identity(&left, &right, &using, given)?;
+            let h = if *relation == Relation::Equal { equation_by(a, &h) } else { h };
             let (a, b) = (self.expr(a)?, self.expr(b)?);
             let tactic = format!(
                 "exact (note_sign _ {numbers} {signs} {tree} ({a} - {b}) {} {} {proof} {equal} (of_{} _ _ {h}) eq_refl)",
@@ -326,8 +337,8 @@ impl Writer<'_> {
         }
         // p − c ≥ 0 with c > 0: p > 0.
         let tactic = match note.signs {
-            s if s == Signs::POSITIVE => format!("apply of_pos; assert (z := {h}); lra"),
-            _ => format!("assert (z := {h}); from"),
+            s if s == Signs::POSITIVE => format!("apply of_pos; assert (z__ := {h}); lra"),
+            _ => format!("assert (z__ := {h}); from"),
         };
         Ok(self.lemma("K", &statement, &tactic))
     }
