@@ -622,7 +622,7 @@ Proof. intros a b p ha hb hp hq hn. apply to_pos in ha, hb, hp, hq. apply to_ne 
 Lemma tangent_weak : forall x, 1 + x <= exp x.
 Proof. exact exp_ineq1_le. Qed.
 Lemma tangent_strict : forall x, holds NE x -> 1 + x < exp x.
-Proof. intros x h. apply exp_ineq1. apply to_ne in h. lra. Qed.
+Proof. intros x h. apply exp_ineq1. now apply to_nz. Qed.
 
 (** A part of a fact that is a conjunction. *)
 Ltac part h := let z := fresh in assert (z := h); apart_all; assumption.
