@@ -6,13 +6,16 @@ Fraction(15625000000, 282429536481)
 >>> carom.eta(10, 1, e="9/10", n=7).digits(20)
 '0.37313751177373857462'
 
-A result is a :class:`fractions.Fraction` where it is rational, and an :class:`Enclosure` where it is not or where an
-input is measured. Numbers go in exactly: integers, fractions, decimals, or texts such as ``"9/10"``, ``"0.9"``,
-``"57.1 ± 0.1"`` and ``"[0.84, 0.90]"``. A float is refused, since it is seldom the number that is meant.
+A result is a :class:`Number`: a :class:`fractions.Fraction` as well where it is rational, and an :class:`Enclosure`
+where it is not or where an input is measured. Numbers go in exactly: integers, fractions, decimals, or texts such as
+``"9/10"``, ``"0.9"``, ``"57.1 ± 0.1"`` and ``"[0.84, 0.90]"``. A float is refused, since it is seldom the number
+that is meant.
 
 Bad input raises :class:`ValueError` with the program's message, a stated limit :class:`LimitReached`. Long work is done
 without Python's global lock.
 """
+
+from typing import TYPE_CHECKING, Any
 
 from ._engine import LimitReached, __version__, language
 from .audit import Audit, Broken, Claim, Line, Witness, audit
@@ -33,35 +36,75 @@ from .chain import (
     threshold,
     velocities,
 )
-from .number import Enclosure
+from .number import Enclosure, Number, Undecided
 from .table import Table, table
+from .tools import (
+    CheckedCell,
+    Collision,
+    Picture,
+    Replay,
+    check,
+    check_table,
+    explain,
+    export,
+    plot,
+    replay,
+    worksheet,
+)
+
+if TYPE_CHECKING:
+    from .laws import law
+
+
+def __getattr__(name: str) -> Any:
+    # Hypothesis is needed for laws only.
+    if name == "law":
+        from .laws import law
+
+        return law
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "Audit",
     "BestN",
     "Broken",
     "Chain",
+    "CheckedCell",
     "Claim",
+    "Collision",
     "EachHelps",
     "Enclosure",
     "Helps",
     "LimitReached",
     "Line",
+    "Number",
+    "Picture",
     "Recollides",
+    "Replay",
     "Table",
+    "Undecided",
     "Witness",
     "__version__",
     "audit",
     "best_n",
+    "check",
+    "check_table",
     "eta",
+    "explain",
+    "export",
     "helps",
     "language",
     "last_velocity",
+    "law",
     "losses",
     "masses",
     "matrices",
+    "plot",
     "recollides",
+    "replay",
     "table",
     "threshold",
     "velocities",
+    "worksheet",
 ]

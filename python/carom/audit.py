@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import html
 import json
+import os
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Union
 
 from . import _engine
 from .number import count_of
+from .source import source_of
 
 _LONGEST = 400
 """Characters of a value that a display shows."""
@@ -73,7 +75,17 @@ class Claim:
     """Whether the search found a proof that the kernel does not check."""
     certificate: Optional[str]
     """The SHA-256 of the certificate's text, of a proved claim."""
+    certificate_text: Optional[str]
+    """The certificate that the kernel accepted, which :func:`carom.check` and `carom check` read."""
+    explanation: str
+    """The statement with its whole proof in words, as `carom explain` prints it."""
     notes: List[str]
+
+    def __repr__(self) -> str:
+        return f"Claim({self.id!r}, {self.verdict!r}, {_shown(self.statement)!r})"
+
+    def __str__(self) -> str:
+        return str(Audit([self])).partition("\n\n")[0]
 
     def _repr_html_(self) -> str:
         return f"<table>{_row(self)}</table>"
@@ -118,6 +130,26 @@ class Audit:
 
     def __repr__(self) -> str:
         return f"Audit({_counts(self.summary)})"
+
+    def __str__(self) -> str:
+        """The verdicts, a claim on each line, with what a counterexample shows or a proof lacks below it."""
+        width = max((len(claim.id) for claim in self.claims), default=0)
+        lines = []
+        for claim in self.claims:
+            lines.append(f"{claim.verdict:<10}  {claim.id:<{width}}  {claim.title}".rstrip())
+            lines.extend(f"            {line}" for line in _evidence(claim))
+        return "\n".join([*lines, "", _counts(self.summary)] if lines else [_counts(self.summary)])
+
+    def to_dicts(self) -> List[Dict[str, Any]]:
+        """A dictionary for each claim, without its formulas: for JSON, or for a data frame."""
+        names = ("id", "title", "number", "verdict", "expected", "as_expected", "method", "statement", "reason")
+        return [{name: getattr(claim, name) for name in names} for claim in self.claims]
+
+    def to_pandas(self) -> Any:
+        """A data frame with a row for each claim."""
+        import pandas  # type: ignore[import-untyped,unused-ignore]
+
+        return pandas.DataFrame(self.to_dicts())
 
     def _repr_html_(self) -> str:
         names = ("verdict", "claim", "statement")
@@ -231,18 +263,28 @@ def _claim(facts: Dict[str, Any]) -> Claim:
 
 
 def audit(
-    text: Optional[str] = None, *, only: Union[str, Sequence[str]] = (), seconds: int = 10, file: str = "text"
+    text: Union[str, os.PathLike[str], None] = None,
+    *,
+    only: Union[str, Sequence[str]] = (),
+    seconds: int = 10,
+    file: str = "text",
 ) -> Audit:
-    """Judges the claims of a text in the claim language, or those of the built-in catalogue.
+    """Judges the claims of a text in the claim language, of a file, or those of the built-in catalogue.
 
-    ``only`` names the claims to judge; ``seconds`` limits the time for each; ``file`` is what errors call the text. A
-    fault of the text is a :class:`ValueError` that shows its line with a caret.
+    A :class:`pathlib.Path` is read as a file, and so is a text of one line that ends in ``.claim``. ``only`` names the
+    claims to judge; ``seconds`` limits the time for each; ``file`` is what errors call the text. A fault of the text
+    is a :class:`ValueError` that shows its line with a caret.
 
     >>> audit('claim mine "Mine"\\ngiven m > 0\\nprove m^2 = m')["mine"].verdict
     'refuted'
     """
     names = [only] if isinstance(only, str) else list(only)
-    if text is not None and not isinstance(text, str):
-        raise ValueError(f"text: claims are a str, not {type(text).__name__}")
-    found = json.loads(_engine.audit(text, file, names, count_of(seconds, "seconds")))
+    if text is not None and not isinstance(text, (str, os.PathLike)):
+        raise ValueError(f"text: claims are a str or a path, not {type(text).__name__}")
+    source = None if text is None else source_of(text, ".claim")
+    if source is not None and source.path is not None:
+        file = source.path
+    found = json.loads(
+        _engine.audit(None if source is None else source.text, file, names, count_of(seconds, "seconds"))
+    )
     return Audit([_claim(facts) for facts in found])

@@ -6,20 +6,21 @@ import decimal
 import math
 import numbers
 import operator
+import re
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple, Union
 
+from . import _engine
 from ._engine import LimitReached
 
 if TYPE_CHECKING:
     from ._engine import Found
     from .chain import Chain
 
-Exact = Union[int, str, Fraction, decimal.Decimal]
-"""What a number may be given as; a text may also be measured, ``"57.1 ± 0.1"`` or ``"[0.84, 0.90]"``."""
-
-Number = Union[Fraction, "Enclosure"]
-"""What a number comes out as."""
+Exact = Union[int, str, Fraction, decimal.Decimal, "Number", Tuple[Any, Any]]
+"""What a number may be given as. A text may be measured, ``"57.1 ± 0.1"`` or ``"[0.84, 0.90]"``; so may a pair of
+ends and a result. Rationals of SymPy and flint are taken as well; balls of flint and intervals of mpmath are measured.
+"""
 
 _MAX_BITS = 14_000
 """Longer integers have more digits than Python writes without being asked."""
@@ -34,6 +35,9 @@ def text_of(value: Any, name: str) -> str:
         return value
     if isinstance(value, bool):
         raise ValueError(f"{name}: {value} is no number")
+    value = _foreign(value)
+    if isinstance(value, tuple) and len(value) == 2:
+        return f"[{text_of(value[0], name)}, {text_of(value[1], name)}]"
     if isinstance(value, (int, numbers.Rational)):
         parts = (int(value.numerator), int(value.denominator))
         if max(part.bit_length() for part in parts) > _MAX_BITS:
@@ -69,14 +73,344 @@ def fraction_of(pair: Tuple[str, str]) -> Fraction:
     return Fraction(int(pair[0], 16), int(pair[1], 16))
 
 
-class Enclosure:
+def _foreign(value: Any) -> Any:
+    """A number of another library as Python's: a fraction, or the pair of its ends."""
+    if isinstance(value, Number):
+        exact = value.exact
+        return exact if exact is not None else (value.exact_lo, value.exact_hi)
+    module = type(value).__module__.partition(".")[0]
+    if module == "flint":
+        if hasattr(value, "p") and hasattr(value, "q"):
+            return Fraction(int(value.p), int(value.q))
+        if type(value).__name__ == "arb":
+            ends = tuple(end.fmpq() for end in (value.lower(), value.upper()))
+            return tuple(Fraction(int(end.p), int(end.q)) for end in ends)
+    if module == "mpmath" and hasattr(value, "_mpi_"):
+        return tuple(_of_mpmath(end) for end in value._mpi_)
+    return value
+
+
+def _of_mpmath(parts: Tuple[int, Any, int, int]) -> Fraction:
+    """The fraction that a tuple of mpmath stands for: sign, mantissa, exponent, bits."""
+    sign, mantissa, exponent, _ = parts
+    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
+
+
+class Undecided(ValueError):
+    """A comparison that the ends of enclosures leave open: neither answer would be certain."""
+
+
+_REFINED = (25, 60, 200, _MAX_DIGITS)
+"""Digits to which both sides of an open comparison are narrowed, in turn."""
+
+
+class Number:
+    """A result: an exact rational number, or one that lies between two known ends.
+
+    Every result has ``exact`` (a fraction, or None), ``lo`` and ``hi`` (doubles rounded outwards), ``exact_lo`` and
+    ``exact_hi`` (fractions), :meth:`digits` and :meth:`narrower`. Sums, products, quotients and powers of results with
+    results and exact numbers are results again, and hold every possible value. A comparison narrows both sides until
+    it is decided, and is :class:`Undecided` where that does not help; so is ``==``.
+
+    A rational result is a :class:`fractions.Fraction` as well.
+    """
+
+    __slots__ = ()
+
+    # What each kind of result says of itself.
+
+    @property
+    def exact(self) -> Optional[Fraction]:
+        """The number itself, where it is known and rational."""
+        raise NotImplementedError
+
+    @property
+    def exact_lo(self) -> Fraction:
+        """At most the number, exactly."""
+        raise NotImplementedError
+
+    @property
+    def exact_hi(self) -> Fraction:
+        """At least the number, exactly."""
+        raise NotImplementedError
+
+    @property
+    def radical(self) -> Optional[str]:
+        """The closed form in the claim language, where the number is irrational and one is known."""
+        return None
+
+    @property
+    def measured(self) -> bool:
+        """Whether it is wide because inputs are measured: more digits do not narrow it."""
+        return False
+
+    def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
+        """Ends that agree to about so many digits, where nothing is measured."""
+        raise NotImplementedError
+
+    # What follows from it.
+
+    @property
+    def lo(self) -> float:
+        """A double at most the number."""
+        return _outward(self.exact_lo, -math.inf)
+
+    @property
+    def hi(self) -> float:
+        """A double at least the number."""
+        return _outward(self.exact_hi, math.inf)
+
+    def digits(self, count: int, *, rounding: str = "nearest") -> str:
+        """The number with so many significant digits, each of them right.
+
+        ``rounding`` is ``nearest``, ``up``, ``down``, ``zero`` or ``away``. Where more than one decimal is possible
+        this is :class:`Undecided`.
+        """
+        return self._settled(lambda end: _rounded(end, count, rounding), count_of(count, "digits"))
+
+    def _settled(self, function: Callable[[Fraction], Any], digits: int = 0) -> Any:
+        """The value of a function that grows, if both ends have the same."""
+        for more in _REFINED:
+            lo, hi = (function(end) for end in self.narrower(digits + more))
+            if lo == hi:
+                return lo
+            if self.measured:
+                break
+        raise Undecided(f"what is asked is open: the ends of the enclosure give {lo} and {hi}")
+
+    def __contains__(self, value: Exact) -> bool:
+        """Whether an exact number lies between the ends."""
+        number = Fraction(text_of(value, "value"))
+        return self.exact_lo <= number <= self.exact_hi
+
+    # Arithmetic.
+
+    def __add__(self, other: Any) -> Number:
+        return _result("+", self, other)
+
+    def __radd__(self, other: Any) -> Number:
+        return _result("+", other, self)
+
+    def __sub__(self, other: Any) -> Number:
+        return _result("-", self, other)
+
+    def __rsub__(self, other: Any) -> Number:
+        return _result("-", other, self)
+
+    def __mul__(self, other: Any) -> Number:
+        return _result("*", self, other)
+
+    def __rmul__(self, other: Any) -> Number:
+        return _result("*", other, self)
+
+    def __truediv__(self, other: Any) -> Number:
+        return _result("/", self, other)
+
+    def __rtruediv__(self, other: Any) -> Number:
+        return _result("/", other, self)
+
+    def __pow__(self, exponent: Any) -> Number:
+        if isinstance(exponent, bool) or not isinstance(exponent, int):
+            return NotImplemented
+        return _result("**", self, exponent)
+
+    def __rpow__(self, base: Any) -> Number:
+        return NotImplemented
+
+    def __neg__(self) -> Number:
+        return _result("-", 0, self)
+
+    def __pos__(self) -> Number:
+        return self
+
+    def __abs__(self) -> Number:
+        return _result("abs", self, 0)
+
+    # Comparisons.
+
+    def __lt__(self, other: Any) -> bool:
+        return _decided(self, other, "<")
+
+    def __le__(self, other: Any) -> bool:
+        return _decided(self, other, "<=")
+
+    def __gt__(self, other: Any) -> bool:
+        return _decided(self, other, ">")
+
+    def __ge__(self, other: Any) -> bool:
+        return _decided(self, other, ">=")
+
+    def __eq__(self, other: object) -> bool:
+        return _decided(self, other, "==")
+
+    def __ne__(self, other: object) -> bool:
+        found = _decided(self, other, "==")
+        return found if found is NotImplemented else not found
+
+    def __hash__(self) -> int:
+        return object.__hash__(self)
+
+    def __bool__(self) -> bool:
+        return not _decided(self, 0, "==")
+
+    # Whole numbers and decimals.
+
+    def __trunc__(self) -> int:
+        return int(self._settled(math.trunc))
+
+    def __int__(self) -> int:
+        return self.__trunc__()
+
+    def __floor__(self) -> int:
+        return int(self._settled(math.floor))
+
+    def __ceil__(self) -> int:
+        return int(self._settled(math.ceil))
+
+    def __round__(self, places: Optional[int] = None) -> Any:
+        if places is None:
+            return self._settled(lambda end: round(end))
+        return self._settled(lambda end: round(end, places))
+
+    def __format__(self, spec: str) -> str:
+        return self._settled(lambda end: _formatted(end, spec)) if spec else str(self)
+
+    def to_fraction(self) -> Fraction:
+        """The exact fraction; :class:`Undecided` where the number is not known to be one."""
+        if self.exact is None:
+            raise Undecided(f"{self} is not known as a fraction; exact_lo and exact_hi are its ends")
+        return self.exact
+
+    def to_decimal(self, digits: int = 28, *, rounding: str = "nearest") -> decimal.Decimal:
+        """A :class:`decimal.Decimal` with so many digits, each of them right."""
+        return decimal.Decimal(self.digits(digits, rounding=rounding))
+
+    def to_mpmath(self) -> Any:
+        """An interval of ``mpmath.iv`` that holds the number, at the precision set there."""
+        from mpmath import iv  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+        below, above = self.narrower(int(iv.dps) + 5)
+        ends = [iv.mpf(end.numerator) / iv.mpf(end.denominator) for end in (below, above)]
+        return iv.mpf([ends[0].a, ends[1].b])
+
+    def _mpmath_(self, prec: int, rounding: str) -> Any:
+        from mpmath import libmp, mp  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+        def made(end: Fraction) -> Any:
+            return libmp.from_rational(end.numerator, end.denominator, prec, rounding)
+
+        return mp.make_mpf(self._settled(made, prec // 3))
+
+    def to_sympy(self) -> Any:
+        """The exact number in SymPy: a rational, or its closed form."""
+        import sympy  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+        if self.exact is not None:
+            return sympy.Rational(self.exact.numerator, self.exact.denominator)
+        if self.radical is None:
+            raise Undecided(f"{self} has no closed form here; to_decimal gives digits")
+        return sympy.sympify(self.radical.replace("^", "**"), rational=True)
+
+    _sympy_ = to_sympy
+
+    def to_flint(self) -> Any:
+        """A ``flint.fmpq`` where the number is rational, else a ``flint.arb`` that holds it, at flint's precision."""
+        import flint  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+        def fraction(end: Fraction) -> Any:
+            return flint.fmpq(end.numerator, end.denominator)
+
+        if self.exact is not None:
+            return fraction(self.exact)
+        below, above = self.narrower(int(flint.ctx.dps) + 5)
+        return flint.arb(fraction(below)).union(flint.arb(fraction(above)))
+
+
+class Rational(Number, Fraction):  # type: ignore[misc]  # fractions of fractions are results here
+    """A result that is known exactly: a fraction with the methods of every result."""
+
+    __slots__ = ()
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return (Rational, (self.numerator, self.denominator))
+
+    def __repr__(self) -> str:
+        return f"Fraction({self.numerator}, {self.denominator})"
+
+    __str__ = Fraction.__str__
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return Fraction.__hash__(self)
+
+    __float__ = Fraction.__float__
+
+    @property
+    def exact(self) -> Fraction:
+        return Fraction(self.numerator, self.denominator)
+
+    exact_lo = exact
+    exact_hi = exact
+
+    def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
+        exact = self.exact
+        return exact, exact
+
+    def digits(self, count: int, *, rounding: str = "nearest") -> str:
+        return _rounded(self.exact, count_of(count, "digits"), rounding)
+
+
+class Enclosure(Number):
     """A number between two others: an irrational one, or all values that measured inputs allow.
 
     ``lo`` and ``hi`` are doubles rounded outwards, ``exact_lo`` and ``exact_hi`` the fractions that they were rounded
     from. The number is never outside. An irrational number can be had to any number of digits: :meth:`digits`,
-    :meth:`narrower`. Two enclosures are never compared by ``==``; ``x in enclosure`` asks whether a number lies between
-    the ends.
+    :meth:`narrower`. ``x in enclosure`` asks whether a number lies between the ends.
     """
+
+    __slots__ = ()
+
+    @property
+    def exact(self) -> None:
+        return None
+
+    def __float__(self) -> float:
+        """The nearest double."""
+        lo, hi = self.lo, self.hi
+        digits = 25
+        while not self.measured and digits <= _MAX_DIGITS and math.isfinite(hi):
+            below, above = self.narrower(digits)
+            # Division of integers rounds to the nearest double.
+            lo, hi = (end.numerator / end.denominator for end in (below, above))
+            if lo == hi:
+                return lo
+            digits *= 2
+        if lo == hi:
+            return lo
+        raise ValueError(f"{self} has no one nearest double")
+
+    def __str__(self) -> str:
+        if not self.measured:
+            try:
+                return self.digits(_SHOWN)
+            except Undecided:
+                pass
+        return f"[{self.lo!r}, {self.hi!r}]"
+
+    def __repr__(self) -> str:
+        return f"Enclosure({self})"
+
+    def _repr_latex_(self) -> str:
+        if self.measured:
+            return f"$[{_latex(repr(self.lo))},\\; {_latex(repr(self.hi))}]$"
+        return f"$\\approx {_latex(str(self))}$"
+
+
+_SHOWN = 20
+"""Digits that a computed number shows."""
+
+
+class Answer(Enclosure):
+    """An answer of the engine that is not exact."""
 
     __slots__ = ("_chain", "_found", "_place", "_quantity")
 
@@ -87,7 +421,7 @@ class Enclosure:
         self._found = found
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return (Enclosure, (self._chain, self._quantity, self._place, self._found))
+        return (Answer, (self._chain, self._quantity, self._place, self._found))
 
     @property
     def lo(self) -> float:
@@ -127,7 +461,7 @@ class Enclosure:
         """
         found = self._again(count, rounding)["decimal"]
         if found is None:
-            raise ValueError(
+            raise Undecided(
                 f"the values over the measured inputs do not round to one decimal of {count} digits: {self}"
             )
         return found
@@ -143,34 +477,11 @@ class Enclosure:
             answer = answer[place]
         return answer
 
-    def __float__(self) -> float:
-        """The nearest double."""
-        lo, hi = self.lo, self.hi
-        digits = 25
-        while not self.measured and digits <= _MAX_DIGITS and math.isfinite(hi):
-            below, above = self.narrower(digits)
-            # Division of integers rounds to the nearest double.
-            lo, hi = (end.numerator / end.denominator for end in (below, above))
-            if lo == hi:
-                return lo
-            digits *= 2
-        if lo == hi:
-            return lo
-        raise ValueError(f"{self} has no one nearest double")
-
-    def __contains__(self, value: Exact) -> bool:
-        """Whether an exact number lies between the ends."""
-        number = Fraction(text_of(value, "value"))
-        return self.exact_lo <= number <= self.exact_hi
-
     def __str__(self) -> str:
         decimal_ = self._found["decimal"]
         if decimal_ is not None and not self.measured:
             return decimal_
         return f"[{self.lo!r}, {self.hi!r}]"
-
-    def __repr__(self) -> str:
-        return f"Enclosure({self})"
 
     def _repr_latex_(self) -> str:
         if self.measured:
@@ -192,8 +503,176 @@ def _latex(numeral: str) -> str:
     return f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa.replace("inf", "\\infty")
 
 
+class Computed(Enclosure):
+    """What arithmetic makes of results."""
+
+    __slots__ = ("_ends", "_left", "_operation", "_right")
+
+    def __init__(self, operation: str, left: Number, right: Number) -> None:
+        self._operation, self._left, self._right = operation, left, right
+        ends = ((left.exact_lo, left.exact_hi), (right.exact_lo, right.exact_hi))
+        try:
+            self._ends = _ENDS[operation](*ends)
+        except Undecided:
+            # A divisor that is not seen to be apart from 0 yet.
+            self._ends = _ENDS[operation](*(side.narrower(_MAX_DIGITS) for side in (left, right)))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return (Computed, (self._operation, self._left, self._right))
+
+    @property
+    def exact_lo(self) -> Fraction:
+        return self._ends[0]
+
+    @property
+    def exact_hi(self) -> Fraction:
+        return self._ends[1]
+
+    @property
+    def measured(self) -> bool:
+        return self._left.measured or self._right.measured
+
+    def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
+        if self.measured:
+            return self._ends
+        for more in _REFINED:
+            sides = (side.narrower(count + more) for side in (self._left, self._right))
+            lo, hi = ends = _ENDS[self._operation](*sides)
+            if (hi - lo) * 10**count <= max(abs(lo), abs(hi)):
+                break
+        return ends
+
+
+_Ends = Tuple[Fraction, Fraction]
+
+
+def _product(a: _Ends, b: _Ends) -> _Ends:
+    all_four = [x * y for x in a for y in b]
+    return min(all_four), max(all_four)
+
+
+def _quotient(a: _Ends, b: _Ends) -> _Ends:
+    if b[0] <= 0 <= b[1]:
+        if b[0] == b[1]:
+            raise ZeroDivisionError("division by 0")
+        raise Undecided("the divisor may be 0")
+    return _product(a, (1 / b[1], 1 / b[0]))
+
+
+def _power(a: _Ends, b: _Ends) -> _Ends:
+    exponent = int(b[0])
+    if exponent < 0:
+        return _quotient((Fraction(1), Fraction(1)), _power(a, (-b[0], -b[1])))
+    powers = sorted((a[0] ** exponent, a[1] ** exponent))
+    if exponent % 2 == 0 and exponent > 0 and a[0] < 0 < a[1]:
+        return Fraction(0), powers[1]
+    return powers[0], powers[1]
+
+
+def _absolute(a: _Ends, _: _Ends) -> _Ends:
+    if a[0] < 0 < a[1]:
+        return Fraction(0), max(-a[0], a[1])
+    sizes = sorted((abs(a[0]), abs(a[1])))
+    return sizes[0], sizes[1]
+
+
+_ENDS: Dict[str, Callable[[_Ends, _Ends], _Ends]] = {
+    "+": lambda a, b: (a[0] + b[0], a[1] + b[1]),
+    "-": lambda a, b: (a[0] - b[1], a[1] - b[0]),
+    "*": _product,
+    "/": _quotient,
+    "**": _power,
+    "abs": _absolute,
+}
+"""For each operation the ends of the result from those of its sides: no possible value is outside."""
+
+
+def _operand(value: Any) -> Optional[Number]:
+    """An exact number or a result; None for anything else, a float too, which is seldom the number that is meant."""
+    if isinstance(value, Number):
+        return value
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, (int, numbers.Rational)):
+        return Rational(int(value.numerator), int(value.denominator))
+    if isinstance(value, decimal.Decimal) and value.is_finite():
+        return Rational(Fraction(value))
+    return None
+
+
+def _result(operation: str, left: Any, right: Any) -> Number:
+    sides = _operand(left), _operand(right)
+    if sides[0] is None or sides[1] is None:
+        return NotImplemented
+    exact = sides[0].exact, sides[1].exact
+    if exact[0] is not None and exact[1] is not None:
+        return Rational(_ENDS[operation]((exact[0], exact[0]), (exact[1], exact[1]))[0])
+    return Computed(operation, sides[0], sides[1])
+
+
+def _decided(left: Number, right: Any, relation: str) -> bool:
+    """A comparison, narrowed until it is decided."""
+    if isinstance(right, float) and not isinstance(right, Number):
+        if math.isnan(right):
+            return False
+        if math.isinf(right):
+            return {"<": right > 0, "<=": right > 0, ">": right < 0, ">=": right < 0, "==": False}[relation]
+        # A comparison with the double itself: exact.
+        right = Fraction(right)
+    other = _operand(right)
+    if other is None:
+        return NotImplemented
+    if relation == "==" and left is other and not left.measured:
+        return True
+    for digits in _REFINED:
+        a, b = left.narrower(digits), other.narrower(digits)
+        found = _answer(a, b, relation)
+        if found is not None:
+            return found
+        if left.measured or other.measured:
+            break
+    raise Undecided(f"{left} {relation} {other} is open: their enclosures overlap")
+
+
+def _answer(a: _Ends, b: _Ends, relation: str) -> Optional[bool]:
+    if relation in (">", ">="):
+        return _answer(b, a, "<" if relation == ">" else "<=")
+    below, above = a[1] < b[0], a[0] > b[1]
+    if relation == "==":
+        return True if a[0] == a[1] == b[0] == b[1] else False if below or above else None
+    if relation == "<":
+        return True if below else False if a[0] >= b[1] else None
+    return True if a[1] <= b[0] else False if above else None
+
+
+def _rounded(number: Fraction, digits: int, rounding: str) -> str:
+    sign = "-" if number < 0 else ""
+    return _engine.rounded((f"{sign}{abs(number.numerator):x}", f"{number.denominator:x}"), digits, rounding)
+
+
+def _outward(number: Fraction, towards: float) -> float:
+    """The double next to a fraction in a direction."""
+    try:
+        nearest = number.numerator / number.denominator
+    except OverflowError:
+        nearest = math.inf if number > 0 else -math.inf
+    outside = nearest >= number if towards > 0 else nearest <= number
+    return nearest if outside else math.nextafter(nearest, towards)
+
+
+def _formatted(number: Fraction, spec: str) -> str:
+    """As :class:`decimal.Decimal` is formatted, with so many digits that rounding twice changes nothing."""
+    length = (abs(number.numerator).bit_length() + number.denominator.bit_length()) // 3
+    places = re.search(r"\.(\d+)", spec)
+    digits = 2 * length + 50 + (int(places.group(1)) if places else 0)
+    with decimal.localcontext() as context:
+        context.prec = min(digits, 100_000)
+        context.Emax, context.Emin = decimal.MAX_EMAX, decimal.MIN_EMIN
+        return format(decimal.Decimal(number.numerator) / decimal.Decimal(number.denominator), spec)
+
+
 def number_of(chain: Chain, quantity: str, place: Tuple[int, ...], found: Found) -> Number:
     """An exact answer as a fraction, any other as an enclosure."""
     if found["exact"] is not None:
-        return fraction_of(found["exact"])
-    return Enclosure(chain, quantity, place, found)
+        return Rational(fraction_of(found["exact"]))
+    return Answer(chain, quantity, place, found)

@@ -15,6 +15,9 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::time::Duration;
 
+/// The columns to which an argument is wrapped.
+const COLUMNS: usize = 100;
+
 /// Judges the claims of a text, or of the built-in catalogue; the verdicts as JSON.
 #[pyfunction]
 pub fn audit(
@@ -121,6 +124,8 @@ fn described(entry: &Entry) -> Value {
         "reason": outcome.reason,
         "found": entry.found,
         "certificate": entry.proof.as_ref().map(|p| &p.sha256),
+        "certificate_text": entry.proof.as_ref().map(|p| &p.certificate),
+        "explanation": report::argument::text(entry, COLUMNS),
         "notes": claim.notes,
     })
 }

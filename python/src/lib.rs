@@ -9,6 +9,7 @@ mod claims;
 mod number;
 mod refusal;
 mod table;
+mod tools;
 
 use pyo3::prelude::*;
 
@@ -25,6 +26,8 @@ mod _engine {
     use super::refusal::LimitReached;
     #[pymodule_export]
     use super::table::Plan;
+    #[pymodule_export]
+    use super::tools::{check, export, judged, law_point, plot, plot_velocities, replay, rounded, worksheet};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

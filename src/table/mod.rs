@@ -437,7 +437,8 @@ fn short(x: &Rational) -> Option<String> {
 }
 
 /// A number of bodies as text, and exactly where it is finite.
-pub(crate) fn count_text(best: &Best) -> (String, Option<String>) {
+#[must_use]
+pub fn count_text(best: &Best) -> (String, Option<String>) {
     match best {
         Best::Finite { count, .. } => (count.to_string(), Some(count.to_string())),
         Best::Infinite => ("infinite".to_owned(), None),

@@ -1,0 +1,30 @@
+"""Texts that functions read: given as such, or as the name of a file."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Optional, Union
+
+Text = Union[str, "os.PathLike[str]"]
+"""A text, or a file that holds it: a :class:`pathlib.Path`, or a name of one line with the right ending."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A text, and the file that it was read from."""
+
+    text: str
+    path: Optional[str]
+
+
+def source_of(text: Text, ending: str) -> Source:
+    """The text itself, or that of the file; a file that cannot be read is an :class:`OSError`."""
+    if isinstance(text, str) and not ("\n" not in text and text.endswith(ending)):
+        return Source(text, None)
+    path = os.fspath(text)
+    with open(path, encoding="utf-8-sig") as file:
+        try:
+            return Source(file.read(), path)
+        except UnicodeDecodeError:
+            raise ValueError(f"{path}: this is not UTF-8 text") from None

@@ -1,0 +1,317 @@
+//! The rest of the program for Python: replays, worksheets, pictures, checks of tables, exports, certificates, laws.
+//!
+//! Contract: each function reads the text that the command of the same name reads, and answers with the text that the
+//! command prints, or with one cell's judgement.
+
+use crate::refusal::{Refusal, detached, detached_deep};
+use carom::chain::replay::Options;
+use carom::chain::{ChainError, Positive, Restitution};
+use carom::claim::diagnostic::Diagnostic;
+use carom::claim::parse::parse;
+use carom::claim::syntax::Claim;
+use carom::export::{coq, smt2};
+use carom::number::NumberError;
+use carom::number::decimal::{Decimal, Digits};
+use carom::number::rational;
+use carom::prove::catalogue::Limits;
+use carom::prove::refute::Seen;
+use carom::prove::trial::{Trial, Untried};
+use carom::report::plot::charts::{eta_of_number, eta_of_ratio, map, thresholds, velocities};
+use carom::report::plot::svg;
+use carom::report::replay as report;
+use carom::report::worksheet::{Style, Subject, html, latex, sheet, text};
+use carom::scene::read::{self, ROUNDINGS, SceneFault};
+use carom::scene::replay as bodies;
+use carom::table::check::{Agreement, judge, judge_count};
+use carom::table::worksheet::Worksheet;
+use carom::table::{Place, Quantity, Value, count_text, value};
+use malachite::Rational;
+use malachite::base::num::conversion::traits::FromStringBase;
+use pyo3::prelude::*;
+
+impl From<NumberError> for Refusal {
+    fn from(error: NumberError) -> Refusal {
+        Refusal::from(ChainError::Number(error))
+    }
+}
+
+impl From<carom::Error> for Refusal {
+    fn from(error: carom::Error) -> Refusal {
+        match error {
+            carom::Error::Limit(_) => Refusal::Limit(error.to_string()),
+            other => Refusal::Input(other.to_string()),
+        }
+    }
+}
+
+fn rounding(name: &str) -> Result<carom::number::decimal::Rounding, Refusal> {
+    let found = ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, direction)| *direction);
+    found.ok_or_else(|| {
+        Refusal::Input(format!("rounding: {name:?} is no direction; write nearest, up, down, zero or away"))
+    })
+}
+
+fn rational(name: &str, text: &str) -> Result<Rational, Refusal> {
+    rational::parse(text).map_err(|error| Refusal::at(name, error))
+}
+
+/// A fraction, from hexadecimal digits, as a decimal with so many significant digits.
+#[pyfunction]
+pub fn rounded(py: Python<'_>, parts: (String, String), digits: u64, direction: &str) -> Result<String, Refusal> {
+    detached(py, || {
+        let part = |text: &str| malachite::Integer::from_string_base(16, text);
+        let parts = part(&parts.0).zip(part(&parts.1)).ok_or(Refusal::Failure)?;
+        let number = Rational::from_integers(parts.0, parts.1);
+        Ok(Decimal::of_rational(&number, Digits::Significant(digits), rounding(direction)?)?.to_string())
+    })
+}
+
+/// A replay of a scene in one of its forms.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // the flags of the command
+pub fn replay(
+    py: Python<'_>,
+    scene: &str,
+    form: &str,
+    until: Option<String>,
+    most: u64,
+    list: usize,
+    through_collapse: bool,
+    orders: bool,
+    digits: Option<u64>,
+) -> Result<String, Refusal> {
+    detached(py, || {
+        let until = until.map(|until| rational("until", &until)).transpose()?;
+        if until.as_ref().is_some_and(|time| *time < 0u32) {
+            return Err(Refusal::Input("until is negative; the scene begins at time 0".to_owned()));
+        }
+        let options = Options {
+            until,
+            max_events: most,
+            list,
+            through_collapse,
+            orders,
+            digits: digits.unwrap_or(report::DEFAULT_DIGITS),
+            ..Options::default()
+        };
+        let outcome = carom::replay(scene, &options)?;
+        // It was read a moment ago.
+        let scene = bodies::read(scene).map_err(|fault| Refusal::Input(fault.message))?;
+        let numbers = match (digits, form) {
+            (Some(digits), _) => report::Numbers::Decimal(digits),
+            (None, "json" | "csv") => report::Numbers::Exact,
+            (None, _) => report::Numbers::Short(24, 12),
+        };
+        let made = report::Replay { title: scene.title.as_deref(), line: &scene.line, outcome: &outcome, numbers };
+        match form {
+            "text" => Ok(report::text::report(&made)),
+            "json" => Ok(report::json::report(&made)),
+            "csv" => Ok(report::csv::report(&made)),
+            "svg" => Ok(report::svg::report(&made)),
+            "html" => Ok(report::html::report(&made)),
+            other => Err(unknown_form(other, "text, json, csv, svg or html")),
+        }
+    })
+}
+
+fn unknown_form(form: &str, known: &str) -> Refusal {
+    Refusal::Input(format!("form: {form:?} is unknown; write {known}"))
+}
+
+fn scene_fault(fault: SceneFault, text: &str) -> Refusal {
+    let said = fault.diagnostic.render("scene", text, false);
+    if fault.limit { Refusal::Limit(said) } else { Refusal::Input(said) }
+}
+
+fn described(scene: &str) -> Result<(carom::scene::About, read::Subject), Refusal> {
+    read::described(scene).map_err(|fault| scene_fault(fault, scene))
+}
+
+/// The sheet of a scene that one writes the table of.
+fn filled_table(subject: &read::Subject) -> Result<Worksheet, Refusal> {
+    Ok(match subject {
+        read::Subject::Drop(drop, _) => Worksheet::of_drop(drop)?,
+        read::Subject::Chain(scene) => Worksheet::of(scene.inputs.whole("a worksheet")?)?,
+    })
+}
+
+/// A worksheet, its key, or both.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // the flags of the command
+pub fn worksheet(
+    py: Python<'_>,
+    scene: &str,
+    form: &str,
+    which: &str,
+    title: Option<String>,
+    standard: Option<String>,
+    digits: u64,
+    exact: bool,
+    letter: bool,
+) -> Result<String, Refusal> {
+    detached(py, || {
+        let (about, subject) = described(scene)?;
+        let table = filled_table(&subject)?;
+        let drop = if let read::Subject::Drop(drop, _) = &subject { Some(drop) } else { None };
+        let title = title.or_else(|| about.title.clone()).unwrap_or_else(|| "Collisions".to_owned());
+        let of = Subject {
+            worksheet: &table,
+            about: &about,
+            drop,
+            title: &title,
+            version: None,
+            standard: standard.as_deref(),
+        };
+        let wanted: &[bool] = match which {
+            "blank" => &[false],
+            "key" => &[true],
+            "both" => &[false, true],
+            other => return Err(Refusal::Input(format!("sheet: {other:?} is unknown; write blank, key or both"))),
+        };
+        let style = Style { digits: Digits::Significant(digits.max(1)), exact };
+        let sheets = wanted.iter().map(|filled| sheet(&of, style, *filled)).collect::<Result<Vec<_>, _>>()?;
+        let joined = |one: fn(&_) -> String| sheets.iter().map(one).collect::<Vec<_>>().join("\n\n");
+        match form {
+            "text" => Ok(joined(text::text)),
+            "markdown" => Ok(joined(text::markdown)),
+            "latex" => Ok(latex::document(&sheets, letter)),
+            "html" => Ok(html::page(&sheets, letter)),
+            other => Err(unknown_form(other, "text, markdown, latex or html")),
+        }
+    })
+}
+
+/// A picture as SVG: of ratios from and to, restitutions, numbers of bodies.
+#[pyfunction]
+pub fn plot(py: Python<'_>, picture: &str, ratio: Vec<String>, e: Vec<String>, n: Vec<u64>) -> Result<String, Refusal> {
+    detached(py, || {
+        let mass = |text: &String| Ok::<_, Refusal>(Positive::new(rational("ratio", text)?)?);
+        let ratios = ratio.iter().map(mass).collect::<Result<Vec<_>, _>>()?;
+        let coefficient = |text: &String| Ok::<_, Refusal>(Restitution::new(rational("e", text)?)?);
+        let all = e.iter().map(coefficient).collect::<Result<Vec<_>, _>>()?;
+        let needs = |what: &str| Refusal::Input(format!("the picture {picture} needs {what}"));
+        let chart = match (picture, ratios.as_slice(), all.as_slice()) {
+            ("eta-n", [ratio], [_, ..]) => {
+                let most = n.first().copied().ok_or_else(|| needs("n, the most bodies"))?;
+                eta_of_number(ratio, &all, most)
+            }
+            ("eta-x", [from, to], [e]) if !n.is_empty() => eta_of_ratio(from, to, e, &n),
+            ("threshold", [from, to], []) if !n.is_empty() => thresholds(from, to, &n),
+            ("map", [from, to], []) => map(from, to),
+            ("eta-n", ..) => return Err(needs("one ratio, one e or more, and n, the most bodies")),
+            ("eta-x", ..) => return Err(needs("two ratios, one e, and numbers n of bodies")),
+            ("threshold", ..) => return Err(needs("two ratios, no e, and numbers n of bodies")),
+            ("map", ..) => return Err(needs("two ratios, and no e")),
+            _ => return Err(Refusal::Input(format!("no picture is called {picture:?}: eta-n, eta-x, threshold, map"))),
+        };
+        let page = chart.and_then(|chart| chart.finish()).map_err(|e| Refusal::Input(e.to_string()))?;
+        Ok(svg::render(&page))
+    })
+}
+
+/// A picture of the velocities of a scene, as SVG.
+#[pyfunction]
+pub fn plot_velocities(py: Python<'_>, scene: &str, title: Option<String>) -> Result<String, Refusal> {
+    detached(py, || {
+        let (about, subject) = described(scene)?;
+        let title = title.or_else(|| about.title.clone()).unwrap_or_else(|| "Velocities".to_owned());
+        let chart = velocities(&filled_table(&subject)?, &title);
+        let page = chart.and_then(|chart| chart.finish()).map_err(|e| Refusal::Input(e.to_string()))?;
+        Ok(svg::render(&page))
+    })
+}
+
+/// A written number beside the certified one: whether it is right, what is said of it, the certified number.
+#[pyfunction]
+pub fn judged(
+    py: Python<'_>,
+    written: &str,
+    quantity: &str,
+    ratio: &str,
+    e: Option<String>,
+    n: Option<u64>,
+    direction: &str,
+) -> Result<(bool, String, String), Refusal> {
+    detached(py, || {
+        let wanted = Quantity::ALL.into_iter().find(|known| known.name() == quantity);
+        let quantity = wanted
+            .ok_or_else(|| Refusal::Input(format!("no column is called {quantity:?}: eta, threshold or best-n")))?;
+        let e = e.map(|e| Ok::<_, Refusal>(Restitution::new(rational("e", &e)?)?)).transpose()?;
+        let place = Place { ratio: Positive::new(rational("ratio", ratio)?)?, e, n };
+        let (agreement, certified) = match value(quantity, &place)? {
+            Value::Count(best) => {
+                let certified = count_text(&best).0;
+                (judge_count(written, &certified)?, certified)
+            }
+            Value::Real(real) => judge(written, &real, rounding(direction)?)?,
+        };
+        Ok((agreement == Agreement::Right, agreement.text(), certified))
+    })
+}
+
+fn claims(text: &str) -> Result<Vec<Claim>, Refusal> {
+    let shown = |faults: Vec<Diagnostic>| {
+        Refusal::Input(faults.iter().map(|f| f.render("text", text, false)).collect::<Vec<_>>().join("\n"))
+    };
+    parse(text).map_err(shown)
+}
+
+/// The statements of claims for Coq, or as a script for SMT solvers.
+#[pyfunction]
+pub fn export(py: Python<'_>, text: &str, language: &str) -> Result<String, Refusal> {
+    detached_deep(py, || {
+        let refused = |claim: &Claim, why: &str| {
+            Refusal::Input(format!("{} cannot be exported to {language}: {why}", claim.name.text))
+        };
+        let all = claims(text)?;
+        match language {
+            "coq" => {
+                let one = |claim| coq::statement(claim).map_err(|e| refused(claim, &e.reason.to_string()));
+                Ok(coq::definitions(&all.iter().map(one).collect::<Result<Vec<_>, _>>()?))
+            }
+            "smt2" => {
+                let one = |claim| smt2::script(claim).map_err(|e| refused(claim, &e.reason.to_string()));
+                Ok(all.iter().map(one).collect::<Result<Vec<_>, _>>()?.join("\n(reset)\n"))
+            }
+            other => Err(Refusal::Input(format!("language: {other:?} is unknown; write coq or smt2"))),
+        }
+    })
+}
+
+/// Has the kernel check a certificate: the statement that it accepted.
+#[pyfunction]
+pub fn check(py: Python<'_>, text: &str, certificate: &str) -> Result<String, Refusal> {
+    detached_deep(py, || Ok(carom::check(text, certificate)?.text().to_string()))
+}
+
+/// A point of a law: names with values, and whether the goal holds there, where that is decided.
+type Drawn = (Vec<(String, String)>, Option<bool>);
+
+/// A point of a law where all its hypotheses hold, made from random numbers; `None` where they give none.
+#[pyfunction]
+pub fn law_point(py: Python<'_>, text: &str, random: Vec<u64>) -> Result<Option<Drawn>, Refusal> {
+    detached_deep(py, || {
+        let mut found = claims(text)?;
+        let claim = found
+            .pop()
+            .filter(|_| found.is_empty())
+            .ok_or_else(|| Refusal::Input("a law is one claim; give one".to_owned()))?;
+        let mut trial = Trial::new(&claim, &Limits::default()).map_err(|why| match why {
+            Untried::Fault(fault) => {
+                Refusal::Input(carom::judge::diagnostic(&claim, fault).render("text", text, false))
+            }
+            Untried::Limit(name) => Refusal::Limit(format!("limit reached: {name}")),
+            Untried::Moves => Refusal::Input("a point says nothing of a derivative or limit that is tied".to_owned()),
+        })?;
+        let mut random = random.into_iter();
+        let mut below = |bound: u64| random.next().unwrap_or(0) % bound.max(1);
+        let Some(choice) = trial.once(&mut below) else { return Ok(None) };
+        let Some((seen, point)) = trial.at(&choice) else { return Ok(None) };
+        let holds = match seen {
+            Seen::Holds => Some(true),
+            Seen::Fails(_) => Some(false),
+            Seen::Open => None,
+        };
+        Ok(Some((trial.named(&point).values, holds)))
+    })
+}

@@ -1,0 +1,138 @@
+"""One result type: arithmetic that encloses, comparisons that refuse what is open, formats, other libraries."""
+
+from __future__ import annotations
+
+import copy
+import decimal
+import math
+import pickle
+import random
+from fractions import Fraction
+
+import pytest
+
+import carom
+
+
+def step_of(step, a, k, power):
+    """One operation, the same for a result and for a fraction."""
+    return [lambda: a + k, lambda: k - a, lambda: a * k, lambda: a**power, lambda: abs(a), lambda: a * a - a][step]()
+
+
+def test_every_result_has_the_same_attributes():
+    for x in (carom.eta(64, 1, e="44/81", n=2), carom.eta(10, 1, e="9/10", n=7), carom.eta(10, 1, e="0.9 ± 0.01", n=0)):
+        assert isinstance(x, carom.Number) and x.lo <= x.hi and Fraction(x.lo) <= x.exact_lo <= x.exact_hi
+        assert x.exact is None or x.exact_lo == x.exact == x.exact_hi
+        assert x.measured or x.digits(12)
+    exact = carom.eta(64, 1, e="44/81", n=2)
+    assert isinstance(exact, Fraction) and repr(exact) == "Fraction(15625000000, 282429536481)"
+    assert exact.digits(5) == "0.055324" and hash(exact) == hash(Fraction(exact)) and {exact: 1}[Fraction(exact)] == 1
+    for x in (exact, carom.eta(10, 1, e="9/10", n=7), carom.eta(10, 1, e="9/10", n=7) * 2):
+        for again in (pickle.loads(pickle.dumps(x)), copy.deepcopy(x)):
+            assert type(again) is type(x) and again.digits(30) == x.digits(30)
+
+
+def test_arithmetic_never_leaves_the_true_value_outside():
+    rng = random.Random(20261122)
+    root = carom.masses(2, 1, n=1)[1]
+    for _ in range(300):
+        # sqrt(2) with 200 digits, independent of the engine.
+        true = Fraction(math.isqrt(2 * 10**400), 10**200)
+        x, value = root, true
+        for _ in range(rng.randint(1, 5)):
+            k = Fraction(rng.randint(-9, 9), rng.randint(1, 9))
+            power = rng.choice([-2, -1, 0, 1, 2, 3])
+            if value == 0:
+                break
+            step = rng.randrange(6)
+            x, value = step_of(step, x, k, power), step_of(step, value, k, power)
+        slack = Fraction(1, 10**150) * (abs(value) + 1)
+        assert x.exact_lo - slack <= value <= x.exact_hi + slack
+        lo, hi = x.narrower(40)
+        assert lo - slack <= value <= hi + slack
+        if value and x.exact is None:
+            assert hi - lo <= abs(value) * Fraction(1, 10**38), (x, value)
+            assert abs(Fraction(x.digits(30)) - value) <= abs(value) * Fraction(1, 10**29)
+
+
+def test_measured_results_stay_ranges():
+    x = carom.eta(10, 1, e="[0.8, 0.9]", n=0)
+    assert x.measured and (x - x).exact_lo < 0 < (x - x).exact_hi and (2 * x).exact_hi == 2 * x.exact_hi
+    assert x < 1 and not x > 1
+    with pytest.raises(carom.Undecided):
+        bool(x < (x.exact_lo + x.exact_hi) / 2)
+    with pytest.raises(carom.Undecided):
+        x.digits(5)
+
+
+def test_comparisons_are_decided_or_refused():
+    a, b = carom.eta(10, 1, e="9/10", n=2), carom.eta(10, 1, e="9/10", n=1)
+    assert a > b and b < a and a >= b and a != b and not a == b and a > 0 and a < 1 and sorted([a, b]) == [b, a]
+    assert a < 0.9 < a + 1 and a != "a" and a == a and a < math.inf and not a == math.nan
+    # Far closer than doubles tell.
+    near = Fraction(a.digits(40, rounding="down"))
+    assert a > near and a < near + Fraction(1, 10**40) and float(a) == float(near)
+    root = carom.masses(2, 1, n=1)[1]
+    two = root * root
+    for open_ in (lambda: two == 2, lambda: two < 2, lambda: two != 2, lambda: math.floor(two), lambda: bool(two - 2)):
+        with pytest.raises(carom.Undecided):
+            open_()
+    assert issubclass(carom.Undecided, ValueError)
+    with pytest.raises(TypeError):
+        a + 0.5
+    with pytest.raises(TypeError):
+        assert a < "1"
+    with pytest.raises(ZeroDivisionError):
+        a / 0
+    with pytest.raises(carom.Undecided):
+        1 / (two - 2)
+    with pytest.raises(TypeError):
+        a**0.5
+
+
+def test_formats_are_right_in_every_digit():
+    x = carom.eta(10, 1, e="9/10", n=7)
+    assert f"{x:.5g}" == "0.37314" and f"{x:.3f}" == "0.373" and f"{x:.2%}" == "37.31%" and f"{x:>8.3f}" == "   0.373"
+    assert f"{x:.3e}" == "3.731e-1" and f"{x}" == str(x) and f"{x:.40f}"[:25] == x.digits(23, rounding="down")
+    third = carom.eta(3, 1, e=1, n=0)  # 3/4
+    assert f"{third:.1f}" == "0.8" and f"{third:.3f}" == "0.750" and round(third, 1) == Fraction(4, 5)
+    assert round(x, 3) == Fraction(373, 1000) and round(x) == 0 and int(x * 10) == 3 and math.ceil(x) == 1
+    for places in range(0, 60, 7):
+        assert f"{carom.eta(2, 1, e=1, n=0) / 7:.{places}f}" == f"{decimal_of(Fraction(8, 63)):.{places}f}"
+
+
+def decimal_of(number: Fraction) -> decimal.Decimal:
+    with decimal.localcontext() as context:
+        context.prec = 200
+        return decimal.Decimal(number.numerator) / decimal.Decimal(number.denominator)
+
+
+def test_other_numbers_go_in_and_come_out():
+    x, exact = carom.eta(10, 1, e="9/10", n=7), carom.eta(64, 1, e="44/81", n=2)
+    assert x.to_decimal(10) == decimal.Decimal("0.3731375118") and exact.to_fraction() == exact
+    with pytest.raises(carom.Undecided):
+        x.to_fraction()
+    # A result as an input: an exact one as such, any other as a range that holds it.
+    masses = carom.masses(10, 1, n=2)
+    again = carom.eta(10, 1, e="9/10", masses=masses[1:-1])
+    assert again.measured and again.exact_lo <= carom.eta(10, 1, e="9/10", n=2).exact_lo <= again.exact_hi
+    assert carom.eta(64, 1, e=1, masses=carom.masses(64, 1, n=2)[1:-1]).exact is not None
+    with pytest.raises(ValueError, match="float"):
+        carom.eta(10, 1, e=(0.8, "0.9"), n=0)
+
+
+def test_mpmath_sympy_and_flint():
+    x, exact = carom.eta(10, 1, e="9/10", n=1), carom.eta(64, 1, e="44/81", n=2)
+    mpmath = pytest.importorskip("mpmath")
+    interval = x.to_mpmath()
+    assert interval.a <= mpmath.iv.mpf(x.digits(30)).b and mpmath.mpf(x) == mpmath.mpf(float(x))
+    assert carom.eta(10, 1, e=mpmath.iv.mpf(["0.5", "0.75"]), n=0).measured
+    sympy = pytest.importorskip("sympy")
+    assert sympy.sympify(exact) == sympy.Rational(exact.numerator, exact.denominator)
+    closed = sympy.sympify(x)
+    assert not closed.has(sympy.Float) and str(sympy.N(closed, 40))[:30] == x.digits(40)[:30]
+    assert carom.eta(10, 1, e=sympy.Rational(1, 2), n=0) == carom.eta(10, 1, e="1/2", n=0)
+    flint = pytest.importorskip("flint")
+    assert x.to_flint().overlaps(flint.arb(x.digits(40))) and exact.to_flint() == flint.fmpq(15625000000, 282429536481)
+    assert carom.eta(10, 1, e=flint.fmpq(1, 2), n=0) == carom.eta(10, 1, e="1/2", n=0)
+    assert carom.eta(10, 1, e=flint.arb("0.5", "0.01"), n=0).measured
