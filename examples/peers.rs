@@ -155,6 +155,10 @@ fn digits(run: &Run) {
         let answer = |x: &Real| remainder(x, count - SPARE);
         run.case(&format!("eta/{count}"), || eta.enclosure(black_box(bits)), |_| answer(&eta));
         run.case(&format!("L_7/{count}"), || l.enclosure(black_box(bits)), |_| answer(&l));
+        // What the others are measured by.
+        let all_bits = Natural::power_of_2(bits) - Natural::ONE;
+        let (x, y) = (&all_bits / Natural::from(3u32), &all_bits / Natural::from(7u32));
+        run.case(&format!("product/{count}"), || black_box(&x) * black_box(&y), |_| String::new());
     }
 }
 

@@ -63,8 +63,33 @@ def table(job, record):
             seconds, done, all_cases = total(results, result["tool"])
             cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases}")
         lines.append(row(cells))
-    lines += ["", f"Measured {record['when']}, {beside(record)}.", ""]
+    lines += over_products(ours) if job == "J3" else []
+    lines += ["", f"Measured {record['when']}, {beside(record)}."]
+    # Of the cases that were not measured again.
+    lines += [f"Of {part['when']}, {beside(part)}: {', '.join(part['cases'])}." for part in record.get("earlier", [])]
+    lines.append("")
     return "\n".join(lines)
+
+
+# The operations of full length in the quickest formula known, roots, quotients, squares and products: for eta three square
+# roots, a quotient and three squares; for L_7 three square roots and the seventh root, three squares for the eighth power
+# and four products for the seventh, and a quotient. One takes between half a product (a short square) and some products.
+OPERATIONS = {"eta": 7, "L_7": 12}
+
+
+def over_products(ours):
+    """J3 in units of one product of that length, by the same library."""
+    counts = [count for count in DIGITS if f"product/{count}" in ours]
+    if not counts:
+        return []
+    lines = ["", "The same in products of two numbers of that length by the same library, and in brackets for each operation of that",
+             "length that the formula has: a root, a quotient, a square or a product.", ""]
+    lines += [row(["", *(f"{count} digits" for count in counts)]), row(["---"] * (len(counts) + 1))]
+    for what, count in OPERATIONS.items():
+        times = [ours[f"{what}/{digits}"]["median"] / ours[f"product/{digits}"]["median"] for digits in counts]
+        lines.append(row([f"{what}, {count} operations", *(f"{ratio(t)} ({ratio(t / count)})" for t in times)]))
+    lines.append(row(["one product", *(duration(ours[f"product/{count}"]["median"]) for count in counts)]))
+    return lines
 
 
 def beside(record):
