@@ -597,6 +597,40 @@ fn cells_of_any_length_are_aligned() {
     assert!(shown.contains("0 wrong; 1 unreadable"));
 }
 
+/// Every row of a table that all cores work on is the row that is computed by itself, in its place, in every form.
+#[test]
+fn rows_made_side_by_side_are_those_made_one_by_one() {
+    let axes = ["table", "--ratio", "1:40:1", "-e", "0:1:0.005", "-n", "1:3:1", "--digits", "8"];
+    let form = |name: &str| text(&carom(&[&axes[..], &["--format", name]].concat()).stdout);
+    let plan =
+        plan(Quantity::Eta, "1:40:1", Some("0:1:0.005"), Some("1:3:1"), Digits::Significant(8), Rounding::Nearest);
+    let rows: Vec<_> = (0..plan.rows())
+        .map(|row| {
+            let found = plan.value(row).expect("a value");
+            plan.row(row, Found::Open(found)).expect("a row").0
+        })
+        .collect();
+    assert_eq!(rows.len(), 40 * 201 * 3);
+    let lines = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let csv = lines(&form("csv"));
+    let csv: Vec<_> = csv.iter().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).collect();
+    assert_eq!(csv.len(), rows.len());
+    let aligned = lines(&form("text"));
+    let aligned = &aligned[aligned.len() - rows.len()..];
+    let json: serde_json::Value = serde_json::from_str(&form("json")).expect("JSON");
+    let json = json["rows"].as_array().expect("rows");
+    assert_eq!(json.len(), rows.len());
+    for (place, row) in rows.iter().enumerate() {
+        let exact = row.exact.clone().unwrap_or_default();
+        let fields = [row.labels.join(","), row.value.clone(), exact.clone()].join(",");
+        assert_eq!(*csv[place], fields, "row {place} as CSV");
+        let words: Vec<&str> = aligned[place].split_whitespace().collect();
+        let expected: Vec<&str> = fields.split(',').filter(|word| !word.is_empty()).collect();
+        assert_eq!(words, expected, "row {place} as text");
+        assert_eq!(json[place]["eta"].as_str(), Some(row.value.as_str()), "row {place} as JSON");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn ctrl_c_leaves_whole_rows_or_nothing() {
