@@ -1,15 +1,15 @@
-//! The normal form of the prover against the evaluator, which shares only the syntax tree with it:
-//! an expression and the form that it is brought to have the same values.
+//! The kernel's reading of expressions against the evaluator, which shares only the syntax tree with it:
+//! an expression and what it is read as have the same values. Limits at a point have one value.
 
 use carom::claim::parse::{parse, parse_prop};
+use carom::claim::print;
 use carom::claim::syntax::*;
 use carom::judge::outcome_of;
 use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::context::{Context, Engine};
 use carom::prove::evaluate::Assignment;
 use carom::prove::expand::Statement;
 use carom::prove::outcome::Verdict;
-use carom::prove::show;
+use carom::prove::reading::Reading;
 use malachite::Rational;
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, TestRunner};
@@ -58,23 +58,12 @@ fn expression(text: &str) -> Expr {
     }
 }
 
-/// An engine that knows x, y > 0 and n natural >= 1.
-fn with_engine<T>(work: impl FnOnce(&mut Engine, &mut Context) -> T) -> T {
+/// A reading that knows x, y > 0 and n natural >= 1.
+fn reading() -> Reading {
     let source = "claim domains \"t\"\ngiven x, y > 0;  n natural >= 1\nprove x = x\n";
     let claims = parse(source).expect("it parses");
     let statement = Statement::of(&claims[0]).expect("within limits");
-    let mut engine = Engine {
-        ring: Default::default(),
-        used: 0,
-        deadline: None,
-        steps: 20_000,
-        points: 0,
-        limit: None,
-        certified: Default::default(),
-    };
-    let mut cx = Context::default();
-    engine.declare(&mut cx, &statement.bindings).expect("domains");
-    work(&mut engine, &mut cx)
+    Reading::of(&statement, &statement.bindings).expect("it is read")
 }
 
 /// Points (x, y, n).
@@ -93,15 +82,8 @@ fn a_form_has_the_values_of_its_expression() {
     let compared = std::cell::Cell::new(0);
     let law = |text: String| {
         let e = expression(&text);
-        // Where some step is not known to have a value, there is no form.
-        let shown = with_engine(|engine, cx| {
-            let mut conditions = Vec::new();
-            let form = engine.scalar(cx, &e, &mut conditions).ok()?;
-            engine.show_conditions(cx, conditions).ok()?;
-            Some(show::form(&engine.ring, &form))
-        });
-        let Some(shown) = shown else { return Ok(()) };
-        let f = expression(&shown);
+        let Some(f) = reading().plain(&e) else { return Ok(()) };
+        let shown = print::expr(&f);
         for at in POINTS.map(point) {
             if let (Ok(a), Ok(b)) = (at.number(&e), at.number(&f)) {
                 compared.set(compared.get() + 1);
@@ -130,11 +112,8 @@ proptest! {
         // f is a sum of convex functions of x > 0: its derivative lies between the quotients to
         // either side.
         let f = |x: &str| format!("({x})^({}) + {c}*({x})^(-{b}) + exp({x}/{k})", Rational::from_signeds(a + k, a));
-        let derivative = with_engine(|engine, cx| {
-            let e = expression(&format!("derivative({}, x)", f("x")));
-            let form = engine.scalar(cx, &e, &mut Vec::new()).expect("a derivative");
-            show::form(&engine.ring, &form)
-        });
+        let e = expression(&format!("derivative({}, x)", f("x")));
+        let derivative = print::expr(&reading().plain(&e).expect("a derivative"));
         let at = point((c, b, 1, 1, 1));
         let h = "1/1000";
         let claims = [

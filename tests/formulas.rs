@@ -61,7 +61,7 @@ fn value(expr: &Expr, at: &[(&str, Rational)]) -> Number {
 fn ends(text: &Number) -> (Rational, Rational) {
     match text {
         Number::Exact(x) => (x.clone(), x.clone()),
-        Number::Between(lo, hi) => (lo.clone(), hi.clone()),
+        Number::Between(lo, hi, _) => (lo.clone(), hi.clone()),
     }
 }
 

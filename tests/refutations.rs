@@ -337,7 +337,7 @@ fn a_number_that_the_kernel_encloses_is_the_one_that_the_evaluator_finds() {
         let number = Assignment::default().number(&parse_expr(text).unwrap()).unwrap();
         let (low, high) = match number {
             carom::prove::evaluate::Number::Exact(q) => (q.clone(), q),
-            carom::prove::evaluate::Number::Between(low, high) => (low, high),
+            carom::prove::evaluate::Number::Between(low, high, _) => (low, high),
         };
         let width = rational::parse("1e-20").unwrap();
         let (below, above) = (

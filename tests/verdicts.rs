@@ -7,7 +7,7 @@ use carom::claim::print::Style;
 use carom::claim::syntax::{Binding, Constraint, Relation};
 use carom::judge::hand::AtHand;
 use carom::judge::{Entry, Settings, judge, one_of, outcome_of};
-use carom::prove::assume::domain;
+use carom::kernel::statement::domain;
 use carom::prove::catalogue::{Catalogue, Limits};
 use carom::prove::expand::Statement;
 use carom::prove::outcome::{Fault, Outcome, Verdict};

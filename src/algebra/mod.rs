@@ -7,10 +7,8 @@
 //!
 //! Variables are plain numbers; a caller that has names passes a naming function where text is made.
 
-pub mod diagonal;
 mod division;
 pub mod factor;
-pub mod form;
 pub mod gcd;
 pub mod monomial;
 pub mod polynomial;

@@ -4,31 +4,20 @@ use super::draft::Rule;
 use super::write::multiplied;
 use super::{Certifier, Fail};
 use crate::algebra::positivity::{self, Constraint};
-use crate::algebra::{Monomial, Polynomial, factor};
+use crate::algebra::{Polynomial, factor};
 use crate::certificate::Term;
 use crate::certify::draft::translate::Atom;
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
-use malachite::Rational;
 use num_rational::BigRational;
 use std::collections::BTreeSet;
 use std::str::FromStr;
 
 /// The kernel's polynomial as one of the engine's.
 pub fn to_algebra(poly: &Poly) -> Result<Polynomial, Fail> {
-    let mut terms = Vec::new();
-    for (monomial, c) in poly.terms() {
-        let powers: Vec<(u32, u32)> = monomial
-            .iter()
-            .map(|(a, k)| Ok((u32::try_from(*a)?, *k)))
-            .collect::<Result<_, std::num::TryFromIntError>>()
-            .map_err(|_| "too many atoms")?;
-        let c = Rational::from_str(&c.to_string()).map_err(|()| "a number that cannot be read")?;
-        terms.push((Monomial::new(&powers).map_err(|_| "a degree")?, c));
-    }
-    Ok(Polynomial::from_terms(terms))
+    Ok(crate::prove::reading::to_algebra(poly).ok_or("too many atoms, or too high a degree")?)
 }
 
 /// The engine's polynomial as one of the kernel's.

@@ -281,15 +281,6 @@ enum PrintFormat {
 /// Flags that raise or lower the limits.
 #[derive(clap::Args)]
 struct LimitFlags {
-    /// The largest power of a sum that is expanded
-    #[arg(long, value_name = "N", default_value_t = 100)]
-    max_degree: u32,
-    /// The most terms of a sum
-    #[arg(long, value_name = "N", default_value_t = 5000)]
-    max_terms: usize,
-    /// Largest coefficient after a power, in bits
-    #[arg(long, value_name = "BITS", default_value_t = 100_000, alias = "max-digits")]
-    max_bits: u64,
     /// The most steps of the search for each claim
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
@@ -300,13 +291,7 @@ struct LimitFlags {
 
 impl LimitFlags {
     fn limits(&self) -> crate::prove::catalogue::Limits {
-        crate::prove::catalogue::Limits {
-            degree: self.max_degree,
-            terms: self.max_terms,
-            digits: self.max_bits,
-            steps: self.max_steps,
-            time: std::time::Duration::from_secs(self.time),
-        }
+        crate::prove::catalogue::Limits { steps: self.max_steps, time: std::time::Duration::from_secs(self.time) }
     }
 }
 

@@ -386,7 +386,7 @@ impl Printer {
     }
 
     fn in_place(&mut self, expr: &Expr) -> Result<Expr> {
-        let limit = |l: crate::algebra::form::Limit| Unsupported::limit(l.0, expr.span);
+        let limit = |l: crate::prove::expand::Limit| Unsupported::limit(l.0, expr.span);
         self.definitions.expr(expr).map_err(limit)
     }
 

@@ -17,14 +17,17 @@ use crate::certificate::text::{digest, write};
 use crate::certify::{Fail, certify};
 use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print::Style;
-use crate::claim::syntax::{self as claim, Claim, Method, Span, Step};
+use crate::claim::syntax::{self as claim, Claim, Item, Method, Relation, Span, Step};
 use crate::explain::{self, Document};
 use crate::kernel::Accepted;
+use crate::kernel::statement::{compare, numeral};
 use crate::prove::case::{Case, FIRST, beyond};
 use crate::prove::catalogue::{Catalogue, Limits};
 use crate::prove::outcome::{Fault, Outcome, Verdict};
-use crate::prove::trial::Untried;
 use hand::AtHand;
+
+/// Which part of the time goes to showing that a point exists, or a contradiction, where none was found for the hypotheses.
+const CONTRADICTION: u32 = 5;
 
 /// A claim and what the audit says of it.
 pub struct Entry {
@@ -161,12 +164,13 @@ pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
 fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> Judged {
     let accepted: Vec<&Accepted> = cited.iter().filter_map(|c| c.accepted.as_ref()).collect();
     let held = if settings.anew { None } else { hand.accepted(claim, &accepted) };
-    let decided = match Case::new(claim, &settings.limits) {
-        Err(Untried::Fault(fault)) => return Judged { entry: Err(fault), accepted: None },
-        Err(Untried::Limit(name)) => Decided::without_proof(beyond(claim, name)),
-        Err(Untried::Moves) => Decided::without_proof(beyond(claim, "points")),
+    let decided = match with_a_point(claim, &settings.limits) {
+        Err(name) => Decided::without_proof(beyond(claim, name)),
+        Ok(case) if case.has_no_point() && contradictory(claim, &settings.limits) => {
+            return Judged { entry: Err(contradiction(claim)), accepted: None };
+        }
         Ok(case) => match held {
-            Some(held) => Decided { outcome: proved(claim, case, &settings.limits), held: Some(held), found: false },
+            Some(held) => Decided { outcome: case.proved(), held: Some(held), found: false },
             None => match searched(claim, case, cited, &accepted, &settings.limits) {
                 Err(fault) => return Judged { entry: Err(fault), accepted: None },
                 Ok(decided) => decided,
@@ -203,12 +207,29 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
     Judged { entry: Ok(entry), accepted: Some(shown) }
 }
 
-/// What is said of a claim whose proof is accepted. Where no point was found for its hypotheses, one may be shown to exist.
-fn proved(claim: &Claim, mut case: Case, limits: &Limits) -> Outcome {
-    if case.lacks_a_point() {
-        case.found_a_point(satisfiable::point(claim, limits));
+/// A claim with a point at which its hypotheses hold: one that was found, or else one that was shown to exist.
+fn with_a_point(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
+    let mut case = Case::new(claim, limits)?;
+    if case.has_no_point() {
+        case.found_a_point(satisfiable::point(claim, &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }));
     }
-    case.proved()
+    Ok(case)
+}
+
+/// Whether the hypotheses are shown to contradict each other: anything follows from them.
+pub fn contradictory(claim: &Claim, limits: &Limits) -> bool {
+    let goal = compare(numeral(0), Relation::Equal, numeral(1));
+    let absurd = Claim { goal, proof: claim::Proof::default(), using: Vec::new(), ..claim.clone() };
+    certify(&absurd, &[], &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }).is_ok()
+}
+
+/// The fault of a claim whose hypotheses contradict each other.
+pub fn contradiction(claim: &Claim) -> Fault {
+    let assumed = claim.items.iter().filter_map(|item| match item {
+        Item::Assume { prop, .. } => Some(crate::claim::print::prop(prop)),
+        _ => None,
+    });
+    Fault::Contradictory { hypotheses: assumed.collect::<Vec<_>>().join("; ") }
 }
 
 /// What the search says of a claim.
@@ -242,7 +263,7 @@ fn searched(
         return Ok(Decided::without_proof(refuted));
     }
     let fail = match certify(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
-        Ok(held) => return Ok(Decided { outcome: proved(claim, case, limits), held: Some(held), found: false }),
+        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
         Err(fail) => fail,
     };
     if let Some(refuted) = case.counterexample(None) {

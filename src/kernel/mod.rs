@@ -332,12 +332,16 @@ impl Checker {
         let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
         for u in &statement.sequences {
             let mut known = self.known(&all, &[])?;
-            self.defined(&u.initial, &mut known)?;
+            let of_member = |refusal: Refusal| match refusal {
+                Refusal::Rejected(because) => Refusal::Rejected(Reason::Member(u.name.clone(), Box::new(because))),
+                limit => limit,
+            };
+            self.defined(&u.initial, &mut known).map_err(of_member)?;
             self.binders += 1;
             let bound = self.binders;
             let result = self.under(&u.index, bound, |checker| checker.defined(&u.step, &mut known));
             self.binders -= 1;
-            result?;
+            result.map_err(of_member)?;
             self.assumed.extend(cited(known.used().0, &all));
         }
         Ok(())

@@ -19,6 +19,8 @@ pub enum Reason {
     NoFact(String),
     /// A sequence that is not defined by the member before.
     Sequence(String),
+    /// A member of a sequence may have no value.
+    Member(String, Box<Reason>),
     /// A variable that grows is tied to others by a hypothesis, family or sequence.
     Tied(String),
     /// What a point says of something that is no variable or member of the claim, or that has another value already, or
@@ -157,6 +159,7 @@ impl std::fmt::Display for Reason {
             Reason::NameInUse(name) => return write!(f, "the name {name} is in use"),
             Reason::LabelInUse(label) => return write!(f, "the label {label} is in use"),
             Reason::NoFact(label) => return write!(f, "no fact and no accepted claim under `using` is called {label}"),
+            Reason::Member(name, because) => return write!(f, "in the sequence {name} {because}"),
             Reason::Sequence(name) => return write!(f, "the sequence {name} is not defined by the member before"),
             Reason::Tied(name) => return write!(f, "{name} grows without bound and is tied to something else"),
             Reason::Point(place) => {

@@ -26,6 +26,7 @@ use crate::algebra::Instant;
 use crate::claim::diagnostic::Diagnostic;
 use crate::claim::parse::parse;
 use crate::claim::syntax::Claim;
+use crate::judge::{contradiction, contradictory};
 use crate::prove::catalogue::Limits;
 use crate::prove::outcome::{Fault, Witness, limit_reached};
 use crate::prove::refute::Seen;
@@ -154,7 +155,7 @@ impl Law {
 pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Outcome {
     let started = Instant::now();
     let limits = Limits { time: settings.time, ..Limits::default() };
-    let mut trial = match Trial::new(claim, &limits) {
+    let mut trial = match Trial::new(claim) {
         Ok(trial) => trial,
         Err(Untried::Fault(fault)) => return Outcome::Fault(fault),
         Err(Untried::Limit(name)) => return Outcome::Untested(limit_reached(name)),
@@ -190,6 +191,7 @@ pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Ou
     let late = started.elapsed() > settings.time;
     match (points, open, late) {
         (0, _, true) => Outcome::Untested(limit_reached("time")),
+        (0, 0, _) if contradictory(claim, &limits) => Outcome::Fault(contradiction(claim)),
         (0, 0, _) => Outcome::Untested("no point was found at which all the hypotheses hold".to_owned()),
         (0, _, _) => Outcome::Untested(format!("none of {open} points decides it")),
         _ => Outcome::Held { points, open, late },

@@ -5,7 +5,6 @@
 
 use super::law::Law;
 use crate::number::rational::parse;
-use crate::prove::catalogue::Limits;
 use crate::prove::refute::{Choice, Seen};
 use crate::prove::trial::Trial;
 use malachite::Rational;
@@ -118,8 +117,7 @@ impl Strategy for Law {
     type Value = Values;
 
     fn new_tree(&self, runner: &mut TestRunner) -> NewTree<Self> {
-        let mut trial =
-            Trial::new(self.claim(), &Limits::default()).map_err(|_| "the law cannot be tried at points")?;
+        let mut trial = Trial::new(self.claim()).map_err(|_| "the law cannot be tried at points")?;
         // The bias is far below what a test could notice.
         let mut below = |bound: u64| runner.rng().next_u64() % bound.max(1);
         let found = trial.random(&mut below).and_then(|choice| values(&mut trial, &choice).map(|v| (choice, v)));

@@ -1,26 +1,13 @@
 //! A set of claims, those that are cited before those that cite them.
 
-use super::Instant;
-use super::context::{Context, Engine, Failure};
-use super::expand::Statement;
-use super::outcome::{Fault, Point};
-use super::refute;
 use crate::claim::diagnostic::{self, Diagnostic};
-use crate::claim::print;
 use crate::claim::syntax::*;
 use std::collections::BTreeMap;
-use std::rc::Rc;
 use std::time::Duration;
 
 /// Bounds on the work for one claim; each is reported by name when it is reached.
 #[derive(Clone, Debug)]
 pub struct Limits {
-    /// The largest power of a sum that is expanded (`degree`).
-    pub degree: u32,
-    /// The most terms of a sum (`terms`).
-    pub terms: usize,
-    /// The most bits of a coefficient after a power (`digits`, in bits).
-    pub digits: u64,
     /// The most steps of the search (`steps`).
     pub steps: usize,
     /// The longest time for one claim (`time`).
@@ -29,7 +16,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { degree: 100, terms: 5_000, digits: 100_000, steps: 400_000, time: Duration::from_secs(10) }
+        Limits { steps: 400_000, time: Duration::from_secs(10) }
     }
 }
 
@@ -109,55 +96,6 @@ impl Catalogue {
         }
         out
     }
-}
-
-/// The hypotheses in a context, whether they could be taken in, and a point at which they hold.
-pub(super) type Given = (Context, Result<(), Failure>, Option<Point>);
-
-/// Takes the hypotheses of a claim into a context, and seeks a point at which they hold.
-pub(super) fn given_in(engine: &mut Engine, statement: &Statement) -> Result<Given, Fault> {
-    let mut cx = Context::default();
-    let result = take_hypotheses(engine, &mut cx, statement);
-    if let Err(Failure::Fault(diagnose)) = result {
-        return Err(Fault::Text(diagnose));
-    }
-    let sample = if statement.has_hypotheses() { refute::sample(engine, &cx, statement) } else { None };
-    if cx.contradiction.is_some() && sample.is_none() {
-        let list: Vec<String> = statement.assumptions.iter().map(|a| print::prop(&a.1)).collect();
-        return Err(Fault::Contradictory { hypotheses: list.join("; ") });
-    }
-    Ok((cx, result, sample))
-}
-
-pub(super) fn engine(limits: &Limits) -> Engine {
-    let mut engine = Engine {
-        ring: Default::default(),
-        used: 0,
-        // No deadline where the clock does not reach that far.
-        deadline: Instant::now().checked_add(limits.time),
-        steps: limits.steps,
-        limit: None,
-        points: 0,
-        certified: Default::default(),
-    };
-    engine.ring.degree_limit = limits.degree;
-    engine.ring.terms_limit = limits.terms;
-    engine.ring.bits_limit = limits.digits;
-    engine.ring.deadline = engine.deadline;
-    engine
-}
-
-/// Takes the hypotheses into the context.
-fn take_hypotheses(engine: &mut Engine, cx: &mut Context, statement: &Statement) -> Result<(), Failure> {
-    for sequence in &statement.sequences {
-        cx.sequences.insert(sequence.name.clone(), Rc::new(sequence.clone()));
-    }
-    engine.declare(cx, &statement.bindings)?;
-    for (_, prop) in &statement.assumptions {
-        engine.assume(cx, prop)?;
-    }
-    // A member counts as a number wherever its index is one.
-    statement.sequences.iter().try_for_each(|sequence| engine.members_valued(cx, sequence))
 }
 
 /// Names along a circle of citations, the first repeated at the end.

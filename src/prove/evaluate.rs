@@ -6,6 +6,7 @@
 //!
 //! Roots of numbers that are no perfect powers become intervals of relative width 2^−[`PRECISION`].
 
+use super::closed::Closed;
 use super::expand::Sequence;
 use crate::claim::definedness::{self, Exponent};
 use crate::claim::syntax::*;
@@ -16,6 +17,7 @@ use malachite::base::num::conversion::traits::IsInteger;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -37,8 +39,8 @@ const EXACT_BITS: u64 = 100_000;
 pub enum Number {
     /// Exactly this.
     Exact(Rational),
-    /// Strictly or loosely between these.
-    Between(Rational, Rational),
+    /// Strictly or loosely between these; in closed form, where that is known.
+    Between(Rational, Rational, Option<Rc<Closed>>),
 }
 
 /// Why there is no value.
@@ -105,7 +107,26 @@ impl Number {
     fn ends(&self) -> (&Rational, &Rational) {
         match self {
             Number::Exact(q) => (q, q),
-            Number::Between(a, b) => (a, b),
+            Number::Between(a, b, _) => (a, b),
+        }
+    }
+
+    /// Its closed form.
+    fn closed(&self) -> Option<Cow<'_, Closed>> {
+        match self {
+            Number::Exact(q) => Some(Cow::Owned(Closed::rational(q))),
+            Number::Between(_, _, form) => form.as_deref().map(Cow::Borrowed),
+        }
+    }
+
+    /// The same number with the closed form that operations on forms give.
+    fn formed(self, form: Option<Closed>) -> Number {
+        match (self, form) {
+            (Number::Between(low, high, _), Some(form)) => match form.as_rational() {
+                Some(q) => Number::Exact(q),
+                None => Number::Between(low, high, Some(Rc::new(form))),
+            },
+            (number, _) => number,
         }
     }
 
@@ -114,6 +135,11 @@ impl Number {
         let ((a, b), (c, d)) = (self.ends(), other.ends());
         if let (Number::Exact(a), Number::Exact(c)) = (self, other) {
             return Some(a.cmp(c));
+        }
+        if let (Number::Between(_, _, Some(x)), Number::Between(_, _, Some(y))) = (self, other)
+            && x == y
+        {
+            return Some(std::cmp::Ordering::Equal);
         }
         if b < c {
             Some(std::cmp::Ordering::Less)
@@ -128,7 +154,7 @@ impl Number {
     pub fn text(&self) -> String {
         match self {
             Number::Exact(q) => q.to_string(),
-            Number::Between(a, b) => {
+            Number::Between(a, b, _) => {
                 let middle = (a + b) / Rational::from(2);
                 let value = f64_text(&middle);
                 format!("{value}...")
@@ -167,13 +193,13 @@ fn rounded(q: &Rational, up: bool) -> Rational {
 }
 
 fn between(a: Rational, b: Rational) -> Number {
-    if a == b { Number::Exact(a) } else { Number::Between(rounded(&a, false), rounded(&b, true)) }
+    if a == b { Number::Exact(a) } else { Number::Between(rounded(&a, false), rounded(&b, true), None) }
 }
 
 /// The number, or an enclosure where it is too long.
 fn exact(q: Rational) -> Number {
     if q.significant_bits() > EXACT_BITS {
-        Number::Between(rounded(&q, false), rounded(&q, true))
+        Number::Between(rounded(&q, false), rounded(&q, true), None)
     } else {
         Number::Exact(q)
     }
@@ -185,43 +211,56 @@ fn of_some_size(x: Number) -> Result<Number> {
     if low.significant_bits().max(high.significant_bits()) > 2 * EXACT_BITS { Err(Missing::Unknown) } else { Ok(x) }
 }
 
-fn add(a: &Number, b: &Number) -> Number {
-    match (a, b) {
+pub(super) fn add(x: &Number, y: &Number) -> Number {
+    match (x, y) {
         (Number::Exact(a), Number::Exact(b)) => exact(a + b),
         _ => {
-            let ((a, b), (c, d)) = (a.ends(), b.ends());
-            between(a + c, b + d)
+            let ((a, b), (c, d)) = (x.ends(), y.ends());
+            let form = || x.closed()?.plus(&*y.closed()?);
+            between(a + c, b + d).formed(form())
         }
     }
 }
 
-fn negate(a: &Number) -> Number {
+pub(super) fn negate(a: &Number) -> Number {
     match a {
         Number::Exact(a) => Number::Exact(-a),
-        Number::Between(a, b) => Number::Between(-b, -a),
+        Number::Between(low, high, _) => {
+            let form = || a.closed()?.times(&Closed::rational(&-Rational::ONE));
+            Number::Between(-high, -low, None).formed(form())
+        }
     }
 }
 
-fn multiply(a: &Number, b: &Number) -> Number {
-    match (a, b) {
+pub(super) fn multiply(x: &Number, y: &Number) -> Number {
+    match (x, y) {
         (Number::Exact(a), Number::Exact(b)) => exact(a * b),
         (Number::Exact(q), _) | (_, Number::Exact(q)) if *q == 0 => Number::Exact(Rational::ZERO),
         _ => {
-            let ((a, b), (c, d)) = (a.ends(), b.ends());
+            let ((a, b), (c, d)) = (x.ends(), y.ends());
             let products = [a * c, a * d, b * c, b * d];
             let least = products.iter().min().cloned().unwrap_or(Rational::ZERO);
             let most = products.iter().max().cloned().unwrap_or(Rational::ZERO);
-            between(least, most)
+            let form = || x.closed()?.times(&*y.closed()?);
+            between(least, most).formed(form())
         }
     }
 }
 
-fn invert(a: &Number, text: impl Fn() -> String) -> Result<Number> {
+pub(super) fn invert(a: &Number, text: impl Fn() -> String) -> Result<Number> {
     let (low, high) = a.ends();
     match a {
         Number::Exact(q) if *q == 0 => Err(Missing::Undefined(format!("division by {} = 0", text()))),
         Number::Exact(q) => Ok(Number::Exact(Rational::ONE / q)),
-        _ if *low > 0 || *high < 0 => Ok(between(Rational::ONE / high, Rational::ONE / low)),
+        _ if *low > 0 || *high < 0 => {
+            // Forms of sums are raised where they are positive.
+            let one = Closed::rational(&-Rational::ONE);
+            let form = || match *low > 0 {
+                true => a.closed()?.power(&-Rational::ONE),
+                false => a.closed()?.times(&one)?.power(&-Rational::ONE)?.times(&one),
+            };
+            Ok(between(Rational::ONE / high, Rational::ONE / low).formed(form()))
+        }
         _ => Err(Missing::Unknown),
     }
 }
@@ -234,7 +273,10 @@ fn whole_power(a: &Number, k: u64) -> Result<Number> {
     }
     Ok(match a {
         Number::Exact(q) => Number::Exact(q.pow(k)),
-        Number::Between(a, b) if *a >= 0 => between(a.pow(k), b.pow(k)),
+        Number::Between(low, high, _) if *low >= 0 => {
+            let form = || a.closed()?.power(&Rational::from(k));
+            between(low.pow(k), high.pow(k)).formed(form())
+        }
         _ => {
             let mut out = Number::Exact(Rational::ONE);
             for _ in 0..k {
@@ -268,7 +310,8 @@ fn root(a: &Number, k: u64) -> Number {
         }
         Rational::from(r) / Rational::from(2).pow(precision)
     };
-    between(lower(low, false), lower(high, true))
+    let form = || a.closed()?.power(&Rational::from_unsigneds(1, k));
+    between(lower(low, false), lower(high, true)).formed(if *low > 0 { form() } else { None })
 }
 
 /// a^p, or a^−p, for p > [`LARGEST`], where a rough enclosure is to be had: the exact value may have
@@ -288,28 +331,31 @@ fn large_power(a: &Number, p: i64, negative: bool, text: impl Fn() -> String) ->
         Number::Exact(q) if *q == -1 => Ok(Number::Exact(if p % 2 == 0 { one } else { -one })),
         // 0 < h < 1: 0 < h^p ≤ h^400 for p ≥ 400.
         _ if *low > 0 && *high < 1 && !negative => {
-            Ok(Number::Between(Rational::ZERO, rounded(&high.pow(LARGEST), true)))
+            Ok(Number::Between(Rational::ZERO, rounded(&high.pow(LARGEST), true), None))
         }
-        _ if *low > 1 && negative => Ok(Number::Between(Rational::ZERO, rounded(&(one / low).pow(LARGEST), true))),
+        _ if *low > 1 && negative => {
+            Ok(Number::Between(Rational::ZERO, rounded(&(one / low).pow(LARGEST), true), None))
+        }
         _ => Err(Missing::Unknown),
     }
 }
 
 /// e^a.
-fn exponential(a: &Number) -> Result<Number> {
+pub(super) fn exponential(a: &Number) -> Result<Number> {
     let (low, high) = a.ends();
     let (low, high) = elementary::exp(low, high).ok_or(Missing::Unknown)?;
-    Ok(between(low, high))
+    Ok(between(low, high).formed(a.closed().and_then(|a| a.exp())))
 }
 
 /// ln a.
-fn logarithm(a: &Number, text: impl Fn() -> String) -> Result<Number> {
+pub(super) fn logarithm(a: &Number, text: impl Fn() -> String) -> Result<Number> {
     let (low, high) = a.ends();
     if *high <= 0 {
         return Err(Missing::Undefined(format!("{} takes the logarithm of a number that is not positive", text())));
     }
     let (low, high) = elementary::ln(low, high).ok_or(Missing::Unknown)?;
-    Ok(between(low, high))
+    let form = if *a.ends().0 > 0 { a.closed().and_then(|a| a.ln()) } else { None };
+    Ok(between(low, high).formed(form))
 }
 
 /// cosh, sinh, tanh or sech of a.
@@ -439,7 +485,8 @@ impl Assignment {
                 }
                 total
             }
-            Derivative(..) => return Err(Missing::Unknown),
+            // A derivative has no value where what is differentiated has none.
+            Derivative(body, _) => return self.value(body).and(Err(Missing::Unknown)),
             Matrix(rows) => {
                 let rows: Result<Vec<Vec<self::Number>>> =
                     rows.iter().map(|r| r.iter().map(|x| self.number(x)).collect()).collect();
@@ -458,7 +505,7 @@ impl Assignment {
         }
     }
 
-    fn power(&self, a: &Number, b: &Number, kind: Exponent, e: &Expr) -> Result<Number> {
+    pub(super) fn power(&self, a: &Number, b: &Number, kind: Exponent, e: &Expr) -> Result<Number> {
         let text = || crate::claim::print::expr(e);
         let (low, high) = a.ends();
         let missing = match kind {

@@ -5,7 +5,6 @@
 //! replaces free names; a bound name that would capture one is renamed. The size of the result is
 //! bounded by [`NODES_LIMIT`]: definitions that double at each line end in a limit, not in memory.
 
-use crate::algebra::form::Limit;
 use crate::claim::syntax::*;
 use crate::claim::walk::nodes_in;
 pub use crate::claim::walk::{names_in, parts};
@@ -14,6 +13,10 @@ use std::collections::BTreeSet;
 
 /// The largest number of nodes of all expanded expressions of a claim together.
 pub const NODES_LIMIT: usize = 100_000;
+
+/// A limit that was reached, with its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limit(pub &'static str);
 
 /// A sequence by recurrence: u(0) and u(k + 1) in terms of k and u(k).
 #[derive(Clone, Debug)]

@@ -184,3 +184,54 @@ fn goals(prop: &Prop) -> Result {
 fn fault(span: Span, message: &str) -> Result {
     Err(Diagnose { message: message.to_string(), help: None, span })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claim::parse::parse;
+
+    fn fault_of(text: &str) -> Option<Diagnose> {
+        let claims = parse(&format!("claim c \"\"\n{text}\n")).unwrap_or_else(|f| panic!("{text}: {}", f[0].message()));
+        check(&Statement::of(&claims[0]).expect("within limits"), &[]).err()
+    }
+
+    #[test]
+    fn each_fault_of_an_argument_is_named() {
+        for (text, said) in [
+            ("given x > 0\nassume small: x < 1\nprove x < 2 by algebra from smal", "no fact is called smal"),
+            ("given x > 0\nassume other: x != 1\nprove x^2 != 1 by power of other to 2", "a comparison of two sides"),
+            ("given x > 0\nprove x + 1 > 1 by induction on x", "induction needs a natural variable"),
+            ("given x > 0\nprove x > 0 by eq99 with x = 1", "no claim or fact called eq99"),
+            ("given x > 0\nprove x > 0 by witness y = 1", "a witness is for `exists`"),
+            ("given x > 0\nprove exists y > 0: y = x by witness z = x", "gives each variable of `exists` one value"),
+            ("given x > 0\nprove x > 0 by squeeze between 0 and 1", "`squeeze` is for limits"),
+            ("given n natural\nprove limit of n/(n + 1) as n -> infinity is n", "must not depend on the variable"),
+            (
+                "given x real\nprove maximum of -n^2 over n natural at n = 0 is 0",
+                "extrema are taken over real variables",
+            ),
+            (
+                "given x real\nassume every: for all t > 0: x < t\nprove x < 2 by every with s = 2",
+                "every has no variable s",
+            ),
+            (
+                "given x real\nassume every: for all t > 0: x < t\nprove x < 2 by every with t = 2, t = 3",
+                "one value for each variable",
+            ),
+        ] {
+            let fault = fault_of(text).unwrap_or_else(|| panic!("no fault in {text}"));
+            assert!(fault.message.contains(said), "{text}: {}", fault.message);
+        }
+    }
+
+    #[test]
+    fn an_argument_that_leads_nowhere_is_no_fault() {
+        for text in [
+            "given x > 0\nassume small: x < 1\nprove x < 1/2 by algebra from small",
+            "given n natural\nprove n < 1 by induction on n { have h: n = 3 by algebra from induction }",
+            "given x real\nassume every: for all t > 0: x < t\nprove x < 2 by every with t = 2",
+        ] {
+            assert_eq!(fault_of(text), None, "{text}");
+        }
+    }
+}

@@ -67,9 +67,6 @@ pub struct Broken {
 /// What is said of a limit that was reached, with the flag that raises it.
 pub fn limit_reached(name: &str) -> String {
     let flag = match name {
-        "degree" => " (--max-degree raises it)",
-        "terms" => " (--max-terms raises it)",
-        "digits" => " (--max-bits raises it)",
         "steps" => " (--max-steps raises it)",
         "time" => " (--time raises it)",
         _ => "",

@@ -5,16 +5,15 @@
 //! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
 
 use super::Instant;
-use super::catalogue::Limits;
-use super::context::{Context, Engine};
 use super::evaluate::{Assignment, Missing, STEPS};
 use super::expand::Statement;
+use super::limit::{Tends, tends};
 use super::outcome::{Broken, Point, Witness};
-use super::series::Tends;
-use crate::claim::parse::parse_prop;
+use super::reading::Reading;
+use super::solve::{Way, ways};
 use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::kernel::statement::compare;
+use crate::kernel::statement::{compare, constraints, domain, name};
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -50,10 +49,15 @@ const FIRST_TIME: Duration = Duration::from_millis(100);
 pub(super) struct Search {
     /// The variables that are free to choose, and whether each is a natural number.
     pub(super) names: Vec<(String, bool)>,
+    /// All variables as they are declared.
+    order: Vec<String>,
     values: Vec<Vec<Rational>>,
     /// The families with what their members obey.
     pub(super) families: Vec<(String, bool, Vec<Prop>)>,
-    determined: Vec<(String, Expr)>,
+    /// Variables that are computed from the others.
+    determined: Way,
+    /// Ways to satisfy the equations.
+    ways: Vec<Way>,
     /// Whether families are geometric where their domains allow it, or run through listed values.
     geometric: bool,
     /// Values for reals and naturals that the claim suggests, instead of the usual ones.
@@ -88,9 +92,11 @@ impl Search {
     fn new(bindings: &[Binding], statement: Option<&Statement>) -> Search {
         let mut search = Search {
             names: Vec::new(),
+            order: Vec::new(),
             values: Vec::new(),
             families: Vec::new(),
             determined: Vec::new(),
+            ways: vec![Vec::new()],
             geometric: false,
             suggested: None,
             hypotheses: Vec::new(),
@@ -114,32 +120,37 @@ impl Search {
                     Rc::make_mut(&mut self.base.naturals).insert(name.text.clone());
                 }
                 if index.is_some() {
-                    let mut single = binding.clone();
-                    single.names = vec![(name.clone(), None)];
-                    single.indices = None;
-                    self.families.push((name.text.clone(), binding.natural, super::assume::domain(&single)));
+                    let domain = constraints(binding, &super::refute::name(&name.text));
+                    self.families.push((name.text.clone(), binding.natural, domain));
                     if let Some(range) = &binding.indices {
                         self.base.ranges.insert(name.text.clone(), range.clone());
                     }
                 } else {
                     self.names.push((name.text.clone(), binding.natural));
+                    self.order.push(name.text.clone());
                 }
             }
-            self.hypotheses.extend(super::assume::domain(binding));
+            self.hypotheses.extend(domain(binding));
         }
     }
 
-    /// Variables that the context determines are computed from the others.
-    fn determine(&mut self, engine: &Engine, cx: &Context) {
-        for (name, (form, _)) in &cx.environment {
-            let text = format!("{name} = {}", super::show::form(&engine.ring, form));
-            if let Ok(Prop { kind: PropKind::Compare(sides, _), .. }) = parse_prop(&text)
-                && let Some(value) = sides.into_iter().nth(1)
-            {
-                self.determined.push((name.clone(), value));
+    /// Computes from the others what this way of satisfying the equations gives.
+    fn follow(&mut self, way: Way) {
+        let natural = &self.base.naturals;
+        let before = std::mem::replace(&mut self.determined, way);
+        self.names.extend(before.into_iter().map(|d| (d.0.clone(), natural.contains(&d.0))));
+        self.names.retain(|n| !self.determined.iter().any(|d| d.0 == n.0));
+        self.names.sort_by_key(|n| self.order.iter().position(|name| *name == n.0));
+    }
+
+    /// Follows the first way on which there is a point, if there is one.
+    pub(super) fn follow_a_way_with_points(&mut self) {
+        for way in self.ways.clone() {
+            self.follow(way);
+            if self.run_choices(None, &mut |_, _| true) {
+                return;
             }
         }
-        self.names.retain(|n| !self.determined.iter().any(|d| d.0 == n.0));
     }
 
     /// Candidate values for each variable, the first `most` of those that its own constant bounds allow.
@@ -172,7 +183,10 @@ impl Search {
 
     /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
     fn run(&mut self, deadline: Option<Instant>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
-        self.run_choices(deadline, &mut |_, point| visit(point))
+        self.ways.clone().into_iter().any(|way| {
+            self.follow(way);
+            self.run_choices(deadline, &mut |_, point| visit(point))
+        })
     }
 
     /// The same, with what was chosen.
@@ -356,34 +370,72 @@ pub(super) fn as_point(statement: &Statement, point: &Assignment) -> Point {
     Point { values }
 }
 
+/// How a statement is searched: its expressions as the kernel reads them, and ways to satisfy its equations.
+pub(super) struct Plan {
+    pub(super) reading: Option<Reading>,
+    pub(super) ways: Vec<Way>,
+}
+
+impl Plan {
+    /// The plan of a statement.
+    pub(super) fn of(statement: &Statement) -> Plan {
+        let mut plan = Plan::in_its_own_words(statement);
+        if let Some(reading) = &mut plan.reading {
+            let search = Search::new(&statement.bindings, Some(statement));
+            let real: Vec<String> = search.names.into_iter().filter(|n| !n.1).map(|n| n.0).collect();
+            plan.ways = ways(reading, &search.hypotheses, &real);
+        }
+        plan
+    }
+
+    /// A plan that solves no equation.
+    fn in_its_own_words(statement: &Statement) -> Plan {
+        let (mut all, mut goal) = (statement.bindings.clone(), &statement.goal);
+        loop {
+            goal = match &goal.kind {
+                PropKind::ForAll(bindings, body) => {
+                    all.extend(bindings.iter().cloned());
+                    body
+                }
+                PropKind::Extremum(e) => {
+                    all.extend(e.over.iter().cloned());
+                    break;
+                }
+                _ => break,
+            };
+        }
+        let reading = Reading::of(statement, &all).or_else(|| Reading::of(statement, &statement.bindings));
+        Plan { reading, ways: vec![Vec::new()] }
+    }
+}
+
 /// A point where all hypotheses of the statement hold: one that the author gives, or one that is found.
-pub fn sample(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<Point> {
+pub(super) fn sample(plan: &mut Plan, statement: &Statement, deadline: Option<Instant>) -> Option<Point> {
     if !statement.sample.is_empty()
-        && let Some(point) = given_sample(engine, statement)
+        && let Some(point) = given_sample(statement, deadline)
     {
         return Some(point);
     }
     let mut search = Search::new(&statement.bindings, Some(statement));
-    search.determine(engine, cx);
+    search.ways = plan.ways.clone();
     let mut found = None;
     let mut visit = |point: &Assignment| {
         found = Some(as_point(statement, point));
         true
     };
-    if !search.run(engine.deadline, &mut visit) {
+    if !search.run(deadline, &mut visit) {
         search.suggested = Some(super::candidates::suggested(statement, &statement.goal));
-        search.run(engine.deadline, &mut visit);
+        search.run(deadline, &mut visit);
     }
     found
 }
 
 /// The author's point, where the hypotheses hold at it; variables without a value there are sought.
-fn given_sample(engine: &Engine, statement: &Statement) -> Option<Point> {
+fn given_sample(statement: &Statement, deadline: Option<Instant>) -> Option<Point> {
     let mut search = Search::new(&statement.bindings, Some(statement));
-    search.names.retain(|(name, _)| statement.sample.iter().all(|(given, _)| given != name));
-    search.determined.extend(statement.sample.iter().cloned());
+    search.ways = vec![statement.sample.clone()];
     let mut found = None;
-    search.run(engine.deadline, &mut |point| {
+    search.run(deadline, &mut |point| {
         found = Some(as_point(statement, point));
         true
     });
@@ -392,9 +444,10 @@ fn given_sample(engine: &Engine, statement: &Statement) -> Option<Point> {
 
 /// A goal made ready to be looked at, point by point.
 pub(super) struct Goal {
-    /// What is to hold, with derivatives and limits carried out where that succeeds.
+    /// What is to hold, with derivatives carried out where that succeeds.
     pub(super) prop: Prop,
-    about_limits: bool,
+    /// The same as the claim says it, where a derivative was carried out.
+    said: Option<Prop>,
     identities: Rc<HashSet<(String, String)>>,
     limits_left: usize,
 }
@@ -411,9 +464,9 @@ pub enum Seen {
 }
 
 /// The points of a statement and its goal at them; `None` where a point says nothing of what moves.
-pub(super) fn aimed(engine: &mut Engine, cx: &Context, statement: &Statement) -> Option<(Search, Goal)> {
+pub(super) fn aimed(plan: &mut Plan, statement: &Statement) -> Option<(Search, Goal)> {
     let mut search = Search::new(&statement.bindings, Some(statement));
-    search.determine(engine, cx);
+    search.ways = plan.ways.clone();
     let (mut goal, mut bound) = (statement.goal.clone(), statement.bindings.clone());
     // Quantifiers in front and the variables of an extremum are searched like the others.
     loop {
@@ -437,11 +490,8 @@ pub(super) fn aimed(engine: &mut Engine, cx: &Context, statement: &Statement) ->
                     compare(extremum.of.clone(), relation, extremum.value.clone()),
                 ];
                 if extremum.unique {
-                    let same = extremum
-                        .at
-                        .iter()
-                        .map(|(n, e)| compare(super::context::name_expr(&n.text), Relation::Equal, e.clone()))
-                        .collect();
+                    let same =
+                        extremum.at.iter().map(|(n, e)| compare(name(&n.text), Relation::Equal, e.clone())).collect();
                     let equal = compare(extremum.of, Relation::Equal, extremum.value);
                     let kind = PropKind::Implies(
                         Box::new(equal),
@@ -460,70 +510,120 @@ pub(super) fn aimed(engine: &mut Engine, cx: &Context, statement: &Statement) ->
     if ties_what_moves(statement, &bound, &goal) {
         return None;
     }
-    let goal = without_derivatives(engine, cx, &goal);
-    let about_limits = has_limit(&goal);
-    let goal = without_limits(engine, cx, &goal);
-    // Limits that depend on the other variables are found point by point.
-    let limits_left = if has_limit(&goal) { LIMITS } else { 0 };
-    Some((search, Goal { prop: goal, about_limits, identities: Rc::default(), limits_left }))
+    let mut said = None;
+    if let Some(reading) = &mut plan.reading
+        && differs(&goal)
+    {
+        let plain = without_derivatives(reading, &goal);
+        said = Some(std::mem::replace(&mut goal, plain));
+    }
+    Some((search, Goal { prop: goal, said, identities: Rc::default(), limits_left: LIMITS }))
 }
 
 impl Goal {
-    /// Finds the comparisons whose sides are one: under the hypotheses, so that only the goal is looked at by them. A
-    /// hypothesis must hold by itself.
-    pub(super) fn identify(&mut self, engine: &mut Engine, cx: &Context) {
-        self.identities = Rc::new(identities(engine, cx, &self.prop));
+    /// Finds the comparisons whose sides are one: intervals cannot tell that they are equal.
+    pub(super) fn identify(&mut self, plan: &mut Plan) {
+        if let Some(reading) = &mut plan.reading {
+            self.identities = Rc::new(identities(reading, &self.prop));
+        }
     }
 
     /// What it is at a point, which keeps the members of families that were looked up.
-    pub(super) fn at(&mut self, engine: &mut Engine, point: &Assignment) -> Seen {
+    pub(super) fn at(&mut self, point: &Assignment) -> Seen {
         point.seen.borrow_mut().clear();
-        let there = if self.limits_left > 0 {
-            self.limits_left -= 1;
-            limits_at(engine, point, &self.prop)
-        } else {
-            None
-        };
-        let goal = there.as_ref().unwrap_or(&self.prop);
         let here = Assignment { identities: self.identities.clone(), ..point.clone() };
-        let seen = match here.truth(goal) {
+        let mut broken = Vec::new();
+        let truth = if has_limit(&self.prop) {
+            self.limits_left = self.limits_left.saturating_sub(1);
+            with_limits(&here, &self.prop, self.limits_left > 0, &mut broken)
+        } else {
+            here.truth(&self.prop)
+        };
+        let seen = match truth {
             Ok(true) => Seen::Holds,
             Ok(false) => {
-                let mut list = Vec::new();
-                here.broken(goal, &mut list);
-                if list.is_empty() && self.about_limits {
-                    let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
-                    list.push(Broken { statement, left: "no limit".to_string(), right: String::new() });
+                if !has_limit(&self.prop) {
+                    here.broken(&self.prop, &mut broken);
                 }
-                Seen::Fails(list)
+                Seen::Fails(broken)
             }
-            Err(Missing::Undefined(text)) => {
+            Err(Missing::Undefined(text)) if self.is_undefined_as_said(&here) => {
                 Seen::Fails(vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }])
             }
-            Err(Missing::Unknown) => Seen::Open,
+            Err(_) => Seen::Open,
         };
         point.seen.replace(here.seen.take());
         seen
     }
+
+    /// Whether the goal has no value in the claim's own words: the formula of a derivative may have none where the
+    /// derivative has one.
+    fn is_undefined_as_said(&self, here: &Assignment) -> bool {
+        self.said.as_ref().is_none_or(|said| matches!(here.truth(said), Err(Missing::Undefined(_))))
+    }
 }
 
-/// A counterexample to the statement, among all points or those that are tried with `most` expressions evaluated.
+/// The truth of a goal that says limits, and what of it fails; limits are left open unless `sought`.
+fn with_limits(
+    here: &Assignment,
+    prop: &Prop,
+    sought: bool,
+    broken: &mut Vec<Broken>,
+) -> std::result::Result<bool, Missing> {
+    match &prop.kind {
+        PropKind::And(list) => {
+            let parts: Vec<_> = list.iter().map(|p| with_limits(here, p, sought, broken)).collect();
+            match parts.iter().find(|p| **p != Ok(true)) {
+                _ if parts.contains(&Ok(false)) => Ok(false),
+                Some(Err(missing)) => Err(missing.clone()),
+                _ => Ok(true),
+            }
+        }
+        PropKind::Limit(limit) if sought => {
+            let value = here.number(&limit.value)?;
+            let left = match tends(here, limit).ok_or(Missing::Unknown)? {
+                Tends::Infinitely => "no limit".to_string(),
+                Tends::To(found) => match found.order(&value) {
+                    None => return Err(Missing::Unknown),
+                    Some(std::cmp::Ordering::Equal) => return Ok(true),
+                    _ => found.text(),
+                },
+            };
+            broken.push(if left == "no limit" {
+                let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
+                Broken { statement, left, right: String::new() }
+            } else {
+                Broken { statement: print::prop(prop), left, right: value.text() }
+            });
+            Ok(false)
+        }
+        PropKind::Limit(_) => Err(Missing::Unknown),
+        _ => {
+            let truth = here.truth(prop);
+            if truth == Ok(false) {
+                here.broken(prop, broken);
+            }
+            truth
+        }
+    }
+}
+
+/// A counterexample to the statement, among all points or those that are tried with `most` expressions evaluated; and at
+/// how many points the goal was seen to hold.
 pub(super) fn falsified_by(
-    engine: &mut Engine,
     statement: &Statement,
     search: &mut Search,
     goal: &mut Goal,
     most: Option<u64>,
-) -> Option<Witness> {
+    deadline: Option<Instant>,
+) -> (Option<Witness>, usize) {
     let (mut found, mut held) = (None, 0);
     let first = most.and_then(|_| Instant::now().checked_add(FIRST_TIME));
-    let deadline = engine.deadline.into_iter().chain(first).min();
+    let deadline = deadline.into_iter().chain(first).min();
     search.left.set(most.unwrap_or(u64::MAX));
     search.geometric = false;
-    if has_limit(&goal.prop) {
-        goal.limits_left = if most.is_some() { FIRST_LIMITS } else { LIMITS };
-    }
-    let mut visit = |point: &Assignment| match goal.at(engine, point) {
+    goal.limits_left = if most.is_some() { FIRST_LIMITS } else { LIMITS };
+    let mut visit = |point: &Assignment| match goal.at(point) {
         Seen::Fails(broken) => {
             found = Some(Witness { point: as_point(statement, point), broken });
             true
@@ -544,19 +644,17 @@ pub(super) fn falsified_by(
         search.suggested = Some(super::candidates::suggested(statement, &statement.goal));
         search.run(deadline, &mut visit);
     }
-    engine.points = held;
-    found
+    (found, held)
 }
 
 /// A counterexample found by the evaluator and the statement's own words alone. For tests of soundness; a search of all
 /// points may take minutes, unless `time` ends it.
 pub fn falsified(statement: &Statement, time: Option<Duration>) -> Option<Witness> {
-    let mut engine = super::catalogue::engine(&Limits { steps: 100_000, ..Limits::default() });
-    engine.deadline = time.and_then(|time| Instant::now().checked_add(time));
-    engine.ring.deadline = engine.deadline;
-    let (mut search, mut goal) = aimed(&mut engine, &Context::default(), statement)?;
-    goal.identify(&mut engine, &Context::default());
-    falsified_by(&mut engine, statement, &mut search, &mut goal, None)
+    let deadline = time.and_then(|time| Instant::now().checked_add(time));
+    let mut plan = Plan::in_its_own_words(statement);
+    let (mut search, mut goal) = aimed(&mut plan, statement)?;
+    goal.identify(&mut plan);
+    falsified_by(statement, &mut search, &mut goal, None, deadline).0
 }
 
 /// Values for the variables of an `exists` that make its body certainly true.
@@ -575,46 +673,37 @@ pub fn example(bindings: &[Binding], body: &Prop, deadline: Option<Instant>) -> 
 }
 
 /// The proposition with derivatives carried out, where that succeeds: the evaluator knows none.
-fn without_derivatives(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
-    let mut each = |list: &[Prop]| list.iter().map(|p| without_derivatives(engine, cx, p)).collect::<Vec<_>>();
+fn without_derivatives(reading: &mut Reading, prop: &Prop) -> Prop {
+    let mut each = |list: &[Prop]| list.iter().map(|p| without_derivatives(reading, p)).collect::<Vec<_>>();
     let kind = match &prop.kind {
         PropKind::And(list) => PropKind::And(each(list)),
         PropKind::Or(list) => PropKind::Or(each(list)),
         PropKind::Equivalent(list) => PropKind::Equivalent(each(list)),
         PropKind::Implies(p, q) => {
-            let mut both = each(&[(**p).clone(), (**q).clone()]).into_iter();
-            match (both.next(), both.next()) {
-                (Some(p), Some(q)) => PropKind::Implies(Box::new(p), Box::new(q)),
-                _ => return prop.clone(),
-            }
+            PropKind::Implies(Box::new(without_derivatives(reading, p)), Box::new(without_derivatives(reading, q)))
         }
         PropKind::Compare(sides, relations) => {
-            let sides = sides
-                .iter()
-                .map(|side| {
-                    if !differentiates(side) {
-                        return side.clone();
-                    }
-                    let form = engine.scalar(&mut cx.clone(), side, &mut Vec::new());
-                    let text = form.map(|f| format!("0 = {}", super::show::form(&engine.ring, &f)));
-                    match text.map(|t| parse_prop(&t)) {
-                        Ok(Ok(Prop { kind: PropKind::Compare(sides, _), .. })) => {
-                            sides.into_iter().nth(1).unwrap_or_else(|| side.clone())
-                        }
-                        _ => side.clone(),
-                    }
-                })
-                .collect();
-            PropKind::Compare(sides, relations.clone())
+            let plain = |e: &Expr| if differentiates(e) { reading.plain(e) } else { None };
+            let sides = sides.iter().map(plain).zip(sides).map(|(plain, e)| plain.unwrap_or_else(|| e.clone()));
+            PropKind::Compare(sides.collect(), relations.clone())
         }
         other => other.clone(),
     };
     Prop { kind, span: prop.span }
 }
 
-/// The comparisons in a proposition whose two sides have one form: intervals cannot tell that they are
-/// equal.
-fn identities(engine: &mut Engine, cx: &Context, prop: &Prop) -> HashSet<(String, String)> {
+/// Whether a comparison of a goal has a derivative in it.
+fn differs(prop: &Prop) -> bool {
+    match &prop.kind {
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().any(differs),
+        PropKind::Implies(p, q) => differs(p) || differs(q),
+        PropKind::Compare(sides, _) => sides.iter().any(differentiates),
+        _ => false,
+    }
+}
+
+/// The comparisons in a proposition whose two sides have one form: intervals cannot tell that they are equal.
+fn identities(reading: &mut Reading, prop: &Prop) -> HashSet<(String, String)> {
     let mut found = HashSet::default();
     let mut open = vec![prop];
     while let Some(prop) = open.pop() {
@@ -623,15 +712,8 @@ fn identities(engine: &mut Engine, cx: &Context, prop: &Prop) -> HashSet<(String
             PropKind::Not(p) => open.push(p),
             PropKind::Implies(p, q) => open.extend([&**p, &**q]),
             PropKind::Compare(sides, _) => {
-                for pair in sides.windows(2) {
-                    let mut cx = cx.clone();
-                    let mut conditions = Vec::new();
-                    let mut form = |e| engine.scalar(&mut cx, e, &mut conditions);
-                    let (Ok(a), Ok(b)) = (form(&pair[0]), form(&pair[1])) else { continue };
-                    let same = engine.ring.sub(&a, &b).is_ok_and(|d| d.is_zero());
-                    if same && engine.show_conditions(&mut cx, conditions).is_ok() {
-                        found.insert((print::expr(&pair[0]), print::expr(&pair[1])));
-                    }
+                for pair in sides.windows(2).filter(|pair| reading.same(&pair[0], &pair[1])) {
+                    found.insert((print::expr(&pair[0]), print::expr(&pair[1])));
                 }
             }
             _ => {}
@@ -646,65 +728,6 @@ fn has_limit(prop: &Prop) -> bool {
         PropKind::Limit(_) => true,
         _ => false,
     }
-}
-
-/// The proposition with its limits found for the values of one point; the limit's own variable stays
-/// free.
-fn limits_at(engine: &mut Engine, point: &Assignment, prop: &Prop) -> Option<Prop> {
-    match &prop.kind {
-        PropKind::And(list) => {
-            let parts: Option<Vec<Prop>> = list.iter().map(|p| limits_at(engine, point, p)).collect();
-            Some(Prop { kind: PropKind::And(parts?), span: prop.span })
-        }
-        PropKind::Limit(limit) => {
-            let variable = &limit.variable;
-            let mut values = super::expand::Substitution::default();
-            for (name, value) in point.values.iter().filter(|v| *v.0 != variable.text) {
-                values.replace(name, literal(value));
-            }
-            let (of, value) = (values.expr(&limit.of).ok()?, values.expr(&limit.value).ok()?);
-            let here = Limit { of, variable: variable.clone(), value };
-            let mut cx = Context::default();
-            let natural = Binding {
-                names: vec![(variable.clone(), None)],
-                natural: false,
-                constraints: vec![Constraint::Relation(Relation::Greater, literal(&Rational::from(0)))],
-                indices: None,
-                span: prop.span,
-            };
-            engine.declare(&mut cx, &[natural]).ok()?;
-            let prop = Prop { kind: PropKind::Limit(Box::new(here)), span: prop.span };
-            let found = without_limits(engine, &cx, &prop);
-            (!has_limit(&found)).then_some(found)
-        }
-        _ => Some(prop.clone()),
-    }
-}
-
-/// The proposition with every limit that the prover finds replaced by a comparison with it.
-fn without_limits(engine: &mut Engine, cx: &Context, prop: &Prop) -> Prop {
-    let kind = match &prop.kind {
-        PropKind::And(list) => PropKind::And(list.iter().map(|p| without_limits(engine, cx, p)).collect()),
-        PropKind::Limit(limit) => match engine.tends(&mut cx.clone(), limit) {
-            Ok(Some(Tends::To(found))) => {
-                let text = format!("0 = {}", super::show::form(&engine.ring, &found));
-                match parse_prop(&text) {
-                    Ok(Prop { kind: PropKind::Compare(sides, relations), .. }) => {
-                        let found = sides.into_iter().nth(1).unwrap_or_else(|| limit.value.clone());
-                        PropKind::Compare(vec![found, limit.value.clone()], relations)
-                    }
-                    _ => return prop.clone(),
-                }
-            }
-            // No finite value is the limit: the statement is false everywhere.
-            Ok(Some(Tends::Infinitely)) => {
-                PropKind::Not(Box::new(Prop { kind: PropKind::And(Vec::new()), span: prop.span }))
-            }
-            _ => return prop.clone(),
-        },
-        other => other.clone(),
-    };
-    Prop { kind, span: prop.span }
 }
 
 /// Whether a hypothesis or a domain keeps the variable of a limit from growing or ties the variable of a derivative to
@@ -747,11 +770,11 @@ fn tied_by(statement: &Statement, bindings: &[Binding], goal: &Prop, more: Vec<P
     }
     let mut said = more;
     said.extend(statement.assumptions.iter().map(|a| a.1.clone()));
-    said.extend(bindings.iter().flat_map(super::assume::domain));
+    said.extend(bindings.iter().flat_map(domain));
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
     let of_families: BTreeSet<String> = families.flat_map(super::expand::names_of_binding).collect();
-    let kept = |v: &String| of_families.contains(v) || !said.iter().all(|prop| super::limit::lets_grow(prop, v));
-    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| super::translate::ties(prop, v));
+    let kept = |v: &String| of_families.contains(v) || !said.iter().all(|prop| lets_grow(prop, v));
+    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| ties(prop, v));
     (limits.iter().any(kept), derivatives.into_iter().find(bound))
 }
 
@@ -763,7 +786,7 @@ fn premises(goal: &Prop, into: &mut Vec<Prop>) {
             // One part of a disjunction is looked at where the others fail.
             for part in list.iter().filter(|p| !speaks_of_what_moves(p)) {
                 into.push(part.clone());
-                into.extend(super::assume::negation(part));
+                into.extend(negation(part));
             }
             list.iter().for_each(|p| premises(p, into));
         }
@@ -774,6 +797,32 @@ fn premises(goal: &Prop, into: &mut Vec<Prop>) {
         PropKind::Not(p) | PropKind::ForAll(_, p) | PropKind::Exists(_, p) => premises(p, into),
         PropKind::Compare(..) | PropKind::Extremum(_) | PropKind::Limit(_) => {}
     }
+}
+
+/// Whether a hypothesis says nothing of a variable, or only that it is above a number.
+fn lets_grow(prop: &Prop, variable: &str) -> bool {
+    if !super::expand::names_of_prop(prop).contains(variable) {
+        return true;
+    }
+    let PropKind::Compare(sides, relations) = &prop.kind else { return false };
+    sides.len() == 2
+        && matches!(relations[0], Relation::Greater | Relation::GreaterEqual)
+        && matches!(&sides[0].kind, ExprKind::Name(n) if *n == variable)
+        && matches!(&sides[1].kind, ExprKind::Number(_))
+}
+
+/// Whether a hypothesis, other than a strict comparison, has a variable and another name in it: alone or with others it
+/// may determine one by the other, as `x*y <= 1` and `x*y >= 1` do. Derivatives are partial all the same, all other
+/// variables held fast; this only refuses to speak of them where a reader could think of another derivative.
+fn ties(prop: &Prop, variable: &str) -> bool {
+    let strict = [Relation::Less, Relation::Greater, Relation::NotEqual];
+    let open = match &prop.kind {
+        PropKind::Compare(_, relations) => relations.iter().all(|r| strict.contains(r)),
+        _ => false,
+    };
+    let mut names = super::expand::names_of_prop(prop);
+    names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
+    !open && names.contains(variable) && names.len() > 1
 }
 
 fn speaks_of_what_moves(prop: &Prop) -> bool {
@@ -829,4 +878,35 @@ pub fn literal(q: &Rational) -> Expr {
         Expr { kind: ExprKind::Product(vec![(Factor::Times, top), (Factor::Over, bottom)]), span }
     };
     if *q < 0 { Expr { kind: ExprKind::Negate(Box::new(size)), span } } else { size }
+}
+
+/// The negation with `not` pushed inwards; `None` for extrema and limits.
+fn negation(prop: &Prop) -> Option<Prop> {
+    let span = prop.span;
+    let kind = match &prop.kind {
+        PropKind::Compare(sides, relations) => {
+            let list: Vec<Prop> = sides
+                .windows(2)
+                .zip(relations)
+                .map(|(pair, r)| Prop { kind: PropKind::Compare(pair.to_vec(), vec![r.negated()]), span })
+                .collect();
+            if let [one] = list.as_slice() {
+                return Some(one.clone());
+            }
+            PropKind::Or(list)
+        }
+        PropKind::And(list) => PropKind::Or(list.iter().map(negation).collect::<Option<_>>()?),
+        PropKind::Or(list) => PropKind::And(list.iter().map(negation).collect::<Option<_>>()?),
+        PropKind::Not(inner) => return Some((**inner).clone()),
+        PropKind::Implies(p, q) => PropKind::And(vec![(**p).clone(), negation(q)?]),
+        PropKind::Equivalent(list) => {
+            let [p, q] = list.as_slice() else { return None };
+            let both = |a: Prop, b: Prop| Prop { kind: PropKind::And(vec![a, b]), span };
+            PropKind::Or(vec![both(p.clone(), negation(q)?), both(negation(p)?, q.clone())])
+        }
+        PropKind::Exists(bindings, body) => PropKind::ForAll(bindings.clone(), Box::new(negation(body)?)),
+        PropKind::ForAll(bindings, body) => PropKind::Exists(bindings.clone(), Box::new(negation(body)?)),
+        PropKind::Extremum(_) | PropKind::Limit(_) => return None,
+    };
+    Some(Prop { kind, span })
 }

@@ -8,13 +8,11 @@
 //! Simple points come first, as in a refutation; then random ones: small and large numbers, perfect powers (whose roots
 //! are rational), ends of domains, and values that meet a bound of the goal exactly.
 
-use super::catalogue::{Limits, engine, given_in};
-use super::context::Engine;
 use super::evaluate::{Assignment, Number};
-use super::expand::{Statement, names_in};
+use super::expand::{Limit, Statement, names_in};
 use super::outcome::{Fault, Point, Witness};
-use super::refute::{Choice, Goal, Members, Search, Seen, aimed, as_point};
-use crate::algebra::form::Limit;
+use super::refute::{Choice, Goal, Members, Plan, Search, Seen, aimed, as_point};
+use super::shape;
 use crate::claim::syntax::*;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Pow};
@@ -34,9 +32,6 @@ const MEMBERS: u64 = 6;
 /// The most times a failing point is made simpler.
 const SHRINKING: usize = 200;
 
-/// Steps of the prover where limits are found at a point.
-const STEPS: usize = 20_000;
-
 /// Why a claim cannot be tried.
 pub enum Untried {
     /// It makes no sense.
@@ -52,7 +47,6 @@ type Bound = (Relation, Expr);
 
 /// A claim, ready to be tried.
 pub struct Trial {
-    engine: Engine,
     statement: Statement,
     search: Search,
     goal: Goal,
@@ -66,15 +60,15 @@ impl Trial {
     /// A trial of a claim.
     ///
     /// # Errors
-    /// Hypotheses that contradict each other, a limit, a goal that no point decides.
-    pub fn new(claim: &Claim, limits: &Limits) -> Result<Trial, Untried> {
+    /// Matrices that do not fit, a limit, a goal that no point decides.
+    pub fn new(claim: &Claim) -> Result<Trial, Untried> {
         let statement = Statement::of(claim).map_err(|Limit(name)| Untried::Limit(name))?;
-        let mut engine = engine(limits);
-        let (cx, ..) = given_in(&mut engine, &statement).map_err(Untried::Fault)?;
-        let (search, mut goal) = aimed(&mut engine, &cx, &statement).ok_or(Untried::Moves)?;
-        goal.identify(&mut engine, &cx);
-        engine.deadline = None;
-        engine.ring.deadline = None;
+        let said = statement.assumptions.iter().map(|a| &a.1).chain([&statement.goal]);
+        said.into_iter().try_for_each(shape::check).map_err(|fault| Untried::Fault(Fault::Text(fault)))?;
+        let mut plan = Plan::of(&statement);
+        let (mut search, mut goal) = aimed(&mut plan, &statement).ok_or(Untried::Moves)?;
+        goal.identify(&mut plan);
+        search.follow_a_way_with_points();
         let mut bounds = Vec::new();
         let mut met = Vec::new();
         for (name, _) in &search.names {
@@ -85,14 +79,13 @@ impl Trial {
             comparisons(&goal.prop, &mut |h| bounds_of(h, name, &mut list));
             met.push(list.into_iter().map(|bound| bound.1).collect());
         }
-        Ok(Trial { engine, statement, search, goal, bounds, met })
+        Ok(Trial { statement, search, goal, bounds, met })
     }
 
     /// What the goal is at a choice; `None` where a hypothesis does not hold for certain.
     pub fn at(&mut self, choice: &Choice) -> Option<(Seen, Assignment)> {
         let point = if self.lies_in_domains(choice) { self.search.at(choice)? } else { return None };
-        self.engine.steps = STEPS;
-        let seen = self.goal.at(&mut self.engine, &point);
+        let seen = self.goal.at(&point);
         Some((seen, point))
     }
 
@@ -284,7 +277,7 @@ impl Range {
             // Of an enclosure the end that is safe.
             let (low, high) = match number {
                 Number::Exact(q) => (q.clone(), q),
-                Number::Between(low, high) => (low, high),
+                Number::Between(low, high, _) => (low, high),
             };
             match relation {
                 Relation::Greater => range.above(high, false),
