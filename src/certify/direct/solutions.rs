@@ -193,7 +193,7 @@ fn root(c: &[Rational], lesser: bool) -> Option<Root> {
             if square < 0 {
                 return None;
             }
-            let sign = Rational::from(if lesser { -1 } else { 1 });
+            let sign = Rational::from(if lesser == (*c > 0) { -1 } else { 1 });
             let below = Rational::from(2) * c;
             if let Some(exact) = (&square).checked_sqrt() {
                 return Some(Root::Rational((sign * exact - b) / below));
@@ -240,14 +240,14 @@ mod tests {
             Some(Root::Radical(e)) => crate::claim::print::expr(&e),
             _ => String::new(),
         };
-        assert_eq!(text(false), "1/2 + 1/2*sqrt(5)");
+        assert_eq!(text(false), "1/2 + (1/2)*sqrt(5)");
         assert_eq!(text(true), "1/2 + (-1/2)*sqrt(5)");
         assert!(root(&[1, 0, 1].map(Rational::from), false).is_none());
     }
 
     #[test]
     fn a_variable_that_occurs_linearly_is_eliminated_before_a_quadratic_is_solved() {
-        let claim = "claim t \"t\"\nprove exists x real, y real: x + y = 5 and x*y = 1\n";
+        let claim = "claim t \"t\"\nprove exists x, y real: x + y = 5 and x*y = 1\n";
         let claims = crate::claim::parse::parse(claim).expect("a claim");
         let PropKind::Exists(_, body) = &claims[0].goal.kind else { panic!("exists") };
         let mut facts = Vec::new();
@@ -255,6 +255,6 @@ mod tests {
         let system = System::new(&["x".to_string(), "y".to_string()], &facts).expect("equations");
         let point = system.point(0).expect("a point");
         let shown: Vec<String> = point.iter().map(|(n, e)| format!("{n} = {}", crate::claim::print::expr(e))).collect();
-        assert_eq!(shown, ["x = 5/2 + 1/2*sqrt(21)", "y = 5 - (5/2 + 1/2*sqrt(21))"]);
+        assert_eq!(shown, ["x = 5/2 + (1/2)*sqrt(21)", "y = 5 - (5/2 + (1/2)*sqrt(21))"]);
     }
 }

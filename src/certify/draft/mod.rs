@@ -239,8 +239,12 @@ impl Draft {
         }
         // Every member has a value, so that a member is one wherever its index is a natural number.
         for u in &statement.sequences {
-            checker.scalar(&u.initial)?;
-            checker.step_has_a_value(&u.index, &u.step)?;
+            let of_member = |failure| match failure {
+                Failure::Rejected(because) => Failure::Rejected(format!("in the sequence {} {because}", u.name)),
+                limit => limit,
+            };
+            checker.scalar(&u.initial).map_err(of_member)?;
+            checker.step_has_a_value(&u.index, &u.step).map_err(of_member)?;
         }
         Ok(checker)
     }
