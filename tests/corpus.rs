@@ -59,7 +59,7 @@ fn kinds() -> BTreeMap<String, Vec<Claim>> {
 }
 
 fn judge(claim: &Claim) -> Judged {
-    let limits = Limits { time: Duration::from_secs(3), steps: 40_000, ..Limits::default() };
+    let limits = Limits { time: Duration::from_secs(3), steps: 40_000 };
     let name = claim.name.text.clone();
     let begin = Instant::now();
     let catalogue = Catalogue::new(vec![claim.clone()]).unwrap_or_else(|f| panic!("{name}: {}", f[0].1.message()));
