@@ -13,7 +13,7 @@
 //!
 //! Coefficients are enclosures; one that cannot be told from 0 is not taken for 0, and leads nothing.
 //!
-//! Cost: a fixed number of coefficients ([`TERMS`]).
+//! Cost: a fixed number of coefficients (`TERMS`).
 
 use super::evaluate::{Assignment, Number, add, exponential, invert, logarithm, multiply};
 use crate::claim::definedness::Exponent;
