@@ -13,7 +13,6 @@ use carom::export::{coq, smt2};
 use carom::number::NumberError;
 use carom::number::decimal::{Decimal, Digits};
 use carom::number::rational;
-use carom::prove::catalogue::Limits;
 use carom::prove::refute::Seen;
 use carom::prove::trial::{Trial, Untried};
 use carom::report::plot::charts::{eta_of_number, eta_of_ratio, map, thresholds, velocities};
@@ -296,7 +295,7 @@ pub fn law_point(py: Python<'_>, text: &str, random: Vec<u64>) -> Result<Option<
             .pop()
             .filter(|_| found.is_empty())
             .ok_or_else(|| Refusal::Input("a law is one claim; give one".to_owned()))?;
-        let mut trial = Trial::new(&claim, &Limits::default()).map_err(|why| match why {
+        let mut trial = Trial::new(&claim).map_err(|why| match why {
             Untried::Fault(fault) => {
                 Refusal::Input(carom::judge::diagnostic(&claim, fault).render("text", text, false))
             }

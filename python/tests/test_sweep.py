@@ -86,8 +86,9 @@ def test_a_worker_that_is_killed_costs_nothing_and_doubles_nothing(tmp_path):
         made = sweeping.run(job, str(folder), client, ahead=12)
         assert killer.wait(60) == 0, "the worker was killed while partitions were missing"
         assert pids[0] not in client.run(os.getpid).values()
-    # A partition that was written and not reported is found by the second attempt: nothing is made twice.
-    assert job.partitions - 1 <= made <= job.partitions
+    # Partitions that were written and not reported are found by the second attempt: nothing is made twice. A worker
+    # holds its reports until they are fetched, and no more than `ahead` are waited for at a time.
+    assert job.partitions - 12 <= made <= job.partitions
     assert sweeping.check(job, str(folder)) == job.rows
     for part in range(job.partitions):
         assert (folder / job.name(part)).read_bytes() == (reference / job.name(part)).read_bytes()
