@@ -281,6 +281,10 @@ enum PrintFormat {
 /// Flags that raise or lower the limits.
 #[derive(clap::Args)]
 struct LimitFlags {
+    /// Accepted, and without effect: what these flags limited is no longer there
+    #[arg(long = "max-degree", value_name = "N", hide = true, alias = "max-terms", aliases = ["max-bits", "max-digits"])]
+    #[arg(action = clap::ArgAction::Append)]
+    _former: Vec<u64>,
     /// The most steps of the search for each claim
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
