@@ -3,7 +3,7 @@
 use carom::claim::embedded;
 use carom::judge::hand::AtHand;
 use carom::judge::{Settings, judge};
-use carom::prove::catalogue::Catalogue;
+use carom::refute::catalogue::Catalogue;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn audit(only: &[&str]) -> usize {

@@ -11,7 +11,7 @@ use crate::claim::syntax::{Claim, Span};
 use crate::judge::hand::AtHand;
 use crate::judge::{self, Entry, Settings};
 use crate::kernel::{Accepted, Verdict};
-use crate::prove::catalogue::Catalogue;
+use crate::refute::catalogue::Catalogue;
 use crate::scene::answer::{Answers, Value};
 use crate::scene::quantity::Quantity;
 use crate::scene::{read, replay as bodies};

@@ -35,8 +35,6 @@ pub mod algebra;
 #[cfg(feature = "report")]
 mod api;
 #[cfg(feature = "engine")]
-pub mod certify;
-#[cfg(feature = "engine")]
 pub mod chain;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -53,6 +51,8 @@ pub mod property;
 pub mod prove;
 #[cfg(feature = "report")]
 pub mod referee;
+#[cfg(feature = "engine")]
+pub mod refute;
 #[cfg(feature = "report")]
 pub mod report;
 #[cfg(feature = "engine")]

@@ -6,8 +6,8 @@ use carom::claim::parse::parse;
 use carom::claim::print::{Style, statement};
 use carom::judge::hand::AtHand;
 use carom::judge::{Entry, Settings, judge, outcome_of};
-use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::outcome::Verdict;
+use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::outcome::Verdict;
 use std::collections::BTreeSet;
 
 /// What a snapshot holds of one claim.

@@ -9,7 +9,7 @@ use carom::certificate::{Certificate, Step, needed};
 use carom::claim::embedded;
 use carom::claim::syntax::*;
 use carom::kernel::{Accepted, Verdict, check, domains};
-use carom::prove::catalogue::Limits;
+use carom::refute::catalogue::Limits;
 use std::collections::BTreeMap;
 
 /// Proved claims of the catalogue without a certificate, in order: none, and it shall stay so.
@@ -95,7 +95,7 @@ fn small_certificates_are_found_again_just_as_they_are() {
         let (list, accepted) = all();
         for (claim, text) in list.iter().filter(|c| c.1.len() < 700) {
             let cited: Vec<&Accepted> = claim.using.iter().filter_map(|n| accepted.get(&n.text)).collect();
-            let (found, _) = carom::certify::certify(claim, &cited, &Limits::default()).unwrap();
+            let (found, _) = carom::prove::certificate(claim, &cited, &Limits::default()).unwrap();
             assert_eq!(write(&found), *text, "{}", claim.name.text);
         }
     });
@@ -348,7 +348,7 @@ fn damaged_certificates_are_rejected_or_still_show_the_same_statement() {
 /// The certificate of a claim that the search finds.
 fn certified(claim: &str) -> String {
     let claim = carom::claim::parse::parse(&format!("claim t \"t\"\n{claim}")).unwrap().remove(0);
-    write(&carom::certify::certify(&claim, &[], &Limits::default()).unwrap_or_else(|why| panic!("{why}")).0)
+    write(&carom::prove::certificate(&claim, &[], &Limits::default()).unwrap_or_else(|why| panic!("{why}")).0)
 }
 
 #[test]

@@ -9,8 +9,8 @@
 use carom::claim::parse::parse;
 use carom::claim::syntax::{Claim, Expectation};
 use carom::judge::outcome_of;
-use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::outcome::Verdict;
+use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::outcome::Verdict;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -9,10 +9,10 @@ use carom::claim::syntax::*;
 use carom::export::{self, values::Guard};
 use carom::judge::outcome_of;
 use carom::kernel;
-use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::evaluate::{Assignment, Missing};
-use carom::prove::expand::parts;
-use carom::prove::outcome::Verdict;
+use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::evaluate::{Assignment, Missing};
+use carom::refute::expand::parts;
+use carom::refute::outcome::Verdict;
 use malachite::Rational;
 use std::time::Duration;
 
@@ -172,7 +172,7 @@ fn listed(point: &Assignment, e: &Expr) -> Option<bool> {
             return Some(false);
         }
         let end = |e: &Expr| match point.number(e) {
-            Ok(carom::prove::evaluate::Number::Exact(q)) => i64::try_from(&q).ok(),
+            Ok(carom::refute::evaluate::Number::Exact(q)) => i64::try_from(&q).ok(),
             _ => None,
         };
         for k in end(&index.from)?..=end(&index.to)? {
@@ -202,7 +202,7 @@ fn exported(point: &Assignment, conditions: &[export::values::Condition]) -> Opt
             let mut inner = Vec::new();
             for point in points {
                 let end = |e: &Expr| match point.number(e) {
-                    Ok(carom::prove::evaluate::Number::Exact(q)) => i64::try_from(&q).ok(),
+                    Ok(carom::refute::evaluate::Number::Exact(q)) => i64::try_from(&q).ok(),
                     _ => None,
                 };
                 // Where the ends have no value the range's own condition fails, or that of its ends.

@@ -122,9 +122,9 @@ fn imports_nothing_else(folder: &str, own: &[&str]) {
             assert!(known, "{}: use {line}", path.display());
         }
         for word in [
-            "crate::certify",
-            "crate::judge",
             "crate::prove",
+            "crate::judge",
+            "crate::refute",
             "crate::algebra",
             "crate::number",
             "malachite",

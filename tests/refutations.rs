@@ -18,10 +18,10 @@ use carom::judge::{Entry, Settings, one_of, refuted};
 use carom::kernel::statement::Statement;
 use carom::kernel::{Verdict as Checked, check, refutation};
 use carom::number::rational;
-use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::evaluate::Assignment;
-use carom::prove::expand;
-use carom::prove::outcome::{Point, Verdict};
+use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::evaluate::Assignment;
+use carom::refute::expand;
+use carom::refute::outcome::{Point, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -263,7 +263,7 @@ fn holds(claim: &Claim, refutes: &Refutes) -> Option<bool> {
     for (place, value) in &refutes.point {
         let value = value.clone();
         let exact = Assignment::default().number(&value).ok()?;
-        let carom::prove::evaluate::Number::Exact(q) = exact else { return None };
+        let carom::refute::evaluate::Number::Exact(q) = exact else { return None };
         at.values.insert(print::expr(place), q);
     }
     for u in &statement.sequences {
@@ -337,13 +337,13 @@ fn a_number_that_the_kernel_encloses_is_the_one_that_the_evaluator_finds() {
     for text in exprs {
         let number = Assignment::default().number(&parse_expr(text).unwrap()).unwrap();
         let (low, high) = match number {
-            carom::prove::evaluate::Number::Exact(q) => (q.clone(), q),
-            carom::prove::evaluate::Number::Between(low, high, _) => (low, high),
+            carom::refute::evaluate::Number::Exact(q) => (q.clone(), q),
+            carom::refute::evaluate::Number::Between(low, high, _) => (low, high),
         };
         let width = rational::parse("1e-20").unwrap();
         let (below, above) = (
-            print::expr(&carom::prove::refute::literal(&(&low - &width))),
-            print::expr(&carom::prove::refute::literal(&(&high + &width))),
+            print::expr(&carom::refute::search::literal(&(&low - &width))),
+            print::expr(&carom::refute::search::literal(&(&high + &width))),
         );
         let goal = format!("{below} < {text} and {text} < {above}");
         let claims = parse(&format!("claim t \"t\"\nprove {goal}\n")).unwrap();

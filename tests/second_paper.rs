@@ -5,8 +5,8 @@
 use carom::claim::format::format;
 use carom::claim::parse::parse;
 use carom::judge::outcome_of;
-use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::outcome::Verdict;
+use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::outcome::Verdict;
 use std::fs;
 use std::path::Path;
 

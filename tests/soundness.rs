@@ -8,10 +8,10 @@ use carom::claim::embedded;
 use carom::claim::syntax::*;
 use carom::judge::hand::AtHand;
 use carom::judge::{Settings, one_of};
-use carom::prove::catalogue::{Catalogue, Limits};
-use carom::prove::expand::Statement;
-use carom::prove::outcome::Verdict;
-use carom::prove::refute;
+use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::expand::Statement;
+use carom::refute::outcome::Verdict;
+use carom::refute::search;
 
 /// Changes the n-th place of a statement that can be changed; false when there is no n-th place.
 struct Mutation {
@@ -222,7 +222,7 @@ fn judge_mutants(claim: &Claim, all: &[Claim], hand: &AtHand, share: usize, tall
                 Verdict::Proved => {
                     tally.proved += 1;
                     let statement = Statement::of(&mutant).expect("within limits");
-                    if let Some(witness) = refute::falsified(&statement, None) {
+                    if let Some(witness) = search::falsified(&statement, None) {
                         tally.wrong.push(format!("{} at {:?}", said(), witness.point));
                     }
                 }

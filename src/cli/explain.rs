@@ -3,7 +3,7 @@
 use super::audit::load;
 use super::{Exit, ExplainFormat};
 use crate::judge::Settings;
-use crate::prove::catalogue::Limits;
+use crate::refute::catalogue::Limits;
 use crate::report::argument;
 use std::path::PathBuf;
 

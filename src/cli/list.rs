@@ -3,7 +3,7 @@
 use super::audit::load;
 use super::{Exit, ValueFormat};
 use crate::claim::syntax::{Claim, Expectation};
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 use crate::report::visible;
 use serde_json::json;
 use std::path::PathBuf;

@@ -294,8 +294,8 @@ struct LimitFlags {
 }
 
 impl LimitFlags {
-    fn limits(&self) -> crate::prove::catalogue::Limits {
-        crate::prove::catalogue::Limits { steps: self.max_steps, time: std::time::Duration::from_secs(self.time) }
+    fn limits(&self) -> crate::refute::catalogue::Limits {
+        crate::refute::catalogue::Limits { steps: self.max_steps, time: std::time::Duration::from_secs(self.time) }
     }
 }
 

@@ -6,7 +6,7 @@ use super::interrupt::{Interrupt, interrupted};
 use super::{Exit, Language, print, terminal, write_file};
 use crate::claim::syntax::Claim;
 use crate::judge::Settings;
-use crate::prove::catalogue::{Catalogue, Limits};
+use crate::refute::catalogue::{Catalogue, Limits};
 use crate::report::handout::evidence::{self, Evidence};
 use crate::report::theorems::{Folder, folder};
 use crate::report::{Audit, counted};

@@ -22,7 +22,7 @@ use super::{Result, Unsupported, unsupported};
 use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
 use crate::number::rational;
-use crate::prove::expand::{self, Substitution};
+use crate::refute::expand::{self, Substitution};
 use crate::{certificate, kernel};
 use malachite::base::num::basic::traits::One;
 use std::collections::{BTreeMap, BTreeSet};
@@ -386,7 +386,7 @@ impl Printer {
     }
 
     fn in_place(&mut self, expr: &Expr) -> Result<Expr> {
-        let limit = |l: crate::prove::expand::Limit| Unsupported::limit(l.0, expr.span);
+        let limit = |l: crate::refute::expand::Limit| Unsupported::limit(l.0, expr.span);
         self.definitions.expr(expr).map_err(limit)
     }
 

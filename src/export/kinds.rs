@@ -130,7 +130,7 @@ pub fn of_claim(claim: &Claim) -> Kinds {
 
 fn names_one(expr: &Expr) -> bool {
     let mut found = matches!(expr.kind, ExprKind::Name(_));
-    crate::prove::expand::parts(expr, &mut |part| found |= names_one(part));
+    crate::refute::expand::parts(expr, &mut |part| found |= names_one(part));
     found
 }
 
@@ -161,7 +161,7 @@ impl Uses<'_> {
                 inner.insert(index.name.text.clone(), Kind::Natural);
                 self.expr(body, &inner);
             }
-            _ => crate::prove::expand::parts(expr, &mut |part| self.expr(part, kinds)),
+            _ => crate::refute::expand::parts(expr, &mut |part| self.expr(part, kinds)),
         }
     }
 

@@ -36,7 +36,7 @@ impl Unsupported {
 /// The limit that the definitions, put in place, reach.
 pub fn conditions(claim: &Claim) -> Result<Vec<values::Condition>> {
     let statement =
-        crate::prove::expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
+        crate::refute::expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
     let positive = positive::Positive::of_claim(claim);
     Ok(values::of_statement(&statement, &kinds::of_claim(claim), &positive))
 }

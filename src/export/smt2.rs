@@ -20,7 +20,7 @@ use crate::claim::definedness::{self, Need};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::number::rational;
-use crate::prove::expand;
+use crate::refute::expand;
 use std::collections::BTreeMap;
 
 /// The largest exponent that is written out as a product.

@@ -8,7 +8,7 @@ use super::kinds::{Kind, Kinds, bind, is_natural, is_natural_name};
 use super::positive::Positive;
 use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
-use crate::prove::expand::Statement;
+use crate::refute::expand::Statement;
 
 /// What a condition is said of.
 #[derive(Clone, Debug)]
@@ -146,7 +146,7 @@ impl Collector {
             self.under(Guard::Index(index.clone()), |inner| inner.expr(body));
             return;
         }
-        crate::prove::expand::parts(expr, &mut |part| self.expr(part));
+        crate::refute::expand::parts(expr, &mut |part| self.expr(part));
     }
 
     /// For a proposition; what stands under `exists` is said there.

@@ -14,16 +14,16 @@ mod threads;
 
 use crate::certificate::Certificate;
 use crate::certificate::text::{digest, write};
-use crate::certify::{Fail, certify};
 use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::print::Style;
 use crate::claim::syntax::{self as claim, Claim, Item, Method, Relation, Span, Step};
 use crate::explain::{self, Document};
 use crate::kernel::Accepted;
 use crate::kernel::statement::{compare, numeral};
-use crate::prove::case::{Case, FIRST, beyond};
-use crate::prove::catalogue::{Catalogue, Limits};
-use crate::prove::outcome::{Fault, Outcome, Verdict};
+use crate::prove::{self, Fail};
+use crate::refute::case::{Case, FIRST, beyond};
+use crate::refute::catalogue::{Catalogue, Limits};
+use crate::refute::outcome::{Fault, Outcome, Verdict};
 use hand::AtHand;
 
 /// Which part of the time goes to showing that a point exists, or a contradiction, where none was found for the hypotheses.
@@ -220,7 +220,7 @@ fn with_a_point(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
 pub fn contradictory(claim: &Claim, limits: &Limits) -> bool {
     let goal = compare(numeral(0), Relation::Equal, numeral(1));
     let absurd = Claim { goal, proof: claim::Proof::default(), using: Vec::new(), ..claim.clone() };
-    certify(&absurd, &[], &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }).is_ok()
+    prove::certificate(&absurd, &[], &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }).is_ok()
 }
 
 /// The fault of a claim whose hypotheses contradict each other.
@@ -262,7 +262,7 @@ fn searched(
     if let Some(refuted) = case.counterexample(Some(FIRST)) {
         return Ok(Decided::without_proof(refuted));
     }
-    let fail = match certify(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
+    let fail = match prove::certificate(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
         Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
         Err(fail) => fail,
     };

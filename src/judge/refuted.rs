@@ -10,15 +10,15 @@
 use crate::algebra::Instant;
 use crate::certificate::text::digest;
 use crate::certificate::{Certificate, Label, Refutes, Rule, Show, Step, Term, needed};
-use crate::certify::certify;
 use crate::claim::definedness::{Need, needs};
 use crate::claim::parse::parse_expr;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{Statement, Substitution, compare, name, numeral, prop};
 use crate::kernel::{self, Checker, Reason, Refusal, check, key, refutation};
-use crate::prove::catalogue::Limits;
-use crate::prove::outcome::{Broken, Outcome, Point, Verdict, Witness};
+use crate::prove;
+use crate::refute::catalogue::Limits;
+use crate::refute::outcome::{Broken, Outcome, Point, Verdict, Witness};
 
 /// How many expressions are tried for one without value, each at several indices.
 const TRIES: usize = 400;
@@ -185,7 +185,7 @@ impl Refuter<'_> {
             return None;
         }
         let own = Claim { goal: p.clone(), ..attempt.claim.clone() };
-        let (found, _) = certify(&own, &[], self.limits).ok()?;
+        let (found, _) = prove::certificate(&own, &[], self.limits).ok()?;
         // Its labels are new here.
         let run = attempt.steps.len();
         let fresh = |label: &str| if label.starts_with('h') { label.to_string() } else { format!("r{run}x{label}") };
@@ -390,7 +390,7 @@ fn parts_of(e: &Expr, bound: &mut Bound, out: &mut Vec<(Expr, Bound)>) {
             parts_of(body, bound, out);
             bound.pop();
         }
-        _ => crate::prove::expand::parts(e, &mut |part| parts_of(part, bound, out)),
+        _ => crate::refute::expand::parts(e, &mut |part| parts_of(part, bound, out)),
     }
     out.push((e.clone(), bound.clone()));
 }

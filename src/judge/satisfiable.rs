@@ -3,16 +3,16 @@
 //! Contract: a point is returned only where the kernel accepted that such values exist: `exists x …: hypotheses`.
 
 use crate::certificate::{Certificate, Rule, Step};
-use crate::certify::certify;
 use crate::claim::print;
 use crate::claim::syntax::{Claim, Proof, PropKind};
 use crate::kernel::statement::{Statement, prop};
-use crate::prove::catalogue::Limits;
-use crate::prove::outcome::Point;
+use crate::prove;
+use crate::refute::catalogue::Limits;
+use crate::refute::outcome::Point;
 
 /// A point at which the hypotheses of a claim hold, its coordinates perhaps roots; `None` where none was shown to exist.
 pub fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
-    let certificate = certify(&existence(claim)?, &[], limits).ok()?.0;
+    let certificate = prove::certificate(&existence(claim)?, &[], limits).ok()?.0;
     witness(&certificate)
 }
 

@@ -19,7 +19,7 @@
 //! ```
 //!
 //! A claim that held is not proved: [`Law::assured`] proves it where it can, and tries what it cannot prove. A claim that
-//! failed is false: its hypotheses hold at the point for certain and its goal does not ([`crate::prove::trial`]).
+//! failed is false: its hypotheses hold at the point for certain and its goal does not ([`crate::refute::trial`]).
 
 use super::points::Values;
 use crate::algebra::Instant;
@@ -27,10 +27,10 @@ use crate::claim::diagnostic::Diagnostic;
 use crate::claim::parse::parse;
 use crate::claim::syntax::Claim;
 use crate::judge::{contradiction, contradictory};
-use crate::prove::catalogue::Limits;
-use crate::prove::outcome::{Fault, Witness, limit_reached};
-use crate::prove::refute::Seen;
-use crate::prove::trial::{Trial, Untried};
+use crate::refute::catalogue::Limits;
+use crate::refute::outcome::{Fault, Witness, limit_reached};
+use crate::refute::search::Seen;
+use crate::refute::trial::{Trial, Untried};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 use std::time::Duration;
@@ -134,8 +134,8 @@ impl Law {
     #[must_use]
     pub fn assured(&self, settings: &Settings) -> Assurance {
         use crate::judge::{self, hand::AtHand};
-        use crate::prove::catalogue::Catalogue;
-        use crate::prove::outcome::Verdict;
+        use crate::refute::catalogue::Catalogue;
+        use crate::refute::outcome::Verdict;
         let names = [self.claim.name.text.clone()];
         let found = Catalogue::new(vec![self.claim.clone()]).ok().map(|catalogue| {
             let limits = Limits { time: settings.time, ..Limits::default() };

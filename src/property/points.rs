@@ -5,8 +5,8 @@
 
 use super::law::Law;
 use crate::number::rational::parse;
-use crate::prove::refute::{Choice, Seen};
-use crate::prove::trial::Trial;
+use crate::refute::search::{Choice, Seen};
+use crate::refute::trial::Trial;
 use malachite::Rational;
 use proptest::prelude::Rng;
 use proptest::strategy::{NewTree, Strategy, ValueTree};

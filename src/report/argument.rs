@@ -5,7 +5,7 @@ use super::{Entry, markdown, statement, visible};
 use crate::claim::print::Style;
 use crate::claim::syntax::{Claim, ExprKind, Item, PropKind, Relation};
 use crate::explain;
-use crate::prove::outcome::{Broken, Point, Verdict};
+use crate::refute::outcome::{Broken, Point, Verdict};
 
 /// As text, with Unicode signs, wrapped to so many columns.
 pub fn text(entry: &Entry, width: usize) -> String {

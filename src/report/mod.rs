@@ -26,7 +26,7 @@ pub mod worksheet;
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::{Claim, Reading};
 pub use crate::judge::Entry;
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 use serde_json::Value;
 use std::borrow::Cow;
 

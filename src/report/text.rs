@@ -3,7 +3,7 @@
 use super::{Audit, Entry, counted, summary, visible};
 use crate::claim::print::Style;
 use crate::claim::syntax::Reading;
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 
 const GREEN: &str = "\x1b[32m";
 const RED: &str = "\x1b[31m";

@@ -8,7 +8,7 @@ use super::evidence::Evidence;
 use super::numbers::{Plot, Table, WHAT_IS_CERTAIN};
 use super::{Handout, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::explain;
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 use crate::report::argument::{clauses_latex, remarks};
 use crate::report::latex::{code, escape};
 use crate::report::table::Entry as Cell;

@@ -8,7 +8,7 @@ use crate::claim::embedded;
 use crate::claim::syntax::{Claim, Expectation};
 use crate::export::coq;
 use crate::judge::Proof;
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 use crate::report::theorems::{File, Folder};
 use crate::report::{Audit, Entry};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! What a reader of the paper should know first: hidden hypotheses, damaged lines, what is false.
 
 use crate::claim::syntax::Reading;
-use crate::prove::outcome::{Point, Verdict};
+use crate::refute::outcome::{Point, Verdict};
 use crate::report::Audit;
 
 /// A finding.

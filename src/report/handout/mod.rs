@@ -13,7 +13,7 @@ mod page;
 
 use super::{Audit, counted};
 use crate::claim::embedded;
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 use evidence::Evidence;
 use numbers::{Plot, Table};
 use std::collections::BTreeMap;

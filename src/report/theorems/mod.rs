@@ -8,14 +8,14 @@ mod folder;
 
 use crate::certificate::Certificate;
 use crate::certificate::text::read;
-use crate::certify::certify;
 use crate::claim::parse::parse_expr;
 use crate::claim::syntax::{Claim, Expectation};
 use crate::export::coq::{self, Statement, defined, proof, refuted};
 use crate::judge::Entry;
 use crate::kernel::{self, Accepted};
-use crate::prove::catalogue::{Catalogue, Limits};
-use crate::prove::outcome::{Verdict, Witness, limit_reached};
+use crate::prove;
+use crate::refute::catalogue::{Catalogue, Limits};
+use crate::refute::outcome::{Verdict, Witness, limit_reached};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A theorem.
@@ -214,7 +214,7 @@ impl Maker<'_> {
         let companion = defined::companion(&entry.claim).map_err(|open| why(&open))?;
         let companion = companion.ok_or("nothing that it needs is known")?;
         let cited = self.cited(&entry.claim);
-        let (certificate, _) = certify(&companion, &cited, self.limits).map_err(|fail| fail.to_string())?;
+        let (certificate, _) = prove::certificate(&companion, &cited, self.limits).map_err(|fail| fail.to_string())?;
         let claims = |name: &str| self.catalogue.get(name).cloned();
         let made = defined::proof(&companion, &certificate, &cited, &claims).map_err(|open| why(&open))?;
         Ok(Made::new(name, full, &made.text, made.cites, format!("statements.{name}")))
@@ -270,5 +270,5 @@ fn point(witness: &Witness) -> Result<refuted::Point, String> {
 /// A certificate of the claim at a point where another one fails.
 fn refutation(claim: &Claim, point: &refuted::Point, limits: &Limits) -> Result<Certificate, String> {
     let there = refuted::at(claim, point).map_err(|refusal| why(&refusal.into()))?;
-    certify(&there, &[], limits).map(|found| found.0).map_err(|fail| fail.to_string())
+    prove::certificate(&there, &[], limits).map(|found| found.0).map_err(|fail| fail.to_string())
 }

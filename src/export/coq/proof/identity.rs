@@ -438,6 +438,6 @@ fn bare(text: &str) -> &str {
 
 fn words_hold_ln(e: &Expr) -> bool {
     let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln");
-    crate::prove::expand::parts(e, &mut |part| found = found || words_hold_ln(part));
+    crate::refute::expand::parts(e, &mut |part| found = found || words_hold_ln(part));
     found
 }

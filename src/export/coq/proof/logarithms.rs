@@ -133,7 +133,7 @@ impl Writer<'_> {
         }
         if let ExprKind::Name(x) = &words.kind {
             let mut names = BTreeSet::new();
-            crate::prove::expand::names_in(&self.checker.fraction_words(&value), &mut names);
+            crate::refute::expand::names_in(&self.checker.fraction_words(&value), &mut names);
             if names.contains(x) {
                 return Ok(None);
             }
@@ -162,14 +162,14 @@ impl Writer<'_> {
     /// Whether the names in a fraction come to something with this name, with the equations put in.
     fn leads_back(&mut self, f: &Fraction, r: &str, using: &[Label]) -> Found<bool> {
         let mut names = BTreeSet::new();
-        crate::prove::expand::names_in(&self.checker.fraction_words(f), &mut names);
+        crate::refute::expand::names_in(&self.checker.fraction_words(f), &mut names);
         for n in names {
             if self.printer.kinds.get(&n) != Some(&Kind::Real) {
                 continue;
             }
             let value = self.checker.read(&name(&n), using)?;
             let mut inner = BTreeSet::new();
-            crate::prove::expand::names_in(&self.checker.fraction_words(&value), &mut inner);
+            crate::refute::expand::names_in(&self.checker.fraction_words(&value), &mut inner);
             if inner.contains(r) {
                 return Ok(true);
             }

@@ -425,7 +425,7 @@ impl Writer<'_> {
     /// By the rules for powers, for what may be 0 or negative.
     fn by_rules(&mut self, e: &Expr, using: &[Label], given: &Given) -> Found<String> {
         let mut parts = Vec::new();
-        crate::prove::expand::parts(e, &mut |part| parts.push(part.clone()));
+        crate::refute::expand::parts(e, &mut |part| parts.push(part.clone()));
         for part in &parts {
             let f = self.checker.read(part, using)?;
             self.positive(&f, given)?;
@@ -437,7 +437,7 @@ impl Writer<'_> {
 
 fn holds_ln(e: &Expr) -> bool {
     let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln");
-    crate::prove::expand::parts(e, &mut |part| found = found || holds_ln(part));
+    crate::refute::expand::parts(e, &mut |part| found = found || holds_ln(part));
     found
 }
 

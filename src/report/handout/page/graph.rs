@@ -1,6 +1,6 @@
 //! Which claim rests on which, drawn as SVG.
 
-use crate::prove::outcome::Verdict;
+use crate::refute::outcome::Verdict;
 use crate::report::Entry;
 use crate::report::markup::escape;
 use std::collections::BTreeMap;

@@ -11,7 +11,7 @@ mod graph;
 mod numbers;
 
 use super::{Handout, findings};
-use crate::prove::outcome::{Point, Verdict};
+use crate::refute::outcome::{Point, Verdict};
 use crate::report::markup::escape;
 use crate::report::{counted, summary};
 

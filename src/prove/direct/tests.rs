@@ -2,7 +2,7 @@
 
 use super::prove;
 use crate::claim::parse::parse;
-use crate::prove::catalogue::Limits;
+use crate::refute::catalogue::Limits;
 
 fn is_shown(body: &str) -> bool {
     let claims = parse(&format!("claim trial \"A trial\"\n{body}\n")).unwrap_or_default();

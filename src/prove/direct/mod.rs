@@ -32,7 +32,7 @@ use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::{Claim, Expr, Prop, PropKind};
 use crate::kernel::statement::{Substitution, prop};
 use crate::kernel::{Accepted, Checker, Verdict, key};
-use crate::prove::catalogue::Limits;
+use crate::refute::catalogue::Limits;
 use letters::Letters;
 use std::collections::{BTreeSet, HashMap};
 

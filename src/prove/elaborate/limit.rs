@@ -6,11 +6,11 @@
 
 use super::{Elaborator, Fact, Stuck};
 use crate::certificate::{Label, Rule, Show};
-use crate::certify::draft;
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{Substitution, compare, name, names_in, names_in_prop, numeral, prop};
 use crate::kernel::{Reason, Refusal, key};
+use crate::prove::draft;
 use std::collections::{BTreeSet, HashMap};
 
 /// How many parts of an expression are shown to have a sign before its limit is given up.

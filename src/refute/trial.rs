@@ -11,7 +11,7 @@
 use super::evaluate::{Assignment, Number};
 use super::expand::{Limit, Statement, names_in};
 use super::outcome::{Fault, Point, Witness};
-use super::refute::{Choice, Goal, Members, Plan, Search, Seen, aimed, as_point};
+use super::search::{Choice, Goal, Members, Plan, Search, Seen, aimed, as_point};
 use super::shape;
 use crate::claim::syntax::*;
 use malachite::Rational;

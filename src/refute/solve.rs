@@ -188,7 +188,7 @@ mod tests {
     use super::*;
     use crate::claim::parse::parse;
     use crate::claim::print;
-    use crate::prove::expand::Statement;
+    use crate::refute::expand::Statement;
 
     fn solved(text: &str) -> Vec<String> {
         let claims = parse(&format!("claim c \"\"\n{text}\nprove 0 = 0\n")).expect("it parses");

@@ -10,10 +10,10 @@ pub(super) mod swept;
 
 use crate::algebra::Instant;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
-use crate::certify::draft;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{compare, name, names_in_prop, numeral};
 use crate::kernel::{Accepted, Checker, Reason, Refusal, key};
+use crate::prove::draft;
 use std::collections::{BTreeSet, HashMap};
 
 /// Where an elaboration got stuck.

@@ -8,7 +8,7 @@ use super::catalogue::Limits;
 use super::expand::{Limit, Statement};
 use super::faults;
 use super::outcome::{Outcome, Point, Verdict, Witness, limit_reached};
-use super::refute::{self, Goal, Plan, Search};
+use super::search::{self, Goal, Plan, Search};
 use super::shape;
 use crate::claim::syntax::{Claim, Diagnose};
 use std::time::Duration;
@@ -44,7 +44,7 @@ impl Case {
         let has_hypotheses = statement.has_hypotheses();
         // No deadline where the clock does not reach that far.
         let deadline = started.checked_add(limits.time);
-        let sample = if has_hypotheses { refute::sample(&mut plan, &statement, deadline) } else { None };
+        let sample = if has_hypotheses { search::sample(&mut plan, &statement, deadline) } else { None };
         Ok(Case { plan, statement, sample, aim: None, held: 0, started, time: limits.time })
     }
 
@@ -70,7 +70,7 @@ impl Case {
 
     /// Why no proof is sought, if there is a reason: the goal may be read in two ways.
     pub fn ambiguous(&self) -> Option<String> {
-        let variable = refute::tied_derivative(&self.statement)?;
+        let variable = search::tied_derivative(&self.statement)?;
         Some(format!("a derivative by {variable}, which a hypothesis ties to other variables, may be read in two ways"))
     }
 
@@ -113,11 +113,11 @@ impl Case {
     fn falsified(&mut self, most: Option<u64>) -> Option<Witness> {
         let deadline = self.started.checked_add(self.time);
         let Case { plan, statement, aim, held, .. } = self;
-        let (search, goal) = aim.get_or_insert_with(|| refute::aimed(plan, statement)).as_mut()?;
+        let (search, goal) = aim.get_or_insert_with(|| search::aimed(plan, statement)).as_mut()?;
         if most.is_none() {
             goal.identify(plan);
         }
-        let (witness, points) = refute::falsified_by(statement, search, goal, most, deadline);
+        let (witness, points) = search::falsified_by(statement, search, goal, most, deadline);
         *held = points;
         witness
     }

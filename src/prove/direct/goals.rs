@@ -6,7 +6,7 @@ use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::at_the_point;
 use crate::kernel::statement::{Substitution, compare, domain, prop};
-use crate::prove::refute::{example, literal};
+use crate::refute::search::{example, literal};
 
 impl Prover {
     /// Shows a goal; returns the label of the fact that says it.

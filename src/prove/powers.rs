@@ -3,10 +3,10 @@
 use super::draft::Rule;
 use super::write::{multiplied, negated, quotient, whole_power};
 use super::{Certifier, Fail};
-use crate::certify::draft::translate::Atom;
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::statement::{compare, expr};
+use crate::prove::draft::translate::Atom;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;

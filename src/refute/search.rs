@@ -120,7 +120,7 @@ impl Search {
                     Rc::make_mut(&mut self.base.naturals).insert(name.text.clone());
                 }
                 if index.is_some() {
-                    let domain = constraints(binding, &super::refute::name(&name.text));
+                    let domain = constraints(binding, &super::search::name(&name.text));
                     self.families.push((name.text.clone(), binding.natural, domain));
                     if let Some(range) = &binding.indices {
                         self.base.ranges.insert(name.text.clone(), range.clone());

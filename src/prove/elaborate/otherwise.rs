@@ -2,10 +2,10 @@
 
 use super::{Elaborator, Kind, is_equation};
 use crate::certificate::{Label, Rule};
-use crate::certify::draft::{self, negation};
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::statement::{compare, expr};
+use crate::prove::draft::{self, negation};
 use std::collections::{BTreeSet, HashMap};
 
 impl Elaborator {

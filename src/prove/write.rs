@@ -1,10 +1,10 @@
 //! The kernel's fractions as expressions of the claim language.
 
 use super::{Certifier, Fail};
-use crate::certify::draft::translate::Atom;
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::statement::{expr, name};
+use crate::prove::draft::translate::Atom;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};

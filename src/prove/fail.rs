@@ -5,7 +5,7 @@ use super::elaborate::Stuck;
 use crate::claim::print::prop;
 use crate::claim::syntax::Prop;
 use crate::kernel::{Refusal, Verdict};
-use crate::prove::outcome::limit_reached;
+use crate::refute::outcome::limit_reached;
 use std::fmt;
 
 /// What stopped the search for a certificate.

@@ -8,7 +8,7 @@ use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
-use crate::prove::refute::literal;
+use crate::refute::search::literal;
 use malachite::Rational;
 
 impl Prover {

@@ -9,7 +9,7 @@ use crate::algebra::Polynomial;
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{Substitution, expr, name, numeral};
-use crate::prove::refute::literal;
+use crate::refute::search::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
 use malachite::base::num::basic::traits::Zero;

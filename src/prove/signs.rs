@@ -6,18 +6,18 @@ use super::{Certifier, Fail};
 use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Polynomial, factor};
 use crate::certificate::Term;
-use crate::certify::draft::translate::Atom;
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
+use crate::prove::draft::translate::Atom;
 use num_rational::BigRational;
 use std::collections::BTreeSet;
 use std::str::FromStr;
 
 /// The kernel's polynomial as one of the engine's.
 pub fn to_algebra(poly: &Poly) -> Result<Polynomial, Fail> {
-    Ok(crate::prove::reading::to_algebra(poly).ok_or("too many atoms, or too high a degree")?)
+    Ok(crate::refute::reading::to_algebra(poly).ok_or("too many atoms, or too high a degree")?)
 }
 
 /// The engine's polynomial as one of the kernel's.
@@ -65,7 +65,7 @@ impl Certifier {
         }
         let (difference, _) = match self.checker.difference(&prop) {
             Ok(found) => found,
-            Err(crate::certify::draft::Failure::Rejected(reason)) => {
+            Err(crate::prove::draft::Failure::Rejected(reason)) => {
                 // A value may hang on a sign that has to be shown first.
                 self.define(&[a, b])?;
                 if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
@@ -507,7 +507,7 @@ impl Certifier {
         for _ in 0..depth {
             let mut atoms = BTreeSet::new();
             for e in exprs {
-                if let Ok(crate::certify::draft::translate::Value::Scalar(f)) = self.checker.value(e, 300) {
+                if let Ok(crate::prove::draft::translate::Value::Scalar(f)) = self.checker.value(e, 300) {
                     atoms.extend(f.atoms());
                 }
             }
