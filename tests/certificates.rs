@@ -101,17 +101,6 @@ fn small_certificates_are_found_again_just_as_they_are() {
     });
 }
 
-fn flipped(relation: Relation) -> Relation {
-    match relation {
-        Relation::Equal => Relation::NotEqual,
-        Relation::NotEqual => Relation::Equal,
-        Relation::Less => Relation::GreaterEqual,
-        Relation::LessEqual => Relation::Greater,
-        Relation::Greater => Relation::LessEqual,
-        Relation::GreaterEqual => Relation::Less,
-    }
-}
-
 /// Another goal: the first relation turned round, or the words after a limit or extremum changed.
 fn other_goal(p: &Prop) -> Prop {
     let two = |e: &Expr| Expr {
@@ -124,7 +113,7 @@ fn other_goal(p: &Prop) -> Prop {
     let kind = match &p.kind {
         PropKind::Compare(sides, relations) => {
             let mut relations = relations.clone();
-            relations[0] = flipped(relations[0]);
+            relations[0] = relations[0].negated();
             PropKind::Compare(sides.clone(), relations)
         }
         PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {

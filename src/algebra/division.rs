@@ -3,7 +3,7 @@
 //! Contract: a quotient is returned exactly when the divisor divides; there are no remainders here,
 //! because in several variables they depend on the order of the monomials.
 
-use super::polynomial::{MAX_WORK, within};
+use super::polynomial::within;
 use super::{Limit, LimitReached, Monomial, Polynomial, Var};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Gcd;
@@ -15,21 +15,12 @@ use std::collections::btree_map::Entry;
 impl Polynomial {
     /// The quotient, where the divisor divides exactly; `None` otherwise and for the divisor 0.
     ///
-    /// It is unlimited, for divisors that are known to divide or small; to try a divisor on
-    /// polynomials of unknown size use [`Polynomial::try_exact_divide`].
+    /// It is unlimited, for divisors that are known to divide or small.
     ///
     /// Cost: terms of the quotient times terms of the divisor, with a logarithmic factor.
     #[must_use]
     pub fn exact_divide(&self, divisor: &Self) -> Option<Self> {
         self.divide_counted(divisor, usize::MAX, &mut 0).ok().flatten()
-    }
-
-    /// The quotient, where the divisor divides exactly, within the limits.
-    ///
-    /// # Errors
-    /// [`LimitReached`] when the work passes [`MAX_WORK`].
-    pub fn try_exact_divide(&self, divisor: &Self) -> Result<Option<Self>, LimitReached> {
-        self.divide_counted(divisor, MAX_WORK, &mut 0)
     }
 
     /// The quotient, counting products of terms in `work` up to `most`.

@@ -78,15 +78,6 @@ pub fn gcd(a: &Polynomial, b: &Polynomial) -> Result<Polynomial, LimitReached> {
     gcd_within(a, b, &mut Budget::new())
 }
 
-/// The greatest common divisor of a list; 0 of the empty list.
-///
-/// # Errors
-/// As for [`gcd`].
-pub fn gcd_all<'a>(list: impl IntoIterator<Item = &'a Polynomial>) -> Result<Polynomial, LimitReached> {
-    let mut budget = Budget::new();
-    fold(Polynomial::zero(), list.into_iter().cloned().collect(), &mut budget)
-}
-
 /// The content with respect to one variable: the gcd of the coefficients, primitive.
 ///
 /// # Errors

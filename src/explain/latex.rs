@@ -5,7 +5,6 @@
 
 use super::document::{Block, Document, Piece};
 use crate::claim::print::Style;
-use crate::claim::syntax::Prop;
 use crate::report::latex::escape;
 
 /// `\formula{…}{…}` sets a formula on lines of its own; the second text is the same with parentheses that may be broken.
@@ -27,12 +26,6 @@ pub fn latex(document: &Document) -> String {
     let mut out = String::new();
     blocks(&document.blocks, 0, &mut out);
     out
-}
-
-/// A formula on a line of its own.
-#[must_use]
-pub fn displayed(prop: &Prop) -> String {
-    formula("", &Style::Latex.prop(prop))
 }
 
 /// A formula of mathematics mode on a line of its own, behind its number.

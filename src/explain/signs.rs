@@ -208,7 +208,7 @@ impl Words<'_> {
             if facts.is_empty() || weak && square(part) {
                 continue;
             }
-            let Some(sign) = relation_of(part.signs) else { continue };
+            let Some(sign) = part.signs.relation() else { continue };
             if !out.is_empty() {
                 out.push(say("; "));
             }
@@ -248,19 +248,6 @@ fn squared(part: &Part) -> Expr {
 /// The relation that a step shows.
 fn relation_shown(seen: &Seen) -> Option<Relation> {
     sides_of(&seen.show.prop).map(|s| s.1)
-}
-
-/// The relation to 0 that a set of signs says.
-fn relation_of(signs: Signs) -> Option<Relation> {
-    let all = [
-        Relation::Equal,
-        Relation::Greater,
-        Relation::Less,
-        Relation::GreaterEqual,
-        Relation::LessEqual,
-        Relation::NotEqual,
-    ];
-    all.into_iter().find(|relation| signs.within(Signs::of(*relation)))
 }
 
 /// `r₁, r₂ > 0`, with their common relation to 0.

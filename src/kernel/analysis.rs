@@ -3,7 +3,7 @@
 use super::fraction::Fraction;
 use super::order::Signs;
 use super::sign::Known;
-use super::statement::{compare, expr, name, numeral, one_minus, power, product, prop, sum};
+use super::statement::{apply, compare, name, numeral, one_minus, power, product, prop, sum};
 use super::term::Atom;
 use super::{Checker, Reason, Refusal, Variable, key, rejected};
 use crate::claim::syntax::*;
@@ -26,8 +26,7 @@ pub fn weighted_mean(a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Prop {
 /// `1 + x relation exp(x)`.
 pub fn tangent(x: &Expr, relation: Relation) -> Prop {
     let line = sum(vec![(Sign::Plus, numeral(1)), (Sign::Plus, x.clone())]);
-    let exp = Name { text: "exp".to_string(), span: Span::default() };
-    compare(line, relation, expr(ExprKind::Apply(exp, vec![x.clone()])))
+    compare(line, relation, apply("exp", x.clone()))
 }
 
 /// `x = A`, or `x = A and y = B …`: that the variables of an extremum are at its point; `None` without variables.

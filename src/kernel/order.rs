@@ -43,6 +43,20 @@ impl Signs {
         }
     }
 
+    /// The narrowest relation to 0 that says of a number no less than these signs, if any does.
+    pub fn relation(self) -> Option<Relation> {
+        [
+            Relation::Equal,
+            Relation::Greater,
+            Relation::Less,
+            Relation::GreaterEqual,
+            Relation::LessEqual,
+            Relation::NotEqual,
+        ]
+        .into_iter()
+        .find(|relation| self.within(Signs::of(*relation)))
+    }
+
     /// Whether every sign here is in the other set.
     pub fn within(self, other: Signs) -> bool {
         self.0 & !other.0 == 0

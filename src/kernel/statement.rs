@@ -135,6 +135,11 @@ pub fn power(base: &Expr, exponent: &Expr) -> Expr {
     expr(ExprKind::Power(Box::new(base.clone()), Box::new(exponent.clone())))
 }
 
+/// `function(argument)`.
+pub fn apply(function: &str, argument: Expr) -> Expr {
+    expr(ExprKind::Apply(Name { text: function.to_string(), span: Span::default() }, vec![argument]))
+}
+
 /// `1 - p`.
 pub fn one_minus(p: &Expr) -> Expr {
     sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())])

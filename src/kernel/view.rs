@@ -6,7 +6,7 @@
 use super::fraction::{Fraction, Poly};
 use super::order::Signs;
 use super::sign::Known;
-use super::statement::{expr, name};
+use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};
 use crate::certificate::{Label, Show};
@@ -95,18 +95,14 @@ impl Checker {
     }
 
     fn atom_expr(&self, place: usize) -> Expr {
-        let call = |function: &str, argument: Expr| {
-            let function = Name { text: function.to_string(), span: Span::default() };
-            expr(ExprKind::Apply(function, vec![argument]))
-        };
         let index = |depth: usize| format!("i{depth}");
         match self.atoms.get(place) {
             None => name("?"),
             Some(Atom::Variable(text)) => name(text),
             Some(Atom::Bound(depth)) => name(&index(*depth)),
-            Some(Atom::Member(family, at)) => call(family, self.poly_expr(at)),
-            Some(Atom::Exponential(log)) => call("exp", self.fraction_expr(log)),
-            Some(Atom::Logarithm(inner)) => call("ln", self.fraction_expr(inner)),
+            Some(Atom::Member(family, at)) => apply(family, self.poly_expr(at)),
+            Some(Atom::Exponential(log)) => apply("exp", self.fraction_expr(log)),
+            Some(Atom::Logarithm(inner)) => apply("ln", self.fraction_expr(inner)),
             Some(Atom::Power(base, exponent)) => {
                 let (base, exponent) = (self.fraction_expr(base), self.fraction_expr(exponent));
                 expr(ExprKind::Power(Box::new(base), Box::new(exponent)))

@@ -6,7 +6,7 @@
 use super::fraction::{Fraction, Poly};
 use super::order::Signs;
 use super::sign::{Found, Known, NESTING};
-use super::statement::{expr, name};
+use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};
 use crate::certificate::Label;
@@ -219,9 +219,6 @@ impl Checker {
 
     /// An atom in words.
     pub fn atom_words(&self, place: usize) -> Expr {
-        let apply = |function: &str, argument: Expr| {
-            expr(ExprKind::Apply(Name { text: function.to_string(), span: Span::default() }, vec![argument]))
-        };
         match self.atoms.get(place) {
             Some(Atom::Variable(text)) => name(text),
             Some(Atom::Bound(depth)) => name(&bound_name(*depth)),
@@ -260,11 +257,13 @@ fn numeral(q: &BigRational) -> Expr {
     if q.is_negative() { expr(ExprKind::Negate(Box::new(value))) } else { value }
 }
 
-fn whole_power(base: Expr, k: u64) -> Expr {
+/// b^k with k ≥ 1.
+pub fn whole_power(base: Expr, k: u64) -> Expr {
     if k == 1 { base } else { expr(ExprKind::Power(Box::new(base), Box::new(expr(ExprKind::Number(k.to_string()))))) }
 }
 
-fn quotient(c: &BigRational, mut top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
+/// c times the product of the first list, over each of the second.
+pub fn quotient(c: &BigRational, mut top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
     if top.is_empty() || !c.is_one() {
         top.insert(0, numeral(c));
     }

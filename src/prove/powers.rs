@@ -1,11 +1,12 @@
 //! Which powers the others are written in: for each base, exponents that generate all others.
 
 use super::draft::Rule;
-use super::write::{multiplied, negated, quotient, whole_power};
+use super::write::{multiplied, negated, quotient};
 use super::{Certifier, Fail};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
-use crate::kernel::statement::{compare, expr};
+use crate::kernel::statement::{apply, compare, expr};
+use crate::kernel::words::whole_power;
 use crate::prove::draft::translate::Atom;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -161,7 +162,7 @@ impl Certifier {
             }
             let exponent_expr = self.fraction_expr(exponent)?;
             let power = if natural {
-                expr(ExprKind::Apply(Name { text: "exp".to_string(), span: Span::default() }, vec![exponent_expr]))
+                apply("exp", exponent_expr)
             } else {
                 expr(ExprKind::Power(Box::new(base_expr.clone()), Box::new(exponent_expr)))
             };
@@ -460,8 +461,7 @@ fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
                 ("sqrt" | "cbrt" | "exp", _) => out.push(e.clone()),
                 ("cosh" | "sinh" | "tanh" | "sech", Some(x)) => {
                     for x in [x.clone(), negated(x.clone())] {
-                        let f = Name { text: "exp".to_string(), span: f.span };
-                        out.push(expr(ExprKind::Apply(f, vec![x])));
+                        out.push(apply("exp", x));
                     }
                 }
                 _ => {}

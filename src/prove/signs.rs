@@ -135,7 +135,7 @@ impl Certifier {
                     self.settle(&part, depth - 1)?;
                 }
                 let signs = self.checker.signs_of(&split).map_err(Fail::from)?;
-                if let Some(relation) = relation_of(signs) {
+                if let Some(relation) = signs.relation() {
                     let prop = compare(self.poly_expr(poly)?, relation, numeral(0));
                     let factor = self.fraction_expr(&split)?;
                     self.combination(prop, None, vec![Term { facts: Vec::new(), factor }])?;
@@ -601,20 +601,6 @@ impl Certifier {
 
 fn text_of(prop: &Prop) -> String {
     crate::kernel::text::prop(prop)
-}
-
-/// The narrowest relation to 0 that signs allow, if any.
-fn relation_of(signs: Signs) -> Option<Relation> {
-    [
-        Relation::Equal,
-        Relation::Greater,
-        Relation::Less,
-        Relation::GreaterEqual,
-        Relation::LessEqual,
-        Relation::NotEqual,
-    ]
-    .into_iter()
-    .find(|r| signs.within(Signs::of(*r)))
 }
 
 /// What an expression needs to have a value, innermost first.

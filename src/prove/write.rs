@@ -4,6 +4,7 @@ use super::{Certifier, Fail};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly, Work};
 use crate::kernel::statement::{expr, name};
+use crate::kernel::words::{self, whole_power};
 use crate::prove::draft::translate::Atom;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -16,24 +17,7 @@ fn numeral(n: &BigInt) -> Expr {
 
 /// A product and quotient of expressions.
 pub fn quotient(top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
-    let mut list: Vec<(Factor, Expr)> = top.into_iter().map(|e| (Factor::Times, e)).collect();
-    if list.is_empty() {
-        list.push((Factor::Times, numeral(&BigInt::one())));
-    }
-    list.extend(bottom.into_iter().map(|e| (Factor::Over, e)));
-    match (list.len(), list.pop()) {
-        (1, Some((_, single))) => single,
-        (_, Some(last)) => {
-            list.push(last);
-            expr(ExprKind::Product(list))
-        }
-        (_, None) => numeral(&BigInt::one()),
-    }
-}
-
-/// b^k with k ≥ 1.
-pub fn whole_power(base: Expr, k: u64) -> Expr {
-    if k == 1 { base } else { expr(ExprKind::Power(Box::new(base), Box::new(numeral(&BigInt::from(k))))) }
+    words::quotient(&BigRational::one(), top, bottom)
 }
 
 /// The opposite.

@@ -1,14 +1,14 @@
 //! Comparisons: by signs, by linear programs over products of what is known, from powers, by cases.
 
 use super::facts::{is_settled, minus, opposite, sign_of};
-use super::letters::{natural, product, whole_power};
+use super::letters::{as_power, natural, product, whole_power};
 use super::products::{Kind, Known, combination, completed_squares, contradiction, halves};
 use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, numeral};
+use crate::kernel::statement::{compare, numeral};
 use crate::refute::search::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
@@ -374,15 +374,7 @@ impl Prover {
 
     /// A comparison of powers with one exponent from that of their bases.
     fn by_bases(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        let power = |e: &Expr| match &e.kind {
-            ExprKind::Power(base, exponent) => Some(((**base).clone(), (**exponent).clone())),
-            ExprKind::Apply(f, list) if f.text == "sqrt" => {
-                let half = expr(ExprKind::Product(vec![(Factor::Times, numeral(1)), (Factor::Over, numeral(2))]));
-                list.first().map(|x| (x.clone(), half))
-            }
-            _ => None,
-        };
-        match (power(a), power(b)) {
+        match (as_power(a), as_power(b)) {
             (Some((x, p)), Some((y, q))) if p == q => {
                 let from = self.quietly(&compare(x, relation, y))?;
                 self.emit(Rule::Monotone { from }, goal.clone())

@@ -1,6 +1,6 @@
 //! What is known, as polynomials over letters.
 
-use super::letters::{number, product, whole_power};
+use super::letters::{as_power, number, product, whole_power};
 use super::products::{Kind, Known};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
@@ -231,15 +231,7 @@ impl Prover {
                 let _ = self.emit(Rule::Integer { from: label.to_string() }, next);
             }
         }
-        let power = |e: &Expr| match &e.kind {
-            ExprKind::Power(base, exponent) => Some(((**base).clone(), (**exponent).clone())),
-            ExprKind::Apply(f, list) if f.text == "sqrt" => {
-                let half = expr(ExprKind::Product(vec![(Factor::Times, numeral(1)), (Factor::Over, numeral(2))]));
-                list.first().map(|x| (x.clone(), half))
-            }
-            _ => None,
-        };
-        if let (Some((x, p)), Some((y, q))) = (power(a), power(b))
+        if let (Some((x, p)), Some((y, q))) = (as_power(a), as_power(b))
             && p == q
         {
             let next = compare(x, *relation, y);
@@ -267,15 +259,7 @@ pub fn opposite(p: &Prop) -> Option<Prop> {
     Some(match &p.kind {
         PropKind::Compare(sides, relations) => {
             let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
-            let other = match relation {
-                Relation::Equal => Relation::NotEqual,
-                Relation::NotEqual => Relation::Equal,
-                Relation::Less => Relation::GreaterEqual,
-                Relation::LessEqual => Relation::Greater,
-                Relation::Greater => Relation::LessEqual,
-                Relation::GreaterEqual => Relation::Less,
-            };
-            compare(a.clone(), other, b.clone())
+            compare(a.clone(), relation.negated(), b.clone())
         }
         PropKind::And(list) => prop(PropKind::Or(list.iter().map(opposite).collect::<Option<_>>()?)),
         PropKind::Or(list) => prop(PropKind::And(list.iter().map(opposite).collect::<Option<_>>()?)),

@@ -43,6 +43,18 @@ pub fn product(mut list: Vec<Expr>) -> Expr {
     }
 }
 
+/// The base and exponent of a power; a square root has the exponent 1/2.
+pub fn as_power(e: &Expr) -> Option<(Expr, Expr)> {
+    match &e.kind {
+        ExprKind::Power(base, exponent) => Some(((**base).clone(), (**exponent).clone())),
+        ExprKind::Apply(f, list) if f.text == "sqrt" => {
+            let half = expr(ExprKind::Product(vec![(Factor::Times, numeral(1)), (Factor::Over, numeral(2))]));
+            list.first().map(|x| (x.clone(), half))
+        }
+        _ => None,
+    }
+}
+
 /// An expression to a whole power.
 pub fn whole_power(base: Expr, k: i64) -> Expr {
     let size = u32::try_from(k.unsigned_abs()).unwrap_or(u32::MAX);

@@ -5,7 +5,7 @@ use super::{Fail, Prover};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, name, numeral};
+use crate::kernel::statement::{apply, compare, expr, name, numeral};
 use crate::refute::search::literal;
 use malachite::Rational;
 
@@ -34,7 +34,7 @@ impl Prover {
             c.equations.push(named);
             let bound = c.combination(compare(r.clone(), relations[0], numeral(1)), Vec::new());
             c.equations = vec![turned];
-            let log = expr(ExprKind::Apply(Name { text: "ln".to_string(), span: Span::default() }, vec![r]));
+            let log = apply("ln", r);
             let same = c.combination(compare(log.clone(), Relation::Equal, exponent.clone()), Vec::new());
             c.equations = equations;
             bound?;
@@ -51,8 +51,7 @@ impl Prover {
     /// Orders numbers whose logarithms some fact is about: where the opposite held, so would that of the logarithms.
     pub fn by_order_of_logarithms(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("logarithms in order");
-        let log =
-            |e: &Expr| expr(ExprKind::Apply(Name { text: "ln".to_string(), span: Span::default() }, vec![e.clone()]));
+        let log = |e: &Expr| apply("ln", e.clone());
         let known: Vec<String> = self.checker.facts().map(|(_, p)| crate::kernel::text::prop(p)).collect();
         let (x, y) = (log(a), log(b));
         let occurs = |e: &Expr| known.iter().any(|text| text.contains(&crate::kernel::text::expr(e)));
@@ -91,8 +90,7 @@ impl Prover {
         let mut factors = Vec::new();
         for (m, c) in scaled.terms() {
             if m.powers().is_empty() {
-                let exp = Name { text: "exp".to_string(), span: Span::default() };
-                factors.push(expr(ExprKind::Apply(exp, vec![literal(c)])));
+                factors.push(apply("exp", literal(c)));
                 continue;
             }
             let [(v, 1)] = m.powers() else { return Err(no()) };

@@ -31,7 +31,7 @@ use crate::algebra::Instant;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::{Claim, Expr, Prop, PropKind};
 use crate::kernel::statement::{Substitution, prop};
-use crate::kernel::{Accepted, Checker, Verdict, key};
+use crate::kernel::{Accepted, Checker, key};
 use crate::refute::catalogue::Limits;
 use letters::Letters;
 use std::collections::{BTreeSet, HashMap};
@@ -87,13 +87,7 @@ pub fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Cer
     let digest = crate::certificate::text::digest(&statement.text());
     let whole = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: prover.steps };
     let written = super::elaborate::swept::swept(whole);
-    let text = crate::certificate::text::write(&written);
-    let read = crate::certificate::text::read(&text)
-        .map_err(|m| Fail::Value(m.fault.to_string()).within(&format!("line {}", m.line)))?;
-    match crate::kernel::check(claim, &read, cited) {
-        Verdict::Accepted(shown) => Ok((read, *shown)),
-        other => Err(Fail::whole(other)),
-    }
+    super::accepted(claim, &written, cited)
 }
 
 /// The state of the search.

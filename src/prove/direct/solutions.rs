@@ -8,7 +8,7 @@ use super::letters::{Letters, product};
 use crate::algebra::Polynomial;
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
-use crate::kernel::statement::{Substitution, expr, name, numeral};
+use crate::kernel::statement::{Substitution, apply, expr, name, numeral};
 use crate::refute::search::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -199,8 +199,7 @@ fn root(c: &[Rational], lesser: bool) -> Option<Root> {
                 return Some(Root::Rational((sign * exact - b) / below));
             }
             // −b/(2c) ± sqrt(b² − 4ac)/(2c)
-            let sqrt = Name { text: "sqrt".to_string(), span: Span::default() };
-            let radical = expr(ExprKind::Apply(sqrt, vec![literal(&square)]));
+            let radical = apply("sqrt", literal(&square));
             let term = product(vec![literal(&(sign / &below)), radical]);
             Some(Root::Radical(if *b == Rational::ZERO {
                 term

@@ -444,17 +444,7 @@ fn parts(p: &Prop) -> Result<Vec<Prop>, Failure> {
 pub fn negation(p: &Prop) -> Option<Prop> {
     Some(match &p.kind {
         PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
-            ([a, b], [relation]) => {
-                let opposite = match relation {
-                    Relation::Equal => Relation::NotEqual,
-                    Relation::NotEqual => Relation::Equal,
-                    Relation::Less => Relation::GreaterEqual,
-                    Relation::LessEqual => Relation::Greater,
-                    Relation::Greater => Relation::LessEqual,
-                    Relation::GreaterEqual => Relation::Less,
-                };
-                compare(a.clone(), opposite, b.clone())
-            }
+            ([a, b], [relation]) => compare(a.clone(), relation.negated(), b.clone()),
             _ => return None,
         },
         PropKind::And(list) => prop(PropKind::Or(list.iter().map(negation).collect::<Option<_>>()?)),
