@@ -23,13 +23,22 @@
 //! In all less than `16N·E + 16u·|ρ| + 22ρ²`, for `N <= 2^16` and `|ρ| <= 2^-36` below `2^-81 + 2^-85 + 2^-67`. `SLACK` is
 //! `2^-64`, which is far below the two roundings that make the ends doubles.
 //!
+//! **Numbers that are no doubles**, such as 9/10, enter as [`TwoDoubles`]: `e` within `4u²` and `r` within `2E`. Then `1 + e` is
+//! rounded once, and is within `8u²`: the base stays within `2E`. `ρ` gains `2E + 2u²` and, being divided by `r`'s first
+//! part, `2u·|ρ|`: that is at most `7E + 6u·|ρ|` in the correction. The product or quotient by `r` gains `2E`. In all less than
+//! `32N·E + 32u·|ρ| + 22ρ²`, which is below `2^-80 + 2^-84 + 2^-67`: the same `SLACK` covers it.
+//!
 //! **Side by side.** Cells that take the same steps share instructions, eight at a time where the processor has registers
 //! for four doubles and fused products (asked at run time). A fused product gives the error of a product as Dekker's
 //! splitting does, exactly, and nothing else is fused: up to `SORTED` collisions, beyond which libm guesses, every machine
 //! gives the same ends.
 
 use super::{Positive, Restitution, Restitutions, transfer};
+use crate::number::rational;
 use malachite::Rational;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// The most collisions that are computed in double-double; more go to intervals.
@@ -246,11 +255,11 @@ impl<const N: usize, const FUSED: bool> Pair<N, FUSED> {
 }
 
 /// eta in double-double for cells with as many collisions, at least 1, and `ρ`, from a guess of the root; `above` says
-/// `r > 1`.
+/// `r > 1`. The second parts of `e` and `r` count where it is `TWO`.
 #[inline(always)]
-fn corrected<const N: usize, const FUSED: bool>(
-    e: Lanes<N, FUSED>,
-    r: Lanes<N, FUSED>,
+fn corrected<const N: usize, const FUSED: bool, const TWO: bool>(
+    e: Pair<N, FUSED>,
+    r: Pair<N, FUSED>,
     guess: Lanes<N, FUSED>,
     collisions: u64,
     above: bool,
@@ -258,16 +267,21 @@ fn corrected<const N: usize, const FUSED: bool>(
     let one = Lanes::from(1.0);
     // The larger one first.
     let sum = guess.each(one, f64::max).fast_sum(guess.each(one, f64::min));
-    let up = one.fast_sum(e);
+    let mut up = one.fast_sum(e.high);
+    if TWO {
+        up = up.high.fast_sum(up.low + e.low);
+    }
     // For r > 1 as (q·t)^(2N)/r, so that nothing overflows on the way.
     let base = if above { up.times_double(guess) } else { up }.over(sum);
     let (power, root) = Pair::powers(Pair::exact(guess), base, collisions);
     // The difference is exact where the power is near r, and where it is not, ρ is refused.
-    let rho = ((power.high - r) + power.low) / r;
+    let rest = if TWO { power.low - r.low } else { power.low };
+    let rho = ((power.high - r.high) + rest) / r.high;
+    let square = root.square();
     let (found, correction) = if above {
-        (root.square().over(Pair::exact(r)), Lanes::from(-2.0) * rho / sum.high)
+        (square.over(if TWO { r } else { Pair::exact(r.high) }), Lanes::from(-2.0) * rho / sum.high)
     } else {
-        (root.square().times_double(r), Lanes::from(2.0) * rho * (guess / sum.high))
+        (if TWO { square.times(r) } else { square.times_double(r.high) }, Lanes::from(2.0) * rho * (guess / sum.high))
     };
     (found.high.fast_sum(found.low + found.high * correction), rho)
 }
@@ -285,7 +299,7 @@ fn corrected<const N: usize, const FUSED: bool>(
 #[inline]
 pub fn eta(e: f64, r: f64, collisions: u64) -> (f64, f64) {
     let found = match collisions {
-        1..=MAX_COLLISIONS => quick::<1, false>([e], [r], collisions, r > 1.0)[0],
+        1..=MAX_COLLISIONS => quick::<1, false, false>([[e], [0.0]], [[r], [0.0]], collisions, r > 1.0)[0],
         _ => None,
     };
     found.unwrap_or_else(|| careful(e, r, collisions))
@@ -296,37 +310,67 @@ pub fn eta(e: f64, r: f64, collisions: u64) -> (f64, f64) {
 /// The cells of a block with as many collisions and `r` on the same side of 1 follow the same steps: they are taken
 /// some at a time. Each gets exactly what [`eta`] gives it.
 pub fn etas(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
-    #[cfg(target_arch = "x86_64")]
-    if let pulp::Arch::V3(wide) = pulp::Arch::new() {
-        return pulp::Simd::vectorize(wide, Wide { e, r, collisions, out });
-    }
-    blocks::<4, false>(e, r, collisions, out);
+    let zero: &[f64] = &[];
+    side_by_side::<false>(&Cells { e: [e, zero], r: [r, zero], collisions }, out);
 }
 
-/// [`etas`] for processors with fused products and registers for four doubles: compiled for those, where it is called.
-#[cfg(target_arch = "x86_64")]
-struct Wide<'a> {
-    e: &'a [f64],
-    r: &'a [f64],
+/// The same for numbers that need not be doubles: each of `e` and `r` as the slices of the first and of the second parts of
+/// its [`TwoDoubles`].
+///
+/// `(NaN, NaN)` where words do not suffice, and for what is no chain: the caller tells the two apart.
+pub fn etas_of_two(e: [&[f64]; 2], r: [&[f64]; 2], collisions: &[u64], out: &mut [(f64, f64)]) {
+    side_by_side::<true>(&Cells { e, r, collisions }, out);
+}
+
+/// The inputs of many cells; the second parts are read where it is `TWO`.
+struct Cells<'a> {
+    e: [&'a [f64]; 2],
+    r: [&'a [f64]; 2],
     collisions: &'a [u64],
+}
+
+fn side_by_side<const TWO: bool>(cells: &Cells<'_>, out: &mut [(f64, f64)]) {
+    #[cfg(target_arch = "x86_64")]
+    if let pulp::Arch::V3(wide) = pulp::Arch::new() {
+        return pulp::Simd::vectorize(wide, Wide::<TWO> { cells, out });
+    }
+    blocks::<4, false, TWO>(cells, out);
+}
+
+/// [`side_by_side`] for processors with fused products and registers for four doubles: compiled for those, where it is called.
+#[cfg(target_arch = "x86_64")]
+struct Wide<'a, const TWO: bool> {
+    cells: &'a Cells<'a>,
     out: &'a mut [(f64, f64)],
 }
 
 #[cfg(target_arch = "x86_64")]
-impl pulp::NullaryFnOnce for Wide<'_> {
+impl<const TWO: bool> pulp::NullaryFnOnce for Wide<'_, TWO> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        blocks::<8, true>(self.e, self.r, self.collisions, self.out);
+        blocks::<8, true, TWO>(self.cells, self.out);
     }
 }
 
 #[inline(always)]
-fn blocks<const N: usize, const FUSED: bool>(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
-    let blocks = e.chunks(BLOCK).zip(r.chunks(BLOCK)).zip(collisions.chunks(BLOCK)).zip(out.chunks_mut(BLOCK));
-    for (((e, r), collisions), out) in blocks {
-        block::<N, FUSED>(e, r, collisions, out);
+fn blocks<const N: usize, const FUSED: bool, const TWO: bool>(cells: &Cells<'_>, out: &mut [(f64, f64)]) {
+    let Cells { e, r, collisions } = cells;
+    let mut count = e[0].len().min(r[0].len()).min(collisions.len()).min(out.len());
+    if TWO {
+        count = count.min(e[1].len()).min(r[1].len());
+    }
+    for (k, out) in out[..count].chunks_mut(BLOCK).enumerate() {
+        let some = k * BLOCK..k * BLOCK + out.len();
+        block::<N, FUSED, TWO>(
+            &Cells {
+                e: [&e[0][some.clone()], if TWO { &e[1][some.clone()] } else { &[] }],
+                r: [&r[0][some.clone()], if TWO { &r[1][some.clone()] } else { &[] }],
+                collisions: &collisions[some],
+            },
+            out,
+        );
     }
 }
 
@@ -336,13 +380,15 @@ const BLOCK: usize = 2048;
 /// Collisions up to which cells are put in order by their number; more are rare, and costly one by one too.
 const SORTED: u64 = 128;
 
-/// [`etas`] for at most [`BLOCK`] cells.
+/// [`side_by_side`] for at most [`BLOCK`] cells, as many of each input as there is room for answers.
 #[inline(always)]
-fn block<const N: usize, const FUSED: bool>(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
-    let count = e.len().min(r.len()).min(collisions.len()).min(out.len());
+fn block<const N: usize, const FUSED: bool, const TWO: bool>(cells: &Cells<'_>, out: &mut [(f64, f64)]) {
+    let Cells { e, r, collisions } = cells;
+    let count = out.len();
+    let second = |x: [&[f64]; 2], i: usize| if TWO { x[1][i] } else { 0.0 };
     // A key is twice the number of collisions, and one more where r > 1; 0 for what is not sorted.
     let key = |i: usize| match collisions[i] {
-        n @ ..=SORTED => 2 * n as usize + usize::from(r[i] > 1.0),
+        n @ ..=SORTED => 2 * n as usize + usize::from(r[0][i] > 1.0),
         _ => 0,
     };
     // Counting sort: where the cells of each key begin, then their numbers in that order.
@@ -366,23 +412,38 @@ fn block<const N: usize, const FUSED: bool>(e: &[f64], r: &[f64], collisions: &[
         let same = order.get(from..to).unwrap_or_default();
         from = to;
         if key < 2 {
-            same.iter().for_each(|&i| out[i] = eta(e[i], r[i], collisions[i]));
+            for &i in same {
+                let (e, r) = ([[e[0][i]], [second(*e, i)]], [[r[0][i]], [second(*r, i)]]);
+                let found = match collisions[i] {
+                    n @ 1..=MAX_COLLISIONS => quick::<1, false, TWO>(e, r, n, r[0][0] > 1.0)[0],
+                    _ => None,
+                };
+                out[i] = found.unwrap_or_else(|| dearer::<TWO>(e[0][0], r[0][0], collisions[i]));
+            }
             continue;
         }
         for some in same.chunks(N) {
             // The last ones are filled up with a cell among them.
             let lanes: [usize; N] = std::array::from_fn(|k| *some.get(k).unwrap_or(&some[0]));
             let (count, above) = ((key / 2) as u64, key % 2 == 1);
-            let found = quick::<N, FUSED>(lanes.map(|i| e[i]), lanes.map(|i| r[i]), count, above);
+            let both = |x: [&[f64]; 2]| [lanes.map(|i| x[0][i]), lanes.map(|i| second(x, i))];
+            let found = quick::<N, FUSED, TWO>(both(*e), both(*r), count, above);
             for (&i, found) in some.iter().zip(found) {
-                out[i] = found.unwrap_or_else(|| careful(e[i], r[i], collisions[i]));
+                out[i] = found.unwrap_or_else(|| dearer::<TWO>(e[0][i], r[0][i], collisions[i]));
             }
         }
     }
 }
 
-fn ordinary(e: f64, r: f64) -> bool {
-    (0.0..=1.0).contains(&e) && (SMALL..=LARGE).contains(&r)
+/// A cell for which words do not suffice.
+#[inline(always)]
+fn dearer<const TWO: bool>(e: f64, r: f64, collisions: u64) -> (f64, f64) {
+    if TWO { (f64::NAN, f64::NAN) } else { careful(e, r, collisions) }
+}
+
+/// Whether the bounds are stated for such inputs, of `e` both parts.
+fn ordinary(e: (f64, f64), r: f64) -> bool {
+    (0.0..=1.0).contains(&e.0) && !(e.0 == 1.0 && e.1 > 0.0) && (SMALL..=LARGE).contains(&r)
 }
 
 /// The ends, where the bounds hold.
@@ -401,18 +462,22 @@ fn ends(guess: f64, rho: f64, high: f64, low: f64) -> Option<(f64, f64)> {
     Some((lo, hi))
 }
 
-/// The ends for cells with as many collisions, at least 1, and `r` on the same side of 1, where words suffice.
+/// The ends for cells with as many collisions, at least 1, and `r` on the same side of 1, where words suffice: `e` and `r` by
+/// their first and second parts.
 #[inline(always)]
-fn quick<const N: usize, const FUSED: bool>(
-    e: [f64; N],
-    r: [f64; N],
+fn quick<const N: usize, const FUSED: bool, const TWO: bool>(
+    e: [[f64; N]; 2],
+    r: [[f64; N]; 2],
     collisions: u64,
     above: bool,
 ) -> [Option<(f64, f64)>; N] {
     let lanes = Lanes::<N, FUSED>;
-    let guess = lanes(r).guessed_root(collisions);
-    let (Pair { high, low }, rho) = corrected(lanes(e), lanes(r), guess, collisions, above);
-    std::array::from_fn(|i| if ordinary(e[i], r[i]) { ends(guess.0[i], rho.0[i], high.0[i], low.0[i]) } else { None })
+    let pair = |x: [[f64; N]; 2]| Pair { high: lanes(x[0]), low: lanes(x[1]) };
+    let guess = lanes(r[0]).guessed_root(collisions);
+    let (Pair { high, low }, rho) = corrected::<N, FUSED, TWO>(pair(e), pair(r), guess, collisions, above);
+    std::array::from_fn(|i| {
+        if ordinary((e[0][i], e[1][i]), r[0][i]) { ends(guess.0[i], rho.0[i], high.0[i], low.0[i]) } else { None }
+    })
 }
 
 /// The same by intervals.
@@ -429,6 +494,94 @@ fn careful(e: f64, r: f64, collisions: u64) -> (f64, f64) {
         Some(eta) => eta.enclosure(80).to_f64_ends(),
         None => (f64::NAN, f64::NAN),
     }
+}
+
+/// A number as the sum of two doubles, the second at most half a unit in the last place of the first.
+///
+/// **Contract.** The sum is within `4u²` of the number, relatively, or NaN where that cannot be promised; a quotient is
+/// within `2E`. So `9/10` and `10/3` enter [`etas_of_two`] as well as doubles do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TwoDoubles {
+    /// The nearest double, or next to it in a quotient.
+    pub high: f64,
+    /// What is left.
+    pub low: f64,
+}
+
+impl TwoDoubles {
+    /// Nothing is promised.
+    const UNKNOWN: TwoDoubles = TwoDoubles { high: f64::NAN, low: 0.0 };
+
+    /// A double.
+    #[must_use]
+    pub fn exact(x: f64) -> TwoDoubles {
+        TwoDoubles { high: x, low: 0.0 }
+    }
+
+    /// A whole number.
+    #[must_use]
+    pub fn of_integer(x: i64) -> TwoDoubles {
+        let high = x as f64;
+        // At most 2^9 in size.
+        TwoDoubles { high, low: (i128::from(x) - high as i128) as f64 }
+    }
+
+    /// A rational: the nearest double, and the double nearest to the rest.
+    #[must_use]
+    pub fn of_rational(x: &Rational) -> TwoDoubles {
+        let nearest = |x: &Rational| f64::rounding_from(x, RoundingMode::Nearest).0;
+        let high = nearest(x);
+        if *x == Rational::ZERO {
+            return TwoDoubles::exact(0.0);
+        }
+        match Rational::try_from(high) {
+            // Far from where doubles lose bits.
+            Ok(exact) if (SMALL..=LARGE).contains(&high.abs()) => TwoDoubles { high, low: nearest(&(x - exact)) },
+            _ => TwoDoubles::UNKNOWN,
+        }
+    }
+
+    /// The shortest decimal that this double is printed as: nine tenths for `0.9`.
+    ///
+    /// **Why.** Two decimals of at most 15 digits never share their nearest double. So if `x·10^k` rounds to a whole `p` below
+    /// `10^15` with `p/10^k` rounding to `x`, then `p/10^k` is the shortest one. The rest `(p − x·10^k)/10^k` follows from the exact
+    /// product, with two roundings.
+    #[must_use]
+    pub fn of_decimal(x: f64) -> TwoDoubles {
+        const MOST: f64 = 1e15;
+        let mut scale = 1.0;
+        for _ in 0..=15 {
+            let whole = (x * scale).round_ties_even();
+            if whole.abs() >= MOST {
+                break;
+            }
+            if whole / scale == x {
+                let Pair { high, low } = Lanes::<1, false>([x]).product(Lanes([scale]));
+                return TwoDoubles { high: x, low: ((whole - high.0[0]) - low.0[0]) / scale };
+            }
+            scale *= 10.0;
+        }
+        decimal_of(x).map_or(TwoDoubles::UNKNOWN, |x| TwoDoubles::of_rational(&x))
+    }
+
+    /// The quotient, within `2E` for operands within `4u²`.
+    #[must_use]
+    #[inline]
+    pub fn over(self, other: TwoDoubles) -> TwoDoubles {
+        let pair = |x: TwoDoubles| Pair::<1, false> { high: Lanes([x.high]), low: Lanes([x.low]) };
+        // Then no product on the way is so small or so large that its error is not a double.
+        if [self, other].iter().all(|x| (SMALL..=LARGE).contains(&x.high)) {
+            let found = pair(self).over(pair(other));
+            return TwoDoubles { high: found.high.0[0], low: found.low.0[0] };
+        }
+        TwoDoubles::UNKNOWN
+    }
+}
+
+/// The shortest decimal that a double is printed as, exactly; `None` where it is not finite.
+#[must_use]
+pub fn decimal_of(x: f64) -> Option<Rational> {
+    if x.is_finite() { rational::parse(&format!("{x:e}")).ok() } else { None }
 }
 
 /// The factors of eta on a grid: `eta(e, r, N) = A(e, N)·B(r, N)`, `A = ((1+e)/2)^(2N)`, `B = (4t/(1+t)²)^N`.
@@ -525,17 +678,41 @@ mod tests {
 
         /// No ordinary cell whose eta is not tiny needs intervals; and fused products, and cells beside one, change nothing.
         #[test]
-        fn words_suffice_and_all_ways_agree((e, r) in ordinary_cells(), beside in ordinary_cells(), n in prop_oneof![1..=130_u64, 1..=MAX_COLLISIONS]) {
+        fn words_suffice_and_all_ways_agree((e, r) in ordinary_cells(), beside in ordinary_cells(), lows in (-1e-17..=1e-17_f64, -1e-17..=1e-17_f64), n in prop_oneof![1..=130_u64, 1..=MAX_COLLISIONS]) {
             let above = r > 1.0;
-            let alone = quick::<1, false>([e], [r], n, above)[0];
+            let zero = [0.0; 8];
+            let alone = quick::<1, false, false>([[e], [0.0]], [[r], [0.0]], n, above)[0];
             // eta is ((1 + e)/2)^(2N) times a factor that grows with N from 4r/(1 + r)², which exceeds r or 1/r.
             if 2.0 * n as f64 * (0.5 + e / 2.0).log2() - r.log2().abs() > -399.0 {
                 prop_assert!(alone.is_some());
             }
             let (mut es, mut rs) = ([beside.0; 8], [beside.1; 8]);
             (es[3], rs[3]) = (e, r);
-            prop_assert_eq!(quick::<8, true>(es, rs, n, above)[3], alone);
-            prop_assert_eq!(quick::<8, false>(es, rs, n, above)[3], alone);
+            prop_assert_eq!(quick::<8, true, false>([es, zero], [rs, zero], n, above)[3], alone);
+            prop_assert_eq!(quick::<8, false, false>([es, zero], [rs, zero], n, above)[3], alone);
+            let [mut low_e, mut low_r] = [zero, zero];
+            (low_e[3], low_r[3]) = (e * lows.0, r * lows.1);
+            let two = quick::<1, false, true>([[e], [low_e[3]]], [[r], [low_r[3]]], n, above)[0];
+            prop_assert_eq!(quick::<8, true, true>([es, low_e], [rs, low_r], n, above)[3], two);
+        }
+    }
+    proptest! {
+        #[test]
+        fn a_decimal_is_the_one_that_is_printed(bits in any::<u64>(), whole in 0..10_000_000_u32, places in 0..9_u32) {
+            let short = f64::from(whole) / 10_f64.powi(places as i32);
+            for x in [short, f64::from_bits(bits)] {
+                let Some(exact) = decimal_of(x) else { continue };
+                let found = TwoDoubles::of_decimal(x);
+                if exact == Rational::ZERO {
+                    prop_assert_eq!((found.high, found.low), (0.0, 0.0));
+                } else if !found.high.is_nan() {
+                    let rest = Rational::try_from(found.high).unwrap() + Rational::try_from(found.low).unwrap() - &exact;
+                    let relative = f64::rounding_from(&(rest / exact), RoundingMode::Nearest).0;
+                    prop_assert!(relative.abs() <= 4.0 * 2f64.powi(-106), "{}: {}", x, relative);
+                } else {
+                    prop_assert!(!(SMALL..=LARGE).contains(&x.abs()), "{}", x);
+                }
+            }
         }
     }
 }

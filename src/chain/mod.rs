@@ -34,6 +34,7 @@ pub mod optimum;
 pub mod pass;
 pub mod recollision;
 pub mod replay;
+pub mod rows;
 pub mod threshold;
 pub mod transfer;
 pub mod uncertain;
