@@ -370,3 +370,37 @@ fn rational_and_irrational_results_are_told_apart() {
         }
     }
 }
+
+/// What a scene answers takes another way through the numbers than the pass does, for each start.
+#[test]
+fn velocities_of_a_scene_are_those_of_the_pass() {
+    use carom::chain::uncertain::Range;
+    use carom::scene::answer::{Answers, Value};
+    use carom::scene::quantity::Quantity;
+    use carom::scene::{Coefficients, Inputs, Inserted, Scene, Start};
+    let point = |text: &str| Range::point(mass(text));
+    for speed in ["1", "7/3", "1/1000000007"] {
+        for masses in [&["3", "1", "9/7"][..], &["1", "100", "5", "1/3", "2", "2"], &["6", "4", "10", "15"]] {
+            for c in ["0", "1/2", "9/10", "1"] {
+                let (first, rest) = masses.split_first().expect("bodies");
+                let (last, inner) = rest.split_last().expect("bodies");
+                let inserted = Inserted::Given(inner.iter().map(|m| point(m)).collect());
+                let coefficients = Coefficients::Same(Range::point(e(c)));
+                let start = Start::Speed(q(speed));
+                let inputs = Inputs::new(point(first), point(last), Some(inserted), Some(coefficients), start);
+                let scene = Scene {
+                    want: vec![Quantity::Velocities],
+                    digits: Digits::Significant(20),
+                    rounding: Rounding::Nearest,
+                    inputs: inputs.expect("a chain"),
+                };
+                let answers = Answers::new(&scene);
+                let Ok((Value::List(found), _)) = answers.get(Quantity::Velocities) else { panic!("no list") };
+                let all = masses.iter().map(|m| mass(m)).collect();
+                let pass = Pass::from_rest(all, Restitutions::Same(e(c)), q(speed)).expect("a pass");
+                let exact: Vec<_> = found.iter().map(|v| v.exact.clone().expect("rational")).collect();
+                assert_eq!(exact, pass.velocities_after().expect("a pass"), "{masses:?}, e = {c}, speed {speed}");
+            }
+        }
+    }
+}

@@ -88,6 +88,12 @@ def lines(record):
                     found.append(("J9", f"at most 10 times the C loop {kind}, {case} bodies", text, value >= 0.1))
             ratio("J9", f"ahead of exact fractions in Python, {case} bodies",
                   over_carom(record, "J9", "Python loop with a heap, fractions", [case]), 1)
+    if has("J10"):
+        for case in cases_of(record, "J10"):
+            ratio("J10", f"python-flint's speed: {case}", over_carom(record, "J10", "Arb from python-flint", [case]), 1)
+        cells, rows = time_of(record, "J2a", "Carom", cell), time_of(record, "J10", "Carom", "one of 100000 rows")
+        if cells and rows:
+            ratio("J10", "rows from Python at the speed of J2a's cells", cells / rows, 0.8)
     if has("J8"):
         mine = time_of(record, "J8", "Carom", cold)
         found.append(("J8", "2 ms", f"{mine * 1e3:.1f} ms", mine <= 2e-3))

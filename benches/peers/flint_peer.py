@@ -98,6 +98,34 @@ def j2a(work):
     yield "one of 100000 cells", compute, answer, len(cells)
 
 
+def j10(work):
+    import numpy
+
+    # The numbers go in as they are written down: integers and a fraction.
+    def call():
+        ctx.prec = 64
+        return eta(1 + arb(fmpq(9, 10)), arb(fmpq(10, 1)), 8)
+
+    def doubles(x):
+        return float(x.lower()), float(x.upper())
+
+    def answer(name, low, high):
+        return peer.ends(work, f"J10-flint-{name}", numpy.nextafter(low, 0), numpy.nextafter(high, 2))
+
+    yield "one call", call, lambda x: answer("one", [float(x.lower())], [float(x.upper())])
+    yield "one call, two doubles", lambda: doubles(call()), lambda x: answer("two", [x[0]], [x[1]])
+    e, r, n = numpy.fromfile(work / "J2a.bin").reshape(3, -1)
+
+    def rows():
+        ctx.prec = 64
+        low, high = numpy.empty(len(e)), numpy.empty(len(e))
+        for i, (a, b, c) in enumerate(zip(e.tolist(), r.tolist(), n.tolist())):
+            low[i], high[i] = doubles(eta(1 + arb(a), arb(b), int(c)))
+        return low, high
+
+    yield "one of 100000 rows", rows, lambda x: answer("rows", *x), len(e)
+
+
 def j2b(work):
     import numpy
 
@@ -280,4 +308,4 @@ def helps(n, e, r):
 
 if __name__ == "__main__":
     jobs = {"J1": j1("fmpz"), "J1-fmpq": j1("fmpq"), "J2a": j2a, "J2b": j2b, "J3": j3, "J4": j4, "J4-qqbar": j4_qqbar}
-    peer.run({**jobs, "J5": j5, "J6": j6, "J7": j7})
+    peer.run({**jobs, "J5": j5, "J6": j6, "J7": j7, "J10": j10})

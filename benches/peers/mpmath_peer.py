@@ -50,6 +50,21 @@ def j3(work):
         yield f"L_7/{count}", threshold, answer
 
 
+def j10(work):
+    from mpmath import iv
+
+    def call():
+        iv.prec = 64
+        t = iv.mpf(10) ** (iv.mpf(1) / 8)
+        gain = 1 + iv.mpf(9) / 10
+        return (gain * gain * t / (1 + t) ** 2) ** 8
+
+    ends = lambda x: (float(x.a), float(x.b))
+    outwards = lambda x: peer.ends(work, "J10-mpmath", [x[0] * (1 - 2**-52)], [x[1] * (1 + 2**-52)])
+    yield "one call", call, lambda x: outwards(ends(x))
+    yield "one call, two doubles", lambda: ends(call()), outwards
+
+
 def j7(work):
     for case, r, e in peer.best(work):
         def best():
@@ -69,4 +84,4 @@ def j7(work):
 
 
 if __name__ == "__main__":
-    peer.run({"J2a": j2a, "J3": j3, "J7": j7})
+    peer.run({"J2a": j2a, "J3": j3, "J7": j7, "J10": j10})

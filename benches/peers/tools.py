@@ -22,6 +22,7 @@ TITLES = {
     "J7": "The best number of bodies n*",
     "J8": "Cold process to first answer",
     "J9": "One collision in a line of so many bodies",
+    "J10": "eta asked for from Python",
 }
 # Seconds for one case. More time buys the solvers one or two further n.
 LIMITS = {"J4": 10, "J5": 10}
@@ -132,6 +133,11 @@ class Place:
                 Tool("C loop with a heap, doubles", PLAIN, self.c("events", "J9-heap")),
                 Tool("Python loop with a heap, doubles", PLAIN, self.py("replay_peer", "J9-doubles")),
                 Tool("Python loop with a heap, fractions", EXACT, self.py("replay_peer", "J9-fractions")),
+            ],
+            "J10": [
+                Tool("Carom from Python", CERTIFIED, self.py("carom_peer", "J10")),
+                Tool("Arb from python-flint", CERTIFIED, self.py("flint_peer", "J10")),
+                Tool("mpmath.iv", CERTIFIED, self.py("mpmath_peer", "J10")),
             ],
         }
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._engine import LimitReached, __version__, language
 from .audit import Audit, Broken, Claim, Line, Witness, audit
+from .bounces import Bounces, restitution
 from .chain import (
     BestN,
     Chain,
@@ -36,7 +37,8 @@ from .chain import (
     threshold,
     velocities,
 )
-from .number import Enclosure, Number, Undecided
+from .number import Enclosure, Number, Undecided, WrongType
+from .rows import Cells
 from .table import Table, table
 from .tools import (
     CheckedCell,
@@ -49,6 +51,7 @@ from .tools import (
     export,
     plot,
     replay,
+    report,
     worksheet,
 )
 
@@ -68,7 +71,9 @@ def __getattr__(name: str) -> Any:
 __all__ = [
     "Audit",
     "BestN",
+    "Bounces",
     "Broken",
+    "Cells",
     "Chain",
     "CheckedCell",
     "Claim",
@@ -85,6 +90,7 @@ __all__ = [
     "Table",
     "Undecided",
     "Witness",
+    "WrongType",
     "__version__",
     "audit",
     "best_n",
@@ -103,6 +109,8 @@ __all__ = [
     "plot",
     "recollides",
     "replay",
+    "report",
+    "restitution",
     "table",
     "threshold",
     "velocities",

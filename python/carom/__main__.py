@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import List, Optional
 
 from . import LimitReached, __version__, audit, check_table, language
+from .bounces import restitution
 from .chain import Chain
 from .tools import explain, export, replay, worksheet
 
@@ -47,6 +48,10 @@ def _parser() -> argparse.ArgumentParser:
     add.add_argument("--format", default="text", choices=["text", "markdown", "latex", "html"])
     add = commands.add_parser("check-table", help="judge somebody's table")
     add.add_argument("file", type=Path)
+    add = commands.add_parser("restitution", help="the coefficient of restitution from measured bounces")
+    add.add_argument("file", type=Path, help="a CSV file with a column height or time, or drop and bounce")
+    add.add_argument("--within", metavar="U", help="the uncertainty of readings that have none of their own")
+    add.add_argument("--digits", type=int, default=4)
     add = commands.add_parser("export", help="statements for Coq or SMT solvers")
     add.add_argument("language", choices=["coq", "smt2"])
     add.add_argument("file", type=Path)
@@ -92,6 +97,10 @@ def _run(arguments: argparse.Namespace) -> int:
         for cell in cells:
             print(f"line {cell.line}  {cell.quantity}  {cell.written}  certified {cell.certified}  {cell.judgement}")
         return 0 if all(cell.right for cell in cells) else 1
+    elif command == "restitution":
+        bounces = restitution(arguments.file, within=arguments.within, digits=arguments.digits)
+        print(bounces)
+        return 0 if bounces else 1
     elif command == "export":
         print(export(arguments.file, arguments.language), end="")
     else:

@@ -5,10 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any, List, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _engine
-from .number import Exact, Number, count_of, number_of, text_of
+from .number import Answer, Exact, Number, Rational, count_of, number_of, text_of
+from .rows import Cells, etas, is_column, plain
+
+if TYPE_CHECKING:
+    import numpy
+    import pandas
+
+    Column = Union["numpy.ndarray[Any, Any]", "pandas.Series[Any]"]
 
 _DIGITS = 15
 """Digits of the decimal that an enclosure shows; its ends agree to three more at least."""
@@ -79,7 +86,7 @@ class Recollides(str, Enum):
         return self.value
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class BestN:
     """The best number of inserted bodies.
 
@@ -98,6 +105,17 @@ class BestN:
         return self.least
 
     __int__ = __index__
+
+    def __eq__(self, other: object) -> bool:
+        """Equal to another best number in all three, and to an int that it is."""
+        if isinstance(other, BestN):
+            return (self.least, self.greatest, self.tie) == (other.least, other.greatest, other.tie)
+        if isinstance(other, int) and not isinstance(other, bool):
+            return self.least == other == self.greatest
+        return NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.least) if self.least == self.greatest else hash((self.least, self.greatest))
 
 
 class Chain:
@@ -264,23 +282,49 @@ def _count(text: str) -> Union[int, float, None]:
     return {"infinite": math.inf, "any": None}[text] if text in ("infinite", "any") else int(text, 16)
 
 
-def eta(
+@overload
+def eta(  # type: ignore[overload-overlap]
     m1: Exact,
     m2: Exact,
     *,
     e: _Restitution,
     n: Optional[int] = None,
     masses: Optional[Sequence[Exact]] = None,
-) -> Number:
+    floats: Optional[str] = None,
+) -> Number: ...
+@overload
+def eta(
+    m1: Union[Exact, Column],
+    m2: Union[Exact, Column],
+    *,
+    e: Union[Exact, Column],
+    n: Union[int, Column],
+    floats: Optional[str] = None,
+) -> Cells: ...
+def eta(
+    m1: Any, m2: Any, *, e: Any, n: Any = None, masses: Optional[Sequence[Exact]] = None, floats: Optional[str] = None
+) -> Union[Number, Cells]:
     """The share of the first body's energy that the last one gets.
 
     ``n`` bodies of optimal mass are inserted, or those of ``masses``. One of the two is needed; ``n=0`` means none.
+
+    Any of ``m1``, ``m2``, ``e`` and ``n`` may be a NumPy array or a column of a data frame: the answer is then a
+    :class:`Cells`, with an enclosure for each row. ``floats`` says what doubles mean: ``"decimal"``, the number that is
+    printed (0.9 is nine tenths), or ``"exact"``, the double itself. Without it a float is refused.
 
     >>> eta(10, 1, e="9/10", n=0)
     Fraction(361, 1210)
     >>> eta(10, 1, e="9/10", n=7)
     Enclosure(0.37313751177373857462)
     """
+    if masses is None:
+        found = _engine.eta(m1, m2, e, n)
+        if found is not None:
+            return Rational(*found) if isinstance(found, tuple) else Answer((m1, m2, e, n), "eta", (), found)
+        if is_column(m1) or is_column(m2) or is_column(e) or is_column(n):
+            return etas(m1, m2, e, n, floats)
+    if floats is not None:
+        m1, m2, e = (plain(value, floats) for value in (m1, m2, e))
     return Chain(m1, m2, e=e, n=n, masses=masses).eta()
 
 

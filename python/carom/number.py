@@ -17,10 +17,20 @@ if TYPE_CHECKING:
     from ._engine import Found
     from .chain import Chain
 
+    Source = Union[Chain, Tuple[Any, Any, Any, Any]]
+
 Exact = Union[int, str, Fraction, decimal.Decimal, "Number", Tuple[Any, Any]]
 """What a number may be given as. A text may be measured, ``"57.1 ± 0.1"`` or ``"[0.84, 0.90]"``; so may a pair of
 ends and a result. Rationals of SymPy and flint are taken as well; balls of flint and intervals of mpmath are measured.
 """
+
+_SHORT = 1 << 60
+"""Integers below it are written at once."""
+
+
+class WrongType(TypeError, ValueError):
+    """An argument of the wrong type, such as a float: a :class:`TypeError`, and as all bad input a ValueError."""
+
 
 _MAX_BITS = 14_000
 """Longer integers have more digits than Python writes without being asked."""
@@ -33,8 +43,10 @@ def text_of(value: Any, name: str) -> str:
     """The text of an exact number for the engine, which judges it."""
     if isinstance(value, str):
         return value
+    if type(value) is int and -_SHORT < value < _SHORT:
+        return str(value)
     if isinstance(value, bool):
-        raise ValueError(f"{name}: {value} is no number")
+        raise WrongType(f"{name}: {value} is no number")
     value = _foreign(value)
     if isinstance(value, tuple) and len(value) == 2:
         return f"[{text_of(value[0], name)}, {text_of(value[1], name)}]"
@@ -44,15 +56,17 @@ def text_of(value: Any, name: str) -> str:
             raise LimitReached(f"{name}: limit reached: bits of a number: {_MAX_BITS} allowed")
         return f"{parts[0]}/{parts[1]}" if parts[1] != 1 else str(parts[0])
     if isinstance(value, decimal.Decimal):
+        if not value.is_finite():
+            raise ValueError(f"{name}: {value} is no number; a finite one is expected")
         return str(value)
     if isinstance(value, numbers.Real):
         meant = Fraction(repr(float(value))) if math.isfinite(value) else None
         hint = f'"{meant}", or Fraction({float(value)!r}) for the float itself' if meant is not None else "a number"
-        raise ValueError(f"{name}: the float {float(value)!r} is not exact; write {hint}")
+        raise WrongType(f"{name}: the float {float(value)!r} is not exact; write {hint}")
     try:
         return str(operator.index(value))
     except TypeError:
-        raise ValueError(f"{name}: {value!r} is no number; give an int, a str or a Fraction") from None
+        raise WrongType(f"{name}: {value!r} is no number; give an int, a str or a Fraction") from None
 
 
 def count_of(value: Any, name: str) -> int:
@@ -60,8 +74,10 @@ def count_of(value: Any, name: str) -> int:
     try:
         found = operator.index(value)
     except TypeError:
-        found = -1
-    if isinstance(value, bool) or found < 0:
+        raise WrongType(f"{name}: {value!r} is no natural number") from None
+    if isinstance(value, bool):
+        raise WrongType(f"{name}: {value!r} is no natural number")
+    if found < 0:
         raise ValueError(f"{name}: {value!r} is no natural number")
     if found >= 1 << 64:
         raise LimitReached(f"{name}: limit reached: {2**64 - 1} allowed")
@@ -399,6 +415,17 @@ class Enclosure(Number):
     def __repr__(self) -> str:
         return f"Enclosure({self})"
 
+    def _repr_html_(self) -> str:
+        """The closed form as MathML, which browsers show by themselves, and the digits."""
+        if self.measured:
+            return f"[{_html(repr(self.lo))}, {_html(repr(self.hi))}]"
+        form = self._mathml()
+        return f"{form} ≈ {_html(str(self))}" if form else f"≈ {_html(str(self))}"
+
+    def _mathml(self) -> Optional[str]:
+        """The closed form, where one is known."""
+        return None
+
     def _repr_latex_(self) -> str:
         if self.measured:
             return f"$[{_latex(repr(self.lo))},\\; {_latex(repr(self.hi))}]$"
@@ -412,46 +439,55 @@ _SHOWN = 20
 class Answer(Enclosure):
     """An answer of the engine that is not exact."""
 
-    __slots__ = ("_chain", "_found", "_place", "_quantity")
+    __slots__ = ("_found", "_place", "_quantity", "_source")
 
-    def __init__(self, chain: Chain, quantity: str, place: Tuple[int, ...], found: Found) -> None:
-        self._chain = chain
+    def __init__(self, source: Source, quantity: str, place: Tuple[int, ...], found: Found) -> None:
+        self._source = source
         self._quantity = quantity
         self._place = place
         self._found = found
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return (Answer, (self._chain, self._quantity, self._place, self._found))
+        return (_answered, (self._chain(), self._quantity, self._place))
+
+    def _chain(self) -> Chain:
+        """The chain that the number is of; it is made where it is needed."""
+        if isinstance(self._source, tuple):
+            from .chain import Chain
+
+            m1, m2, e, n = self._source
+            self._source = Chain(m1, m2, e=e, n=n)
+        return self._source
 
     @property
     def lo(self) -> float:
         """A double at most the number."""
-        return self._found["lo"]
+        return self._found.lo
 
     @property
     def hi(self) -> float:
         """A double at least the number; at most two doubles above ``lo`` where nothing is measured."""
-        return self._found["hi"]
+        return self._found.hi
 
     @property
     def exact_lo(self) -> Fraction:
         """The lower end of the enclosure, exactly."""
-        return _end(self._found, "lower")
+        return _end(self._found.lower)
 
     @property
     def exact_hi(self) -> Fraction:
         """The upper end of the enclosure, exactly."""
-        return _end(self._found, "upper")
+        return _end(self._found.upper)
 
     @property
     def radical(self) -> str | None:
         """The closed form in the claim language, where the number is irrational and one is known."""
-        return self._found["radical"]
+        return self._found.radical
 
     @property
     def measured(self) -> bool:
         """Whether it is wide because inputs are measured."""
-        return not self._chain.is_exact
+        return not (isinstance(self._source, tuple) or self._source.is_exact)
 
     def digits(self, count: int, *, rounding: str = "nearest") -> str:
         """The number with so many significant digits, each of them right.
@@ -459,7 +495,7 @@ class Answer(Enclosure):
         ``rounding`` is ``nearest``, ``up``, ``down``, ``zero`` or ``away``. A number over measured inputs has
         digits only as far as all its values round to the same; otherwise this is a :class:`ValueError`.
         """
-        found = self._again(count, rounding)["decimal"]
+        found = self._again(count, rounding).decimal
         if found is None:
             raise Undecided(
                 f"the values over the measured inputs do not round to one decimal of {count} digits: {self}"
@@ -469,38 +505,98 @@ class Answer(Enclosure):
     def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
         """Ends that agree to about so many digits, where nothing is measured."""
         found = self._again(count, "nearest")
-        return _end(found, "lower"), _end(found, "upper")
+        return _end(found.lower), _end(found.upper)
 
     def _again(self, count: int, rounding: str) -> Found:
-        answer: Any = self._chain._answer(self._quantity, count_of(count, "digits"), rounding)
-        for place in self._place:
-            answer = answer[place]
-        return answer
+        answer: Any = self._chain()._answer(self._quantity, count_of(count, "digits"), rounding)
+        return _at(answer, self._place)
 
     def __str__(self) -> str:
-        decimal_ = self._found["decimal"]
+        decimal_ = self._found.decimal
         if decimal_ is not None and not self.measured:
             return decimal_
         return f"[{self.lo!r}, {self.hi!r}]"
 
+    def _mathml(self) -> Optional[str]:
+        return self._found.mathml
+
     def _repr_latex_(self) -> str:
         if self.measured:
             return f"$[{_latex(repr(self.lo))},\\; {_latex(repr(self.hi))}]$"
-        form = self._found["latex"]
+        form = self._found.latex
         shown = _latex(str(self))
         return f"$\\displaystyle {form} \\approx {shown}$" if form else f"$\\approx {shown}$"
 
 
-def _end(found: Found, end: str) -> Fraction:
-    pair = found["lower"] if end == "lower" else found["upper"]
+def _at(answer: Any, place: Tuple[int, ...]) -> Found:
+    """One number of an answer."""
+    for index in place:
+        answer = answer[index]
+    return answer
+
+
+def _answered(chain: Chain, quantity: str, place: Tuple[int, ...]) -> Answer:
+    """An answer once more."""
+    return Answer(chain, quantity, place, _at(chain._shown(quantity), place))
+
+
+def _end(pair: Optional[Tuple[str, str]]) -> Fraction:
     if pair is None:
         raise LimitReached("limit reached: the exponent or the length of an exact end; its digits can be had")
     return fraction_of(pair)
 
 
+def _html(numeral: str) -> str:
+    mantissa, _, exponent = numeral.partition("e")
+    return f"{mantissa} × 10<sup>{int(exponent)}</sup>" if exponent else mantissa.replace("inf", "∞")
+
+
 def _latex(numeral: str) -> str:
     mantissa, _, exponent = numeral.partition("e")
     return f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa.replace("inf", "\\infty")
+
+
+class Root(Enclosure):
+    """A root of a fraction that is no fraction itself."""
+
+    __slots__ = ("_ends", "_index", "_radicand")
+
+    def __init__(self, radicand: Fraction, index: int) -> None:
+        self._radicand, self._index = radicand, index
+        self._ends = self.narrower(_SHOWN)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return (Root, (self._radicand, self._index))
+
+    @property
+    def exact_lo(self) -> Fraction:
+        return self._ends[0]
+
+    @property
+    def exact_hi(self) -> Fraction:
+        return self._ends[1]
+
+    @property
+    def radical(self) -> str:
+        return f"({self._radicand})^(1/{self._index})"
+
+    def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
+        above, below, index = self._radicand.numerator, self._radicand.denominator, self._index
+        # The root is at least 2^-(lost/index).
+        lost = max(0, below.bit_length() - above.bit_length() + 1)
+        places = count * 10 // 3 + 5 + lost // index
+        floor = _floor_root((above << places * index) // below, index)
+        return Fraction(floor, 1 << places), Fraction(floor + 1, 1 << places)
+
+
+def _floor_root(number: int, index: int) -> int:
+    """The greatest integer whose power is not above a natural number, by Newton's method from above."""
+    found = 1 << -(-number.bit_length() // index)
+    while True:
+        lower = ((index - 1) * found + number // found ** (index - 1)) // index
+        if lower >= found:
+            return found
+        found = lower
 
 
 class Computed(Enclosure):
@@ -673,6 +769,7 @@ def _formatted(number: Fraction, spec: str) -> str:
 
 def number_of(chain: Chain, quantity: str, place: Tuple[int, ...], found: Found) -> Number:
     """An exact answer as a fraction, any other as an enclosure."""
-    if found["exact"] is not None:
-        return Rational(fraction_of(found["exact"]))
+    exact = found.exact
+    if exact is not None:
+        return Rational(fraction_of(exact))
     return Answer(chain, quantity, place, found)

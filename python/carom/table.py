@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import html
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _engine
 from .number import Exact, text_of
@@ -16,10 +17,11 @@ Grid = Union[Exact, Sequence[Exact]]
 """An axis: a number, a list of them, or a text ``"1,2,10"``, ``"start:stop:step"``, ``"start:stop:xFACTOR"``."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Table:
     """A quantity over its axes.
 
+    Two tables are equal if all of their cells are. ``table[i, j, k]`` is the pair of ends of a cell, or of a part.
     ``lo`` and ``hi`` have one dimension for each axis, in the order of ``axes``. Each cell's value lies between its two
     entries, which are neighbouring doubles, or the same one where the value is a double. A best number that is infinite
     has infinite entries; where any number is as good as any other they are 0 and infinity.
@@ -54,6 +56,41 @@ class Table:
     def __len__(self) -> int:
         return int(self.lo.size)
 
+    def __getitem__(self, place: Any) -> Tuple[Any, Any]:
+        return self.lo[place], self.hi[place]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Table):
+            return NotImplemented
+        same = self.want == other.want and self.axes == other.axes
+        return same and bool((self.lo == other.lo).all() and (self.hi == other.hi).all())
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        axes = ", ".join(f"{name}: {len(values)}" for name, values in self.axes.items())
+        return f"Table({self.want!r}, {axes})"
+
+    def _repr_html_(self) -> str:
+        """The first cells as a table."""
+        import numpy
+
+        heads = "".join(f"<th>{html.escape(name)}</th>" for name in (*self.axes, "lo", "hi"))
+        rows = []
+        for cell in range(min(len(self), _SHOWN)):
+            place = numpy.unravel_index(cell, self.lo.shape)
+            labels = [values[int(i)] for values, i in zip(self.axes.values(), place)]
+            ends = (repr(float(end)) for end in self[place])
+            rows.append("".join(f"<td>{html.escape(text)}</td>" for text in (*labels, *ends)))
+        body = "".join(f"<tr>{row}</tr>" for row in rows)
+        more = f"<p>{len(self)} cells, {len(rows)} shown</p>" if len(self) > len(rows) else ""
+        caption = f"<caption>{html.escape(self.want)}</caption>"
+        return f"<table>{caption}<thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>{more}"
+
+
+_SHOWN = 12
+"""Cells that a notebook shows."""
+
 
 def grid_of(values: Any, name: str) -> Optional[str]:
     """The text of an axis."""
@@ -75,16 +112,25 @@ def plan(want: str, ratio: Any, e: Any, n: Any) -> _engine.Plan:
 
 def ends(plan: _engine.Plan, start: int, stop: int) -> Tuple[numpy.ndarray, numpy.ndarray]:
     """The doubles around the rows from one up to another; Ctrl-C ends it between chunks of rows."""
+    return filled(stop - start, lambda sink: plan.fill(start, stop, sink))
+
+
+def filled(count: int, fill: Callable[[Callable[[int, bytes, bytes], None]], None]) -> Tuple[Any, Any]:
+    """So many ends as arrays; ``fill`` hands them over piece by piece."""
     import numpy
 
-    lo, hi = numpy.empty(stop - start), numpy.empty(stop - start)
+    try:
+        lo, hi = numpy.empty(count), numpy.empty(count)
+    except MemoryError as error:
+        message = f"{count} cells do not fit into memory ({error}); carom.sweep writes tables of any size as files"
+        raise MemoryError(message) from None
 
     def sink(offset: int, below: bytes, above: bytes) -> None:
         stop = offset + len(below) // 8
         lo[offset:stop] = numpy.frombuffer(below)
         hi[offset:stop] = numpy.frombuffer(above)
 
-    plan.fill(start, stop, sink)
+    fill(sink)
     return lo, hi
 
 

@@ -264,6 +264,17 @@ def check(claims: Text, certificate: str) -> str:
     return _engine.check(source_of(claims, ".claim").text, certificate)
 
 
+def report(
+    claims: Optional[Text] = None, *, only: Union[str, Sequence[str]] = (), form: str = "markdown", seconds: int = 10
+) -> str:
+    """An audit as `carom audit` writes it: ``markdown``, ``json`` or ``text``. Without claims: of the catalogue."""
+    source = None if claims is None else source_of(claims, ".claim")
+    names = [only] if isinstance(only, str) else list(only)
+    path = source.path if source is not None and source.path is not None else "text"
+    text = None if source is None else source.text
+    return _engine.audit_report(text, path, names, count_of(seconds, "seconds"), form)
+
+
 def explain(claims: Text, id: Optional[str] = None) -> str:
     """A claim with its whole proof in words; ``id`` names it where there are several."""
     from .audit import audit

@@ -1,12 +1,12 @@
 //! A chain and the answers about it.
 
 use crate::number::Found;
-use crate::refusal::{Refusal, detached};
+use crate::refusal::{Refusal, detached, interruptible};
 use carom::chain::best::Best;
 use carom::chain::threshold::Helps;
 use carom::chain::uncertain::meeting::Meeting;
 use carom::chain::uncertain::{Range, RangeError};
-use carom::chain::{ChainError, Positive, Restitution};
+use carom::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
 use carom::number::decimal::Digits;
 use carom::number::rational::{self, NumeralError};
 use carom::scene::answer::{Answers, Value};
@@ -14,7 +14,13 @@ use carom::scene::quantity::{Input, Quantity};
 use carom::scene::read::ROUNDINGS;
 use carom::scene::{Coefficients, Inputs, Inserted, Scene, Start};
 use malachite::Rational;
+use pyo3::intern;
 use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyInt, PyString, PyType};
+
+/// From so many digits on an answer takes long enough that somebody may want to end it.
+const MANY_DIGITS: u64 = 100_000;
 
 /// A chain of bodies, or as much of it as is known.
 #[pyclass(frozen, module = "carom._engine")]
@@ -123,40 +129,37 @@ impl Chain {
     }
 
     /// The answer to one question, decimals with so many digits rounded in a direction.
-    fn answer(&self, py: Python<'_>, quantity: &str, digits: u64, rounding: &str) -> Result<Answer, Refusal> {
-        detached(py, || {
-            let quantity = Quantity::of_name(quantity).map_err(Refusal::Input)?;
-            if let Some(input) = self.inputs.missing(quantity) {
-                let argument = match input {
-                    Input::Restitution => "e, the coefficient of restitution",
-                    Input::Inserted => "n, the number of inserted bodies (0 for none), or masses",
-                };
-                return Err(Refusal::Input(format!("{} needs {argument}", quantity.name())));
-            }
-            let direction = ROUNDINGS.iter().find(|(name, _)| *name == rounding).map(|(_, direction)| *direction);
-            let rounding = direction.ok_or_else(|| {
-                Refusal::Input(format!("rounding: {rounding:?} is no direction; write nearest, up, down, zero or away"))
-            })?;
-            let scene = Scene {
-                want: vec![quantity],
-                digits: Digits::Significant(digits),
-                rounding,
-                inputs: self.inputs.clone(),
+    fn answer(&self, py: Python<'_>, quantity: &str, digits: u64, rounding: &str) -> PyResult<Answer> {
+        let quantity = Quantity::of_name(quantity).map_err(Refusal::Input)?;
+        if let Some(input) = self.inputs.missing(quantity) {
+            let argument = match input {
+                Input::Restitution => "e, the coefficient of restitution",
+                Input::Inserted => "n, the number of inserted bodies (0 for none), or masses",
             };
-            let answers = Answers::new(&scene);
-            let (value, _) = answers.get(quantity)?;
-            Ok(described(value))
-        })
+            return Err(Refusal::Input(format!("{} needs {argument}", quantity.name())).into());
+        }
+        let direction = ROUNDINGS.iter().find(|(name, _)| *name == rounding).map(|(_, direction)| *direction);
+        let rounding = direction.ok_or_else(|| {
+            Refusal::Input(format!("rounding: {rounding:?} is no direction; write nearest, up, down, zero or away"))
+        })?;
+        let scene =
+            Scene { want: vec![quantity], digits: Digits::Significant(digits), rounding, inputs: self.inputs.clone() };
+        let work = move || {
+            let mut answers = Answers::new(&scene);
+            answers.get(quantity)?;
+            answers.take(quantity).map(described).ok_or(Refusal::Failure)
+        };
+        if digits >= MANY_DIGITS { interruptible(py, work) } else { Ok(detached(py, work)?) }
     }
 }
 
-fn described(value: &Value) -> Answer {
+fn described(value: Value) -> Answer {
     match value {
-        Value::Number(number) => Answer::Number(Found::of(number)),
-        Value::List(list) => Answer::List(list.iter().map(Found::of).collect()),
+        Value::Number(number) => Answer::Number(number.into()),
+        Value::List(list) => Answer::List(list.into_iter().map(Found::from).collect()),
         Value::Matrices(list) => {
-            let matrix = |rows: &[[_; 2]; 2]| rows.iter().map(|row| row.iter().map(Found::of).collect()).collect();
-            Answer::Matrices(list.iter().map(matrix).collect())
+            let row = |row: [_; 2]| row.map(Found::from).into_iter().collect();
+            Answer::Matrices(list.into_iter().map(|rows| rows.map(row).into_iter().collect()).collect())
         }
         Value::Helps(answer) => Answer::Words(answer.map_or("depends", Helps::text).to_owned()),
         Value::EachHelps(list) => {
@@ -164,7 +167,7 @@ fn described(value: &Value) -> Answer {
         }
         Value::Best(least, greatest) => {
             let tie = least == greatest && matches!(least, Best::Finite { tie: true, .. });
-            Answer::Best((count(least), count(greatest), tie))
+            Answer::Best((count(&least), count(&greatest), tie))
         }
         Value::Recollides(meeting) => Answer::Words(
             match meeting {
@@ -185,4 +188,60 @@ fn count(best: &Best) -> String {
         Best::Infinite => "infinite".to_owned(),
         Best::Any => "any".to_owned(),
     }
+}
+
+/// An eta that was found at once.
+#[derive(IntoPyObject)]
+pub enum Quick {
+    /// Numerator and denominator.
+    #[pyo3(transparent)]
+    Fraction((u64, u64)),
+    /// Any other number.
+    #[pyo3(transparent)]
+    Number(Found),
+}
+
+/// eta of a chain of optimal masses, where all inputs are plain: integers, texts of numerals, fractions. `None` for
+/// anything else, and for what is no chain: [`Chain`] judges it.
+#[pyfunction]
+pub fn eta(
+    py: Python<'_>,
+    m1: &Bound<'_, PyAny>,
+    m2: &Bound<'_, PyAny>,
+    e: &Bound<'_, PyAny>,
+    n: &Bound<'_, PyAny>,
+) -> Result<Option<Quick>, Refusal> {
+    let count = || if n.is_exact_instance_of::<PyInt>() { n.extract::<u64>().ok() } else { None };
+    let read = || Some((plain(m1)?, plain(m2)?, plain(e)?, count()?));
+    let Some((m1, m2, e, n)) = read() else { return Ok(None) };
+    detached(py, || Ok(quick_eta(m1, m2, e, n)))
+}
+
+fn quick_eta(m1: Rational, m2: Rational, e: Rational, n: u64) -> Option<Quick> {
+    let ratio = Positive::new(m1).ok()?.over(&Positive::new(m2).ok()?);
+    let real = transfer::optimal(&ratio, &Restitutions::Same(Restitution::new(e).ok()?), n).ok()?;
+    if let Some(exact) = real.as_rational() {
+        let parts = (u64::try_from(exact.numerator_ref()).ok()?, u64::try_from(exact.denominator_ref()).ok()?);
+        return Some(Quick::Fraction(parts));
+    }
+    let ends = real.neighbours().ok()?;
+    Some(Quick::Number(Found::of_real(real, ends)))
+}
+
+/// The number that a Python object of a plain type says exactly.
+fn plain(x: &Bound<'_, PyAny>) -> Option<Rational> {
+    static FRACTION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    if x.is_exact_instance_of::<PyInt>() {
+        return x.extract::<i64>().ok().map(Rational::from);
+    }
+    if let Ok(text) = x.cast_exact::<PyString>() {
+        return rational::parse(&text.to_cow().ok()?).ok();
+    }
+    let py = x.py();
+    if !x.get_type().is(FRACTION.import(py, "fractions", "Fraction").ok()?) {
+        return None;
+    }
+    let part = |name| x.getattr(name).ok()?.extract::<i64>().ok();
+    let (above, below) = (part(intern!(py, "numerator"))?, part(intern!(py, "denominator"))?);
+    Some(Rational::from_signeds(above, below))
 }

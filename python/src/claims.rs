@@ -1,6 +1,7 @@
 //! Claims and what is thought of them.
 
 use crate::refusal::{Refusal, detached_deep};
+use crate::tools::unknown_form;
 use carom::claim::diagnostic::{Diagnostic, nearest};
 use carom::claim::parse::parse;
 use carom::claim::print::Style;
@@ -29,7 +30,31 @@ pub fn audit(
 ) -> Result<String, Refusal> {
     detached_deep(py, || {
         let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
-        judged(text.as_deref(), &file, &only, &limits).map(|list| Value::from(list).to_string())
+        let (entries, _) = judged(text.as_deref(), &file, &only, &limits)?;
+        Ok(Value::from(entries.iter().map(described).collect::<Vec<_>>()).to_string())
+    })
+}
+
+/// The same as the program writes it: `text`, `json` or `markdown`.
+#[pyfunction]
+pub fn audit_report(
+    py: Python<'_>,
+    text: Option<String>,
+    file: String,
+    only: Vec<String>,
+    seconds: u64,
+    form: &str,
+) -> Result<String, Refusal> {
+    detached_deep(py, || {
+        let written = match form {
+            "text" => report::text::report,
+            "json" => report::json::report,
+            "markdown" => report::markdown::report,
+            other => return Err(unknown_form(other, "text, json or markdown")),
+        };
+        let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
+        let (entries, judged) = judged(text.as_deref(), &file, &only, &limits)?;
+        Ok(written(&report::Audit { entries, problems: Vec::new(), judged }))
     })
 }
 
@@ -39,7 +64,8 @@ pub fn language() -> &'static str {
     LANGUAGE
 }
 
-fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> Result<Vec<Value>, Refusal> {
+/// The entries of what was asked for, and how many claims were worked on.
+fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> Result<(Vec<Entry>, usize), Refusal> {
     let shown = |faults: &[Diagnostic]| {
         let one = |fault: &Diagnostic| match text {
             Some(text) => fault.render(file, text, false),
@@ -67,15 +93,15 @@ fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> R
     let asked: Vec<String> = all.into_iter().filter(|name| only.is_empty() || only.contains(name)).collect();
     let settings = Settings { limits: limits.clone(), argument: true, ..Settings::default() };
     let found = judge(&catalogue, &asked, &AtHand::embedded(), &settings, &|_, _| {});
-    let (mut entries, mut faults) = (Vec::new(), Vec::new());
+    let (mut entries, mut faults, worked) = (Vec::new(), Vec::new(), found.judged);
     for (name, entry) in found.entries {
         match (entry, catalogue.get(&name)) {
-            (Ok(entry), _) => entries.push(described(&entry)),
+            (Ok(entry), _) => entries.push(entry),
             (Err(fault), Some(claim)) => faults.push(diagnostic(claim, fault)),
             (Err(_), None) => {}
         }
     }
-    if faults.is_empty() { Ok(entries) } else { Err(shown(&faults)) }
+    if faults.is_empty() { Ok((entries, worked)) } else { Err(shown(&faults)) }
 }
 
 fn no_match(only: &[String], names: &[&str]) -> Refusal {

@@ -1,13 +1,15 @@
-//! Carom's engine for Python: plain functions and two classes, from texts to texts, tuples and doubles.
+//! Carom's engine for Python: plain functions and a few classes, from texts to texts, tuples and doubles.
 //!
 //! Contract: the package `carom` around this module gives them their Python faces. Bad input is `ValueError` with the
 //! program's message, a stated limit is `LimitReached`. All work is done without Python's lock. No input makes a
 //! function panic; should one do so all the same, `RuntimeError` says it.
 
+mod bounces;
 mod chain;
 mod claims;
 mod number;
 mod refusal;
+mod rows;
 mod table;
 mod tools;
 
@@ -19,11 +21,17 @@ mod _engine {
     use super::{Bound, PyModule, PyModuleMethods, PyResult};
 
     #[pymodule_export]
-    use super::chain::Chain;
+    use super::bounces::restitution;
     #[pymodule_export]
-    use super::claims::{audit, language};
+    use super::chain::{Chain, eta};
+    #[pymodule_export]
+    use super::claims::{audit, audit_report, language};
+    #[pymodule_export]
+    use super::number::Found;
     #[pymodule_export]
     use super::refusal::LimitReached;
+    #[pymodule_export]
+    use super::rows::Rows;
     #[pymodule_export]
     use super::table::Plan;
     #[pymodule_export]

@@ -5,6 +5,8 @@ use carom::number::NumberError;
 use pyo3::exceptions::{PyException, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc;
+use std::time::Duration;
 
 pyo3::create_exception!(
     carom,
@@ -54,6 +56,26 @@ impl From<Refusal> for PyErr {
 /// Works without Python's lock.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T, Refusal> + Send) -> Result<T, Refusal> {
     py.detach(|| catch_unwind(AssertUnwindSafe(work)).unwrap_or(Err(Refusal::Failure)))
+}
+
+/// How often a long work looks whether somebody pressed Ctrl-C.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// Works without Python's lock on a thread of its own, so that Ctrl-C ends the call at once. The thread ends by itself.
+pub fn interruptible<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T, Refusal> + Send + 'static,
+) -> PyResult<T> {
+    let (send, mut receive) = mpsc::channel();
+    std::thread::spawn(move || send.send(catch_unwind(AssertUnwindSafe(work)).unwrap_or(Err(Refusal::Failure))));
+    loop {
+        let receive = &mut receive;
+        match py.detach(move || receive.recv_timeout(LOOK)) {
+            Ok(found) => return Ok(found?),
+            Err(mpsc::RecvTimeoutError::Timeout) => py.check_signals()?,
+            Err(mpsc::RecvTimeoutError::Disconnected) => return Err(Refusal::Failure.into()),
+        }
+    }
 }
 
 /// Works without Python's lock on a stack that holds the deepest expressions, as the command line has it.

@@ -7,6 +7,7 @@ use carom::table::shared::Factors;
 use carom::table::{self, Printing, Quantity};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use std::ops::Range;
 
 /// Rows that are computed between two looks at Python: its other threads, Ctrl-C.
 ///
@@ -74,24 +75,31 @@ impl Plan {
     fn fill(&self, py: Python<'_>, start: u64, stop: u64, sink: &Bound<'_, PyAny>) -> PyResult<()> {
         let stop = stop.min(self.plan.rows());
         let mut factors = Factors::new(&self.plan);
-        let mut at = start;
-        while at < stop {
-            let end = stop.min(at.saturating_add(CHUNK));
-            let (lo, hi) = detached(py, || ends(&mut factors, at, end))?;
-            sink.call1((at - start, PyBytes::new(py, &lo), PyBytes::new(py, &hi)))?;
-            at = end;
-        }
-        Ok(())
+        by_chunks(py, start..stop, sink, |rows| {
+            rows.map(|row| factors.neighbours(row).map_err(|error| fault(&error))).collect()
+        })
     }
 }
 
-fn ends(factors: &mut Factors<'_>, start: u64, stop: u64) -> Result<(Vec<u8>, Vec<u8>), Refusal> {
-    let size = usize::try_from(stop - start).unwrap_or(0);
-    let (mut lower, mut upper) = (Vec::with_capacity(size), Vec::with_capacity(size));
-    for row in start..stop {
-        let (lo, hi) = factors.neighbours(row).map_err(|error| fault(&error))?;
-        lower.push(lo.to_ne_bytes());
-        upper.push(hi.to_ne_bytes());
+/// Hands the ends of some rows to `sink(offset, lo, hi)`, chunk by chunk.
+pub fn by_chunks(
+    py: Python<'_>,
+    rows: Range<u64>,
+    sink: &Bound<'_, PyAny>,
+    mut ends: impl FnMut(Range<u64>) -> Result<Vec<(f64, f64)>, Refusal> + Send,
+) -> PyResult<()> {
+    let mut at = rows.start;
+    while at < rows.end {
+        let end = rows.end.min(at.saturating_add(CHUNK));
+        let (lo, hi) = detached(py, || {
+            let found = ends(at..end)?;
+            let bytes = |of: fn(&(f64, f64)) -> f64| -> Vec<u8> {
+                found.iter().map(|ends| of(ends).to_ne_bytes()).collect::<Vec<_>>().into_flattened()
+            };
+            Ok((bytes(|ends| ends.0), bytes(|ends| ends.1)))
+        })?;
+        sink.call1((at - rows.start, PyBytes::new(py, &lo), PyBytes::new(py, &hi)))?;
+        at = end;
     }
-    Ok((lower.into_flattened(), upper.into_flattened()))
+    Ok(())
 }

@@ -113,7 +113,8 @@ pub fn replay(
     })
 }
 
-fn unknown_form(form: &str, known: &str) -> Refusal {
+/// What to say of a form that a function does not write.
+pub fn unknown_form(form: &str, known: &str) -> Refusal {
     Refusal::Input(format!("form: {form:?} is unknown; write {known}"))
 }
 

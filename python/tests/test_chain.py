@@ -8,6 +8,8 @@ import importlib
 import math
 import pickle
 import random
+import subprocess
+import sys
 from fractions import Fraction
 
 import pytest
@@ -28,7 +30,7 @@ def digits_are_right(text: str, low: Fraction, high: Fraction, count: int) -> No
 
 
 def test_the_documentation_strings_are_true():
-    for name in ("carom", "carom.chain", "carom.table", "carom.audit"):
+    for name in ("carom", "carom.bounces", "carom.chain", "carom.table", "carom.audit"):
         found = doctest.testmod(importlib.import_module(name))
         assert found.failed == 0 and found.attempted > 0, name
 
@@ -256,3 +258,61 @@ def test_long_exact_answers_have_no_limit_of_their_digits():
     chain = carom.Chain(3, 1, e="7/9", masses=[k for k in range(2, 3000)])
     exact = chain.last_velocity()
     assert isinstance(exact, Fraction) and exact.denominator.bit_length() > 15_000
+
+
+def test_wrong_types_are_type_errors_and_value_errors():
+    for wrong in (
+        lambda: carom.eta(None, 1, e=1, n=0),
+        lambda: carom.eta(1, 1, e=0.5, n=0),
+        lambda: carom.eta(1, 1, e=1, n="2"),
+    ):
+        with pytest.raises(TypeError):
+            wrong()
+        with pytest.raises(ValueError):
+            wrong()
+    for infinite in ("inf", "nan"):
+        with pytest.raises(ValueError, match="finite"):
+            carom.eta(1, 1, e=decimal.Decimal(infinite), n=0)
+
+
+def test_the_quick_way_answers_as_the_chain_does():
+    random.seed(11)
+    for _ in range(300):
+        m1, m2 = random.randrange(1, 10**9), Fraction(random.randrange(1, 99), random.randrange(1, 99))
+        e, n = random.choice(["1/2", "0.9", Fraction(7, 9), 1]), random.randrange(0, 30)
+        quick, chain = carom.eta(m1, m2, e=e, n=n), carom.Chain(m1, m2, e=e, n=n).eta()
+        assert quick.exact == chain.exact and quick.digits(30) == chain.digits(30) and quick.radical == chain.radical
+        assert quick.lo <= quick.exact_lo <= quick.exact_hi <= quick.hi and math.nextafter(quick.lo, 2) >= quick.hi
+        again = pickle.loads(pickle.dumps(quick))
+        assert again.digits(20) == quick.digits(20)
+    huge = carom.eta(10**40, 1, e="1/2", n=3)
+    assert huge.digits(5) == carom.Chain(10**40, 1, e="1/2", n=3).eta().digits(5)
+
+
+def test_a_best_number_is_equal_to_its_integer():
+    best = carom.best_n(10, 1, e="9/10")
+    assert best == int(best) and best != int(best) + 1 and best == carom.best_n(10, 1, e="9/10")
+    assert carom.best_n(2, 1, e=1) != 1 and len({best, carom.best_n(10, 1, e="9/10")}) == 1
+
+
+def test_numbers_are_shown_without_a_formula_engine():
+    shown = carom.eta(10, 1, e="9/10", n=7)._repr_html_()
+    assert shown.startswith("<math") and shown.endswith("≈ 0.37313751177373857462") and "$" not in shown
+    assert carom.eta("57.1 ± 0.1", 46, e="0.9", n=0)._repr_html_().startswith("[0.")
+    tiny = carom.eta(10, 1, e=0, n=1000)
+    assert " × 10<sup>-" in tiny._repr_html_()
+
+
+def test_many_digits_end_at_once_when_interrupted():
+    code = (
+        "import carom, signal, time\n"
+        "x = carom.eta(10, 1, e='9/10', n=7)\n"
+        "signal.signal(signal.SIGALRM, signal.default_int_handler)\n"
+        "signal.setitimer(signal.ITIMER_REAL, 0.5)\n"
+        "begin = time.monotonic()\n"
+        "try:\n    x.digits(10**7)\n"
+        "except KeyboardInterrupt:\n    print(time.monotonic() - begin, flush=True)\n"
+        "import os; os._exit(0)\n"
+    )
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
+    assert float(out.stdout) < 2, out

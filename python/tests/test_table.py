@@ -170,3 +170,14 @@ carom.table(ratio="2:200001:1", e="0:1:0.001", n="0:9:1")
     os.kill(child.pid, signal.SIGINT)
     _, error = child.communicate(timeout=60)
     assert "KeyboardInterrupt" in error
+
+
+def test_tables_are_compared_indexed_and_shown():
+    one, other = (carom.table(ratio="1:3:1", e=["1/2", 1], n=[0, last]) for last in (1, 2))
+    assert one == carom.table(ratio="1:3:1", e=["1/2", 1], n=[0, 1]) and one != other and one != 3
+    lo, hi = one[2, 1, 0]
+    assert lo <= 0.75 <= hi and one[0][0].shape == (2, 2)
+    assert repr(one) == "Table('eta', ratio: 3, e: 2, n: 2)"
+    shown = one._repr_html_()
+    assert shown.count("<tr>") == 13 and "more" not in shown
+    assert "24 cells, 12 shown" in carom.table(ratio="1:6:1", e=["1/2", 1], n=[0, 1])._repr_html_()

@@ -77,6 +77,23 @@ def test_certificates_are_checked_by_the_kernel():
         carom.explain(CLAIM, "other")
 
 
+def test_an_audit_is_written_as_the_command_writes_it(tmp_path):
+    assert carom.report(CLAIM).startswith("#") and '"verdict": "proved"' in carom.report(CLAIM, form="json")
+    (tmp_path / "c.claim").write_text(CLAIM, encoding="utf-8")
+    assert "mine" in carom.report(tmp_path / "c.claim", form="text")
+    with pytest.raises(ValueError, match="form"):
+        carom.report(CLAIM, form="docx")
+
+
+def test_the_package_brings_its_licences():
+    from importlib import metadata
+
+    files = {path.name for path in metadata.files("carom") or []}
+    assert {"LICENSE-MIT", "LICENSE-APACHE", "LICENSE-DEJAVU", "LGPL-3.0", "GPL-3.0"} <= files
+    about = metadata.metadata("carom")
+    assert "LGPL-3.0-only" in about["License-Expression"] and about["Author"] == "The Carom authors"
+
+
 def test_statements_are_exported():
     assert "(check-sat)" in carom.export(CLAIM, "smt2") and "Definition" in carom.export(CLAIM, "coq")
     with pytest.raises(ValueError, match="language"):

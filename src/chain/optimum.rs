@@ -62,7 +62,10 @@ pub fn mass(first: &Positive, last: &Positive, inserted: u64, i: u64) -> Real {
     {
         return Real::rational(m1 * t.pow(power));
     }
-    let text = format!("{}*{}", factor_text(&m1), root_text(ratio.value(), power, degree));
+    let text = {
+        let (m1, ratio) = (m1.clone(), ratio.clone());
+        move || format!("{}*{}", factor_text(&m1), root_text(ratio.value(), power, degree))
+    };
     Real::enclosed(move |bits| {
         let work = bits + power.significant_bits() + 8;
         let t = root(ratio.value(), &Natural::from(degree), work);
@@ -137,6 +140,7 @@ impl Optimum {
             Step::Rational(x) => Real::rational(x.clone()),
             Step::Root(r, _) => {
                 let (step, text) = (self.step.clone(), root_text(r, 1, self.collisions()));
+                let text = move || text;
                 Real::enclosed(move |bits| step.at(bits)).with_radical(text)
             }
         }
@@ -230,7 +234,7 @@ impl Optimum {
         let arrival = self.arrival(i, speed);
         let text = self.velocity_text(i, speed);
         let closed = |x: Real| match text {
-            Some(text) => x.with_radical(text),
+            Some(text) => x.with_radical(move || text),
             None => x,
         };
         let Some(e) = self.restitutions.at(i).filter(|_| i < self.collisions()) else {

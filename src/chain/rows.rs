@@ -7,7 +7,7 @@
 //! **Cost.** That of scattered cells ([`super::fast::etas_of_two`]) and of two quotients for each row; where words do not
 //! suffice, that of [`super::transfer::optimal`].
 
-use super::fast::{self, MAX_COLLISIONS, TwoDoubles, decimal_of};
+use super::fast::{self, TwoDoubles, decimal_of};
 use super::{ChainError, Positive, Restitution, Restitutions, transfer};
 use malachite::Rational;
 use std::fmt;
@@ -179,6 +179,7 @@ fn parts(list: &[TwoDoubles]) -> (Vec<f64>, Vec<f64>) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fast::MAX_COLLISIONS;
     use super::*;
     use crate::number::rational::parse;
     use proptest::prelude::*;

@@ -53,10 +53,12 @@ pub fn threshold(r: &Positive, n: u64) -> Result<Real, NumberError> {
         return Ok(Real::rational(exact));
     }
     let r = r.value().clone();
-    let text = if n == 1 {
-        format!("2*{}/(1 + {r})", root_text(&r, 1, 2))
-    } else {
-        format!("(1 + {})^{}/(1 + {})^{n} - 1", root_text(&r, 1, n + 1), n + 1, root_text(&r, 1, n))
+    let text = {
+        let r = r.clone();
+        move || match n {
+            1 => format!("2*{}/(1 + {r})", root_text(&r, 1, 2)),
+            _ => format!("(1 + {})^{}/(1 + {})^{n} - 1", root_text(&r, 1, n + 1), n + 1, root_text(&r, 1, n)),
+        }
     };
     // Where r is far from 1, L_n is about (n + 1)·|r|^(−1/(n+1)): that many bits cancel.
     let cancelled = (guess_ln(&r).abs() * std::f64::consts::LOG2_E / (n as f64 + 1.0)) as u64;

@@ -60,14 +60,13 @@ pub fn optimal(r: &Positive, restitutions: &Restitutions, n: u64) -> Result<Real
             return Ok(Real::rational(share.pow(count) * gains.base.pow(gains.count)));
         }
     }
-    let text = format!(
-        "{}^{}*{}/(1 + {})^{}",
-        factor_text(&gains.base),
-        gains.count,
-        factor_text(&r),
-        root_text(&r, 1, count),
-        2 * count
-    );
+    let text = {
+        let (base, power, r) = (gains.base.clone(), gains.count, r.clone());
+        move || {
+            let root = root_text(&r, 1, count);
+            format!("{}^{power}*{}/(1 + {root})^{}", factor_text(&base), factor_text(&r), 2 * count)
+        }
+    };
     let quick = quick(&r, &gains, count);
     let degree = Natural::from(count);
     let both = Natural::from(2 * count);

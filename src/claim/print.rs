@@ -238,6 +238,8 @@ impl Style {
                     let (head, tail) = (self.name(head), self.name(tail));
                     if head.contains('_') { format!("{{{head}}}_{{{tail}}}") } else { format!("{head}_{{{tail}}}") }
                 }
+                // No other name of the claim prints alike: the reader refuses both `v2` and `v_2`.
+                _ if is_number(tail) && !head.ends_with(is_digit) => format!("{}{}", self.name(head), lowered(tail)),
                 _ => format!("{}_{}", self.name(head), self.name(tail)),
             };
         }
@@ -257,11 +259,7 @@ impl Style {
         match self {
             Style::Latex if digits.is_empty() => format!("{head}{marks}"),
             Style::Latex => format!("{head}{marks}_{{{digits}}}"),
-            _ => {
-                let low: String =
-                    digits.chars().filter_map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect();
-                format!("{head}{marks}{low}")
-            }
+            _ => format!("{head}{marks}{}", lowered(digits)),
         }
     }
 
@@ -451,6 +449,19 @@ impl Style {
     }
 }
 
+fn is_digit(c: char) -> bool {
+    c.is_ascii_digit()
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(is_digit)
+}
+
+/// Digits below the line.
+fn lowered(digits: &str) -> String {
+    digits.chars().filter_map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -501,6 +512,12 @@ mod tests {
         let prop = parse_prop("μ1 + Δv > mu1*λ'").expect("it parses");
         assert_eq!(super::prop(&prop), "mu1 + Deltav > mu1*lambda'");
         assert_eq!(Style::Unicode.prop(&prop), "μ₁ + Deltav > μ₁·λ'");
+    }
+
+    #[test]
+    fn an_index_is_printed_alike_with_and_without_an_underscore() {
+        assert_eq!(unicode("m1*v_2^2"), "m₁·v₂^2");
+        assert_eq!(unicode("v_mu + m1_2 + x'_3"), "v_μ + m₁_2 + x'₃");
     }
 
     #[test]

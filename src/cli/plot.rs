@@ -256,7 +256,13 @@ impl Contents {
             let (from, to) = text.split_once(',').ok_or_else(wrong)?;
             let number = |text: &str| rational::parse(&completed(text.trim())).map_err(|_| wrong());
             let float = |x: Rational| f64::rounding_from(&x, RoundingMode::Nearest).0;
-            Ok::<_, Exit>(Some((float(number(from)?), float(number(to)?))))
+            let ends = (float(number(from)?), float(number(to)?));
+            if ends.0 >= ends.1 {
+                return Err(Exit::usage(format!(
+                    "error: {flag} {text}: an axis goes from a smaller to a greater number; write the smaller one first"
+                )));
+            }
+            Ok(Some(ends))
         };
         let point = |text: &String| {
             let wrong = |e: &dyn std::fmt::Display| Exit::usage(format!("error: --mark {text}: {e}"));

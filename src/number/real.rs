@@ -17,6 +17,7 @@ use malachite::base::num::arithmetic::traits::Sign;
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering as Memory};
 
 /// The most bits of an enclosure: about forty million decimal digits.
@@ -50,6 +51,8 @@ impl fmt::Display for Level {
 }
 
 type Enclose = Box<dyn Fn(u64) -> Interval + Send + Sync>;
+/// A closed form as text, made when somebody asks for it.
+type Radical = LazyLock<String, Box<dyn FnOnce() -> String + Send>>;
 type Quick = Box<dyn Fn() -> Option<Interval> + Send + Sync>;
 
 /// What is known about the number.
@@ -61,7 +64,7 @@ enum Form {
 /// A real number, exact or enclosed at any precision.
 pub struct Real {
     form: Form,
-    radical: Option<String>,
+    radical: Option<Radical>,
     attempts: AtomicU32,
 }
 
@@ -69,7 +72,7 @@ impl fmt::Debug for Real {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.form, &self.radical) {
             (Form::Rational(x), _) => write!(f, "Real({x})"),
-            (_, Some(text)) => write!(f, "Real({text})"),
+            (_, Some(text)) => write!(f, "Real({})", text.as_str()),
             _ => write!(f, "Real(enclosed)"),
         }
     }
@@ -117,10 +120,10 @@ impl Real {
         self
     }
 
-    /// Adds the closed form, for readers.
+    /// Adds the closed form, for readers: it is written where it is asked for.
     #[must_use]
-    pub fn with_radical(mut self, text: impl Into<String>) -> Real {
-        self.radical = Some(text.into());
+    pub fn with_radical(mut self, text: impl FnOnce() -> String + Send + 'static) -> Real {
+        self.radical = Some(LazyLock::new(Box::new(text)));
         self
     }
 
@@ -136,7 +139,7 @@ impl Real {
     /// The closed form where there is no rational and one is known.
     #[must_use]
     pub fn radical(&self) -> Option<&str> {
-        self.radical.as_deref().filter(|_| self.as_rational().is_none())
+        self.radical.as_ref().filter(|_| self.as_rational().is_none()).map(|text| text.as_str())
     }
 
     /// How many enclosures were computed so far.

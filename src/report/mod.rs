@@ -3,6 +3,7 @@
 
 pub mod answers;
 pub mod argument;
+pub mod bounces;
 pub mod drop;
 #[cfg(feature = "cli")]
 pub mod handout;

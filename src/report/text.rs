@@ -97,6 +97,10 @@ fn one(out: &mut String, entry: &Entry) {
     }
     if let Some(reason) = &outcome.reason {
         out.push_str(&format!("                  {reason}\n"));
+        if outcome.verdict == Verdict::Undecided {
+            let hint = format!("what was tried and what would help: carom explain {} FILE", claim.name.text);
+            out.push_str(&format!("                  {hint}\n"));
+        }
     }
     if outcome.verdict == Verdict::Proved && !outcome.unused.is_empty() {
         out.push_str(&format!("                  not needed: {}\n", visible(&outcome.unused.join("; "))));

@@ -450,7 +450,12 @@ impl<'a> Answers<'a> {
                 let speed = self.speed()?;
                 self.list((0..=optimum.collisions()).map(|i| optimum.velocity(i, &speed)))
             }
-            Prepared::Given(pass) => self.list(pass.velocities_after()?.into_iter().map(Real::rational)),
+            // From rest they are running products, found without common divisors of long numbers.
+            Prepared::Given(pass) => match pass.velocities_from_rest() {
+                Ok(all) => self.list(all.into_iter().map(|v| Real::fraction(v, MAX_EXACT_BITS))),
+                Err(ChainError::NotAtRest) => self.list(pass.velocities_after()?.into_iter().map(Real::rational)),
+                Err(error) => Err(error),
+            },
             Prepared::Measured => match (self.chain()?.inserted(), self.moving_all()) {
                 (Inserted::Optimal(n), _) => {
                     let chain = self.measured(*n)?;

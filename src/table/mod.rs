@@ -7,6 +7,7 @@
 //!
 //! **Shared work.** (25) is a product of a factor of `e` and one of the ratio, for each `n`: see [`shared`].
 
+pub mod bounces;
 pub mod check;
 pub mod foreign;
 pub mod grid;
