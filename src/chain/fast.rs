@@ -706,7 +706,8 @@ mod tests {
                 if exact == Rational::ZERO {
                     prop_assert_eq!((found.high, found.low), (0.0, 0.0));
                 } else if !found.high.is_nan() {
-                    let rest = Rational::try_from(found.high).unwrap() + Rational::try_from(found.low).unwrap() - &exact;
+                    let double = |x: f64| Rational::try_from(x).expect("finite");
+                    let rest = double(found.high) + double(found.low) - &exact;
                     let relative = f64::rounding_from(&(rest / exact), RoundingMode::Nearest).0;
                     prop_assert!(relative.abs() <= 4.0 * 2f64.powi(-106), "{}: {}", x, relative);
                 } else {
