@@ -91,9 +91,6 @@ def lines(record):
     if has("J10"):
         for case in cases_of(record, "J10"):
             ratio("J10", f"python-flint's speed: {case}", over_carom(record, "J10", "Arb from python-flint", [case]), 1)
-        cells, rows = time_of(record, "J2a", "Carom", cell), time_of(record, "J10", "Carom", "one of 100000 rows")
-        if cells and rows:
-            ratio("J10", "rows from Python at the speed of J2a's cells", cells / rows, 0.8)
     if has("J8"):
         mine = time_of(record, "J8", "Carom", cold)
         found.append(("J8", "2 ms", f"{mine * 1e3:.1f} ms", mine <= 2e-3))

@@ -450,12 +450,8 @@ impl<'a> Answers<'a> {
                 let speed = self.speed()?;
                 self.list((0..=optimum.collisions()).map(|i| optimum.velocity(i, &speed)))
             }
-            // From rest they are running products, found without common divisors of long numbers.
-            Prepared::Given(pass) => match pass.velocities_from_rest() {
-                Ok(all) => self.list(all.into_iter().map(|v| Real::fraction(v, MAX_EXACT_BITS))),
-                Err(ChainError::NotAtRest) => self.list(pass.velocities_after()?.into_iter().map(Real::rational)),
-                Err(error) => Err(error),
-            },
+            // Not by running products: a rational is made with the common divisor that those spare.
+            Prepared::Given(pass) => self.list(pass.velocities_after()?.into_iter().map(Real::rational)),
             Prepared::Measured => match (self.chain()?.inserted(), self.moving_all()) {
                 (Inserted::Optimal(n), _) => {
                     let chain = self.measured(*n)?;
