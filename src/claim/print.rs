@@ -517,7 +517,7 @@ mod tests {
     #[test]
     fn an_index_is_printed_alike_with_and_without_an_underscore() {
         assert_eq!(unicode("m1*v_2^2"), "m₁·v₂^2");
-        assert_eq!(unicode("v_mu + m1_2 + x'_3"), "v_μ + m₁_2 + x'₃");
+        assert_eq!(unicode("v_mu + m1_2 + x_3"), "v_μ + m₁_2 + x₃");
     }
 
     #[test]
