@@ -30,6 +30,7 @@ pub struct Chain {
 
 /// An answer as Python gets it.
 #[derive(IntoPyObject)]
+#[allow(clippy::large_enum_variant)] // made once, and handed over at once
 pub enum Answer {
     /// A number.
     #[pyo3(transparent)]
@@ -192,6 +193,7 @@ fn count(best: &Best) -> String {
 
 /// An eta that was found at once.
 #[derive(IntoPyObject)]
+#[allow(clippy::large_enum_variant)] // made once, and handed over at once
 pub enum Quick {
     /// Numerator and denominator.
     #[pyo3(transparent)]
