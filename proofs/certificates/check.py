@@ -17,7 +17,7 @@ from fractions import Fraction as Q
 from checker import refutation
 from checker.numbers import evaluate
 from checker.claims import (
-    as_power, compare, conjuncts, constraints, domain, FUNCTIONS, N, names_in, need, num, Parser, plus, put,
+    as_power, compare, conjuncts, constraints, domain, FUNCTIONS, N, names_in, need, nodes, num, Parser, plus, put,
     Refused, same, single, subtrees, text,
 )
 from checker.logic import Logic
@@ -27,6 +27,7 @@ from checker.terms import atom, coefficients, F, ONE, primes, total, ZERO
 sys.setrecursionlimit(20000)
 LEMMA = "the weighted mean inequality for two values"
 TANGENT = "exp lies above its tangent"
+MEAN_VALUE = "the mean value theorem"
 NO_FACT = "no fact and no accepted claim under `using` is called {}"
 ONE_VALUE = "each variable has one value, and nothing else has any"
 ONE_VARIABLE = "a statement `for all` one variable is needed"
@@ -405,6 +406,41 @@ class Checker(Logic):
             need(self.has(x, NOT_ZERO, known), f"needs {text(compare(x, '!=', num(0)))}")
         self.rests_on.add(TANGENT)
 
+    def rule_slope(self, goal, s, known):
+        self.has_value(goal, known)
+        fact, s, relation = self.fact(s.sources[0]), s._replace(sources=s.sources[1:]), single(goal)[1]
+        need(fact[0] == "all" and len(fact[1]) == 1 and len(fact[1][0][1]) == 1, ONE_VARIABLE)
+        (_, ((t, index),), natural, limits, _), = fact[1]
+        derivative, slope, zero = single(fact[2])
+        need(derivative[0] == "deriv" and derivative[2] == (t,) and zero == num(0),
+             "a fact `for all t …: derivative(F, t) relation 0` is needed")
+        bounds = all(c[0] == "interval" or c[0] == "relation" and c[1] not in ("=", "!=") for c in limits)
+        need(bounds and not natural and index is None and not any(t in names_in(e) for c in limits for e in nodes(c)),
+             "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed")
+        need(sorted(n for n, _ in s.values) == ["a", "b"], ONE_VALUE)
+        a, b = (dict(s.values)[n] for n in "ab")
+        says = compare(put(derivative[1], {t: b}), relation, put(derivative[1], {t: a}))
+        need(same(goal, says), f"with these values it says {text(says)}")
+        for e in (a, b):
+            self.number_defined(e, known)
+        weak = {"<": "<=", ">": ">="}
+        ends = tuple(c[:1] + (weak.get(c[1], c[1]), c[2]) if c[0] == "relation" else (c[0], True, c[2], c[3], True)
+                     for c in limits)
+        for last, interval in enumerate((limits, ends)):
+            domain_of = N("bind", ((t, None),), False, interval, None)
+            try:
+                for e in (a, b):
+                    for p in constraints(domain_of, e):
+                        self.holds(p, s, known)
+                self.within((domain_of,), known, lambda inner: self.number_defined(derivative, inner))
+                break
+            except Refused:
+                if last:
+                    raise
+        signs = TIMES[self.signs(self.read(plus(b, a, -1)), known)][SIGNS[slope]]
+        need(not signs & ~SIGNS[relation], "the signs do not show this")
+        self.rests_on.add(MEAN_VALUE)
+
     def grows(self, goal):
         """The number of the variable that grows in a limit."""
         need(goal[0] == "limit", "a limit is needed")
@@ -490,7 +526,10 @@ Step = collections.namedtuple("Step", "label rule goal sources by using values t
 COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
           "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
           "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "limit": (0, 0),
+          "slope": (1, 999),
           "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
+
+WITH = ("instance", "witness", "mean", "tangent", "slope", "limit")
 
 
 def expression(source):
@@ -517,7 +556,7 @@ def steps(lines):
                 s = s._replace(**{word: labels(rest)})
             elif word == "with":
                 name, _, value = rest.partition(" = ")
-                need(s.rule in ("instance", "witness", "mean", "tangent", "limit"), "`with` is no field of this rule")
+                need(s.rule in WITH, "`with` is no field of this rule")
                 s.values.append((name, expression(value)))
             else:
                 need(s.rule == "combination", f"`{word}` is no field of this rule")
@@ -614,7 +653,7 @@ def main(arguments):
             if not refuted:
                 accepted[name] = (claims[name], rests_on)
             count += 1
-            lemmas = [lemma for lemma in (LEMMA, TANGENT) if lemma in rests_on]
+            lemmas = [lemma for lemma in (LEMMA, TANGENT, MEAN_VALUE) if lemma in rests_on]
             print(", by ".join([f"{'refuted' if refuted else 'accepted'} {name}", *lemmas]))
         except Refused as refused:
             print(f"rejected {name}: {refused}")

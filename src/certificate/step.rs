@@ -146,6 +146,15 @@ pub enum Rule {
         /// The exponent x.
         with: Vec<(Name, Expr)>,
     },
+    /// A function of one variable at two values, from the sign of its derivative: the mean value theorem.
+    Slope {
+        /// The sign of the derivative, for all values in an interval.
+        source: Label,
+        /// The values a and b.
+        with: Vec<(Name, Expr)>,
+        /// Facts that say that the values lie in the interval.
+        from: Vec<Label>,
+    },
     /// A limit of a rational function by degrees.
     Limit {
         /// From which numeral on the expression has a value.
@@ -183,6 +192,7 @@ impl Rule {
             Rule::Termwise { .. } => "termwise",
             Rule::Mean { .. } => "mean",
             Rule::Tangent { .. } => "tangent",
+            Rule::Slope { .. } => "slope",
             Rule::Limit { .. } => "limit",
             Rule::Squeeze { .. } => "squeeze",
             Rule::Integer { .. } => "integer",
@@ -198,6 +208,7 @@ impl Rule {
             | Rule::Witness { with, .. }
             | Rule::Mean { with }
             | Rule::Tangent { with }
+            | Rule::Slope { with, .. }
             | Rule::Limit { with } => with,
             _ => &[],
         }
@@ -209,7 +220,9 @@ impl Rule {
             Rule::Logic { from } | Rule::Witness { from, .. } | Rule::Extremum { from } | Rule::Squeeze { from } => {
                 from.iter().collect()
             }
-            Rule::Instance { source, from, .. } => std::iter::once(source).chain(from).collect(),
+            Rule::Instance { source, from, .. } | Rule::Slope { source, from, .. } => {
+                std::iter::once(source).chain(from).collect()
+            }
             Rule::Induction { base, advance } => vec![base, advance],
             Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } => vec![from],
             _ => Vec::new(),
@@ -231,7 +244,9 @@ impl Show {
             Rule::Logic { from } | Rule::Witness { from, .. } | Rule::Extremum { from } | Rule::Squeeze { from } => {
                 each(&mut from.iter_mut());
             }
-            Rule::Instance { source, from, .. } => each(&mut from.iter_mut().chain([source])),
+            Rule::Instance { source, from, .. } | Rule::Slope { source, from, .. } => {
+                each(&mut from.iter_mut().chain([source]));
+            }
             Rule::Induction { base, advance } => each(&mut [base, advance].into_iter()),
             Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } => {
                 each(&mut std::iter::once(from));

@@ -188,6 +188,17 @@ pub enum Relation {
 }
 
 impl Relation {
+    /// What holds of b and a where this holds of a and b.
+    pub fn turned(self) -> Relation {
+        match self {
+            Relation::Less => Relation::Greater,
+            Relation::LessEqual => Relation::GreaterEqual,
+            Relation::Greater => Relation::Less,
+            Relation::GreaterEqual => Relation::LessEqual,
+            same => same,
+        }
+    }
+
     /// What holds of two numbers where this does not.
     pub fn negated(self) -> Relation {
         match self {

@@ -419,6 +419,16 @@ impl<'a> Words<'a> {
                 lead.push(say(":"));
                 lead
             }
+            Rule::Slope { source, with, .. } => {
+                let mut lead =
+                    vec![say("The mean value theorem uses the sign of the derivative, "), fact(source), say(".")];
+                if !with.is_empty() {
+                    lead.push(say(" Taken"));
+                    self.values(with, &mut lead);
+                    lead.push(say(", it gives"));
+                }
+                lead
+            }
             Rule::Limit { .. } => vec![say(
                 "Numerator and denominator are polynomials in the variable that grows; the terms of highest degree give",
             )],

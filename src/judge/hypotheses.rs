@@ -59,12 +59,13 @@ pub fn method(certificate: &Certificate, shown: &Accepted) -> &'static str {
     let steps: Vec<&Show> = certificate.steps.iter().filter_map(Step::show).collect();
     let any = |is: &dyn Fn(&Show) -> bool| steps.iter().any(|step| is(step));
     let families = families(shown);
-    let order: [(&Is, &str); 9] = [
+    let order: [(&Is, &str); 10] = [
         (&|s| matches!(s.rule, Rule::Limit { .. } | Rule::Squeeze { .. }), "limit"),
         (&|s| matches!(s.rule, Rule::Extremum { .. }), "extremum"),
         (&|s| matches!(s.rule, Rule::Induction { .. }), "induction"),
         (&|s| matches!(s.rule, Rule::Mean { .. }), "mean inequality"),
         (&|s| matches!(s.rule, Rule::Tangent { .. }), "tangent"),
+        (&|s| matches!(s.rule, Rule::Slope { .. }), "derivative"),
         (&|s| matches!(s.rule, Rule::Witness { .. }), "witness"),
         (&|s| is_logic(s) && matches!(s.prop.kind, PropKind::Equivalent(_)), "equivalence"),
         // A member of a family lies in its domain: nothing else is put in.

@@ -9,6 +9,7 @@
 pub mod hand;
 mod hypotheses;
 pub mod refuted;
+pub mod repair;
 mod satisfiable;
 mod threads;
 
@@ -23,7 +24,7 @@ use crate::kernel::statement::{compare, numeral};
 use crate::prove::{self, Fail};
 use crate::refute::case::{Case, FIRST, beyond};
 use crate::refute::catalogue::{Catalogue, Limits};
-use crate::refute::outcome::{Fault, Outcome, Verdict};
+use crate::refute::outcome::{Fault, Outcome, Point, Verdict};
 use hand::AtHand;
 
 /// Which part of the time goes to showing that a point exists, or a contradiction, where none was found for the hypotheses.
@@ -269,6 +270,12 @@ fn searched(
     if let Some(refuted) = case.counterexample(None) {
         return Ok(Decided::without_proof(refuted));
     }
+    if !case.has_no_point()
+        && let Some(certificate) = refuted_by_proof(claim, &case, limits)
+    {
+        let undecided = case.undecided(String::new(), None);
+        return Ok(Decided::without_proof(refuted::outcome(undecided, claim, &certificate)));
+    }
     let found = matches!(fail, Fail::Unwritten(_));
     let reason = match rests_on(claim, cited) {
         _ if found => format!("the search found a proof, but no certificate that the kernel accepts: {fail}"),
@@ -276,6 +283,17 @@ fn searched(
         None => fail.to_string(),
     };
     Ok(Decided { outcome: case.undecided(reason, fail.limit()), held: None, found })
+}
+
+/// A refutation by the search for proofs: at a point with roots as coordinates, or of a goal `exists` that fails for all values.
+fn refuted_by_proof(claim: &Claim, case: &Case, limits: &Limits) -> Option<Certificate> {
+    let limits = Limits { time: case.time_left().min(limits.time / CONTRADICTION), ..limits.clone() };
+    let point = match &claim.goal.kind {
+        claim::PropKind::Exists(..) if !case.has_variables() => Point { values: Vec::new() },
+        claim::PropKind::Compare(..) => satisfiable::counterexample(claim, &limits)?,
+        _ => return None,
+    };
+    refuted::certificate(claim, &point, &limits)
 }
 
 /// What is said of the first claim that the argument cites and that is not proved.

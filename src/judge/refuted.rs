@@ -141,6 +141,9 @@ impl Refuter<'_> {
         if let Some(label) = attempt.evaluate(part) {
             return Some(label);
         }
+        if let PropKind::ForAll(..) = &part.kind {
+            return self.searched(attempt, part);
+        }
         let mut atoms = Vec::new();
         atoms_of(part, &mut atoms);
         let mut shown = Vec::new();

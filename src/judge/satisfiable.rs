@@ -1,40 +1,75 @@
-//! Hypotheses that hold somewhere, shown by a certificate where no point with rational coordinates was found.
+//! Hypotheses that hold somewhere, and claims that fail somewhere, where no point with rational coordinates was found.
 //!
-//! Contract: a point is returned only where the kernel accepted that such values exist: `exists x …: hypotheses`.
+//! Contract: a point of [`point`] is returned only where the kernel accepted that such values exist. That of
+//! [`counterexample`] is a proposal, of which a certificate is still to be made.
+//!
+//! Method: `exists x …: hypotheses` is a claim that the search for proofs takes, with roots as witnesses. A family that the
+//! hypotheses determine from its first member becomes a sequence, of which they are shown.
 
 use crate::certificate::{Certificate, Rule, Step};
 use crate::claim::print;
-use crate::claim::syntax::{Claim, Proof, PropKind};
-use crate::kernel::statement::{Statement, prop};
+use crate::claim::syntax::*;
+use crate::kernel::key;
+use crate::kernel::statement::{Statement, Substitution, compare, expr, names_in, names_in_prop, numeral, prop, sum};
 use crate::prove;
 use crate::refute::catalogue::Limits;
 use crate::refute::outcome::Point;
+use crate::refute::search::{example, literal};
+use std::collections::BTreeSet;
 
 /// A point at which the hypotheses of a claim hold, its coordinates perhaps roots; `None` where none was shown to exist.
 pub fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
-    let certificate = prove::certificate(&existence(claim)?, &[], limits).ok()?.0;
-    witness(&certificate)
-}
-
-/// The claim that values exist for which the hypotheses of another hold.
-fn existence(claim: &Claim) -> Option<Claim> {
-    let Statement { bindings, sequences, assumptions, .. } = Statement::of(claim).ok()?;
+    let statement = Statement::of(claim).ok()?;
+    if statement.bindings.iter().flat_map(|b| &b.names).any(|n| n.1.is_some()) {
+        return by_recurrence(claim, &statement, limits);
+    }
+    let Statement { bindings, sequences, assumptions, .. } = statement;
     if bindings.is_empty() || assumptions.is_empty() || !sequences.is_empty() {
         return None;
     }
-    let body = match assumptions.as_slice() {
-        [only] => only.clone(),
-        _ => prop(PropKind::And(assumptions)),
+    exists(claim, bindings, assumptions, limits)
+}
+
+/// A point with roots as coordinates at which the hypotheses hold and the goal, a comparison, fails, as far as the search
+/// for proofs tells.
+pub fn counterexample(claim: &Claim, limits: &Limits) -> Option<Point> {
+    let Statement { bindings, sequences, assumptions, goal, .. } = Statement::of(claim).ok()?;
+    let PropKind::Compare(sides, relations) = &goal.kind else { return None };
+    let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let plain = bindings.iter().all(|b| !b.natural && b.names.iter().all(|n| n.1.is_none()));
+    if bindings.is_empty() || !sequences.is_empty() || !plain {
+        return None;
+    }
+    let zeros = match relation {
+        Relation::Less | Relation::Greater | Relation::NotEqual if is_zero(b) => factors(a),
+        Relation::Less | Relation::Greater | Relation::NotEqual if is_zero(a) => factors(b),
+        Relation::Less | Relation::Greater | Relation::NotEqual => {
+            vec![sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())])]
+        }
+        _ => Vec::new(),
+    };
+    let on_the_edge = zeros.into_iter().map(|e| compare(e, Relation::Equal, numeral(0)));
+    let beyond = compare(a.clone(), relation.negated(), b.clone());
+    on_the_edge.chain([beyond]).find_map(|fails| {
+        let body: Vec<Prop> = assumptions.iter().cloned().chain([fails]).collect();
+        exists(claim, bindings.clone(), body, limits)
+    })
+}
+
+/// Values for which all of this is shown to hold.
+fn exists(claim: &Claim, bindings: Vec<Binding>, mut body: Vec<Prop>, limits: &Limits) -> Option<Point> {
+    let body = match (body.len(), body.pop()) {
+        (1, Some(only)) => only,
+        (_, last) => prop(PropKind::And(body.into_iter().chain(last).collect())),
     };
     let goal = prop(PropKind::Exists(bindings, Box::new(body)));
-    Some(Claim {
-        using: Vec::new(),
-        items: Vec::new(),
-        sample: Vec::new(),
-        proof: Proof::default(),
-        goal,
-        ..claim.clone()
-    })
+    let certificate = prove::certificate(&alone(claim, Vec::new(), goal), &[], limits).ok()?.0;
+    witness(&certificate)
+}
+
+/// A claim with these declarations and this goal, and nothing else.
+fn alone(claim: &Claim, items: Vec<Item>, goal: Prop) -> Claim {
+    Claim { using: Vec::new(), items, sample: Vec::new(), proof: Proof::default(), goal, ..claim.clone() }
 }
 
 /// The values of the last witness.
@@ -46,4 +81,121 @@ fn witness(certificate: &Certificate) -> Option<Point> {
         }
         _ => None,
     })
+}
+
+fn is_zero(e: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Number(text) if text == "0")
+}
+
+/// The factors of a product as it is written, without their exponents.
+fn factors(e: &Expr) -> Vec<Expr> {
+    match &e.kind {
+        ExprKind::Product(list) => {
+            list.iter().filter(|(factor, _)| *factor == Factor::Times).flat_map(|(_, e)| factors(e)).collect()
+        }
+        ExprKind::Power(base, exponent) if matches!(exponent.kind, ExprKind::Number(_)) => factors(base),
+        ExprKind::Negate(a) => factors(a),
+        _ => vec![e.clone()],
+    }
+}
+
+/// A point for hypotheses about families u that say what u(k + 1) is, given u(k): with values for the other variables, each
+/// family is a sequence, and the kernel accepts that the hypotheses hold of these.
+fn by_recurrence(claim: &Claim, statement: &Statement, limits: &Limits) -> Option<Point> {
+    let families = families_of(&statement.bindings)?;
+    let speaks = |p: &Prop| {
+        let mut names = BTreeSet::new();
+        names_in_prop(p, &mut names);
+        families.iter().any(|f| names.contains(f))
+    };
+    let (about, plain): (Vec<Prop>, Vec<Prop>) = statement.assumptions.iter().cloned().partition(speaks);
+    if about.is_empty() || !statement.sequences.is_empty() {
+        return None;
+    }
+    let others = |b: &Binding| b.names.iter().all(|n| n.1.is_none());
+    let bindings: Vec<Binding> = statement.bindings.iter().filter(|b| others(b)).cloned().collect();
+    let truth = compare(numeral(0), Relation::Equal, numeral(0));
+    let body = prop(PropKind::And(plain.into_iter().chain([truth.clone(), truth]).collect()));
+    let values = example(&bindings, &body, None)?;
+    let mut map = Substitution::default();
+    values.iter().for_each(|(n, value)| map.replace(n, &literal(value)));
+    let about: Vec<Prop> = about.iter().map(|p| map.prop(p)).collect::<Result<_, _>>().ok()?;
+    let mut items = Vec::new();
+    let mut point: Vec<(String, String)> =
+        values.iter().map(|(n, value)| (n.clone(), print::expr(&literal(value)))).collect();
+    for family in &families {
+        let initial = about.iter().find_map(|p| value_of(p, family)).unwrap_or_else(|| numeral(1));
+        let (index, step) = about.iter().find_map(|p| step_of(p, family))?;
+        point.push((format!("{family}(0)"), print::expr(&initial)));
+        let name = |text: &str| Name { text: text.to_string(), span: Span::default() };
+        items.push(Item::Define { name: name(family), initial, index: name(&index), step, span: Span::default() });
+    }
+    let goal = match about.as_slice() {
+        [only] => only.clone(),
+        _ => prop(PropKind::And(about)),
+    };
+    prove::certificate(&alone(claim, items, goal), &[], limits).ok()?;
+    Some(Point { values: point })
+}
+
+/// The families, if each is one of real numbers without bounds, for every natural number.
+fn families_of(bindings: &[Binding]) -> Option<Vec<String>> {
+    let mut out = Vec::new();
+    for b in bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some())) {
+        if b.natural || !b.constraints.is_empty() || b.indices.is_some() || b.names.iter().any(|n| n.1.is_none()) {
+            return None;
+        }
+        out.extend(b.names.iter().map(|n| n.0.text.clone()));
+    }
+    Some(out)
+}
+
+fn is_member(e: &Expr, family: &str, index: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Apply(f, list)
+        if f.text == family && matches!(list.as_slice(), [at] if key::expr(at) == key::expr(index)))
+}
+
+/// c, where a proposition says u(0) = c.
+fn value_of(p: &Prop, family: &str) -> Option<Expr> {
+    let PropKind::Compare(sides, relations) = &p.kind else { return None };
+    match (sides.as_slice(), relations.as_slice()) {
+        ([a, b], [Relation::Equal]) if is_member(a, family, &numeral(0)) => Some(b.clone()),
+        ([a, b], [Relation::Equal]) if is_member(b, family, &numeral(0)) => Some(a.clone()),
+        _ => None,
+    }
+}
+
+/// k and R, where a proposition says `for all k natural: c*u(k + 1) = c*R`, with what stands beside u(k + 1) on the other
+/// side as a divisor.
+fn step_of(p: &Prop, family: &str) -> Option<(String, Expr)> {
+    let PropKind::ForAll(bindings, body) = &p.kind else { return None };
+    let [binding] = bindings.as_slice() else { return None };
+    let [(index, None)] = binding.names.as_slice() else { return None };
+    if !binding.natural || !binding.constraints.is_empty() {
+        return None;
+    }
+    let k = crate::kernel::statement::name(&index.text);
+    let next = sum(vec![(Sign::Plus, k), (Sign::Plus, numeral(1))]);
+    let PropKind::Compare(sides, relations) = &body.kind else { return None };
+    let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let mentions = |e: &Expr| {
+        let mut names = BTreeSet::new();
+        names_in(e, &mut names);
+        names.contains(family)
+    };
+    let solved = [(a, b), (b, a)].into_iter().find_map(|(this, other)| {
+        if is_member(this, family, &next) {
+            return Some(other.clone());
+        }
+        let ExprKind::Product(list) = &this.kind else { return None };
+        let place = list.iter().position(|(f, e)| *f == Factor::Times && is_member(e, family, &next))?;
+        let mut quotient = vec![(Factor::Times, other.clone())];
+        for (_, (factor, e)) in list.iter().enumerate().filter(|(at, _)| *at != place) {
+            let turned = if *factor == Factor::Times { Factor::Over } else { Factor::Times };
+            quotient.push((turned, e.clone()));
+        }
+        let beside = quotient.iter().skip(1).all(|(_, e)| !mentions(e));
+        beside.then(|| expr(ExprKind::Product(quotient)))
+    });
+    Some((index.text.clone(), solved?))
 }

@@ -12,8 +12,9 @@
 //! the facts under `by`, which equations it puts in from those under `using`. No step changes what a later one means.
 //!
 //! **What is assumed.** The field and order of the reals; exp and its inverse ln on positive numbers, with
-//! b^E = exp(E·ln b); derivatives of these; induction; and two inequalities, the weighted mean of two values
-//! and exp above its tangent (`analysis`). An acceptance says whether it rests on them.
+//! b^E = exp(E·ln b); derivatives of these; induction; two inequalities, the weighted mean of two values
+//! and exp above its tangent (`analysis`); and the mean value theorem (`slope`). An acceptance says whether it rests on
+//! these three.
 //!
 //! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. Nothing is searched.
 //!
@@ -38,6 +39,7 @@ mod reason;
 pub mod refutation;
 mod replace;
 mod sign;
+pub mod slope;
 pub mod statement;
 mod term;
 pub mod text;
@@ -446,6 +448,7 @@ impl Checker {
             Rule::Termwise { from } => self.termwise(goal, from, &mut known)?,
             Rule::Mean { with } => self.mean(goal, with, &mut known)?,
             Rule::Tangent { with } => self.tangent(goal, with, &mut known)?,
+            Rule::Slope { source, with, from } => self.slope(goal, source, with, from, &mut known)?,
             Rule::Limit { with } => self.limit(goal, with, &mut known)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
             Rule::Integer { from } => self.integer(goal, from, &mut known)?,

@@ -114,7 +114,7 @@ impl Checker {
     }
 
     /// Whether a proposition is among these facts or a part of one, or a comparison that signs show.
-    fn holds(&mut self, p: &Prop, from: &[String], known: &mut Known) -> Result<(), Refusal> {
+    pub(super) fn holds(&mut self, p: &Prop, from: &[String], known: &mut Known) -> Result<(), Refusal> {
         let wanted = key::prop(p);
         for label in from {
             let fact = self.fact(label)?;

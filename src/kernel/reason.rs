@@ -123,6 +123,10 @@ pub enum Reason {
     NotByDefinition,
     /// Not two sums or products over the same range.
     NotTermwise,
+    /// A fact `for all t …: derivative(F, t) relation 0` is needed.
+    NotADerivative,
+    /// The domain of a fact about a derivative is no interval.
+    NotAnInterval,
     /// Not a quotient of polynomials in the variable that grows.
     NotRational,
     /// The leading coefficient of the divisor may be 0.
@@ -221,6 +225,10 @@ impl std::fmt::Display for Reason {
             Reason::NothingToUnfold => "a member of a sequence, a sum or a product is needed",
             Reason::NotByDefinition => "this is not what the definition says",
             Reason::NotTermwise => "two sums or products over one range are needed, and a fact for all of it",
+            Reason::NotADerivative => "a fact `for all t …: derivative(F, t) relation 0` is needed",
+            Reason::NotAnInterval => {
+                "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed"
+            }
             Reason::NotRational => "a quotient of polynomials in the variable that grows is needed",
             Reason::LeadingCoefficient => "the leading coefficient of the divisor may be 0",
             Reason::OtherLimit => "the limit is another",

@@ -14,6 +14,7 @@ use crate::claim::definedness::{Need, needs};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 use std::collections::{BTreeSet, HashSet};
 
 /// A claim as it is looked at where it is said to fail.
@@ -28,7 +29,8 @@ struct Parts {
 /// The claim that another one fails at a point: the variables have the values of the point, their domains and all
 /// hypotheses hold there, and the goal is false or has no value.
 ///
-/// Sound: the returned claim supposes nothing but that variables have the values given, each at most one and of its kind,
+/// Sound: the returned claim supposes nothing but that variables have the values given, each at most one and of its kind
+/// (a number, or made of roots of numbers so that it has a value),
 /// and that families have the members given and all others in their domain, which holds a number. So there are values
 /// that satisfy what it supposes. For these the domains and hypotheses of the claim are shown to hold, and its goal is
 /// shown to be false. A goal `for all x …` fails if it fails for one x of the domain, and an extremum if its value, its
@@ -84,7 +86,11 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
             }
             _ => return Err(no_place(place)),
         };
-        let is_number = if natural { is_natural(value) } else { rational(value).is_some() };
+        let plain = matches!(place.kind, ExprKind::Name(_));
+        let is_number = match natural {
+            true => is_natural(value),
+            false => rational(value).is_some() || (plain && is_radical(value)),
+        };
         if !is_number || !given.insert(place.clone()) {
             return Err(no_place(place));
         }
@@ -104,7 +110,7 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
     let mut holds: Vec<Prop> =
         holds.collect::<Result<Vec<_>, _>>()?.into_iter().filter(|h| !h.1).map(|h| h.0).collect();
     holds.extend(parts.holds);
-    holds.push(prop(PropKind::Not(Box::new(parts.fails))));
+    holds.push(denied(parts.fails));
     let free = plain.into_iter().map(|b| Binding { constraints: Vec::new(), ..b });
     let sequences = statement.sequences.into_iter().map(|u| Item::Define {
         name: named(&u.name),
@@ -355,6 +361,42 @@ fn rational(e: &Expr) -> Option<BigRational> {
             _ => None,
         },
         _ => whole(e).map(BigRational::from_integer),
+    }
+}
+
+/// Whether an expression is made of numbers, and roots of numbers that have them, by sums, products and quotients by numbers:
+/// it has a value.
+fn is_radical(e: &Expr) -> bool {
+    if rational(e).is_some() {
+        return true;
+    }
+    match &e.kind {
+        ExprKind::Negate(a) => is_radical(a),
+        ExprKind::Sum(list) => list.iter().all(|(_, part)| is_radical(part)),
+        ExprKind::Product(list) => list.iter().all(|(factor, part)| match factor {
+            Factor::Times => is_radical(part),
+            Factor::Over => rational(part).is_some_and(|q| !q.is_zero()),
+        }),
+        ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
+            ("sqrt", [a]) => rational(a).is_some_and(|q| !q.is_negative()),
+            _ => false,
+        },
+        ExprKind::Power(base, exponent) => {
+            rational(base).is_some_and(|q| q.is_positive()) && rational(exponent).is_some()
+        }
+        _ => false,
+    }
+}
+
+/// What is shown of a statement that fails: of `exists x …: P`, that P fails for all x.
+///
+/// Sound: then no x of the domain has the property.
+fn denied(p: Prop) -> Prop {
+    match p.kind {
+        PropKind::Exists(bindings, body) if bindings.iter().all(|b| b.names.iter().all(|n| n.1.is_none())) => {
+            prop(PropKind::ForAll(bindings, Box::new(prop(PropKind::Not(body)))))
+        }
+        _ => prop(PropKind::Not(Box::new(p))),
     }
 }
 

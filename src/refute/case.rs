@@ -53,6 +53,11 @@ impl Case {
         self.statement.has_hypotheses() && self.sample.is_none()
     }
 
+    /// Whether the claim declares anything.
+    pub fn has_variables(&self) -> bool {
+        !self.statement.bindings.is_empty()
+    }
+
     /// Notes a point at which the hypotheses were shown to hold.
     pub fn found_a_point(&mut self, point: Option<Point>) {
         self.sample = point;

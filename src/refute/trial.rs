@@ -225,23 +225,13 @@ fn bounds_of(prop: &Prop, name: &str, into: &mut Vec<Bound>) {
     let PropKind::Compare(sides, relations) = &prop.kind else { return };
     let alone = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == name);
     for (pair, relation) in sides.windows(2).zip(relations) {
-        for (this, other, relation) in [(&pair[0], &pair[1], *relation), (&pair[1], &pair[0], turned(*relation))] {
+        for (this, other, relation) in [(&pair[0], &pair[1], *relation), (&pair[1], &pair[0], relation.turned())] {
             let mut names = BTreeSet::new();
             names_in(other, &mut names);
             if alone(this) && !names.contains(name) {
                 into.push((relation, other.clone()));
             }
         }
-    }
-}
-
-fn turned(relation: Relation) -> Relation {
-    match relation {
-        Relation::Less => Relation::Greater,
-        Relation::LessEqual => Relation::GreaterEqual,
-        Relation::Greater => Relation::Less,
-        Relation::GreaterEqual => Relation::LessEqual,
-        same => same,
     }
 }
 

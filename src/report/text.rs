@@ -78,7 +78,8 @@ fn one(out: &mut String, entry: &Entry) {
     out.push_str(&format!("                  {DIM}{goal}{PLAIN}\n"));
     if let Some(witness) = &outcome.witness {
         let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
-        out.push_str(&format!("                  fails at {}\n", at.join(", ")));
+        let fails = if at.is_empty() { "is false".to_string() } else { format!("fails at {}", at.join(", ")) };
+        out.push_str(&format!("                  {fails}\n"));
         for broken in &witness.broken {
             if broken.right.is_empty() {
                 out.push_str(&format!("                    {}\n", broken.statement));

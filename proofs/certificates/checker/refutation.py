@@ -26,6 +26,25 @@ def number(e):
     return None
 
 
+def radical(e):
+    """Whether e is made of numbers and roots of numbers, so that it has a value."""
+    if number(e) is not None:
+        return True
+    if e[0] in ("neg", "sum"):
+        return all(map(radical, nodes(e)))
+    if e[0] == "prod":
+        return all(radical(p) if sign == "*" else number(p) not in (None, 0) for sign, p in e[1])
+    if e[0] == "call":
+        return e[1] == "sqrt" and len(e[2]) == 1 and (number(e[2][0]) is not None and number(e[2][0]) >= 0)
+    return e[0] == "pow" and number(e[1]) is not None and number(e[1]) > 0 and number(e[2]) is not None
+
+
+def denied(p):
+    """What is shown of a statement that fails."""
+    families = p[0] == "exists" and any(i is not None for b in p[1] for _, i in b[1])
+    return N("all", p[1], N("not", p[2])) if p[0] == "exists" and not families else N("not", p)
+
+
 def whole(e, point):
     """A sum of numerals and variables of the point as a whole number; else None."""
     if natural(e):
@@ -154,7 +173,8 @@ def of(claim, point, undefined=None):
                     low, index, high = whole(b[4][0], point), int(place[2][0][1]), whole(b[4][1], point)
                     need(low is not None and high is not None and low <= index <= high, no_place)
         need(found and place not in seen, no_place)
-        need(natural(value) if found[0][2] else number(value) is not None, no_place)
+        real = number(value) is not None or place[0] == "name" and radical(value)
+        need(natural(value) if found[0][2] else real, no_place)
         seen.add(place)
         equations.append(compare(place, "=", value))
     for b in families:
@@ -163,7 +183,7 @@ def of(claim, point, undefined=None):
             need(given or not b[3], f"{n} may have no other members in its domain")
     moving = {p[2] for p in subtrees(goal) if p[0] == "limit"}
     parts = [p for p in domain(plain) + claim.assumptions if not tells_how_it_grows(p, moving)]
-    parts += premises + [N("not", goal)]
+    parts += premises + [denied(goal)]
     free = [N("bind", b[1], b[2], (), b[4]) for b in plain]
     out = Claim(claim.name, [], [], parts[0] if len(parts) == 1 else N("and", tuple(parts)))
     out.given, out.sequences, out.assumptions = free + families, claim.sequences, equations

@@ -423,6 +423,7 @@ impl Writer<'_> {
             Rule::Unfold => self.unfold(goal)?,
             Rule::Mean { with } => self.mean(goal, with, &given)?,
             Rule::Tangent { with } => self.tangent(goal, with, &given)?,
+            Rule::Slope { .. } => return Err(Open::Untranslated(show.label.clone(), "slope")),
             Rule::Termwise { .. } => return Err(Open::Untranslated(show.label.clone(), "termwise")),
             Rule::Limit { with, .. } => self.limit(goal, with, &given)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,

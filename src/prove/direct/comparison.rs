@@ -115,6 +115,9 @@ impl Prover {
         if !quiet && let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }
+        if !quiet && let Ok(label) = self.attempt(|c| c.by_slope(goal, a, *relation, b)) {
+            return Ok(label);
+        }
         if quiet {
             return Err(Fail::NotShown(crate::claim::print::prop(goal)));
         }

@@ -100,14 +100,28 @@ impl Prover {
                 return self.logic(&[&label], goal);
             }
         }
-        let (first, rest) = parts.split_first().ok_or(Fail::No("an empty disjunction"))?;
-        let rest = match rest {
-            [only] => only.clone(),
-            _ => prop(PropKind::Or(rest.to_vec())),
-        };
-        let other = opposite(first).ok_or(Fail::No("an opposite"))?;
-        let block = self.block(&implies(&other, &rest), |c, _| c.show(&rest))?;
-        self.logic(&[&block], goal)
+        // One part is denied and the others are shown: the first part, then the last.
+        let (first, last) = (0, parts.len().saturating_sub(1));
+        let mut shown = Err(Fail::No("an empty disjunction"));
+        for place in [first, last] {
+            let Some(denied) = parts.get(place) else { break };
+            let mut rest: Vec<Prop> = parts.iter().enumerate().filter(|p| p.0 != place).map(|p| p.1.clone()).collect();
+            let rest = match (rest.len(), rest.pop()) {
+                (1, Some(only)) => only,
+                (_, other) => prop(PropKind::Or(rest.into_iter().chain(other).collect())),
+            };
+            let other = opposite(denied).ok_or(Fail::No("an opposite"))?;
+            let done = self.attempt(|c| {
+                let block = c.block(&implies(&other, &rest), |c, _| c.show(&rest))?;
+                c.logic(&[&block], goal)
+            });
+            match done {
+                Ok(label) => return Ok(label),
+                Err(fail) if place == first => shown = Err(fail),
+                Err(_) => {}
+            }
+        }
+        shown
     }
 
     /// The value of the one variable of an `exists` that solves its equation, which is linear in it.

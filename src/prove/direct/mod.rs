@@ -19,6 +19,7 @@ mod limits;
 mod logarithms;
 mod means;
 mod products;
+mod slopes;
 mod solutions;
 mod squares;
 mod tangents;
@@ -74,6 +75,8 @@ pub fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Cer
         spent: 0,
         splits: 0,
         inductions: 0,
+        slopes: 0,
+        slopes_open: 0,
     };
     let given: Vec<(Label, Prop)> = prover.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
     for (label, fact) in &given {
@@ -122,6 +125,10 @@ pub(super) struct Prover {
     splits: usize,
     /// How many inductions are open.
     inductions: usize,
+    /// How many comparisons were tried by the sign of a derivative.
+    slopes: usize,
+    /// How many of these are open.
+    slopes_open: usize,
 }
 
 impl Prover {

@@ -13,6 +13,7 @@ use crate::refute::search::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
 use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::conversion::traits::IsInteger;
 use std::collections::BTreeMap;
 
 /// How many times free variables are given other values.
@@ -177,6 +178,11 @@ fn put(p: &Polynomial, v: u32, value: &Polynomial) -> Polynomial {
     p.coefficients_in(v).iter().rev().fold(Polynomial::zero(), |sum, c| sum.mul(value).add(c))
 }
 
+/// q·e; e where q is 1.
+fn times(q: Rational, e: Expr) -> Expr {
+    if q == 1 { e } else { product(vec![literal(&q), e]) }
+}
+
 enum Root {
     Rational(Rational),
     Radical(Expr),
@@ -199,8 +205,14 @@ fn root(c: &[Rational], lesser: bool) -> Option<Root> {
                 return Some(Root::Rational((sign * exact - b) / below));
             }
             // −b/(2c) ± sqrt(b² − 4ac)/(2c)
+            // Without factors 4 under the root, and without a factor 1.
+            let (four, mut square, mut factor) = (Rational::from(4), square, sign / &below);
+            while (&square / &four).is_integer() {
+                square /= &four;
+                factor *= Rational::from(2);
+            }
             let radical = apply("sqrt", literal(&square));
-            let term = product(vec![literal(&(sign / &below)), radical]);
+            let term = times(factor, radical);
             Some(Root::Radical(if *b == Rational::ZERO {
                 term
             } else {
@@ -222,7 +234,7 @@ fn root(c: &[Rational], lesser: bool) -> Option<Root> {
             let exponent = fraction(numeral(1), numeral(k));
             let radical = expr(ExprKind::Power(Box::new(literal(&size)), Box::new(exponent)));
             let sign = if negative { Rational::from(-1) } else { one };
-            Some(Root::Radical(product(vec![literal(&sign), radical])))
+            Some(Root::Radical(times(sign, radical)))
         }
         _ => None,
     }
