@@ -100,6 +100,9 @@ mod referee;
 #[path = "refutations.rs"]
 mod refutations;
 #[cfg(feature = "cli")]
+#[path = "repair.rs"]
+mod repair;
+#[cfg(feature = "cli")]
 #[path = "replay.rs"]
 mod replay;
 #[cfg(feature = "cli")]

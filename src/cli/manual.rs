@@ -9,8 +9,8 @@ use clap::builder::PossibleValuesParser;
 use std::path::Path;
 
 /// Subcommands with the arguments that are names of claims.
-const CLAIMS: [(&str, &str); 5] =
-    [("audit", "only"), ("explain", "id"), ("print", "claims"), ("export", "ids"), ("test", "only")];
+const CLAIMS: [(&str, &str); 6] =
+    [("audit", "only"), ("explain", "id"), ("repair", "id"), ("print", "claims"), ("export", "ids"), ("test", "only")];
 
 /// A completion script. For bash, zsh and fish it knows the claims of the catalogue, the quantities and the topics of the help.
 pub fn completions(mut command: Command, shell: clap_complete::Shell) -> String {

@@ -24,6 +24,7 @@ mod progress;
 #[cfg(feature = "proptest")]
 mod properties;
 mod referee;
+mod repair;
 mod replay;
 mod report;
 mod restitution;
@@ -117,6 +118,27 @@ enum Command {
         #[arg(long, value_enum)]
         format: Option<ExplainFormat>,
         /// Write the argument to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        limits: LimitFlags,
+    },
+    /// Find the hypothesis that a refuted claim lacks, and prove the claim with it
+    #[command(
+        after_help = "Tried are the signs of the factors of left side - right side, what the goal needs for its value, bounds on one variable,
+the order of two, and a least natural number. `holds exactly where H` means that goal <=> H is proved; `holds where H` that
+the goal is proved with H among the hypotheses. Exit code 1: the claim is not refuted, or no such hypothesis is shown to
+be enough."
+    )]
+    Repair {
+        /// The claim's name
+        id: String,
+        /// Claim files and folders; the built-in catalogue if none is given
+        paths: Vec<PathBuf>,
+        /// Write the certificate of the repaired claim into this folder
+        #[arg(long, value_name = "DIR")]
+        certificates: Option<PathBuf>,
+        /// Write the repaired claim to a file, - for standard output
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
         #[command(flatten)]
@@ -348,6 +370,10 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Check { paths, claims, output } => check::run(&paths, &claims, output.as_deref()),
         Command::Explain { id, paths, format, output, limits } => {
             let text = explain::run(&id, &paths, form::form(format, output.as_deref())?, &limits.limits())?;
+            deliver(output.as_deref(), &text.0).map(|()| text.1)
+        }
+        Command::Repair { id, paths, certificates, output, limits } => {
+            let text = repair::run(&id, &paths, certificates.as_deref(), &limits.limits())?;
             deliver(output.as_deref(), &text.0).map(|()| text.1)
         }
         Command::Eval(flags) => eval::run(&flags),

@@ -25,7 +25,8 @@ pub fn run(names: &[String], format: PrintFormat) -> Result<String, Exit> {
     Ok(text.join("\n"))
 }
 
-fn one(claim: &Claim, format: PrintFormat) -> String {
+/// The statement of a claim under its name.
+pub fn one(claim: &Claim, format: PrintFormat) -> String {
     let style = match format {
         PrintFormat::Latex => return statement_latex(claim),
         PrintFormat::Text => Style::Text,

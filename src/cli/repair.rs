@@ -1,0 +1,55 @@
+//! `carom repair`: the hypothesis that a refuted claim lacks.
+
+use super::audit::load;
+use super::{Exit, PrintFormat, statements, write_file};
+use crate::certificate::text::write;
+use crate::claim::print;
+use crate::judge::repair::{NoRepair, Repair, repair};
+use crate::judge::{Entry, Settings};
+use crate::refute::catalogue::Limits;
+use std::path::{Path, PathBuf};
+
+/// The text that the command prints, and its exit code: 1 if no repair is found.
+pub fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &Limits) -> Result<(String, u8), Exit> {
+    let only = [id.to_string()];
+    let loaded = load(paths, &only)?.with_certificates(false)?;
+    let settings = Settings { limits: limits.clone(), ..Settings::default() };
+    let Some((_, found)) = loaded.judge(&only, &settings).entries.pop() else {
+        return Err(Exit::usage(format!("error: no claim is called {id}")));
+    };
+    let entry = found.map_err(|fault| loaded.failure(id, fault))?;
+    match repair(&entry, limits) {
+        Ok(repair) => {
+            if let Some(folder) = folder {
+                let cannot = |e: std::io::Error| Exit::usage(format!("error: cannot make {}: {e}", folder.display()));
+                std::fs::create_dir_all(folder).map_err(cannot)?;
+                let path = folder.join(format!("{}.cert", repair.claim.name.text));
+                write_file(&path, &write(&repair.certificate))?;
+            }
+            Ok((words(&entry, &repair), 0))
+        }
+        Err(NoRepair::NotRefuted(verdict)) => {
+            Ok((format!("{id} is {}: only a refuted claim is repaired\n", verdict.name()), 1))
+        }
+        Err(NoRepair::NoneOf(tried)) => Ok((
+            format!(
+                "{id} is refuted, and none of {tried} hypotheses was shown to be enough; add one and audit it again\n"
+            ),
+            1,
+        )),
+    }
+}
+
+/// A repair in words: the hypothesis, what was shown, and the claim in the claim language.
+fn words(entry: &Entry, repair: &Repair) -> String {
+    let name = &entry.claim.name.text;
+    let hypothesis = print::prop(&repair.hypothesis);
+    let holds = if repair.exact { "holds exactly where" } else { "holds where" };
+    let mut out = format!("{name} {holds} {hypothesis}\n");
+    if let Some(witness) = entry.outcome.witness.as_ref().filter(|w| !w.point.values.is_empty()) {
+        let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+        out += &format!("without it, it fails at {}\n", at.join(", "));
+    }
+    out += "proved: the kernel accepted a certificate of this claim\n\n";
+    out + &statements::one(&repair.claim, PrintFormat::Text)
+}
