@@ -92,7 +92,7 @@ fn the_printed_finality_of_a_pass_lacks_what_its_repair_says() {
     let (_, repair) = found(&claim).unwrap();
     let repair = repair.unwrap();
     assert!(repair.exact);
-    assert_eq!(print::prop(&repair.hypothesis), "x <= e or e*x >= 1");
+    assert_eq!(print::prop(&repair.hypothesis), "x*e >= 1 or e >= x");
 }
 
 #[test]

@@ -47,7 +47,7 @@ impl Prover {
                 let done = self.attempt(|c| {
                     let t = c.fresh("t");
                     let f = put_in(&difference, &x, &name(&t))?;
-                    c.from_a_place(goal, &f, &t, &x, relation, &p)
+                    c.beside_a_place(goal, &f, &t, &x, relation, &p)
                 });
                 if done.is_ok() {
                     return done;
@@ -134,7 +134,7 @@ impl Prover {
     }
 
     /// A difference F(x) relation 0 from F at a place p; with cases where the order of x and p is open.
-    fn from_a_place(
+    fn beside_a_place(
         &mut self,
         goal: &Prop,
         f: &Expr,
