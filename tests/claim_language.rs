@@ -240,6 +240,7 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("integral(x) = y", "there are no integrals"),
         ("x = y + O(x)", "there is no O(…)"),
         ("limit of x as x -> 0 is 0", "limits at a point are not there"),
+        ("maximum of t*(1 - t) over t in [0, 1] is 1/4", "an extremum names its place"),
         ("limit of x as x -> infinity is infinity", "a limit is a number"),
         ("for all k integer: k^2 >= k", "an `integer` is declared under `given` only"),
     ] {

@@ -5,10 +5,11 @@
 //!
 //! Method: the difference of the sides of a comparison in the goal is taken apart into factors. Those whose signs are not
 //! known give candidates for H, with what the goal needs for its value, bounds on one variable, and the order of two.
-//! Each is tried at points first, then proved: equivalences before implications, and weaker hypotheses before stronger ones.
+//! What says the same as a comparison of the goal is left out. Each is tried at points first, then proved: equivalences before implications, and weaker hypotheses before stronger ones.
 
 use super::Entry;
 use crate::algebra::Instant;
+use crate::algebra::Polynomial;
 use crate::algebra::factor::factor;
 use crate::certificate::{Certificate, Rule, Show};
 use crate::claim::definedness::{Need, needs};
@@ -173,9 +174,21 @@ fn candidates(claim: &Claim, statement: &Statement) -> (Vec<Prop>, Vec<Prop>) {
     let mut names = BTreeSet::new();
     names_in_prop(&statement.goal, &mut names);
     bounds(statement, &names, &mut enough);
+    let mut reading = expand::Statement::of(claim).ok().and_then(|s| Reading::of(&s, &statement.bindings));
+    let mut form = |a: &Expr, b: &Expr| {
+        let above = reading.as_mut()?.difference(a, b)?.0.primitive_part().1;
+        Some(if above.leading_coefficient() < 0 { above.neg() } else { above })
+    };
+    let goals: Vec<Polynomial> = atoms.iter().filter_map(|(a, _, b)| form(a, b)).collect();
     for list in [&mut exact, &mut enough] {
         let mut seen = BTreeSet::new();
-        list.retain(|p| seen.insert(key::prop(p)));
+        list.retain(|p| {
+            // A comparison of the goal in other words says nothing of what is missing.
+            let mut parts = Vec::new();
+            comparisons(p, &mut parts);
+            let restated = parts.iter().any(|(a, _, b)| form(a, b).is_some_and(|f| goals.contains(&f)));
+            !restated && seen.insert(key::prop(p))
+        });
     }
     (exact, enough)
 }

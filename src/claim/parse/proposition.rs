@@ -177,7 +177,10 @@ impl Parser {
         self.need_word("over")?;
         let over = self.bindings()?;
         let unique = self.word("only");
-        self.need_word("at")?;
+        if !self.word("at") {
+            let help = "an extremum names its place: `at x = A`; for a bound alone write `for all x …: F <= M`";
+            return Err(self.expected_with("`at`", Some(help.to_string())));
+        }
         let at = self.assignments()?;
         self.need_word("is")?;
         let value = self.expr()?;
