@@ -27,8 +27,10 @@ fn statements() -> (Vec<Statement>, Vec<(String, String)>) {
     (said, refused)
 }
 
+/// The theorems of the page, by name, each with the file of its proof.
 fn proved() -> BTreeMap<String, String> {
-    embedded::coq_files().iter().flat_map(|f| coq::proofs_in(f.path, f.text)).collect()
+    let page = committed("proofs/coq/claims.v");
+    coq::proved_in(page.split(BY_HAND).next().expect("a part before the mark"))
 }
 
 fn committed(path: &str) -> String {
@@ -36,14 +38,13 @@ fn committed(path: &str) -> String {
 }
 
 #[test]
-fn the_committed_coq_statements_are_those_of_the_claims() {
-    let (said, _) = statements();
-    let hint = "run proofs/coq/regenerate";
-    assert!(committed("proofs/coq/statements.v") == coq::definitions(&said), "statements.v: {hint}");
+fn the_page_of_theorems_is_what_the_certificates_prove() {
     let claims = committed("proofs/coq/claims.v");
     let generated = claims.split(BY_HAND).next().expect("a part before the mark");
     assert!(claims.contains(BY_HAND), "claims.v has lost its part by hand");
-    assert!(generated.trim_end() == coq::theorems(&said, &proved()).trim_end(), "claims.v: {hint}");
+    let (code, page, said) = run(&["export", "coq", "--theorems"]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(generated.trim_end() == page.trim_end(), "claims.v: run proofs/coq/regenerate");
 }
 
 #[test]
@@ -52,10 +53,24 @@ fn every_claim_but_the_one_that_coq_cannot_say_is_proved_there() {
     let reason = "a family on a part of the natural numbers".to_string();
     assert_eq!(refused, [("eq20-extracted".to_string(), reason)]);
     let proved = proved();
-    for (name, _) in said.iter().flat_map(Statement::propositions) {
-        assert!(proved.contains_key(&name), "{name} has no proof");
+    let page = committed("proofs/coq/claims.v");
+    for statement in &said {
+        for (name, full) in statement.propositions() {
+            assert_eq!(proved.get(&name), Some(&statement.name), "{name} has no proof");
+            assert!(page.contains(&format!("\nTheorem {name} :\n{full}.\nProof. exact ")), "{name} says another thing");
+        }
     }
     assert_eq!(proved.len(), said.iter().map(|s| s.propositions().len()).sum::<usize>(), "a proof of no statement");
+}
+
+/// The proofs that are made from certificates rest on a library that a reader can go through.
+#[test]
+fn the_library_that_proofs_rest_on_stays_short() {
+    let lines = |name: &str| committed(&format!("proofs/coq/{name}.v")).lines().count();
+    let library: usize = ["vocabulary", "rules", "bounds", "points", "values"].into_iter().map(lines).sum();
+    assert!(library <= 1200, "{library} lines");
+    let files: Vec<&str> = embedded::coq_files().iter().map(|f| f.path).collect();
+    assert_eq!(files, ["bounds", "claims", "further", "points", "rules", "values", "vocabulary"]);
 }
 
 #[test]
@@ -102,12 +117,12 @@ fn accepted() -> BTreeMap<String, bool> {
 
 #[test]
 fn certificates_coq_statements_and_the_table_are_bound_by_digest() {
-    let (statements, table) = (committed("proofs/coq/statements.v"), table());
+    let (page, table) = (committed("proofs/coq/claims.v"), table());
     for claim in catalogue() {
         let (name, digest) = (&claim.name.text, digest_of(&claim));
         if coq::statement(&claim).is_ok() {
-            let beside = format!("(* statement sha256 {digest} *)\nDefinition {} :", coq::identifier(name));
-            assert!(statements.contains(&beside), "{name}");
+            let beside = format!("(* statement sha256 {digest} *)\nTheorem {} :", coq::identifier(name));
+            assert!(page.contains(&beside), "{name}");
         }
         assert!(table.lines().any(|l| l.starts_with(&format!("| {name} |")) && l.contains(&digest[..12])), "{name}");
     }
@@ -123,15 +138,15 @@ fn table() -> &'static str {
 fn written() -> String {
     let mut out = String::from(
         "# The claims, by whom they are checked\n\n\
-         Written by `CAROM_WRITE=1 cargo test --test all export`. *prover*: `carom audit`. *Coq*: the file of\n\
-         `proofs/coq` with the proof; what it proves stands in full in `proofs/coq/claims.v`. Of a claim that\n\
+         Written by `CAROM_WRITE=1 cargo test --test all export`. *prover*: `carom audit`. *Coq*: the theorem of\n\
+         `proofs/coq/claims.v`, which states it in full. Of a claim that\n\
          is refuted, Coq proves the negation. *SMT*: whether it fits QF_NRA, so that Z3 and cvc5 can be asked\n\
          (`proofs/smt/compare.py`). *kernel*: `carom check` accepts the certificate in `proofs/certificates`;\n\
          *mean*: it rests on the weighted mean inequality. *statement*: the first digits of the SHA-256 of what\n\
          the kernel reads; the whole stands in the certificate and beside the Coq statement.\n\n\
-         `carom export coq --proofs --output DIR` makes Coq proofs from certificates, of your own claims as well, in a\n\
-         folder with a script `check` that has Coq verify them. `proofs/coq/generated` does so for this catalogue: no\n\
-         person has written these proofs, and Coq alone decides whether they hold.\n\n\
+         No person has written these proofs: `carom export coq --proofs --output DIR` makes them from certificates, of your\n\
+         own claims as well, in a folder with a script `check` that has Coq verify them. `proofs/coq/check` does so for this\n\
+         catalogue. Coq alone decides whether they hold.\n\n\
          | claim | what it says | prover | kernel | Coq | SMT | statement |\n|---|---|---|---|---|---|---|\n",
     );
     let accepted = accepted();
@@ -143,7 +158,7 @@ fn written() -> String {
             Expectation::Undecided => "undecided",
         };
         let coq = match (proved.get(&coq::identifier(&claim.name.text)), coq::statement(&claim)) {
-            (Some(file), _) => format!("{verdict}, {file}.v"),
+            (Some(_), _) => format!("{verdict}, `{}`", coq::identifier(&claim.name.text)),
             (None, Err(refusal)) => format!("– ({})", refusal.reason),
             (None, Ok(_)) => "–".to_string(),
         };
@@ -373,15 +388,14 @@ fn theorems_are_those_that_are_proved() {
     let folder = tempfile::tempdir().expect("a folder");
     let own = folder.path().join("own.claim");
     let path = own.to_str().expect("a name");
-    // A claim of the user's with the name of another that is proved has no proof.
-    std::fs::write(&own, "claim eq13 \"t\"\ngiven x > 0\nprove x + x = 2*x\n").expect("written");
-    let (code, out, said) = run(&["export", "coq", "--theorems", "--from", path]);
-    assert_eq!((code, out.as_str()), (Some(2), ""), "{said}");
-    assert!(said.contains("no proof of any of these claims"), "{said}");
-    std::fs::write(&own, committed("proofs/ricardo-lee-2015/eq01.claim")).expect("written");
+    // The page of a user's claims has the theorems of these, and none that has no proof.
+    std::fs::write(&own, "claim eq13 \"t\"\ngiven x > 0\nprove x + x = 2*x\n\nclaim open \"t\"\ngiven x > 0\nprove exp(x) + sinh(x)^3 > 1 + x^2/7\n").expect("written");
     let (code, out, said) = run(&["export", "coq", "--theorems", "--from", path]);
     assert_eq!(code, Some(0), "{said}");
-    assert!(out.contains("Theorem eq01 :"), "{out}");
+    assert!(out.contains("x + x = 2 * x.\nProof. exact eq13.eq13. Qed.") && !out.contains("Theorem open"), "{out}");
+    let (code, out, said) = run(&["export", "coq", "--theorems", "open", "--from", path]);
+    assert_eq!((code, out.as_str()), (Some(2), ""), "{said}");
+    assert!(said.contains("no proof of any of these claims"), "{said}");
     let (code, _, said) = run(&["export", "smt2", "--theorems"]);
     assert_eq!(code, Some(2));
     assert!(said.contains("carom export coq --theorems"), "{said}");

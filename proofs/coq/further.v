@@ -1,27 +1,94 @@
-(** What goes beyond the claim files: the mean and Hölder inequalities for two values that the prover
-    rests on, equality in the bound of a chain, the best number of bodies, and one theorem from the
-    laws of a collision to (25). *)
+(** What no claim file states, proved by hand: the mean and Hölder inequalities for two values that the
+    prover rests on, the bound of a chain with its case of equality, the best number of bodies, and one
+    theorem from the laws of a collision to (25). What the claim files state is taken from their proofs,
+    which are made from certificates: [b_global_unique], [b_best], [b_best_finite], [b_best_after],
+    [b_best_elastic], [b_grow], [b_grow_bounded], [b_positive], [eq19] and [eq05_unique]. *)
 
-From Carom Require Import vocabulary weighted_mean chain threshold tactics collision transfer many limit.
+From Carom Require Import vocabulary.
+From Carom Require rules.
+From Carom Require b_global_unique b_best b_best_finite b_best_after b_best_elastic.
+From Carom Require b_grow b_grow_bounded b_positive eq19 eq05_unique.
 From Coq Require Import Lra Lia.
+
+(** Shows that an expression built from positive parts is positive. *)
+Ltac pos :=
+  lazymatch goal with
+  | |- _ > _ => apply Rlt_gt; pos
+  | |- _ <> 0 => apply Rgt_not_eq; pos
+  | |- _ <= _ => apply Rlt_le; pos
+  | |- _ >= _ => apply Rle_ge, Rlt_le; pos
+  | |- 0 < _ * _ => first [assumption | apply Rmult_lt_0_compat; pos]
+  | |- 0 < _ / _ => apply Rdiv_lt_0_compat; pos
+  | |- 0 < / _ => apply Rinv_0_lt_compat; pos
+  | |- 0 < _ ^ _ => apply pow_lt; pos
+  | |- 0 < exp _ => apply exp_pos
+  | |- 0 < Rpower _ _ => apply exp_pos
+  | |- 0 < cbrt _ => apply exp_pos
+  | |- 0 < sqrt _ => apply sqrt_lt_R0; pos
+  | |- 0 < INR (S _) => apply lt_0_INR; lia
+  | |- 0 < INR _ => apply lt_0_INR; lia
+  | |- 0 < INR _ + _ => apply Rplus_le_lt_0_compat; [apply pos_INR | pos]
+  | |- 0 < _ + _ => first [lra | apply Rplus_lt_0_compat; pos]
+  | |- _ => first
+      [ assumption
+      | match goal with h : (forall k, ?f k > 0) |- 0 < ?f _ => apply h end
+      | lra
+      | solve [auto with real] ]
+  end.
+
+(** ** Products over a range *)
+
+Lemma product_over_one : forall a f, product_over a a f = f a.
+Proof. intros. unfold product_over. replace (a + 1 - a)%nat with 1%nat by lia. cbn. rewrite Nat.add_0_r. ring. Qed.
+
+Lemma product_over_none : forall a f, product_over (S a) a f = 1.
+Proof. intros. unfold product_over. replace (a + 1 - S a)%nat with 0%nat by lia. reflexivity. Qed.
+
+Lemma product_over_last : forall a b f, (a <= S b)%nat -> product_over a (S b) f = product_over a b f * f (S b).
+Proof.
+  intros a b f h. unfold product_over. replace (S b + 1 - a)%nat with (S (b + 1 - a)) by lia. cbn.
+  replace (a + (b + 1 - a))%nat with (S b) by lia. reflexivity.
+Qed.
+
+Lemma product_over_first : forall n f, product_over 0 n f = f 0%nat * product_over 1 n f.
+Proof.
+  intros n f. induction n as [| n ih].
+  - rewrite product_over_one, product_over_none. ring.
+  - rewrite !product_over_last by lia. rewrite ih. ring.
+Qed.
+
+Lemma product_over_pos : forall a b f, (forall k, 0 < f k) -> 0 < product_over a b f.
+Proof.
+  intros a b f h. unfold product_over. generalize (b + 1 - a)%nat as c. induction c as [| c ih]; cbn.
+  - lra.
+  - apply Rmult_lt_0_compat; [exact ih | apply h].
+Qed.
+
+Lemma product_over_square : forall a b f, product_over a b f ^ 2 = product_over a b (fun k => f k ^ 2).
+Proof.
+  intros a b f. unfold product_over. generalize (b + 1 - a)%nat as c. induction c as [| c ih]; cbn - [pow].
+  - ring.
+  - rewrite <- ih. ring.
+Qed.
+
 
 (** ** The inequalities that the prover takes as known *)
 
 Theorem mean_of_two : forall a b p, a > 0 -> b > 0 -> 0 <= p <= 1 ->
   Rpower a (1 - p) * Rpower b p <= (1 - p) * a + p * b /\
   (a <> b -> 0 < p < 1 -> Rpower a (1 - p) * Rpower b p < (1 - p) * a + p * b).
+Proof. intros a b p ha hb hp. split; [now apply rules.mean_weak | intros; now apply rules.mean_strict]. Qed.
+
+Lemma root_power : forall a n, a > 0 -> (n >= 1)%nat -> Rpower a (1 / INR n) ^ n = a.
 Proof.
-  intros a b p ha hb hp.
-  assert (v : Rpower a (1 - p) * Rpower b p = a * exp (p * ln (b / a))).
-  { unfold Rpower. rewrite <- exp_plus, ln_div by assumption. rewrite <- (exp_ln a) at 2 by exact ha.
-    rewrite <- exp_plus. f_equal. ring. }
-  assert (w : (1 - p) * a + p * b = a * ((1 - p) + p * exp (ln (b / a)))).
-  { rewrite exp_ln by pos. field. lra. }
-  rewrite v, w. split.
-  - apply Rmult_le_compat_l; [lra | now apply mean_exp].
-  - intros hd hs. apply Rmult_lt_compat_l; [exact ha |]. apply mean_exp_strict; [exact hs |].
-    intro z. apply hd. rewrite <- ln_1 in z. apply ln_inv in z; [| pos | lra].
-    symmetry. apply (quotient_one b a ha). exact z.
+  intros a n ha hn. rewrite <- Rpower_pow by pos. rewrite Rpower_mult.
+  replace (1 / INR n * INR n) with 1 by (field; pos). apply Rpower_1. exact ha.
+Qed.
+
+Lemma root_quotient : forall a b y, a > 0 -> b > 0 -> Rpower (b / a) y = Rpower b y / Rpower a y.
+Proof.
+  intros a b y ha hb. apply Rmult_eq_reg_r with (Rpower a y); [| pos].
+  rewrite Rpower_mult_distr; [| pos | pos]. replace (b / a * a) with b by (field; pos). field. pos.
 Qed.
 
 Theorem hoelder_of_two : forall a b c d p, a > 0 -> b > 0 -> c > 0 -> d > 0 -> 0 <= p <= 1 ->
@@ -45,11 +112,65 @@ Proof.
   - apply Rmult_le_compat_l; lra.
   - intros hn hs. apply Rmult_lt_compat_l; [exact k |].
     assert (ne : a / S <> c / T).
-    { intro e. apply hn. apply (quotient_eq_iff a S c T hS hT) in e. unfold S, T in e. lra. }
+    { intro e. apply hn. assert (z : a * T = c * S).
+      { replace (a * T) with (a / S * (S * T)) by (field; lra). rewrite e. field. lra. }
+      unfold S, T in z. lra. }
     specialize (s1 ne hs). lra.
 Qed.
 
 (** ** The bound of a chain, with equality *)
+
+Section Chain.
+Variables (mu : nat -> R) (n : nat).
+Hypothesis mu_pos : forall k, mu k > 0.
+Let N := (n + 1)%nat.
+Let r := Rpower (mu N / mu 0%nat) (1 / INR N).
+
+(** All masses are those of (21) as soon as each is r times the one before it. *)
+Lemma geometric_masses : (forall i, (i <= n)%nat -> mu (i + 1)%nat = mu i * r) <->
+  (forall i, (i <= n + 1)%nat ->
+    mu i = Rpower (mu 0%nat) ((INR N - INR i) / INR N) * Rpower (mu N) (INR i / INR N)).
+Proof.
+  assert (h0 := mu_pos 0). assert (h1 := mu_pos N). assert (hN : 0 < INR N) by (apply lt_0_INR; unfold N; lia).
+  assert (form : forall i, mu 0%nat * r ^ i =
+    Rpower (mu 0%nat) ((INR N - INR i) / INR N) * Rpower (mu N) (INR i / INR N)).
+  { intro i. unfold r. rewrite root_quotient by assumption. unfold Rdiv at 1. rewrite Rpow_mult_distr.
+    rewrite pow_inv. rewrite <- !Rpower_pow by pos. rewrite !Rpower_mult.
+    replace (1 / INR N * INR i) with (INR i / INR N) by (field; lra).
+    replace ((INR N - INR i) / INR N) with (1 + - (INR i / INR N)) by (field; lra).
+    rewrite Rpower_plus, Rpower_Ropp, Rpower_1 by exact h0. field. pos. }
+  split.
+  - intros h i hi. rewrite <- form. induction i as [| i ih]; [cbn; ring |].
+    replace (S i) with (i + 1)%nat by lia. rewrite h by lia. rewrite ih at 1 by lia.
+    rewrite pow_add. ring.
+  - intros h i hi. rewrite (h (i + 1)%nat), (h i) by lia. rewrite <- !form, pow_add. ring.
+Qed.
+
+Definition linked (m : nat -> R) (k : nat) : R := product_over 0 k (fun i => m i + m (i + 1)%nat).
+
+Lemma linked_pos : forall k, 0 < linked mu k.
+Proof. intro k. apply product_over_pos. intro i. assert (a := mu_pos i). assert (b := mu_pos (i + 1)%nat). lra. Qed.
+
+(** The share of the geometric chain is the best one. *)
+Lemma attained : forall e, (forall i, (i <= n)%nat -> mu (i + 1)%nat = mu i * r) ->
+  e * mu 0%nat * mu N * product_over 1 n mu ^ 2 / linked mu n ^ 2
+  = e * mu 0%nat * mu N / (Rpower (mu 0%nat) (1 / INR N) + Rpower (mu N) (1 / INR N)) ^ (2 * N).
+Proof.
+  intros e h. assert (h0 := mu_pos 0). assert (h1 := mu_pos N). assert (hr : 0 < r) by (unfold r; pos).
+  assert (g : forall k, (k <= n)%nat -> linked mu k = product_over 0 k mu * (1 + r) ^ (k + 1)).
+  { clear -h. induction k as [| k ih]; intro hk.
+    - unfold linked. rewrite !product_over_one, (h 0%nat) by lia. generalize r. intro q. simpl. ring.
+    - unfold linked in *. rewrite !product_over_last, ih by lia. replace (S k + 1)%nat with (S (k + 1)) by lia.
+      rewrite <- tech_pow_Rmult. replace (S (k + 1)) with (S k + 1)%nat by lia. rewrite (h (S k)) by lia. ring. }
+  assert (s : Rpower (mu 0%nat) (1 / INR N) + Rpower (mu N) (1 / INR N) = Rpower (mu 0%nat) (1 / INR N) * (1 + r)).
+  { unfold r. rewrite root_quotient by assumption. field. pos. }
+  assert (p : 0 < product_over 1 n mu) by (apply product_over_pos; intro; apply mu_pos).
+  rewrite s, (Nat.mul_comm 2), pow_mult, Rpow_mult_distr, root_power by (try exact h0; unfold N; lia).
+  rewrite (g n) by lia. rewrite product_over_first. fold N. assert (q : 0 < (1 + r) ^ N) by (apply pow_lt; lra).
+  field. repeat split; lra.
+Qed.
+
+End Chain.
 
 Theorem best_chain : forall (n : nat) (mu e : nat -> R), (forall k, mu k > 0) -> (forall k, 0 <= e k <= 1) ->
   let N := (n + 1)%nat in
@@ -63,20 +184,19 @@ Theorem best_chain : forall (n : nat) (mu e : nat -> R), (forall k, mu k > 0) ->
   (eta = best <-> forall i, (i <= N)%nat -> mu i = Rpower m1 ((INR N - INR i) / INR N) * Rpower m2 (INR i / INR N)).
 Proof.
   intros n mu e hm he N m1 m2 eta best.
-  assert (pe : 0 < product_over 0 n (fun i => (1 + e i) ^ 2)).
-  { apply product_over_pos. intro k. specialize (he k). pos. }
-  assert (pm : 0 < product_over 1 n mu) by (apply product_over_pos; intro; apply hm).
-  assert (a := hm 0%nat). assert (b := hm N).
-  assert (bound := chain_bound mu n hm). fold N m1 m2 in bound. apply Rge_le in bound.
-  unfold eta, best. rewrite double_power.
-  change (product_over 0 n (fun i => mu i + mu (i + 1)%nat)) with (linked mu n).
-  destruct (best_share (product_over 0 n (fun i => (1 + e i) ^ 2) * m1 * m2) (product_over 1 n mu)
-    ((Rpower m1 (1 / INR N) + Rpower m2 (1 / INR N)) ^ N) (linked mu n)) as [le eq]; try exact bound; try pos.
-  split; [exact le |]. rewrite eq. assert (g := geometric_masses mu n hm). unfold m1, m2, N. rewrite <- g. split.
-  - intros h i hi. destruct (Req_dec (mu (i + 1)%nat) (mu i * Rpower (mu (n + 1)%nat / mu 0%nat) (1 / INR (n + 1))))
-      as [q | q]; [exact q |].
-    assert (s := chain_bound_strict mu n hm i hi q). unfold m1, m2, N in h. lra.
-  - intro h. exact (chain_attained mu n hm h).
+  assert (equal : (forall i, (i <= n)%nat -> mu (i + 1)%nat = mu i * Rpower (m2 / m1) (1 / INR N)) -> eta = best).
+  { intro h. exact (attained mu n hm _ h). }
+  assert (below : forall i, (i <= n)%nat -> mu (i + 1)%nat <> mu i * Rpower (m2 / m1) (1 / INR N) -> eta < best).
+  { intros i hi hd. assert (b := b_global_unique.b_global_unique mu hm i (n - i)). cbv zeta in b.
+    replace (i + (n - i))%nat with n in b by lia. exact (b e he hd). }
+  assert (all : (forall i, (i <= n)%nat -> mu (i + 1)%nat = mu i * Rpower (m2 / m1) (1 / INR N)) \/ eta < best).
+  { destruct (Classical_Prop.classic (exists i, (i <= n)%nat /\ mu (i + 1)%nat <> mu i * Rpower (m2 / m1) (1 / INR N)))
+      as [[i [hi hd]] | none]; [right; exact (below i hi hd) | left].
+    intros i hi. apply Classical_Prop.NNPP. intro hd. apply none. now exists i. }
+  assert (g := geometric_masses mu n hm). fold N m1 m2 in g.
+  split; [destruct all as [h | h]; [right; now apply equal | now left] |]. rewrite <- g. split.
+  - intro h. destruct all as [all | all]; [exact all | lra].
+  - exact equal.
 Qed.
 
 (** ** The best number of bodies *)
@@ -85,15 +205,31 @@ Section Best.
 Variables m1 m2 e : R.
 Hypotheses (h1 : m1 > 0) (h2 : m2 > 0) (he : 0 <= e < 1).
 
-Let L n := amount m1 m2 (n + 1) / amount m1 m2 n - 1.
-Let eta k := (1 + e) ^ (2 * k) * m1 * m2 / amount m1 m2 k ^ 2.
+Let s k := Rpower m1 (1 / INR k) + Rpower m2 (1 / INR k).
+Let L n := s (n + 1)%nat ^ (n + 1) / s n ^ n - 1.
+Let eta k := (1 + e) ^ (2 * k) * m1 * m2 / s k ^ (2 * k).
+
+Lemma sum_pos : forall k, 0 < s k.
+Proof. intro k. unfold s. pos. Qed.
 
 Lemma crossing_exists : exists n, e < L (S n).
 Proof.
-  assert (l := b_grow_limit m2 (m1 / m2) h2 ltac:(pos) 1%nat (le_n 1)).
-  replace (m1 / m2 * m2) with m1 in l by (field; lra).
-  assert (hl : 0 < 1 - e) by lra. apply is_lim_seq_spec in l. destruct (l (mkposreal _ hl)) as [n hn].
-  exists n. specialize (hn (S n) ltac:(lia)). cbn [pos] in hn. apply Rabs_def2 in hn. unfold L, amount. lra.
+  assert (ordered : forall a b, a > 0 -> b > 0 -> a >= b -> exists n : nat,
+    e < (Rpower a (1 / INR (S n + 1)) + Rpower b (1 / INR (S n + 1))) ^ (S n + 1)
+      / (Rpower a (1 / INR (S n)) + Rpower b (1 / INR (S n))) ^ S n - 1).
+  { intros a b ha hb hab. assert (hr : a / b >= 1).
+    { apply Rle_ge, Rmult_le_reg_r with b; [exact hb |]. replace (a / b * b) with a by (field; lra). lra. }
+    assert (large := is_lim_seq_INR). apply is_lim_seq_spec in large.
+    destruct (large (2 * (a / b - 1) ^ 2 / (1 - e))) as [n hn]. specialize (hn n (le_n n)). exists n.
+    assert (f := b_best_finite.b_best_finite b hb (a / b) hr e he (S n) ltac:(lia)). cbv zeta in f.
+    replace (a / b * b) with a in f by (field; lra). apply f.
+    assert (c : INR (S n) > 2 * (a / b - 1) ^ 2 / (1 - e)) by (rewrite S_INR; lra).
+    apply Rmult_gt_compat_r with (r := 1 - e) in c; [| lra].
+    replace (2 * (a / b - 1) ^ 2 / (1 - e) * (1 - e)) with (2 * (a / b - 1) ^ 2) in c by (field; lra). exact c. }
+  destruct (Rle_lt_dec m2 m1) as [h | h].
+  - destruct (ordered m1 m2 h1 h2 ltac:(lra)) as [n hn]. exists n. exact hn.
+  - destruct (ordered m2 m1 h2 h1 ltac:(lra)) as [n hn]. exists n. unfold L, s.
+    rewrite (Rplus_comm (Rpower m1 (1 / INR (S n + 1)))), (Rplus_comm (Rpower m1 (1 / INR (S n)))). exact hn.
 Qed.
 
 Lemma least : forall n, e < L (S n) -> exists k, e < L (S k) /\ forall j, (j < k)%nat -> L (S j) <= e.
@@ -105,24 +241,38 @@ Proof.
 Qed.
 
 Lemma rises : forall n j, (n >= 1)%nat -> L n <= L (n + j).
-Proof. intros n j hn. unfold L. assert (q := later_quotients m1 m2 n j h1 h2 hn). lra. Qed.
-
-Lemma step_weak : forall n, eta (n + 1) >= eta n <-> L n <= e.
-Proof. intro n. apply one_more; try assumption. lra. Qed.
-
-Lemma step_strict : forall n, eta (n + 1) > eta n <-> L n < e.
 Proof.
-  intro n. assert (ha := amount_pos m1 m2 n). assert (hb := amount_pos m1 m2 (n + 1)). unfold eta, L.
-  set (A := amount m1 m2 n) in *. set (B := amount m1 m2 (n + 1)) in *.
-  assert (p : 0 < (1 + e) ^ n) by pos. assert (m : 0 < m1 * m2) by pos.
-  replace ((1 + e) ^ (2 * (n + 1)) * m1 * m2) with (m1 * m2 * ((1 + e) ^ n * (1 + e)) ^ 2)
-    by (rewrite !double_power, pow_add; ring).
-  replace ((1 + e) ^ (2 * n) * m1 * m2) with (m1 * m2 * ((1 + e) ^ n) ^ 2) by (rewrite double_power; ring).
-  rewrite shares_strict by pos. split; intro h.
-  - assert (B < (1 + e) * A) by (apply Rmult_lt_reg_l with ((1 + e) ^ n); lra).
-    assert (q : B / A < (1 + e) / 1) by (apply quotient_lt_iff; lra). lra.
-  - assert (q : B / A < (1 + e) / 1) by lra. apply (proj1 (quotient_lt_iff B A (1 + e) 1 ha ltac:(lra))) in q.
-    apply Rlt_gt. rewrite Rmult_assoc. apply Rmult_lt_compat_l; lra.
+  intros n j hn. induction j as [| j ih]; [rewrite Nat.add_0_r; lra |].
+  destruct (b_grow.b_grow m1 m2 h1 h2 (n + j) ltac:(lia)) as [weak _]. cbv beta zeta in weak.
+  replace (n + S j)%nat with (n + j + 1)%nat by lia. unfold L, s in *. lra.
+Qed.
+
+Lemma step_weak : forall n, (n >= 1)%nat -> (eta (n + 1) >= eta n <-> L n <= e).
+Proof. intros n hn. exact (eq19.eq19 m1 m2 h1 h2 e ltac:(lra) n hn). Qed.
+
+(** Where L n < e, one body more helps strictly: with the restitution L n it did no harm. *)
+Lemma step_strict : forall n, (n >= 1)%nat -> L n < e -> eta (n + 1) > eta n.
+Proof.
+  intros n hn h. assert (l : 0 < L n).
+  { assert (b := b_positive.b_positive m1 m2 h1 h2 n hn). cbv beta zeta in b. fold (s n) (s (n + 1)) in b.
+    assert (a : 0 < s n ^ n) by (apply pow_lt, sum_pos). unfold L. apply Rmult_lt_reg_r with (s n ^ n); [exact a |].
+    replace ((s (n + 1)%nat ^ (n + 1) / s n ^ n - 1) * s n ^ n) with (s (n + 1)%nat ^ (n + 1) - s n ^ n) by (field; lra).
+    lra. }
+  assert (w := proj2 (eq19.eq19 m1 m2 h1 h2 (L n) ltac:(lra) n hn) (Rle_refl _)). cbv beta zeta in w.
+  fold (s n) (s (n + 1)) in w. unfold eta. set (A := s n ^ (2 * n)) in *. set (B := s (n + 1)%nat ^ (2 * (n + 1))) in *.
+  assert (ha : 0 < A) by (apply pow_lt, sum_pos). assert (hb : 0 < B) by (apply pow_lt, sum_pos).
+  replace (2 * (n + 1))%nat with (2 * n + 2)%nat in * by lia. rewrite !pow_add in *.
+  set (x := (1 + L n) ^ (2 * n)) in *. set (y := (1 + e) ^ (2 * n)) in *.
+  assert (hx : 0 < x) by (apply pow_lt; lra). assert (hy : 0 < y) by (apply pow_lt; lra).
+  assert (base : (1 + L n) ^ 2 * (m1 * m2) / B >= m1 * m2 / A).
+  { apply Rle_ge, Rmult_le_reg_l with x; [exact hx |]. apply Rge_le in w.
+    replace (x * (m1 * m2 / A)) with (x * m1 * m2 / A) by (field; lra).
+    replace (x * ((1 + L n) ^ 2 * (m1 * m2) / B)) with (x * (1 + L n) ^ 2 * m1 * m2 / B) by (field; lra). exact w. }
+  assert (more : (1 + e) ^ 2 * (m1 * m2) / B > (1 + L n) ^ 2 * (m1 * m2) / B).
+  { apply Rmult_lt_compat_r; [now apply Rinv_0_lt_compat |]. apply Rmult_lt_compat_r; [pos |].
+    apply rules.rising_pow; lra || lia. }
+  replace (y * (1 + e) ^ 2 * m1 * m2 / B) with (y * ((1 + e) ^ 2 * (m1 * m2) / B)) by (field; lra).
+  replace (y * m1 * m2 / A) with (y * (m1 * m2 / A)) by (field; lra). apply Rmult_lt_compat_l; lra.
 Qed.
 
 Theorem best_number_exists : exists nstar,
@@ -130,41 +280,42 @@ Theorem best_number_exists : exists nstar,
   (forall k, (k >= 1)%nat -> eta k <= eta (nstar + 1)) /\
   (forall k, (k >= 1)%nat -> eta k = eta (nstar + 1) -> k = (nstar + 1)%nat \/ (k = nstar /\ L nstar = e)).
 Proof.
-  destruct crossing_exists as [n0 h0]. destruct (least n0 h0) as [s [above below]]. exists s.
-  assert (count : forall n, (n >= 1)%nat -> (L n <= e <-> (n <= s)%nat)).
+  destruct crossing_exists as [n0 h0]. destruct (least n0 h0) as [t [above below]]. exists t.
+  assert (count : forall n, (n >= 1)%nat -> (L n <= e <-> (n <= t)%nat)).
   { intros n hn. split; intro h.
-    - destruct (Nat.le_gt_cases n s) as [l | g]; [exact l |]. exfalso.
-      assert (r := rises (S s) (n - S s) ltac:(lia)). replace (S s + (n - S s))%nat with n in r by lia. lra.
+    - destruct (Nat.le_gt_cases n t) as [l | g]; [exact l |]. exfalso.
+      assert (r := rises (S t) (n - S t) ltac:(lia)). replace (S t + (n - S t))%nat with n in r by lia. lra.
     - replace n with (S (n - 1)) by lia. apply below. lia. }
-  assert (up : forall j, (j <= s)%nat -> eta (s + 1 - j) <= eta (s + 1)).
+  assert (up : forall j, (j <= t)%nat -> eta (t + 1 - j) <= eta (t + 1)).
   { induction j as [| j ih]; intro hj; [rewrite Nat.sub_0_r; lra |].
-    assert (c := proj2 (step_weak (s + 1 - S j)) (proj2 (count (s + 1 - S j)%nat ltac:(lia)) ltac:(lia))).
-    replace (s + 1 - S j + 1)%nat with (s + 1 - j)%nat in c by lia. specialize (ih ltac:(lia)). lra. }
-  assert (down : forall j, eta (s + 1 + j + 1) < eta (s + 1)).
+    assert (c := proj2 (step_weak (t + 1 - S j) ltac:(lia)) (proj2 (count (t + 1 - S j)%nat ltac:(lia)) ltac:(lia))).
+    replace (t + 1 - S j + 1)%nat with (t + 1 - j)%nat in c by lia. specialize (ih ltac:(lia)). lra. }
+  assert (down : forall j, eta (t + 1 + j + 1) < eta (t + 1)).
   { induction j as [| j ih].
-    - rewrite Nat.add_0_r. apply Rnot_le_lt. intro g. apply Rle_ge in g. apply step_weak in g.
-      apply (proj1 (count (s + 1)%nat ltac:(lia))) in g. lia.
+    - rewrite Nat.add_0_r. apply Rnot_le_lt. intro g. apply Rle_ge in g. apply step_weak in g; [| lia].
+      apply (proj1 (count (t + 1)%nat ltac:(lia))) in g. lia.
     - apply Rlt_trans with (2 := ih). apply Rnot_le_lt. intro g. apply Rle_ge in g.
-      replace (s + 1 + S j)%nat with (s + 1 + j + 1)%nat in g by lia. apply step_weak in g.
-      apply (proj1 (count (s + 1 + j + 1)%nat ltac:(lia))) in g. lia. }
+      replace (t + 1 + S j)%nat with (t + 1 + j + 1)%nat in g by lia. apply step_weak in g; [| lia].
+      apply (proj1 (count (t + 1 + j + 1)%nat ltac:(lia))) in g. lia. }
   split; [exact count |]. split.
-  - intros k hk. destruct (Nat.le_gt_cases k (s + 1)) as [l | g].
-    + replace k with (s + 1 - (s + 1 - k))%nat by lia. apply up. lia.
-    + left. replace k with (s + 1 + (k - s - 2) + 1)%nat by lia. apply down.
-  - intros k hk tie. destruct (Nat.le_gt_cases k (s + 1)) as [l | g].
-    + destruct (Nat.eq_dec k (s + 1)) as [-> | ne]; [now left | right].
+  - intros k hk. destruct (Nat.le_gt_cases k (t + 1)) as [l | g].
+    + replace k with (t + 1 - (t + 1 - k))%nat by lia. apply up. lia.
+    + left. replace k with (t + 1 + (k - t - 2) + 1)%nat by lia. apply down.
+  - intros k hk tie. destruct (Nat.le_gt_cases k (t + 1)) as [l | g].
+    + destruct (Nat.eq_dec k (t + 1)) as [-> | ne]; [now left | right].
       assert (lk := proj2 (count k hk) ltac:(lia)).
       assert (not_lt : ~ L k < e).
-      { intro lt. apply step_strict in lt. assert (u := up (s + 1 - (k + 1))%nat ltac:(lia)).
-        replace (s + 1 - (s + 1 - (k + 1)))%nat with (k + 1)%nat in u by lia. lra. }
-      assert (eq : L k = e) by lra. destruct (Nat.eq_dec k s) as [-> | ne']; [tauto | exfalso].
+      { intro lt. apply (step_strict k hk) in lt. assert (u := up (t + 1 - (k + 1))%nat ltac:(lia)).
+        replace (t + 1 - (t + 1 - (k + 1)))%nat with (k + 1)%nat in u by lia. lra. }
+      assert (eq : L k = e) by lra. destruct (Nat.eq_dec k t) as [-> | ne']; [tauto | exfalso].
+      assert (up1 := rises k (t - k) hk). replace (k + (t - k))%nat with t in up1 by lia.
+      assert (le := proj2 (count t ltac:(lia)) ltac:(lia)). assert (up2 := rises (k + 1) (t - (k + 1)) ltac:(lia)).
+      replace (k + 1 + (t - (k + 1)))%nat with t in up2 by lia.
       destruct (Req_dec m1 m2) as [em | nm].
-      * unfold L in eq. rewrite !amount_equal in eq by (try assumption; try lia). rewrite pow_add, pow_1 in eq.
-        replace (m1 * (2 ^ k * 2) / (m1 * 2 ^ k) - 1) with 1 in eq by (field; split; pos). lra.
-      * assert (q := proj2 (quotient_rises m1 m2 k h1 h2 hk) nm).
-        assert (le := proj2 (count (k + 1)%nat ltac:(lia)) ltac:(lia)). unfold L in *.
-        replace (k + 1 + 1)%nat with (k + 2)%nat in le by lia. lra.
-    + exfalso. assert (d := down (k - s - 2)%nat). replace (s + 1 + (k - s - 2) + 1)%nat with k in d by lia. lra.
+      * assert (one := proj2 (b_best_elastic.b_best_elastic m1 m2 h1 h2 k hk) em). cbv beta zeta in one.
+        unfold L, s in eq. lra.
+      * assert (q := proj2 (b_grow.b_grow m1 m2 h1 h2 k hk) nm). cbv beta zeta in q. unfold L, s in *. lra.
+    + exfalso. assert (d := down (k - t - 2)%nat). replace (t + 1 + (k - t - 2) + 1)%nat with k in d by lia. lra.
 Qed.
 
 End Best.
@@ -178,29 +329,19 @@ Theorem best_number : forall m1 m2 e, m1 > 0 -> m2 > 0 -> 0 <= e < 1 ->
   (forall k : nat, (k >= 1)%nat -> eta k <= eta (nstar + 1)%nat) /\
   (forall k : nat, (k >= 1)%nat -> eta k = eta (nstar + 1)%nat ->
     k = (nstar + 1)%nat \/ (k = nstar /\ L nstar = e)).
-Proof.
-  intros m1 m2 e h1 h2 he. cbv zeta.
-  destruct (best_number_exists m1 m2 e h1 h2 he) as (s & count & most & tie). exists s.
-  assert (v : forall k, (1 + e) ^ (2 * k) * m1 * m2 / (Rpower m1 (1 / INR k) + Rpower m2 (1 / INR k)) ^ (2 * k)
-    = (1 + e) ^ (2 * k) * m1 * m2 / amount m1 m2 k ^ 2).
-  { intro k. unfold amount. now rewrite <- double_power. }
-  split; [exact count |]. split.
-  - intros k hk. rewrite !v. now apply most.
-  - intros k hk. rewrite !v. now apply tie.
-Qed.
+Proof. intros m1 m2 e h1 h2 he. exact (best_number_exists m1 m2 e h1 h2 he). Qed.
 
 Theorem always_helps : forall m1 m2 n, m1 > 0 -> m2 > 0 -> (n >= 1)%nat ->
   let S := fun k : nat => Rpower m1 (1 / INR k) + Rpower m2 (1 / INR k) in
   0 < S (n + 1)%nat ^ (n + 1) / S n ^ n - 1 <= 1.
 Proof.
-  intros m1 m2 n h1 h2 hn. cbv beta zeta. fold (amount m1 m2 n). fold (amount m1 m2 (n + 1)).
-  assert (a := amount_pos m1 m2 n). assert (up := amount_doubles m1 m2 h1 h2 n hn).
-  assert (low := amount_rises m1 m2 h1 h2 n hn). split.
-  - assert (q : amount m1 m2 n / amount m1 m2 n < amount m1 m2 (n + 1) / amount m1 m2 n)
-      by (apply quotient_lt_iff; [lra | lra |]; apply Rmult_lt_compat_r; lra).
-    rewrite (proj2 (quotient_one _ _ a) eq_refl) in q. lra.
-  - assert (q : amount m1 m2 (n + 1) / amount m1 m2 n <= 2 / 1)
-      by (apply quotient_le; lra). lra.
+  intros m1 m2 n h1 h2 hn. cbv beta zeta. assert (low := b_positive.b_positive m1 m2 h1 h2 n hn).
+  assert (up := proj1 (b_grow_bounded.b_grow_bounded m1 m2 h1 h2 n hn)). cbv beta zeta in low, up.
+  set (A := (Rpower m1 (1 / INR n) + Rpower m2 (1 / INR n)) ^ n) in *.
+  set (B := (Rpower m1 (1 / INR (n + 1)) + Rpower m2 (1 / INR (n + 1))) ^ (n + 1)) in *.
+  assert (a : 0 < A) by (unfold A; pos). replace (B / A - 1) with ((B - A) / A) by (field; lra). split.
+  - apply Rdiv_lt_0_compat; lra.
+  - apply Rmult_le_reg_r with A; [exact a |]. replace ((B - A) / A * A) with (B - A) by (field; lra). lra.
 Qed.
 
 (** ** From the laws of a collision to (25) *)
@@ -228,7 +369,7 @@ Lemma struck : forall t, (t <= n)%nat ->
   v (t + 1)%nat t = (mu t - e t * mu (t + 1)%nat) / (mu t + mu (t + 1)%nat) * v t t.
 Proof.
   intros t ht. destruct (collision t ht) as (p & q & _).
-  destruct (solution _ _ _ _ _ _ _ (hm t) (hm (t + 1)%nat) p q) as [a b].
+  destruct (proj1 (eq05_unique.eq05_unique _ _ (hm t) (hm (t + 1)%nat) _ (he t) _ _ _ _) (conj p q)) as [a b].
   rewrite (ahead t (t + 1)%nat) in a, b by lia. rewrite a, b. split; ring.
 Qed.
 
@@ -243,12 +384,12 @@ Qed.
 Lemma front : forall t, (t <= n)%nat -> v (t + 1)%nat (t + 1)%nat
   = product_over 0 t (fun i => 1 + e i) * product_over 0 t mu / linked mu t * v1.
 Proof.
-  assert (lp := fun t => linked_pos mu t hm).
+  assert (lp := linked_pos mu hm).
   induction t as [| t ih]; intro ht.
   - rewrite (proj1 (struck 0%nat ltac:(lia))), moving. unfold linked. rewrite !product_over_one.
     assert (a := hm 0%nat). assert (b := hm (0 + 1)%nat). field. lra.
   - rewrite (proj1 (struck (S t) ht)). replace (v (S t) (S t)) with (v (t + 1)%nat (t + 1)%nat) by (now replace (S t) with (t + 1)%nat by lia).
-    rewrite ih by lia. rewrite linked_next, !product_over_last by lia. cbv beta.
+    rewrite ih by lia. unfold linked. rewrite !product_over_last by lia. cbv beta. fold (linked mu t).
     assert (a := hm (S t)). assert (b := hm (S t + 1)%nat). specialize (lp t). field. lra.
 Qed.
 
@@ -257,7 +398,7 @@ Lemma share_of_front : v1 > 0 ->
   = product_over 0 n (fun i => (1 + e i) ^ 2) * mu 0%nat * mu (n + 1)%nat * product_over 1 n mu ^ 2 / linked mu n ^ 2.
 Proof.
   intro hv. rewrite front by lia. rewrite <- (product_over_square 0 n (fun i => 1 + e i)). rewrite (product_over_first n mu).
-  assert (a := hm 0%nat). assert (l := linked_pos mu n hm). field. lra.
+  assert (a := hm 0%nat). assert (l := linked_pos mu hm n). field. lra.
 Qed.
 
 End Laws.
@@ -280,7 +421,7 @@ Theorem from_the_laws : forall (n : nat) (mu e : nat -> R) (v1 : R) (v : nat -> 
   (eta = best <-> forall i, (i <= N)%nat -> mu i = Rpower m1 ((INR N - INR i) / INR N) * Rpower m2 (INR i / INR N)).
 Proof.
   intros n mu e v1 v hm he hv moving resting collision. cbv zeta.
-  rewrite (share_of_front n mu e v1 v hm moving resting collision hv). exact (best_chain n mu e hm he).
+  rewrite (share_of_front n mu e v1 v hm he moving resting collision hv). exact (best_chain n mu e hm he).
 Qed.
 
 Theorem to_25 : forall (n : nat) (mu : nat -> R) (e v1 : R) (v : nat -> nat -> R),
@@ -322,11 +463,11 @@ Proof.
   rewrite inverse in geometric.
   assert (frontal : forall t, (t <= n + 1)%nat -> v t t = (x * (1 + e) / (x + 1)) ^ t * v1).
   { induction t as [| t ih]; intro ht; [cbn; rewrite moving; ring |]. replace (S t) with (t + 1)%nat by lia.
-    rewrite (proj1 (struck n mu (fun _ => e) v hm resting collision t ltac:(lia))), ih by lia.
+    rewrite (proj1 (struck n mu (fun _ => e) v hm (fun _ => he) resting collision t ltac:(lia))), ih by lia.
     rewrite geometric by lia. assert (c := hm t). rewrite pow_add. assert (cx : 0 < mu t * x) by pos. field. repeat split; lra. }
   split; [| apply frontal; lia].
   intros i hi. rewrite (kept n mu (fun _ => e) v collision) by lia.
-  rewrite (proj2 (struck n mu (fun _ => e) v hm resting collision i hi)), frontal by lia.
+  rewrite (proj2 (struck n mu (fun _ => e) v hm (fun _ => he) resting collision i hi)), frontal by lia.
   rewrite geometric by lia. assert (c := hm i). unfold Rdiv at 2. rewrite Rpow_mult_distr, pow_inv, pow_add.
   assert (0 < (x + 1) ^ i) by pos. assert (cx : 0 < mu i * x) by pos. field. repeat split; lra.
 Qed.

@@ -1,19 +1,12 @@
 #!/usr/bin/env python3
-"""Changes statements one place at a time and tries the proofs on them again.
+"""Holds compiled theorems against changed statements: none may pass for another statement than its own.
 
     proofs/coq/mutate.py FOLDER [--every N] [--module NAME]
-    proofs/coq/mutate.py FOLDER --generated [--every N] [--module NAME]
 
-FOLDER holds compiled copies of the Coq files. Each statement of statements.v is changed in its
-conclusion or definitions (a relation, an operator, a number) or loses a hypothesis; its proof, read
-from the file that holds it, is run on what results. Each theorem of claims.v is changed alike and
-tried with its term. A changed statement that goes through is listed: it is true, as Coq has just
-proved it. It must stand in survivors.txt with the reason, unless it lost a hypothesis that the proof
-does not need, or says that a point exists (as the negation of a claim does). Exit code 1 otherwise.
-
-With --generated FOLDER is one of `carom export coq --proofs`, compiled: each compiled theorem is held against its
-changed statements, as the folder's `check` holds it against statements.v. It may pass for none but one that Coq
-computes to be the same, as 2 / 1 and 2.
+FOLDER is one of `carom export coq --proofs`, compiled. Each statement of its theorems is changed one place at a time in
+its conclusion or definitions (a relation, an operator, a number) or loses a hypothesis, and the theorem is given as the
+proof of what results. It may pass for none but one that Coq computes to be the same, as 2 / 1 and 2. Where the folder
+holds further.v, compiled, the theorems that claims.v has from there are changed alike. Exit code 1 if one passes.
 """
 import argparse
 import re
@@ -96,25 +89,26 @@ def run(folder, module, header, jobs):
     return [jobs[n] for n in sorted(done) if jobs[n][1] != UNCHANGED]
 
 
-def sessions(module, header, jobs, originals):
-    """Two sessions for each file, so that the work spreads over both cores; with the originals."""
-    for part in (jobs[::2], jobs[1::2]):
-        if part:
-            names = dict.fromkeys(job[0] for job in part)
-            yield module, header, [(name, UNCHANGED, *originals[name]) for name in names] + part
-
-
-def generated(folder, every, only):
-    """Holds each compiled theorem of a generated folder against changed statements; whether none passes."""
+def theorems(folder):
+    """The compiled theorems of a folder: module, name, statement."""
     defined = statements((folder / "statements.v").read_text(), "Definition")
-    work, count = [], 0
     for line in (folder / "theorems.txt").read_text().splitlines():
         module, theorem, says = line.split(" ", 2)
+        name = re.search(r"statements\.([\w']+)", says).group(1)
+        yield module, theorem, defined[name] if says.startswith("statements.") else f"~ (\n{defined[name]})"
+    if (folder / "further.vo").exists():
+        text = (folder / "claims.v").read_text()
+        for name, body in re.findall(r"^Theorem (\w+) : (.*?)\.\nProof\. exact further\.\1\. Qed\.", text, re.S | re.M):
+            yield "further", name, "  " + body
+
+
+def held(folder, every, only):
+    """Holds each compiled theorem of a folder against changed statements; whether none passes."""
+    work, count = [], 0
+    for module, theorem, body in theorems(folder):
         if not (folder / f"{module}.vo").exists() or (only and module != only):
             continue
         header = f"From Carom Require Import vocabulary.\nFrom Carom Require {module}."
-        name = re.search(r"statements\.([\w']+)", says).group(1)
-        body = defined[name] if says.startswith("statements.") else f"~ (\n{defined[name]})"
         script = f"exact {module}.{theorem}."
         jobs = []
         for what, changed in mutants(body):
@@ -138,62 +132,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--every", type=int, default=1, help="try every N-th change only")
-    parser.add_argument("--module", help="only the proofs of this file")
-    parser.add_argument("--generated", action="store_true", help="FOLDER is one of generated proofs, compiled")
+    parser.add_argument("--module", help="only the theorems of this file")
     args = parser.parse_args()
-    if args.generated:
-        return 0 if generated(args.folder, args.every, args.module) else 1
-    here = Path(__file__).parent
-    defined = statements((here / "statements.v").read_text(), "Definition")
-    known = {}
-    for line in (here / "survivors.txt").read_text().splitlines():
-        if line.strip() and not line.startswith("#"):
-            name, change, reason = [part.strip() for part in line.split("|")]
-            known[name, change] = reason
-    work, total, count = [], 0, 0
-
-    def chosen(items):
-        nonlocal count
-        for item in items:
-            count += 1
-            if count % args.every == 0:
-                yield item
-
-    for path in sorted(here.glob("*.v")):
-        text = path.read_text()
-        proofs = re.findall(r"^Theorem (\w+) : statements\.\1\.\nProof\.(.*?)\bQed\.", text, re.S | re.M)
-        if not proofs or (args.module and path.stem != args.module):
-            continue
-        header = "\n".join(re.findall(r"^From .*\.$", text, re.M))
-        header += f"\nFrom Carom Require Import {path.stem}.\n"
-        jobs = [(name, what, changed, script) for name, script in proofs if not name.endswith("_defined")
-                for what, changed in chosen(mutants(defined[name]))]
-        work += sessions(path.stem, header, jobs, {name: (defined[name], script) for name, script in proofs})
-    if not args.module:
-        text = (here / "claims.v").read_text()
-        terms = dict(re.findall(r"Theorem (\w+) .*?Proof\. exact ([\w.]+)\. Qed\.", text, re.S))
-        theorems = re.findall(r"^Theorem (\w+) :\s+(.*?)\.\nProof", text, re.S | re.M)
-        header = "\n".join(re.findall(r"^From .*\.$", text, re.M))
-        jobs = [("claims." + name, what, changed, f"exact {terms[name]}.") for name, body in theorems
-                for what, changed in chosen(mutants("  " + body))]
-        work += sessions("claims", header, jobs,
-                         {"claims." + name: (body, f"exact {terms[name]}.") for name, body in theorems})
-    bad = 0
-    with ThreadPoolExecutor(2) as pool:
-        for (module, _, jobs), alive in zip(work, pool.map(lambda w: run(args.folder, *w), work)):
-            jobs = [job for job in jobs if job[1] != UNCHANGED]
-            total += len(jobs)
-            for name, what, _, _ in alive:
-                reason = known.get((name, what))
-                if reason is None and what.startswith("without "):
-                    reason = "the proof does not need this hypothesis"
-                if reason is None and defined.get(name, "").lstrip().startswith(("~", "exists")):
-                    reason = "it says that a point exists, and the same point serves"
-                bad += reason is None
-                print(f"{name} | {what} | {reason or 'NOT EXPLAINED'}")
-            print(f"-- {module}: {len(jobs)} changed statements, {len(alive)} go through", flush=True)
-    print(f"{total} changed statements of {count}, {bad} go through without an explanation")
-    return 1 if bad else 0
+    return 0 if held(args.folder, args.every, args.module) else 1
 
 
 if __name__ == "__main__":

@@ -48,6 +48,7 @@ with fails_there h := first
     | ?A -> ?B => let a := fresh in assert (a : A) by holds_there; let b := fresh in assert (b := h a); clear h; fails_there b
     | _ => exfalso; clear - h; numbers
     end ].
+Ltac evaluated := holds_there.
 Ltac computed := cbv beta zeta; intros; subst; repeat match goal with |- _ /\ _ => split end; holds_there.
 
 (** A function given by its first values: what holds of all of them. *)

@@ -16,8 +16,9 @@ rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
-
-Missing: termwise, integer. *)
+rule termwise: sum_ext2, product_ext2, sum_le2, termwise
+rule integer: whole_step, is_whole
+rule evaluate: evaluated *)
 From Carom Require Export vocabulary.
 From Coq Require Export Lra Lia List ZArith Bool.
 Import ListNotations.
@@ -413,20 +414,6 @@ Proof.
   - apply product_pow.
   - rewrite product_inv. now rewrite product_pow.
 Qed.
-Lemma product_holds_gt : forall a b f, (forall k, 0 < f k) -> holds GT (product_over a b f).
-Proof. intros a b f h. apply of_pos. unfold product_over. induction (b + 1 - a)%nat; cbn; [lra | apply Rmult_lt_0_compat; auto]. Qed.
-Lemma product_holds_ge : forall a b f, (forall k, 0 <= f k) -> holds GE (product_over a b f).
-Proof.
-  intros a b f h. assert (q : 0 <= product_over a b f).
-  { unfold product_over. induction (b + 1 - a)%nat; cbn; [lra | apply Rmult_le_pos; auto]. }
-  repeat split; cbn; intros; try reflexivity; exfalso; lra.
-Qed.
-Lemma sum_holds_ge : forall a b f, (forall k, 0 <= f k) -> holds GE (sum_over a b f).
-Proof.
-  intros a b f h. assert (q : 0 <= sum_over a b f).
-  { unfold sum_over. induction (b + 1 - a)%nat; cbn; [lra | assert (g := h (a + n)%nat); lra]. }
-  repeat split; cbn; intros; try reflexivity; exfalso; lra.
-Qed.
 Lemma product_empty : forall a b f, (b + 1 = a)%nat -> product_over a b f = 1.
 Proof. intros a b f h. unfold product_over. now replace (b + 1 - a)%nat with 0%nat by lia. Qed.
 Lemma sum_empty : forall a b f, (b + 1 = a)%nat -> sum_over a b f = 0.
@@ -465,6 +452,8 @@ Proof.
   assert (e : 0 < x - a) by lra. exists (mkposreal _ e). intros y hy. symmetry. apply h.
   unfold ball in hy. cbn in hy. unfold AbsRing_ball, abs, minus, plus, opp in hy. cbn in hy. apply Rabs_def2 in hy. lra.
 Qed.
+Lemma second_derivative_all : forall (f g : R -> R) x v, (forall y, Derive f y = g y) -> is_derive g x v -> is_derive_n f 2 x v.
+Proof. intros f g x v h hg. cbn. apply (is_derive_ext g); [intro y; symmetry; apply h | exact hg]. Qed.
 (** * Limits of quotients in 1/x, and between two others *)
 Lemma lim_inv_R : forall P Q : R -> R, ex_derive P 0 -> ex_derive Q 0 -> Q 0 <> 0 -> is_lim (fun x => P (/ x) / Q (/ x)) p_infty (P 0 / Q 0).
 Proof.
@@ -517,6 +506,7 @@ Ltac numerals := repeat match goal with |- context [INR ?k] => closed_nat k;
   let z := eval cbv in (Z.of_nat k) in replace (INR k) with (IZR z) by (cbn [INR]; ring) end.
 Ltac pushinr := repeat first [rewrite plus_INR | rewrite mult_INR | rewrite pow_INR]; numerals;
   repeat match goal with |- context [IZR ?c + INR ?n] => rewrite (Rplus_comm (IZR c) (INR n)) end.
+Ltac natural_value := pushinr; first [ring | (rewrite ?pow_add; ring)].
 Ltac naturals := repeat match goal with
   | H : (?a >= ?b)%nat |- _ => apply le_INR in H
   | H : (?a <= ?b)%nat |- _ => apply le_INR in H
@@ -596,6 +586,7 @@ Ltac unroot := unfold sech, tanh, cosh, sinh, cbrt in *.
 Ltac hide_logs := repeat match goal with |- context [ln ?a] => generalize (ln a); intro end.
 Ltac pw k := first
   [ reflexivity | ring | (field; nz)
+  | (apply f_equal; first [ring | (field; nz)])
   | (pushinr; first [ring | (field; nz)])
   | (rewrite ?pow_add, ?pow_mult, ?Rpow_mult_distr, ?pow1; first [reflexivity | ring | (field; nz)])
   | (apply by_logarithms; [pos | pos | logs; first [logfield | (hide_logs; k; logfield)]])
@@ -644,13 +635,50 @@ Ltac at_members := repeat match goal with
   apart_all.
 Ltac same_indices := repeat match goal with |- context [?f ?i] => lazymatch type of i with nat => idtac end;
   match goal with |- context [f ?j] => lazymatch j with i => fail | _ => replace j with i by lia end end end.
-Ltac body := cbv beta; intros; same_indices; at_members; first [reflexivity | (pushinr; first [ring | (field; nz)])].
+Ltac at_index_positive := apart_all; repeat match goal with H : (?a <= ?k)%nat |- _ =>
+  lazymatch goal with _ : 0 < INR k |- _ => fail | _ => assert (0 < INR k) by (apply lt_0_INR; lia) end end.
+Ltac body := cbv beta; intros; same_indices; at_members; first
+  [ reflexivity | (pushinr; first [ring | (field; nz)])
+  | (at_index_positive; pushinr; rewrite ?pow_add; first [ring | (field; nz) | pw ltac:(idtac)]) ].
 Lemma sum_scale : forall c a b f, c * sum_over a b f = sum_over a b (fun k => c * f k).
 Proof. intros. unfold sum_over. induction (b + 1 - a)%nat; cbn; [ring | rewrite <- IHn; ring]. Qed.
 Lemma sum_plus : forall a b f g, sum_over a b f + sum_over a b g = sum_over a b (fun k => f k + g k).
 Proof. intros. unfold sum_over. induction (b + 1 - a)%nat; cbn; [ring | rewrite <- IHn; ring]. Qed.
 Lemma product_ext2 : forall a a' b b' f g, a = a' -> b = b' -> (forall k, (a <= k < b + 1)%nat -> f k = g k) -> product_over a b f = product_over a' b' g.
 Proof. intros a a' b b' f g <- <-. apply product_ext. Qed.
+Lemma sum_le2 : forall a a' b b' f g, a = a' -> b = b' -> (forall k, (a <= k < b + 1)%nat -> f k <= g k) -> sum_over a b f <= sum_over a' b' g.
+Proof.
+  intros a a' b b' f g <- <- h. unfold sum_over. assert (q : forall c, (a + c <= b + 1)%nat -> sum_terms f a c <= sum_terms g a c).
+  { induction c; intro hc; cbn; [lra |]. apply Rplus_le_compat; [apply IHc | apply h]; lia. }
+  destruct (Nat.le_gt_cases a (b + 1)). - apply q. lia. - replace (b + 1 - a)%nat with 0%nat by lia. cbn. lra.
+Qed.
+(** Sums and products term by term, from the fact [h] for all indices of the range. *)
+Ltac termwise h := first
+  [ apply sum_ext2 | apply product_ext2 | apply sum_le2 | (apply Rle_ge; apply sum_le2) ];
+  [ lia | lia | let k := fresh in let r := fresh in intros k r; cbv beta;
+    match type of r with (?a <= _ < ?b + 1)%nat => assert (a <= k /\ k <= b)%nat by lia; clear r end;
+    apart_all; first [apply h; hyp | apply Rge_le, h; hyp | apply h | apply Rge_le, h] ].
+(** Whole numbers: between one and the next there is none. *)
+Definition whole (x : R) : Prop := exists z : Z, x = IZR z.
+Lemma whole_nat : forall n, whole (INR n). Proof. intro n. exists (Z.of_nat n). apply INR_IZR_INZ. Qed.
+Lemma whole_plus : forall x y, whole x -> whole y -> whole (x + y).
+Proof. intros x y [a ->] [b ->]. exists (a + b)%Z. symmetry. apply plus_IZR. Qed.
+Lemma whole_times : forall x y, whole x -> whole y -> whole (x * y).
+Proof. intros x y [a ->] [b ->]. exists (a * b)%Z. symmetry. apply mult_IZR. Qed.
+Lemma whole_pow : forall x n, whole x -> whole (x ^ n).
+Proof. intros x n h. induction n; cbn [pow]; [now exists 1%Z | now apply whole_times]. Qed.
+Ltac is_whole := lazymatch goal with
+  | |- whole (IZR ?z) => exists z; reflexivity
+  | |- whole (INR _) => apply whole_nat
+  | |- whole (_ + _) => apply whole_plus; is_whole
+  | |- whole (_ * _) => apply whole_times; is_whole
+  | |- whole (_ ^ _) => apply whole_pow; is_whole
+  end.
+Lemma whole_step : forall x y c d p, whole p -> x < y -> y - x = p -> d - c = p - 1 -> c <= d.
+Proof.
+  intros x y c d p [z ->] h e1 e2. assert (hz : (1 <= z)%Z) by (apply (Zlt_le_succ 0), lt_IZR; lra).
+  apply IZR_le in hz. lra.
+Qed.
 Ltac over := first
   [ reflexivity
   | solve [apply product_ext2; [lia | lia | body]]
@@ -664,15 +692,31 @@ Proof.
   { induction c; intro hc; cbn; [lra | apply Rmult_lt_0_compat; [apply IHc; lia | apply h; lia]]. }
   destruct (Nat.le_gt_cases a (b + 1)). - apply q. lia. - replace (b + 1 - a)%nat with 0%nat by lia. cbn. lra.
 Qed.
+Lemma in_range : forall P : R -> Prop, (forall x y, P x -> P y -> P (x + y)) -> P 0 ->
+  forall a b f, (forall k, (a <= k < b + 1)%nat -> P (f k)) -> P (sum_over a b f).
+Proof.
+  intros P hp h0 a b f h. unfold sum_over. assert (q : forall c, (a + c <= b + 1)%nat -> P (sum_terms f a c)).
+  { induction c; intro hc; cbn; [exact h0 | apply hp; [apply IHc | apply h]; lia]. }
+  destruct (Nat.le_gt_cases a (b + 1)). - apply q. lia. - replace (b + 1 - a)%nat with 0%nat by lia. exact h0.
+Qed.
+Lemma sum_in_ge : forall a b f, (forall k, (a <= k < b + 1)%nat -> 0 <= f k) -> holds GE (sum_over a b f).
+Proof. intros a b f h. assert (q : 0 <= sum_over a b f) by (apply in_range; [intros; lra | lra | exact h]). from. Qed.
 Ltac over_positive := apply product_in_gt; cbv beta; intros; at_members; pos.
+Ltac over_not_negative := apply sum_in_ge; cbv beta; intros; at_index_positive; at_members;
+  first [apply Rlt_le; pos | apply pow2_ge_0 | lra | nra].
 Ltac member_at i := match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u ?t = _ =>
   replace t with (i + 1)%nat by lia; rewrite (H i); body end.
-Ltac split_off := first
-  [ (apply product_empty; lia) | (apply sum_empty; lia)
-  | (match goal with |- _ = product_over ?a ?c _ * _ => etransitivity; [apply (product_last a _ c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld])
-  | (match goal with |- _ = product_over ?c ?b _ * _ => etransitivity; [apply (product_first _ b c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld])
-  | (match goal with |- _ = sum_over ?a ?c _ + _ => etransitivity; [apply (sum_last a _ c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld])
-  | (match goal with |- _ = sum_over ?c ?b _ + _ => etransitivity; [apply (sum_first _ b c); lia |] end; apply f_equal2; [reflexivity | cbn beta; fld]) ].
+Ltac split_rest := cbv beta; first [ring | (same_indices; ring) | (pushinr; rewrite ?pow_add; ring) | fld].
+Ltac split_off := lazymatch goal with
+  | |- product_over _ _ _ = 1 => apply product_empty; lia
+  | |- sum_over _ _ _ = 0 => apply sum_empty; lia
+  | |- product_over ?a ?b ?f = ?r => match r with
+    | context [product_over a ?c _] => rewrite (product_last a b c f) by lia; split_rest
+    | context [product_over ?c b _] => rewrite (product_first a b c f) by lia; split_rest end
+  | |- sum_over ?a ?b ?f = ?r => match r with
+    | context [sum_over a ?c _] => rewrite (sum_last a b c f) by lia; split_rest
+    | context [sum_over ?c b _] => rewrite (sum_first a b c f) by lia; split_rest end
+  end.
 Ltac member k := first [assumption | (symmetry; assumption)
   | match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u (?i + 1)%nat = _ => rewrite (H i); k; fld end
   | match goal with H : forall k : nat, ?u (k + 1)%nat = _ |- ?u (1 + ?i)%nat = _ =>
@@ -683,7 +727,11 @@ Ltac member k := first [assumption | (symmetry; assumption)
             | change j with (1 + 1)%nat; rewrite (H 1%nat); cbn [INR Nat.add]; k; fld
             | change j with (2 + 1)%nat; rewrite (H 2%nat); cbn [INR Nat.add]; k; fld ] end ].
 Ltac induct h s := match goal with |- forall n : nat, @?P n => exact (nat_ind1 P h s) end.
-Ltac induct_from h s := apply nat_from; [exact h | exact s].
+Lemma nat_from_number : forall (P : nat -> Prop) b r, INR b = r -> P b -> (forall n, INR n >= r -> P n -> P (n + 1)%nat) -> forall n, INR n >= r -> P n.
+Proof. intros P b r <-. apply nat_from. Qed.
+Ltac induct_from h s := first [apply nat_from; [exact h | exact s]
+  | lazymatch goal with |- forall n : nat, INR n >= IZR ?z -> _ => let b := eval cbv in (Z.to_nat z) in
+      apply (nat_from_number _ b); [cbn [INR]; ring | first [exact h | (numerals; exact h) | (cbn [INR]; exact h)] | exact s] end ].
 
 Lemma rising_pow : forall a b n, (0 < n)%nat -> 0 <= a -> 0 <= b -> (a < b <-> a ^ n < b ^ n).
 Proof.
@@ -738,9 +786,14 @@ Ltac same z := first [exact z | (cbv beta zeta in z |- *; exact z)
 Ltac by_any := match goal with H : forall _, _ |- _ => solve [apply H; at_hand | apply H; [at_hand | at_hand] | apply H] end.
 Ltac pieces := repeat (cbv beta; intros; match goal with |- _ /\ _ => split end); intros; apart_all;
   first [at_hand | by_any | (cbv beta in *; first [at_hand | by_any])].
+(** Comparisons of natural numbers, as those of the real numbers that they are. *)
+Lemma eq_of_nat : forall a b : nat, a = b <-> INR a = INR b. Proof. intros a b. split; [now intros -> | apply INR_eq]. Qed.
+Lemma le_of_nat : forall a b : nat, (a <= b)%nat <-> INR a <= INR b. Proof. intros a b. split; [apply le_INR | apply INR_le]. Qed.
+Lemma lt_of_nat : forall a b : nat, (a < b)%nat <-> INR a < INR b. Proof. intros a b. split; [apply lt_INR | apply INR_lt]. Qed.
+Ltac as_reals := unfold ge, gt; rewrite ?eq_of_nat, ?le_of_nat, ?lt_of_nat; pushinr.
 Ltac finish z := first [exact z | (cbv beta zeta; exact z) | (cbv beta zeta; solve [pieces])
   | solve [cbv beta zeta; repeat match goal with |- _ /\ _ => split end; intros; apart_all; first [hyp | tauto | (apply z; hyp)]]
-  | solve [cbv beta zeta; naturals; hyp] | (generalize z; cbn; tauto)].
+  | solve [cbv beta zeta; naturals; hyp] | solve [cbv beta zeta; as_reals; first [exact z | (cbn [INR]; exact z) | (revert z; unfold Rge, Rgt; tauto)]] | (generalize z; cbn; tauto)].
 Lemma derive_is : forall (f : R -> R) x u v, is_derive f x u -> u = v -> is_derive f x v.
 Proof. intros f x u v h <-. exact h. Qed.
 (** [auto_derive] knows of exp and ln. *)

@@ -18,7 +18,7 @@ static FOLDERS: [Dir; 3] = [
     include_dir!("$CARGO_MANIFEST_DIR/proofs/lemmas"),
 ];
 
-/// The Coq proofs: `carom export` finds in them where a claim is proved.
+/// The library of the Coq proofs, and the page of theorems.
 static COQ: Dir = include_dir!("$CARGO_MANIFEST_DIR/proofs/coq");
 
 /// The certificates of the proved claims: `carom check` without paths checks them.
@@ -69,12 +69,6 @@ pub fn coq_files() -> Vec<File> {
         .collect();
     out.sort_by_key(|f| f.path);
     out
-}
-
-/// The script that checks the Coq files from nothing.
-pub fn coq_check() -> &'static str {
-    let named = |f: &&include_dir::File| f.path().file_name().is_some_and(|n| n == "check");
-    COQ.files().find(named).and_then(|f| f.contents_utf8()).unwrap_or_default()
 }
 
 /// The name of the claim in a file.

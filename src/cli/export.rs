@@ -2,10 +2,8 @@
 
 use super::audit::load;
 use super::{Exit, Language, terminal};
-use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::export::{Unsupported, coq, smt2};
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Between two scripts for one solver: it forgets the first one, with its logic and its names.
@@ -41,13 +39,7 @@ impl Language {
 ///
 /// Without names, what cannot be said is left out and counted on standard error; a named claim that cannot be said is an
 /// error, or a stated limit.
-pub fn run(
-    language: Option<Language>,
-    ids: &[String],
-    from: &[PathBuf],
-    theorems: bool,
-    listed: bool,
-) -> Result<String, Exit> {
+pub fn run(language: Option<Language>, ids: &[String], from: &[PathBuf], listed: bool) -> Result<String, Exit> {
     names_after_from(ids, from)?;
     let loaded = load(from, ids)?;
     let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
@@ -57,15 +49,9 @@ pub fn run(
         Some(language) => language,
         None => return Ok(list(&claims, &[Language::Coq, Language::Smt2])),
     };
-    if theorems && language != Language::Coq {
-        return Err(Exit::usage("error: --theorems are for Coq: write `carom export coq --theorems`"));
-    }
     let mut refusals: Vec<(&Claim, Unsupported)> = Vec::new();
     let text = match language {
-        Language::Coq => {
-            let statements = said(&claims, &mut refusals, coq::statement);
-            if theorems { proved(statements, !from.is_empty())? } else { coq::definitions(&statements) }
-        }
+        Language::Coq => coq::definitions(&said(&claims, &mut refusals, coq::statement)),
         Language::Smt2 => said(&claims, &mut refusals, smt2::script).join(RESET),
     };
     if !ids.is_empty() && !refusals.is_empty() {
@@ -122,27 +108,6 @@ fn refused(language: Language, refusals: &[(&Claim, Unsupported)]) -> Exit {
         lines.push(line);
     }
     Exit::faults(&lines, refusals.iter().all(|(_, refusal)| refusal.limit))
-}
-
-/// The theorems of these statements. Those of a user's own claims are proved in Coq if the catalogue has the same statement
-/// under the same name.
-fn proved(mut statements: Vec<coq::Statement>, own: bool) -> Result<String, Exit> {
-    let files = embedded::coq_files();
-    let proofs: BTreeMap<String, String> = files.iter().flat_map(|f| coq::proofs_in(f.path, f.text)).collect();
-    if own {
-        let stated = |s: &coq::Statement| {
-            let beside = format!("(* statement sha256 {} *)\nDefinition {} :", s.digest, s.name);
-            files.iter().any(|file| file.text.contains(&beside))
-        };
-        statements.retain(stated);
-    }
-    if !statements.iter().any(|s| proofs.contains_key(&s.name)) {
-        return Err(Exit::usage(
-            "error: --theorems: proofs/coq has no proof of any of these claims; without --theorems their statements are \
-             printed, to be proved",
-        ));
-    }
-    Ok(coq::theorems(&statements, &proofs))
 }
 
 /// What the claims are in another language; those that cannot be said go to the refusals.

@@ -195,8 +195,8 @@ be enough."
         /// Claim files and folders; the built-in catalogue if none is given
         #[arg(long, value_name = "PATH", num_args = 1..)]
         from: Vec<PathBuf>,
-        /// For Coq: theorems with the places of their proofs in proofs/coq, instead of definitions; claims without a
-        /// proof there are left out
+        /// For Coq: theorems, each with the place of its proof in a folder of --proofs, instead of definitions; claims
+        /// without a proof are left out
         #[arg(long)]
         theorems: bool,
         /// For Coq: write a folder that stands alone, with a proof of each claim, made from its certificate, the library
@@ -397,8 +397,12 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Export { language, ids, from, theorems: _, proofs: true, list: _, output, limits } => {
             theorems::run(language, &ids, &from, output.as_deref(), &limits.limits())
         }
-        Command::Export { language, ids, from, theorems, proofs: false, list, output, limits: _ } => {
-            let text = export::run(language, &ids, &from, theorems, list)?;
+        Command::Export { language, ids, from, theorems: true, proofs: _, list: _, output, limits } => {
+            let text = theorems::page(language, &ids, &from, &limits.limits())?;
+            deliver(output.as_deref(), &text).map(|()| 0)
+        }
+        Command::Export { language, ids, from, theorems: false, proofs: false, list, output, limits: _ } => {
+            let text = export::run(language, &ids, &from, list)?;
             deliver(output.as_deref(), &text).map(|()| 0)
         }
         Command::New { dir, title } => new::run(&dir, &title),

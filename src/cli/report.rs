@@ -90,10 +90,15 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     let plots = Vec::new();
     let settings = Settings { limits: flags.limits.limits(), argument: true, ..Settings::default() };
     let audit = audit::all(&flags.paths, &settings)?;
-    let (evidence, ran) = match flags.coq.then(|| theorems::ran(&audit, &settings.limits)).transpose()?.flatten() {
-        Some((evidence, files)) => (evidence, Some(files)),
-        None => (evidence::gather(&audit), None),
+    let proofs = theorems::of_audit(&audit, &settings.limits);
+    let ran = match (&proofs, flags.coq) {
+        (Ok(made), true) => theorems::ran(&audit, made)?,
+        (Err(reason), true) => return Err(Exit::usage(format!("error: {reason}"))),
+        _ => None,
     };
+    let coq_ran = ran.is_some();
+    let evidence = ran.unwrap_or_else(|| evidence::gather(&audit, proofs.as_ref().map_err(String::as_str)));
+    let coq = proofs.ok().filter(|made| made.theorems() > 0).map(|made| made.contents()).unwrap_or_default();
     let paper = audit.entries.iter().find_map(|e| e.claim.paper.as_deref());
     let title = flags.title.clone().unwrap_or_else(|| match (catalogue, paper) {
         (true, _) => {
@@ -103,7 +108,7 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
         (false, Some(paper)) => format!("Audit of {paper}"),
         (false, None) => "Audit".to_string(),
     });
-    Ok(Handout { audit, title, evidence, ran, catalogue, tables, plots })
+    Ok(Handout { audit, title, evidence, coq, coq_ran, catalogue, tables, plots })
 }
 
 /// Says what an earlier report left in the folder: `carom check` would read its certificates, and a reader its pictures.

@@ -17,8 +17,20 @@ use std::process::{Command, Stdio};
 /// The script of the folder that runs Coq.
 const CHECK: &str = "check";
 
-/// What Coq said of each claim, and the files that it was run on.
-type Ran = (BTreeMap<String, Evidence>, Vec<(String, String)>);
+/// The folder of the claims that are asked for, made but not written.
+fn asked(ids: &[String], from: &[PathBuf], limits: &Limits) -> Result<Folder, Exit> {
+    names_after_from(ids, from)?;
+    let loaded = load(from, ids)?.with_certificates(false)?;
+    let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
+    let asked: Vec<Claim> = loaded.catalogue.claims().iter().filter(wanted).cloned().collect();
+    let names: Vec<String> = loaded.catalogue.in_order(&asked).into_iter().map(|c| c.name.text).collect();
+    let settings = Settings { limits: limits.clone(), ..Settings::default() };
+    let mut entries = Vec::new();
+    for (name, entry) in loaded.judge(&names, &settings).entries {
+        entries.push(entry.map_err(|fault| loaded.failure(&name, fault))?);
+    }
+    folder(&loaded.catalogue, &entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))
+}
 
 /// Writes the folder: everything is judged and made first, so that nothing is written where that fails.
 pub fn run(
@@ -31,19 +43,9 @@ pub fn run(
     if language != Some(Language::Coq) {
         return Err(Exit::usage("error: --proofs are for Coq: write `carom export coq --proofs --output DIR`"));
     }
-    names_after_from(ids, from)?;
     let out = output.unwrap_or(Path::new("."));
     is_free(out)?;
-    let loaded = load(from, ids)?.with_certificates(false)?;
-    let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
-    let asked: Vec<Claim> = loaded.catalogue.claims().iter().filter(wanted).cloned().collect();
-    let names: Vec<String> = loaded.catalogue.in_order(&asked).into_iter().map(|c| c.name.text).collect();
-    let settings = Settings { limits: limits.clone(), ..Settings::default() };
-    let mut entries = Vec::new();
-    for (name, entry) in loaded.judge(&names, &settings).entries {
-        entries.push(entry.map_err(|fault| loaded.failure(&name, fault))?);
-    }
-    let made = folder(&loaded.catalogue, &entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))?;
+    let made = asked(ids, from, limits)?;
     let interrupt = Interrupt::listen();
     write(&made, out)?;
     if interrupt.asked() {
@@ -63,6 +65,21 @@ pub fn run(
         }
     }
     Ok(0)
+}
+
+/// The page of theorems: each in full, with the place of its proof in the folder that [`run`] writes.
+pub fn page(language: Option<Language>, ids: &[String], from: &[PathBuf], limits: &Limits) -> Result<String, Exit> {
+    if language != Some(Language::Coq) {
+        return Err(Exit::usage("error: --theorems are for Coq: write `carom export coq --theorems`"));
+    }
+    let made = asked(ids, from, limits)?;
+    if made.theorems() == 0 {
+        return Err(Exit::usage(
+            "error: --theorems: there is no proof of any of these claims; without --theorems their statements are printed, \
+             to be proved",
+        ));
+    }
+    Ok(made.page())
 }
 
 /// A folder that holds something is left alone.
@@ -93,18 +110,21 @@ fn is_installed() -> bool {
     silent.is_ok_and(|status| status.success())
 }
 
-/// The evidence by Coq for an audit, with the files that Coq was run on; `None` where Coq is not installed.
-pub fn ran(audit: &Audit, limits: &Limits) -> Result<Option<Ran>, Exit> {
+/// The folder of an audit's claims.
+pub fn of_audit(audit: &Audit, limits: &Limits) -> Result<Folder, String> {
+    let claims: Vec<Claim> = audit.entries.iter().map(|e| e.claim.clone()).collect();
+    let catalogue = Catalogue::new(claims).map_err(|_| "the claims are not those that were judged".to_string())?;
+    folder(&catalogue, &audit.entries, limits).map_err(|clash| clash.to_string())
+}
+
+/// The evidence where Coq is run on the folder of an audit; `None` where Coq is not installed.
+pub fn ran(audit: &Audit, made: &Folder) -> Result<Option<BTreeMap<String, Evidence>>, Exit> {
     if !is_installed() {
-        terminal::note("note: coqc is not installed, so Coq is not run: the report names the theorems of proofs/coq");
+        terminal::note("note: coqc is not installed, so Coq is not run: `bash coq/check` in the folder runs it");
         return Ok(None);
     }
-    let claims: Vec<Claim> = audit.entries.iter().map(|e| e.claim.clone()).collect();
-    let catalogue =
-        Catalogue::new(claims).map_err(|_| Exit::usage("error: the claims are not those that were judged"))?;
-    let made = folder(&catalogue, &audit.entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))?;
     let place = tempfile::tempdir().map_err(|e| Exit::usage(format!("error: cannot make a folder for Coq: {e}")))?;
-    write(&made, place.path())?;
+    write(made, place.path())?;
     let cannot = |e: std::io::Error| Exit::usage(format!("error: cannot run {CHECK} of the Coq proofs: {e}"));
     let output = Command::new("bash").arg(place.path().join(CHECK)).stdin(Stdio::null()).output().map_err(cannot)?;
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -117,14 +137,12 @@ pub fn ran(audit: &Audit, limits: &Limits) -> Result<Option<Ran>, Exit> {
             (name == module).then(|| line.split_whitespace().collect::<Vec<_>>().join(" "))
         };
         let line = |from: &str| said.lines().find_map(|line| word(line, from));
-        let axioms = format!("axioms of {theorem}:");
-        let known = said.lines().any(|line| line.starts_with(&axioms));
+        let known = said.lines().any(|line| line.split_whitespace().eq(["theorem", theorem]));
         ["failed ", "timed out ", "not tried "]
             .iter()
             .find_map(|from| line(from))
             .or_else(|| wrong.clone())
             .or_else(|| (!known).then(|| "Coq said nothing of it".to_string()))
     };
-    let evidence = evidence::ran(audit, &made, &refused);
-    Ok(Some((evidence, made.contents())))
+    Ok(Some(evidence::ran(audit, made, &refused)))
 }

@@ -1078,13 +1078,17 @@ pub fn theorems(statements: &[Statement], proved: &BTreeMap<String, String>) -> 
         "(** Every claim in full, with the place of its proof. NAME is the claim of that name (its\n    \
          negation, where the claim is expected to be refuted); NAME_defined says that, under the same\n    \
          hypotheses, all its expressions have values. No other file is imported than [vocabulary], so\n    \
-         that nothing of the proofs has a say in what the statements mean.\n\n    \
+         that nothing of the proofs has a say in what the statements mean. The proofs are files that\n    \
+         `carom export coq --proofs` makes from certificates.\n\n    \
          This part is written by `carom export coq --theorems`: change the claim files, not this one. *)\n\n",
     );
     let mut modules: Vec<&str> = proved.values().map(String::as_str).collect();
     modules.sort_unstable();
     modules.dedup();
-    out.push_str(&format!("From Carom Require Import vocabulary.\nFrom Carom Require {}.\n", modules.join(" ")));
+    out.push_str("From Carom Require Import vocabulary.\n");
+    for line in modules.chunks(8) {
+        out.push_str(&format!("From Carom Require {}.\n", line.join(" ")));
+    }
     for statement in statements.iter().filter(|s| proved.contains_key(&s.name)) {
         out.push_str(&format!("\n(* statement sha256 {} *)", statement.digest));
         for (name, text) in statement.propositions() {
@@ -1104,11 +1108,11 @@ impl Statement {
     }
 }
 
-/// Where statements are proved: in a file's text, `Theorem NAME : statements.NAME.` opens a proof.
-pub fn proofs_in(module: &str, text: &str) -> Vec<(String, String)> {
-    text.lines()
-        .filter_map(|line| line.strip_prefix("Theorem ")?.strip_suffix('.')?.split_once(" : statements."))
-        .filter(|(name, statement)| name == statement)
-        .map(|(name, _)| (name.to_string(), module.to_string()))
-        .collect()
+/// The theorems that a file of [`theorems`] has, by name, each with the module of its proof.
+pub fn proved_in(text: &str) -> BTreeMap<String, String> {
+    let one = |line: &str| {
+        let (module, name) = line.strip_prefix("Proof. exact ")?.strip_suffix(". Qed.")?.split_once('.')?;
+        Some((name.to_string(), module.to_string()))
+    };
+    text.lines().filter_map(one).collect()
 }

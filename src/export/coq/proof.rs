@@ -94,7 +94,7 @@ pub fn proof(
 
 /// What a file begins with that needs the files of these claims.
 pub fn imports(cites: &BTreeSet<String>) -> String {
-    let mut text = String::from("From Carom Require Import vocabulary rules.\n");
+    let mut text = String::from("From Carom Require Import vocabulary rules points.\n");
     cites.iter().for_each(|cited| text += &format!("From Carom Require {}.\n", identifier(cited)));
     text
 }
@@ -424,11 +424,11 @@ impl Writer<'_> {
             Rule::Mean { with } => self.mean(goal, with, &given)?,
             Rule::Tangent { with } => self.tangent(goal, with, &given)?,
             Rule::Slope { .. } => return Err(Open::Untranslated(show.label.clone(), "slope")),
-            Rule::Termwise { .. } => return Err(Open::Untranslated(show.label.clone(), "termwise")),
+            Rule::Termwise { from } => format!("termwise {}", fact(from)),
             Rule::Limit { with, .. } => self.limit(goal, with, &given)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
-            Rule::Evaluate => return Err(Open::Untranslated(show.label.clone(), "evaluate")),
-            Rule::Integer { .. } => return Err(Open::Untranslated(show.label.clone(), "integer")),
+            Rule::Evaluate => self.evaluate(&show.using)?,
+            Rule::Integer { from } => self.integer(goal, from, &given)?,
         };
         let text = self.prop(goal)?;
         self.put(&format!("assert ({} : {text}). {{ {tactic}. }}", fact(label)));

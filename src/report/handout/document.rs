@@ -6,7 +6,7 @@
 
 use super::evidence::Evidence;
 use super::numbers::{Plot, Table, WHAT_IS_CERTAIN};
-use super::{Handout, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
+use super::{Handout, STATED, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::explain;
 use crate::refute::outcome::Verdict;
 use crate::report::argument::{clauses_latex, remarks};
@@ -153,7 +153,7 @@ fn shown_by(name: &str, evidence: &Evidence) -> Vec<String> {
         Ok(theorem) => format!(
             "Coq: theorem {}, stated in {}, proved in {}.",
             code(&theorem.name),
-            code(&coq_file(theorem.stated)),
+            code(&coq_file(STATED)),
             code(&coq_file(&theorem.module))
         ),
         Err(reason) => format!("Not in Coq: {}.", escape(reason)),

@@ -1,11 +1,11 @@
 //! Who has shown a claim: the kernel, by a certificate that it accepted in this run, and Coq, by a theorem.
 //!
-//! Contract: a theorem of Coq is named only where its statement stands in `proofs/coq/claims.v` letter by letter as this claim is
-//! exported, and says what the verdict says. Coq itself is not run there: whoever doubts runs it on the files in the folder.
-//! Where Coq was run on proofs made from the certificates ([`ran`]), a theorem is named only where Coq accepted it.
+//! Contract: where Coq was run on the proofs that are made from the certificates ([`ran`]), a theorem is named only where Coq
+//! accepted it. Where Coq was not run ([`gather`]), a theorem is named only where its statement stands in
+//! `proofs/coq/claims.v` letter by letter as this claim is exported, and the proof in the folder says what the verdict says.
 
 use crate::claim::embedded;
-use crate::claim::syntax::{Claim, Expectation};
+use crate::claim::syntax::Claim;
 use crate::export::coq;
 use crate::judge::Proof;
 use crate::refute::outcome::Verdict;
@@ -19,14 +19,12 @@ pub struct Theorem {
     pub name: String,
     /// The file of its proof, without folder and ending.
     pub module: String,
-    /// The file that states it.
-    pub stated: &'static str,
     /// Whether Coq accepted it while the report was made.
     pub accepted: bool,
-    /// Its statement, as it stands in `claims.v`; of a refuted claim, the negation.
+    /// Its statement; of a refuted claim, the negation.
     pub statement: String,
-    /// Its proof, as it stands in the file.
-    pub proof: String,
+    /// Its proof as it stands in the file, unless that is long.
+    pub proof: Option<String>,
 }
 
 /// Who has shown a claim, other than the search.
@@ -71,99 +69,69 @@ impl Evidence {
     }
 }
 
-/// The evidence for each claim of an audit, by name.
-pub fn gather(audit: &Audit) -> BTreeMap<String, Evidence> {
-    let library = Library::embedded();
+/// The evidence for each claim of an audit, by name, where Coq is not run; `made` are the proofs for Coq, or why there are
+/// none.
+pub fn gather(audit: &Audit, made: Result<&Folder, &str>) -> BTreeMap<String, Evidence> {
+    let claims = embedded::coq_files().into_iter().find(|f| f.path == "claims").map_or("", |f| f.text);
     let one = |entry: &Entry| {
-        let coq = library.theorem(&entry.claim, entry.outcome.verdict);
+        let coq = made.map_err(str::to_string).and_then(|made| {
+            let (file, module, name) = theorem(entry, made)?;
+            match is_stated(claims, &entry.claim, name) {
+                true => Ok(read(file, module, name, false)),
+                false => {
+                    Err(format!("coq/{module}.v holds a proof that Coq was not run on; `carom report --coq` runs it"))
+                }
+            }
+        });
         (entry.claim.name.text.clone(), Evidence { kernel: entry.proof.clone(), coq })
     };
     audit.entries.iter().map(one).collect()
+}
+
+/// Whether the page of theorems states this claim, letter by letter, under the name of this theorem.
+fn is_stated(claims: &str, claim: &Claim, theorem: &str) -> bool {
+    coq::statement(claim).is_ok_and(|said| {
+        said.name == theorem && claims.contains(&format!("\nTheorem {theorem} :\n{}.\nProof. exact ", said.full))
+    })
 }
 
 /// The evidence where Coq was run on a folder of generated proofs; `refused` says of theorems and files why Coq did not
 /// accept them.
 pub fn ran(audit: &Audit, made: &Folder, refused: &dyn Fn(&str, &str) -> Option<String>) -> BTreeMap<String, Evidence> {
     let one = |entry: &Entry| {
-        let file = made.files.iter().find(|file| file.claim == entry.claim.name.text);
-        let coq = match file.map(|file| (file, file.module.as_ref(), file.theorems.first())) {
-            Some((file, Some(module), Some(theorem))) if !theorem.name.ends_with("_defined") => {
-                match refused(module, &theorem.name) {
-                    Some(why) => Err(why),
-                    None => Ok(accepted(file, module, &theorem.name)),
-                }
-            }
-            Some((file, _, _)) => Err(file.open.first().map_or_else(String::new, |open| open.1.clone())),
-            None => Err("it has no file for Coq".to_string()),
-        };
+        let coq = theorem(entry, made).and_then(|(file, module, name)| match refused(module, name) {
+            Some(why) => Err(why),
+            None => Ok(read(file, module, name, true)),
+        });
         (entry.claim.name.text.clone(), Evidence { kernel: entry.proof.clone(), coq })
     };
     audit.entries.iter().map(one).collect()
 }
 
-/// A theorem of a generated file that Coq accepted.
-fn accepted(file: &File, module: &str, name: &str) -> Theorem {
+/// The file, its module and the theorem that says of a claim what the verdict says.
+fn theorem<'a>(entry: &Entry, made: &'a Folder) -> Result<(&'a File, &'a str, &'a str), String> {
+    let file = made.files.iter().find(|file| file.claim == entry.claim.name.text).ok_or("it has no file for Coq")?;
+    match (&file.module, file.theorems.first()) {
+        (Some(module), Some(theorem)) if !theorem.name.ends_with("_defined") => Ok((file, module, &theorem.name)),
+        _ => Err(file.open.first().map_or_else(String::new, |open| open.1.clone())),
+    }
+}
+
+/// The longest proof that a page shows, in bytes: a longer one is read in its file.
+const SHOWN: usize = 4000;
+
+/// A theorem of a generated file.
+fn read(file: &File, module: &str, name: &str, accepted: bool) -> Theorem {
     let from = file.text.find(&format!("Theorem {name} :\n")).unwrap_or_default();
     let (statement, proof) = file.text[from..].split_once("\nProof.").unwrap_or_default();
     let proof = proof.split_once("\nQed.").map_or(proof, |(proof, _)| proof);
     Theorem {
         name: name.to_string(),
         module: module.to_string(),
-        stated: "statements",
-        accepted: true,
+        accepted,
         statement: statement.to_string(),
-        proof: format!("Proof.{proof}\nQed."),
+        proof: (proof.len() <= SHOWN).then(|| format!("Proof.{proof}\nQed.")),
     }
-}
-
-/// The Coq files.
-struct Library {
-    /// What `claims.v` says.
-    claims: &'static str,
-    /// The file of each theorem, and its text.
-    places: BTreeMap<String, (String, &'static str)>,
-}
-
-impl Library {
-    fn embedded() -> Library {
-        let files = embedded::coq_files();
-        let claims = files.iter().find(|f| f.path == "claims").map_or("", |f| f.text);
-        let places = |f: &embedded::File| {
-            let text = f.text;
-            coq::proofs_in(f.path, text).into_iter().map(move |(name, module)| (name, (module, text)))
-        };
-        Library { claims, places: files.iter().flat_map(places).collect() }
-    }
-
-    /// The theorem that says of a claim what the verdict says.
-    fn theorem(&self, claim: &Claim, verdict: Verdict) -> Result<Theorem, String> {
-        let said = coq::statement(claim).map_err(|refusal| format!("it cannot be said in Coq: {}", refusal.reason))?;
-        let name = said.name;
-        let stated = match verdict {
-            Verdict::Proved => claim.expect != Expectation::Refuted,
-            Verdict::Refuted => claim.expect == Expectation::Refuted,
-            Verdict::Undecided => false,
-        };
-        let export = "the Coq files hold no theorem of this statement; carom export coq can state it".to_string();
-        let Some((module, text)) = self.places.get(&name).filter(|_| stated) else { return Err(export) };
-        let whole = format!("\nTheorem {name} :\n{}.\nProof. exact {module}.{name}. Qed.\n", said.full);
-        let proof = proof(&name, text);
-        match proof.filter(|_| self.claims.contains(&whole)) {
-            Some(proof) => {
-                let statement = format!("Theorem {name} :\n{}.", said.full);
-                let proof = proof.to_string();
-                Ok(Theorem { name, module: module.clone(), stated: "claims", accepted: false, statement, proof })
-            }
-            None => Err(export),
-        }
-    }
-}
-
-/// A theorem with its proof in a file of proofs.
-fn proof<'a>(name: &str, text: &'a str) -> Option<&'a str> {
-    let from = text.find(&format!("\nTheorem {name} : statements.{name}.\n"))? + 1;
-    let length = text[from..].find("Qed.")? + "Qed.".len();
-    Some(&text[from..from + length])
 }
 
 #[cfg(test)]
@@ -174,13 +142,11 @@ mod tests {
     fn a_claim_with_a_known_name_and_another_statement_has_no_theorem() {
         let mut claims = embedded::claims(&["eq13".to_string()]).ok().flatten().unwrap_or_default();
         let mut claim = claims.remove(claims.iter().position(|c| c.name.text == "eq13").expect("a claim"));
-        let library = Library::embedded();
-        let theorem = library.theorem(&claim, Verdict::Proved).expect("a theorem");
-        assert_eq!((theorem.name.as_str(), theorem.module.as_str()), ("eq13", "transfer"));
-        assert!(theorem.proof.starts_with("Theorem eq13 : statements.eq13.") && theorem.proof.ends_with("Qed."));
-        assert!(library.theorem(&claim, Verdict::Refuted).is_err());
+        let page = embedded::coq_files().into_iter().find(|f| f.path == "claims").expect("the page").text;
+        assert!(is_stated(page, &claim, "eq13"));
+        assert!(!is_stated(page, &claim, "eq13_refuted"));
         claim.items.remove(0);
-        assert!(library.theorem(&claim, Verdict::Proved).is_err());
+        assert!(!is_stated(page, &claim, "eq13"));
     }
 
     #[test]

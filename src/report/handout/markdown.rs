@@ -2,7 +2,7 @@
 
 use super::evidence::Evidence;
 use super::numbers::WHAT_IS_CERTAIN;
-use super::{Handout, address, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
+use super::{Handout, STATED, address, certificate_of, coq_file, findings, named, plot_file, provenance, table_file};
 use crate::report::argument;
 use crate::report::markdown::{self, escape};
 use crate::report::table::{Form, Writer};
@@ -93,7 +93,7 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         Ok(theorem) => out.push_str(&format!(
             "\nCoq: theorem `{}`, stated in {}, proved in {}.\n",
             theorem.name,
-            link(&coq_file(theorem.stated)),
+            link(&coq_file(STATED)),
             link(&coq_file(&theorem.module))
         )),
         Err(reason) => out.push_str(&format!("\nNot in Coq: {}.\n", escape(reason))),

@@ -12,7 +12,6 @@ pub mod numbers;
 mod page;
 
 use super::{Audit, counted};
-use crate::claim::embedded;
 use crate::refute::outcome::Verdict;
 use evidence::Evidence;
 use numbers::{Plot, Table};
@@ -26,8 +25,10 @@ pub struct Handout {
     pub title: String,
     /// Who else has shown each claim.
     pub evidence: BTreeMap<String, Evidence>,
-    /// The proofs that Coq was run on while the report was made, as files; `None` where it was not.
-    pub ran: Option<Vec<(String, String)>>,
+    /// The proofs for Coq that were made from the certificates, as files; none where there is no theorem.
+    pub coq: Vec<(String, String)>,
+    /// Whether Coq was run on them while the report was made.
+    pub coq_ran: bool,
     /// Whether the claims are those of the built-in catalogue.
     pub catalogue: bool,
     /// Its tables.
@@ -63,12 +64,7 @@ impl Handout {
                 out.push((certificate_of(name), proof.certificate.clone().into_bytes()));
             }
         }
-        if let Some(files) = &self.ran {
-            out.extend(files.iter().map(|(name, text)| (format!("coq/{name}"), text.clone().into_bytes())));
-        } else if self.evidence.values().any(|e| e.coq.is_ok()) {
-            out.extend(embedded::coq_files().iter().map(|f| (coq_file(f.path), f.text.as_bytes().to_vec())));
-            out.push((COQ_CHECK.to_string(), embedded::coq_check().as_bytes().to_vec()));
-        }
+        out.extend(self.coq.iter().map(|(name, text)| (format!("coq/{name}"), text.clone().into_bytes())));
         for (place, table) in self.tables.iter().enumerate() {
             out.push((table_file(place, "csv"), table.csv.clone().into_bytes()));
             out.push((table_file(place, "jsonl"), table.certificate.clone().into_bytes()));
@@ -118,8 +114,8 @@ impl Handout {
                 }
             ),
             match counts.coq {
-                0 => "No verdict has a theorem in Coq.".to_string(),
-                some if self.ran.is_some() => format!(
+                0 => "No verdict has a theorem in Coq that was checked.".to_string(),
+                some if self.coq_ran => format!(
                     "Coq accepted theorems for {some} of the {} in this run.",
                     counted(self.audit.entries.len(), "verdict")
                 ),
@@ -149,27 +145,28 @@ impl Handout {
         if !self.tables.is_empty() {
             out.push(("carom check tables/*.jsonl".to_string(), "the kernel, on every cell of the tables"));
         }
-        if self.ran.is_some() {
+        if !self.coq.is_empty() {
             out.push((
                 "bash coq/check".to_string(),
-                "Coq, on the proofs made from the certificates, and what axioms they rest on",
-            ));
-        } else if self.evidence.values().any(|e| e.coq.is_ok()) {
-            out.push((
-                "bash coq/check --fast".to_string(),
-                "Coq, on the proofs, and what axioms they rest on; this report did not run Coq",
+                match self.coq_ran {
+                    true => "Coq, on the proofs made from the certificates, and what axioms they rest on",
+                    false => {
+                        "Coq, on the proofs made from the certificates, and what axioms they rest on; this report did \
+                              not run Coq"
+                    }
+                },
             ));
         }
         out
     }
 }
 
-/// The script that compiles the Coq files and prints their axioms.
-const COQ_CHECK: &str = "coq/check";
-
 fn certificate_of(claim: &str) -> String {
     format!("certificates/{claim}.cert")
 }
+
+/// The Coq file that states the theorems.
+const STATED: &str = "statements";
 
 fn coq_file(module: &str) -> String {
     format!("coq/{module}.v")

@@ -36,7 +36,11 @@ fn library() -> Vec<embedded::File> {
 
 /// The names that no claim's file may take.
 pub fn own_modules() -> Vec<String> {
-    library().iter().map(|f| f.path.to_string()).chain(["statements", "assumptions"].map(str::to_string)).collect()
+    library()
+        .iter()
+        .map(|f| f.path.to_string())
+        .chain(["statements", "stated", "assumptions"].map(str::to_string))
+        .collect()
 }
 
 impl Folder {
@@ -71,6 +75,16 @@ impl Folder {
             ("README.md".to_string(), self.readme()),
         ]);
         out
+    }
+
+    /// The page of the theorems, each in full with the place of its proof.
+    pub fn page(&self) -> String {
+        let mut proved = BTreeMap::new();
+        for file in &self.files {
+            let Some(module) = &file.module else { continue };
+            proved.extend(file.theorems.iter().map(|theorem| (theorem.name.clone(), module.clone())));
+        }
+        coq::theorems(&self.statements, &proved)
     }
 
     /// How many theorems the files have.

@@ -6,8 +6,8 @@
 
 mod folder;
 
-use crate::certificate::Certificate;
 use crate::certificate::text::read;
+use crate::certificate::{Certificate, Rule, Step};
 use crate::claim::parse::parse_expr;
 use crate::claim::syntax::{Claim, Expectation};
 use crate::export::coq::{self, Statement, defined, proof, refuted};
@@ -143,7 +143,7 @@ impl Maker<'_> {
                 Err(reason) => file.open.push((name, reason)),
             }
         }
-        file.text = head(&file.needs, entry.outcome.verdict == Verdict::Refuted);
+        file.text = head(&file.needs);
         file.text += &format!("\n(* statement sha256 {} *)\n", stated.digest);
         for (name, reason) in &file.open {
             let full = stated.propositions().into_iter().find(|p| p.0 == *name).map_or("", |p| p.1);
@@ -181,12 +181,15 @@ impl Maker<'_> {
                 let script = format!("{}\n  finish {}.", made.text, made.shown);
                 Ok(Made::new(&stated.name, &stated.full, &script, made.cites, format!("statements.{}", stated.name)))
             }
-            (Verdict::Refuted, _) => {
+            (Verdict::Refuted, proof) => {
                 let witness = entry.outcome.witness.as_ref().ok_or("it has no witness")?;
                 let point = point(witness)?;
                 let certificate = match refuted::is_computed(claim, &point).map_err(|open| why(&open))? {
                     true => None,
-                    false => Some(refutation(claim, &point, self.limits)?),
+                    false => match proof.as_ref().and_then(|proof| held(&proof.certificate, &point)) {
+                        Some(certificate) => Some(certificate),
+                        None => Some(refutation(claim, &point, self.limits)?),
+                    },
                 };
                 let made = refuted::proof(claim, &point, certificate.as_ref()).map_err(|open| why(&open))?;
                 let (name, full, says) = match claim.expect {
@@ -235,10 +238,9 @@ impl Made {
     }
 }
 
-/// What a file begins with; the tactics for points are for refuted claims.
-fn head(needs: &BTreeSet<String>, refuted: bool) -> String {
-    let points = if refuted { " points" } else { "" };
-    let mut text = format!("From Carom Require Import vocabulary rules values{points}.\n");
+/// What a file begins with.
+fn head(needs: &BTreeSet<String>) -> String {
+    let mut text = "From Carom Require Import vocabulary rules values points.\n".to_string();
     needs.iter().for_each(|module| text += &format!("From Carom Require {module}.\n"));
     text
 }
@@ -265,6 +267,20 @@ fn point(witness: &Witness) -> Result<refuted::Point, String> {
         _ => Err(format!("the witness has {place} = {value}")),
     };
     witness.point.values.iter().map(read).collect()
+}
+
+/// The refutation that the kernel accepted, if it is at this point and each of its steps becomes one of Coq.
+fn held(text: &str, point: &refuted::Point) -> Option<Certificate> {
+    let certificate = read(text).ok()?;
+    let refutes = certificate.refutes.as_ref().filter(|refutes| refutes.undefined.is_none())?;
+    let written = |point: &refuted::Point| -> BTreeSet<String> {
+        point
+            .iter()
+            .map(|(place, value)| format!("{} = {}", kernel::key::expr(place), kernel::key::expr(value)))
+            .collect()
+    };
+    let numeric = |step: &Step| matches!(step, Step::Show(show) if matches!(show.rule, Rule::Evaluate));
+    (written(&refutes.point) == written(point) && !certificate.steps.iter().any(numeric)).then_some(certificate)
 }
 
 /// A certificate of the claim at a point where another one fails.

@@ -69,7 +69,16 @@ impl Writer<'_> {
             let words = self.checker.fraction_words(&plain);
             let text = self.prop(&compare(a.clone(), Relation::Equal, words.clone()))?;
             let alone = self.lemma("L", &text, "derive ltac:(idtac)");
-            let equal = self.identity(&Side::Expr(words), &Side::Expr(b.clone()), &given.using, given)?;
+            let with = [self.checker.read(&words, &given.using)?, self.checker.read(b, &given.using)?];
+            let equal = match with {
+                [x, y] if x == y => self.identity(&Side::Expr(words), &Side::Expr(b.clone()), &given.using, given)?,
+                // A sign or facts say that it is the other side.
+                _ => {
+                    let equation = compare(words, Relation::Equal, b.clone());
+                    let (text, tactic) = (self.prop(&equation)?, self.combination(&equation, times, terms, given)?);
+                    self.lemma("E", &text, &tactic)
+                }
+            };
             return Ok(format!("exact (derive_is _ _ _ _ {alone} {equal})"));
         }
         let (text_a, text_b) = (self.expr(a)?, self.expr(b)?);
@@ -267,6 +276,33 @@ impl Writer<'_> {
         let f = self.checker.read(x, &given.using)?;
         let sign = self.sign(&text, &Side::Expr(x.clone()), &given.using, &f, Signs::NOT_ZERO, given)?;
         Ok(format!("exact (tangent_strict {text} {sign})"))
+    }
+
+    /// A comparison of whole numbers with one between them, from the strict one.
+    pub(super) fn integer(&mut self, goal: &Prop, from: &str, given: &Given) -> Found<String> {
+        let strict = self.fact_prop(from)?;
+        let ((x, less, y), (c, at_most, d)) = (self.sides(&strict, "integer")?, self.sides(goal, "integer")?);
+        let (x, y) = if less == Relation::Less { (x, y) } else { (y, x) };
+        let (below, above, turned) = match at_most {
+            Relation::LessEqual => (c, d, ""),
+            _ => (d, c, "Rle_ge _ _ "),
+        };
+        let (low, high) = (self.checker.read(x, &given.using)?, self.checker.read(y, &given.using)?);
+        let difference = self.checker.difference_of(&high, &low)?;
+        let value = Side::Value(difference.clone());
+        let whole = self.fraction(&difference)?;
+        let whole = self.lemma("N", &format!("whole {whole}"), "is_whole");
+        let first = Side::Expr(y.clone()).minus(Side::Expr(x.clone()));
+        let second = Side::Expr(above.clone()).minus(Side::Expr(below.clone()));
+        let first = self.identity(&first, &value, &given.using, given)?;
+        let second = self.identity(&second, &value.minus(Side::integer(1)), &given.using, given)?;
+        Ok(format!("exact ({turned}(whole_step _ _ _ _ _ {whole} {} {first} {second}))", fact(from)))
+    }
+
+    /// What is true at a point, with the numbers put in that names stand for.
+    pub(super) fn evaluate(&mut self, using: &[Label]) -> Found<String> {
+        let equations: String = using.iter().map(|label| format!("rewrite ?{}; ", fact(label))).collect();
+        Ok(format!("first [evaluated | ({equations}evaluated)]"))
     }
 
     pub(super) fn equation(&self, e: &Expr, using: &[Label]) -> Option<(Label, Expr)> {

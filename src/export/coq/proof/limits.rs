@@ -104,11 +104,20 @@ impl Writer<'_> {
         let first = self.checker.read(&first, &[])?;
         self.positive(&first, given)?;
         self.divisors(&first, given)?;
+        let f = self.checker.read(&name(&x.text), &[])?;
+        let positive = self.checker.signs(&f, &given.signed)?.within(Signs::POSITIVE);
         let (word, first) = (self.printer.word(&x.text), self.fraction(&first)?);
-        Ok(format!(
-            "apply (second_derivative _ (fun {word} : R => {first}) _ 0); \
-             [let y := fresh in let h := fresh in intros y h; apply is_derive_unique; clear - H__h1 H__h2 h; derive ltac:(idtac) \
-             | lra | derive ltac:(idtac)]"
-        ))
+        // Where the variable is positive, its first derivative is there for positive numbers only.
+        Ok(match positive {
+            true => format!(
+                "apply (second_derivative _ (fun {word} : R => {first}) _ 0); \
+                 [let y := fresh in let h := fresh in intros y h; apply is_derive_unique; derive ltac:(idtac) \
+                 | lra | derive ltac:(idtac)]"
+            ),
+            false => format!(
+                "apply (second_derivative_all _ (fun {word} : R => {first})); \
+                 [let y := fresh in intro y; apply is_derive_unique; derive ltac:(idtac) | derive ltac:(idtac)]"
+            ),
+        })
     }
 }

@@ -107,7 +107,7 @@ impl Writer<'_> {
             }
             return Ok(match &e.kind {
                 ExprKind::SumOver(..) | ExprKind::ProductOver(..) => self.over(e, &value, given)?,
-                _ if natural => "clear; pushinr; ring".to_string(),
+                _ if natural => "clear; natural_value".to_string(),
                 _ => "f_equal; lia".to_string(),
             });
         }

@@ -141,6 +141,9 @@ impl Writer<'_> {
             }
             Form::Member(_) if wanted != Signs::ANY => Some((wanted, format!("family {text}"))),
             Form::Over(false) if wanted.within(Signs::POSITIVE) => Some((wanted, "over_positive".to_string())),
+            Form::Over(true) if wanted.within(Signs::NOT_NEGATIVE) => {
+                Some((Signs::NOT_NEGATIVE, "over_not_negative".to_string()))
+            }
             _ => None,
         };
         let noted: Vec<usize> = (0..given.signed.notes.len().min(limit))

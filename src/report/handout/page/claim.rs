@@ -4,7 +4,7 @@ use super::point;
 use crate::claim::print::{self, Style};
 use crate::explain;
 use crate::report::handout::evidence::Evidence;
-use crate::report::handout::{Handout, address, certificate_of, coq_file};
+use crate::report::handout::{Handout, STATED, address, certificate_of, coq_file};
 use crate::report::markup::escape;
 use crate::report::{Entry, mathml, reading};
 
@@ -113,13 +113,15 @@ fn shown_by(out: &mut String, name: &str, evidence: &Evidence) {
     match &evidence.coq {
         Ok(theorem) => out.push_str(&format!(
             "<p class=\"meta\">Coq: theorem <code>{}</code>, stated in {}, proved in {}.</p>\n\
-             <details><summary>The theorem and its proof in Coq</summary>\n\
-             <pre><code>{}</code></pre>\n<pre><code>{}</code></pre>\n</details>\n",
+             <details><summary>The theorem in Coq</summary>\n<pre><code>{}</code></pre>\n{}</details>\n",
             escape(&theorem.name),
-            link(&coq_file(theorem.stated)),
+            link(&coq_file(STATED)),
             link(&coq_file(&theorem.module)),
             escape(&theorem.statement),
-            escape(&theorem.proof)
+            theorem
+                .proof
+                .as_ref()
+                .map_or_else(String::new, |proof| format!("<pre><code>{}</code></pre>\n", escape(proof)))
         )),
         Err(reason) => out.push_str(&format!("<p class=\"meta\">Not in Coq: {}.</p>\n", escape(reason))),
     }
