@@ -236,6 +236,7 @@ fn bad_input_gets_one_clear_error() {
         (vec!["audit", "--only", "eq13", "-o", &nowhere], "cannot write"),
         (vec!["audit", "--color", "green"], "invalid value 'green'"),
         (vec!["audit", "/no/such.claim"], "cannot read /no/such.claim"),
+        (vec!["audit", "eq13"], "the claim eq13 of the built-in catalogue is --only eq13"),
         (vec!["list", "/no/such.claim"], "cannot read /no/such.claim"),
         (vec!["man", "etaa"], "there is no help on etaa"),
         (vec!["help", "exlain"], "did you mean explain?"),

@@ -3,6 +3,7 @@
 use super::Exit;
 use super::terminal::colour;
 use crate::claim::diagnostic::{Diagnostic, Fault};
+use crate::claim::embedded;
 use crate::claim::lex::FILE_LIMIT;
 use crate::claim::parse::{claim_names, parse_under, text_of};
 use crate::claim::preamble::{self, Preamble};
@@ -37,9 +38,19 @@ fn fresh(path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<bool, Exit> {
     let canonical = match std::fs::canonicalize(path) {
         Ok(canonical) => canonical,
         Err(_) if is_standard_input(path) || std::fs::metadata(path).is_ok() => path.to_path_buf(),
-        Err(e) => return Err(cannot_read(path, &e)),
+        Err(e) => return Err(claim_as_path(path).unwrap_or_else(|| cannot_read(path, &e))),
     };
     Ok(seen.insert(canonical))
+}
+
+/// The error for the name of a claim of the built-in catalogue in the place of a file, if it is one.
+fn claim_as_path(path: &Path) -> Option<Exit> {
+    let name = path.to_str()?;
+    embedded::files().iter().any(|f| embedded::stem(f.path) == name).then(|| {
+        Exit::usage(format!(
+            "error: there is no file {name}; the claim {name} of the built-in catalogue is --only {name}"
+        ))
+    })
 }
 
 /// Whether a path stands for standard input.

@@ -19,6 +19,7 @@ pub mod rational;
 pub mod real;
 pub mod root;
 pub mod running;
+mod words;
 
 use std::fmt;
 
