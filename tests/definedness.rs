@@ -10,8 +10,9 @@ use carom::export::{self, values::Guard};
 use carom::judge::outcome_of;
 use carom::kernel;
 use carom::refute::catalogue::{Catalogue, Limits};
-use carom::refute::evaluate::{Assignment, Missing};
+use carom::refute::evaluate::Assignment;
 use carom::refute::expand::parts;
+use carom::refute::number::Missing;
 use carom::refute::outcome::Verdict;
 use malachite::Rational;
 use std::time::Duration;
@@ -172,7 +173,7 @@ fn listed(point: &Assignment, e: &Expr) -> Option<bool> {
             return Some(false);
         }
         let end = |e: &Expr| match point.number(e) {
-            Ok(carom::refute::evaluate::Number::Exact(q)) => i64::try_from(&q).ok(),
+            Ok(carom::refute::number::Number::Exact(q)) => i64::try_from(&q).ok(),
             _ => None,
         };
         for k in end(&index.from)?..=end(&index.to)? {
@@ -202,7 +203,7 @@ fn exported(point: &Assignment, conditions: &[export::values::Condition]) -> Opt
             let mut inner = Vec::new();
             for point in points {
                 let end = |e: &Expr| match point.number(e) {
-                    Ok(carom::refute::evaluate::Number::Exact(q)) => i64::try_from(&q).ok(),
+                    Ok(carom::refute::number::Number::Exact(q)) => i64::try_from(&q).ok(),
                     _ => None,
                 };
                 // Where the ends have no value the range's own condition fails, or that of its ends.

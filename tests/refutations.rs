@@ -263,7 +263,7 @@ fn holds(claim: &Claim, refutes: &Refutes) -> Option<bool> {
     for (place, value) in &refutes.point {
         let value = value.clone();
         let exact = Assignment::default().number(&value).ok()?;
-        let carom::refute::evaluate::Number::Exact(q) = exact else { return None };
+        let carom::refute::number::Number::Exact(q) = exact else { return None };
         at.values.insert(print::expr(place), q);
     }
     for u in &statement.sequences {
@@ -337,8 +337,8 @@ fn a_number_that_the_kernel_encloses_is_the_one_that_the_evaluator_finds() {
     for text in exprs {
         let number = Assignment::default().number(&parse_expr(text).unwrap()).unwrap();
         let (low, high) = match number {
-            carom::refute::evaluate::Number::Exact(q) => (q.clone(), q),
-            carom::refute::evaluate::Number::Between(low, high, _) => (low, high),
+            carom::refute::number::Number::Exact(q) => (q.clone(), q),
+            carom::refute::number::Number::Between(low, high, _) => (low, high),
         };
         let width = rational::parse("1e-20").unwrap();
         let (below, above) = (

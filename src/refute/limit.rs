@@ -15,7 +15,8 @@
 //!
 //! Cost: a fixed number of coefficients (`TERMS`).
 
-use super::evaluate::{Assignment, Number, add, exponential, invert, logarithm, multiply};
+use super::evaluate::Assignment;
+use super::number::{Number, add, exponential, invert, logarithm, multiply};
 use crate::claim::definedness::Exponent;
 use crate::claim::syntax::*;
 use crate::claim::walk::names_in;

@@ -9,6 +9,7 @@ pub mod evaluate;
 pub mod expand;
 pub mod faults;
 pub mod limit;
+pub mod number;
 pub mod outcome;
 pub mod reading;
 pub mod search;

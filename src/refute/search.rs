@@ -5,9 +5,10 @@
 //! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
 
 use super::Instant;
-use super::evaluate::{Assignment, Missing, STEPS};
+use super::evaluate::{Assignment, STEPS};
 use super::expand::Statement;
 use super::limit::{Tends, tends};
+use super::number::Missing;
 use super::outcome::{Broken, Point, Witness};
 use super::reading::Reading;
 use super::solve::{Way, ways};
@@ -303,7 +304,7 @@ impl Search {
             alone.values.insert(name.clone(), first * ratio.pow(k));
             domain.iter().all(|h| alone.truth(h) == Ok(true))
         };
-        plain && whole && (0..24).chain([super::evaluate::LARGEST + 1]).all(allowed)
+        plain && whole && (0..24).chain([super::number::LARGEST + 1]).all(allowed)
     }
 
     /// The point of a choice, with what the hypotheses determine, if they all hold there for certain.
@@ -337,7 +338,7 @@ impl Search {
         }
         for (name, value) in &self.determined {
             match point.number(value) {
-                Ok(super::evaluate::Number::Exact(q)) => {
+                Ok(super::number::Number::Exact(q)) => {
                     point.values.insert(name.clone(), q);
                 }
                 _ => return None,

@@ -2,14 +2,15 @@
 //!
 //! Contract: a point is drawn from the domains of the variables, what the hypotheses determine is computed, and only points
 //! where every hypothesis certainly holds count. At a point the goal certainly holds, certainly fails, or is left open:
-//! values are exact, or enclosed with [`super::evaluate::PRECISION`] bits, so a failure is never noise. The points depend
+//! values are exact, or enclosed with [`super::number::PRECISION`] bits, so a failure is never noise. The points depend
 //! on the numbers that the caller draws and on nothing else.
 //!
 //! Simple points come first, as in a refutation; then random ones: small and large numbers, perfect powers (whose roots
 //! are rational), ends of domains, and values that meet a bound of the goal exactly.
 
-use super::evaluate::{Assignment, Number};
+use super::evaluate::Assignment;
 use super::expand::{Limit, Statement, names_in};
+use super::number::Number;
 use super::outcome::{Fault, Point, Witness};
 use super::search::{Choice, Goal, Members, Plan, Search, Seen, aimed, as_point};
 use super::shape;
