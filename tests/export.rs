@@ -389,7 +389,7 @@ fn theorems_are_those_that_are_proved() {
     let own = folder.path().join("own.claim");
     let path = own.to_str().expect("a name");
     // The page of a user's claims has the theorems of these, and none that has no proof.
-    std::fs::write(&own, "claim eq13 \"t\"\ngiven x > 0\nprove x + x = 2*x\n\nclaim open \"t\"\ngiven x > 0\nprove exp(x) + sinh(x)^3 > 1 + x^2/7\n").expect("written");
+    std::fs::write(&own, "claim eq13 \"t\"\ngiven x > 0\nprove x + x = 2*x\n\nclaim open \"t\"\ngiven f(k) > 0 for k in 1..3\nprove f(1) > 0\n").expect("written");
     let (code, out, said) = run(&["export", "coq", "--theorems", "--from", path]);
     assert_eq!(code, Some(0), "{said}");
     assert!(out.contains("x + x = 2 * x.\nProof. exact eq13.eq13. Qed.") && !out.contains("Theorem open"), "{out}");
