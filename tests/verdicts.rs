@@ -185,10 +185,10 @@ fn matrices_differ_where_an_entry_does() {
 
 #[test]
 fn a_claim_whose_lemma_is_undecided_is_undecided_and_says_so() {
-    let text = "claim lemma \"t\"\ngiven x >= 0\nprove exp(x) >= 1 + x + x^2/2\n\nclaim false-lemma \"t\"\ngiven x real\nprove x > 0\n\n\
-                claim user \"t\"\nusing lemma\ngiven y >= 0\nprove exp(y) >= 1 + y + y^2/2 by lemma with x = y\n\n\
-                claim next \"t\"\nusing user\ngiven z >= 0\nprove exp(z) >= 1 + z + z^2/2 by user with y = z\n\n\
-                claim other \"t\"\nusing false-lemma\ngiven y >= 0\nprove exp(y) + 1 >= y + 2 + y^2/2 by false-lemma with x = y\n";
+    let text = "claim lemma \"t\"\ngiven x, y > 0\nprove x^y + y^x > 1\n\nclaim false-lemma \"t\"\ngiven x real\nprove x > 0\n\n\
+                claim user \"t\"\nusing lemma\ngiven a, b > 0\nprove a^b + b^a > 1 by lemma with x = a, y = b\n\n\
+                claim next \"t\"\nusing user\ngiven c, d > 0\nprove c^d + d^c > 1 by user with a = c, b = d\n\n\
+                claim other \"t\"\nusing false-lemma\ngiven a, b > 0\nprove a^b + b^a > 1 by false-lemma with x = a\n";
     let catalogue = Catalogue::new(parse(text).unwrap()).unwrap();
     let limits = Limits { time: Duration::from_secs(5), ..Limits::default() };
     let reason = |name: &str| {
