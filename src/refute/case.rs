@@ -1,6 +1,6 @@
 //! One claim as a search for points sees it: its hypotheses, a point at which they hold, a counterexample.
 //!
-//! Contract: a sample satisfies every hypothesis exactly. A counterexample is one of [`search`](super::search). It is sought twice: at
+//! Contract: a sample satisfies every hypothesis exactly. A counterexample is one of [`super::search`]. It is sought twice: at
 //! few points, before a proof is sought, and at all of them, where none was found.
 
 use super::Instant;
