@@ -60,6 +60,18 @@ proptest! {
     }
 
     #[test]
+    fn what_is_printed_with_signs_reads_back_as_the_same_tree(a in expressions(), b in expressions()) {
+        let text = format!("{} ≤ {}", print::Style::Unicode.expr(&a), print::Style::Unicode.expr(&b));
+        let prop = parse_prop(&text).unwrap_or_else(|f| panic!("{text}: {f:?}"));
+        let PropKind::Compare(sides, _) = &prop.kind else { panic!("{text} is a comparison") };
+        for (side, printed) in sides.iter().zip([&a, &b]) {
+            // In print an index has no underscore.
+            let expected = print::expr(printed).replace("v_2", "v2");
+            prop_assert_eq!(print::expr(side), expected, "{}", text);
+        }
+    }
+
+    #[test]
     fn no_bytes_make_the_parser_fail(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         let _ = parse_bytes(&bytes);
     }
@@ -67,7 +79,7 @@ proptest! {
     #[test]
     fn no_soup_of_tokens_makes_the_parser_fail(words in prop::collection::vec(prop::sample::select(vec![
         "claim", "given", "prove", "let", "assume", "using", "by", "have", "case", "x", "n", "1", "2.5", "(", ")", "{", "}",
-        "=", "<=>", "=>", "and", "or", "not", "for all", "exists", "maximum of", "limit of", "in", "[", "]", ",", ";", ":",
+        "=", "<=>", "=>", "and", "or", "not", "for all", "exists", "maximum of", "limit of", "in", "[", "²", "⁻¹", "√", "m₁", "]", ",", ";", ":",
         "+", "-", "*", "/", "^", "\"t\"", "\n", "natural", "> 0", "sum(i = 1..n, i)", "define u by", "->", "infinity", "is",
     ]), 0..60)) {
         let source = words.join(" ");
@@ -139,6 +151,39 @@ fn faults_are_said_where_they_are() {
         }
         assert_eq!(fault(source), expected, "{source}");
     }
+}
+
+#[test]
+fn indices_and_powers_are_read_as_they_are_printed() {
+    for (typed, plain) in [
+        ("m₁*v₁² = (x + y)²", "m1*v1^2 = (x + y)^2"),
+        ("x⁻¹ + x⁻¹² = 2³·x", "x^(-1) + x^(-12) = 2^3*x"),
+        ("-x² = μ₁²/λ₂", "-x^2 = mu1^2/lambda2"),
+        ("√x = √(x + 1)*√√2", "sqrt(x) = sqrt(x + 1)*sqrt(sqrt(2))"),
+        ("2^x² = x", "2^x^2 = x"),
+        ("v₁_2 = n!", "v1_2 = n!"),
+        ("Σ(i = 1…n, Π(j = 1…i, x)) = 1", "sum(i = 1..n, product(j = 1..i, x)) = 1"),
+    ] {
+        let prop = |text: &str| parse_prop(text).unwrap_or_else(|f| panic!("{text}: {f:?}"));
+        assert_eq!(print::prop(&prop(typed)), print::prop(&prop(plain)), "{typed}");
+    }
+    // The places of faults are those of what was typed.
+    let with = |rest: &str| format!("claim c \"t\"\ngiven m₁, x > 0;  x² < 2\n{rest}\n");
+    assert!(parse(&with("prove m₁² <= x⁻¹")).is_ok());
+    for (rest, said) in [
+        ("prove m₁² + z₂ = x", "3:13 nothing declares the name z2"),
+        ("prove x²^3 = x", "3:9 a power above the line is followed by another sign of its kind"),
+        ("prove x²! = x", "3:9 a power above the line is followed by another sign of its kind"),
+        ("prove √x² = x", "3:9 what is under the root is not clear"),
+        ("prove x₁2 = x", "3:7 the name x₁2 has digits on the line and below it"),
+        ("prove ² = x", "3:7 expected an expression, found the power 2"),
+        ("prove m_1 = x", "3:7 "),
+        ("prove x⁻ = x", "3:8 "),
+    ] {
+        assert!(fault(&with(rest)).starts_with(said), "{rest}: {}", fault(&with(rest)));
+    }
+    let formatted = format(&with("prove   x² *m₁<=√( x )")).expect("it parses");
+    assert!(formatted.ends_with("prove x²*m₁ <= √(x)\n"), "{formatted}");
 }
 
 #[test]

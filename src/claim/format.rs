@@ -95,8 +95,8 @@ fn spaced(code: &str) -> String {
         let space = match (&before, &token.kind) {
             (None, _) => "",
             _ if opening => "",
-            (Some((Kind::Sign("(" | "["), _)), _) => "",
-            (_, Kind::Sign(")" | "]" | "," | ";" | ":" | "!")) => "",
+            (Some((Kind::Sign("(" | "[" | "√"), _)), _) => "",
+            (_, Kind::Raised(_) | Kind::Sign(")" | "]" | "," | ";" | ":" | "!")) => "",
             (_, Kind::Sign("|")) if operand_before => "",
             (Some((Kind::Sign(";"), _)), _) => "  ",
             (Some((Kind::Sign("^" | "*" | "/" | ".."), _)), _) => "",
@@ -119,7 +119,7 @@ fn ends_operand(kind: &Kind) -> bool {
         &["by", "is", "at", "over", "of", "and", "or", "not", "prove", "in", "to", "weight", "between", "with"];
     match kind {
         Kind::Word(w) => !WORDS.contains(&w.as_str()),
-        Kind::Number(_) | Kind::Text(_) => true,
+        Kind::Number(_) | Kind::Raised(_) | Kind::Text(_) => true,
         Kind::Sign(s) => matches!(*s, ")" | "]" | "}" | "!"),
         Kind::End => false,
     }

@@ -2,7 +2,8 @@
 //!
 //! Contract: every byte of the source belongs to a token, to white space or to a comment; each token
 //! knows its place. Unicode signs (≤ ≥ ≠ ⇒ ⇔ · × − ∧ ∨ ¬ ∞ →) read as their ASCII forms, and Greek letters
-//! in names as their names: `μ1` is `mu1`. So a name is ASCII, and no two names are one in print by their
+//! in names as their names: `μ1` is `mu1`. Digits below the line are an index, `m₁` is `m1`, and those above it a power,
+//! `x²` is `x^2`: the language reads what it prints. So a name is ASCII, and no two names are one in print by their
 //! letters alone; see [`super::parse`] for `m1` and `m_1`.
 //! Limits: [`NUMERAL_LIMIT`], [`NAME_LIMIT`], [`TOKENS_LIMIT`], [`FILE_LIMIT`].
 
@@ -36,6 +37,8 @@ pub enum Kind {
     Word(String),
     /// A numeral as written.
     Number(String),
+    /// A power above the line, `²` or `⁻¹`, in ASCII.
+    Raised(String),
     /// A text in quotation marks.
     Text(String),
     /// A sign in its ASCII form.
@@ -59,9 +62,17 @@ const UNICODE: &[(char, &str)] = &[
     ('×', "*"),
     ('−', "-"),
     ('→', "->"),
+    ('√', "√"),
+    ('…', ".."),
 ];
 
-const UNICODE_WORDS: &[(char, &str)] = &[('∧', "and"), ('∨', "or"), ('¬', "not"), ('∞', "infinity"), ('√', "sqrt")];
+/// Sums and products as they are printed; without an index these letters are no names.
+const OVER: &[(&str, &str)] = &[("Σ(", "sum"), ("Π(", "product")];
+
+/// Digits above the line, in order; those below it follow each other from `₀` on.
+const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+const UNICODE_WORDS: &[(char, &str)] = &[('∧', "and"), ('∨', "or"), ('¬', "not"), ('∞', "infinity"), ('∈', "in")];
 
 /// The tokens of a source, with all faults found on the way.
 pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
@@ -92,13 +103,16 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
         let kind = if let Some(length) = equation_number(&source[at..], &out) {
             at += length;
             Kind::Text(source[start..at].to_string())
+        } else if let Some((sign, word)) = OVER.iter().find(|over| source[at..].starts_with(over.0)) {
+            at += sign.len() - 1;
+            Kind::Word((*word).to_string())
         } else if c.is_alphabetic() || c == '_' {
             let rest = &source[at..];
             let mut end = 0;
             for (i, d) in rest.char_indices() {
                 let dash =
                     d == '-' && i > 0 && dashed(&out) && rest[i + 1..].starts_with(|n: char| n.is_alphanumeric());
-                if d.is_alphanumeric() || d == '_' || dash || d == '\'' {
+                if raised(d).is_none() && (d.is_alphanumeric() || d == '_' || dash || d == '\'') {
                     end = i + d.len_utf8();
                 } else {
                     break;
@@ -114,13 +128,20 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
                 Ok(word) => Kind::Word(word),
                 Err(message) => {
                     let help = "a name holds Latin letters, digits and Greek letters, begins with a letter, and may \
-                                have `_` between them and `'` at its end; powers are written x^2, indices x1";
+                                have `_` between them and `'` at its end; powers are written x^2 or x², indices x1 or x₁";
                     let fault = Fault::Other { message, help: Some(help.to_string()) };
                     faults.push(Diagnostic::new(fault, Span { start, end: at }));
                     // Read on as if it were right: one mistake, one message.
                     Kind::Word(rest[..end].to_string())
                 }
             }
+        } else if let Some((length, power)) = power(&source[at..]) {
+            at += length;
+            if power.len() > NUMERAL_LIMIT {
+                let fault = Fault::Limit { name: "digits of a numeral", allowed: NUMERAL_LIMIT };
+                faults.push(Diagnostic::new(fault, Span { start, end: at }));
+            }
+            Kind::Raised(power)
         } else if c.is_ascii_digit() {
             let length = numeral(&source[at..]);
             at += length;
@@ -166,16 +187,24 @@ pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
     (out, faults)
 }
 
-/// A word in ASCII. Signs that print as something else than a part of a name, such as ² and ₁, are refused,
-/// and so is `_` without anything to stand between.
+/// A word in ASCII; digits below the line are its index. Signs that print as something else than a part of a name are
+/// refused, and so is `_` without anything to stand between.
 fn word(text: &str) -> Result<String, String> {
     let mut out = String::new();
+    let mut before = ' ';
     for c in text.chars() {
+        // In print x₁2 is no name: it is x₁ times 2, or an index of which nobody can tell where it ends.
+        let is_mixed = |a: char, b: char| a.is_ascii_digit() && lowered(b).is_some();
+        if is_mixed(before, c) || is_mixed(c, before) {
+            return Err(format!("the name {text} has digits on the line and below it, one after the other"));
+        }
         match GREEK.iter().find(|g| g.1 == c) {
             Some((name, _)) => out.push_str(name),
             None if c.is_ascii() => out.push(c),
+            None if lowered(c).is_some() => out.extend(lowered(c)),
             None => return Err(format!("the name {text} holds the sign {c:?}")),
         }
+        before = c;
     }
     if out.split('_').any(str::is_empty) {
         return Err(format!("the name {text} has a `_` that stands between nothing"));
@@ -185,6 +214,25 @@ fn word(text: &str) -> Result<String, String> {
         return Err(format!("the name {text} has an apostrophe before its end"));
     }
     Ok(out)
+}
+
+/// The digit that a sign below the line is.
+fn lowered(c: char) -> Option<char> {
+    char::from_digit(u32::from(c).checked_sub(u32::from('₀'))?, 10)
+}
+
+/// The digit that a sign above the line is.
+fn raised(c: char) -> Option<char> {
+    char::from_digit(u32::try_from(RAISED.chars().position(|known| known == c)?).ok()?, 10)
+}
+
+/// The power above the line at the beginning, `²` or `⁻¹`: its length and its digits.
+fn power(text: &str) -> Option<(usize, String)> {
+    let digits = text.strip_prefix('⁻').unwrap_or(text);
+    let end = digits.find(|c| raised(c).is_none()).unwrap_or(digits.len());
+    let minus = if digits.len() < text.len() { "-" } else { "" };
+    let number: String = digits[..end].chars().filter_map(raised).collect();
+    (end > 0).then(|| (text.len() - digits.len() + end, format!("{minus}{number}")))
 }
 
 /// Whether a word here may hold dashes: after `claim`, `using` or `by`, and in the list after `using`.

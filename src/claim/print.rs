@@ -527,8 +527,7 @@ mod tests {
             faults.iter().map(|f| f.message()).collect::<Vec<_>>().join("; ")
         };
         for (names, wanted) in [
-            ("x₁", "the name x₁ holds the sign '₁'"),
-            ("x²", "the name x² holds the sign '²'"),
+            ("x₁2", "the name x₁2 has digits on the line and below it"),
             ("é", "the name é holds the sign 'é'"),
             ("Σ", "the name Σ holds the sign 'Σ'"),
             ("x_", "the name x_ has a `_` that stands between nothing"),

@@ -155,11 +155,13 @@ def domain(bindings):
 GREEK = dict(zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΦΨΩ", """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu
     nu xi pi rho sigma tau upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Phi Psi Omega""".split()))
 OTHER = {"≤": "<=", "≥": ">=", "≠": "!=", "⇒": "=>", "⇔": "<=>", "·": "*", "×": "*", "−": "-", "→": "->",
-         "∧": " and ", "∨": " or ", "¬": " not ", "∞": " infinity ", "√": " sqrt "}
+         "∧": " and ", "∨": " or ", "¬": " not ", "∞": " infinity ", "∈": " in ", "…": ".."}
+LOWERED, RAISED = (str.maketrans(signs, "0123456789") for signs in ("₀₁₂₃₄₅₆₇₈₉", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 TOKEN = re.compile(r'''(?a:(?P<skip>[ \t\r\ufeff]+|\#[^\n]*|\n)|(?P<number>\d+(\.\d+)?([eE][+-]?\d+)?)
-    |(?P<word>[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*'*(?![\w']))|(?P<text>"[^"\n]*")
-    |(?P<sign><=>|<=|>=|!=|=>|->|\.\.|[-+*/^()\[\]{},;:=<>]))''', re.X)
-DASHED = re.compile(r"(?a:(?P<word>[A-Za-z](\w|-(?=\w))*))")
+    |(?P<word>[A-Za-z][A-Za-z0-9₀-₉]*(_[A-Za-z0-9₀-₉]+)*'*(?![\w'₀-₉]))|(?P<text>"[^"\n]*")|(?P<raised>⁻?[⁰¹²³⁴-⁹]+)
+    |(?P<sign><=>|<=|>=|!=|=>|->|\.\.|[-+*/^()\[\]{},;:=<>√]))''', re.X)
+MIXED = re.compile("[0-9][₀-₉]|[₀-₉][0-9]")
+DASHED = re.compile(r"(?a:(?P<word>[A-Za-z]([\w₀-₉]|-(?=[\w₀-₉]))*))")
 CLAUSES = set("claim source section number reading note using given let define assume prove expect".split())
 RESERVED = CLAUSES | set("""and or not exists for all each in is at over of as by with maximum minimum limit infinity have
     obtain case real natural sum product derivative only conclude""".split())
@@ -169,7 +171,7 @@ RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 
 class Parser:
     def __init__(self, source):
-        source = source.translate(str.maketrans({**GREEK, **OTHER}))
+        source = source.replace("Σ(", "sum(").replace("Π(", "product(").translate(str.maketrans({**GREEK, **OTHER}))
         self.tokens, self.at_token, at, first, in_list = [], 0, 0, True, False
         while at < len(source):
             # The names of claims, behind `claim` and in the list behind `using`, may hold dashes.
@@ -186,7 +188,11 @@ class Parser:
             if found.lastgroup == "skip":
                 first = first or "\n" in found.group()
                 continue
-            self.tokens.append((found.lastgroup, found.group(), first))
+            text = found.group()
+            if found.lastgroup == "word":
+                need(not MIXED.search(text), f"{text} has digits on the line and below it, one after the other")
+                text = text.translate(LOWERED)
+            self.tokens.append((found.lastgroup, text, first))
             first = False
         self.tokens.append(("end", "", True))
 
@@ -255,7 +261,16 @@ class Parser:
 
     def power(self):
         base = self.atom()
+        if self.tokens[self.at_token][0] == "raised":
+            # x² is x^2; x²^3 would be read in two ways.
+            _, minus, digits = self.kind("raised").translate(RAISED).rpartition("⁻")
+            need(len(digits) <= 10_000, "a numeral too long for this checker")
+            self.need_no_power()
+            return N("pow", base, N("neg", N("num", digits)) if minus else N("num", digits))
         return N("pow", base, self.signed_power()) if self.take("^") else base
+
+    def need_no_power(self):
+        need(not self.at("^") and self.tokens[self.at_token][0] != "raised", "a power that is read in two ways")
 
     def atom(self):
         if self.tokens[self.at_token][0] == "number":
@@ -264,6 +279,10 @@ class Parser:
             inner = self.prop()
             self.want(")")
             return inner
+        if self.take("√"):
+            x = N("call", "sqrt", (self.atom(),))
+            self.need_no_power()
+            return x
         if self.take("["):
             rows = []
             for sign, entry in self.many(self.expr, ",", ";"):

@@ -73,12 +73,37 @@ impl Parser {
     fn power(&mut self) -> Parsed<Expr> {
         let start = self.span().start;
         let base = self.with_factorial()?;
+        if let Kind::Raised(power) = self.peek().clone() {
+            return self.raised(base, &power, start);
+        }
         if self.sign("^") {
             let exponent = self.deeper(Self::signed_power)?;
             let kind = ExprKind::Power(Box::new(base), Box::new(exponent));
             return Ok(Expr { kind, span: self.since(start) });
         }
         Ok(base)
+    }
+
+    /// A power above the line, `x²`. What follows it at once is refused: x²^3 and x²! are read in two ways.
+    fn raised(&mut self, base: Expr, power: &str, start: usize) -> Parsed<Expr> {
+        let span = self.advance().span;
+        let number = |digits: &str| Expr { kind: ExprKind::Number(digits.to_string()), span };
+        let exponent = match power.strip_prefix('-') {
+            Some(digits) => Expr { kind: ExprKind::Negate(Box::new(number(digits))), span },
+            None => number(power),
+        };
+        if self.at_power() {
+            let help = "write parentheses, as in (x^2)^3, or one exponent, as in x^(2^3)";
+            let span = self.span();
+            return Err(self.other("a power above the line is followed by another sign of its kind", Some(help), span));
+        }
+        let kind = ExprKind::Power(Box::new(base), Box::new(exponent));
+        Ok(Expr { kind, span: self.since(start) })
+    }
+
+    /// Whether a power or a factorial follows.
+    fn at_power(&self) -> bool {
+        matches!(self.peek(), Kind::Sign("^" | "!") | Kind::Raised(_))
     }
 
     /// An atom, perhaps with its factorial: `n!`.
@@ -117,6 +142,17 @@ impl Parser {
                 self.need_sign("|", "to close the absolute value")?;
                 let name = Name { text: "abs".to_string(), span: self.since(start) };
                 Ok(Expr { kind: ExprKind::Apply(name, vec![inner]), span: self.since(start) })
+            }
+            Kind::Sign("√") => {
+                let span = self.advance().span;
+                let of = self.deeper(Self::atom)?;
+                if self.at_power() {
+                    let help = "write parentheses, as in √(x^2) or (√x)^2";
+                    let span = self.span();
+                    return Err(self.other("what is under the root is not clear", Some(help), span));
+                }
+                let name = Name { text: "sqrt".to_string(), span };
+                Ok(Expr { kind: ExprKind::Apply(name, vec![of]), span: self.since(start) })
             }
             Kind::Sign("[") => self.deeper(Self::matrix),
             Kind::Word(word) if word == "sum" || word == "product" => {

@@ -41,7 +41,7 @@ impl Parser {
                 let is_abbreviation = super::super::abbreviation::is_one(name) && !is_family;
                 return Ok(is_function || self.declared.contains(name) || is_abbreviation);
             }
-            (Kind::Word(_), Kind::Sign("+" | "-" | "*" | "/" | "^" | "!")) => return Ok(true),
+            (Kind::Word(_), Kind::Raised(_) | Kind::Sign("+" | "-" | "*" | "/" | "^" | "!")) => return Ok(true),
             (Kind::Word(_), Kind::Sign("<" | "<=" | ">" | ">=" | "=" | "!=")) => self.at,
             (Kind::Word(_), _) => return Ok(false),
             _ => return Ok(true),

@@ -275,6 +275,7 @@ impl Parser {
         match self.peek() {
             Kind::Word(w) => format!("`{w}`"),
             Kind::Number(n) => format!("the number {}", n.chars().take(20).collect::<String>()),
+            Kind::Raised(n) => format!("the power {}", n.chars().take(20).collect::<String>()),
             Kind::Text(_) => "a text".to_string(),
             Kind::Sign(s) => format!("`{s}`"),
             Kind::End => "the end of the file".to_string(),
