@@ -241,7 +241,7 @@ fn a_full_disk_is_reported() {
     }
     let out = carom(&["eval", "--batch", &broken]);
     assert_eq!(out.status.code(), Some(2));
-    assert_eq!(text(&out.stdout).lines().count(), 2, "what was answered before a bad line stays");
+    assert_eq!(text(&out.stdout).lines().count(), 3, "a row for each line, also for a bad one");
     for arguments in [&["audit", "--only", "eq05"][..], &["help", "language"], &["explain", "eq05"], &["help", "audit"]]
     {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("it opens");

@@ -396,6 +396,32 @@ fn batches_answer_line_by_line() {
     let wrong = with_input(&["eval", "--batch", "-"], "1,1,1,1\n1,1,2,1\n");
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("-:2: e:"), "{}", text(&wrong.stderr));
+    // One row for each line, in its place; what is wrong costs no other line its answer.
+    let mixed = "m1,m2,e,n\n10,1,9/10,7\n10,1,9/10,7,5\n10,0,1,1\n\n1,1,1,1\n";
+    let out = with_input(&["eval", "--batch", "-", "--want", "eta,helps", "--digits", "6"], mixed);
+    let rows: Vec<String> = text(&out.stdout).lines().map(str::to_owned).collect();
+    assert_eq!(
+        rows[1..],
+        [
+            "10,1,9/10,7,0.373138,0.373137511,0.373137512,no",
+            ",,,,,,,",
+            "10,0,1,1,,,,",
+            "1,1,1,1,1.00000,1.00000000,1.00000000,exactly on the threshold",
+        ]
+    );
+    let said = text(&out.stderr);
+    assert_eq!((out.status.code(), said.lines().count()), (Some(2), 2), "{said}");
+    assert!(said.contains("-:3: four fields") && said.contains("-:4: m2:"), "{said}");
+    let many = with_input(&["eval", "--batch", "-"], &"x,1,1,1\n".repeat(50));
+    assert_eq!((text(&many.stdout).lines().count(), text(&many.stderr).lines().count()), (51, 21));
+    assert!(text(&many.stderr).ends_with("30 more lines have no answer\n"), "{}", text(&many.stderr));
+    // A limit alone is a limit.
+    let limit = with_input(&["eval", "--batch", "-"], "1,1,1,1e40\n1,1,1,1\n");
+    assert_eq!((limit.status.code(), text(&limit.stdout).lines().count()), (Some(3), 3), "{}", text(&limit.stderr));
+    let folder = tempfile::tempdir().unwrap();
+    let target = folder.path().join("out.csv");
+    let out = with_input(&["eval", "--batch", "-", "-o", target.to_str().unwrap()], "1,1,1,1\nx,1,1,1\n");
+    assert_eq!((out.status.code(), std::fs::read_to_string(&target).unwrap().lines().count()), (Some(2), 3));
     // A byte order mark, comments before the heading, and blank lines change nothing.
     for before in
         ["\u{feff}", "\u{feff}m1,m2,e,n\n", "# a comment\n\nm1, m2, e, n\n", "\u{feff}# a comment\nm1,m2,e,n\n"]
@@ -416,7 +442,7 @@ fn batches_answer_line_by_line() {
     let path = folder.path().join("bytes.csv");
     std::fs::write(&path, b"1,1,1,1\n1,1,\xff,1\n").unwrap();
     let bytes = carom(&["eval", "--batch", path.to_str().unwrap()]);
-    assert_eq!((bytes.status.code(), text(&bytes.stdout).lines().count()), (Some(2), 2));
+    assert_eq!((bytes.status.code(), text(&bytes.stdout).lines().count()), (Some(2), 3));
     assert!(text(&bytes.stderr).contains("bytes.csv:2: this is not UTF-8 text"), "{}", text(&bytes.stderr));
 }
 

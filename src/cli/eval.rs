@@ -26,6 +26,8 @@ use std::path::{Path, PathBuf};
 
 /// The longest line of a batch.
 const MAX_LINE: usize = 1 << 16;
+/// So many lines of a batch that have no answer are named.
+const MAX_NAMED: usize = 20;
 
 /// The flags of `carom eval`.
 #[derive(clap::Args)]
@@ -75,7 +77,8 @@ pub struct EvalFlags {
     #[arg(long)]
     explain: bool,
     /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each; a field
-    /// that nothing asks for may be empty
+    /// that nothing asks for may be empty. A line that is no chain is named and answered by empty cells, the others are
+    /// answered all the same, and the exit code is 2
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed",
         "explain"])]
     batch: Option<PathBuf>,
@@ -329,7 +332,7 @@ fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
         let mut out = BufWriter::with_capacity(1 << 16, Output::file(target)?);
         return match batch.answers(&mut input, path, &mut out) {
             Err(Stop::Input(exit)) if exit.code == INTERRUPTED => Err(interrupted("nothing is written")),
-            Ok(()) => Target::Whole(out).finish().map(|()| 0),
+            Ok(unanswered) => Target::Whole(out).finish().and_then(|()| unanswered.exit()),
             Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write {}: {e}", target.display()))),
             Err(Stop::Input(exit)) => Err(exit),
         };
@@ -338,11 +341,11 @@ fn run_batch(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
     let ended = batch.answers(&mut input, path, &mut out);
     // What was answered so far stays, also when a line is wrong.
     let ended = match (ended, out.flush()) {
-        (Ok(()), Err(e)) => Err(Stop::Write(e)),
+        (Ok(_), Err(e)) => Err(Stop::Write(e)),
         (ended, _) => ended,
     };
     match ended {
-        Ok(()) => Ok(0),
+        Ok(unanswered) => unanswered.exit(),
         // The reader has gone away.
         Err(Stop::Write(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => Ok(0),
         Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write to standard output: {e}"))),
@@ -362,6 +365,41 @@ impl From<std::io::Error> for Stop {
     }
 }
 
+/// The lines of a batch that have no answer.
+#[derive(Default)]
+struct Unanswered {
+    /// What is wrong with the first of them.
+    messages: Vec<String>,
+    /// How many there are.
+    count: u64,
+    /// Whether any is bad input, and no limit.
+    bad: bool,
+}
+
+impl Unanswered {
+    fn note(&mut self, code: u8, message: String) {
+        self.count += 1;
+        self.bad |= code != 3;
+        if self.messages.len() < MAX_NAMED {
+            self.messages.push(message);
+        }
+    }
+
+    fn exit(mut self) -> Result<u8, Exit> {
+        if self.count == 0 {
+            return Ok(0);
+        }
+        let more = self.count - self.messages.len() as u64;
+        if more > 0 {
+            self.messages.push(format!("error: {more} more lines have no answer"));
+        }
+        Err(Exit::faults(&self.messages, !self.bad))
+    }
+}
+
+/// The fields of a line of a batch: m1, m2, e, n.
+const INPUTS: usize = 4;
+
 /// What a batch asks of each line.
 struct Batch {
     want: Vec<Quantity>,
@@ -370,12 +408,11 @@ struct Batch {
 }
 
 impl Batch {
-    /// Answers line by line, the heading first.
-    fn answers(&self, input: &mut dyn BufRead, path: &Path, out: &mut dyn Write) -> Result<(), Stop> {
+    /// Answers line by line, the heading first. A line without an answer has empty cells.
+    fn answers(&self, input: &mut dyn BufRead, path: &Path, out: &mut dyn Write) -> Result<Unanswered, Stop> {
         let shown = path.display();
-        let fault = |code: u8, line: u64, what: &str| {
-            Stop::Input(Exit { code, message: format!("error: {shown}:{line}: {what}") })
-        };
+        let fault = |code: u8, line: u64, what: &str| Exit { code, message: format!("error: {shown}:{line}: {what}") };
+        let mut unanswered = Unanswered::default();
         let (mut bytes, mut number, mut first) = (Vec::new(), 0_u64, true);
         let interrupt = Interrupt::listen();
         // What is printed says itself how far the work is.
@@ -394,26 +431,48 @@ impl Batch {
                 out.write_all(self.header().as_bytes())?;
             }
             if read == 0 {
-                return Ok(());
+                return Ok(unanswered);
             }
             number += 1;
             if bytes.len() >= MAX_LINE {
-                return Err(fault(3, number, &format!("limit reached: {MAX_LINE} bytes in a line")));
+                return Err(Stop::Input(fault(3, number, &format!("limit reached: {MAX_LINE} bytes in a line"))));
             }
-            let text = std::str::from_utf8(&bytes).map_err(|_| fault(2, number, "this is not UTF-8 text"))?;
+            let Ok(text) = std::str::from_utf8(&bytes) else {
+                let Exit { code, message } = fault(2, number, "this is not UTF-8 text");
+                unanswered.note(code, message);
+                out.write_all(self.empty("").as_bytes())?;
+                continue;
+            };
             let text = if number == 1 { text.trim_start_matches('\u{feff}') } else { text }.trim();
             if text.is_empty() || text.starts_with('#') {
                 continue;
             }
             // The first line that is none of these may be the heading.
-            if std::mem::take(&mut first) && text.replace(' ', "") == "m1,m2,e,n" {
+            let is_first = std::mem::take(&mut first);
+            if is_first && text.replace(' ', "") == "m1,m2,e,n" {
                 continue;
             }
-            let answer = self.answer(text).map_err(|exit| {
-                fault(exit.code, number, exit.message.strip_prefix("error: ").unwrap_or(&exit.message))
-            })?;
-            out.write_all(answer.as_bytes())?;
+            match self.answer(text) {
+                Ok(answer) => out.write_all(answer.as_bytes())?,
+                Err(exit) => {
+                    let what = exit.message.strip_prefix("error: ").unwrap_or(&exit.message);
+                    let fault = fault(exit.code, number, what);
+                    // The heading of another table: no line of it will be a chain.
+                    if is_first && text.split(',').count() != INPUTS {
+                        return Err(Stop::Input(fault));
+                    }
+                    unanswered.note(fault.code, fault.message);
+                    out.write_all(self.empty(text).as_bytes())?;
+                }
+            }
         }
+    }
+
+    /// The row of a line that has no answer: its fields, where they are as many as they must be, and empty cells.
+    fn empty(&self, line: &str) -> String {
+        let columns = self.header().split(',').count();
+        let inputs = if line.split(',').count() == INPUTS { line.to_owned() } else { ",".repeat(INPUTS - 1) };
+        format!("{inputs}{}\n", ",".repeat(columns - INPUTS))
     }
 
     fn header(&self) -> String {
