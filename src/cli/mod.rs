@@ -49,7 +49,7 @@ use std::process::ExitCode;
 
 /// Audits the algebra of one-dimensional chain collisions and computes with it exactly.
 #[derive(Parser)]
-#[command(name = "carom", version, disable_help_subcommand = true, arg_required_else_help = true)]
+#[command(name = "carom", version = env!("CAROM_VERSION"), disable_help_subcommand = true, arg_required_else_help = true)]
 #[command(after_help = EXIT_CODES)]
 struct Arguments {
     #[command(subcommand)]
@@ -58,14 +58,16 @@ struct Arguments {
     terminal: terminal::Flags,
 }
 
-/// What the exit code says.
+/// What the exit code says, and how to read on.
 const EXIT_CODES: &str = "\
 Exit codes:
     0  all as expected
     1  a verdict, a check or a comparison is not as expected
     2  bad input or usage
     3  a stated limit was reached
-  130  interrupted by Ctrl-C";
+  130  interrupted by Ctrl-C
+
+What is printed is the same on a screen and in a pipe, so there is no pager: carom audit --color always | less -R";
 
 /// The subcommands.
 #[derive(Subcommand)]
