@@ -386,6 +386,48 @@ fn what_the_program_writes_it_finds_right() {
 }
 
 #[test]
+fn a_table_for_a_spreadsheet_has_no_date_in_it_and_is_found_right() {
+    for (form, separator, start) in [("spreadsheet", ',', "9,1⁄2,"), ("spreadsheet-comma", ';', "9;1⁄2;")] {
+        let flags = ["table", "--ratio", "1/3,9", "-e", "1/2,2/3", "-n", "0:2:1", "--format", form];
+        let table = text(&carom(&flags).stdout);
+        assert!(table.starts_with("\u{feff}ratio"), "{table}");
+        assert!(!table.contains('#') && !table.contains('/'), "{table}");
+        assert!(table.lines().any(|line| line.ends_with(&format!("{separator}1\u{2044}4"))), "1/4 is exact: {table}");
+        assert!(table.lines().any(|line| line.starts_with(start)), "{table}");
+        assert_eq!(table.contains("0,250000;"), separator == ';', "{table}");
+        let (code, shown, said) = checked(&table, &[]);
+        assert_eq!(code, Some(0), "{shown}{said}");
+        assert!(shown.contains("12 cells: 12 right"), "{shown}");
+        // A number changed by one in its last place is found.
+        let at = table.rfind("\n9").expect("a row");
+        let value = table[at + 1..].split(separator).nth(3).expect("eta").to_owned();
+        let last = value.trim_end().chars().last().and_then(|c| c.to_digit(10)).expect("a digit");
+        let other = format!("{}{}", &value[..value.len() - 1], (last + 1) % 10);
+        let (code, shown, _) = checked(&format!("{}{}", &table[..at], table[at..].replace(&value, &other)), &[]);
+        assert_eq!(code, Some(1), "{shown}");
+    }
+    let out = carom(&[
+        "table",
+        "--ratio",
+        "2",
+        "-e",
+        "1/2,1/3",
+        "-n",
+        "0,1",
+        "--across",
+        "e",
+        "--format",
+        "spreadsheet-comma",
+    ]);
+    assert!(text(&out.stdout).contains("e = 1/2;e = 1/3"), "{}", text(&out.stdout));
+    let (_, report, _) = checked("ratio,e,n,eta\n64,0.9,2,=1+1\n", &["--format", "spreadsheet"]);
+    assert!(report.contains(",'=1+1,"), "a formula stays a text: {report}");
+    let resumed =
+        carom(&["table", "--ratio", "2", "-e", "1", "-n", "1", "--format", "spreadsheet", "--resume", "-o", "t.csv"]);
+    assert!(text(&resumed.stderr).contains("--resume goes on with CSV"), "{}", text(&resumed.stderr));
+}
+
+#[test]
 fn tables_that_cannot_be_checked_say_why() {
     for (content, sign) in [
         ("", "no heading"),

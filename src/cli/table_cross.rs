@@ -52,7 +52,7 @@ pub fn run(plan: &Plan, axis: Axis, fractions: bool, form: Form, output: Option<
     let rows = (0..plan.rows()).map(|row| Ok(plan.row(row, factors.value(row)?)?.0));
     let rows = rows.collect::<Result<Vec<_>, TableError>>().map_err(|e| exit(&e))?;
     let room = match form {
-        Form::Csv => None,
+        Form::Csv | Form::Spreadsheet | Form::SpreadsheetComma => None,
         Form::Latex => Some(cross::LATEX),
         _ => Some(cross::PAGE),
     };

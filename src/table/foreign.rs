@@ -47,9 +47,13 @@ const NAMES: &[(&str, Role)] = &[
     ("n*", Role::Value(Quantity::BestN)),
 ];
 
-/// A number as tables write it, with the digit before the point that a numeral needs: `.9` is 0.9.
+/// A number as tables write it, with the digit before the point that a numeral needs, and the plain sign of a fraction:
+/// `.9` is 0.9, and `9⁄16`, as a table for a spreadsheet has it, is 9/16.
 #[must_use]
 pub fn completed(text: &str) -> Cow<'_, str> {
+    if text.contains('\u{2044}') {
+        return Cow::Owned(text.replace('\u{2044}', "/"));
+    }
     let rest = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (sign, rest) = text.split_at(text.len() - rest.len());
     if rest.starts_with('.') { Cow::Owned(format!("{sign}0{rest}")) } else { Cow::Borrowed(text) }

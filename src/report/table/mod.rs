@@ -29,6 +29,10 @@ pub enum Form {
     Text,
     /// Comma-separated values after comment lines.
     Csv,
+    /// CSV that Excel and LibreOffice open: no comment lines, no fraction that becomes a date.
+    Spreadsheet,
+    /// The same with semicolons and decimal commas.
+    SpreadsheetComma,
     /// One object with the rows in a list.
     Json,
     /// A table of Markdown.
@@ -220,7 +224,7 @@ impl Writer {
     /// The head as CSV has it, for comparing with a file begun earlier.
     #[must_use]
     pub fn csv_head(&self) -> String {
-        csv::head(&self.head)
+        csv::head(&self.head, csv::Dialect::Plain)
     }
 
     /// A writer that writes the same rows in the same way; `None` as long as rows are held back, or any would be.
@@ -229,7 +233,7 @@ impl Writer {
         let settled = match self.form {
             Form::Text => self.widths.is_some(),
             Form::Latex => false,
-            Form::Csv | Form::Json | Form::Markdown => true,
+            Form::Csv | Form::Spreadsheet | Form::SpreadsheetComma | Form::Json | Form::Markdown => true,
         };
         settled.then(|| self.clone())
     }
@@ -246,7 +250,9 @@ impl Writer {
     pub fn begin(&mut self, out: &mut dyn Write) -> io::Result<()> {
         match self.form {
             Form::Text => text::begin(&self.head, out),
-            Form::Csv => out.write_all(csv::head(&self.head).as_bytes()),
+            Form::Csv => out.write_all(csv::head(&self.head, csv::Dialect::Plain).as_bytes()),
+            Form::Spreadsheet => out.write_all(csv::head(&self.head, csv::Dialect::Spreadsheet).as_bytes()),
+            Form::SpreadsheetComma => out.write_all(csv::head(&self.head, csv::Dialect::Comma).as_bytes()),
             Form::Json => json::begin(&self.head, out),
             Form::Markdown => markdown::begin(&self.head, out),
             Form::Latex => latex::begin(&self.head, out),
@@ -263,7 +269,9 @@ impl Writer {
             row.remove(place);
         }
         match self.form {
-            Form::Csv => csv::row(&row, out),
+            Form::Csv => csv::row(&row, csv::Dialect::Plain, out),
+            Form::Spreadsheet => csv::row(&row, csv::Dialect::Spreadsheet, out),
+            Form::SpreadsheetComma => csv::row(&row, csv::Dialect::Comma, out),
             Form::Json => json::row(&self.head, &row, self.rows == 1, out),
             Form::Markdown => markdown::row(&row, out),
             Form::Text => match &self.widths {

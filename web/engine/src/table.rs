@@ -20,6 +20,8 @@ pub fn table(request: &Request) -> Result<Value, Fault> {
     let plan = plan(request)?;
     let form = match request.text("format")? {
         "" | "csv" => Form::Csv,
+        "spreadsheet" => Form::Spreadsheet,
+        "spreadsheet-comma" => Form::SpreadsheetComma,
         "latex" => Form::Latex,
         "markdown" => Form::Markdown,
         "json" => Form::Json,
