@@ -2,12 +2,10 @@
 
 use super::form::form;
 use super::{Exit, ValueFormat, deliver, load};
-use crate::claim::diagnostic::nearest;
-use crate::number::rational::{NumeralError, parse};
-use crate::referee::judge::{Answer, Given, MAX_DIGITS, judge};
+use crate::referee::judge::{Answer, MAX_DIGITS, judge};
+use crate::referee::results::{self, ResultsError, unknown};
 use crate::referee::{Reference, Scene, reference, settings};
 use crate::report::referee as report;
-use crate::table::foreign::{Foreign, ForeignError, completed};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -80,76 +78,6 @@ fn chosen<'a>(all: &'a [Scene], only: &[String]) -> Result<Vec<&'a Scene>, Exit>
     Ok(all.iter().filter(|scene| only.is_empty() || only.iter().any(|name| fits(scene, name))).collect())
 }
 
-fn unknown<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    match nearest(name, known) {
-        Some(near) => format!("no scene is called {name}; did you mean {near}?"),
-        None => format!("no scene is called {name}; `carom referee --scenes` writes all of them"),
-    }
-}
-
-/// A field with its column's name.
-struct Field<'a> {
-    path: &'a Path,
-    line: u64,
-    column: usize,
-    name: &'a str,
-    text: &'a str,
-}
-
-impl Field<'_> {
-    /// A fault of this field, with its line and column.
-    fn fault(&self, what: Exit) -> Exit {
-        let Field { path, line, column, name, .. } = self;
-        let message = format!("error: {}:{line}: column {} ({name}): {}", path.display(), column + 1, what.message);
-        Exit { message, ..what }
-    }
-
-    fn wrong(&self, what: &str) -> Exit {
-        self.fault(Exit::usage(what))
-    }
-
-    /// The parts of the field, each read.
-    fn list<T>(&self, read: impl Fn(&str) -> Result<T, Exit>) -> Result<Vec<T>, Exit> {
-        self.text.split_whitespace().map(|part| read(part).map_err(|e| self.fault(e))).collect()
-    }
-
-    fn numbers(&self, needed: Option<usize>) -> Result<Vec<Given>, Exit> {
-        let list = self.list(number)?;
-        match needed.filter(|needed| !list.is_empty() && list.len() != *needed) {
-            Some(needed) => Err(self.wrong(&format!("{} numbers where the scene has {needed} bodies", list.len()))),
-            None => Ok(list),
-        }
-    }
-}
-
-fn number(text: &str) -> Result<Given, Exit> {
-    use NumeralError::{ExponentTooLarge, TooManyDigits};
-    let bare = text.trim_start_matches(['-', '+']).to_ascii_lowercase();
-    if ["nan", "inf", "infinity"].contains(&bare.as_str()) {
-        return Ok(Given::Strange(text.to_owned()));
-    }
-    parse(&completed(text)).map(Given::Number).map_err(|e| Exit {
-        code: if matches!(e, TooManyDigits { .. } | ExponentTooLarge { .. }) { 3 } else { 2 },
-        message: format!("{text:?}: {e}"),
-    })
-}
-
-/// A pair `1-2` of neighbours, by its left point.
-fn pair(text: &str, bodies: usize) -> Result<usize, Exit> {
-    let place = |part: &str| part.parse::<usize>().ok();
-    let pair = text.split_once(['-', '–']).and_then(|(a, b)| place(a).zip(place(b)));
-    let Some((a, b)) = pair else {
-        return Err(Exit::usage(format!("{text:?} is no pair; write for instance 1-2")));
-    };
-    if a.abs_diff(b) != 1 || a.max(b) > bodies + 1 {
-        return Err(Exit::usage(format!(
-            "{text:?}: neighbours collide: 0-1 at the left wall to {bodies}-{} at the right",
-            bodies + 1
-        )));
-    }
-    Ok(a.min(b))
-}
-
 /// The results of each scene.
 fn read(path: &Path, scenes: &[Scene]) -> Result<BTreeMap<String, Answer>, Exit> {
     let shown = path.display();
@@ -157,62 +85,8 @@ fn read(path: &Path, scenes: &[Scene]) -> Result<BTreeMap<String, Answer>, Exit>
     if bytes.len() > MAX_BYTES {
         return Err(Exit { code: 3, message: format!("error: {shown}: limit reached: {MAX_BYTES} bytes in a file") });
     }
-    let fault = |e: ForeignError| {
-        let code = if e.is_limit() { 3 } else { 2 };
-        let said = match &e {
-            ForeignError::Empty => "the file has no heading; write for instance: scene,velocities".to_owned(),
-            other => other.to_string(),
-        };
-        Exit { code, message: format!("error: {shown}: {said}") }
-    };
-    let mut table = Foreign::open(bytes.as_slice()).map_err(fault)?;
-    let column = |wanted: &str| table.names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
-    let (Some(name), Some(velocities)) = (column("scene"), column("velocities")) else {
-        let names = table.names.join(", ");
-        return Err(Exit::usage(format!(
-            "error: {shown}: the columns scene and velocities are needed; there are {names}"
-        )));
-    };
-    let further = ["positions", "collisions", "times", "count"].map(column);
-    let names = table.names.clone();
-    let mut found = BTreeMap::new();
-    while let Some(row) = table.row().map_err(fault)? {
-        let field = |place: usize| Field {
-            path,
-            line: row.line,
-            column: place,
-            name: &names[place],
-            text: row.fields.get(place).map_or("", String::as_str),
-        };
-        let head = field(name);
-        let scene = scenes.iter().find(|scene| scene.name == head.text);
-        let known = || scenes.iter().map(|scene| scene.name.as_str());
-        let scene = scene.ok_or_else(|| head.wrong(&unknown(head.text, known())))?;
-        let answer = answer(&field, velocities, further, scene.bodies.len())?;
-        if found.insert(scene.name.clone(), answer).is_some() {
-            return Err(head.wrong(&format!("{} has a result already", scene.name)));
-        }
-    }
-    Ok(found)
-}
-
-fn answer<'a>(
-    field: &dyn Fn(usize) -> Field<'a>,
-    velocities: usize,
-    [positions, collisions, times, count]: [Option<usize>; 4],
-    bodies: usize,
-) -> Result<Answer, Exit> {
-    let numbers = |place: Option<usize>, needed| place.map_or(Ok(Vec::new()), |place| field(place).numbers(needed));
-    let pairs = collisions.map(field).map(|field| field.list(|text| pair(text, bodies))).transpose()?;
-    let count = count
-        .map(field)
-        .filter(|field| !field.text.is_empty())
-        .map(|field| field.text.parse().map_err(|_| field.wrong(&format!("{:?} is no whole number", field.text))));
-    Ok(Answer {
-        velocities: field(velocities).numbers(Some(bodies))?,
-        positions: numbers(positions, Some(bodies))?,
-        pairs,
-        times: numbers(times, None)?,
-        count: count.transpose()?,
+    results::read(&bytes, scenes).map_err(|error| {
+        let line = if let ResultsError::Field { line, .. } = &error { format!(":{line}") } else { String::new() };
+        Exit { code: if error.is_limit() { 3 } else { 2 }, message: format!("error: {shown}{line}: {error}") }
     })
 }

@@ -10,6 +10,7 @@ use super::table_write::{End, Stop, write};
 use super::{Exit, form, table_check, table_merge};
 use crate::number::decimal::{Digits, Rounding};
 use crate::report::table::{Entry, Form, Head, LATEX_ROWS, Writer, entries};
+use crate::table::comparison::Given;
 use crate::table::grid::{Grid, Shape};
 use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
@@ -95,8 +96,12 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
     if let Some(path) = &flags.check {
         let given = &flags.contents;
         let of = |flag: &str, values: &[String]| grid(flag, joined(values).as_deref());
-        let given =
-            table_check::Given { ratio: of("--ratio", &given.ratio)?, e: of("-e", &given.e)?, n: of("-n", &given.n)? };
+        let given = Given {
+            ratio: of("--ratio", &given.ratio)?,
+            e: of("-e", &given.e)?,
+            n: of("-n", &given.n)?,
+            names: ["--ratio", "-e", "-n"],
+        };
         let rounding = flags.contents.round.rounding();
         return table_check::run(path, &given, rounding, flags.form()?, flags.output());
     }

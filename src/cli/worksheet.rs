@@ -7,18 +7,9 @@ use super::{Exit, deliver};
 use crate::chain::ChainError;
 use crate::number::NumberError;
 use crate::number::decimal::Digits;
-use crate::report::worksheet::{Sheet, Style, Subject, html, latex, sheet, text};
-use crate::scene::drop::Drop;
-use crate::scene::read::Subject as Scene;
-use crate::scene::{About, versions};
-use crate::table::worksheet::Worksheet;
+use crate::report::worksheet::made::{MAX_VERSIONS, STANDARD, Wanted, sheets};
+use crate::report::worksheet::{Sheet, Style, html, latex, text};
 use std::path::PathBuf;
-
-/// The standard that a sheet names where none is given.
-const STANDARD: &str =
-    "NGSS HS-PS2-2, the total momentum of a system of objects is conserved when there is no net force on the system";
-/// The most versions: a letter each.
-const LETTERS: u8 = 26;
 
 /// The arguments.
 #[derive(clap::Args)]
@@ -29,7 +20,7 @@ pub struct Flags {
     #[arg(long, value_enum, default_value = "both")]
     sheet: Which,
     /// Make so many versions with other simple masses: A, B, C and so on
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=i64::from(LETTERS)))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=i64::from(MAX_VERSIONS)))]
     versions: Option<u8>,
     /// The seed of the versions: the same seed gives the same masses
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "versions")]
@@ -107,13 +98,6 @@ enum Which {
     Both,
 }
 
-/// What one version is of.
-struct Version {
-    worksheet: Worksheet,
-    drop: Option<Drop>,
-    letter: Option<(char, u64)>,
-}
-
 /// Runs the command.
 pub fn run(flags: &Flags) -> Result<u8, Exit> {
     let form = form(flags.format, flags.output.as_deref())?;
@@ -125,56 +109,18 @@ pub fn run(flags: &Flags) -> Result<u8, Exit> {
         return Err(Exit::usage("error: --digits 0: give at least one significant digit"));
     }
     let (about, scene) = described(&flags.scene)?;
-    let versions = versions(&scene, flags).map_err(fail)?;
     let digits = flags.places.map_or(Digits::Significant(flags.digits), Digits::Places);
-    let style = Style { digits, exact: flags.exact };
     let title = flags.title.clone().or_else(|| about.title.clone()).unwrap_or_else(|| scene_title(&flags.scene));
-    let mut sheets = Vec::new();
-    // All that pupils get comes first.
-    for (which, filled) in [(Which::Blank, false), (Which::Key, true)] {
-        if flags.sheet == which || flags.sheet == Which::Both {
-            for version in &versions {
-                sheets.push(made(version, &about, &title, flags, style, filled).map_err(|e| fail(e.into()))?);
-            }
-        }
-    }
-    written(&sheets, form, flags)
-}
-
-/// The scene itself, or the versions of it that are asked for.
-fn versions(scene: &Scene, flags: &Flags) -> Result<Vec<Version>, ChainError> {
-    let letters = ('A'..='Z').map(|letter| Some((letter, flags.seed)));
-    let count = usize::from(flags.versions.unwrap_or(0));
-    let of_drop = |drop: &Drop, letter| {
-        Ok::<_, ChainError>(Version { worksheet: Worksheet::of_drop(drop)?, drop: Some(drop.clone()), letter })
+    let wanted = Wanted {
+        title: &title,
+        standard: flags.standard.as_deref(),
+        blank: flags.sheet != Which::Key,
+        key: flags.sheet != Which::Blank,
+        versions: flags.versions.unwrap_or(0),
+        seed: flags.seed,
+        style: Style { digits, exact: flags.exact },
     };
-    match scene {
-        Scene::Drop(drop, _) if count == 0 => Ok(vec![of_drop(drop, None)?]),
-        Scene::Drop(drop, _) => {
-            let made = versions::of_drop(drop, flags.seed, count)?;
-            made.iter().zip(letters).map(|(drop, letter)| of_drop(drop, letter)).collect()
-        }
-        Scene::Chain(scene) => {
-            let chain = scene.inputs.whole("a worksheet")?;
-            let made = if count == 0 { vec![chain.clone()] } else { versions::of_chain(chain, flags.seed, count)? };
-            let letters = letters.map(|letter| letter.filter(|_| count > 0));
-            let one = |(chain, letter)| Ok(Version { worksheet: Worksheet::of(chain)?, drop: None, letter });
-            made.iter().zip(letters).map(one).collect()
-        }
-    }
-}
-
-fn made(
-    version: &Version,
-    about: &About,
-    title: &str,
-    flags: &Flags,
-    style: Style,
-    filled: bool,
-) -> Result<Sheet, NumberError> {
-    let Version { worksheet, drop, letter } = version;
-    let (drop, standard) = (drop.as_ref(), flags.standard.as_deref());
-    sheet(&Subject { worksheet, about, drop, title, version: *letter, standard }, style, filled)
+    written(&sheets(&about, &scene, &wanted).map_err(fail)?, form, flags)
 }
 
 fn written(sheets: &[Sheet], form: Form, flags: &Flags) -> Result<u8, Exit> {

@@ -8,6 +8,7 @@
 //! infinitely many collisions happen, those before them are listed, and the count is left out.
 
 pub mod judge;
+pub mod results;
 
 use crate::chain::replay::{Body, Line, Options, Outcome, Status, Value, Wall, replay};
 use crate::number::rational;

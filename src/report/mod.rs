@@ -4,6 +4,7 @@
 pub mod answers;
 pub mod argument;
 pub mod bounces;
+pub mod comparison;
 pub mod drop;
 #[cfg(feature = "cli")]
 pub mod handout;

@@ -17,7 +17,7 @@ use crate::chain::uncertain::Range;
 use crate::chain::{ChainError, MAX_LISTED, Positive, Restitution, Restitutions, limit_inserted};
 use crate::number::decimal::{Digits, Rounding};
 use malachite::Rational;
-use malachite::base::num::basic::traits::One;
+use malachite::base::num::basic::traits::{One, Two};
 use quantity::{Input, Quantity};
 
 /// A chain and the questions about it.
@@ -201,6 +201,10 @@ impl Inputs {
     }
 }
 
+fn middle(lo: &Rational, hi: &Rational) -> Rational {
+    (lo + hi) / Rational::TWO
+}
+
 /// Refuses lists that do not fit together, and more bodies than are allowed.
 fn fit(inserted: Option<&Inserted>, coefficients: Option<&Coefficients>, start: &Start) -> Result<(), ChainError> {
     let Some(inserted) = inserted else { return Ok(()) };
@@ -345,6 +349,24 @@ impl Chain {
         masses.extend(inserted.iter().cloned());
         masses.push(self.last.clone());
         Some(masses)
+    }
+
+    /// The chain of the middle of each measured value; an exact chain is its own.
+    ///
+    /// # Errors
+    /// None for a chain: between two masses lies a mass, and so for coefficients.
+    pub fn midpoint(&self) -> Result<Chain, ChainError> {
+        let mass = |m: &Range<Positive>| Positive::new(middle(m.lo().value(), m.hi().value())).map(Range::point);
+        let e = |e: &Range<Restitution>| Restitution::new(middle(e.lo().value(), e.hi().value())).map(Range::point);
+        let inserted = match &self.inserted {
+            Inserted::Given(list) => Inserted::Given(list.iter().map(mass).collect::<Result<_, _>>()?),
+            optimal => optimal.clone(),
+        };
+        let coefficients = match &self.coefficients {
+            Coefficients::Same(one) => Coefficients::Same(e(one)?),
+            Coefficients::Each(list) => Coefficients::Each(list.iter().map(e).collect::<Result<_, _>>()?),
+        };
+        Chain::new(mass(&self.first)?, mass(&self.last)?, inserted, coefficients, self.start.clone())
     }
 
     /// Whether every mass and coefficient is a single number.

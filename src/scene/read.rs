@@ -95,6 +95,12 @@ pub fn described(text: &str) -> Result<(About, Subject), SceneFault> {
     }
 }
 
+/// Whether a text can be a unit: short, and without digits.
+#[must_use]
+pub fn is_unit(text: &str) -> bool {
+    text.chars().count() <= MAX_UNIT && !text.chars().any(|c| c.is_control() || c.is_ascii_digit())
+}
+
 /// Title, text and units.
 fn about(table: &DeTable<'_>) -> Result<About, SceneFault> {
     let text = |table: &DeTable<'_>, key: &str| -> Result<Option<String>, SceneFault> {
@@ -114,7 +120,7 @@ fn about(table: &DeTable<'_>) -> Result<About, SceneFault> {
     for (key, place) in [("mass", &mut about.mass), ("velocity", &mut about.velocity), ("height", &mut about.height)] {
         *place = text(units, key)?;
         if let (Some(unit), Some(value)) = (place.as_deref(), find(units, key))
-            && (unit.chars().count() > MAX_UNIT || unit.chars().any(|c| c.is_control() || c.is_ascii_digit()))
+            && !is_unit(unit)
         {
             let message = format!("{unit:?} is no unit");
             return Err(fault(value.span(), message, Some("write a unit such as kg, g, m/s or cm".to_owned())));

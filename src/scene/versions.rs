@@ -85,7 +85,7 @@ pub fn of_drop(drop: &Drop, seed: u64, count: usize) -> Result<Vec<Drop>, ChainE
 }
 
 fn middle(mass: &Range<Positive>) -> Rational {
-    (mass.lo().value() + mass.hi().value()) / Rational::TWO
+    super::middle(mass.lo().value(), mass.hi().value())
 }
 
 /// Lists of masses, each drawn until its order is that of the old one and it is new.

@@ -9,6 +9,7 @@
 
 pub mod bounces;
 pub mod check;
+pub mod comparison;
 pub mod foreign;
 pub mod grid;
 pub mod shard;

@@ -2,7 +2,7 @@
 
 import { Client, clientWith } from "./client.js";
 import { $, announce, later, make, outdated, save, sentence, settle, showFault } from "./dom.js";
-import { cell, number, plain, short, written } from "./numbers.js";
+import { cell, number, plain, plusMinus, short, written } from "./numbers.js";
 import * as predict from "./predict.js";
 import { COUNT, MASS, RESTITUTION, attach, move } from "./sliders.js";
 import * as stage from "./stage.js";
@@ -193,7 +193,7 @@ function card(quantity) {
   if (error) body = make("p", { class: "refusal" }, sentence(error));
   else if (list) {
     body = make("ul", { class: "each-body" }, value.map((one, i) => make("li", {},
-      `body ${i + 2}: `, typeof one === "string" ? one : one.decimal ? cell(one) : `from ${one.enclosure[0]} to ${one.enclosure[1]}`)));
+      `body ${i + 2}: `, typeof one === "string" ? one : cell(one))));
   }
   else if (quantity === "best-n") body = best(value);
   else if (quantity === "helps") {
@@ -213,7 +213,8 @@ function showBodies() {
   const card = $("bodies-card");
   card.hidden = !masses;
   if (!masses) return;
-  const again = replay?.again;
+  // The velocities of one chain of many are not those of all.
+  const again = replay?.again && !replay.middle;
   const { why } = answers;
   const closed = $("closed").checked;
   const heat = energy?.heat ?? losses?.value;
@@ -248,7 +249,7 @@ function showSummary() {
   const { eta: share, helps, "best-n": most } = answers.answers;
   const parts = [];
   if (share?.value?.decimal) parts.push(make("span", {}, "η = ", make("strong", {}, short(share.value))));
-  else if (share?.value) parts.push(make("span", {}, "η from ", short({ decimal: share.value.enclosure[0] }), " to ", short({ decimal: share.value.enclosure[1] })));
+  else if (share?.value) parts.push(make("span", {}, "η = ", make("strong", {}, share.value.measured ? plusMinus(share.value.measured) : cell(share.value))));
   if (typeof helps?.value === "string") parts.push(make("span", {}, "helps: ", make("strong", {}, helps.value)));
   const best = most?.value?.exact;
   if (best) parts.push(make("span", {}, "n* = ", make("strong", {}, best === "infinite" ? "∞" : best)));
@@ -290,6 +291,10 @@ async function askReplay(request) {
   const notes = [];
   if (found.error) notes.push(`No replay: ${sentence(found.error)}.`);
   else {
+    if (found.middle) {
+      notes.push(`This replay is of the middle of the measured values: ${found.middle}. Other values that the measurements allow `
+        + "may collide at other times and in another order.");
+    }
     notes.push(`In all ${found.total}; ${found.end}.`);
     if (found.rounded) {
       notes.push(`The optimal masses are irrational. The replay takes them with ${found.rounded} digits; its numbers, marked ≈, are those of that chain. `
@@ -300,6 +305,8 @@ async function askReplay(request) {
   $("totals").textContent = found.error ? "" : `Kinetic energy at the start ${plain(found.energy)}, lost as heat in all ${plain(found.lost)}. `
     + `Momentum ${plain(found.momentum)}, the same at all times.`;
   $("replay-note").textContent = notes.join(" ");
+  $("middle").hidden = !found.middle;
+  $("middle").textContent = found.middle ? `Shown: the middle of the measured values, ${found.middle}` : "";
   if (answers) {
     showAgain();
     showBodies();
@@ -322,10 +329,10 @@ const paint = later(async () => {
   const picture = $("picture").value;
   let found;
   if (picture === "space-time") {
-    found = replay ? { svg: replay.svg } : { error: { message: "there is no replay to draw" } };
+    found = replay ? { svg: replay.svg, middle: replay.middle } : { error: { message: "there is no replay to draw" } };
     painted = "";
   } else {
-    const request = picture === "map" ? { ...BEGINNING, picture } : { ...fields(), picture };
+    const request = { ...fields(), picture };
     const key = JSON.stringify(request);
     if (key === painted) return;
     $("figure").classList.add("waiting");
@@ -334,7 +341,8 @@ const paint = later(async () => {
     painted = key;
   }
   $("figure").classList.remove("waiting");
-  $("picture-note").textContent = found.error ? `No picture: ${sentence(found.error)}.` : "";
+  $("picture-note").textContent = found.error ? `No picture: ${sentence(found.error)}.`
+    : found.middle ? `Curves are drawn for the middle of the measured values, ${found.middle}; bars show all that they allow.` : "";
   $("picture-image").hidden = $("picture-save").disabled = Boolean(found.error);
   if (found.error) return;
   if (pictureUrl) URL.revokeObjectURL(pictureUrl);

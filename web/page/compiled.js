@@ -23,7 +23,7 @@ export function compiled(part) {
 }
 
 // What the room that is shown first will ask for.
-const soon = ["table", "claims"].includes(new URLSearchParams(location.hash.slice(1)).get("room")) ? "whole" : "first";
+const soon = ["table", "claims", "classroom"].includes(new URLSearchParams(location.hash.slice(1)).get("room")) ? "whole" : "first";
 compiled(soon);
 
 /** Both parts, one after the other, so that neither waits for the other's bytes. */

@@ -2,13 +2,14 @@
 
 import * as chain from "./chain.js";
 import * as claims from "./claims.js";
+import * as classroom from "./classroom.js";
 import { everything } from "./compiled.js";
 import { $ } from "./dom.js";
 import * as state from "./state.js";
 import * as table from "./table.js";
 
-const ROOMS = new Map([["chain", chain], ["table", table], ["claims", claims]]);
-const TITLES = new Map([["chain", "Chain"], ["table", "Table"], ["claims", "Claims"]]);
+const ROOMS = new Map([["chain", chain], ["table", table], ["claims", claims], ["classroom", classroom]]);
+const TITLES = new Map([["chain", "Chain"], ["table", "Table"], ["claims", "Claims"], ["classroom", "Classroom"]]);
 const begun = new Set();
 const tabs = [...ROOMS.keys()].map((name) => $(`tab-${name}`));
 
@@ -31,7 +32,7 @@ const wanted = () => (ROOMS.has(state.get("room", "chain")) ? state.get("room", 
 for (const tab of tabs) {
   const go = () => {
     const name = tab.id.slice(4);
-    state.step({ room: name }, { room: "chain" });
+    state.step({ room: name, show: "" }, { room: "chain" });
     enter(name);
   };
   tab.addEventListener("click", go);
@@ -42,6 +43,15 @@ for (const tab of tabs) {
     const next = tabs[(tabs.indexOf(tab) + step + tabs.length) % tabs.length];
     next.focus();
     next.click();
+  });
+}
+// Links into the classroom leave the other rooms as they are.
+for (const link of document.querySelectorAll("[data-show]")) {
+  link.addEventListener("click", (event) => {
+    event.preventDefault();
+    state.step({ room: "classroom", show: link.dataset.show }, { room: "chain" });
+    enter("classroom");
+    classroom.reveal();
   });
 }
 state.onRestore(() => enter(wanted()));

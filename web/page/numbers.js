@@ -76,6 +76,16 @@ function whole({ decimal: text, exact }) {
   return `${parts[1]}${parts[2]}${places && "."}${places}`;
 }
 
+/** Two ends in words. */
+const range = (lo, hi) => ["from ", make("span", {}, lo.replace("-", "−")), " to ", make("span", {}, hi.replace("-", "−"))];
+
+/** A centre with its reach, as the engine gives it, `0.249 ± 0.022` or `(5 ± 5)e-13`. */
+export function plusMinus(text) {
+  const [, both, exponent] = /^\((.*)\)e(-?\d+)$/.exec(text) ?? [null, text, null];
+  const shown = exponent ? `(${both})` : both;
+  return make("span", { class: "digits" }, shown.replaceAll("-", "−"), exponent ? power(exponent) : null);
+}
+
 /** A number in full: decimal, exact form, what is certain of it. */
 export function number(value, options = {}) {
   const box = make("div", { class: "number" });
@@ -93,15 +103,18 @@ export function number(value, options = {}) {
       : `irrational; all ${value.digits} digits certified`));
   } else {
     const [lo, hi] = value.enclosure;
-    box.append(make("p", { class: "decimal between" }, "from ", make("span", {}, lo), " to ", make("span", {}, hi)));
-    box.append(make("p", { class: "hint" }, "every value that the measured inputs allow lies between these two"));
+    box.append(make("p", { class: "decimal between" }, ...(value.measured ? [plusMinus(value.measured)] : range(lo, hi))));
+    box.append(make("p", { class: "hint" }, ...(value.measured ? range(lo, hi) : []), value.measured ? ": " : "",
+      "every value that the measured inputs allow lies there"));
   }
   return box;
 }
 
 /** A number in a cell: a whole number alone, else the decimal with a short fraction, or with its closed form below. */
 export function cell(value, closed = false, formula = null) {
-  if (value.decimal === null || value.decimal === undefined) return make("span", {}, `${value.enclosure[0]} … ${value.enclosure[1]}`);
+  if (value.decimal === null || value.decimal === undefined) {
+    return value.measured ? plusMinus(value.measured) : make("span", {}, `${value.enclosure[0]} … ${value.enclosure[1]}`);
+  }
   const exact = value.exact !== null && value.exact.length <= 16 ? fraction(value.exact) : null;
   if (exact && !value.exact.includes("/")) return exact;
   const all = whole(value);

@@ -5,7 +5,7 @@ import { $, later, make, outdated, save, sentence, showFault } from "./dom.js";
 import * as state from "./state.js";
 
 const BEGINNING = { want: "eta", ratio: "1,2,10,100", e: "0.5,0.9,1", n: "0:4:1", digits: "6", count: "significant", round: "nearest" };
-const ENDINGS = { csv: ["csv", "text/csv"], latex: ["tex", "application/x-tex"], markdown: ["md", "text/markdown"], json: ["json", "application/json"] };
+const ENDINGS = { csv: ["csv", "text/csv"], spreadsheet: ["csv", "text/csv"], "spreadsheet-comma": ["csv", "text/csv"], latex: ["tex", "application/x-tex"], markdown: ["md", "text/markdown"], json: ["json", "application/json"] };
 
 const engine = clientWith($("table-busy"));
 const saver = new Client();

@@ -2,7 +2,7 @@
 
 const CALLS = {
   first: ["answers", "predict", "replay"],
-  whole: ["table", "plot", "audit", "claim", "catalogue"],
+  whole: ["table", "plot", "worksheet", "check_table", "restitution", "audit", "claim", "catalogue"],
 };
 let ready;
 

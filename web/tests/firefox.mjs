@@ -138,6 +138,20 @@ test("Firefox: tables, claims, the catalogue and Back", async () => {
   });
 });
 
+test("Firefox: the classroom", async () => {
+  await visit("#room=classroom", async ({ value, until, type, size, shows, shoot }) => {
+    await shows("#sheets h3", "answer key");
+    await shows("#checked-summary", "3 cells: 2 right");
+    await shows("#bounced .said", "e = 0.799 ± 0.006");
+    await type("w-versions", "2");
+    await shows("#sheets .foot", "version B");
+    await shoot("firefox-classroom");
+    await size(390, 844);
+    await value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
+    await until("document.documentElement.scrollWidth === document.documentElement.clientWidth");
+  });
+});
+
 test("Firefox: kept for use offline", async () => {
   await visit("", async ({ until, value }) => {
     await until('document.documentElement.dataset.offline === "ready"');

@@ -215,8 +215,8 @@ test("restitutions for each collision, masses of one's own, measured values", as
     await page.waitForTimeout(600);
     await shoot(page, "own");
     await page.selectOption("#preset", { label: "Measured restitution" });
-    await shows(page, ".quantity.eta .decimal", "from");
-    await shows(page, "#replay-note", "measured values are not replayed");
+    await shows(page, ".quantity.eta .decimal", "±");
+    await shows(page, "#replay-note", "the middle of the measured values");
     await page.waitForTimeout(600);
     await shoot(page, "measured");
   });

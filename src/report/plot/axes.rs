@@ -109,6 +109,12 @@ impl Chart {
         self.marks.push(Mark::Area(points.to_vec(), colour));
     }
 
+    /// Its title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
     /// A title in place of its own.
     pub fn rename(&mut self, title: &str) {
         title.clone_into(&mut self.title);

@@ -7,6 +7,7 @@
 
 pub mod html;
 pub mod latex;
+pub mod made;
 #[cfg(feature = "svg")]
 pub mod pages;
 mod questions;

@@ -227,7 +227,17 @@ mod tests {
     #[test]
     fn no_request_makes_the_engine_panic() {
         for text in ["", "[]", "{}", "{\"m1\": 1}", "{\"m1\": \"\u{202e}1\"}", "\u{0}"] {
-            for call in [crate::answers, crate::replay, crate::table, crate::plot, crate::audit, crate::claim] {
+            for call in [
+                crate::answers,
+                crate::replay,
+                crate::table,
+                crate::plot,
+                crate::worksheet,
+                crate::check_table,
+                crate::restitution,
+                crate::audit,
+                crate::claim,
+            ] {
                 let answer: Value = serde_json::from_str(&call(text)).expect("JSON");
                 assert!(answer.is_object());
             }

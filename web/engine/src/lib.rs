@@ -11,7 +11,9 @@
 
 mod chain;
 mod claims;
+mod classroom;
 mod energy;
+mod middle;
 mod pictures;
 mod predict;
 mod reasons;
@@ -57,6 +59,24 @@ pub fn table(request: &str) -> String {
 #[must_use]
 pub fn plot(request: &str) -> String {
     answer(request, pictures::plot)
+}
+
+/// A worksheet with its key: `{kind, masses, e, velocity, floor, height, scene, versions, seed, format, …}`.
+#[must_use]
+pub fn worksheet(request: &str) -> String {
+    answer(request, classroom::worksheet)
+}
+
+/// Somebody's table beside the certified values: `{table, ratio, e, n, round}`.
+#[must_use]
+pub fn check_table(request: &str) -> String {
+    answer(request, classroom::check_table)
+}
+
+/// The restitution that measured bounces allow: `{readings, kind, within, digits}`.
+#[must_use]
+pub fn restitution(request: &str) -> String {
+    answer(request, classroom::restitution)
 }
 
 /// Judges the claims of a text: `{text, seconds}`.

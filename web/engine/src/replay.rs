@@ -4,8 +4,10 @@
 //! chosen for the eye, shift when collisions happen and change no velocity. Inserted masses that are irrational are
 //! replaced by decimals of [`MASS_DIGITS`] digits: every number of such a replay is written as an approximation, with
 //! [`APPROXIMATE`] digits. A replay goes on where bodies stick and from a collapse: an event that stands for infinitely
-//! many collisions, after which the bodies from `first` to `last` have one velocity, is marked `joined`.
+//! many collisions, after which the bodies from `first` to `last` have one velocity, is marked `joined`. Where inputs are
+//! measured, the chain of their middles is replayed; `middle` names these, and says that it is one of many chains.
 
+use crate::middle;
 use crate::request::{Fault, Request};
 use carom::chain::recollision::WARNING;
 use carom::chain::replay::{self, Body, Entry, Limit, Line, Options, Outcome, Status, Value as Exact};
@@ -35,10 +37,7 @@ const SHORT: (usize, u64) = (24, 12);
 
 /// Replays the chain.
 pub fn replay(request: &Request) -> Result<Value, Fault> {
-    let chain = request.chain()?;
-    if !chain.is_exact() {
-        return Err(Fault::new("measured values are not replayed: the replay is exact").help("type single numbers"));
-    }
+    let (chain, middle) = middle::of(&request.chain()?)?;
     if chain.count() > MAX_DRAWN {
         let message = format!("limit reached: {MAX_DRAWN} inserted bodies are drawn at most");
         return Err(Fault::new(message).limit().help("the numbers on this page are about all of them"));
@@ -53,7 +52,9 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     };
     let outcome = replay::replay(&line, &options)
         .map_err(|fault| Fault::new(format!("the ledger of {} does not balance; please report this", fault.law)))?;
-    let replay = Replay { title: None, line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
+    let title = middle.as_ref().map(|named| format!("The middle of the measured values: {named}"));
+    let replay =
+        Replay { title: title.as_deref(), line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
     let lines = Worldlines::new(&replay);
     let pass = chain.count() + 1;
     let written = |x: &Exact| if rounded { approximate(x) } else { exact(x) };
@@ -114,6 +115,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
         "end": end(&outcome.status),
         "exact": outcome.enclosed.is_none(),
         "rounded": rounded.then_some(MASS_DIGITS),
+        "middle": middle,
         "final": outcome.velocities.iter().map(&written).collect::<Vec<_>>(),
         "lost": written(&outcome.energy.lost),
         // Bodies of rounded mass rest before the first collision: what is known then is exact.
@@ -334,6 +336,21 @@ mod tests {
     #[test]
     fn limits_are_said() {
         assert_eq!(replay("2", "1/2", "41")["error"]["limit"], true);
-        assert!(replay("2 ± 0.1", "1/2", "1")["error"]["help"].is_string());
+    }
+
+    #[test]
+    fn measured_values_are_replayed_at_their_middles_and_named() {
+        let mut measured = replay("57.1 ± 0.1", "[0.88, 0.92]", "2");
+        assert_eq!(measured["middle"], "m1 = 57.1, e = 0.9");
+        let mut exact = replay("57.1", "0.9", "2");
+        assert!(exact["middle"].is_null());
+        exact["middle"] = measured["middle"].clone();
+        let title = "The middle of the measured values: m1 = 57.1, e = 0.9";
+        assert!(measured["svg"].as_str().is_some_and(|svg| svg.contains(title)));
+        (measured["svg"], exact["svg"]) = (Value::Null, Value::Null);
+        assert_eq!(exact, measured, "every number is that of the middle");
+        let request = json!({"m1": "2", "m2": "1", "e": "1, 0.5 ± 0.1", "inserted": "given", "masses": "1.5(1)"});
+        let found: Value = serde_json::from_str(&crate::replay(&request.to_string())).expect("JSON");
+        assert_eq!(found["middle"], "the mass of body 2 = 1.5, e2 = 0.5");
     }
 }

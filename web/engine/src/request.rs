@@ -128,10 +128,7 @@ impl Request {
     pub fn chain(&self) -> Result<Chain, Fault> {
         let first = mass("m1", &self.number("m1")?)?;
         let last = mass("m2", &self.number("m2")?)?;
-        let coefficients = match self.restitutions()?.as_slice() {
-            [one] => Coefficients::Same(coefficient(one)?),
-            list => Coefficients::Each(list.iter().map(|e| coefficient(e)).collect::<Result<_, _>>()?),
-        };
+        let coefficients = self.coefficients()?;
         let inserted = match self.text("inserted")? {
             "given" => {
                 let list = self.masses()?;
@@ -151,6 +148,40 @@ impl Request {
             };
             Fault::chain(Some(field), &error)
         })
+    }
+
+    /// The masses of a list, at least two.
+    pub fn bodies(&self, field: &'static str) -> Result<Vec<Range<Positive>>, Fault> {
+        let list = self.list(field, |m| mass(field, m).is_ok())?;
+        if list.len() < 2 {
+            return Err(Fault::at(field, "at least two masses are needed, as in 2, 1"));
+        }
+        list.iter().map(|m| mass(field, m)).collect()
+    }
+
+    /// The coefficients of restitution of the field `e`: one for all collisions, or a list.
+    pub fn coefficients(&self) -> Result<Coefficients, Fault> {
+        Ok(match self.restitutions()?.as_slice() {
+            [one] => Coefficients::Same(coefficient("e", one)?),
+            list => Coefficients::Each(list.iter().map(|e| coefficient("e", e)).collect::<Result<_, _>>()?),
+        })
+    }
+
+    /// One coefficient of restitution.
+    pub fn coefficient(&self, field: &'static str) -> Result<Range<Restitution>, Fault> {
+        coefficient(field, &self.number(field)?)
+    }
+
+    /// A height; `None` where the field is empty.
+    pub fn length(&self, field: &'static str) -> Result<Option<Range<Positive>>, Fault> {
+        let text = self.number(field)?;
+        if text.is_empty() { Ok(None) } else { mass(field, &text).map(Some) }
+    }
+
+    /// A single number of either sign.
+    pub fn single(&self, field: &'static str) -> Result<Rational, Fault> {
+        let found = range(field, &self.number(field)?)?;
+        found.single().cloned().ok_or_else(|| Fault::at(field, "a single number is needed, such as 1 or 3/4"))
     }
 
     /// The fields of the chain in the engine's own spelling, as the command line takes them.
@@ -179,7 +210,7 @@ impl Request {
     }
 
     fn restitutions(&self) -> Result<Vec<String>, Fault> {
-        self.list("e", |e| coefficient(e).is_ok())
+        self.list("e", |e| coefficient("e", e).is_ok())
     }
 
     fn masses(&self) -> Result<Vec<String>, Fault> {
@@ -250,6 +281,6 @@ fn mass(field: &'static str, text: &str) -> Result<Range<Positive>, Fault> {
     range(field, text)?.map(Positive::new).map_err(|error| Fault::chain(Some(field), &error))
 }
 
-fn coefficient(text: &str) -> Result<Range<Restitution>, Fault> {
-    range("e", text)?.map(Restitution::new).map_err(|error| Fault::chain(Some("e"), &error))
+fn coefficient(field: &'static str, text: &str) -> Result<Range<Restitution>, Fault> {
+    range(field, text)?.map(Restitution::new).map_err(|error| Fault::chain(Some(field), &error))
 }

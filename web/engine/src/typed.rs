@@ -27,6 +27,11 @@ pub fn number(text: &str) -> Result<String, Unclear> {
         let ends = list(inside, |end| rational::parse(end).is_ok())?;
         return Ok(format!("[{}]", ends.join(", ")));
     }
+    if let Some((centre, last)) = text.strip_suffix(')').and_then(|rest| rest.split_once('('))
+        && digits(last)
+    {
+        return Ok(format!("{}({last})", one(centre)?));
+    }
     let Some((sign, (centre, reach))) = PLUS_MINUS.iter().find_map(|sign| Some((*sign, text.split_once(sign)?))) else {
         return one(text);
     };
@@ -248,6 +253,7 @@ mod tests {
             ("0.37313 75117 73739", "0.373137511773739"),
             ("57,1 ± 0,1", "57.1 ± 0.1"),
             ("57.1 +/- .1", "57.1 +- 0.1"),
+            ("57,1(1)", "57.1(1)"),
             ("90 % ± 2 %", "9/10 ± 1/50"),
             ("[.88, 0.92]", "[0.88, 0.92]"),
             ("[0,88; 0,92]", "[0.88, 0.92]"),

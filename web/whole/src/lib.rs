@@ -18,6 +18,27 @@ pub fn plot(request: &str) -> String {
     carom_web::plot(request)
 }
 
+/// A worksheet with its key: `{kind, masses, e, velocity, floor, height, scene, versions, seed, format, …}`.
+#[must_use]
+#[wasm_bindgen]
+pub fn worksheet(request: &str) -> String {
+    carom_web::worksheet(request)
+}
+
+/// Somebody's table beside the certified values: `{table, ratio, e, n, round}`.
+#[must_use]
+#[wasm_bindgen]
+pub fn check_table(request: &str) -> String {
+    carom_web::check_table(request)
+}
+
+/// The restitution that measured bounces allow: `{readings, kind, within, digits}`.
+#[must_use]
+#[wasm_bindgen]
+pub fn restitution(request: &str) -> String {
+    carom_web::restitution(request)
+}
+
 /// Judges the claims of a text: `{text, seconds}`.
 #[must_use]
 #[wasm_bindgen]
