@@ -13,7 +13,21 @@ from typing import List, Optional
 from . import LimitReached, __version__, audit, check_table, language
 from .bounces import restitution
 from .chain import Chain
-from .tools import explain, export, replay, worksheet
+from .table import table_text
+from .tools import (
+    catalogue,
+    check,
+    explain,
+    export,
+    format_claims,
+    plot,
+    referee,
+    referee_answers,
+    repair,
+    replay,
+    worksheet,
+    worksheet_pdf,
+)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -21,7 +35,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="python -m carom",
         description="Audit claims and compute with collisions, exactly.",
         epilog="Exit codes: 0 as expected, 1 not as expected, 2 bad input, 3 a stated limit. The program `carom` does "
-        "more: tables, reports, PDF, certificates of tables (`cargo install --path .` in the repository).",
+        "more: reports as folders, proofs for Coq, tables on all cores with certificates (`cargo install --path .`).",
     )
     parser.add_argument("--version", action="version", version=f"carom {__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
@@ -45,7 +59,40 @@ def _parser() -> argparse.ArgumentParser:
     add.add_argument("--format", default="text", choices=["text", "csv", "svg", "html"])
     add = commands.add_parser("worksheet", help="make a worksheet of a scene and its key")
     add.add_argument("scene", type=Path)
-    add.add_argument("--format", default="text", choices=["text", "markdown", "latex", "html"])
+    add.add_argument("--format", default="text", choices=["text", "markdown", "latex", "html", "pdf"])
+    add.add_argument("--sheet", default="both", choices=["blank", "key", "both"])
+    add.add_argument("--versions", type=int, default=0, metavar="N")
+    add.add_argument("--seed", type=int, default=1)
+    add.add_argument("-o", "--output", type=Path, help="a file; needed for PDF")
+    add = commands.add_parser("table", help="print a table of certified numbers")
+    add.add_argument("--ratio", required=True)
+    add.add_argument("-e")
+    add.add_argument("-n")
+    add.add_argument("--want", default="eta", choices=["eta", "threshold", "best-n"])
+    add.add_argument("--digits", type=int, default=6)
+    add.add_argument("--places", type=int)
+    add.add_argument("--round", default="nearest", choices=["nearest", "up", "down", "zero", "away"])
+    add.add_argument("--format", default="text", choices=_TABLES)
+    add = commands.add_parser("plot", help="draw a picture as SVG")
+    add.add_argument("picture", choices=["eta-n", "eta-x", "threshold", "map", "velocities"])
+    add.add_argument("scene", nargs="?", type=Path, help="for velocities")
+    add.add_argument("--ratio", default="", help="one or two numbers with a comma")
+    add.add_argument("-e", default="")
+    add.add_argument("-n", default="")
+    add.add_argument("--title")
+    add.add_argument("--grey", action="store_true")
+    add = commands.add_parser("list", help="list the built-in catalogue")
+    add = commands.add_parser("check", help="have the kernel check certificates of the claims of a file")
+    add.add_argument("file", type=Path)
+    add.add_argument("certificate", type=Path)
+    add = commands.add_parser("repair", help="find the hypothesis that a refuted claim lacks")
+    add.add_argument("id")
+    add.add_argument("file", nargs="?", type=Path)
+    add = commands.add_parser("fmt", help="print claims in the one style")
+    add.add_argument("file", type=Path)
+    add = commands.add_parser("referee", help="judge a simulator's results by exact scenes")
+    add.add_argument("file", nargs="?", type=Path, help="a CSV file; without it the right answers are printed")
+    add.add_argument("--digits", type=int, default=9)
     add = commands.add_parser("check-table", help="judge somebody's table")
     add.add_argument("file", type=Path)
     add = commands.add_parser("restitution", help="the coefficient of restitution from measured bounces")
@@ -59,6 +106,7 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+_TABLES = ["text", "csv", "spreadsheet", "spreadsheet-comma", "json", "markdown", "latex"]
 _QUANTITIES = "eta threshold helps best_n masses velocities last_velocity losses recollides".split()
 
 
@@ -72,6 +120,31 @@ def _eval(arguments: argparse.Namespace) -> str:
         shown = ", ".join(map(str, found)) if isinstance(found, (list, tuple)) else str(found)
         lines.append(f"{name:<14} {shown}")
     return "\n".join(lines)
+
+
+def _worksheet(arguments: argparse.Namespace) -> None:
+    asked = {"sheet": arguments.sheet, "versions": arguments.versions, "seed": arguments.seed}
+    if arguments.format == "pdf":
+        if arguments.output is None:
+            raise ValueError("--format pdf: give a file, as in -o sheet.pdf")
+        arguments.output.write_bytes(worksheet_pdf(arguments.scene, **asked))
+        return
+    text = worksheet(arguments.scene, form=arguments.format, **asked)
+    if arguments.output is None:
+        print(text, end="")
+    else:
+        arguments.output.write_text(text, encoding="utf-8")
+
+
+def _plot(arguments: argparse.Namespace) -> str:
+    parts = {name: [part for part in getattr(arguments, name).split(",") if part] for name in ("ratio", "e", "n")}
+    if not all(part.strip().isdecimal() for part in parts["n"]):
+        raise ValueError(f"-n: numbers of bodies are needed, not {arguments.n}")
+    numbers = [int(part) for part in parts["n"]]
+    title, grey = arguments.title, arguments.grey
+    return plot(
+        arguments.picture, ratio=parts["ratio"], e=parts["e"], n=numbers, scene=arguments.scene, title=title, grey=grey
+    )
 
 
 def _run(arguments: argparse.Namespace) -> int:
@@ -91,7 +164,32 @@ def _run(arguments: argparse.Namespace) -> int:
         print(forms.get(arguments.format, found_replay.html)(), end="")
         return 3 if found_replay.status == "limit" else 0
     elif command == "worksheet":
-        print(worksheet(arguments.scene, form=arguments.format), end="")
+        _worksheet(arguments)
+    elif command == "table":
+        ratio, e, n, want, form = arguments.ratio, arguments.e, arguments.n, arguments.want, arguments.format
+        digits, places, rounding = arguments.digits, arguments.places, arguments.round
+        shown = table_text(ratio=ratio, e=e, n=n, want=want, digits=digits, places=places, rounding=rounding, form=form)
+        print(shown, end="")
+    elif command == "plot":
+        print(_plot(arguments), end="")
+    elif command == "list":
+        for one in catalogue():
+            print(f"{one.id:<24} {one.title}")
+    elif command == "check":
+        text = arguments.file.read_text(encoding="utf-8")
+        print(check(text, arguments.certificate.read_text(encoding="utf-8")))
+    elif command == "repair":
+        found_repair = repair(arguments.id, arguments.file)
+        print(f"{arguments.id} {found_repair}\n\n{found_repair.claim}", end="")
+    elif command == "fmt":
+        print(format_claims(arguments.file), end="")
+    elif command == "referee":
+        if arguments.file is None:
+            print(referee_answers(), end="")
+            return 0
+        judgement = referee(arguments.file, digits=arguments.digits)
+        print(judgement)
+        return 0 if judgement else 1
     elif command == "check-table":
         cells = check_table(arguments.file)
         for cell in cells:

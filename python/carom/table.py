@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _engine
-from .number import Exact, text_of
+from .number import Exact, count_of, text_of
 
 if TYPE_CHECKING:
     import numpy
@@ -149,3 +149,26 @@ def table(*, ratio: Grid, e: Optional[Grid] = None, n: Optional[Grid] = None, wa
     axes = {name: found.labels(i, 0, length) for i, (name, length) in enumerate(shape)}
     lengths = [length for _, length in shape]
     return Table(want, axes, lo.reshape(lengths), hi.reshape(lengths))
+
+
+def table_text(
+    *,
+    ratio: Grid,
+    e: Optional[Grid] = None,
+    n: Optional[Grid] = None,
+    want: str = "eta",
+    digits: int = 6,
+    places: Optional[int] = None,
+    rounding: str = "nearest",
+    form: str = "text",
+) -> str:
+    """The same table as ``carom table`` prints it, every digit right.
+
+    ``text``, ``csv``, ``spreadsheet`` (which Excel opens well), ``spreadsheet-comma``, ``json``, ``markdown`` or ``latex``.
+
+    >>> print(table_text(ratio="9", e="1", n=1, form="spreadsheet").splitlines()[1].replace("\u2044", "|"))
+    9,1,1,0.562500,9|16
+    """
+    axes = (grid_of(ratio, "ratio") or "", grid_of(e, "e"), grid_of(n, "n"))
+    count = (places is not None, count_of(digits if places is None else places, "digits"))
+    return _engine.table_text(want, axes, count, rounding, form)

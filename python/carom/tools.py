@@ -134,14 +134,61 @@ def worksheet(
     title: Optional[str] = None,
     standard: Optional[str] = None,
     digits: int = 4,
+    places: Optional[int] = None,
     exact: bool = False,
     paper: str = "a4",
+    versions: int = 0,
+    seed: int = 1,
 ) -> str:
-    """A worksheet of a scene and its key: ``text``, ``markdown``, ``latex`` or ``html``."""
+    """A worksheet of a scene and its key: ``text``, ``markdown``, ``latex`` or ``html``.
+
+    With ``versions`` as many sheets with other simple masses, the same ones for the same ``seed``. :func:`worksheet_pdf`
+    makes the pages.
+    """
+    count = (places is not None, count_of(digits if places is None else places, "digits"))
+    if form == "pdf":
+        raise ValueError("form: a PDF file is bytes; worksheet_pdf makes it")
+    made = _sheets(scene, form, sheet, title, standard, count, exact, paper, (versions, seed))
+    return made.decode("utf-8")
+
+
+def worksheet_pdf(
+    scene: Text,
+    *,
+    sheet: str = "both",
+    title: Optional[str] = None,
+    standard: Optional[str] = None,
+    digits: int = 4,
+    exact: bool = False,
+    paper: str = "a4",
+    versions: int = 0,
+    seed: int = 1,
+) -> bytes:
+    """The same as :func:`worksheet`, as a PDF file."""
+    count = (False, count_of(digits, "digits"))
+    return _sheets(scene, "pdf", sheet, title, standard, count, exact, paper, (versions, seed))
+
+
+def _sheets(
+    scene: Text,
+    form: str,
+    sheet: str,
+    title: Optional[str],
+    standard: Optional[str],
+    digits: Tuple[bool, int],
+    exact: bool,
+    paper: str,
+    versions: Tuple[int, int],
+) -> bytes:
     if paper not in ("a4", "letter"):
         raise ValueError(f"paper: {paper!r} is unknown; write a4 or letter")
     text = source_of(scene, ".toml").text
-    return _engine.worksheet(text, form, sheet, title, standard, count_of(digits, "digits"), exact, paper == "letter")
+    drawn = (count_of(versions[0], "versions"), count_of(versions[1], "seed"))
+    return _engine.worksheet(text, form, sheet, title, standard, digits, exact, paper == "letter", drawn)
+
+
+Point = Tuple[Exact, Exact]
+"""Two numbers; in a picture each may be measured: ``("10.6 ± 0.4", "0.31(2)")``."""
 
 
 def plot(
@@ -152,20 +199,37 @@ def plot(
     n: Union[int, Sequence[int]] = (),
     scene: Optional[Text] = None,
     title: Optional[str] = None,
+    xlim: Optional[Point] = None,
+    ylim: Optional[Point] = None,
+    mark: Sequence[Point] = (),
+    grey: bool = False,
 ) -> Picture:
     """A picture as SVG: ``eta-n``, ``eta-x``, ``threshold``, ``map``, or ``velocities`` of a scene.
+
+    ``xlim`` and ``ylim`` are the ends of the axes, ``mark`` measurements of your own; ``grey`` leaves colours out.
 
     >>> plot("eta-n", ratio=100, e=["0.8", "0.9"], n=12).startswith("<svg")
     True
     """
+    looks = (title, _ends(xlim, "xlim"), _ends(ylim, "ylim"), [_point(one, "mark") for one in mark], grey)
     if picture == "velocities":
         if scene is None:
             raise ValueError("the picture velocities needs a scene")
-        return Picture(_engine.plot_velocities(source_of(scene, ".toml").text, title))
+        return Picture(_engine.plot_velocities(source_of(scene, ".toml").text, looks))
     ratios = [text_of(value, "ratio") for value in _several(ratio)]
     coefficients = [text_of(value, "e") for value in _several(e)]
     numbers = [count_of(value, "n") for value in _several(n)]
-    return Picture(_engine.plot(picture, ratios, coefficients, numbers))
+    return Picture(_engine.plot(picture, ratios, coefficients, numbers, looks))
+
+
+def _point(point: Point, name: str) -> Tuple[str, str]:
+    if isinstance(point, str) or len(point) != 2:
+        raise ValueError(f"{name}: write two numbers, as in (10, '0.31')")
+    return text_of(point[0], name), text_of(point[1], name)
+
+
+def _ends(ends: Optional[Point], name: str) -> Optional[Tuple[str, str]]:
+    return None if ends is None else _point(ends, name)
 
 
 def _several(values: Any) -> List[Any]:
@@ -237,7 +301,9 @@ def _rows(table: Any) -> Iterator[Tuple[int, Mapping[str, Any]]]:
         for (at, _), row in zip(lines[1:], reader):
             if None in row or None in row.values():
                 raise ValueError(f"line {at}: the heading has {len(reader.fieldnames or ())} fields, the line has not")
-            values = {key: value.replace(",", ".") if separator == ";" else value for key, value in row.items()}
+            # A table for a spreadsheet has the sign U+2044 in its fractions.
+            plain = {key: value.replace("\u2044", "/") for key, value in row.items()}
+            values = {key: value.replace(",", ".") if separator == ";" else value for key, value in plain.items()}
             yield at, values
     else:
         yield from enumerate(table, 1)
@@ -283,3 +349,130 @@ def explain(claims: Text, id: Optional[str] = None) -> str:
     if len(found) != 1:
         raise ValueError(f"there are {len(found)} claims; name one of {', '.join(claim.id for claim in found)}")
     return found[0].explanation
+
+
+def format_claims(claims: Text) -> str:
+    """Claims in the one style, as ``carom fmt`` writes them.
+
+    >>> format_claims('claim a "A"\\ngiven x>0\\nprove x*x=x^2')
+    'claim a "A"\\ngiven x > 0\\nprove x*x = x^2\\n'
+    """
+    return _engine.format_claims(source_of(claims, ".claim").text)
+
+
+@dataclass(frozen=True)
+class Listed:
+    """A claim of the built-in catalogue, not judged."""
+
+    id: str
+    number: Union[int, str, None]
+    title: str
+    section: Optional[str]
+    source: Optional[str]
+    expected: str
+    """The verdict that the claim file expects."""
+    statement: List[str]
+    """Hypotheses and goal, one a line."""
+
+
+def catalogue() -> List[Listed]:
+    """The claims of the built-in catalogue, in their order; :func:`audit` judges them."""
+    return [Listed(**entry) for entry in json.loads(_engine.catalogue())]
+
+
+@dataclass(frozen=True)
+class Repair:
+    """The hypothesis that a refuted claim lacks."""
+
+    hypothesis: str
+    exact: bool
+    """Whether the goal is proved to hold nowhere else."""
+    claim: str
+    """The repaired claim."""
+    certificate: str
+    """Its certificate, which the kernel accepted: :func:`check` has it check it again."""
+
+    def __str__(self) -> str:
+        return f"holds {'exactly where' if self.exact else 'where'} {self.hypothesis}"
+
+
+def repair(id: str, claims: Optional[Text] = None, *, seconds: int = 10) -> Repair:
+    """The hypothesis that a refuted claim lacks; :class:`ValueError` where none is found, or the claim is not refuted.
+
+    >>> str(repair("c", 'claim c "C"\\ngiven x real\\nprove x^2 > 0'))
+    'holds exactly where x != 0'
+    """
+    source = None if claims is None else source_of(claims, ".claim")
+    text, path = (None, "text") if source is None else (source.text, source.path or "text")
+    found, why_not = _engine.repair(text, path, id, count_of(seconds, "seconds"))
+    if found is None:
+        raise ValueError(why_not)
+    return Repair(*found)
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A simulator's results beside the exact ones. As a condition it says whether every scene is right."""
+
+    data: Dict[str, Any]
+    """What ``carom referee --format json`` writes."""
+    right: bool
+    words: str
+
+    def __bool__(self) -> bool:
+        return self.right
+
+    def __str__(self) -> str:
+        return self.words.rstrip("\n")
+
+
+def referee_scenes() -> List[Dict[str, Any]]:
+    """The reference scenes: masses, positions, velocities and restitutions, with what is right at the end."""
+    scenes: List[Dict[str, Any]] = json.loads(_engine.referee_file(False))["scenes"]
+    return scenes
+
+
+def referee_answers() -> str:
+    """The right answers, as the CSV that :func:`referee` reads."""
+    return _engine.referee_file(True)
+
+
+def referee(results: Union[Text, Mapping[str, Mapping[str, Any]]], *, digits: int = 9) -> Judgement:
+    """Judges a simulator: a CSV file, or ``{scene: {"velocities": […], …}}`` with ``positions``, ``times``, ``count``.
+
+    >>> bool(referee(referee_answers()))
+    True
+    """
+    text = _results(results) if isinstance(results, Mapping) else source_of(results, ".csv").text
+    found, words = _engine.judge_simulator(text, count_of(digits, "digits"))
+    data = json.loads(found)
+    return Judgement(data, not data["wrong"] and not data["missing"], words)
+
+
+def _results(results: Mapping[str, Mapping[str, Any]]) -> str:
+    columns = ["velocities", "positions", "collisions", "times", "count"]
+    for name, answer in results.items():
+        for key in answer:
+            if key not in columns:
+                raise ValueError(f"{name}: no column is called {key!r}; there are {', '.join(columns)}")
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["scene", *columns])
+    for name, answer in results.items():
+        cells = (answer.get(column, "") for column in columns)
+        writer.writerow([name, *(_cell(cell) for cell in cells)])
+    return out.getvalue()
+
+
+def _cell(cell: Any) -> str:
+    if isinstance(cell, str) or not hasattr(cell, "__iter__"):
+        return str(cell)
+    # A pair (1, 2) of bodies is written 1-2. A float is the double that it is: a simulator computes with doubles.
+    parts = ("-".join(map(str, part)) if isinstance(part, (tuple, list)) else str(part) for part in cell)
+    return " ".join(parts)
+
+
+def scene_schema() -> Dict[str, Any]:
+    """The JSON schema of scene files."""
+    found: Dict[str, Any] = json.loads(_engine.scene_schema())
+    return found

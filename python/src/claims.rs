@@ -4,10 +4,12 @@ use crate::refusal::{Refusal, detached_deep};
 use crate::tools::unknown_form;
 use carom::claim::diagnostic::{Diagnostic, nearest};
 use carom::claim::parse::parse;
-use carom::claim::print::Style;
+use carom::certificate::text::write;
+use carom::claim::print::{self, Style};
 use carom::claim::syntax::{Claim, Expectation};
 use carom::claim::{LANGUAGE, embedded};
 use carom::judge::hand::AtHand;
+use carom::judge::repair::{self, NoRepair};
 use carom::judge::{Settings, diagnostic, judge};
 use carom::refute::catalogue::{Catalogue, Limits};
 use carom::refute::outcome;
@@ -55,6 +57,52 @@ pub fn audit_report(
         let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
         let (entries, judged) = judged(text.as_deref(), &file, &only, &limits)?;
         Ok(written(&report::Audit { entries, problems: Vec::new(), judged }))
+    })
+}
+
+/// The hypothesis that a refuted claim lacks: its text, whether it is exact, the repaired claim, its certificate; or why there is
+/// none.
+#[pyfunction]
+pub fn repair(
+    py: Python<'_>,
+    text: Option<String>,
+    file: String,
+    id: String,
+    seconds: u64,
+) -> Result<(Option<(String, bool, String, String)>, String), Refusal> {
+    detached_deep(py, || {
+        let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
+        let (mut entries, _) = judged(text.as_deref(), &file, std::slice::from_ref(&id), &limits)?;
+        let entry = entries.pop().ok_or_else(|| no_match(&[id.clone()], &[]))?;
+        Ok(match repair::repair(&entry, &limits) {
+            Ok(found) => {
+                let claim = &found.claim;
+                let lines = print::statement(claim, Style::Text).join("\n");
+                let claim = format!("claim {} \"{}\"\n{lines}\n", claim.name.text, claim.title);
+                let repaired = (print::prop(&found.hypothesis), found.exact, claim, write(&found.certificate));
+                (Some(repaired), String::new())
+            }
+            Err(NoRepair::NotRefuted(verdict)) => {
+                (None, format!("{id} is {}: only a refuted claim is repaired", verdict.name()))
+            }
+            Err(NoRepair::NoneOf(tried)) => {
+                (None, format!("{id} is refuted, and none of {tried} hypotheses was shown to be enough"))
+            }
+        })
+    })
+}
+
+/// The built-in catalogue without verdicts, as JSON.
+#[pyfunction]
+pub fn catalogue(py: Python<'_>) -> Result<String, Refusal> {
+    detached_deep(py, || {
+        let claims = embedded::claims(&[]).ok().flatten().ok_or(Refusal::Failure)?;
+        let row = |claim: &Claim| {
+            let statement = print::statement(claim, Style::Unicode);
+            json!({ "id": claim.name.text, "number": report::number(claim), "title": claim.title,
+                "section": claim.section, "source": claim.source, "expected": expected(claim), "statement": statement })
+        };
+        Ok(Value::from(claims.iter().map(row).collect::<Vec<_>>()).to_string())
     })
 }
 
@@ -117,13 +165,16 @@ fn point(point: &outcome::Point) -> Value {
     point.values.iter().map(|(name, value)| json!([name, value])).collect()
 }
 
-fn described(entry: &Entry) -> Value {
-    let (claim, outcome): (&Claim, _) = (&entry.claim, &entry.outcome);
-    let expected = match claim.expect {
+fn expected(claim: &Claim) -> &'static str {
+    match claim.expect {
         Expectation::Proved => "proved",
         Expectation::Refuted => "refuted",
         Expectation::Undecided => "undecided",
-    };
+    }
+}
+
+fn described(entry: &Entry) -> Value {
+    let (claim, outcome): (&Claim, _) = (&entry.claim, &entry.outcome);
     json!({
         "id": claim.name.text,
         "title": claim.title,
@@ -132,7 +183,7 @@ fn described(entry: &Entry) -> Value {
         "section": claim.section,
         "reading": report::reading(claim),
         "verdict": outcome.verdict.name(),
-        "expected": expected,
+        "expected": expected(claim),
         "as_expected": entry.as_expected(),
         "method": outcome.method,
         "statement": entry.goal(Style::Unicode),

@@ -25,7 +25,7 @@ mod _engine {
     #[pymodule_export]
     use super::chain::{Chain, eta};
     #[pymodule_export]
-    use super::claims::{audit, audit_report, language};
+    use super::claims::{audit, audit_report, catalogue, language, repair};
     #[pymodule_export]
     use super::number::Found;
     #[pymodule_export]
@@ -33,9 +33,12 @@ mod _engine {
     #[pymodule_export]
     use super::rows::Rows;
     #[pymodule_export]
-    use super::table::Plan;
+    use super::table::{Plan, table_text};
     #[pymodule_export]
-    use super::tools::{check, export, judged, law_point, plot, plot_velocities, replay, rounded, worksheet};
+    use super::tools::{
+        check, export, format_claims, judge_simulator, judged, law_point, plot, plot_velocities, referee_file, replay,
+        rounded, scene_schema, worksheet,
+    };
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

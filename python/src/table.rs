@@ -1,7 +1,9 @@
 //! Tables over grids as doubles.
 
 use crate::refusal::{Refusal, detached};
+use crate::tools::unknown_form;
 use carom::number::decimal::{Digits, Rounding};
+use carom::report::table::{Form, Head, Writer, entries};
 use carom::table::grid::{Grid, GridError};
 use carom::table::shared::Factors;
 use carom::table::{self, Printing, Quantity};
@@ -13,6 +15,8 @@ use std::ops::Range;
 ///
 /// Few enough to stay near the processor while they are copied: `python/benchmark.py`.
 const CHUNK: u64 = 1 << 14;
+/// The most rows of a table as text; the command and `carom.sweep` write longer ones.
+const MAX_WRITTEN: u64 = 1_000_000;
 
 /// A quantity over its axes.
 #[pyclass(frozen, module = "carom._engine")]
@@ -32,22 +36,35 @@ fn fault(error: &table::TableError) -> Refusal {
     if error.is_limit() { Refusal::Limit(error.to_string()) } else { Refusal::Input(error.to_string()) }
 }
 
+/// A table and its axes.
+fn planned(
+    want: &str,
+    ratio: &str,
+    e: Option<&str>,
+    n: Option<&str>,
+    digits: Digits,
+    rounding: Rounding,
+) -> Result<(table::Plan, Vec<Grid>), Refusal> {
+    let names = || Quantity::ALL.map(Quantity::name).join(", ");
+    let quantity = Quantity::ALL.into_iter().find(|q| q.name() == want);
+    let quantity = quantity.ok_or_else(|| Refusal::at("want", format!("{want:?} is no table; write {}", names())))?;
+    let ratio = grid("ratio", ratio)?;
+    let e = e.map(|text| grid("e", text)).transpose()?;
+    let n = n.map(|text| grid("n", text)).transpose()?;
+    let axes = [Some(&ratio), e.as_ref(), n.as_ref()].into_iter().flatten().cloned().collect();
+    let printing = Printing { digits, rounding, extra: 0 };
+    let plan = table::Plan::new(quantity, ratio, e, n, printing).map_err(|error| fault(&error))?;
+    Ok((plan, axes))
+}
+
 #[pymethods]
 impl Plan {
     /// A table: the quantity and the grids as the command line writes them.
     #[new]
     fn new(py: Python<'_>, want: String, ratio: String, e: Option<String>, n: Option<String>) -> Result<Plan, Refusal> {
         detached(py, || {
-            let names = || Quantity::ALL.map(Quantity::name).join(", ");
-            let quantity = Quantity::ALL.into_iter().find(|q| q.name() == want);
-            let quantity =
-                quantity.ok_or_else(|| Refusal::at("want", format!("{want:?} is no table; write {}", names())))?;
-            let ratio = grid("ratio", &ratio)?;
-            let e = e.map(|text| grid("e", &text)).transpose()?;
-            let n = n.map(|text| grid("n", &text)).transpose()?;
-            let axes = [Some(&ratio), e.as_ref(), n.as_ref()].into_iter().flatten().cloned().collect();
-            let printing = Printing { digits: Digits::Significant(15), rounding: Rounding::Nearest, extra: 0 };
-            let plan = table::Plan::new(quantity, ratio, e, n, printing).map_err(|error| fault(&error))?;
+            let digits = Digits::Significant(15);
+            let (plan, axes) = planned(&want, &ratio, e.as_deref(), n.as_deref(), digits, Rounding::Nearest)?;
             Ok(Plan { plan, axes })
         })
     }
@@ -79,6 +96,53 @@ impl Plan {
             rows.map(|row| factors.neighbours(row).map_err(|error| fault(&error))).collect()
         })
     }
+}
+
+/// A table as text, in one of the forms of the command.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // the flags of the command
+pub fn table_text(
+    py: Python<'_>,
+    want: String,
+    axes: (String, Option<String>, Option<String>),
+    digits: (bool, u64),
+    rounding: &str,
+    form: &str,
+) -> Result<String, Refusal> {
+    let forms = [
+        ("text", Form::Text),
+        ("csv", Form::Csv),
+        ("spreadsheet", Form::Spreadsheet),
+        ("spreadsheet-comma", Form::SpreadsheetComma),
+        ("json", Form::Json),
+        ("markdown", Form::Markdown),
+        ("latex", Form::Latex),
+    ];
+    let form = forms.iter().find(|(name, _)| *name == form).map(|(_, form)| *form).ok_or_else(|| {
+        unknown_form(form, "text, csv, spreadsheet, spreadsheet-comma, json, markdown or latex")
+    })?;
+    let rounding = crate::tools::rounding(rounding)?;
+    let digits = if digits.0 { Digits::Places(digits.1) } else { Digits::Significant(digits.1) };
+    detached(py, || {
+        let (plan, _) = planned(&want, &axes.0, axes.1.as_deref(), axes.2.as_deref(), digits, rounding)?;
+        if plan.rows() > MAX_WRITTEN {
+            let rows = plan.rows();
+            return Err(Refusal::Limit(format!("limit reached: rows of a text: {MAX_WRITTEN} allowed, {rows} asked for")));
+        }
+        let mut writer = Writer::new(form, Head::of(&plan));
+        let mut out = Vec::new();
+        let mut factors = Factors::new(&plan);
+        // Writing to memory does not fail.
+        let written = |found: std::io::Result<()>| found.map_err(|_| Refusal::Failure);
+        written(writer.begin(&mut out))?;
+        for row in 0..plan.rows() {
+            let found = factors.value(row).map_err(|error| fault(&error))?;
+            let (line, _) = plan.row(row, found).map_err(|error| fault(&error))?;
+            written(writer.row(entries(&plan, line), &mut out))?;
+        }
+        written(writer.end(&mut out))?;
+        String::from_utf8(out).map_err(|_| Refusal::Failure)
+    })
 }
 
 /// Hands the ends of some rows to `sink(offset, lo, hi)`, chunk by chunk.

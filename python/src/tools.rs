@@ -5,6 +5,7 @@
 
 use crate::refusal::{Refusal, detached, detached_deep};
 use carom::chain::replay::Options;
+use carom::chain::uncertain::Range;
 use carom::chain::{ChainError, Positive, Restitution};
 use carom::claim::diagnostic::Diagnostic;
 use carom::claim::parse::parse;
@@ -13,19 +14,28 @@ use carom::export::{coq, smt2};
 use carom::number::NumberError;
 use carom::number::decimal::{Decimal, Digits};
 use carom::number::rational;
+use carom::referee::Reference;
+use carom::referee::judge::{MAX_DIGITS, judge as judge_scene};
+use carom::referee::results::{self, ResultsError};
 use carom::refute::search::Seen;
 use carom::refute::trial::{Trial, Untried};
 use carom::report::plot::charts::{eta_of_number, eta_of_ratio, map, thresholds, velocities};
-use carom::report::plot::svg;
+use carom::report::plot::axes::Chart;
+use carom::report::plot::look::Look;
+use carom::report::plot::unclear::Unclear;
+use carom::report::plot::{pdf, svg};
+use carom::report::referee;
 use carom::report::replay as report;
-use carom::report::worksheet::{Style, Subject, html, latex, sheet, text};
+use carom::report::worksheet::made::{MAX_VERSIONS, Wanted, sheets};
+use carom::report::worksheet::{Style, html, latex, pages, text};
 use carom::scene::read::{self, ROUNDINGS, SceneFault};
 use carom::scene::replay as bodies;
 use carom::table::check::{Agreement, judge, judge_count};
 use carom::table::worksheet::Worksheet;
 use carom::table::{Place, Quantity, Value, count_text, value};
 use malachite::Rational;
-use malachite::base::num::conversion::traits::FromStringBase;
+use malachite::base::num::conversion::traits::{FromStringBase, RoundingFrom};
+use malachite::base::rounding_modes::RoundingMode;
 use pyo3::prelude::*;
 
 impl From<NumberError> for Refusal {
@@ -43,7 +53,8 @@ impl From<carom::Error> for Refusal {
     }
 }
 
-fn rounding(name: &str) -> Result<carom::number::decimal::Rounding, Refusal> {
+/// A direction of rounding by its name.
+pub fn rounding(name: &str) -> Result<carom::number::decimal::Rounding, Refusal> {
     let found = ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, direction)| *direction);
     found.ok_or_else(|| {
         Refusal::Input(format!("rounding: {name:?} is no direction; write nearest, up, down, zero or away"))
@@ -127,15 +138,7 @@ fn described(scene: &str) -> Result<(carom::scene::About, read::Subject), Refusa
     read::described(scene).map_err(|fault| scene_fault(fault, scene))
 }
 
-/// The sheet of a scene that one writes the table of.
-fn filled_table(subject: &read::Subject) -> Result<Worksheet, Refusal> {
-    Ok(match subject {
-        read::Subject::Drop(drop, _) => Worksheet::of_drop(drop)?,
-        read::Subject::Chain(scene) => Worksheet::of(scene.inputs.whole("a worksheet")?)?,
-    })
-}
-
-/// A worksheet, its key, or both.
+/// Worksheets, their keys, or both, as bytes: text is UTF-8.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // the flags of the command
 pub fn worksheet(
@@ -145,45 +148,83 @@ pub fn worksheet(
     which: &str,
     title: Option<String>,
     standard: Option<String>,
-    digits: u64,
+    digits: (bool, u64),
     exact: bool,
     letter: bool,
-) -> Result<String, Refusal> {
+    versions: (u64, u64),
+) -> Result<Vec<u8>, Refusal> {
     detached(py, || {
         let (about, subject) = described(scene)?;
-        let table = filled_table(&subject)?;
-        let drop = if let read::Subject::Drop(drop, _) = &subject { Some(drop) } else { None };
         let title = title.or_else(|| about.title.clone()).unwrap_or_else(|| "Collisions".to_owned());
-        let of = Subject {
-            worksheet: &table,
-            about: &about,
-            drop,
-            title: &title,
-            version: None,
-            standard: standard.as_deref(),
-        };
-        let wanted: &[bool] = match which {
-            "blank" => &[false],
-            "key" => &[true],
-            "both" => &[false, true],
-            other => return Err(Refusal::Input(format!("sheet: {other:?} is unknown; write blank, key or both"))),
-        };
-        let style = Style { digits: Digits::Significant(digits.max(1)), exact };
-        let sheets = wanted.iter().map(|filled| sheet(&of, style, *filled)).collect::<Result<Vec<_>, _>>()?;
-        let joined = |one: fn(&_) -> String| sheets.iter().map(one).collect::<Vec<_>>().join("\n\n");
-        match form {
-            "text" => Ok(joined(text::text)),
-            "markdown" => Ok(joined(text::markdown)),
-            "latex" => Ok(latex::document(&sheets, letter)),
-            "html" => Ok(html::page(&sheets, letter)),
-            other => Err(unknown_form(other, "text, markdown, latex or html")),
+        if !["blank", "key", "both"].contains(&which) {
+            return Err(Refusal::Input(format!("sheet: {which:?} is unknown; write blank, key or both")));
         }
+        let count = u8::try_from(versions.0).ok().filter(|count| *count <= MAX_VERSIONS).ok_or_else(|| {
+            Refusal::Limit(format!("limit reached: versions: {MAX_VERSIONS} allowed, {} asked for", versions.0))
+        })?;
+        let digits = if digits.0 { Digits::Places(digits.1) } else { Digits::Significant(digits.1.max(1)) };
+        let wanted = Wanted {
+            title: &title,
+            standard: standard.as_deref(),
+            blank: which != "key",
+            key: which != "blank",
+            versions: count,
+            seed: versions.1,
+            style: Style { digits, exact },
+        };
+        let sheets = sheets(&about, &subject, &wanted)?;
+        let joined = |one: fn(&_) -> String| sheets.iter().map(one).collect::<Vec<_>>().join("\n\n");
+        Ok(match form {
+            "text" => joined(text::text).into_bytes(),
+            "markdown" => joined(text::markdown).into_bytes(),
+            "latex" => latex::document(&sheets, letter).into_bytes(),
+            "html" => html::page(&sheets, letter).into_bytes(),
+            "pdf" => pdf::render(&pages::pages(&sheets, letter)),
+            other => return Err(unknown_form(other, "text, markdown, latex, html or pdf")),
+        })
     })
+}
+
+/// How a picture looks: title, ends of the two axes, own points, without colours.
+type Looks = (Option<String>, Option<(String, String)>, Option<(String, String)>, Vec<(String, String)>, bool);
+
+fn look((title, across, upright, points, _): &Looks) -> Result<Look, Refusal> {
+    let ends = |name: &str, ends: &Option<(String, String)>| {
+        let Some((from, to)) = ends else { return Ok(None) };
+        let float = |text: &str| Ok::<_, Refusal>(f64::rounding_from(&rational(name, text)?, RoundingMode::Nearest).0);
+        let ends = (float(from)?, float(to)?);
+        if ends.0 >= ends.1 {
+            return Err(Refusal::Input(format!("{name}: an axis goes from a smaller to a greater number")));
+        }
+        Ok(Some(ends))
+    };
+    let range = |text: &String| Range::read(text).map_err(|error| Refusal::at("mark", error));
+    Ok(Look {
+        title: title.clone(),
+        across: ends("xlim", across)?,
+        upright: ends("ylim", upright)?,
+        points: points.iter().map(|(x, y)| Ok::<_, Refusal>((range(x)?, range(y)?))).collect::<Result<_, _>>()?,
+    })
+}
+
+/// A chart as SVG.
+fn drawn(chart: Result<Chart, Unclear>, looks: &Looks) -> Result<String, Refusal> {
+    let look = look(looks)?;
+    let page = chart.and_then(|chart| look.apply(chart)).and_then(Chart::finish);
+    let page = page.map_err(|e| Refusal::Input(e.to_string()))?;
+    Ok(svg::render(&if looks.4 { page.grey() } else { page }))
 }
 
 /// A picture as SVG: of ratios from and to, restitutions, numbers of bodies.
 #[pyfunction]
-pub fn plot(py: Python<'_>, picture: &str, ratio: Vec<String>, e: Vec<String>, n: Vec<u64>) -> Result<String, Refusal> {
+pub fn plot(
+    py: Python<'_>,
+    picture: &str,
+    ratio: Vec<String>,
+    e: Vec<String>,
+    n: Vec<u64>,
+    looks: Looks,
+) -> Result<String, Refusal> {
     detached(py, || {
         let mass = |text: &String| Ok::<_, Refusal>(Positive::new(rational("ratio", text)?)?);
         let ratios = ratio.iter().map(mass).collect::<Result<Vec<_>, _>>()?;
@@ -204,21 +245,69 @@ pub fn plot(py: Python<'_>, picture: &str, ratio: Vec<String>, e: Vec<String>, n
             ("map", ..) => return Err(needs("two ratios, and no e")),
             _ => return Err(Refusal::Input(format!("no picture is called {picture:?}: eta-n, eta-x, threshold, map"))),
         };
-        let page = chart.and_then(|chart| chart.finish()).map_err(|e| Refusal::Input(e.to_string()))?;
-        Ok(svg::render(&page))
+        drawn(chart, &looks)
     })
 }
 
 /// A picture of the velocities of a scene, as SVG.
 #[pyfunction]
-pub fn plot_velocities(py: Python<'_>, scene: &str, title: Option<String>) -> Result<String, Refusal> {
+pub fn plot_velocities(py: Python<'_>, scene: &str, looks: Looks) -> Result<String, Refusal> {
     detached(py, || {
         let (about, subject) = described(scene)?;
-        let title = title.or_else(|| about.title.clone()).unwrap_or_else(|| "Velocities".to_owned());
-        let chart = velocities(&filled_table(&subject)?, &title);
-        let page = chart.and_then(|chart| chart.finish()).map_err(|e| Refusal::Input(e.to_string()))?;
-        Ok(svg::render(&page))
+        let title = about.title.unwrap_or_else(|| "Velocities".to_owned());
+        let table = match &subject {
+            read::Subject::Drop(drop, _) => Worksheet::of_drop(drop)?,
+            read::Subject::Chain(scene) => Worksheet::of(scene.inputs.whole("a picture of velocities")?)?,
+        };
+        drawn(velocities(&table, &title), &looks)
     })
+}
+
+/// The schema of scene files, for editors.
+#[pyfunction]
+pub fn scene_schema() -> &'static str {
+    read::SCHEMA
+}
+
+/// The referee's scenes as JSON, or their right answers as CSV.
+#[pyfunction]
+pub fn referee_file(py: Python<'_>, answers: bool) -> Result<String, Refusal> {
+    detached(py, || {
+        let references = references()?;
+        let listed: Vec<&Reference> = references.iter().collect();
+        Ok(if answers { referee::answers(&listed) } else { referee::scenes(&listed) })
+    })
+}
+
+/// A fault of the program's own scenes, which its tests exclude, is a failure.
+fn references() -> Result<Vec<Reference>, Refusal> {
+    carom::referee::scenes().map_err(|_| Refusal::Failure)
+}
+
+/// Somebody's results beside the exact ones: the judgement as JSON and in words.
+#[pyfunction]
+pub fn judge_simulator(py: Python<'_>, results: &str, digits: u64) -> Result<(String, String), Refusal> {
+    detached(py, || {
+        if !(1..=MAX_DIGITS).contains(&digits) {
+            return Err(Refusal::Input(format!("digits: write a number from 1 to {MAX_DIGITS}, not {digits}")));
+        }
+        let references = references()?;
+        let scenes: Vec<_> = references.iter().map(|reference| reference.scene.clone()).collect();
+        let results = results::read(results.as_bytes(), &scenes).map_err(|error| {
+            let line = if let ResultsError::Field { line, .. } = &error { format!("line {line}: ") } else { String::new() };
+            let said = format!("{line}{error}");
+            if error.is_limit() { Refusal::Limit(said) } else { Refusal::Input(said) }
+        })?;
+        let one = |reference| (reference, judge_scene(reference, results.get(&reference.scene.name), digits));
+        let judged: Vec<_> = references.iter().map(one).collect();
+        Ok((referee::json(&judged, digits), referee::text(&judged, digits)))
+    })
+}
+
+/// Claim files in the one style.
+#[pyfunction]
+pub fn format_claims(py: Python<'_>, text: &str) -> Result<String, Refusal> {
+    detached_deep(py, || carom::claim::format::format(text).map_err(|faults| shown(&faults, text)))
 }
 
 /// A written number beside the certified one: whether it is right, what is said of it, the certified number.
@@ -249,11 +338,12 @@ pub fn judged(
     })
 }
 
+fn shown(faults: &[Diagnostic], text: &str) -> Refusal {
+    Refusal::Input(faults.iter().map(|f| f.render("text", text, false)).collect::<Vec<_>>().join("\n"))
+}
+
 fn claims(text: &str) -> Result<Vec<Claim>, Refusal> {
-    let shown = |faults: Vec<Diagnostic>| {
-        Refusal::Input(faults.iter().map(|f| f.render("text", text, false)).collect::<Vec<_>>().join("\n"))
-    };
-    parse(text).map_err(shown)
+    parse(text).map_err(|faults| shown(&faults, text))
 }
 
 /// The statements of claims for Coq, or as a script for SMT solvers.

@@ -118,6 +118,77 @@ def test_worksheets_and_pictures():
             carom.plot(arguments[0], **arguments[1])
 
 
+def test_versions_of_worksheets_and_pages():
+    both = [carom.worksheet(CHAIN, versions=2, seed=seed, sheet="blank") for seed in (7, 7, 8)]
+    assert both[0] == both[1] != both[2] and both[0].count("version B") >= 1
+    assert carom.worksheet_pdf(CHAIN, versions=2).startswith(b"%PDF-")
+    assert carom.worksheet(CHAIN, places=1) != carom.worksheet(CHAIN, places=3)
+    with pytest.raises(carom.LimitReached, match="26"):
+        carom.worksheet(CHAIN, versions=27)
+
+
+def test_pictures_look_as_they_are_asked_to():
+    asked = {"ratio": [1, 20], "e": "0.8", "n": [0, 1]}
+    plain = carom.plot("eta-x", **asked)
+    assert "Ours" in carom.plot("eta-x", title="Ours", **asked) and carom.plot("eta-x", grey=True, **asked) != plain
+    marked = carom.plot("eta-x", mark=[("10.6 ± 0.4", "0.31(2)")], xlim=(1, 15), **asked)
+    assert "measured" in marked
+    for wrong in ({"xlim": (2, 1)}, {"xlim": "0,1"}, {"mark": [(1, "x")]}, {"mark": [("1000", "0.5")]}):
+        with pytest.raises(ValueError):
+            carom.plot("eta-x", **asked, **wrong)
+
+
+def test_a_table_is_written_as_the_command_writes_it(tmp_path):
+    asked = {"ratio": "1/3,9", "e": ["1/2", "2/3"], "n": "0:2:1"}
+    for form, sign in (("csv", "# formula"), ("latex", "toprule"), ("json", '"rows"'), ("markdown", "| --: |"), ("text", "eta")):
+        assert sign in carom.table_text(form=form, **asked), form
+    for form in ("spreadsheet", "spreadsheet-comma"):
+        text = carom.table_text(form=form, **asked)
+        assert text[0] == "\ufeff" and "/" not in text and "9\u204416" in text
+        (tmp_path / "t.csv").write_text(text, encoding="utf-8")
+        assert all(cell.right for cell in carom.check_table(tmp_path / "t.csv"))
+    assert carom.table_text(ratio=2, n=1, want="threshold", places=2, rounding="up", form="csv").endswith("0.98,\n")
+    for wrong in ({"form": "docx"}, {"rounding": "odd"}, {"want": "mass"}, {"digits": 0}):
+        with pytest.raises(ValueError):
+            carom.table_text(**{**asked, **wrong})
+    with pytest.raises(carom.LimitReached):
+        carom.table_text(ratio="1:10000000:1", e=1, n=1)
+
+
+def test_a_refuted_claim_is_repaired():
+    found = carom.repair("c", 'claim c "C"\ngiven x real\nprove x^2 > 0\n')
+    assert (found.hypothesis, found.exact) == ("x != 0", True) and "x != 0" in carom.check(found.claim, found.certificate)
+    with pytest.raises(ValueError, match="is proved: only a refuted claim"):
+        carom.repair("mine", CLAIM)
+    with pytest.raises(ValueError, match="no claim is called"):
+        carom.repair("eq99")
+
+
+def test_the_catalogue_is_listed_and_claims_are_formatted():
+    listed = carom.catalogue()
+    assert len(listed) >= 90 and {"eq13", "b-grow"} <= {claim.id for claim in listed}
+    assert next(claim for claim in listed if claim.id == "eq13").statement[-1].startswith("prove")
+    assert carom.format_claims('claim a "A"\ngiven x>0\nprove x*x=x²') == 'claim a "A"\ngiven x > 0\nprove x*x = x²\n'
+    with pytest.raises(ValueError, match=":3"):
+        carom.format_claims('claim a "A"\ngiven x > 0\nprove x*x == 1\n')
+    assert "chain" in carom.scene_schema()["properties"]
+
+
+def test_a_simulator_is_judged(tmp_path):
+    answers = carom.referee_answers()
+    assert bool(carom.referee(answers)) and len(carom.referee_scenes()) >= 100
+    (tmp_path / "r.csv").write_text(answers.replace("two-stop,", "two-stopp,", 1), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"line \d+: column 1 \(scene\).*did you mean"):
+        carom.referee(tmp_path / "r.csv")
+    name = carom.referee_scenes()[0]["name"]
+    bodies = len(carom.referee_scenes()[0]["bodies"])
+    wrong = carom.referee({name: {"velocities": [5.5] * bodies}})
+    assert not wrong and wrong.data["wrong"] == 1 and wrong.data["missing"] >= 99 and "wrong" in str(wrong)
+    for results in ({name: {"speed": []}}, "a,b\n1,2\n", ""):
+        with pytest.raises(ValueError):
+            carom.referee(results)
+
+
 def test_tables_are_checked_cell_by_cell(tmp_path):
     text = "# mine\nratio;e;n;eta\n4;1;0;0,64\n4;1;0;0,65\n\n100;0,9;2;0,2\n"
     (tmp_path / "t.csv").write_text(text, encoding="utf-8")
