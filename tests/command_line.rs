@@ -252,6 +252,19 @@ fn a_full_disk_is_reported() {
 }
 
 #[test]
+fn the_version_names_no_time_and_at_most_a_commit() {
+    let out = carom(&["--version"]);
+    let said = text(&out.stdout);
+    let rest = said.strip_prefix(&format!("carom {}", env!("CARGO_PKG_VERSION"))).expect("name and version").trim();
+    let commit =
+        rest.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).map(|inside| inside.replace(", changed", ""));
+    assert!(
+        rest.is_empty() || commit.is_some_and(|c| c.len() == 12 && c.bytes().all(|b| b.is_ascii_hexdigit())),
+        "{said}"
+    );
+}
+
+#[test]
 fn help_on_a_subcommand_shows_how_the_program_is_called() {
     for name in ["audit", "explain", "fmt"] {
         let out = carom(&["help", name]);

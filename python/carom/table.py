@@ -164,7 +164,8 @@ def table_text(
 ) -> str:
     """The same table as ``carom table`` prints it, every digit right.
 
-    ``text``, ``csv``, ``spreadsheet`` (which Excel opens well), ``spreadsheet-comma``, ``json``, ``markdown`` or ``latex``.
+    ``text``, ``csv``, ``spreadsheet`` (which Excel opens well), ``spreadsheet-comma``, ``json``, ``markdown`` or
+    ``latex``.
 
     >>> print(table_text(ratio="9", e="1", n=1, form="spreadsheet").splitlines()[1].replace("\u2044", "|"))
     9,1,1,0.562500,9|16

@@ -142,8 +142,8 @@ def worksheet(
 ) -> str:
     """A worksheet of a scene and its key: ``text``, ``markdown``, ``latex`` or ``html``.
 
-    With ``versions`` as many sheets with other simple masses, the same ones for the same ``seed``. :func:`worksheet_pdf`
-    makes the pages.
+    With ``versions`` as many sheets with other simple masses, the same ones for the same ``seed``.
+    :func:`worksheet_pdf` makes the pages.
     """
     count = (places is not None, count_of(digits if places is None else places, "digits"))
     if form == "pdf":

@@ -2,9 +2,9 @@
 
 use crate::refusal::{Refusal, detached_deep};
 use crate::tools::unknown_form;
+use carom::certificate::text::write;
 use carom::claim::diagnostic::{Diagnostic, nearest};
 use carom::claim::parse::parse;
-use carom::certificate::text::write;
 use carom::claim::print::{self, Style};
 use carom::claim::syntax::{Claim, Expectation};
 use carom::claim::{LANGUAGE, embedded};

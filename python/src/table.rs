@@ -118,16 +118,20 @@ pub fn table_text(
         ("markdown", Form::Markdown),
         ("latex", Form::Latex),
     ];
-    let form = forms.iter().find(|(name, _)| *name == form).map(|(_, form)| *form).ok_or_else(|| {
-        unknown_form(form, "text, csv, spreadsheet, spreadsheet-comma, json, markdown or latex")
-    })?;
+    let form = forms
+        .iter()
+        .find(|(name, _)| *name == form)
+        .map(|(_, form)| *form)
+        .ok_or_else(|| unknown_form(form, "text, csv, spreadsheet, spreadsheet-comma, json, markdown or latex"))?;
     let rounding = crate::tools::rounding(rounding)?;
     let digits = if digits.0 { Digits::Places(digits.1) } else { Digits::Significant(digits.1) };
     detached(py, || {
         let (plan, _) = planned(&want, &axes.0, axes.1.as_deref(), axes.2.as_deref(), digits, rounding)?;
         if plan.rows() > MAX_WRITTEN {
             let rows = plan.rows();
-            return Err(Refusal::Limit(format!("limit reached: rows of a text: {MAX_WRITTEN} allowed, {rows} asked for")));
+            return Err(Refusal::Limit(format!(
+                "limit reached: rows of a text: {MAX_WRITTEN} allowed, {rows} asked for"
+            )));
         }
         let mut writer = Writer::new(form, Head::of(&plan));
         let mut out = Vec::new();

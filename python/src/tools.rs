@@ -19,8 +19,8 @@ use carom::referee::judge::{MAX_DIGITS, judge as judge_scene};
 use carom::referee::results::{self, ResultsError};
 use carom::refute::search::Seen;
 use carom::refute::trial::{Trial, Untried};
-use carom::report::plot::charts::{eta_of_number, eta_of_ratio, map, thresholds, velocities};
 use carom::report::plot::axes::Chart;
+use carom::report::plot::charts::{eta_of_number, eta_of_ratio, map, thresholds, velocities};
 use carom::report::plot::look::Look;
 use carom::report::plot::unclear::Unclear;
 use carom::report::plot::{pdf, svg};
@@ -294,7 +294,8 @@ pub fn judge_simulator(py: Python<'_>, results: &str, digits: u64) -> Result<(St
         let references = references()?;
         let scenes: Vec<_> = references.iter().map(|reference| reference.scene.clone()).collect();
         let results = results::read(results.as_bytes(), &scenes).map_err(|error| {
-            let line = if let ResultsError::Field { line, .. } = &error { format!("line {line}: ") } else { String::new() };
+            let line =
+                if let ResultsError::Field { line, .. } = &error { format!("line {line}: ") } else { String::new() };
             let said = format!("{line}{error}");
             if error.is_limit() { Refusal::Limit(said) } else { Refusal::Input(said) }
         })?;

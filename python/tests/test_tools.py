@@ -140,7 +140,13 @@ def test_pictures_look_as_they_are_asked_to():
 
 def test_a_table_is_written_as_the_command_writes_it(tmp_path):
     asked = {"ratio": "1/3,9", "e": ["1/2", "2/3"], "n": "0:2:1"}
-    for form, sign in (("csv", "# formula"), ("latex", "toprule"), ("json", '"rows"'), ("markdown", "| --: |"), ("text", "eta")):
+    for form, sign in (
+        ("csv", "# formula"),
+        ("latex", "toprule"),
+        ("json", '"rows"'),
+        ("markdown", "| --: |"),
+        ("text", "eta"),
+    ):
         assert sign in carom.table_text(form=form, **asked), form
     for form in ("spreadsheet", "spreadsheet-comma"):
         text = carom.table_text(form=form, **asked)
@@ -157,7 +163,9 @@ def test_a_table_is_written_as_the_command_writes_it(tmp_path):
 
 def test_a_refuted_claim_is_repaired():
     found = carom.repair("c", 'claim c "C"\ngiven x real\nprove x^2 > 0\n')
-    assert (found.hypothesis, found.exact) == ("x != 0", True) and "x != 0" in carom.check(found.claim, found.certificate)
+    assert (found.hypothesis, found.exact) == ("x != 0", True) and "x != 0" in carom.check(
+        found.claim, found.certificate
+    )
     with pytest.raises(ValueError, match="is proved: only a refuted claim"):
         carom.repair("mine", CLAIM)
     with pytest.raises(ValueError, match="no claim is called"):
