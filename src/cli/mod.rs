@@ -67,7 +67,8 @@ Exit codes:
     3  a stated limit was reached
   130  interrupted by Ctrl-C
 
-What is printed is the same on a screen and in a pipe, so there is no pager: carom audit --color always | less -R";
+There is no pager: what is printed is the same on a screen and in a pipe.
+To read page by page: carom audit --color always | less -R";
 
 /// The subcommands.
 #[derive(Subcommand)]

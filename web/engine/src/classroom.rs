@@ -15,7 +15,7 @@ use carom::scene::{About, Chain, Inserted, Scene, Start};
 use carom::table::bounces::{MeasurementError, Measurements};
 use carom::table::check::Agreement;
 use carom::table::comparison::{Comparison, Given, Tally};
-use carom::table::grid::Grid;
+use carom::table::grid::{Grid, GridError};
 use serde_json::{Value, json};
 
 /// The most digits of an entry, and of a bound.
@@ -253,9 +253,13 @@ fn grid(request: &Request, field: &'static str) -> Result<Option<Grid>, Fault> {
     if plain.is_empty() {
         return Ok(None);
     }
-    Grid::parse(&plain)
-        .map(Some)
-        .map_err(|error| Fault { limit: error.is_limit(), ..Fault::at(field, error.to_string()) })
+    Grid::parse(&plain).map(Some).map_err(|error| {
+        let message = match &error {
+            GridError::Numeral { part, error } => numeral(part, error),
+            error => error.to_string(),
+        };
+        Fault { limit: error.is_limit(), ..Fault::at(field, message) }
+    })
 }
 
 /// The restitution that measured bounces allow: `{readings, kind, within, digits}`. Readings stand one a line, two a line for
