@@ -298,7 +298,7 @@ async function askReplay(request) {
     notes.push(`In all ${found.total}; ${found.end}.`);
     if (found.rounded) {
       notes.push(`The optimal masses are irrational. The replay takes them with ${found.rounded} digits; its numbers, marked ≈, are those of that chain. `
-        + "The velocities in the table are the chain's own.");
+        + (found.middle ? "" : "The velocities in the table are the chain's own."));
     } else if (!found.exact) notes.push("Numbers that became too long are enclosed; count and order of the collisions are certain.");
     notes.push("The bodies start one unit apart. Their sizes are chosen for the eye and change no velocity.");
   }

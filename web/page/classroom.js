@@ -6,23 +6,12 @@ import { markdown } from "./markdown.js";
 import { decimal } from "./numbers.js";
 import * as state from "./state.js";
 
-const SCENE = `title = "Cars in a queue"
-about = "A car drives into a queue of cars whose brakes are off."
-units = { mass = "kg", velocity = "m/s" }
-
-[chain]
-first = 1200
-inserted = [1000, 900]
-last = 800
-restitution = ["0.3", "0.25", "0.2"]
-speed = 5
-`;
 /** The tools of the room: the prefix of their fields, what these hold at the beginning, and the engine's function. */
 const TOOLS = {
   sheet: {
     prefix: "w", call: "worksheet", show: showSheets, results: ["sheets"],
     beginning: { kind: "chain", masses: "2; 1; 0.5", e: "0.8", velocity: "3", floor: "0.9", height: "", mass_unit: "kg",
-      velocity_unit: "m/s", height_unit: "m", scene: SCENE, title: "", about: "", sheet: "both", versions: "0", seed: "1",
+      velocity_unit: "m/s", height_unit: "m", title: "", about: "", sheet: "both", versions: "0", seed: "1",
       digits: "4", paper: "a4", exact: "", standard: "" },
   },
   check: {
@@ -34,6 +23,8 @@ const TOOLS = {
     beginning: { kind: "heights", within: "0.01", readings: "1.20\n0.77\n0.49\n0.31\n", digits: "4" },
   },
 };
+/** What stands on the lines of each kind. */
+const READINGS = { heights: "the height of the fall, then of each bounce", times: "the time of each flight between two bounces", pairs: "the height of a fall; that of its bounce" };
 const ENDINGS = { pdf: ["pdf", "application/pdf"], html: ["html", "text/html"], latex: ["tex", "application/x-tex"], markdown: ["md", "text/markdown"] };
 /** The parts of the documentation that are shown here. */
 const GUIDES = [["guide", "guide-text", "classroom.md"], ["guide-numbers", "guide-numbers-text", "numbers.md"]];
@@ -62,6 +53,7 @@ function layout() {
   for (const field of document.querySelectorAll("#sheet-form [data-kinds]")) field.hidden = !field.dataset.kinds.split(" ").includes(kind);
   document.querySelector('label[for="w-masses"]').textContent = kind === "drop" ? "Masses, lowest to highest" : "Masses, first to last";
   document.querySelector('label[for="w-e"]').textContent = kind === "drop" ? "Restitution between balls" : "Restitution e";
+  document.querySelector('label[for="b-readings"]').textContent = `Readings, one a line: ${READINGS[$("b-kind").value]}`;
 }
 
 async function ask(name) {

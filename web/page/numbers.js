@@ -104,8 +104,7 @@ export function number(value, options = {}) {
   } else {
     const [lo, hi] = value.enclosure;
     box.append(make("p", { class: "decimal between" }, ...(value.measured ? [plusMinus(value.measured)] : range(lo, hi))));
-    box.append(make("p", { class: "hint" }, ...(value.measured ? range(lo, hi) : []), value.measured ? ": " : "",
-      "every value that the measured inputs allow lies there"));
+    box.append(make("p", { class: "hint" }, `every value that the measured inputs allow lies ${value.measured ? "within ±" : "there"}`));
   }
   return box;
 }

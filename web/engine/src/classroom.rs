@@ -27,19 +27,17 @@ const MAX_BYTES: usize = 200_000;
 /// The most cells that are judged.
 const MAX_CELLS: usize = 5_000;
 
-/// A worksheet: `{kind, masses, e, velocity, floor, height, scene, title, about, …}`; `format` is `view` for its parts.
+/// A worksheet: `{kind, masses, e, velocity, floor, height, title, about, …}`; `format` is `view` for its parts.
 pub fn worksheet(request: &Request) -> Result<Value, Fault> {
     let (about, subject) = match request.text("kind")? {
         "" | "chain" => (about(request)?, carts(request)?),
         "drop" => (about(request)?, balls(request)?),
-        "scene" => of_file(request)?,
         other => return Err(Fault::at("kind", format!("there is no worksheet of {other:?}"))),
     };
-    let title = match (request.text("title")?, &about.title, &subject) {
-        ("", Some(own), _) => own.clone(),
-        ("", None, Subject::Chain(_)) => "Carts in a row".to_owned(),
-        ("", None, Subject::Drop(..)) => "Balls dropped together".to_owned(),
-        (typed, ..) => typed.to_owned(),
+    let title = match (request.text("title")?, &subject) {
+        ("", Subject::Chain(_)) => "Carts in a row".to_owned(),
+        ("", Subject::Drop(..)) => "Balls dropped together".to_owned(),
+        (typed, _) => typed.to_owned(),
     };
     let digits = few(request, "digits", MAX_DIGITS)?;
     let sheet = request.text("sheet")?;
@@ -130,27 +128,6 @@ fn balls(request: &Request) -> Result<Subject, Fault> {
     let (floor, height) = (request.coefficient("floor")?, request.length("height")?);
     let drop = Drop::new(masses, request.coefficients()?, floor, height);
     Ok(Subject::Drop(drop.map_err(|error| Fault::chain(field(&error), &error))?, 1))
-}
-
-/// The scene file of a text.
-fn of_file(request: &Request) -> Result<(About, Subject), Fault> {
-    let text = long(request, "scene")?;
-    let (about, subject) = read::described(text).map_err(|fault| {
-        let (line, _) = fault.diagnostic.place(text);
-        let message = format!("line {line}: {}", fault.diagnostic.message());
-        Fault { help: fault.diagnostic.help(), limit: fault.limit, ..Fault::at("scene", message) }
-    })?;
-    let count = match &subject {
-        Subject::Chain(scene) => {
-            let chain = scene.inputs.whole("a worksheet").map_err(|error| Fault::chain(Some("scene"), &error))?;
-            chain.count() + 2
-        }
-        Subject::Drop(drop, _) => drop.masses().len() as u64,
-    };
-    if count > MAX_BODIES {
-        return Err(Fault::at("scene", format!("limit reached: {MAX_BODIES} bodies on a sheet of this page")).limit());
-    }
-    Ok((about, subject))
 }
 
 fn long<'a>(request: &'a Request, field: &'static str) -> Result<&'a str, Fault> {
@@ -424,7 +401,6 @@ mod tests {
             ("mass_unit", &[("masses", "2; 1"), ("mass_unit", "3 kg")]),
             ("floor", &[("kind", "drop"), ("masses", "2; 1"), ("floor", "")]),
             ("height", &[("kind", "drop"), ("masses", "2; 1"), ("height", "-1")]),
-            ("scene", &[("kind", "scene"), ("scene", "[chain]\nfirst = 0.1\n")]),
             ("kind", &[("kind", "pendulum")]),
         ] {
             assert_eq!(worksheet(changes)["error"]["field"], field, "{changes:?}: {}", worksheet(changes));
@@ -434,7 +410,7 @@ mod tests {
     }
 
     #[test]
-    fn dropped_balls_and_scene_files_make_sheets_too() {
+    fn dropped_balls_make_sheets_too() {
         let drop = worksheet(&[
             ("kind", "drop"),
             ("masses", "620 ± 2; 57,7(1)"),
@@ -443,8 +419,6 @@ mod tests {
             ("height_unit", "m"),
         ]);
         assert!(drop["sheets"][1].to_string().contains('±'), "{drop}");
-        let scene = "title = \"Ours\"\n[chain]\nfirst = 2\nlast = 1\ninserted = 0\nrestitution = 1\n";
-        assert_eq!(worksheet(&[("kind", "scene"), ("scene", scene)])["sheets"][0]["title"], "Ours: worksheet");
     }
 
     #[test]

@@ -61,7 +61,7 @@ pub fn plot(request: &str) -> String {
     answer(request, pictures::plot)
 }
 
-/// A worksheet with its key: `{kind, masses, e, velocity, floor, height, scene, versions, seed, format, …}`.
+/// A worksheet with its key: `{kind, masses, e, velocity, floor, height, versions, seed, format, …}`.
 #[must_use]
 pub fn worksheet(request: &str) -> String {
     answer(request, classroom::worksheet)

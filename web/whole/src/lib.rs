@@ -18,7 +18,7 @@ pub fn plot(request: &str) -> String {
     carom_web::plot(request)
 }
 
-/// A worksheet with its key: `{kind, masses, e, velocity, floor, height, scene, versions, seed, format, …}`.
+/// A worksheet with its key: `{kind, masses, e, velocity, floor, height, versions, seed, format, …}`.
 #[must_use]
 #[wasm_bindgen]
 pub fn worksheet(request: &str) -> String {
