@@ -9,7 +9,7 @@ use carom::claim::print::{self, Style};
 use carom::claim::syntax::{Claim, Expectation};
 use carom::claim::{LANGUAGE, embedded};
 use carom::judge::hand::AtHand;
-use carom::judge::repair::{self, NoRepair};
+use carom::judge::repair::{NoRepair, repair as repaired};
 use carom::judge::{Settings, diagnostic, judge};
 use carom::refute::catalogue::{Catalogue, Limits};
 use carom::refute::outcome;
@@ -74,13 +74,13 @@ pub fn repair(
         let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
         let (mut entries, _) = judged(text.as_deref(), &file, std::slice::from_ref(&id), &limits)?;
         let entry = entries.pop().ok_or_else(|| no_match(&[id.clone()], &[]))?;
-        Ok(match repair::repair(&entry, &limits) {
+        Ok(match repaired(&entry, &limits) {
             Ok(found) => {
                 let claim = &found.claim;
                 let lines = print::statement(claim, Style::Text).join("\n");
                 let claim = format!("claim {} \"{}\"\n{lines}\n", claim.name.text, claim.title);
-                let repaired = (print::prop(&found.hypothesis), found.exact, claim, write(&found.certificate));
-                (Some(repaired), String::new())
+                let parts = (print::prop(&found.hypothesis), found.exact, claim, write(&found.certificate));
+                (Some(parts), String::new())
             }
             Err(NoRepair::NotRefuted(verdict)) => {
                 (None, format!("{id} is {}: only a refuted claim is repaired", verdict.name()))
