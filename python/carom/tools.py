@@ -400,7 +400,7 @@ def repair(id: str, claims: Optional[Text] = None, *, seconds: int = 10) -> Repa
     """The hypothesis that a refuted claim lacks; :class:`ValueError` where none is found, or the claim is not refuted.
 
     >>> str(repair("c", 'claim c "C"\\ngiven x real\\nprove x^2 > 0'))
-    'holds exactly where x != 0'
+    'holds where x != 0'
     """
     source = None if claims is None else source_of(claims, ".claim")
     text, path = (None, "text") if source is None else (source.text, source.path or "text")

@@ -60,8 +60,10 @@ pub fn audit_report(
     })
 }
 
-/// The hypothesis that a refuted claim lacks: its text, whether it is exact, the repaired claim, its certificate; or why there is
-/// none.
+/// A hypothesis, whether it is exact, the repaired claim, its certificate.
+type Repaired = (String, bool, String, String);
+
+/// The hypothesis that a refuted claim lacks; or why there is none.
 #[pyfunction]
 pub fn repair(
     py: Python<'_>,
@@ -69,11 +71,11 @@ pub fn repair(
     file: String,
     id: String,
     seconds: u64,
-) -> Result<(Option<(String, bool, String, String)>, String), Refusal> {
+) -> Result<(Option<Repaired>, String), Refusal> {
     detached_deep(py, || {
         let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
         let (mut entries, _) = judged(text.as_deref(), &file, std::slice::from_ref(&id), &limits)?;
-        let entry = entries.pop().ok_or_else(|| no_match(&[id.clone()], &[]))?;
+        let entry = entries.pop().ok_or_else(|| no_match(std::slice::from_ref(&id), &[]))?;
         Ok(match repaired(&entry, &limits) {
             Ok(found) => {
                 let claim = &found.claim;

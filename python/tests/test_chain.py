@@ -30,7 +30,7 @@ def digits_are_right(text: str, low: Fraction, high: Fraction, count: int) -> No
 
 
 def test_the_documentation_strings_are_true():
-    for name in ("carom", "carom.bounces", "carom.chain", "carom.table", "carom.audit"):
+    for name in ("carom", "carom.bounces", "carom.chain", "carom.table", "carom.audit", "carom.tools"):
         found = doctest.testmod(importlib.import_module(name))
         assert found.failed == 0 and found.attempted > 0, name
 
