@@ -100,12 +100,16 @@ function showSheets({ sheets }) {
     make("h3", {}, title), parts.map((part) => PARTS[part.kind](part)), make("p", { class: "foot" }, foot))));
 }
 
+/** The columns as a telephone shows them: what is said of a cell beside its line. */
+const ORDER = ["line", "judgement", "written", "certified", "quantity", "ratio", "e", "n"];
+
 function showChecked({ columns, cells, summary, right }) {
+  const places = ORDER.map((name) => columns.indexOf(name));
   $("checked-summary").textContent = `${summary}.`;
   $("checked-summary").className = right ? "said good" : "said bad";
   $("checked").replaceChildren(
-    make("thead", {}, make("tr", {}, columns.map((name) => make("th", { scope: "col" }, name)))),
-    make("tbody", {}, cells.map(({ entries, mark }) => make("tr", { class: mark }, entries.map((text) => make("td", {}, text))))));
+    make("thead", {}, make("tr", {}, ORDER.map((name) => make("th", { scope: "col" }, name)))),
+    make("tbody", {}, cells.map(({ entries, mark }) => make("tr", { class: mark }, places.map((place) => make("td", {}, entries[place]))))));
 }
 
 function showBounced({ said, consistent }) {

@@ -47,6 +47,7 @@ test("a sheet has blanks for pupils, and its key the numbers of the chain", asyn
     await shows(page, '[data-field="masses"] .error', "at least two masses");
     assert.equal(await page.isDisabled("[data-sheet-form=pdf]"), true);
     await page.selectOption("#w-kind", "drop");
+    await page.fill("#w-versions", "0");
     await page.fill("#w-masses", "620 ± 2; 57,7(1)");
     await shows(page, "#sheets", "±");
     assert.equal(await page.isVisible("#w-velocity"), false);
