@@ -222,7 +222,7 @@ fn powers_are_those_of_the_claim() {
     assert_eq!(
         full("given x, y > 0\nprove x/(y/x) = x*x/y and x - (y - x) = 2*x - y and 0.5*x^0.5 = sqrt(x)/2"),
         "forall (x y : R), x > 0 -> y > 0 -> x / (y / x) = x * x / y /\\ x - (y - x) = 2 * x - y /\\ \
-         (1 / 2) * Rpower x (1 / 2) = sqrt x / 2"
+         (1 / 2) * sqrt x = sqrt x / 2"
     );
 }
 
@@ -241,12 +241,13 @@ fn a_power_is_read_by_the_form_of_its_exponent_with_definitions_put_in_place() {
     // A divisor x^n is not 0 for n = 0, whatever x is.
     let divided = coq::statement(&one("claim c \"t\"\ngiven x real; n natural\nprove 1/x^n = 1/x^n\n")).expect("said");
     assert!(divided.defined.expect("a divisor").contains("x ^ n <> 0"));
-    // `Rpower 0 (1 / 2)` is 1.
-    for body in ["x^(1/2) = sqrt(x)", "cbrt(x)^3 = x", "x^0.3 >= 0"] {
+    // `Rpower 0 (1 / 2)` is 1, `sqrt 0` is 0.
+    for body in ["x^(1/3) = x", "cbrt(x)^3 = x", "x^0.3 >= 0"] {
         assert!(refusal(&format!("given x >= 0\nprove {body}")).contains("of what may be 0"), "{body}");
     }
+    assert_eq!(full("given x >= 0\nprove x^(1/2) = sqrt(x)"), "forall (x : R), x >= 0 -> sqrt x = sqrt x");
     assert!(refusal("given x real; n natural >= 1\nprove x^(n - 1)*x = x^n").contains("may be negative"));
-    assert!(full("given x real\nprove for all t > 0: t^(1/2) = sqrt(t)").contains("Rpower t (1 / 2)"));
+    assert!(full("given x real\nprove for all t > 0: t^(1/3) = cbrt(t)").contains("Rpower t (1 / 3)"));
 }
 
 #[test]

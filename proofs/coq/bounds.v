@@ -23,7 +23,6 @@ Definition mul (x y : between) : between :=
       else if Qle_bool 0 c then pick (a * d)%Q (b * d)%Q else if Qle_bool d 0 then pick (b * c)%Q (a * c)%Q else None
   | _, _ => None
   end.
-Definition scale : Z := 2 ^ 40.
 (** The largest fraction of this denominator whose k-th power is at most q, by halving. *)
 Fixpoint root_search (k : nat) (q : Q) (steps : nat) (low step : Z) : Z :=
   match steps with

@@ -14,6 +14,7 @@ rule monotone: rise_pow, rise_rpower, rise_sqrt, rise_cbrt, raised
 rule unfold: product_last, product_first, sum_last, sum_first, product_empty, sum_empty, member
 rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
+rule slope: slope, differentiable, slope_sign, sloped
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
 rule termwise: sum_ext2, product_ext2, sum_le2, termwise
@@ -184,7 +185,6 @@ Definition NE := S3 true false true.
 Lemma by_sign : forall env se t s d, ok env se -> d = ev env t -> within (sgn se t) s = true -> holds s d.
 Proof. intros env se t s d h -> w. apply (weaken _ _ _ w), sgn_sound, h. Qed.
 
-Ltac decide_by h := destruct h as (h1 & h2 & h3); cbn in h1, h2, h3.
 Lemma to_lt : forall a b, holds LT (a - b) -> a < b.
 Proof. intros a b (h1 & h2 & h3). cbn in *. destruct (three (a - b)) as [h | [h | h]]; [lra | discriminate (h2 h) | discriminate (h3 h)]. Qed.
 Lemma to_le : forall a b, holds LE (a - b) -> a <= b.
@@ -215,14 +215,6 @@ Lemma both : forall s t x, holds s x -> holds t x -> holds (meet s t) x.
 Proof. intros [a b c] [d e f] x (h1 & h2 & h3) (k1 & k2 & k3). repeat split; intro h; cbn in *;
  [rewrite (h1 h), (k1 h) | rewrite (h2 h), (k2 h) | rewrite (h3 h), (k3 h)]; reflexivity. Qed.
 
-Definition sg_of (n : Z) := number n.
-Lemma absurd_sign : forall (n : Z) s, apart (number n) s = true -> holds s (IZR n) -> False.
-Proof.
-  intros n s a (h1 & h2 & h3). unfold apart in a. destruct n as [| p | p]; cbn [number neg zer pos] in a.
-  - rewrite (h2 eq_refl) in a. cbn in a. discriminate.
-  - assert (q : 0 < IZR (Zpos p)) by (apply IZR_lt; lia). rewrite (h3 q) in a. cbn in a. discriminate.
-  - assert (q : IZR (Zneg p) < 0) by (apply IZR_lt; lia). rewrite (h1 q) in a. cbn in a. discriminate.
-Qed.
 
 (** Entry 0 is the factor whose sign is open: it has those with which the product may have the known signs. *)
 Lemma note_sign : forall p env se t d known s, ok env se -> d = ev (p :: env) t -> holds known d ->
@@ -322,6 +314,8 @@ Lemma ln_of_rpower : forall b E S, ln b = S -> ln (Rpower b E) = E * S.
 Proof. intros b E S <-. unfold Rpower. apply ln_exp. Qed.
 Lemma ln_of_pow : forall b n S, 0 < b -> ln b = S -> ln (b ^ n) = INR n * S.
 Proof. intros b n S h <-. now apply ln_pow'. Qed.
+Lemma ln_of_root : forall b S, 0 < b -> ln b = S -> ln (sqrt b) = 1 / 2 * S.
+Proof. intros b S h <-. rewrite <- Rpower_sqrt by exact h. unfold Rpower. rewrite ln_exp. f_equal. lra. Qed.
 Lemma sech_is : forall x, sech x = 1 / cosh x. Proof. intro x. unfold sech. rewrite <- (Rmult_1_l (/ cosh x)). reflexivity. Qed.
 Lemma tanh_is : forall x, tanh x = sinh x / cosh x. Proof. reflexivity. Qed.
 Lemma same_cons : forall (A : Type) (x y : A) (s t : list A), x = y -> s = t -> x :: s = y :: t. Proof. intros A x y s t <- <-. reflexivity. Qed.
@@ -331,18 +325,17 @@ Definition stands (p v : R) : Prop := p = v.
 Ltac put_in := repeat match goal with H : stands _ _ |- _ => unfold stands in H; subst end.
 Ltac identity := intros; subst; first
   [ reflexivity
-  | solve [put_in; ring]
+  | lazymatch goal with |- context [/ _] => fail | |- context [_ / _] => fail | _ => solve [put_in; ring] end
+  | lazymatch goal with _ : stands _ _ |- _ => solve [put_in; field; repeat split; assumption] end
   | (field; solve [repeat split; assumption])
+  | solve [put_in; ring]
   | (field_simplify_eq; [put_in; ring | repeat split; assumption])
-  | solve [put_in; field; repeat split; assumption]
   | solve [put_in; unfold Rdiv; ring] ].
 Ltac nat_power n m := replace n with m by (first [lia | ring]); rewrite ?pow_add, ?pow_mult; ring.
 
 (** * Powers rise; the weighted mean; induction *)
 Lemma mono_lt : forall a b p, 0 < a -> 0 < b -> 0 < p -> a < b -> Rpower a p < Rpower b p.
 Proof. intros a b p ha hb hp h. unfold Rpower. apply exp_increasing. apply Rmult_lt_compat_l; [exact hp |]. now apply ln_increasing. Qed.
-Lemma mono_le : forall a b p, 0 < a -> 0 < b -> 0 < p -> a <= b -> Rpower a p <= Rpower b p.
-Proof. intros a b p ha hb hp [h | ->]; [left; now apply mono_lt | right; reflexivity]. Qed.
 
 Lemma exp_tangent : forall s, 1 + s <= exp s.
 Proof. intro s. destruct (Req_dec s 0) as [-> | h]; [rewrite exp_0; lra | left; now apply exp_ineq1]. Qed.
@@ -407,13 +400,6 @@ Lemma product_pow : forall a b f m, product_over a b (fun k => f k ^ m) = produc
 Proof. intros. unfold product_over. induction (b + 1 - a)%nat; cbn [product_terms]; [now rewrite pow1 | rewrite IHn; now rewrite Rpow_mult_distr]. Qed.
 Lemma product_inv : forall a b f, product_over a b (fun k => / f k) = / product_over a b f.
 Proof. intros. unfold product_over. induction (b + 1 - a)%nat; cbn; [now rewrite Rinv_1 | rewrite IHn; now rewrite Rinv_mult]. Qed.
-Lemma product_zpow : forall a b f m, product_over a b (fun k => zpow (f k) m) = zpow (product_over a b f) m.
-Proof.
-  intros a b f [| m | m]; cbn [zpow].
-  - unfold product_over. induction (b + 1 - a)%nat; cbn; [reflexivity | rewrite IHn; ring].
-  - apply product_pow.
-  - rewrite product_inv. now rewrite product_pow.
-Qed.
 Lemma product_empty : forall a b f, (b + 1 = a)%nat -> product_over a b f = 1.
 Proof. intros a b f h. unfold product_over. now replace (b + 1 - a)%nat with 0%nat by lia. Qed.
 Lemma sum_empty : forall a b f, (b + 1 = a)%nat -> sum_over a b f = 0.
@@ -435,9 +421,6 @@ Lemma product_first : forall a b c f, (a + 1 = c)%nat -> (a <= b)%nat -> product
 Proof. intros a b c f h g. unfold product_over. subst c. replace (b + 1 - a)%nat with (S (b + 1 - (a + 1))) by lia. apply terms_first. Qed.
 Lemma sum_first : forall a b c f, (a + 1 = c)%nat -> (a <= b)%nat -> sum_over a b f = sum_over c b f + f a.
 Proof. intros a b c f h g. unfold sum_over. subst c. replace (b + 1 - a)%nat with (S (b + 1 - (a + 1))) by lia. apply sterms_first. Qed.
-Lemma mono_ne : forall a b p, 0 < a -> 0 < b -> 0 < p -> a <> b -> Rpower a p <> Rpower b p.
-Proof. intros a b p ha hb hp h. destruct (Rtotal_order a b) as [g | [g | g]]; [| tauto |].
-  - assert (z := mono_lt a b p ha hb hp g). lra. - assert (z := mono_lt b a p hb ha hp g). lra. Qed.
 Lemma ln_sign : forall s x, 0 < x -> holds s (x - 1) -> holds s (ln x).
 Proof.
   intros s x h (h1 & h2 & h3). destruct (Rtotal_order x 1) as [g | [g | g]].
@@ -547,10 +530,8 @@ Ltac nz1 := first
   | lra
   | match goal with H : ?p <> 0 |- ?q <> 0 => solve [let z := fresh in intro z; apply H; ring_simplify; ring_simplify in z; lra] end ].
 Ltac nz := repeat split; nz1.
-Ltac evs := cbv [ev nth prodz sumz zpow pnat dbl].
 Ltac entries := cbn [mat_scale mat_mul mat_add row_add row_times map det2].
 Ltac fld := first [reflexivity | ring | (field; nz) | (entries; first [ring | field; nz]) | (pushinr; first [ring | field; nz])].
-Ltac inr := pushinr; fld.
 
 (** A hypothesis, as the statement writes it or as the proof does. *)
 Ltac apart_all := repeat match goal with H : _ /\ _ |- _ => destruct H end.
@@ -631,10 +612,10 @@ Ltac at_members := repeat match goal with
   | H : forall j : nat, _ |- context [_ ?i] => lazymatch type of i with nat => idtac end;
       let t := type of (H i) in let t := eval cbv beta in t in simple_fact t;
       lazymatch goal with _ : t |- _ => fail | _ => assert t by exact (H i) end end;
-  repeat match goal with H : ?A -> _ |- _ => lazymatch type of A with Prop => specialize (H ltac:(first [lia | lra | hyp])) end end;
+  repeat match goal with H : ?A -> ?B |- _ => lazymatch type of A with Prop => simple_fact (A -> B); specialize (H ltac:(first [lia | lra | hyp])) end end;
   apart_all.
 Ltac same_indices := repeat match goal with |- context [?f ?i] => lazymatch type of i with nat => idtac end;
-  match goal with |- context [f ?j] => lazymatch j with i => fail | _ => replace j with i by lia end end end.
+  match goal with |- context [f ?j] => lazymatch i with context [j] => fail | _ => replace j with i by lia end end end.
 Ltac at_index_positive := apart_all; repeat match goal with H : (?a <= ?k)%nat |- _ =>
   lazymatch goal with _ : 0 < INR k |- _ => fail | _ => assert (0 < INR k) by (apply lt_0_INR; lia) end end.
 Ltac body := cbv beta; intros; same_indices; at_members; first
@@ -679,12 +660,19 @@ Proof.
   intros x y c d p [z ->] h e1 e2. assert (hz : (1 <= z)%Z) by (apply (Zlt_le_succ 0), lt_IZR; lra).
   apply IZR_le in hz. lra.
 Qed.
-Ltac over := first
-  [ reflexivity
-  | solve [apply product_ext2; [lia | lia | body]]
-  | solve [apply sum_ext2; [lia | lia | body]]
-  | solve [rewrite ?sum_scale, ?sum_plus; apply sum_ext2; [lia | lia | body]]
-  | solve [unfold Rdiv; rewrite <- ?product_inv, <- ?product_pow, <- ?product_mult; apply product_ext2; [lia | lia | body]] ].
+(** Without facts: what terms come to by their form. *)
+Ltac ends := first [reflexivity | (clear; lia) | lia].
+Ltac powers_of_powers := repeat match goal with |- context [?x ^ (?c * ?k)] => closed_nat c; rewrite (Nat.mul_comm c k), (pow_mult x k c) end.
+Ltac by_form_alone := clear; let k := fresh in intros k _; cbv beta; same_indices;
+  first [reflexivity | ring | (pushinr; rewrite ?pow_add; powers_of_powers; ring)].
+Ltac forget := repeat match goal with H : ?t |- _ =>
+  lazymatch type of t with Prop => lazymatch t with forall _ : nat, _ => fail | _ => clear H end end end.
+Ltac over_by b := first
+  [ solve [apply product_ext2; [ends | ends | b]]
+  | solve [apply sum_ext2; [ends | ends | b]]
+  | solve [rewrite ?sum_scale, ?sum_plus; apply sum_ext2; [ends | ends | b]]
+  | solve [unfold Rdiv; rewrite <- ?product_inv, <- ?product_pow, <- ?product_mult; apply product_ext2; [ends | ends | b]] ].
+Ltac over := first [reflexivity | over_by ltac:(by_form_alone) | solve [forget; over_by ltac:(body)] | over_by ltac:(body)].
 Lemma product_in_gt : forall a b f, (forall k, (a <= k < b + 1)%nat -> 0 < f k) -> holds GT (product_over a b f).
 Proof.
   intros a b f h. apply of_pos. unfold product_over.
@@ -766,6 +754,42 @@ Proof. intros a b ha hb. apply to_pos in ha, hb. apply rising_rpower; [lra | exa
 Ltac raised l r h := let z := fresh in assert (z := all_relations _ _ _ _ l r);
   destruct z as (? & ? & ? & ? & ? & ?); match goal with z : _ <-> _ |- _ => apply z; exact h end.
 
+(** * Square roots of what may be 0 *)
+Lemma of_root : forall x, holds GE (sqrt x). Proof. intro x. assert (h := sqrt_pos x). from. Qed.
+Lemma same_square : forall a b, 0 <= a -> 0 <= b -> a ^ 2 = b ^ 2 -> a = b.
+Proof. intros a b ha hb e. rewrite <- (sqrt_pow2 a ha), <- (sqrt_pow2 b hb). now rewrite e. Qed.
+Lemma half_squared : forall x, 0 < x -> Rpower x (1 / 2) ^ 2 = x.
+Proof. intros x h. rewrite <- Rpower_pow by apply exp_pos. rewrite Rpower_mult. replace (1 / 2 * INR 2) with 1 by (cbn; lra). now apply Rpower_1. Qed.
+Ltac square_of_root := first [apply half_squared; pos | apply pow2_sqrt; first [assumption | apply Rlt_le; pos | lra]].
+
+(** * The mean value theorem *)
+Lemma slope : forall (f : R -> R) a b s u w,
+  (forall t, a <= t <= b \/ b <= t <= a -> ex_derive f t) -> (forall t, a < t < b \/ b < t < a -> holds s (Derive f t - 0)) ->
+  holds u (b - a) -> within (times s u) w && within (meet u EQ) w = true -> holds w (f b - f a).
+Proof.
+  assert (q : forall (f : R -> R) a b, a < b -> (forall t, a <= t <= b -> ex_derive f t) ->
+    exists c, f b - f a = Derive f c * (b - a) /\ a < c < b).
+  { intros f a b h d. apply MVT_cor2; [exact h |]. intros c hc. apply is_derive_Reals, Derive_correct, d, hc. }
+  intros f a b s u w d hs hu e. apply andb_prop in e. destruct e as [e1 e2].
+  assert (p : forall c, a < c < b \/ b < c < a -> f b - f a = Derive f c * (b - a) -> holds w (f b - f a)).
+  { intros c hc ->. apply (weaken _ _ _ e1), holds_times; [| exact hu]. rewrite <- (Rminus_0_r (Derive f c)). now apply hs. }
+  destruct (Rtotal_order a b) as [h | [h | h]].
+  - destruct (q f a b h) as (c & hq & hc); [intros; apply d; now left | apply (p c); [now left | exact hq]].
+  - subst. apply (weaken _ _ _ e2). replace (f b - f b) with (b - b) by lra. apply both; [exact hu | now apply of_eq].
+  - destruct (q f b a h) as (c & hq & hc); [intros; apply d; now right | apply (p c); [now right | lra]].
+Qed.
+Ltac between := intros; repeat match goal with H : _ \/ _ |- _ => destruct H end; repeat split; lra.
+Ltac slope_sign z c := intros; first
+  [ first [apply of_gt | apply of_ge | apply of_lt | apply of_le]; apply z; between
+  | apply of_eq, is_derive_unique, z; between
+  | apply of_ne; let e := fresh in intro e; eapply z; [.. | rewrite <- e; apply Derive_correct, c; between]; between ].
+Ltac sloped z := first [exact z | (let h := fresh in assert (h := z); cbv beta in h; pushinr; exact h)].
+(** [auto_derive] knows of exp and ln. *)
+Ltac unroot_all := unfold tanh, sech, cosh, sinh, cbrt, Rpower.
+Ltac differentiable := first
+  [ auto_derive; repeat split; first [exact I | nz1 | pos]
+  | unroot_all; auto_derive; repeat split; first [exact I | pos | solve [apply Rgt_not_eq; red; pos] | nz1] ].
+
 (** Statements over numbers and propositions that are left as they are. *)
 Ltac orders := repeat match goal with
   | x : R, y : R |- _ => lazymatch goal with
@@ -796,11 +820,11 @@ Ltac finish z := first [exact z | (cbv beta zeta; exact z) | (cbv beta zeta; sol
   | solve [cbv beta zeta; naturals; hyp] | solve [cbv beta zeta; as_reals; first [exact z | (cbn [INR]; exact z) | (revert z; unfold Rge, Rgt; tauto)]] | (generalize z; cbn; tauto)].
 Lemma derive_is : forall (f : R -> R) x u v, is_derive f x u -> u = v -> is_derive f x v.
 Proof. intros f x u v h <-. exact h. Qed.
-(** [auto_derive] knows of exp and ln. *)
-Ltac unroot_all := unfold tanh, sech, cosh, sinh, cbrt, Rpower.
 Ltac in_exp := rewrite ?exp_Ropp; (field; repeat split; first [nz1 | (rewrite <- exp_Ropp; nz1)]).
+Ltac by_root := match goal with |- context [sqrt ?u] => let h := fresh in assert (h : sqrt u ^ 2 = u) by square_of_root; field [h]; nz end.
 Ltac derive k := first [ (auto_derive; [repeat split; first [nz1 | pos | exact I] | k; fld])
   | (evar_last; [auto_derive; [repeat split; first [nz1 | pos | exact I] | reflexivity] | k; fld])
+  | (evar_last; [auto_derive; [repeat split; first [nz1 | pos | exact I] | reflexivity] | by_root])
   | (unroot_all; auto_derive; [repeat split; first [exact I | pos | solve [apply Rgt_not_eq; red; pos] | nz1] | in_exp]) ].
 (** A divisor that is a multiple of what a fact compares with 0. *)
 Ltac nz_by := match goal with H : ?p > 0 |- _ <> 0 =>

@@ -61,10 +61,7 @@ impl Checker {
         }
         self.number_defined(a, known)?;
         self.number_defined(b, known)?;
-        match self.slopes_on(binding, derivative, [a, b], from, known) {
-            Err(Refusal::Rejected(_)) => self.slopes_on(&with_its_ends(binding), derivative, [a, b], from, known)?,
-            other => other?,
-        }
+        self.slope_domain(binding, derivative, [a, b], from, known)?;
         self.prop_defined(goal, known)?;
         let run = sum(vec![(Sign::Plus, b.clone()), (Sign::Minus, a.clone())]);
         let signs = Signs::of(slope).times(self.signs_of_expr(&run, known)?);
@@ -73,6 +70,25 @@ impl Checker {
         }
         self.rests_on.insert(MEAN_VALUE.to_string());
         Ok(())
+    }
+
+    /// The domain in which both points lie and the derivative has a value: the binding as it is, else with its ends.
+    pub(super) fn slope_domain(
+        &mut self,
+        binding: &Binding,
+        derivative: &Expr,
+        points: [&Expr; 2],
+        from: &[String],
+        known: &mut Known,
+    ) -> Result<Binding, Refusal> {
+        match self.slopes_on(binding, derivative, points, from, known) {
+            Err(Refusal::Rejected(_)) => {
+                let closed = with_its_ends(binding);
+                self.slopes_on(&closed, derivative, points, from, known)?;
+                Ok(closed)
+            }
+            other => other.map(|()| binding.clone()),
+        }
     }
 
     /// Whether both points lie in the domain of a binding of one variable, and the derivative has a value everywhere in it.

@@ -9,7 +9,7 @@ use super::sign::{Found, Known, NESTING};
 use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};
-use crate::certificate::Label;
+use crate::certificate::{Label, Show};
 use crate::claim::syntax::*;
 use num_rational::BigRational;
 use num_traits::{One, Signed as _, Zero};
@@ -139,6 +139,23 @@ impl Checker {
     /// It is too large.
     pub fn signs(&self, f: &Fraction, signed: &Signed) -> Result<Signs, Refusal> {
         self.signs_as_read(f, &signed.known)
+    }
+
+    /// The domain in which rule `slope` finds both points and a derivative that has a value: the binding as it is, or
+    /// with its ends.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn domain_of_slope(
+        &mut self,
+        binding: &Binding,
+        derivative: &Expr,
+        points: [&Expr; 2],
+        from: &[Label],
+        show: &Show,
+    ) -> Result<Binding, Refusal> {
+        let mut known = self.known(&show.by, &show.using)?;
+        self.slope_domain(binding, derivative, points, from, &mut known)
     }
 
     /// What an atom is.

@@ -23,8 +23,10 @@ mod limits;
 mod logarithms;
 mod matrices;
 mod powers;
+mod roots;
 mod rules;
 mod signs;
+mod slopes;
 
 /// A proof.
 #[derive(Clone, Debug)]
@@ -195,7 +197,8 @@ struct Writer<'a> {
     counter: usize,
     /// What was asserted, with the depth and the name.
     shown: Vec<(usize, String, String)>,
-    blocks: Vec<(Label, kinds::Kinds)>,
+    /// What names stand for, and which are positive, outside the open blocks.
+    blocks: Vec<(kinds::Kinds, Positive)>,
     /// What is being shown: it is not used on the way.
     busy: Vec<String>,
     cites: BTreeSet<String>,
@@ -254,6 +257,9 @@ impl Writer<'_> {
                 let natural = self.checker.fraction_words(&exponent);
                 let natural = at(self.printer.natural(&natural)?, ATOM);
                 format!("({} ^ {natural})", self.fraction(&base)?)
+            }
+            Form::Power(base, exponent, false) if self.is_root(&exponent) => {
+                format!("(sqrt {})", self.fraction(&base)?)
             }
             Form::Power(base, exponent, false) => {
                 format!("(Rpower {} {})", self.fraction(&base)?, self.fraction(&exponent)?)
@@ -347,8 +353,8 @@ impl Writer<'_> {
                 self.put("}");
                 let depth = self.depth;
                 self.shown.retain(|s| s.0 <= depth);
-                if let Some((_, kinds)) = self.blocks.pop() {
-                    self.printer.kinds = kinds;
+                if let Some(outside) = self.blocks.pop() {
+                    (self.printer.kinds, self.printer.positive) = outside;
                 }
                 return Ok(());
             }
@@ -358,24 +364,8 @@ impl Writer<'_> {
             let text = self.prop(goal)?;
             self.put(&format!("assert ({} : {text}). {{", fact(label)));
             self.depth += 1;
-            self.blocks.push((show.label.clone(), self.printer.kinds.clone()));
-            let before = self.checker.facts().count();
-            self.checker.step(step)?;
-            match &goal.kind {
-                PropKind::ForAll(bindings, _) => {
-                    bind(bindings, &mut self.printer.kinds);
-                    for binding in bindings {
-                        let names: Vec<String> = binding.names.iter().map(|n| self.printer.word(&n.0.text)).collect();
-                        self.put(&format!("intros {}.", names.join(" ")));
-                        for _ in 0..binding.names.len() * binding.constraints.len() {
-                            let h = self.fresh("D");
-                            self.put(&format!("intro {h}."));
-                        }
-                    }
-                    self.facts(before)?;
-                }
-                _ => self.put(&format!("intro {}.", fact(&format!("{label}s")))),
-            }
+            self.blocks.push((self.printer.kinds.clone(), self.printer.positive.clone()));
+            self.open(show)?;
             return Ok(());
         }
         let given = self.given(show)?;
@@ -423,7 +413,7 @@ impl Writer<'_> {
             Rule::Unfold => self.unfold(goal)?,
             Rule::Mean { with } => self.mean(goal, with, &given)?,
             Rule::Tangent { with } => self.tangent(goal, with, &given)?,
-            Rule::Slope { .. } => return Err(Open::Untranslated(show.label.clone(), "slope")),
+            Rule::Slope { source, with, from } => self.slope(show, source, with, from, &given)?,
             Rule::Termwise { from } => format!("termwise {}", fact(from)),
             Rule::Limit { with, .. } => self.limit(goal, with, &given)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
@@ -434,6 +424,27 @@ impl Writer<'_> {
         self.put(&format!("assert ({} : {text}). {{ {tactic}. }}", fact(label)));
         self.checker.step(step)?;
         Ok(())
+    }
+
+    /// Opens the block of a step: its variables, with the facts of their domains, or what it supposes.
+    fn open(&mut self, show: &Show) -> Found<()> {
+        let before = self.checker.facts().count();
+        self.checker.step(&Step::Show(Box::new(show.clone())))?;
+        let PropKind::ForAll(bindings, _) = &show.prop.kind else {
+            self.put(&format!("intro {}.", fact(&format!("{}s", show.label))));
+            return Ok(());
+        };
+        bind(bindings, &mut self.printer.kinds);
+        self.printer.positive.declare(bindings);
+        for binding in bindings {
+            let names: Vec<String> = binding.names.iter().map(|n| self.printer.word(&n.0.text)).collect();
+            self.put(&format!("intros {}.", names.join(" ")));
+            for _ in 0..binding.names.len() * binding.constraints.len() {
+                let h = self.fresh("D");
+                self.put(&format!("intro {h}."));
+            }
+        }
+        self.facts(before)
     }
 
     fn sides<'p>(&self, p: &'p Prop, rule: &'static str) -> Found<(&'p Expr, Relation, &'p Expr)> {

@@ -49,12 +49,9 @@ impl Writer<'_> {
                 .fold("eq_refl".to_string(), |rest, row| format!("(same_cons _ _ _ _ _ {row} {rest})"));
             return Ok(format!("exact {rows}"));
         }
-        if let ExprKind::Derivative(body, by) = &a.kind {
-            if by.len() > 1 && relation == Relation::Equal {
+        if let (ExprKind::Derivative(body, by), Relation::Equal) = (&a.kind, relation) {
+            if by.len() > 1 {
                 return self.second_derivative(body, by, given);
-            }
-            if relation != Relation::Equal {
-                return Err(Open::Untranslated("combination".to_string(), "a derivative that is compared"));
             }
             let f = self.checker.read(body, &[])?;
             for poly in f.factors.keys() {
@@ -197,6 +194,9 @@ impl Writer<'_> {
         let (lemma, base, natural, real, least) = match &e.kind {
             ExprKind::Power(base, exponent) if is_natural(exponent, &self.printer.kinds) => {
                 ("rise_pow", (**base).clone(), Some((**exponent).clone()), None, Signs::NOT_NEGATIVE)
+            }
+            ExprKind::Power(base, exponent) if is_root(exponent) => {
+                ("rise_sqrt", (**base).clone(), None, None, Signs::NOT_NEGATIVE)
             }
             ExprKind::Power(base, exponent) => {
                 ("rise_rpower", (**base).clone(), None, Some((**exponent).clone()), Signs::POSITIVE)

@@ -89,6 +89,7 @@ impl Writer<'_> {
             let label = "a derivative".to_string();
             return Err(Open::Untranslated(label, "one of higher order inside an expression"));
         }
+        self.needs(body, given)?;
         let inside = self.checker.read(body, &[])?;
         self.divisors(&inside, given)?;
         self.positive(&inside, given)?;

@@ -73,19 +73,28 @@ impl Writer<'_> {
         let Some(place) = poly.single_atom() else { return self.log_forth(poly, text, positive, using, given) };
         let (statement, tactic, side) = match self.checker.atom_form(place) {
             Form::Power(base, exponent, whole) => {
-                let Some(logs) = self.logs(&base, using, given)? else { return Ok(None) };
-                let product = self.identity(&Side::Value(base.clone()), &logs.product, &[], given)?;
-                let inner = format!("(ln_leaf _ _ {} {} {product} eq_refl)", logs.list, logs.proof);
+                let (sum, inner) = match self.logs(&base, using, given)? {
+                    Some(logs) => {
+                        let product = self.identity(&Side::Value(base.clone()), &logs.product, &[], given)?;
+                        (logs.sum, format!("(ln_leaf _ _ {} {} {product} eq_refl)", logs.list, logs.proof))
+                    }
+                    // A base that is positive, and its factors are not.
+                    None if self.checker.signs(&base, &given.signed)?.within(Signs::POSITIVE) => {
+                        (Side::Whole(format!("(ln {})", self.fraction(&base)?)), "eq_refl".to_string())
+                    }
+                    None => return Ok(None),
+                };
+                let root = !whole && self.is_root(&exponent);
                 let (lemma, times) = if whole {
                     let words = self.checker.fraction_words(&exponent);
-                    ("ln_of_pow", Side::Expr(words))
+                    ("ln_of_pow _", Side::Expr(words))
                 } else {
-                    ("ln_of_rpower", Side::Plain(exponent))
+                    (if root { "ln_of_root" } else { "ln_of_rpower _" }, Side::Plain(exponent))
                 };
-                let side = times.times(logs.sum);
+                let side = times.times(sum);
                 let positive_base =
-                    if whole { format!("{} ", self.positive_value(&base, given)?) } else { String::new() };
-                (self.full(&side)?, format!("exact ({lemma} _ _ _ {positive_base}{inner})"), side)
+                    if whole || root { format!("{} ", self.positive_value(&base, given)?) } else { String::new() };
+                (self.full(&side)?, format!("exact ({lemma} _ _ {positive_base}{inner})"), side)
             }
             Form::Exponential(inner) => {
                 let side = Side::Plain(inner);

@@ -162,6 +162,12 @@ impl Writer<'_> {
         {
             return self.whole_power(base, exponent, f, using, given);
         }
+        let words = self.checker.fraction_words(f);
+        if let (ExprKind::Apply(function, _), Some(proof)) = (&e.kind, self.by_squares(e, &words, given)?)
+            && function.text == "sqrt"
+        {
+            return Ok(proof);
+        }
         self.by_rules(e, using, given)
     }
 
@@ -284,11 +290,17 @@ impl Writer<'_> {
                 match (whole, opposite) {
                     (true, _) => ("pow_leaf", (**base).clone(), Side::Expr((**exponent).clone())),
                     (_, Some(inner)) => ("inv_pow_leaf", (**base).clone(), Side::Expr((**inner).clone())),
+                    _ if is_root(exponent) => ("sqrt_leaf", (**base).clone(), Side::integer(2).inverse()),
                     _ => ("rpower_leaf", (**base).clone(), Side::Expr((**exponent).clone())),
                 }
             }
             ExprKind::Apply(function, arguments) => {
                 let Some(x) = arguments.first().cloned() else { return Ok(None) };
+                if ["exp", "ln"].contains(&function.text.as_str())
+                    && let Some(found) = self.same_function(e, &x, f, given)?
+                {
+                    return Ok(Some(found));
+                }
                 match function.text.as_str() {
                     "sqrt" => ("sqrt_leaf", x, Side::integer(2).inverse()),
                     "cbrt" => ("cbrt_leaf", x, Side::integer(1).times(Side::integer(3).inverse())),
@@ -319,6 +331,11 @@ impl Writer<'_> {
             }
             _ => return Ok(None),
         };
+        if lemma == "sqrt_leaf"
+            && let Some(found) = self.same_function(e, &base, f, given)?
+        {
+            return Ok(Some(found));
+        }
         let plain = self.checker.read(&base, &[])?;
         let Some(left) = self.logs(&plain, using, given)? else { return Ok(None) };
         let Some(right) = self.logs(f, using, given)? else { return Ok(None) };
@@ -370,6 +387,9 @@ impl Writer<'_> {
             let proof = self.identity(&left, &right, &using, given);
             self.expands = false;
             return Ok(format!("exact {}", proof?));
+        }
+        if let Some(proof) = self.by_squares(a, b, given)? {
+            return Ok(proof);
         }
         self.by_rules(a, &using, given).and_then(|_| self.by_rules(b, &using, given))
     }

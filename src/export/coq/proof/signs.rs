@@ -125,6 +125,15 @@ impl Writer<'_> {
         let structural = match self.checker.atom_form(place) {
             Form::Natural => Some((Signs::NOT_NEGATIVE, "apply of_nat".to_string())),
             Form::Exponential(_) => Some((Signs::POSITIVE, "apply exp_is_positive".to_string())),
+            Form::Power(base, exponent, false) if self.is_root(&exponent) => {
+                Some(match self.checker.signs(&base, &given.signed)?.within(Signs::POSITIVE) {
+                    true => {
+                        let h = self.positive_value(&base, given)?;
+                        (Signs::POSITIVE, format!("apply of_pos, sqrt_lt_R0; exact {h}"))
+                    }
+                    false => (Signs::NOT_NEGATIVE, "apply of_root".to_string()),
+                })
+            }
             Form::Power(_, _, false) => Some((Signs::POSITIVE, "apply rpower_is_positive".to_string())),
             Form::Power(base, _, true) if self.checker.signs(&base, &given.signed)?.within(Signs::POSITIVE) => {
                 let tactic = self.positive(&base, given)?;
@@ -339,9 +348,15 @@ impl Writer<'_> {
             return Ok(self.lemma("K", &statement, &tactic));
         }
         // p − c ≥ 0 with c > 0: p > 0.
+        let using = if self.plain_difference(a, b)? == f { Vec::new() } else { given.using.clone() };
+        let left = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
+        let equal = self.identity(&left, &Side::Value(f), &using, given)?;
+        let equal =
+            if equal == "eq_refl" { String::new() } else { format!("assert (y__ := {equal}); cbv beta in y__; ") };
+        let Some(note) = given.signed.notes.get(n) else { return Err(Open::Untranslated(label, "a note")) };
         let tactic = match note.signs {
-            s if s == Signs::POSITIVE => format!("apply of_pos; assert (z__ := {h}); lra"),
-            _ => format!("assert (z__ := {h}); from"),
+            s if s == Signs::POSITIVE => format!("apply of_pos; assert (z__ := {h}); {equal}lra"),
+            _ => format!("assert (z__ := {h}); {equal}from"),
         };
         Ok(self.lemma("K", &statement, &tactic))
     }
@@ -415,11 +430,21 @@ impl Writer<'_> {
             };
             let Some((label, left)) = self.named_by(&r, &given.using)? else { return Ok(None) };
             let exponential = matches!(&left.kind, ExprKind::Apply(f, _) if f.text == "exp");
-            if !exponential && !matches!(&left.kind, ExprKind::Power(..) if !self.expr(&left)?.contains(" ^ ")) {
-                return Ok(None);
-            }
-            let positive =
-                self.lemma("P", &format!("0 < {text}"), &format!("rewrite <- {}; apply exp_pos", fact(&label)));
+            let shown = match &left.kind {
+                ExprKind::Power(base, exponent) if is_root(exponent) => {
+                    let f = self.checker.read(base, &[])?;
+                    if !self.checker.signs(&f, &given.signed)?.within(Signs::POSITIVE) {
+                        return Ok(None);
+                    }
+                    let (text, side) = (self.expr(base)?, Side::Expr((**base).clone()));
+                    let h = self.sign(&text, &side, &[], &f, Signs::POSITIVE, given)?;
+                    format!("apply sqrt_lt_R0; exact (to_pos _ {h})")
+                }
+                ExprKind::Power(..) if !self.expr(&left)?.contains(" ^ ") => "apply exp_pos".to_string(),
+                _ if exponential => "apply exp_pos".to_string(),
+                _ => return Ok(None),
+            };
+            let positive = self.lemma("P", &format!("0 < {text}"), &format!("rewrite <- {}; {shown}", fact(&label)));
             return Ok(Some(match signs == Signs::POSITIVE {
                 true => positive,
                 false => self.lemma(letter, &statement, &format!("exact (Rgt_not_eq _ _ {positive})")),
