@@ -143,7 +143,7 @@ impl Maker<'_> {
                 Err(reason) => file.open.push((name, reason)),
             }
         }
-        file.text = head(&file.needs);
+        file.text = head(&bodies, &file.needs);
         file.text += &format!("\n(* statement sha256 {} *)\n", stated.digest);
         for (name, reason) in &file.open {
             let full = stated.propositions().into_iter().find(|p| p.0 == *name).map_or("", |p| p.1);
@@ -238,9 +238,15 @@ impl Made {
     }
 }
 
-/// What a file begins with.
-fn head(needs: &BTreeSet<String>) -> String {
-    let mut text = "From Carom Require Import vocabulary rules values points.\n".to_string();
+/// What a file begins with: of the library no more than its proofs need, since that is loaded for each file.
+fn head(bodies: &str, needs: &BTreeSet<String>) -> String {
+    let mut text = "From Carom Require Import vocabulary rules".to_string();
+    for (module, words) in [("values", &["  valued "][..]), ("points", &["evaluated", "computed", "premises_at"])] {
+        if words.iter().any(|word| bodies.contains(word)) {
+            text += &format!(" {module}");
+        }
+    }
+    text += ".\n";
     needs.iter().for_each(|module| text += &format!("From Carom Require {module}.\n"));
     text
 }
