@@ -527,7 +527,7 @@ mod tests {
             faults.iter().map(|f| f.message()).collect::<Vec<_>>().join("; ")
         };
         for (names, wanted) in [
-            ("x₁2", "the name x₁2 has digits on the line and below it"),
+            ("x₁2", "the name x₁2 has digits on the line and below it, one after the other"),
             ("é", "the name é holds the sign 'é'"),
             ("Σ", "the name Σ holds the sign 'Σ'"),
             ("x_", "the name x_ has a `_` that stands between nothing"),
