@@ -7,6 +7,7 @@
 //!
 //! Variables are plain numbers; a caller that has names passes a naming function where text is made.
 
+mod clock;
 mod division;
 pub mod factor;
 pub mod gcd;
@@ -19,16 +20,12 @@ mod substitution;
 mod text;
 pub mod univariate;
 
+pub use clock::Moment;
 pub use monomial::Monomial;
 pub use polynomial::Polynomial;
 pub use univariate::Univariate;
 
 use std::fmt;
-// A browser has a clock, but not behind the standard library's type.
-#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-pub use std::time::Instant;
-#[cfg(all(target_family = "wasm", target_os = "unknown"))]
-pub use web_time::Instant;
 
 /// The number of a variable.
 pub type Var = u32;

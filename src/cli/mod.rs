@@ -313,7 +313,7 @@ struct LimitFlags {
     /// The most steps of the search for each claim
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
-    /// The most seconds for each claim
+    /// The most seconds of work for each claim, on one core
     #[arg(long, value_name = "SECONDS", default_value_t = 10)]
     time: u64,
 }

@@ -33,7 +33,7 @@ pub struct Flags {
     /// Try only these claims
     #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
     only: Vec<String>,
-    /// The most seconds for each claim
+    /// The most seconds of work for each claim, on one core
     #[arg(long, value_name = "SECONDS", default_value_t = 10)]
     time: u64,
     /// Save each counterexample here as a claim file: the statement, with the values of its variables as hypotheses

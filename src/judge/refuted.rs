@@ -7,7 +7,7 @@
 //! the search for proofs; the parts together by logic. Where nothing is false, an expression without value is looked for, the
 //! innermost first.
 
-use crate::algebra::Instant;
+use crate::algebra::Moment;
 use crate::certificate::text::digest;
 use crate::certificate::{Certificate, Label, Refutes, Rule, Show, Step, Term, needed};
 use crate::claim::definedness::{Need, needs};
@@ -29,7 +29,7 @@ const MEMBERS: [&str; 6] = ["1", "2", "1/2", "0", "-1", "-1/2"];
 
 /// A certificate that a claim is false at a point, or has no value there.
 pub fn certificate(claim: &Claim, witness: &Point, limits: &Limits) -> Option<Certificate> {
-    let deadline = Instant::now().checked_add(limits.time);
+    let deadline = Moment::now().checked_add(limits.time);
     let statement = Statement::of(claim).ok()?;
     let mut point = Vec::new();
     for (place, value) in &witness.values {
@@ -89,7 +89,7 @@ fn completed(claim: &Claim, statement: &Statement, mut point: Vec<(Expr, Expr)>)
 struct Refuter<'a> {
     claim: &'a Claim,
     limits: &'a Limits,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
 }
 
 /// A refutation under way.
@@ -107,7 +107,7 @@ struct Attempt {
 
 impl Refuter<'_> {
     fn is_late(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
+        self.deadline.is_some_and(|deadline| Moment::now() > deadline)
     }
 
     fn attempt(&self, refutes: Refutes) -> Option<Attempt> {

@@ -8,7 +8,7 @@
 //! What says the same as a comparison of the goal is left out. Each is tried at points first, then proved: equivalences before implications, and weaker hypotheses before stronger ones.
 
 use super::Entry;
-use crate::algebra::Instant;
+use crate::algebra::Moment;
 use crate::algebra::Polynomial;
 use crate::algebra::factor::factor;
 use crate::certificate::{Certificate, Rule, Show};
@@ -73,7 +73,7 @@ pub fn repair(entry: &Entry, limits: &Limits) -> Result<Repair, NoRepair> {
         claim,
         witness,
         limits: Limits { time: limits.time / ONE_PROOF, ..limits.clone() },
-        deadline: Instant::now().checked_add(limits.time),
+        deadline: Moment::now().checked_add(limits.time),
     };
     let (exact, enough) = candidates(claim, &statement);
     let tried = exact.len() + enough.len();
@@ -85,12 +85,12 @@ struct Search<'a> {
     claim: &'a Claim,
     witness: Vec<(String, String)>,
     limits: Limits,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
 }
 
 impl Search<'_> {
     fn is_late(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
+        self.deadline.is_some_and(|deadline| Moment::now() > deadline)
     }
 
     /// Whether a hypothesis is true at the witness, so that it cannot be what is missing.

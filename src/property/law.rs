@@ -22,7 +22,7 @@
 //! failed is false: its hypotheses hold at the point for certain and its goal does not ([`crate::refute::trial`]).
 
 use super::points::Values;
-use crate::algebra::Instant;
+use crate::algebra::Moment;
 use crate::claim::diagnostic::Diagnostic;
 use crate::claim::parse::parse;
 use crate::claim::syntax::Claim;
@@ -153,7 +153,7 @@ impl Law {
 
 /// Tries a claim; `now` hears how many points are done. The same seed gives the same points, whatever else is tried.
 pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Outcome {
-    let started = Instant::now();
+    let started = Moment::now();
     let limits = Limits { time: settings.time, ..Limits::default() };
     let mut trial = match Trial::new(claim) {
         Ok(trial) => trial,

@@ -3,7 +3,7 @@
 //! Contract: a sample satisfies every hypothesis exactly. A counterexample is one of [`super::search`]. It is sought twice: at
 //! few points, before a proof is sought, and at all of them, where none was found.
 
-use super::Instant;
+use super::Moment;
 use super::catalogue::Limits;
 use super::expand::{Limit, Statement};
 use super::faults;
@@ -28,7 +28,7 @@ pub struct Case {
     aim: Option<Option<(Search, Goal)>>,
     /// At how many points the goal was seen to hold.
     held: usize,
-    started: Instant,
+    started: Moment,
     time: Duration,
 }
 
@@ -38,7 +38,7 @@ impl Case {
     /// # Errors
     /// A limit, by name.
     pub fn new(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
-        let started = Instant::now();
+        let started = Moment::now();
         let statement = Statement::of(claim).map_err(|Limit(name)| name)?;
         let mut plan = Plan::of(&statement);
         let has_hypotheses = statement.has_hypotheses();

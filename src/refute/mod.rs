@@ -20,4 +20,4 @@ pub mod trial;
 mod candidates;
 mod closed;
 
-use crate::algebra::Instant;
+use crate::algebra::Moment;

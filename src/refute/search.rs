@@ -4,7 +4,7 @@
 //! certainly false there or has no value. Points are tried in order of simplicity, so the first is
 //! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
 
-use super::Instant;
+use super::Moment;
 use super::evaluate::{Assignment, STEPS};
 use super::expand::Statement;
 use super::limit::{Tends, tends};
@@ -183,7 +183,7 @@ impl Search {
     }
 
     /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
-    fn run(&mut self, deadline: Option<Instant>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
+    fn run(&mut self, deadline: Option<Moment>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
         self.ways.clone().into_iter().any(|way| {
             self.follow(way);
             self.run_choices(deadline, &mut |_, point| visit(point))
@@ -193,7 +193,7 @@ impl Search {
     /// The same, with what was chosen.
     pub(super) fn run_choices(
         &mut self,
-        deadline: Option<Instant>,
+        deadline: Option<Moment>,
         visit: &mut dyn FnMut(&Choice, &Assignment) -> bool,
     ) -> bool {
         let mut visit = |search: &Search, ranks: &[usize]| {
@@ -230,7 +230,7 @@ impl Search {
                         if tried > if self.suggested.is_some() { SUGGESTED } else { POINTS } {
                             return false;
                         }
-                        if self.left.get() == 0 || deadline.is_some_and(|deadline| Instant::now() > deadline) {
+                        if self.left.get() == 0 || deadline.is_some_and(|deadline| Moment::now() > deadline) {
                             return false;
                         }
                         if visit(self, &ranks) {
@@ -411,7 +411,7 @@ impl Plan {
 }
 
 /// A point where all hypotheses of the statement hold: one that the author gives, or one that is found.
-pub(super) fn sample(plan: &mut Plan, statement: &Statement, deadline: Option<Instant>) -> Option<Point> {
+pub(super) fn sample(plan: &mut Plan, statement: &Statement, deadline: Option<Moment>) -> Option<Point> {
     if !statement.sample.is_empty()
         && let Some(point) = given_sample(statement, deadline)
     {
@@ -432,7 +432,7 @@ pub(super) fn sample(plan: &mut Plan, statement: &Statement, deadline: Option<In
 }
 
 /// The author's point, where the hypotheses hold at it; variables without a value there are sought.
-fn given_sample(statement: &Statement, deadline: Option<Instant>) -> Option<Point> {
+fn given_sample(statement: &Statement, deadline: Option<Moment>) -> Option<Point> {
     let mut search = Search::new(&statement.bindings, Some(statement));
     search.ways = vec![statement.sample.clone()];
     let mut found = None;
@@ -616,10 +616,10 @@ pub(super) fn falsified_by(
     search: &mut Search,
     goal: &mut Goal,
     most: Option<u64>,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
 ) -> (Option<Witness>, usize) {
     let (mut found, mut held) = (None, 0);
-    let first = most.and_then(|_| Instant::now().checked_add(FIRST_TIME));
+    let first = most.and_then(|_| Moment::now().checked_add(FIRST_TIME));
     let deadline = deadline.into_iter().chain(first).min();
     search.left.set(most.unwrap_or(u64::MAX));
     search.geometric = false;
@@ -651,7 +651,7 @@ pub(super) fn falsified_by(
 /// A counterexample found by the evaluator and the statement's own words alone. For tests of soundness; a search of all
 /// points may take minutes, unless `time` ends it.
 pub fn falsified(statement: &Statement, time: Option<Duration>) -> Option<Witness> {
-    let deadline = time.and_then(|time| Instant::now().checked_add(time));
+    let deadline = time.and_then(|time| Moment::now().checked_add(time));
     let mut plan = Plan::in_its_own_words(statement);
     let (mut search, mut goal) = aimed(&mut plan, statement)?;
     goal.identify(&mut plan);
@@ -659,7 +659,7 @@ pub fn falsified(statement: &Statement, time: Option<Duration>) -> Option<Witnes
 }
 
 /// Values for the variables of an `exists` that make its body certainly true.
-pub fn example(bindings: &[Binding], body: &Prop, deadline: Option<Instant>) -> Option<Vec<(String, Rational)>> {
+pub fn example(bindings: &[Binding], body: &Prop, deadline: Option<Moment>) -> Option<Vec<(String, Rational)>> {
     let mut search = Search::new(bindings, None);
     let names: Vec<String> = search.names.iter().map(|n| n.0.clone()).collect();
     let mut found = None;
