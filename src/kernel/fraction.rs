@@ -1,6 +1,6 @@
-//! Sparse polynomials over the rationals, and quotients of them kept in factors.
+//! Quotients of polynomials, kept in factors.
 //!
-//! Contract: a [`Poly`] holds no zero coefficient; a [`Fraction`] is c·∏ pᵢ^kᵢ with polynomials that
+//! Contract: a [`Fraction`] is c·∏ pᵢ^kᵢ with polynomials that
 //! are not constant, have leading coefficient 1 and, but for single atoms, no atom as a factor, and
 //! whole exponents kᵢ ≠ 0; zero has no factors. Atoms are numbers that somebody else gives a meaning.
 //! No common divisor is ever sought: two fractions are equal iff their difference, with the common
@@ -10,13 +10,14 @@
 //! that time and memory are bounded. What only copies, such as [`Fraction::power`], is counted by the
 //! size of what it comes to, in `Checker::value`.
 
+pub use super::poly::{Monomial, Poly};
+use super::poly::{product, words};
 use super::{Reason, Refusal, rejected};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 
 /// The most work in the check of one certificate: about that many operations on short numbers, terms
 /// written, and comparisons of names, signs and facts in searches.
@@ -50,30 +51,6 @@ impl Work {
     }
 }
 
-/// The length of a number, in 64 bits.
-fn words(q: &BigRational) -> usize {
-    usize::try_from(q.numer().bits().max(q.denom().bits()) / 64).unwrap_or(usize::MAX)
-}
-
-/// The product; between integers no common divisor is sought.
-fn product(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Refusal> {
-    let whole = a.is_integer() && b.is_integer();
-    computed(if whole { BigRational::from_integer(a.numer() * b.numer()) } else { a * b }, work)
-}
-
-/// The sum; between integers no common divisor is sought.
-fn plus(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Refusal> {
-    let whole = a.is_integer() && b.is_integer();
-    computed(if whole { BigRational::from_integer(a.numer() + b.numer()) } else { a + b }, work)
-}
-
-/// A number that was computed: its length is limited, and four times its square counted, for common
-/// divisors of long numbers take about so long.
-fn computed(q: BigRational, work: &Work) -> Result<BigRational, Refusal> {
-    work.count(words(&q).saturating_pow(2).saturating_mul(4))?;
-    if q.numer().bits().max(q.denom().bits()) > BITS_LIMIT { Err(Refusal::Limit("digits")) } else { Ok(q) }
-}
-
 /// Divides by a number as often as it can: how often that is. By its square first, so that 2^100000
 /// takes some twenty divisions.
 fn divided_out(rest: &mut BigInt, divisor: &BigInt) -> i64 {
@@ -86,129 +63,6 @@ fn divided_out(rest: &mut BigInt, divisor: &BigInt) -> i64 {
     }
     *rest /= divisor;
     2 * twice + 1
-}
-
-/// Atoms with positive exponents, in increasing order of the atoms.
-pub type Monomial = Vec<(usize, u32)>;
-
-/// The product of two monomials, atoms in increasing order.
-fn monomial_product(m: &Monomial, n: &Monomial) -> Result<Monomial, Refusal> {
-    let mut out = Monomial::with_capacity(m.len() + n.len());
-    let (mut left, mut right) = (m.iter().copied().peekable(), n.iter().copied().peekable());
-    loop {
-        let power = match (left.peek().copied(), right.peek().copied()) {
-            (None, None) => return Ok(out),
-            (Some((a, _)), Some((b, _))) if a < b => left.next(),
-            (Some(_), None) => left.next(),
-            (Some((a, j)), Some((b, k))) if a == b => {
-                left.next();
-                right.next();
-                Some((a, j.saturating_add(k)))
-            }
-            _ => right.next(),
-        };
-        let Some((atom, k)) = power else { return Ok(out) };
-        if i64::from(k) > EXPONENT_LIMIT {
-            return Err(Refusal::Limit("degree"));
-        }
-        out.push((atom, k));
-    }
-}
-
-/// A polynomial.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub struct Poly(BTreeMap<Monomial, BigRational>);
-
-impl Poly {
-    /// A constant.
-    pub fn constant(c: BigRational) -> Poly {
-        Poly(if c.is_zero() { BTreeMap::new() } else { BTreeMap::from([(Vec::new(), c)]) })
-    }
-
-    /// An atom.
-    pub fn atom(atom: usize) -> Poly {
-        Poly(BTreeMap::from([(vec![(atom, 1)], BigRational::one())]))
-    }
-
-    /// The terms.
-    pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &BigRational)> {
-        self.0.iter()
-    }
-
-    /// The atom, if the polynomial is a single one.
-    pub fn single_atom(&self) -> Option<usize> {
-        match self.0.iter().next() {
-            Some((monomial, c)) if self.0.len() == 1 && c.is_one() => match monomial.as_slice() {
-                [(atom, 1)] => Some(*atom),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// Every atom that occurs.
-    pub fn atoms(&self) -> impl Iterator<Item = usize> {
-        self.0.keys().flatten().map(|power| power.0)
-    }
-
-    /// How much it holds: terms, atoms in them, words of their numbers.
-    pub fn size(&self) -> usize {
-        self.0.iter().map(|(monomial, c)| 1 + monomial.len() + words(c)).sum()
-    }
-
-    fn add_term(&mut self, monomial: Monomial, c: BigRational, work: &Work) -> Result<(), Refusal> {
-        match self.0.entry(monomial) {
-            Entry::Vacant(entry) if !c.is_zero() => {
-                entry.insert(c);
-            }
-            Entry::Vacant(_) => {}
-            Entry::Occupied(mut entry) => {
-                let sum = plus(entry.get(), &c, work)?;
-                if sum.is_zero() {
-                    entry.remove();
-                } else {
-                    entry.insert(sum);
-                }
-            }
-        }
-        if self.0.len() > TERMS_LIMIT { Err(Refusal::Limit("terms")) } else { Ok(()) }
-    }
-
-    /// The product.
-    pub fn times(&self, other: &Poly, work: &Work) -> Result<Poly, Refusal> {
-        let mut out = Poly::default();
-        for (m, c) in &self.0 {
-            for (n, d) in &other.0 {
-                work.count(1 + m.len() + n.len())?;
-                out.add_term(monomial_product(m, n)?, product(c, d, work)?, work)?;
-            }
-        }
-        Ok(out)
-    }
-
-    /// The partial derivative.
-    pub fn derivative(&self, atom: usize) -> Poly {
-        let mut out = Poly::default();
-        for (monomial, c) in &self.0 {
-            let Some((_, k)) = monomial.iter().find(|p| p.0 == atom) else { continue };
-            let lower =
-                monomial.iter().map(|p| if p.0 == atom { (p.0, p.1 - 1) } else { *p }).filter(|p| p.1 > 0).collect();
-            // Different monomials stay different.
-            out.0.insert(lower, c * BigRational::from_integer(BigInt::from(*k)));
-        }
-        out
-    }
-
-    /// The coefficients by powers of an atom.
-    pub fn coefficients(&self, atom: usize) -> BTreeMap<u32, Poly> {
-        let mut out: BTreeMap<u32, Poly> = BTreeMap::new();
-        for (monomial, c) in &self.0 {
-            let k = monomial.iter().find(|p| p.0 == atom).map_or(0, |p| p.1);
-            let rest = monomial.iter().copied().filter(|p| p.0 != atom).collect();
-            out.entry(k).or_default().0.insert(rest, c.clone());
-        }
-        out
-    }
 }
 
 /// A quotient of polynomials in factors.
@@ -238,10 +92,10 @@ impl Fraction {
 
     /// A polynomial: its number, its atoms and what is left become factors.
     pub fn of(poly: &Poly) -> Fraction {
-        let Some((_, lead)) = poly.0.iter().next_back() else { return Fraction::integer(0) };
+        let Some((_, lead)) = poly.terms().next_back() else { return Fraction::integer(0) };
         let mut out = Fraction::number(lead.clone());
         let mut common: BTreeMap<usize, u32> = BTreeMap::new();
-        for (place, monomial) in poly.0.keys().enumerate() {
+        for (place, (monomial, _)) in poly.terms().enumerate() {
             let powers: BTreeMap<usize, u32> = monomial.iter().copied().collect();
             if place == 0 {
                 common = powers;
@@ -252,15 +106,14 @@ impl Fraction {
                 });
             }
         }
-        let mut rest = Poly::default();
-        for (monomial, c) in &poly.0 {
-            let lower = monomial
-                .iter()
-                .map(|(atom, k)| (*atom, k - common.get(atom).copied().unwrap_or(0)))
-                .filter(|p| p.1 > 0)
-                .collect();
-            rest.0.insert(lower, if lead.is_one() { c.clone() } else { c / lead });
-        }
+        // Different monomials stay different where what they share is taken from all.
+        let rest = match lead.is_one() && common.is_empty() {
+            true => poly.clone(),
+            false => Poly::of_different(poly.terms().map(|(monomial, c)| {
+                let lower = monomial.iter().map(|(atom, k)| (*atom, k - common.get(atom).copied().unwrap_or(0)));
+                (lower.filter(|p| p.1 > 0).collect(), if lead.is_one() { c.clone() } else { c / lead })
+            })),
+        };
         for (atom, k) in common {
             out.factors.insert(Poly::atom(atom), i64::from(k));
         }
@@ -381,14 +234,8 @@ impl Fraction {
             }
         }
         let inverse = common.power(-1)?;
-        let mut sum = Poly::default();
-        for fraction in &list {
-            let rest = fraction.times(&inverse, work)?;
-            for (monomial, c) in rest.expanded(work)?.0 {
-                sum.add_term(monomial, c, work)?;
-            }
-        }
-        Fraction::of(&sum).times(&common, work)
+        let rests = list.iter().map(|f| f.times(&inverse, work)?.expanded(work)).collect::<Result<Vec<_>, _>>()?;
+        Fraction::of(&Poly::sum(&rests, work)?).times(&common, work)
     }
 
     /// The difference.

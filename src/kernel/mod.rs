@@ -33,6 +33,7 @@ mod matrix;
 mod memo;
 pub mod order;
 mod over;
+mod poly;
 mod power;
 mod quantifier;
 mod reason;
