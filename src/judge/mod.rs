@@ -247,7 +247,7 @@ impl Decided {
     }
 }
 
-/// Seeks a counterexample at few points, then a proof, then a counterexample at all points.
+/// Multiplies out, then seeks a counterexample at few points, then a proof, then a counterexample at all points.
 fn searched(
     claim: &Claim,
     mut case: Case,
@@ -260,10 +260,13 @@ fn searched(
     if let Some(reason) = case.ambiguous() {
         return Ok(Decided::without_proof(case.undecided(reason, None)));
     }
+    if let Ok(held) = prove::at_once(claim, accepted, limits) {
+        return Ok(Decided { outcome: case.proved(), held: Some(held), found: false });
+    }
     if let Some(refuted) = case.counterexample(Some(FIRST)) {
         return Ok(Decided::without_proof(refuted));
     }
-    let fail = match prove::certificate(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
+    let fail = match prove::by_search(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
         Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
         Err(fail) => fail,
     };

@@ -7,8 +7,10 @@
 //! becomes steps of a draft (`draft`), which keeps what is known so far. Signs come from the engine's factorisation and
 //! certificates of positivity, as explicit identities. Then the steps that the goal rests on are written as a certificate
 //! (`elaborate`), each with all that it cites. Where that fails, a second search is tried that needs no argument (`direct`).
+//! What either found is made short (`brief`).
 
 mod argument;
+mod brief;
 mod contradiction;
 mod direct;
 mod draft;
@@ -20,11 +22,11 @@ mod powers;
 mod signs;
 mod write;
 
-use crate::algebra::Instant;
-use crate::certificate::{Certificate, Term};
+use crate::algebra::Moment;
+use crate::certificate::{self, Certificate, Show, Term};
 use crate::claim::syntax::*;
 use crate::kernel::statement::{Substitution, compare, name};
-use crate::kernel::{Accepted, Verdict, text};
+use crate::kernel::{Accepted, Checker, Refusal, Verdict, text};
 use crate::refute::catalogue::Limits;
 use crate::refute::expand;
 use argument::exprs_in_proof;
@@ -40,10 +42,18 @@ const STEPS_OF_A_TRY: usize = 20;
 /// A certificate of a claim; `cited` holds what was accepted of the claims it cites.
 ///
 /// # Errors
+/// Those of [`by_search`].
+pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    at_once(claim, cited, limits).or_else(|_| by_search(claim, cited, limits))
+}
+
+/// A certificate of a claim that [`at_once`] does not see.
+///
+/// # Errors
 /// The first thing that could not be shown in the kernel's rules; [`Fail::Unwritten`] where all was, and the kernel does
 /// not accept what was written.
-pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
-    let begin = Instant::now();
+pub fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    let begin = Moment::now();
     by_draft(claim, cited, limits).or_else(|first| {
         // What the argument does not reach may be found without it, in the time that is left.
         let rest = Limits { time: limits.time.saturating_sub(begin.elapsed()), ..limits.clone() };
@@ -51,8 +61,16 @@ pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Resul
     })
 }
 
-/// What the kernel says of a certificate. What counts is what is written: the text is read back and checked from nothing.
-fn accepted(claim: &Claim, written: &Certificate, cited: &[&Accepted]) -> Result<(Certificate, Accepted), Fail> {
+/// What the kernel says of a certificate, made short in a time of its own. What counts is what is written: the text is read
+/// back and checked from nothing.
+fn accepted(
+    claim: &Claim,
+    found: Certificate,
+    cited: &[&Accepted],
+    limits: &Limits,
+) -> Result<(Certificate, Accepted), Fail> {
+    let deadline = Moment::now().checked_add(limits.time);
+    let written = &brief::brief(claim, found, cited, deadline).map_err(Fail::from)?;
     let read = crate::certificate::text::read(&crate::certificate::text::write(written))
         .map_err(|m| Fail::Value(m.fault.to_string()).within(&format!("line {}", m.line)))?;
     match crate::kernel::check(claim, &read, cited) {
@@ -61,10 +79,61 @@ fn accepted(claim: &Claim, written: &Certificate, cited: &[&Accepted]) -> Result
     }
 }
 
+/// A certificate for comparisons that the kernel sees when it multiplies out: identities, and signs that the hypotheses tell.
+/// No claim with an argument of its own is taken: its proof is to be that argument.
+///
+/// # Errors
+/// The kernel does not see it.
+pub fn at_once(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    if !claim.proof.steps.is_empty() || claim.proof.close.is_some() {
+        return Err(Fail::No("a comparison without an argument"));
+    }
+    let mut checker = Checker::new(claim, cited).map_err(Fail::from)?;
+    let statement = checker.statement();
+    let (goal, digest) = (statement.goal.clone(), crate::certificate::text::digest(&statement.text()));
+    let parts = parts(&goal);
+    let mut steps: Vec<certificate::Step> = Vec::new();
+    let mut take = |rule: certificate::Rule, prop: Prop| {
+        let by = match rule {
+            certificate::Rule::Combination { .. } => checker.facts().map(|f| f.0.to_string()).collect(),
+            _ => Vec::new(),
+        };
+        let show = Show { label: format!("{}", steps.len() + 1), rule, prop, by, using: Vec::new() };
+        let step = certificate::Step::Show(Box::new(brief::looked_at(&mut checker, show)?));
+        checker.step(&step)?;
+        steps.push(step);
+        Ok::<(), Refusal>(())
+    };
+    for part in &parts {
+        if !matches!(part.kind, PropKind::Compare(..)) {
+            return Err(Fail::No("a comparison without an argument"));
+        }
+        take(certificate::Rule::Combination { times: None, terms: Vec::new() }, part.clone()).map_err(Fail::from)?;
+    }
+    if !matches!(goal.kind, PropKind::Compare(..)) || parts.len() > 1 {
+        let from = (1..=parts.len()).map(|k| k.to_string()).collect();
+        take(certificate::Rule::Logic { from }, goal).map_err(Fail::from)?;
+    }
+    let found = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps };
+    accepted(claim, found, cited, limits)
+}
+
+/// The comparisons that make up a conjunction or chain; a proposition of another kind is its only part.
+fn parts(p: &Prop) -> Vec<Prop> {
+    match &p.kind {
+        PropKind::And(list) => list.iter().flat_map(parts).collect(),
+        PropKind::Compare(sides, relations) => {
+            let pairs = sides.windows(2).zip(relations);
+            pairs.map(|(pair, r)| compare(pair[0].clone(), *r, pair[1].clone())).collect()
+        }
+        _ => vec![p.clone()],
+    }
+}
+
 /// The claim's argument as a draft, and that as a certificate.
 fn by_draft(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let statement = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
-    let deadline = Instant::now().checked_add(limits.time);
+    let deadline = Moment::now().checked_add(limits.time);
     let guided = !statement.proof.steps.is_empty() || statement.proof.close.is_some();
     match certified(claim, &statement, cited, limits, deadline) {
         Err(fail) if guided && fail.limit().is_none() => {
@@ -81,7 +150,7 @@ fn certified(
     statement: &expand::Statement,
     cited: &[&Accepted],
     limits: &Limits,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
 ) -> Result<(Certificate, Accepted), Fail> {
     let checker = Draft::new(claim, cited).map_err(Fail::from)?;
     let mut certifier = Certifier {
@@ -121,7 +190,7 @@ impl Certifier {
         let needed = goal.map(|goal| needed(&certifier.trail, goal)).ok_or("the goal is not among the facts")?;
         let steps = certifier.steps;
         // What was found is written in a time of its own.
-        let deadline = Instant::now().checked_add(limits.time);
+        let deadline = Moment::now().checked_add(limits.time);
         let fewer: Vec<Step> =
             (0..).zip(&steps).filter(|(k, _)| needed.contains(&Source::Step(*k))).map(|s| s.1.clone()).collect();
         // The marks only propose: where fewer steps do not make a certificate, all may.
@@ -129,7 +198,7 @@ impl Certifier {
             Ok(written) => written,
             Err(_) => elaborate::elaborate(claim, &steps, cited, deadline)?,
         };
-        accepted(claim, &written, cited)
+        accepted(claim, written, cited, limits)
     }
 }
 
@@ -155,7 +224,7 @@ pub struct Certifier {
     counter: usize,
     /// How many steps may still be tried.
     tries: usize,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
     splits: usize,
     /// Whether powers of facts are being tried: not within one another.
     within_powers: bool,
@@ -175,7 +244,7 @@ struct Mark {
 
 impl Certifier {
     fn tick(&mut self) -> Result<(), Fail> {
-        if self.deadline.is_some_and(|deadline| Instant::now() > deadline) {
+        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
             return Err(Fail::Limit("time"));
         }
         self.tries = self.tries.checked_sub(1).ok_or(Fail::Limit("steps"))?;

@@ -2,17 +2,18 @@
 //!
 //! Contract: [`elaborate`] returns a certificate that the kernel accepted step by step, or says at which step of the
 //! draft it got stuck. Nothing is searched: each step of a draft becomes one step of the certificate (two or three where
-//! the kernel's rules are smaller) with the facts that it rests on written out. The kernel says which those are.
+//! the kernel's rules are smaller) with the facts that it rests on written out. The kernel says which those are. Steps
+//! that the goal does not rest on are still there.
 
 mod limit;
 mod otherwise;
-pub(super) mod swept;
 
-use crate::algebra::Instant;
+use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::*;
 use crate::kernel::statement::{compare, name, names_in_prop, numeral};
 use crate::kernel::{Accepted, Checker, Reason, Refusal, key};
+use crate::prove::brief::looked_at;
 use crate::prove::draft;
 use std::collections::{BTreeSet, HashMap};
 
@@ -88,7 +89,7 @@ struct Elaborator {
     opened: Vec<usize>,
     /// Names that are in use somewhere.
     names: BTreeSet<String>,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
 }
 
 /// The certificate that the steps of a draft become; `cited` holds what was accepted of the claims under `using`.
@@ -99,7 +100,7 @@ pub fn elaborate(
     claim: &Claim,
     draft: &[draft::Step],
     cited: &[&Accepted],
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
 ) -> Result<Certificate, Stuck> {
     let checker = Checker::new(claim, cited).map_err(Stuck::Statement)?;
     let mut names = checker.statement().names();
@@ -134,10 +135,8 @@ pub fn elaborate(
         elaborator.emit("qed", Rule::Logic { from }, &goal)?;
     }
     let digest = crate::certificate::text::digest(&elaborator.checker.statement().text());
-    let certificate =
-        Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: elaborator.steps };
     elaborator.checker.finish().map_err(Stuck::Unfinished)?;
-    Ok(swept::swept(certificate))
+    Ok(Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: elaborator.steps })
 }
 
 impl Elaborator {
@@ -157,7 +156,7 @@ impl Elaborator {
     }
 
     fn in_time(&self) -> Result<(), Stuck> {
-        if self.deadline.is_some_and(|deadline| Instant::now() > deadline) { Err(Stuck::Time) } else { Ok(()) }
+        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) { Err(Stuck::Time) } else { Ok(()) }
     }
 
     fn label(&self, old: &str) -> Result<Label, Stuck> {
@@ -178,30 +177,6 @@ impl Elaborator {
     fn signs(&self) -> Vec<Label> {
         let speaks = |p: &Prop| matches!(p.kind, PropKind::Compare(..) | PropKind::And(_) | PropKind::ForAll(..));
         self.facts.iter().filter(|f| speaks(&f.prop)).map(|f| f.label.clone()).collect()
-    }
-
-    /// The step with no more citations than it needs: without those that the kernel did not look at, and without each
-    /// that it can do without, hypotheses first.
-    fn trimmed(&mut self, show: Show) -> Result<Show, Refusal> {
-        let used = self.checker.used(&show)?;
-        let mut best = show.clone();
-        let shorter = Show { by: used.by, using: used.using, ..show };
-        if self.checker.used(&shorter).is_ok() {
-            best = shorter;
-        }
-        let mut tried: Vec<Label> = best.by.iter().chain(&best.using).cloned().collect();
-        // A hypothesis that no step has needed so far is spared first, then those that others need as well.
-        let needed: BTreeSet<&Label> = self.steps.iter().filter_map(Step::show).flat_map(Show::cited).collect();
-        tried.sort_by_key(|label| (!label.starts_with('h'), needed.contains(label)));
-        for label in tried {
-            let mut fewer = best.clone();
-            fewer.by.retain(|l| *l != label);
-            fewer.using.retain(|l| *l != label);
-            if self.checker.used(&fewer).is_ok() {
-                best = fewer;
-            }
-        }
-        Ok(best)
     }
 
     /// The equations that a step is tried with, one list after the other.
@@ -235,7 +210,7 @@ impl Elaborator {
         let mut found = None;
         for using in self.lists(&rule) {
             let show = Show { label: label.clone(), rule: rule.clone(), prop: prop.clone(), by: by.clone(), using };
-            match self.trimmed(show) {
+            match looked_at(&mut self.checker, show) {
                 Ok(show) => {
                     found = Some(show);
                     break;
