@@ -40,13 +40,13 @@ fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.claim");
     // No rule of the kernel shows this limit: the first claim has no certificate, the second one has.
-    let first = "claim euler \"t\"\ngiven n natural >= 1\nprove limit of (1 + 1/n)^n as n -> infinity is exp(1)\n";
+    let first = "claim root \"t\"\ngiven n natural >= 1\nprove limit of n^(1/n) as n -> infinity is 1\n";
     let second = "claim halves \"t\"\ngiven x > 0\nprove x/2 + x/2 = x\n";
     std::fs::write(&file, format!("{first}\n{second}")).unwrap();
     let plain = carom(&["audit", text(&file)]);
     let printed = out(&plain);
     assert_eq!(plain.status.code(), Some(1), "{printed}");
-    assert!(printed.contains("undecided       euler") && printed.contains("proved          halves"), "{printed}");
+    assert!(printed.contains("undecided       root") && printed.contains("proved          halves"), "{printed}");
     assert!(printed.contains("not shown: limit of"), "{printed}");
     for debug in ["Rejected(", "Declined(", "Some("] {
         assert!(!printed.contains(debug), "{printed}");
@@ -56,8 +56,8 @@ fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     assert_eq!((out(&checked), checked.status.code()), (printed, Some(1)));
     let json = out(&carom(&["audit", "--format", "json", text(&file)]));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
-    let (euler, halves) = (&json["claims"][0], &json["claims"][1]);
-    assert_eq!((&euler["found"], &euler["certificate"]), (&false.into(), &serde_json::Value::Null));
+    let (root, halves) = (&json["claims"][0], &json["claims"][1]);
+    assert_eq!((&root["found"], &root["certificate"]), (&false.into(), &serde_json::Value::Null));
     assert_eq!((&halves["found"], halves["certificate"].as_str().unwrap().len()), (&false.into(), 64));
 }
 

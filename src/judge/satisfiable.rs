@@ -1,16 +1,20 @@
 //! Hypotheses that hold somewhere, and claims that fail somewhere, where no point with rational coordinates was found.
 //!
-//! Contract: a point of [`point`] is returned only where the kernel accepted that such values exist. That of
-//! [`counterexample`] is a proposal, of which a certificate is still to be made.
+//! Contract: a point of [`point`] is returned only where the kernel accepted that such values exist, or where the hypotheses
+//! define families member by member ([`by_definition`]). That of [`counterexample`] is a proposal, of which a certificate is
+//! still to be made.
 //!
 //! Method: `exists x …: hypotheses` is a claim that the search for proofs takes, with roots as witnesses. A family that the
-//! hypotheses determine from its first member becomes a sequence, of which they are shown.
+//! hypotheses determine from its first member becomes a sequence, of which they are shown; one that they do not determine
+//! becomes a constant.
 
 use crate::certificate::{Certificate, Rule, Step};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::kernel::key;
-use crate::kernel::statement::{Statement, Substitution, compare, expr, names_in, names_in_prop, numeral, prop, sum};
+use crate::kernel::statement::{
+    Statement, Substitution, apply, compare, expr, name, names_in, names_in_prop, numeral, prop, sum,
+};
 use crate::prove;
 use crate::refute::catalogue::Limits;
 use crate::refute::outcome::Point;
@@ -123,12 +127,17 @@ fn by_recurrence(claim: &Claim, statement: &Statement, limits: &Limits) -> Optio
     let mut items = Vec::new();
     let mut point: Vec<(String, String)> =
         values.iter().map(|(n, value)| (n.clone(), print::expr(&literal(value)))).collect();
+    if let Some(first) = by_definition(&about, &families) {
+        point.extend(first.into_iter().map(|(member, value)| (member, print::expr(&value))));
+        return Some(Point { values: point });
+    }
     for family in &families {
         let initial = about.iter().find_map(|p| value_of(p, family)).unwrap_or_else(|| numeral(1));
-        let (index, step) = about.iter().find_map(|p| step_of(p, family))?;
+        let constant = || ("k".to_string(), apply(family, name("k")));
+        let (index, step) = about.iter().find_map(|p| step_of(p, family)).unwrap_or_else(constant);
         point.push((format!("{family}(0)"), print::expr(&initial)));
-        let name = |text: &str| Name { text: text.to_string(), span: Span::default() };
-        items.push(Item::Define { name: name(family), initial, index: name(&index), step, span: Span::default() });
+        let called = |text: &str| Name { text: text.to_string(), span: Span::default() };
+        items.push(Item::Define { name: called(family), initial, index: called(&index), step, span: Span::default() });
     }
     let goal = match about.as_slice() {
         [only] => only.clone(),
@@ -136,6 +145,99 @@ fn by_recurrence(claim: &Claim, statement: &Statement, limits: &Limits) -> Optio
     };
     prove::certificate(&alone(claim, items, goal), &[], limits).ok()?;
     Some(Point { values: point })
+}
+
+/// The first members of families, with values for them, if the hypotheses define all families and say nothing else of them.
+///
+/// Each is `u(c) = v` for a numeral c, v without families, or `for all k natural: u(k + d) = R`, one for each family, where
+/// c < d. R is made of numbers, k and members v(k + j), j < d, by sums, products and whole powers, so it has a value whenever
+/// these have. Then the hypotheses hold of some families: with what is not given among u(0) … u(d − 1) set to 1, recursion on
+/// the index defines every member by members of lower index.
+fn by_definition(about: &[Prop], families: &[String]) -> Option<Vec<(String, Expr)>> {
+    let mut orders: Vec<(&String, u32)> = Vec::new();
+    let mut first: Vec<(String, u32, Expr)> = Vec::new();
+    for p in about {
+        let PropKind::ForAll(bindings, body) = &p.kind else {
+            let (family, at, value) = equation(p).into_iter().find_map(|(a, b)| {
+                let (family, at) = member(a, families, None)?;
+                is_polynomial(b, &[], None).then(|| (family, at, b.clone()))
+            })?;
+            first.push((family, at, value));
+            continue;
+        };
+        let [Binding { names, natural: true, constraints, .. }] = bindings.as_slice() else { return None };
+        let ([(index, None)], true) = (names.as_slice(), constraints.is_empty()) else { return None };
+        let (family, order) = equation(body).into_iter().find_map(|(a, b)| {
+            let (family, order) = member(a, families, Some(&index.text))?;
+            is_polynomial(b, families, Some((&index.text, order))).then_some((family, order))
+        })?;
+        orders.push((families.iter().find(|f| **f == family)?, order));
+    }
+    let once = families.iter().all(|f| orders.iter().filter(|(g, _)| *g == f).count() == 1);
+    let mut values = Vec::new();
+    for (family, order) in orders {
+        for at in 0..order {
+            let mut given = first.iter().filter(|(f, c, _)| f == family && *c == at);
+            let value = given.next().map_or_else(|| numeral(1), |(_, _, value)| value.clone());
+            given.next().is_none().then(|| values.push((format!("{family}({at})"), value)))?;
+        }
+        first.iter().all(|(f, c, _)| f != family || *c < order).then_some(())?;
+    }
+    once.then_some(values)
+}
+
+/// Both readings of an equation: what is defined, and by what.
+fn equation(p: &Prop) -> Vec<(&Expr, &Expr)> {
+    match &p.kind {
+        PropKind::Compare(sides, relations) if *relations == [Relation::Equal] => {
+            vec![(&sides[0], &sides[1]), (&sides[1], &sides[0])]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// A member u(c), or u(k + c) for an index k, of one of the families: which, and c.
+fn member(e: &Expr, families: &[String], index: Option<&str>) -> Option<(String, u32)> {
+    let ExprKind::Apply(f, list) = &e.kind else { return None };
+    let ([at], true) = (list.as_slice(), families.contains(&f.text)) else { return None };
+    let number = |e: &Expr| match &e.kind {
+        ExprKind::Number(text) => text.parse::<u32>().ok().filter(|c| *c <= 8),
+        _ => None,
+    };
+    let is_index = |e: &Expr| matches!((&e.kind, index), (ExprKind::Name(n), Some(k)) if n == k);
+    let shift = match (&at.kind, index) {
+        (_, None) => number(at)?,
+        (_, Some(_)) if is_index(at) => 0,
+        (ExprKind::Sum(list), Some(_)) => match list.as_slice() {
+            [(Sign::Plus, k), (Sign::Plus, c)] if is_index(k) => number(c)?,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    Some((f.text.clone(), shift))
+}
+
+/// Whether an expression is made of numbers, the index and members below an index by sums, products and whole powers.
+fn is_polynomial(e: &Expr, families: &[String], index: Option<(&str, u32)>) -> bool {
+    let inner = |e: &Expr| is_polynomial(e, families, index);
+    match &e.kind {
+        ExprKind::Number(_) => true,
+        ExprKind::Name(n) => index.is_some_and(|(k, _)| k == n),
+        ExprKind::Apply(..) => {
+            index.is_some_and(|(k, order)| member(e, families, Some(k)).is_some_and(|(_, shift)| shift < order))
+        }
+        ExprKind::Negate(a) => inner(a),
+        ExprKind::Sum(list) => list.iter().all(|(_, e)| inner(e)),
+        ExprKind::Product(list) => list.iter().all(|(factor, e)| match (factor, &e.kind) {
+            (Factor::Times, _) => inner(e),
+            (Factor::Over, ExprKind::Number(text)) => text.parse::<u64>().is_ok_and(|d| d > 0),
+            _ => false,
+        }),
+        ExprKind::Power(a, b) => {
+            inner(a) && matches!(&b.kind, ExprKind::Number(k) if k.parse::<u32>().is_ok_and(|k| k > 0))
+        }
+        _ => false,
+    }
 }
 
 /// The families, if each is one of real numbers without bounds, for every natural number.
@@ -174,7 +276,7 @@ fn step_of(p: &Prop, family: &str) -> Option<(String, Expr)> {
     if !binding.natural || !binding.constraints.is_empty() {
         return None;
     }
-    let k = crate::kernel::statement::name(&index.text);
+    let k = name(&index.text);
     let next = sum(vec![(Sign::Plus, k), (Sign::Plus, numeral(1))]);
     let PropKind::Compare(sides, relations) = &body.kind else { return None };
     let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return None };

@@ -1,7 +1,9 @@
 //! Distinctions of cases, and conclusions of implications whose premises are seen.
 
 use super::facts::{is_settled, minus, opposite};
+use super::products::Kind;
 use super::{Fail, Prover, implies};
+use crate::algebra::{Monomial, Polynomial};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
@@ -60,7 +62,7 @@ impl Prover {
                 return done;
             }
         }
-        let mut cases: Vec<Prop> = Vec::new();
+        let (mut cases, mut sums): (Vec<Prop>, Vec<Prop>) = Default::default();
         let mut seen = BTreeSet::new();
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         for fact in list.iter().map(|f| &f.1).chain([goal]) {
@@ -79,11 +81,17 @@ impl Prover {
                 }
                 for v in f.poly.variables() {
                     let Some(e) = self.letters.expr(v).cloned() else { continue };
-                    if !matches!(e.kind, ExprKind::Name(_)) || !seen.insert(crate::kernel::key::expr(&e)) {
+                    let is_sum = matches!(e.kind, ExprKind::SumOver(..));
+                    let kind = is_sum || matches!(e.kind, ExprKind::Name(_));
+                    if !kind || !seen.insert(crate::kernel::key::expr(&e)) {
                         continue;
                     }
                     let signs = self.signs_of(&e);
-                    if !is_settled(signs) {
+                    if is_sum {
+                        if !is_settled(signs) && signs.within(Signs::NOT_NEGATIVE) {
+                            sums.push(compare(e, Relation::Equal, numeral(0)));
+                        }
+                    } else if !is_settled(signs) {
                         let natural = matches!(&e.kind, ExprKind::Name(n) if self.naturals.contains(n));
                         let relation = if natural || signs.within(Signs::NOT_NEGATIVE) {
                             Relation::Equal
@@ -100,12 +108,15 @@ impl Prover {
         }
         cases.truncate(4);
         cases.extend(self.orders(goal));
+        cases.extend(sums);
         for case in cases {
             let Some(other) = opposite(&case) else { continue };
             let done = self.attempt(|c| {
                 c.splits += 1;
-                let x = c.block(&implies(&case, goal), |c, _| {
+                let x = c.block(&implies(&case, goal), |c, block| {
+                    c.put_in(&format!("{block}s"));
                     c.solve_equations();
+                    c.put_in_zeros();
                     c.show(goal)
                 })?;
                 let y = c.block(&implies(&other, goal), |c, _| c.show(goal))?;
@@ -119,6 +130,75 @@ impl Prover {
         Err(Fail::NotShown(crate::claim::print::prop(goal)))
     }
 
+    /// Puts in 0 for each letter of which a fact says that its square is not positive.
+    fn put_in_zeros(&mut self) {
+        let list: Vec<(Label, Prop)> = self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
+        for (label, fact) in list {
+            let Some(known) = self.known_of(&label, &fact) else { continue };
+            let mut terms = known.poly.terms();
+            let (Some((m, c)), None) = (terms.next(), terms.next()) else { continue };
+            let [(v, k)] = *m.powers() else { continue };
+            if known.kind != Kind::Weak || *c > 0 || k % 2 == 1 {
+                continue;
+            }
+            let Some(e) = self.letters.expr(v).cloned() else { continue };
+            if let Ok(zero) = self.attempt(|c| {
+                c.splits = 8;
+                c.show(&compare(e, Relation::Equal, numeral(0)))
+            }) {
+                self.put_in(&zero);
+            }
+        }
+    }
+
+    /// Shows a comparison for each order of three variables, where these may change places.
+    pub fn by_order_of_three(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("three variables that may change places");
+        let PropKind::Compare(sides, _) = &goal.kind else { return Err(no()) };
+        let reading = self.read(&minus(&sides[0], &sides[1]), false).ok_or_else(no)?;
+        let [factor] = reading.factors.as_slice() else { return Err(no()) };
+        let [x, y, z] = factor.poly.variables()[..] else { return Err(no()) };
+        let turned = |p: &Polynomial| {
+            let mut out = Polynomial::zero();
+            for (m, c) in p.terms() {
+                let next = |v: u32| {
+                    if v == x {
+                        y
+                    } else if v == y {
+                        z
+                    } else {
+                        x
+                    }
+                };
+                let powers: Vec<(u32, u32)> = m.powers().iter().map(|(v, k)| (next(*v), *k)).collect();
+                out = out.add(&Polynomial::term(Monomial::new(&powers).ok()?, c.clone()));
+            }
+            Some(out)
+        };
+        if self.splits > 0 || turned(&factor.poly).as_ref() != Some(&factor.poly) {
+            return Err(no());
+        }
+        let names = [x, y, z].map(|v| self.letters.expr(v).cloned());
+        let [Some(x), Some(y), Some(z)] = names else { return Err(no()) };
+        let pairs = [(&x, &y), (&y, &z), (&x, &z)];
+        let cases = pairs.map(|(a, b)| compare(a.clone(), Relation::GreaterEqual, b.clone()));
+        self.attempt(|c| {
+            c.splits = 8;
+            let shown = c.in_cases(goal, &cases)?;
+            c.splits = 0;
+            Ok(shown)
+        })
+    }
+
+    /// Shows a goal where each of these holds or does not.
+    fn in_cases(&mut self, goal: &Prop, cases: &[Prop]) -> Result<Label, Fail> {
+        let Some((case, rest)) = cases.split_first() else { return self.show(goal) };
+        let other = opposite(case).ok_or(Fail::No("an opposite"))?;
+        let x = self.block(&implies(case, goal), |c, _| c.in_cases(goal, rest))?;
+        let y = self.block(&implies(&other, goal), |c, _| c.in_cases(goal, rest))?;
+        self.logic(&[&x, &y], goal)
+    }
+
     /// Cases by the order of two variables, and of a natural number and a small numeral.
     fn orders(&mut self, goal: &Prop) -> Vec<Prop> {
         let mut names = BTreeSet::new();
@@ -129,6 +209,7 @@ impl Prover {
         for (i, m) in naturals.iter().enumerate() {
             for n in naturals.iter().skip(i + 1) {
                 out.push(compare(variable(m), Relation::LessEqual, variable(n)));
+                out.push(compare(variable(n), Relation::LessEqual, variable(m)));
             }
             out.extend([1, 2, 3].map(|k| compare(variable(m), Relation::LessEqual, numeral(k))));
         }

@@ -2,7 +2,7 @@
 
 use super::facts::{is_settled, minus, opposite, sign_of};
 use super::letters::{as_power, natural, product, whole_power};
-use super::products::{Kind, Known, combination, completed_squares, contradiction, halves};
+use super::products::{Kind, Known, combination, completed_squares, contradiction, discriminant_forms, halves};
 use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
@@ -112,7 +112,13 @@ impl Prover {
         {
             return Ok(label);
         }
+        if !quiet && let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, *relation, b)) {
+            return Ok(label);
+        }
         if !quiet && let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
+            return Ok(label);
+        }
+        if !quiet && let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
             return Ok(label);
         }
         if !quiet && let Ok(label) = self.attempt(|c| c.by_slope(goal, a, *relation, b)) {
@@ -195,6 +201,9 @@ impl Prover {
         squares.extend(self.squares_written.iter().filter(|p| p.variables().iter().all(|v| near.contains(v))).cloned());
         squares.extend(roots.iter().filter(|m| !m.is_constant()).cloned());
         squares.extend(near.iter().map(|v| Polynomial::variable(*v)));
+        if level > 0 {
+            squares.extend(wanted.iter().flat_map(discriminant_forms));
+        }
         out.extend(squares.iter().map(|m| self.squared(m)));
         if level == 0 {
             return out;
@@ -245,6 +254,17 @@ impl Prover {
                     pairs.iter().filter(|p| p.poly.degree() + x.poly.degree() <= degree + 1).filter_map(|p| x.times(p)),
                 );
             }
+            // Two letters times the square of a difference of letters, as in an energy in the frame of the masses.
+            let letters: Vec<Polynomial> = near.iter().map(|v| Polynomial::variable(*v)).collect();
+            let differences = letters
+                .iter()
+                .enumerate()
+                .flat_map(|(i, x)| letters.iter().skip(i + 1).map(move |y| x.sub(y)).collect::<Vec<_>>());
+            let differences: Vec<Known> = differences.map(|d| self.squared(&d)).collect();
+            for pair in pairs.iter().filter(|p| p.poly.term_count() == 1 && p.poly.degree() + 2 == degree) {
+                let apart = |s: &&Known| s.poly.variables().iter().all(|v| !pair.poly.contains(*v));
+                out.extend(differences.iter().filter(apart).filter_map(|s| pair.times(s)));
+            }
             for x in signed.iter().take(8) {
                 out.extend(
                     squares
@@ -293,10 +313,13 @@ impl Prover {
     }
 
     /// The goal as a sum of products of what is known.
-    fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
+    pub fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let (a, b, relation) = (&sides[0], &sides[1], relations[0]);
-        let reading = self.read(&minus(a, b), true).ok_or(Fail::No("a difference"))?;
+        let mut reading = self.read(&minus(a, b), true).ok_or(Fail::No("a difference"))?;
+        if level > 0 {
+            reading = self.split(reading);
+        }
         // a − b = rest·poly, where the sign of rest is known.
         let mut poly = Polynomial::one();
         let mut signs = sign_of(&reading.number);
@@ -338,6 +361,11 @@ impl Prover {
         let mut columns = self.columns(std::slice::from_ref(&poly), level);
         if relation == Relation::Equal {
             columns.retain(|k| k.kind == Kind::Zero);
+            for known in columns.iter().filter(|k| k.order == 1) {
+                if let Ok(label) = self.attempt(|c| c.by_cofactor(goal, &poly, known, &rest)) {
+                    return Ok(label);
+                }
+            }
         }
         let strict = matches!(relation, Relation::Greater | Relation::Less);
         self.spend(&columns)?;
@@ -346,8 +374,41 @@ impl Prover {
         self.combination(goal.clone(), terms)
     }
 
+    /// An equation p = 0 from p·h = 0, where h is not 0: the quotient of something that is 0 by p in a variable of which p is
+    /// a linear form. Whether there is a remainder, the kernel tells: letters such as roots of numbers have powers.
+    fn by_cofactor(&mut self, goal: &Prop, p: &Polynomial, zero: &Known, rest: &[Expr]) -> Result<Label, Fail> {
+        for v in p.variables() {
+            let parts = p.coefficients_in(v);
+            let [constant, slope] = parts.as_slice() else { continue };
+            let (Some(slope), true) = (slope.as_constant(), zero.poly.degree_in(v) > 1) else { continue };
+            // Horner's scheme at v = −constant/slope.
+            let root = constant.scale(&-(Rational::ONE / &slope));
+            let mut quotient = Vec::new();
+            let mut carried = Polynomial::zero();
+            for c in zero.poly.coefficients_in(v).iter().rev() {
+                carried = carried.try_mul(&root).map_err(|_| Fail::No("a product"))?.add(c);
+                quotient.push(carried.clone());
+            }
+            quotient.pop();
+            quotient.reverse();
+            let cofactor = Polynomial::from_coefficients_in(v, &quotient).scale(&(Rational::ONE / &slope));
+            let e = self.letters.written(&cofactor);
+            if cofactor.is_constant() || !self.signs_of(&e).within(Signs::NOT_ZERO) {
+                continue;
+            }
+            let mut factors = rest.to_vec();
+            factors.push(whole_power(e, -1));
+            factors.extend(zero.factors.iter().cloned());
+            let term = Term { facts: zero.facts.clone(), factor: product(factors) };
+            if let Ok(label) = self.combination(goal.clone(), vec![term]) {
+                return Ok(label);
+            }
+        }
+        Err(Fail::No("a cofactor"))
+    }
+
     /// A contradiction among the facts and the opposite of the goal.
-    fn by_contradiction(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
+    pub fn by_contradiction(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
         let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
         let block = self.block(&implies(&other, goal), |c, _| {
             if level > 0 {

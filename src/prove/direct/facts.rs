@@ -4,6 +4,7 @@ use super::letters::{as_power, number, product, whole_power};
 use super::products::{Kind, Known};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
+use crate::algebra::factor::factor;
 use crate::certificate::{Label, Rule, Show};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
@@ -42,6 +43,16 @@ pub fn minus(a: &Expr, b: &Expr) -> Expr {
     expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]))
 }
 
+/// The largest polynomials that are factored.
+const FACTOR_TERMS: usize = 30;
+const FACTOR_DEGREE: u32 = 10;
+
+/// A number other than 0 to a whole power.
+fn power_of(base: &Rational, k: i64) -> Rational {
+    let base = if k < 0 { Rational::ONE / base } else { base.clone() };
+    (0..k.unsigned_abs()).fold(Rational::ONE, |all, _| all * &base)
+}
+
 impl Prover {
     /// An expression as the kernel reads it with the equations put in, and with the signs that it sees if wanted.
     pub fn read(&mut self, e: &Expr, signs: bool) -> Option<Reading> {
@@ -66,6 +77,25 @@ impl Prover {
         Some(Reading { number: number(&view.number)?, factors })
     }
 
+    /// The reading with its polynomials as products of their factors, where these are found.
+    pub fn split(&mut self, mut reading: Reading) -> Reading {
+        let mut factors = Vec::new();
+        for f in reading.factors {
+            let small = f.poly.term_count() <= FACTOR_TERMS && f.poly.degree() <= FACTOR_DEGREE;
+            match small.then(|| factor(&f.poly)) {
+                Some(Ok(found)) if found.factors.len() > 1 => {
+                    reading.number *= power_of(&found.unit, f.power);
+                    for (poly, k) in found.factors {
+                        let signs = self.signs_of(&self.letters.written(&poly));
+                        factors.push(Factored { poly, power: f.power * i64::from(k), signs });
+                    }
+                }
+                _ => factors.push(f),
+            }
+        }
+        Reading { number: reading.number, factors }
+    }
+
     /// The signs that an expression may have, as far as the kernel sees.
     pub fn signs_of(&mut self, e: &Expr) -> Signs {
         let Some(reading) = self.read(e, true) else { return Signs::ANY };
@@ -88,7 +118,7 @@ impl Prover {
         let reading = match self.readings.get(&at) {
             Some(reading) => reading.clone(),
             None => {
-                let reading = self.read(&minus(a, b), false);
+                let reading = self.read(&minus(a, b), false).map(|r| self.split(r));
                 self.readings.insert(at, reading.clone());
                 reading
             }

@@ -18,16 +18,13 @@ impl Prover {
         match &goal.kind {
             PropKind::Compare(_, relations) if relations.len() == 1 => match self.attempt(|c| c.comparison(goal)) {
                 Ok(label) => Ok(label),
-                Err(first) => match self.by_induction(goal) {
-                    Ok(label) => Ok(label),
-                    Err(_) if self.splits >= 3 => Err(first),
-                    Err(_) => self.by_cases(goal).map_err(|_| first),
-                },
+                Err(first) => self.without_products(goal).map_err(|_| first),
             },
             PropKind::Compare(sides, relations) => {
                 let pairs = sides.windows(2).zip(relations);
                 let parts: Vec<Prop> = pairs.map(|(p, r)| compare(p[0].clone(), *r, p[1].clone())).collect();
-                self.show_all(goal, &parts)
+                // Bounds on both sides may carry each other through an induction.
+                self.by_induction(goal).or_else(|_| self.show_all(goal, &parts))
             }
             PropKind::And(parts) => self.show_all(goal, parts),
             PropKind::Or(parts) => self.show_or(goal, parts),
@@ -56,7 +53,7 @@ impl Prover {
             }
             PropKind::ForAll(_, body) => match self.attempt(|c| c.block(goal, |c, _| c.show(body))) {
                 Ok(label) => Ok(label),
-                Err(first) => self.all_by_induction(goal).map_err(|_| first),
+                Err(first) => self.all_by_induction(goal, 0).map_err(|_| first),
             },
             PropKind::Exists(bindings, body) => {
                 let point: Vec<(String, Expr)> = match example(bindings, body, None) {
@@ -81,6 +78,21 @@ impl Prover {
             PropKind::Extremum(e) => self.extremum(goal, e),
             PropKind::Limit(l) => self.limit(goal, l),
         }
+    }
+
+    /// By induction or by cases. Within an induction cases come first: its step has the hypothesis at hand.
+    fn without_products(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if self.inductions == 0
+            && let Ok(label) = self.by_induction(goal)
+        {
+            return Ok(label);
+        }
+        if self.splits < 3
+            && let Ok(label) = self.by_order_of_three(goal).or_else(|_| self.by_cases(goal))
+        {
+            return Ok(label);
+        }
+        if self.inductions > 0 { self.by_induction(goal) } else { Err(Fail::No("cases")) }
     }
 
     fn show_all(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {

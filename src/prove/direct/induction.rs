@@ -18,23 +18,27 @@ impl Prover {
         let candidates: Vec<String> =
             self.naturals.iter().rev().filter(|n| names.contains(*n) && is_bound_within(goal, n)).cloned().collect();
         for variable in candidates {
-            let done = self.attempt(|c| {
-                c.inductions += 1;
-                let base = c.least(&variable);
-                let fresh = c.fresh("k");
-                let body = put(goal, &variable, &name(&fresh))?;
-                let both = match c.attempt(|c| c.induction(&fresh, base, &body)) {
-                    Ok(every) => return c.closed(&every, &variable),
-                    Err(first) if !c.looks_back() => return Err(first),
-                    Err(_) => prop(PropKind::And(vec![body.clone(), at_next(&body, &fresh)?])),
-                };
-                // Where members are told by the two before, two neighbours are shown together.
-                let every = c.induction(&fresh, base, &both)?;
-                let pair = c.closed(&every, &variable)?;
-                c.logic(&[&pair], goal)
+            // Without cases first: most steps need none, and where two neighbours are needed cases of one lead nowhere.
+            let done = [3, 0].into_iter().find_map(|splits| {
+                self.attempt(|c| {
+                    c.inductions += 1;
+                    let base = c.least(&variable);
+                    let fresh = c.fresh("k");
+                    let body = put(goal, &variable, &name(&fresh))?;
+                    let both = match c.attempt(|c| c.induction(&fresh, base, &body, splits)) {
+                        Ok(every) => return c.closed(&every, &variable),
+                        Err(first) if !c.looks_back() => return Err(first),
+                        Err(_) => prop(PropKind::And(vec![body.clone(), at_next(&body, &fresh)?])),
+                    };
+                    // Where members are told by the two before, two neighbours are shown together.
+                    let every = c.induction(&fresh, base, &both, splits)?;
+                    let pair = c.closed(&every, &variable)?;
+                    c.logic(&[&pair], goal)
+                })
+                .ok()
             });
-            if done.is_ok() {
-                return done;
+            if let Some(label) = done {
+                return Ok(label);
             }
         }
         Err(Fail::No("induction"))
@@ -51,8 +55,8 @@ impl Prover {
         self.checker.facts().any(|(_, p)| matches!(p.kind, PropKind::ForAll(..)))
     }
 
-    /// Shows a statement for all natural numbers by induction.
-    pub fn all_by_induction(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    /// Shows a statement for all natural numbers by induction. Its step may distinguish cases where `splits` is less than 3.
+    pub fn all_by_induction(&mut self, goal: &Prop, splits: usize) -> Result<Label, Fail> {
         let PropKind::ForAll(bindings, body) = &goal.kind else { return Err(Fail::No("a statement for all values")) };
         let ([binding], true) = (bindings.as_slice(), self.inductions < 2 && self.splits == 0) else {
             return Err(Fail::No("induction"));
@@ -67,7 +71,7 @@ impl Prover {
         };
         self.attempt(|c| {
             c.inductions += 1;
-            let label = c.induction(&variable.text, base, body)?;
+            let label = c.induction(&variable.text, base, body, splits)?;
             c.inductions -= 1;
             Ok(label)
         })
@@ -88,7 +92,7 @@ impl Prover {
         bounds.max().filter(|k| *k > 0)
     }
 
-    fn induction(&mut self, variable: &str, base: Option<u32>, body: &Prop) -> Result<Label, Fail> {
+    fn induction(&mut self, variable: &str, base: Option<u32>, body: &Prop, splits: usize) -> Result<Label, Fail> {
         let first = numeral(base.unwrap_or(0));
         let at_base = put(body, variable, &first)?;
         let start = self.attempt(|c| {
@@ -108,7 +112,10 @@ impl Prover {
         let advance = self.block(&every(step.clone()), |c, _| {
             c.block(&step, |c, _| {
                 let PropKind::Implies(_, next) = &step.kind else { return Err(Fail::No("a step")) };
-                c.show(next)
+                let before = std::mem::replace(&mut c.splits, splits);
+                let shown = c.show(next);
+                c.splits = before;
+                shown
             })
         })?;
         self.emit(Rule::Induction { base: start, advance }, every(body.clone()))

@@ -45,14 +45,20 @@ impl Prover {
             members_in(e, &mut members);
             open.extend(members.into_iter().filter_map(|(f, e)| Some((f, self.letters.polynomial(&e)?))));
         }
-        for _ in 0..3 {
+        // Members at numerals lead back to the first ones.
+        for round in 0..12 {
             let mut next = Vec::new();
             for (label, variable, members) in &facts {
                 let v = self.letters.of(&crate::kernel::statement::name(&variable.text));
-                for (f, t) in &open {
+                let shift_of = |at: &Polynomial| at.sub(&Polynomial::variable(v));
+                let top = members.iter().filter_map(|(_, at)| shift_of(at).as_constant()).max();
+                for (f, t) in open.iter().filter(|(_, t)| round < 3 || t.is_constant()) {
                     for (g, at) in members {
                         // at = k + c: the index that makes it t is t − c.
-                        let shift = at.sub(&Polynomial::variable(v));
+                        let shift = shift_of(at);
+                        if round > 0 && t.is_constant() && shift.as_constant() != top {
+                            continue;
+                        }
                         let index = t.sub(&shift);
                         if f != g || shift.contains(v) || index.contains(v) || done.len() > 24 {
                             continue;

@@ -6,6 +6,7 @@ use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
 use crate::kernel::statement::{Substitution, compare, expr, name, names_in, numeral, prop};
 use std::collections::BTreeSet;
 
@@ -19,7 +20,8 @@ pub fn over(a: Expr, b: Expr) -> Expr {
     expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]))
 }
 
-fn holds(e: &Expr, variable: &str) -> bool {
+/// Whether a name stands in an expression.
+pub fn holds(e: &Expr, variable: &str) -> bool {
     let mut names = BTreeSet::new();
     names_in(e, &mut names);
     names.contains(variable)
@@ -55,10 +57,19 @@ impl Prover {
 
     fn squeezed(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let n = name(&l.variable.text);
+        if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_compound(goal, l)) {
+            return Ok(label);
+        }
         if self.naturals.contains(&l.variable.text)
             && let Ok(geometric) = self.geometric(l)
             && let Ok(label) = self.attempt(|c| c.by_ratio(goal, l, &geometric))
         {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_absolute_value(goal, l)) {
             return Ok(label);
         }
         let next = plus(&n, numeral(1));
@@ -67,21 +78,30 @@ impl Prover {
         let above = |k: u32| plus(&l.value, falling(k));
         // Where a first value and the limit tell all: value + (first − value)·g(n).
         for closed in self.closed_forms(l) {
-            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[])) {
+            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[], 1)) {
                 return Ok(label);
             }
         }
-        for (lower, upper) in [
-            (l.value.clone(), above(1)),
-            (minus(1), l.value.clone()),
-            (l.value.clone(), above(4)),
-            (minus(4), l.value.clone()),
+        // From 4 on a power of 2 is at least a square.
+        for (lower, upper, least) in [
+            (l.value.clone(), above(1), 1),
+            (minus(1), l.value.clone(), 1),
+            (l.value.clone(), above(4), 1),
+            (minus(4), l.value.clone(), 1),
+            (l.value.clone(), above(4), 4),
+            (minus(4), l.value.clone(), 4),
         ] {
-            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&lower, &upper), &[])) {
+            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&lower, &upper), &[], least)) {
                 return Ok(label);
             }
         }
         Err(Fail::No("a squeeze"))
+    }
+
+    /// The limit of what stands there with its sums in closed form.
+    fn by_closed_sums(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let (closed, facts) = self.with_closed_sums(&l.of, &l.variable.text)?;
+        self.between(goal, l, (&closed, &closed), &facts, 1)
     }
 
     /// The values that a sum has if it is value + (first − value)·g(n), for g that occur or fall like 1/(n + 1).
@@ -210,10 +230,12 @@ impl Prover {
         self.show(&divisor)?;
         let n = name(&l.variable.text);
         let falling = plus(&g.constant, product(vec![g.slope.clone(), over(r.clone(), room(&n))]));
-        let pairs = [(g.constant.clone(), falling.clone()), (falling, g.constant.clone())];
+        let signs = self.signs_of(&g.slope);
+        let mut pairs = vec![(g.constant.clone(), falling.clone()), (falling, g.constant.clone())];
+        pairs.truncate(if signs.within(Signs::NOT_NEGATIVE) { 1 } else { 2 });
         let mut last = Err(Fail::No("a squeeze"));
-        for (lower, upper) in pairs {
-            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), std::slice::from_ref(&bound)));
+        for (lower, upper) in pairs.into_iter().skip(usize::from(signs.within(Signs::of(Relation::LessEqual)))) {
+            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), std::slice::from_ref(&bound), 1));
             if last.is_ok() {
                 break;
             }
@@ -221,26 +243,63 @@ impl Prover {
         last
     }
 
-    fn between(
+    /// r^n → 0 for r between −1 and 1: it lies between −q^n and q^n for q = (1 + r²)/2, which is at least |r| and less than 1.
+    fn by_absolute_value(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let no = || Fail::No("a power of what is between -1 and 1");
+        let (r, n) = super::letters::as_power(&l.of).ok_or_else(no)?;
+        if natural(&l.value) != Some(0) || !matches!(&n.kind, ExprKind::Name(n) if *n == l.variable.text) {
+            return Err(no());
+        }
+        // The mean gets a name, so that its powers are powers of one letter.
+        let mean = over(plus(&numeral(1), whole_power(r.clone(), 2)), numeral(2));
+        let q = name(&self.fresh("q"));
+        let named = compare(mean, Relation::Equal, q.clone());
+        let label = self.emit(Rule::Name, named.clone())?;
+        self.take_in(&label, &named)?;
+        for bound in [compare(q.clone(), Relation::Greater, numeral(0)), compare(q.clone(), Relation::Less, numeral(1))]
+        {
+            self.show(&bound)?;
+        }
+        let k = self.fresh("k");
+        let power = |base: &Expr, at: &Expr| expr(ExprKind::Power(Box::new(base.clone()), Box::new(at.clone())));
+        let minus = |e: Expr| expr(ExprKind::Negate(Box::new(e)));
+        let upper = power(&q, &n);
+        let lower = minus(upper.clone());
+        let inside = prop(PropKind::Compare(
+            vec![minus(power(&q, &name(&k))), power(&r, &name(&k)), power(&q, &name(&k))],
+            vec![Relation::LessEqual; 2],
+        ));
+        let every = prop(PropKind::ForAll(vec![natural_binding(&k)], Box::new(inside)));
+        let splits = std::mem::replace(&mut self.splits, 0);
+        let shown = self.all_by_induction(&every, 0);
+        self.splits = splits;
+        self.between(goal, l, (&lower, &upper), &[shown?], 1)
+    }
+
+    /// `k >= least`, of the kind of the variable that grows.
+    pub fn growing_from(&self, least: u32, l: &Limit, k: &str) -> Binding {
+        Binding {
+            natural: self.naturals.contains(&l.variable.text),
+            constraints: vec![Constraint::Relation(Relation::GreaterEqual, numeral(least))],
+            ..natural_binding(k)
+        }
+    }
+
+    /// A limit between two expressions with the same limit, as the facts tell for every value from `least` on.
+    pub fn between(
         &mut self,
         goal: &Prop,
         l: &Limit,
         (lower, upper): (&Expr, &Expr),
         facts: &[Label],
+        least: u32,
     ) -> Result<Label, Fail> {
         let mut from = Vec::new();
         let k = self.fresh("k");
-        let is_natural = self.naturals.contains(&l.variable.text);
         let mut map = Substitution::default();
         map.replace(&l.variable.text, &name(&k));
         let at = |e: &Expr| map.expr(e).map_err(Fail::from);
-        let binding = Binding {
-            names: vec![(Name { text: k.clone(), span: Span::default() }, None)],
-            natural: is_natural,
-            constraints: vec![Constraint::Relation(Relation::GreaterEqual, numeral(1))],
-            indices: None,
-            span: Span::default(),
-        };
+        let binding = self.growing_from(least, l, &k);
         let mut limits = Vec::new();
         for bound in [lower, upper] {
             let same = prop(PropKind::Limit(Box::new(Limit { of: bound.clone(), ..l.clone() })));
@@ -257,7 +316,8 @@ impl Prover {
             } else {
                 self.block(&every, |c, _| {
                     for fact in facts {
-                        c.instance(fact, &name(&k))?;
+                        let here = c.instance(fact, &name(&k))?;
+                        c.put_in(&here);
                     }
                     c.show(&body)
                 })
@@ -270,7 +330,8 @@ impl Prover {
     }
 }
 
-fn natural_binding(variable: &str) -> Binding {
+/// `k natural`.
+pub fn natural_binding(variable: &str) -> Binding {
     Binding {
         names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
         natural: true,
@@ -281,7 +342,7 @@ fn natural_binding(variable: &str) -> Binding {
 }
 
 /// The bases of powers whose exponent is this name.
-fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
+pub fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
     match &e.kind {
         ExprKind::Power(base, exponent) => {
             if matches!(&exponent.kind, ExprKind::Name(n) if n == index) && !holds(base, index) {

@@ -10,6 +10,7 @@
 
 mod cases;
 mod comparison;
+mod compound;
 mod facts;
 mod goals;
 mod induction;
@@ -22,13 +23,15 @@ mod products;
 mod slopes;
 mod solutions;
 mod squares;
+mod sums;
 mod tangents;
 #[cfg(test)]
 mod tests;
 mod values;
 
 use super::Fail;
-use crate::algebra::Instant;
+use super::brief::looked_at;
+use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::{Claim, Expr, Prop, PropKind};
 use crate::kernel::statement::{Substitution, prop};
@@ -38,7 +41,7 @@ use letters::Letters;
 use std::collections::{BTreeSet, HashMap};
 
 /// How many steps are tried for one claim.
-const TRIES: usize = 1_000;
+const TRIES: usize = 2_000;
 
 /// How large all linear programs of one claim are together: columns times entries.
 const PROGRAMS: usize = 3_000_000;
@@ -70,8 +73,9 @@ pub fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Cer
         failed: BTreeSet::new(),
         squares_written: Vec::new(),
         roots: Vec::new(),
-        deadline: Instant::now().checked_add(limits.time),
+        deadline: Moment::now().checked_add(limits.time),
         tries: 0,
+        most_tries: limits.steps.div_ceil(super::STEPS_OF_A_TRY).min(TRIES),
         spent: 0,
         splits: 0,
         inductions: 0,
@@ -89,8 +93,7 @@ pub fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Cer
     }
     let digest = crate::certificate::text::digest(&statement.text());
     let whole = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: prover.steps };
-    let written = super::elaborate::swept::swept(whole);
-    super::accepted(claim, &written, cited)
+    super::accepted(claim, whole, cited, limits)
 }
 
 /// The state of the search.
@@ -117,8 +120,9 @@ pub(super) struct Prover {
     squares_written: Vec<crate::algebra::Polynomial>,
     /// Roots of numbers that facts were made of.
     roots: Vec<Expr>,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
     tries: usize,
+    most_tries: usize,
     /// The size of all linear programs so far.
     spent: usize,
     /// How many distinctions of cases are open.
@@ -134,10 +138,10 @@ pub(super) struct Prover {
 impl Prover {
     fn tick(&mut self) -> Result<(), Fail> {
         self.tries += 1;
-        if self.deadline.is_some_and(|deadline| Instant::now() > deadline) {
+        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
             return Err(Fail::Limit("time"));
         }
-        if self.tries > TRIES { Err(Fail::Limit("tries")) } else { Ok(()) }
+        if self.tries > self.most_tries { Err(Fail::Limit("tries")) } else { Ok(()) }
     }
 
     /// Takes a step with no more citations than the kernel asks for, if the kernel takes it; returns its label.
@@ -146,17 +150,11 @@ impl Prover {
         let by = self.signs();
         let show =
             Show { label: format!("{}", self.counter + 1), rule, prop: shown, by, using: self.equations.clone() };
-        let used = match self.checker.used(&show) {
-            Ok(used) => Ok((show, used)),
-            Err(refusal) if show.using.is_empty() => Err(refusal),
-            Err(_) => {
-                let plain = Show { using: Vec::new(), ..show };
-                self.checker.used(&plain).map(|used| (plain, used))
-            }
+        let show = match looked_at(&mut self.checker, show.clone()) {
+            Err(_) if !show.using.is_empty() => looked_at(&mut self.checker, Show { using: Vec::new(), ..show }),
+            other => other,
         };
-        let (show, used) = used.map_err(Fail::from)?;
-        let short = Show { by: used.by, using: used.using, ..show.clone() };
-        let show = if self.checker.used(&short).is_ok() { short } else { show };
+        let show = show.map_err(Fail::from)?;
         let label = show.label.clone();
         let step = Step::Show(Box::new(show));
         self.checker.step(&step).map_err(Fail::from)?;

@@ -188,3 +188,16 @@ pub fn completed_squares(p: &Polynomial) -> Vec<Polynomial> {
     }
     out
 }
+
+/// Forms whose squares show the sign of a polynomial that is quadratic in a variable: of L·v² + M·v + N, 2·L·v + M, since
+/// 4·L·(L·v² + M·v + N) = (2·L·v + M)² + (4·L·N − M²).
+pub fn discriminant_forms(p: &Polynomial) -> Vec<Polynomial> {
+    let of = |v: u32| match p.coefficients_in(v).as_slice() {
+        [_, linear, lead] if !linear.is_zero() => {
+            let lead = lead.mul(&Polynomial::variable(v));
+            Some(lead.scale(&Rational::from(2)).add(linear)).filter(|form| form.term_count() <= 6)
+        }
+        _ => None,
+    };
+    p.variables().into_iter().filter_map(of).take(4).collect()
+}

@@ -3,7 +3,7 @@
 use super::facts::{is_settled, minus};
 use super::letters::whole_power;
 use super::{Fail, Prover, implies};
-use crate::algebra::Instant;
+use crate::algebra::Moment;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
@@ -201,7 +201,7 @@ impl Prover {
         [a, b]: [&Expr; 2],
     ) -> Result<Label, Fail> {
         self.slopes += 1;
-        if self.slopes > SLOPES || self.deadline.is_some_and(|d| Instant::now() > d) {
+        if self.slopes > SLOPES || self.deadline.is_some_and(|d| Moment::now() > d) {
             return Err(Fail::Limit("slopes"));
         }
         let word = |text: &str| Name { text: text.to_string(), span: Span::default() };

@@ -93,7 +93,7 @@ impl Prover {
     }
 
     /// `1 + x <= exp(x)`, strict where x is seen to be other than 0.
-    fn tangent_at(&mut self, x: &Expr) -> Result<Label, Fail> {
+    pub fn tangent_at(&mut self, x: &Expr) -> Result<Label, Fail> {
         self.define(x);
         let other = compare(x.clone(), Relation::NotEqual, numeral(0));
         let strict =
