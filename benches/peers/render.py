@@ -10,7 +10,7 @@ from tools import CERTIFIED, EXACT, PLAIN, PROOF, TITLES
 SHOWN = {
     "J3": [f"{what}/{count}" for what in ("eta", "L_7") for count in DIGITS],
     "J4": ["equal/1", "equal/12", "above/6", "below/1", "below/3", "below/6", "below/12", "far/12"],
-    "J5": ["1", "2", "3", "4", "6", "8", "12", "16", "20", "24"],
+    "J5": ["1", "2", "3", "4", "5", "6", "7", "8"],
     "J6": [f"last/{10**k}" for k in range(2, 7)] + ["all/1000"],
 }
 # What the chart shows of each job.
