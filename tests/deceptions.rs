@@ -26,7 +26,7 @@ fn claims(text: &str) -> Vec<String> {
 
 #[test]
 fn no_deception_succeeds() {
-    let limits = Limits { time: Duration::from_secs(2), ..Limits::default() };
+    let limits = Limits { time: Duration::from_secs(1), ..Limits::default() };
     let (mut count, mut truths, mut wrong) = (0, 0, Vec::new());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/deceptions");
     for entry in fs::read_dir(folder).unwrap() {
@@ -65,7 +65,7 @@ fn no_truth_is_refuted() {
     let names: Vec<String> = claims(&text).iter().map(|c| c.split_whitespace().nth(1).unwrap().to_owned()).collect();
     assert!(names.len() >= 10);
     let catalogue = Catalogue::new(parse(&text).unwrap()).unwrap();
-    let limits = Limits { time: Duration::from_secs(2), ..Limits::default() };
+    let limits = Limits { time: Duration::from_secs(1), ..Limits::default() };
     for name in names {
         let verdict = outcome_of(&catalogue, &name, &limits).unwrap().verdict;
         assert!(verdict != Verdict::Refuted, "{name}");
@@ -81,7 +81,7 @@ fn hostile_files_end() {
 }
 
 fn end_with_a_verdict() {
-    let limits = Limits { time: Duration::from_secs(2), ..Limits::default() };
+    let limits = Limits { time: Duration::from_secs(1), ..Limits::default() };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hostile");
     let mut count = 0;
     for entry in fs::read_dir(folder).unwrap() {

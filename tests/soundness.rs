@@ -161,7 +161,7 @@ fn no_changed_statement_that_is_false_somewhere_is_proved() {
     // The catalogue has more places than a test run has time: every claim gives its share.
     let share = match std::env::var("CAROM_MUTANTS") {
         Ok(share) => share.parse().expect("CAROM_MUTANTS is a number"),
-        Err(_) => 3,
+        Err(_) => 2,
     };
     let hand = AtHand::embedded();
     let next = std::sync::atomic::AtomicUsize::new(0);
@@ -205,7 +205,7 @@ fn judge_mutants(claim: &Claim, all: &[Claim], hand: &AtHand, share: usize, tall
         gone.push(more.name.text.clone());
     }
     let rest: Vec<Claim> = all.iter().filter(|c| !gone.contains(&c.name.text)).cloned().collect();
-    let limits = Limits { steps: 30_000, time: std::time::Duration::from_secs(2) };
+    let limits = Limits { steps: 30_000, time: std::time::Duration::from_secs(1) };
     let settings = Settings { limits, ..Settings::default() };
     for (place, mutant) in list.into_iter().enumerate().filter(|(i, _)| i % step == 0) {
         let catalogue = Catalogue::new(rest.iter().cloned().chain([mutant.clone()]).collect());

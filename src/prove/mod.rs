@@ -1,6 +1,6 @@
 //! The search for proofs: steps of a draft, written as a certificate that the kernel accepts.
 //!
-//! Contract: [`certificate`] returns a certificate that the kernel accepted, or says where it got stuck. Nothing here is
+//! Contract: [`certificate()`] returns a certificate that the kernel accepted, or says where it got stuck. Nothing here is
 //! trusted: a wrong step is rejected by the kernel, and `carom check` reads the text and checks it from nothing.
 //!
 //! Method: the claim's own argument is followed, and where it leads nowhere the goal is shown without it. What is shown
