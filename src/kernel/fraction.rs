@@ -245,12 +245,22 @@ impl Fraction {
 
     /// The polynomial; a fraction with denominators is none.
     pub fn expanded(&self, work: &Work) -> Result<Poly, Refusal> {
-        let mut out = Poly::constant(self.coefficient.clone());
+        // The atoms make one monomial; what has several terms is multiplied out.
+        let mut monomial = Monomial::new();
+        let mut others = Vec::new();
         for (poly, k) in &self.factors {
             if *k < 0 || *k > EXPONENT_LIMIT {
                 return rejected(Reason::NotAPolynomial);
             }
-            for _ in 0..*k {
+            match (poly.single_atom(), u32::try_from(*k)) {
+                (Some(atom), Ok(k)) if k > 0 => monomial.push((atom, k)),
+                _ => others.push((poly, *k)),
+            }
+        }
+        work.count(monomial.len())?;
+        let mut out = Poly::term(monomial, self.coefficient.clone());
+        for (poly, k) in others {
+            for _ in 0..k {
                 out = out.times(poly, work)?;
             }
         }

@@ -81,6 +81,12 @@ impl Poly {
         Poly(Arc::new(vec![(vec![(atom, 1)], BigRational::one())]))
     }
 
+    /// A number times powers of atoms, no atom twice.
+    pub fn term(mut monomial: Monomial, c: BigRational) -> Poly {
+        monomial.sort_unstable();
+        Poly(Arc::new(if c.is_zero() { Vec::new() } else { vec![(monomial, c)] }))
+    }
+
     /// The polynomial with these terms: no monomial twice, no coefficient 0.
     pub(super) fn of_different(terms: impl Iterator<Item = (Monomial, BigRational)>) -> Poly {
         let mut terms: Vec<(Monomial, BigRational)> = terms.collect();
