@@ -80,8 +80,13 @@ impl Prover {
         }
     }
 
-    /// By induction or by cases. Within an induction cases come first: its step has the hypothesis at hand.
+    /// By cases or by induction. Within an induction cases come first: its step has the hypothesis at hand.
     fn without_products(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if self.splits < 3
+            && let Ok(label) = self.by_absolute_values(goal)
+        {
+            return Ok(label);
+        }
         if self.inductions == 0
             && let Ok(label) = self.by_induction(goal)
         {

@@ -8,6 +8,7 @@
 //! of these that add up to the goal, or to a contradiction with its opposite (`products`). Where that fails, cases are
 //! distinguished and induction is tried.
 
+mod absolute;
 mod cases;
 mod comparison;
 mod compound;

@@ -39,6 +39,15 @@ fn roots_are_known_by_their_powers_and_bounds() {
 }
 
 #[test]
+fn absolute_values_are_told_by_signs() {
+    all_are_shown(&[
+        "given x, y real\nprove |x + y| <= |x| + |y|",
+        "given a, b real\nprove |a - b| = max(a, b) - min(a, b)",
+        "given x real;  r in (0, 1)\nprove |r*x| <= |x|",
+    ]);
+}
+
+#[test]
 fn induction_needs_no_hint() {
     all_are_shown(&[
         "given n natural >= 1\nprove sum(i = 1..n, i^2) = n*(n + 1)*(2*n + 1)/6",

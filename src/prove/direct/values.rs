@@ -351,7 +351,7 @@ impl Prover {
 }
 
 /// The d-th root of a positive number, rounded down to six places, and whether it is exact.
-fn root_of(q: &Rational, d: i64) -> Option<(Rational, bool)> {
+pub fn root_of(q: &Rational, d: i64) -> Option<(Rational, bool)> {
     let (n, m) = (i64::try_from(q.numerator_ref()).ok()?, i64::try_from(q.denominator_ref()).ok()?);
     if *q <= 0 {
         return None;

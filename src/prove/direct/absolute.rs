@@ -1,0 +1,140 @@
+//! Absolute values, and so least and greatest: roots of squares, by the signs of what is squared.
+//!
+//! Method: sqrt(q^2) is q where q >= 0 and −q elsewhere. Cases of the signs of the factors of q are distinguished until that is
+//! settled, for the innermost absolute value first, and each is put in.
+
+use super::facts::{minus, opposite};
+use super::letters::{product, whole_power};
+use super::values::root_of;
+use super::{Fail, Prover, implies};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::key;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, numeral};
+use crate::refute::search::literal;
+
+/// How many signs are distinguished along one branch.
+const DEPTH: usize = 6;
+
+/// An absolute value: the letter sqrt(q^2), and q as a number times powers of polynomials.
+struct Absolute {
+    root: Expr,
+    number: Expr,
+    factors: Vec<(Expr, i64)>,
+}
+
+impl Absolute {
+    fn inside(&self) -> Expr {
+        let powers = self.factors.iter().map(|(f, k)| whole_power(f.clone(), *k));
+        product(std::iter::once(self.number.clone()).chain(powers).collect())
+    }
+}
+
+impl Prover {
+    /// Shows a comparison in which absolute values stand.
+    pub fn by_absolute_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if self.next_absolute(goal, &[]).is_none() {
+            return Err(Fail::No("an absolute value"));
+        }
+        self.attempt(|c| {
+            let splits = std::mem::replace(&mut c.splits, 8);
+            let shown = c.in_signs(goal, &mut Vec::new(), 0);
+            c.splits = splits;
+            shown
+        })
+    }
+
+    /// Shows a goal where the signs of some absolute values are told; `known` holds the keys of those.
+    fn in_signs(&mut self, goal: &Prop, known: &mut Vec<String>, depth: usize) -> Result<Label, Fail> {
+        let Some(found) = self.next_absolute(goal, known) else { return self.show(goal) };
+        let settled = |s: Signs| s.within(Signs::NOT_NEGATIVE) || s.within(Signs::of(Relation::LessEqual));
+        let mut negative = false;
+        for (factor, k) in &found.factors {
+            let signs = self.signs_of(factor);
+            if k % 2 == 0 || signs.within(Signs::NOT_NEGATIVE) {
+                continue;
+            }
+            if settled(signs) {
+                negative = !negative;
+                continue;
+            }
+            if depth >= DEPTH {
+                return Err(Fail::Limit("cases"));
+            }
+            let case = compare(factor.clone(), Relation::GreaterEqual, numeral(0));
+            let other = opposite(&case).ok_or(Fail::No("an opposite"))?;
+            let length = known.len();
+            let mut branch = |c: &mut Self, case: &Prop| {
+                let shown = c.block(&implies(case, goal), |c, _| c.in_signs(goal, known, depth + 1));
+                known.truncate(length);
+                shown
+            };
+            let x = branch(self, &case)?;
+            let y = branch(self, &other)?;
+            return self.logic(&[&x, &y], goal);
+        }
+        let inside = found.inside();
+        let value = if negative { expr(ExprKind::Negate(Box::new(inside))) } else { inside };
+        let equal = compare(found.root.clone(), Relation::Equal, value);
+        let shown = self.emit(Rule::Power, equal.clone()).or_else(|_| {
+            // (root − q)·(root + q) = 0, of which the first factor is positive where q is negative.
+            let apart = compare(minus(&found.root, &found.inside()), Relation::Greater, numeral(0));
+            let below = match found.factors.as_slice() {
+                [(factor, 1)] => self.known(&compare(factor.clone(), Relation::Less, numeral(0))),
+                _ => None,
+            };
+            if let Some(label) = below {
+                let number = expr(ExprKind::Negate(Box::new(found.number.clone())));
+                let root = Term { facts: Vec::new(), factor: found.root.clone() };
+                let _ = self.combination(apart, vec![Term { facts: vec![label], factor: number }, root]);
+            }
+            self.quietly(&equal)
+        })?;
+        self.put_in(&shown);
+        known.push(key::expr(&found.root));
+        self.in_signs(goal, known, depth)
+    }
+
+    /// The innermost absolute value of the goal, or else of the facts, that is not among the known ones.
+    fn next_absolute(&mut self, goal: &Prop, known: &[String]) -> Option<Absolute> {
+        let facts: Vec<Prop> = self.checker.facts().map(|(_, p)| p.clone()).collect();
+        for p in std::iter::once(goal).chain(&facts) {
+            let PropKind::Compare(sides, relations) = &p.kind else { continue };
+            let ([a, b], [_]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some(reading) = self.read(&minus(a, b), false) else { continue };
+            for f in &reading.factors {
+                if let Some(found) = self.absolute_in(&f.poly, known) {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    fn absolute_in(&mut self, poly: &Polynomial, known: &[String]) -> Option<Absolute> {
+        for v in poly.variables() {
+            let Some(e) = self.letters.expr(v).cloned() else { continue };
+            let ExprKind::Power(base, _) = &e.kind else { continue };
+            let Some(half) = super::letters::as_power(&e).and_then(|(_, k)| self.read(&k, false)) else { continue };
+            if !half.factors.is_empty() || half.number != malachite::Rational::from_unsigneds(1u32, 2) {
+                continue;
+            }
+            let Some(reading) = self.read(base, false) else { continue };
+            for f in &reading.factors {
+                if let Some(inner) = self.absolute_in(&f.poly, known) {
+                    return Some(inner);
+                }
+            }
+            let even = !reading.factors.is_empty() && reading.factors.iter().all(|f| f.power % 2 == 0);
+            let (Some((number, true)), true) = (root_of(&reading.number, 2), even) else { continue };
+            if known.contains(&key::expr(&e)) {
+                continue;
+            }
+            let factors = reading.factors.iter().map(|f| (self.letters.written(&f.poly), f.power / 2)).collect();
+            return Some(Absolute { root: e, number: literal(&number), factors });
+        }
+        None
+    }
+}
