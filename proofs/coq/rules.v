@@ -793,11 +793,12 @@ Ltac differentiable := first
 (** Statements over numbers and propositions that are left as they are. *)
 Ltac orders := repeat match goal with
   | x : R, y : R |- _ => lazymatch goal with
-     | _ : x < y |- _ => fail | _ : y < x |- _ => fail | _ : x = y |- _ => fail
+     | _ : x < y |- _ => fail | _ : y < x |- _ => fail | _ : x > y |- _ => fail | _ : y > x |- _ => fail
+     | _ : x = y |- _ => fail | _ : y = x |- _ => fail
      | _ => destruct (Rtotal_order x y) as [? | [? | ?]] end end.
 Ltac logic := intros; first [solve [tauto] | solve [intuition lra] | solve [intuition (subst; first [assumption | lra])]
   | match goal with |- context [?A -> _] => destruct (Classical_Prop.classic A); solve [intuition lra] end
-  | (orders; solve [intuition lra]) ].
+  | (once orders; solve [intuition lra]) ].
 
 (** The premises of a fact, one after the other. *)
 Ltac premises z := repeat match type of z with
