@@ -18,8 +18,9 @@ use carom::number::rational;
 use carom::number::real::Real;
 use carom::refute::catalogue::Catalogue;
 use carom::refute::outcome::Verdict;
-use malachite::base::num::arithmetic::traits::PowerOf2;
+use malachite::base::num::arithmetic::traits::{ModPowerOf2, PowerOf2};
 use malachite::base::num::basic::traits::One;
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Natural, Rational};
 use std::fs;
 use std::hint::black_box;
@@ -71,6 +72,11 @@ impl Run {
         }
     }
 
+    /// What any answer to a case takes, in seconds: the work that `render.py` measures Carom by.
+    fn least(&self, case: &str, seconds: f64) {
+        println!("{{\"case\": \"least/{case}\", \"seconds\": {seconds:e}, \"answer\": \"\"}}");
+    }
+
     fn text(&self, file: &str) -> String {
         fs::read_to_string(self.work.join(file)).unwrap()
     }
@@ -117,6 +123,13 @@ fn scattered(run: &Run) {
     let mut out = vec![(0.0, 0.0); count];
     let name = "one of 100000 cells";
     let (seconds, ()) = measure(|| fast::etas(&all[..count], &all[count..2 * count], &collisions, &mut out));
+    let mut cells = vec![(0.0, 0.0); count];
+    let least = || {
+        for (i, cell) in cells.iter_mut().enumerate() {
+            *cell = black_box((all[i] + all[count + i], all[2 * count + i]));
+        }
+    };
+    run.least(name, measure(least).0 / count as f64);
     let path = run.ends("J2a-carom", out.iter().map(|c| c.0).chain(out.iter().map(|c| c.1)));
     println!("{{\"case\": \"{name}\", \"seconds\": {:e}, \"answer\": \"{path}\"}}", seconds / count as f64);
 }
@@ -130,6 +143,12 @@ fn grid(run: &Run) {
         let (a, b) = (fast::Factors::of_restitutions(e, 8), fast::Factors::of_ratios(r, 8));
         fast::grid(&a, &b, &mut lower, &mut upper);
     });
+    let ends = (lower.clone(), upper.clone());
+    let least = || {
+        lower.copy_from_slice(black_box(&ends.0));
+        upper.copy_from_slice(black_box(&ends.1));
+    };
+    run.least("one of 1000000 cells", measure(least).0 / cells as f64);
     let path = run.ends("J2b-carom", lower.iter().chain(&upper).copied());
     let name = "one of 1000000 cells";
     println!("{{\"case\": \"{name}\", \"seconds\": {:e}, \"answer\": \"{path}\"}}", seconds / cells as f64);
@@ -225,6 +244,11 @@ fn long_chains(run: &Run) {
     if run.wanted.is_empty() || run.wanted.iter().any(|w| w == "all/1000") {
         let pass = chain(run, 1_000);
         run.case("all/1000", || pass.velocities_from_rest().unwrap(), all);
+        // Each velocity differs from the one before by short factors: a long number by a short one, above and below.
+        let found = pass.velocities_from_rest().unwrap();
+        let short = Natural::from(u64::MAX);
+        let least = || found.iter().map(|v| (v.numerator() * &short, v.denominator() * &short)).collect::<Vec<_>>();
+        run.least("all/1000", measure(least).0);
     }
     for bodies in [100, 1_000, 10_000, 100_000, 1_000_000] {
         let name = format!("last/{bodies}");
@@ -240,6 +264,12 @@ fn long_chains(run: &Run) {
                 format!("{p}/{q}")
             },
         );
+        // Numerator and denominator are products: the last one is of two numbers of half the length.
+        let v = pass.last_velocity().unwrap();
+        let halves = [v.numerator(), v.denominator()].map(|x| (x >> (x.significant_bits() / 2), x.clone()));
+        let halves = halves.map(|(high, x)| (x.mod_power_of_2(high.significant_bits()), high));
+        let least = || halves.each_ref().map(|(low, high)| low * high);
+        run.least(&name, measure(least).0);
     }
 }
 

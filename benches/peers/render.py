@@ -52,7 +52,7 @@ def total(results, name):
 
 def table(job, record):
     results, limit = record["results"], record["limit"]
-    cases = SHOWN.get(job) or list(results[0]["cases"])
+    cases = SHOWN.get(job) or [case for case in results[0]["cases"] if not case.startswith("least/")]
     head = ["tool", "what the answer is worth", *cases] + (["all"] if job in ("J4", "J5") else [])
     ours = results[0]["cases"]
     lines = [f"### {job}: {TITLES[job]}", "", row(head), row(["---"] * len(head))]
@@ -64,6 +64,7 @@ def table(job, record):
             cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases}")
         lines.append(row(cells))
     lines += over_products(ours) if job == "J3" else []
+    lines += over_least(job, cases, ours)
     lines += ["", f"Measured {record['when']}, {beside(record)}."]
     # Of the cases that were not measured again.
     lines += [f"Of {part['when']}, {beside(part)}: {', '.join(part['cases'])}." for part in record.get("earlier", [])]
@@ -90,6 +91,26 @@ def over_products(ours):
         lines.append(row([f"{what}, {count} operations", *(f"{ratio(t)} ({ratio(t / count)})" for t in times)]))
     lines.append(row(["one product", *(duration(ours[f"product/{count}"]["median"]) for count in counts)]))
     return lines
+
+
+# What no answer to a case can do without, by job.
+LEAST = {
+    "J2a": "to read three doubles and write two",
+    "J2b": "to write two doubles",
+    "J6": "for the last velocity the last product of its numerator and of its denominator, each of two numbers of half the "
+    "length; for all velocities a long number times a short one for each numerator and each denominator",
+}
+
+
+def over_least(job, cases, ours):
+    """How many times what an answer cannot do without."""
+    known = [case for case in cases if f"least/{case}" in ours]
+    if not known:
+        return []
+    least = {case: ours[f"least/{case}"]["median"] for case in known}
+    return ["", f"No answer can do without this: {LEAST[job]}.", "", row(["", *known]), row(["---"] * (len(known) + 1)),
+            row(["that alone", *(duration(least[case]) for case in known)]),
+            row(["Carom, so many times that", *(ratio(ours[case]["median"] / least[case]) for case in known)])]
 
 
 def beside(record):

@@ -18,7 +18,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = [os.environ["CAROM"]] if "CAROM" in os.environ else \
+PROGRAM = [os.environ["CAROM"]] if os.environ.get("CAROM") else \
     ["cargo", "run", "--quiet", "--locked", "--manifest-path", str(ROOT / "Cargo.toml"), "--"]
 SIGNS = {"+": "-", "-": "+", "*": "/", "/": "*", ">": "<", "<": ">", ">=": "<=", "<=": ">=", "=": "<=", "!=": "="}
 # Numbers, labels, signs and rules of a step.
