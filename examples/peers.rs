@@ -143,13 +143,12 @@ fn grid(run: &Run) {
         let (a, b) = (fast::Factors::of_restitutions(e, 8), fast::Factors::of_ratios(r, 8));
         fast::grid(&a, &b, &mut lower, &mut upper);
     });
-    let ends = (lower.clone(), upper.clone());
+    let path = run.ends("J2b-carom", lower.iter().chain(&upper).copied());
     let least = || {
-        lower.copy_from_slice(black_box(&ends.0));
-        upper.copy_from_slice(black_box(&ends.1));
+        lower.fill(black_box(0.5));
+        upper.fill(black_box(0.75));
     };
     run.least("one of 1000000 cells", measure(least).0 / cells as f64);
-    let path = run.ends("J2b-carom", lower.iter().chain(&upper).copied());
     let name = "one of 1000000 cells";
     println!("{{\"case\": \"{name}\", \"seconds\": {:e}, \"answer\": \"{path}\"}}", seconds / cells as f64);
 }

@@ -8,6 +8,9 @@
 #[path = "algebra.rs"]
 mod algebra;
 #[cfg(feature = "cli")]
+#[path = "angles.rs"]
+mod angles;
+#[cfg(feature = "cli")]
 #[path = "bad_inputs.rs"]
 mod bad_inputs;
 #[cfg(feature = "cli")]

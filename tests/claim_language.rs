@@ -267,6 +267,47 @@ fn an_abbreviation_is_another_word_for_what_it_stands_for() {
 }
 
 #[test]
+fn what_is_said_in_several_ways_is_one_statement() {
+    for (short, long) in [
+        (
+            "define F by F(0) = 0, F(1) = 1, F(k + 2) = F(k + 1) + F(k)\nprove F(2) = 1",
+            "given F(k) real\nassume F(0) = 0\nassume F(1) = 1\n\
+             assume for all k natural: F(k + 2) = F(k + 1) + F(k)\nprove F(2) = 1",
+        ),
+        (
+            "define u by u(k + 1) = 2*u(k), u(0) = 3\nprove u(1) = 6",
+            "define u by u(0) = 3, u(k + 1) = 2*u(k)\nprove u(1) = 6",
+        ),
+        (
+            "given a real\nprove limit of x^2 as x -> a is a^2",
+            "given x real\ngiven a real\nprove limit of (a + 1/x)^2 as x -> infinity is a^2 and \
+             limit of (a - 1/x)^2 as x -> infinity is a^2",
+        ),
+        ("prove limit of x as x -> 0 from below is 0", "given x real\nprove limit of -(1/x) as x -> infinity is 0"),
+        (
+            "prove limit of n! as n natural -> infinity is infinity",
+            "given n natural\nprove (exists n_from natural > 0: for all n_later natural >= n_from: \
+             product(i = 1..n_later, i) > 0) and limit of 1/product(i = 1..n, i) as n -> infinity is 0",
+        ),
+        (
+            "prove limit of -x as x -> infinity is -infinity",
+            "given x real\nprove (exists x_from > 0: for all x_later >= x_from: -x_later < 0) and \
+             limit of 1/-x as x -> infinity is 0",
+        ),
+        ("prove minimum of t^2 over t real is 0", "prove (for all t real: t^2 >= 0) and (exists t real: t^2 = 0)"),
+    ] {
+        let [short, long] = [short, long].map(|rest| lines(&format!("claim c \"t\"\n{rest}\n")));
+        assert_eq!(short, long);
+    }
+}
+
+#[test]
+fn a_name_that_an_angle_needs_is_not_taken() {
+    let said = fault("claim c \"t\"\ngiven x, cos_x real\nprove sin(x) = cos_x\n");
+    assert!(said.contains("cos_x stands for this here"), "{said}");
+}
+
+#[test]
 fn what_is_no_abbreviation_is_refused_with_what_to_write() {
     let with =
         |rest: &str| fault(&format!("claim c \"t\"\ngiven x, y > 0;  n natural\nlet f(t) = [t, 1]\nprove {rest}\n"));
@@ -279,21 +320,45 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("n!! = 1", "n!! is not there (write (n!)! or a product)"),
         ("binomial(n) = 1", "binomial takes 2 arguments"),
         ("max(x) = 1", "max takes 2 to 8 arguments"),
-        ("sin(x) = y", "neither angles nor π"),
+        ("arcsin(x) = y", "name the angle, `given theta in [0, pi]`"),
+        ("sec(x) = y", "write 1/cos(x)"),
+        ("sin(x) = x", "x is an angle, and stands outside sin, cos and tan here"),
+        ("sin(x*y) = y", "this is no angle (an angle is a sum of variables and pi"),
+        ("sin(n) = y", "n is no angle: it counts"),
+        ("sum(i = 0..n, cos(i)) = y", "i is no angle: it counts"),
+        ("sin(pi/7) = y", "cosines and sines are known of the multiples of pi/120"),
+        ("pi > x", "pi stands alone here"),
+        ("sin(25*x) = y", "multiple of an angle"),
+        ("cos(x/25) = y", "parts of an angle"),
+        ("x + cos_x = sin(x)", "nothing declares the name cos_x"),
+        ("exists t in (0, 1): sin(t) = y", "this cannot be said of an angle"),
+        ("derivative(sin(x)^n, x) = y", "this is not derived by an angle"),
+        ("maximum of cos(t) over t real only at t = 0 is 1", "an extremum over all angles has no only place"),
+        ("maximum of cos(t) over t in [0, pi] at t = 2*pi is 1", "this is no place of an extremum"),
         ("log(x) = y", "the natural logarithm is written ln(x)"),
-        ("floor(x) = n", "assume k <= x < k + 1"),
+        ("floor(1/x) = n", "a floor is taken of what has a value everywhere"),
         ("integral(x) = y", "there are no integrals"),
         ("x = y + O(x)", "there is no O(…)"),
-        ("limit of x as x -> 0 is 0", "limits at a point are not there"),
-        ("maximum of t*(1 - t) over t in [0, 1] is 1/4", "an extremum names its place"),
-        ("limit of x as x -> infinity is infinity", "a limit is a number"),
+        ("limit of x as x -> 0 is 0", "x is declared, and goes to a point here"),
+        ("limit of t as t natural -> 0 is 0", "t is declared, and goes to a point here"),
+        ("limit of t as t -> t + 1 is 0", "t stands in the point, and has another meaning"),
+        ("limit of sum(i = 1..3, i*t) as t -> i is 0", "i stands in the point, and has another meaning"),
+        ("limit of t as t -> 0 from left is 0", "expected `above` or `below`"),
+        ("limit of n as n -> infinity is infinity", "n is declared, and the limit is infinite here"),
         ("for all k integer: k^2 >= k", "an `integer` is declared under `given` only"),
     ] {
         assert!(with(rest).contains(said), "{rest}: {}", with(rest));
     }
-    for rest in ["F by F(0) = 0, F(1) = 1, F(k + 2) = F(k + 1) + F(k)", "V, u by V(0) = 1, u(0) = 0, V(k + 1) = u(k)"] {
-        let said = fault(&format!("claim c \"t\"\ndefine {rest}\nprove 1 = 1\n"));
-        assert!(said.contains("write a family with its recurrence"), "{said}");
+    for (rest, said) in [
+        ("V, u by V(0) = 1, u(0) = 0, V(k + 1) = u(k)", "u needs one step"),
+        ("F by F(0) = 0, F(k + 2) = F(k + 1) + F(k)", "the step to F(k + 2) needs F(0), F(1)"),
+        ("F by F(0) = 0, F(1) = 1, F(2) = 2, F(k + 2) = F(k)", "the step to F(k + 2) needs F(0), F(1)"),
+        ("F by F(0) = 0, F(k + 1) = F(k), F(k + 1) = 1", "F needs one step"),
+        ("F by F(0) = 0, G(k + 1) = F(k)", "a definition by recurrence reads"),
+        ("F by F(0) = 0, F(k + 21) = F(k)", "expected a whole number"),
+    ] {
+        let fault = fault(&format!("claim c \"t\"\ndefine {rest}\nprove 1 = 1\n"));
+        assert!(fault.contains(said), "{rest}: {fault}");
     }
     let doubled = (0..40).fold("x".to_string(), |text, _| format!("max({text}, y)"));
     assert!(with(&format!("{doubled} = 1")).contains("nodes of abbreviations written out"));

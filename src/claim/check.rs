@@ -25,8 +25,15 @@ struct Names<'a> {
     faults: &'a mut Vec<Diagnostic>,
 }
 
-/// Reports every fault of names in a claim.
+/// Reports every fault of names in a claim. `pi` needs no declaration.
 pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
+    let mut found = Vec::new();
+    names(claim, &mut found);
+    let is_pi = |fault: &Diagnostic| matches!(&fault.fault, Fault::Undeclared { name, .. } if name == PI);
+    faults.extend(found.into_iter().filter(|fault| !is_pi(fault)));
+}
+
+fn names(claim: &Claim, faults: &mut Vec<Diagnostic>) {
     let mut names = Names::new(faults);
     names.items(&claim.items);
     names.prop(&claim.goal);
@@ -48,7 +55,7 @@ pub fn preamble(preamble: &Preamble, faults: &mut Vec<Diagnostic>) {
 /// The names that a claim uses and does not declare.
 pub fn undeclared(claim: &Claim) -> BTreeSet<String> {
     let mut faults = Vec::new();
-    check(claim, &mut faults);
+    names(claim, &mut faults);
     missing(faults)
 }
 
@@ -118,7 +125,8 @@ impl Names<'_> {
             self.used(&name.text, Role::Value, name.span);
             let mut inside = BTreeSet::new();
             walk::names_in(value, &mut inside);
-            if let Some(other) = inside.iter().find(|n| FUNCTIONS.iter().all(|f| f.0 != n.as_str())) {
+            let is_number = |n: &str| n == PI || FUNCTIONS.iter().any(|f| f.0 == n);
+            if let Some(other) = inside.iter().find(|n| !is_number(n)) {
                 let message = format!("the value of {} in the sample speaks of {other}", name.text);
                 let help = Some("give a number, such as 3/5 or sqrt(2)".to_string());
                 self.faults.push(Diagnostic::new(Fault::Other { message, help }, value.span));
@@ -227,6 +235,9 @@ impl Names<'_> {
             ExprKind::Apply(name, arguments) => {
                 let abbreviation = match self.roles.contains_key(&name.text) {
                     true => None,
+                    false if super::trigonometry::is_function(&name.text) || super::floor::is_function(&name.text) => {
+                        Some((1, 1))
+                    }
                     false => super::abbreviation::arguments(&name.text),
                 };
                 match FUNCTIONS.iter().find(|f| f.0 == name.text) {

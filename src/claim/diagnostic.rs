@@ -166,12 +166,13 @@ fn floor_boundary(text: &str, mut at: usize) -> usize {
 
 /// What to write instead of a word that other languages have and this one has not.
 fn instead(name: &str) -> Option<&'static str> {
-    const ANGLES: &str = "the language has neither angles nor π; name the cosine and the sine: \
-                          `given c, s real` and `assume c^2 + s^2 = 1`";
+    const ARC: &str = "name the angle, `given theta in [0, pi]`, and say what its cosine, sine or tangent is";
     const COMPLEX: &str = "there are no complex numbers; name the real and the imaginary part: `given x, y real`";
     Some(match name {
-        "sin" | "cos" | "tan" | "cot" | "sec" | "csc" | "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan"
-        | "pi" => ANGLES,
+        "cot" => "write cos(x)/sin(x)",
+        "sec" => "write 1/cos(x)",
+        "csc" => "write 1/sin(x)",
+        "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" => ARC,
         "log" => "the natural logarithm is written ln(x); to another base b it is ln(x)/ln(b)",
         "lg" | "log10" => "write ln(x)/ln(10)",
         "log2" | "lb" => "write ln(x)/ln(2)",
@@ -181,8 +182,6 @@ fn instead(name: &str) -> Option<&'static str> {
         "arsinh" | "asinh" => "write ln(x + sqrt(x^2 + 1))",
         "artanh" | "atanh" => "write ln((1 + x)/(1 - x))/2",
         "sgn" | "sign" => "write x/|x| where x != 0",
-        "floor" => "name it: `given k natural` and `assume k <= x < k + 1`; use `k integer` where x may be negative",
-        "ceil" | "ceiling" => "name it: `given k natural` and `assume k - 1 < x <= k`",
         "mod" => "name the quotient and the rest: `given q natural; r in 0..6` and `assume n = 7*q + r`",
         "integral" | "int" => {
             "there are no integrals; state an antiderivative F by derivative(F, x) = f, and speak of F(b) - F(a)"

@@ -1,10 +1,13 @@
 //! The claim language: reading, checking and printing claim files.
 pub mod abbreviation;
+mod angle;
 mod check;
+mod circle;
 pub mod definedness;
 pub mod diagnostic;
 #[cfg(feature = "report")]
 pub mod embedded;
+mod floor;
 pub mod format;
 pub mod lex;
 mod matrix;
@@ -12,6 +15,7 @@ pub mod parse;
 pub mod preamble;
 pub mod print;
 pub mod syntax;
+mod trigonometry;
 pub mod walk;
 
 /// The description of the language, for `carom help language`.

@@ -232,6 +232,9 @@ impl Style {
         if self == Style::Text {
             return name.to_string();
         }
+        if let Some(printed) = self.of_an_angle(name) {
+            return printed;
+        }
         if let Some((head, tail)) = name.split_once('_') {
             return match self {
                 Style::Latex => {
@@ -261,6 +264,23 @@ impl Style {
             Style::Latex => format!("{head}{marks}_{{{digits}}}"),
             _ => format!("{head}{marks}{}", lowered(digits)),
         }
+    }
+
+    /// What [`super::trigonometry`] names: `cos_theta` as cos(θ), `sin_theta_over_2` as sin(θ/2).
+    fn of_an_angle(self, name: &str) -> Option<String> {
+        let (function, angle) = name.split_once('_').filter(|(head, _)| matches!(*head, "cos" | "sin"))?;
+        let (angle, part) = match angle.split_once("_over_").filter(|(_, over)| is_number(over)) {
+            Some((angle, over)) => (angle, format!("/{over}")),
+            None => (angle, String::new()),
+        };
+        if !angle.starts_with(char::is_alphabetic) {
+            return None;
+        }
+        let angle = self.name(angle);
+        Some(match self {
+            Style::Latex => format!("\\{function}({angle}{part})"),
+            _ => format!("{function}({angle}{part})"),
+        })
     }
 
     /// The sign of a relation.

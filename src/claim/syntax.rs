@@ -159,6 +159,9 @@ pub const FUNCTIONS: &[(&str, usize)] = &[
     ("transpose", 1),
 ];
 
+/// The number π, where a claim does not declare it.
+pub const PI: &str = "pi";
+
 /// The bound index of a sum, a product or a bounded quantifier: `i = from..to`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Index {

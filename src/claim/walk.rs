@@ -1,7 +1,7 @@
 //! Walks through syntax trees: the parts of an expression, the expressions of a claim, free names.
 
 use super::syntax::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Calls `visit` with every direct part of an expression.
 pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
@@ -88,7 +88,8 @@ pub fn of_item(item: &mut Item, visit: &mut dyn FnMut(&mut Expr)) {
     }
 }
 
-fn of_binding(binding: &mut Binding, visit: &mut dyn FnMut(&mut Expr)) {
+/// The same of a binding.
+pub fn of_binding(binding: &mut Binding, visit: &mut dyn FnMut(&mut Expr)) {
     for constraint in &mut binding.constraints {
         match constraint {
             Constraint::Relation(_, e) => visit(e),
@@ -147,18 +148,26 @@ fn of_proof(proof: &mut Proof, visit: &mut dyn FnMut(&mut Expr)) {
     }
     match &mut proof.close {
         Some(Method::Induction(_, step)) => of_proof(step, visit),
-        Some(Method::Power { exponent, .. }) => visit(exponent),
-        Some(Method::Product(list)) => list.iter_mut().filter_map(|f| f.1.as_mut()).for_each(visit),
-        Some(Method::Mean { a, b, weight }) => [a, b, weight].into_iter().for_each(visit),
-        Some(Method::Hoelder { first, second, weight }) => {
+        Some(method) => of_method(method, visit),
+        None => {}
+    }
+}
+
+/// The same of what a method is told; the steps of an induction are none of it.
+pub fn of_method(method: &mut Method, visit: &mut dyn FnMut(&mut Expr)) {
+    match method {
+        Method::Power { exponent, .. } => visit(exponent),
+        Method::Product(list) => list.iter_mut().filter_map(|f| f.1.as_mut()).for_each(visit),
+        Method::Mean { a, b, weight } => [a, b, weight].into_iter().for_each(visit),
+        Method::Hoelder { first, second, weight } => {
             [&mut first.0, &mut first.1, &mut second.0, &mut second.1, weight].into_iter().for_each(visit);
         }
-        Some(Method::Instance { with, .. } | Method::Witness(with)) => with.iter_mut().for_each(|(_, e)| visit(e)),
-        Some(Method::Squeeze { lower, upper }) => {
+        Method::Instance { with, .. } | Method::Witness(with) => with.iter_mut().for_each(|(_, e)| visit(e)),
+        Method::Squeeze { lower, upper } => {
             visit(lower);
             visit(upper);
         }
-        Some(Method::Algebra(_)) | None => {}
+        Method::Algebra(_) | Method::Induction(..) => {}
     }
 }
 
@@ -264,4 +273,23 @@ pub fn depth(expr: &Expr) -> usize {
     let mut deepest = 0;
     parts(expr, &mut |part| deepest = deepest.max(depth(part)));
     deepest + 1
+}
+
+/// Puts values in place of names. Whoever calls sees to it that no index of the expression has a name that stands in a value.
+pub fn substitute(e: &mut Expr, values: &BTreeMap<&str, &Expr>) {
+    if let ExprKind::Name(name) = &e.kind
+        && let Some(value) = values.get(name.as_str())
+    {
+        *e = (*value).clone();
+        return;
+    }
+    parts_mut(e, &mut |part| substitute(part, values));
+}
+
+/// The indices that are bound in an expression.
+pub fn indices(e: &Expr, into: &mut BTreeSet<String>) {
+    if let ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) = &e.kind {
+        into.insert(index.name.text.clone());
+    }
+    parts(e, &mut |part| indices(part, into));
 }

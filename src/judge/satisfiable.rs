@@ -9,6 +9,7 @@
 //! becomes a constant.
 
 use crate::certificate::{Certificate, Rule, Step};
+use crate::claim::definedness::number;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::kernel::key;
@@ -151,7 +152,7 @@ fn by_recurrence(claim: &Claim, statement: &Statement, limits: &Limits) -> Optio
 ///
 /// Each is `u(c) = v` for a numeral c, v without families, or `for all k natural: u(k + d) = R`, one for each family, where
 /// c < d. R is made of numbers, k and members v(k + j), j < d, by sums, products and whole powers, so it has a value whenever
-/// these have. Then the hypotheses hold of some families: with what is not given among u(0) … u(d − 1) set to 1, recursion on
+/// these have; it may divide by a number other than 0. Then the hypotheses hold of some families: with what is not given among u(0) … u(d − 1) set to 1, recursion on
 /// the index defines every member by members of lower index.
 fn by_definition(about: &[Prop], families: &[String]) -> Option<Vec<(String, Expr)>> {
     let mut orders: Vec<(&String, u32)> = Vec::new();
@@ -228,10 +229,9 @@ fn is_polynomial(e: &Expr, families: &[String], index: Option<(&str, u32)>) -> b
         }
         ExprKind::Negate(a) => inner(a),
         ExprKind::Sum(list) => list.iter().all(|(_, e)| inner(e)),
-        ExprKind::Product(list) => list.iter().all(|(factor, e)| match (factor, &e.kind) {
-            (Factor::Times, _) => inner(e),
-            (Factor::Over, ExprKind::Number(text)) => text.parse::<u64>().is_ok_and(|d| d > 0),
-            _ => false,
+        ExprKind::Product(list) => list.iter().all(|(factor, e)| match factor {
+            Factor::Times => inner(e),
+            Factor::Over => number(e).is_some_and(|(top, _)| top != 0),
         }),
         ExprKind::Power(a, b) => {
             inner(a) && matches!(&b.kind, ExprKind::Number(k) if k.parse::<u32>().is_ok_and(|k| k > 0))

@@ -140,8 +140,14 @@ impl Search {
         let natural = &self.base.naturals;
         let before = std::mem::replace(&mut self.determined, way);
         self.names.extend(before.into_iter().map(|d| (d.0.clone(), natural.contains(&d.0))));
-        self.names.retain(|n| !self.determined.iter().any(|d| d.0 == n.0));
+        let is_parameter = |name: &str, value: &Expr| {
+            let mut inside = BTreeSet::new();
+            crate::claim::walk::names_in(value, &mut inside);
+            inside.contains(name)
+        };
+        self.names.retain(|n| !self.determined.iter().any(|d| d.0 == n.0 && !is_parameter(&n.0, &d.1)));
         self.names.sort_by_key(|n| self.order.iter().position(|name| *name == n.0));
+        self.names.dedup();
     }
 
     /// Follows the first way on which there is a point, if there is one.
@@ -510,6 +516,15 @@ pub(super) fn aimed(plan: &mut Plan, statement: &Statement) -> Option<(Search, G
     }
     if ties_what_moves(statement, &bound, &goal) {
         return None;
+    }
+    // Where a premise has equations, the points at which it holds are tried first.
+    if let (PropKind::Implies(premise, _), Some(reading)) = (&goal.kind, &mut plan.reading) {
+        let real: Vec<String> = search.names.iter().filter(|n| !n.1).map(|n| n.0.clone()).collect();
+        let held: Vec<Prop> = search.hypotheses.iter().cloned().chain([(**premise).clone()]).collect();
+        let solved = ways(reading, &held, &real);
+        if solved != search.ways {
+            search.ways.splice(0..0, solved);
+        }
     }
     let mut said = None;
     if let Some(reading) = &mut plan.reading

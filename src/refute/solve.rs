@@ -13,6 +13,9 @@ use crate::algebra::{Polynomial, factor};
 use crate::claim::syntax::*;
 use crate::claim::walk::names_in;
 use crate::kernel::statement::{Substitution, compare, expr};
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::CheckedSqrt;
+use malachite::base::num::basic::traits::One;
 use std::collections::BTreeSet;
 
 /// The most variables that are computed.
@@ -27,7 +30,8 @@ const TERMS: usize = 60;
 /// The highest degree of a polynomial of which the sign is sought.
 const DEGREE: u32 = 8;
 
-/// Values of variables by other variables, in an order in which they can be computed.
+/// Values of variables by other variables, in an order in which they can be computed. A variable whose value speaks of the
+/// variable itself is chosen first, and what was chosen is the parameter.
 pub type Way = Vec<(String, Expr)>;
 
 /// Ways to satisfy the equations among the hypotheses by values of these variables, those that come last first; one empty
@@ -96,8 +100,43 @@ impl Solver<'_> {
                 }
                 return;
             }
+            for (place, (a, _, b)) in equations.iter().enumerate() {
+                let Some(values) = self.on_a_circle(a, b, &solved) else { continue };
+                let mut put = Substitution::default();
+                values.iter().for_each(|(name, value)| put.replace(name, value));
+                let rest = equations.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, c)| c);
+                let rest = rest.filter_map(|c| replaced(&put, c)).collect();
+                let others = others.iter().filter_map(|c| replaced(&put, c)).collect();
+                self.solve(rest, others, solved.iter().cloned().chain(values).collect());
+                break;
+            }
         }
-        self.found.push(solved.into_iter().rev().collect());
+        if self.found.len() < WAYS {
+            self.found.push(solved.into_iter().rev().collect());
+        }
+    }
+
+    /// Points of a circle x² + y² = r², by what was chosen for y as the tangent t of half their angle:
+    /// x = r·(1 − t²)/(1 + t²), y = 2·r·t/(1 + t²). x is computed first.
+    fn on_a_circle(&mut self, a: &Expr, b: &Expr, solved: &Way) -> Option<Way> {
+        let (p, below) = self.reading.difference(a, b)?;
+        below.as_constant()?;
+        let letters: [u32; 2] = p.variables().try_into().ok()?;
+        let square = |v: u32| Polynomial::variable(v).mul(&Polynomial::variable(v));
+        let squares = square(letters[0]).add(&square(letters[1]));
+        let scale = Rational::ONE / p.leading_coefficient();
+        let rest = squares.sub(&p.scale(&scale)).as_constant()?;
+        let radius = rest.checked_sqrt()?;
+        let names = letters.map(|v| match self.reading.letter(v).kind {
+            ExprKind::Name(name) if self.variables.contains(&name) && solved.iter().all(|s| s.0 != name) => Some(name),
+            _ => None,
+        });
+        let [Some(x), Some(y)] = names else { return None };
+        let parsed = |text: String| crate::claim::parse::parse_expr(&text).ok();
+        Some(vec![
+            (y.clone(), parsed(format!("{radius}*2*{y}/(1 + {y}^2)"))?),
+            (x, parsed(format!("{radius}*(1 - {y}^2)/(1 + {y}^2)"))?),
+        ])
     }
 
     /// The factors of a polynomial that may be 0.
@@ -207,7 +246,15 @@ mod tests {
         assert_eq!(solved("given x, y real\nassume x*y = 0").len(), 2);
         assert_eq!(solved("given x > 0; y real\nassume x*y = 0").len(), 1);
         assert_eq!(solved("given x, y real\nassume x != y\nassume x^2 = y^2").len(), 1);
-        assert_eq!(solved("given x, y real\nassume x^2 + y^2 = 1"), [""]);
+        assert_eq!(solved("given x, y real\nassume x^3 + y^2 = 1"), [""]);
+    }
+
+    #[test]
+    fn points_of_a_circle_are_rational_for_rational_parameters() {
+        let way = "x = 5/2*(1 - y^2)/(1 + y^2); y = 5/2*2*y/(1 + y^2)";
+        assert_eq!(solved("given x, y real\nassume 4*x^2 + 4*y^2 = 25"), [way, ""]);
+        assert_eq!(solved("given x, y real\nassume x^2 + y^2 = 2"), [""]);
+        assert_eq!(solved("given x, y real\nassume x^2 + 2*y^2 = 1"), [""]);
     }
 
     #[test]

@@ -236,7 +236,7 @@ impl Parser {
                 self.declared.insert(name.text.clone());
                 Ok(vec![Item::Let { name, parameters, value: self.expr()? }])
             }
-            "define" => Ok(vec![self.sequence()?]),
+            "define" => self.sequences(),
             _ => {
                 let labelled = matches!(self.peek(), Kind::Word(_)) && self.peek_at(1) == &Kind::Sign(":");
                 let mut label = None;
@@ -248,53 +248,4 @@ impl Parser {
             }
         }
     }
-
-    /// `define u by u(0) = A, u(k + 1) = B`
-    fn sequence(&mut self) -> Parsed<Item> {
-        let start = self.span().start;
-        let name = self.name("a name to define")?;
-        if matches!(self.peek(), Kind::Sign(",")) {
-            return Err(self.expected_with("`by`", Some(FAMILY.to_string())));
-        }
-        self.need_word("by")?;
-        let shape = "`u(0) = …, u(k + 1) = …`";
-        let same = |p: &mut Self| -> Parsed<()> {
-            let again = p.name("the name of the sequence")?;
-            if again.text == name.text {
-                Ok(())
-            } else {
-                Err(p.other(&format!("a definition by recurrence reads {shape}"), None, again.span))
-            }
-        };
-        same(self)?;
-        self.need_sign("(", "after the name")?;
-        if self.peek() != &Kind::Number("0".to_string()) {
-            return Err(self.expected("`0`: a sequence begins at index 0"));
-        }
-        self.advance();
-        self.need_sign(")", "after the index")?;
-        self.need_sign("=", "before the first value")?;
-        let initial = self.expr()?;
-        self.need_sign(",", &format!("and the step, as in {shape}"))?;
-        same(self)?;
-        self.need_sign("(", "after the name")?;
-        if matches!(self.peek(), Kind::Number(_)) {
-            return Err(self.expected_with("the index name", Some(FAMILY.to_string())));
-        }
-        let index = self.name("the index name")?;
-        self.need_sign("+", "1: the step defines the next member")?;
-        if self.peek() != &Kind::Number("1".to_string()) {
-            return Err(self.expected("`1`: the step defines the next member"));
-        }
-        self.advance();
-        self.need_sign(")", "after the index")?;
-        self.need_sign("=", "before the next value")?;
-        let step = self.expr()?;
-        self.declared.insert(name.text.clone());
-        Ok(Item::Define { name, initial, index, step, span: self.since(start) })
-    }
 }
-
-/// What to write for a sequence of the second order, or for two that refer to each other.
-const FAMILY: &str = "a `define` has one sequence and u(k + 1) by u(k); write a family with its recurrence: \
-                      `given F(k) real` and `assume for all k natural: F(k + 2) = F(k + 1) + F(k)`";

@@ -38,7 +38,9 @@ impl Parser {
                     _ => false,
                 };
                 let is_function = FUNCTIONS.iter().any(|f| f.0 == name);
-                let is_abbreviation = super::super::abbreviation::is_one(name) && !is_family;
+                let is_written_out =
+                    super::super::abbreviation::is_one(name) || super::super::trigonometry::is_function(name);
+                let is_abbreviation = is_written_out && !is_family;
                 return Ok(is_function || self.declared.contains(name) || is_abbreviation);
             }
             (Kind::Word(_), Kind::Raised(_) | Kind::Sign("+" | "-" | "*" | "/" | "^" | "!")) => return Ok(true),
@@ -82,7 +84,8 @@ impl Parser {
         let prop = self.comparison()?;
         let mut new: Vec<(Name, Option<Name>)> = Vec::new();
         walk::free_names(&prop, &mut |text, span| {
-            if !self.declared.contains(text) && new.iter().all(|n| n.0.text != text) {
+            let is_new = text != PI && !self.declared.contains(text);
+            if is_new && new.iter().all(|n| n.0.text != text) {
                 new.push((Name { text: text.to_string(), span }, None));
             }
         });
@@ -131,12 +134,14 @@ impl Parser {
         Ok(())
     }
 
-    /// The variable of a limit, perhaps with its domain: `n`, `n natural`, `x real`.
-    pub(super) fn grows(&mut self, variable: &Name) {
+    /// The variable of a limit, perhaps with its domain: `n`, `n natural`, `x real`. Returns whether it is said to be
+    /// natural, if a domain is said.
+    pub(super) fn grows(&mut self, variable: &Name) -> Option<bool> {
         let natural = if self.word("natural") { Some(true) } else { self.word("real").then_some(false) };
         if self.growing.iter().all(|(name, _)| name != variable) {
             self.growing.push((variable.clone(), natural));
         }
+        natural
     }
 
     /// Declares the variables of limits: those with a domain of their own, and as real numbers those that nothing else

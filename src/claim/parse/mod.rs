@@ -6,8 +6,10 @@
 //! that may open a proposition or an expression, which are decided by one look ahead.
 
 mod clause;
+mod define;
 mod expression;
 mod given;
+mod limit;
 mod proof;
 mod proposition;
 
@@ -91,6 +93,12 @@ pub fn parse_under(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Pream
             preamble.put_before(claim, &mut faults);
             super::check::check(claim, &mut faults);
         }
+    }
+    if faults.is_empty() {
+        claims.iter_mut().for_each(|claim| super::trigonometry::write_out(claim, &mut faults));
+    }
+    if faults.is_empty() {
+        claims.iter_mut().for_each(|claim| super::floor::write_out(claim, &mut faults));
     }
     if faults.is_empty() {
         claims.iter_mut().for_each(|claim| super::abbreviation::write_out(claim, &mut faults));

@@ -84,25 +84,7 @@ impl Parser {
             return self.extremum();
         }
         if self.word("limit") {
-            self.need_word("of")?;
-            let of = self.expr()?;
-            self.need_word("as")?;
-            let variable = self.name("the variable that grows")?;
-            self.grows(&variable);
-            self.need_sign("->", "between the variable and infinity")?;
-            if !self.word("infinity") {
-                let help =
-                    "limits at a point are not there; for x -> a from above write a + 1/h for x, as h -> infinity";
-                return Err(self.expected_with("`infinity`", Some(help.to_string())));
-            }
-            self.need_word("is")?;
-            if self.is_word("infinity") {
-                let help = "a limit is a number; that f grows beyond all bounds is said by 1/f and 0";
-                return Err(self.expected_with("a number", Some(help.to_string())));
-            }
-            let value = self.expr()?;
-            let kind = PropKind::Limit(Box::new(Limit { of, variable, value }));
-            return Ok(Prop { kind, span: self.since(start) });
+            return self.limit();
         }
         if matches!(self.peek(), Kind::Sign("(")) && self.parenthesis_holds_prop() {
             self.advance();
@@ -177,15 +159,27 @@ impl Parser {
         self.need_word("over")?;
         let over = self.bindings()?;
         let unique = self.word("only");
-        if !self.word("at") {
-            let help = "an extremum names its place: `at x = A`; for a bound alone write `for all x …: F <= M`";
-            return Err(self.expected_with("`at`", Some(help.to_string())));
+        if !unique && self.word("is") {
+            return self.extremum_somewhere(maximum, of, over, start);
         }
+        self.need_word("at")?;
         let at = self.assignments()?;
         self.need_word("is")?;
         let value = self.expr()?;
         let kind = PropKind::Extremum(Box::new(Extremum { maximum, unique, of, over, at, value }));
         Ok(Prop { kind, span: self.since(start) })
+    }
+
+    /// `maximum of F over x in D is M` says that M is a bound of F over D, and a value of F there.
+    fn extremum_somewhere(&mut self, maximum: bool, of: Expr, over: Vec<Binding>, start: usize) -> Parsed<Prop> {
+        let value = self.expr()?;
+        let span = self.since(start);
+        let says = |relation: Relation| {
+            Box::new(Prop { kind: PropKind::Compare(vec![of.clone(), value.clone()], vec![relation]), span })
+        };
+        let bound = if maximum { Relation::LessEqual } else { Relation::GreaterEqual };
+        let parts = [PropKind::ForAll(over.clone(), says(bound)), PropKind::Exists(over, says(Relation::Equal))];
+        Ok(Prop { kind: PropKind::And(parts.map(|kind| Prop { kind, span }).to_vec()), span })
     }
 
     /// `x = A, y = B`

@@ -4,7 +4,7 @@ use super::facts::{is_settled, minus, opposite, sign_of};
 use super::letters::{as_power, natural, product, whole_power};
 use super::products::{Kind, Known, combination, completed_squares, contradiction, discriminant_forms, halves};
 use super::{Fail, Prover, implies};
-use crate::algebra::Polynomial;
+use crate::algebra::{Monomial, Polynomial};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
@@ -196,7 +196,10 @@ impl Prover {
         };
         out.push(one);
         let degree = wanted.iter().chain(base.iter().map(|k| &k.poly)).map(Polynomial::degree).max().unwrap_or(0);
-        let roots: Vec<Polynomial> = wanted.iter().flat_map(|p| halves(p, if level > 1 { 24 } else { 14 })).collect();
+        let most = if level > 1 { 24 } else { 14 };
+        let mut roots: Vec<Polynomial> = wanted.iter().flat_map(|p| halves(p, most)).collect();
+        let equal = wanted.iter().filter_map(|p| made_homogeneous(p, &base));
+        roots.extend(equal.flat_map(|p| halves(&p, most)).filter(|m| !roots.contains(m)).collect::<Vec<_>>());
         let mut squares: Vec<Polynomial> = wanted.iter().flat_map(completed_squares).collect();
         squares.extend(self.squares_written.iter().filter(|p| p.variables().iter().all(|v| near.contains(v))).cloned());
         squares.extend(roots.iter().filter(|m| !m.is_constant()).cloned());
@@ -232,7 +235,6 @@ impl Prover {
                 }
             }
         }
-        let mut roots = roots;
         if roots.is_empty() || level > 1 {
             roots.extend(near.iter().map(|v| Polynomial::variable(*v)));
             roots.push(Polynomial::one());
@@ -446,6 +448,33 @@ impl Prover {
             _ => Err(Fail::No("powers with one exponent")),
         }
     }
+}
+
+/// A polynomial in which every term has the same degree in the letters of a form h, where an equation among the facts says
+/// that h is a number other than 0: terms of a lower degree are multiplied by h over that number. From c² + s² = 1 one has
+/// A² + B² − (A·c + B·s)² = (A·s − B·c)². `None` where nothing changes.
+fn made_homogeneous(p: &Polynomial, facts: &[Known]) -> Option<Polynomial> {
+    let mut out = p.clone();
+    for fact in facts.iter().filter(|k| k.kind == Kind::Zero) {
+        let c = -fact.poly.constant_term();
+        let form = fact.poly.add(&Polynomial::constant(c.clone()));
+        let letters = form.variables();
+        let degree_of = |m: &Monomial| m.powers().iter().filter(|p| letters.contains(&p.0)).map(|p| p.1).sum::<u32>();
+        let (degree, most) = (form.degree(), out.terms().map(|(m, _)| degree_of(m)).max()?);
+        if c == 0 || degree == 0 || most > 8 || form.terms().any(|(m, _)| degree_of(m) != degree) {
+            continue;
+        }
+        let unit = form.scale(&(Rational::ONE / c));
+        let mut sum = Polynomial::zero();
+        for (m, coefficient) in out.terms() {
+            let missing = most - degree_of(m);
+            let term = Polynomial::term(m.clone(), coefficient.clone());
+            let factor = if missing % degree == 0 { unit.pow(missing / degree).ok()? } else { Polynomial::one() };
+            sum = sum.add(&term.try_mul(&factor).ok()?);
+        }
+        out = sum;
+    }
+    (out != *p && out.term_count() <= 120).then_some(out)
 }
 
 fn is_one(e: &Expr) -> bool {

@@ -1,12 +1,17 @@
 //! Goals taken apart by their connectives.
 
 use super::facts::opposite;
+use super::letters::product;
 use super::{Fail, Prover, implies, put};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::at_the_point;
-use crate::kernel::statement::{Substitution, compare, domain, prop};
+use crate::kernel::statement::{Substitution, apply, compare, domain, expr, prop};
 use crate::refute::search::{example, literal};
+use malachite::Rational;
+
+/// The numbers that are tried where something holds for all that is greater.
+const FAR_ENOUGH: [i32; 4] = [1, 2, 10, 100];
 
 impl Prover {
     /// Shows a goal; returns the label of the fact that says it.
@@ -58,26 +63,56 @@ impl Prover {
             PropKind::Exists(bindings, body) => {
                 let point: Vec<(String, Expr)> = match example(bindings, body, None) {
                     Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
+                    None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
                     None => match self.solved(bindings, body) {
                         Some(point) => point,
-                        None => vec![self.solution(bindings, body)?],
+                        None => return self.by_solutions(goal, bindings, body),
                     },
                 };
-                let mut map = Substitution::default();
-                let mut with = Vec::new();
-                for (n, value) in point {
-                    map.replace(&n, &value);
-                    with.push((Name { text: n, span: Span::default() }, value));
-                }
-                let mut from = Vec::new();
-                for fact in bindings.iter().flat_map(domain).chain([(**body).clone()]) {
-                    from.push(self.show(&map.prop(&fact).map_err(Fail::from)?)?);
-                }
-                self.emit(Rule::Witness { with, from }, goal.clone())
+                self.by_values(goal, bindings, body, point)
             }
             PropKind::Extremum(e) => self.extremum(goal, e),
             PropKind::Limit(l) => self.limit(goal, l),
         }
+    }
+
+    /// `exists` by these values.
+    fn by_values(
+        &mut self,
+        goal: &Prop,
+        bindings: &[Binding],
+        body: &Prop,
+        point: Vec<(String, Expr)>,
+    ) -> Result<Label, Fail> {
+        let mut map = Substitution::default();
+        let mut with = Vec::new();
+        for (n, value) in point {
+            map.replace(&n, &value);
+            with.push((Name { text: n, span: Span::default() }, value));
+        }
+        let mut from = Vec::new();
+        for fact in bindings.iter().flat_map(domain).chain([body.clone()]) {
+            from.push(self.show(&map.prop(&fact).map_err(Fail::from)?)?);
+        }
+        self.emit(Rule::Witness { with, from }, goal.clone())
+    }
+
+    /// `exists` of one variable, where something holds for all values of others: what holds from some number on is not
+    /// seen at a point.
+    fn far_enough(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let mut last = Err(Fail::No("a witness"));
+        if let [Binding { names, .. }] = bindings
+            && let [(name, None)] = names.as_slice()
+        {
+            for k in FAR_ENOUGH {
+                let point = vec![(name.text.clone(), literal(&Rational::from(k)))];
+                last = self.attempt(|c| c.by_values(goal, bindings, body, point));
+                if last.is_ok() {
+                    break;
+                }
+            }
+        }
+        last
     }
 
     /// By cases or by induction. Within an induction cases come first: its step has the hypothesis at hand.
@@ -141,31 +176,68 @@ impl Prover {
         shown
     }
 
-    /// The value of the one variable of an `exists` that solves its equation, which is linear in it.
-    fn solution(&mut self, bindings: &[Binding], body: &Prop) -> Result<(String, Expr), Fail> {
+    /// `exists` of one variable, by the solutions of its equation f = 0 where f or t·f is a polynomial of degree 1 or 2 in it:
+    /// its coefficients are found from its values at 1, −1 and 2. Whether it is one, the kernel tells.
+    fn by_solutions(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a witness");
         let [Binding { names, .. }] = bindings else { return Err(no()) };
         let [(variable, None)] = names.as_slice() else { return Err(no()) };
         let PropKind::Compare(sides, relations) = &body.kind else { return Err(no()) };
         let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
         let difference = super::facts::minus(a, b);
-        let at = |k: u32| {
-            let mut map = Substitution::default();
-            map.replace(&variable.text, &crate::kernel::statement::numeral(k));
-            map.expr(&difference).map_err(Fail::from)
-        };
-        // f(0)/(f(0) − f(1)).
-        let value = crate::kernel::statement::expr(ExprKind::Product(vec![
-            (Factor::Times, at(0)?),
-            (Factor::Over, super::facts::minus(&at(0)?, &at(1)?)),
-        ]));
-        self.define(&value);
-        let reading = self.read(&value, false).ok_or_else(no)?;
-        let mut factors = vec![literal(&reading.number)];
+        let number = |n: i64, d: i64| literal(&Rational::from_signeds(n, d));
+        let scaled = |n: i64, d: i64, e: &Expr| product(vec![number(n, d), e.clone()]);
+        let plus = |list: Vec<Expr>| expr(ExprKind::Sum(list.into_iter().map(|e| (Sign::Plus, e)).collect()));
+        for times in [false, true] {
+            let mut values = Vec::new();
+            for k in [1, -1, 2] {
+                let mut map = Substitution::default();
+                map.replace(&variable.text, &number(k, 1));
+                let value = map.expr(&difference).map_err(Fail::from)?;
+                values.extend(self.simplified(&if times { scaled(k, 1, &value) } else { value }));
+            }
+            let [at_1, at_minus_1, at_2] = values.as_slice() else { continue };
+            // g(t) = c2·t² + 2·half·t + c0: g(1) − g(−1) = 4·half, g(1) + g(−1) = 2·(c2 + c0), g(2) = 4·c2 + 4·half + c0.
+            let half = plus(vec![scaled(1, 4, at_1), scaled(-1, 4, at_minus_1)]);
+            let sum = plus(vec![scaled(1, 2, at_1), scaled(1, 2, at_minus_1)]);
+            let c2 = plus(vec![scaled(1, 3, at_2), scaled(-4, 3, &half), scaled(-1, 3, &sum)]);
+            let [Some(half), Some(c2), Some(sum)] = [half, c2, sum].map(|e| self.simplified(&e)) else { continue };
+            let Some(c0) = self.simplified(&plus(vec![sum, scaled(-1, 1, &c2)])) else { continue };
+            let over =
+                |e: Expr, by: &Expr| expr(ExprKind::Product(vec![(Factor::Times, e), (Factor::Over, by.clone())]));
+            let mut found = Vec::new();
+            if is_zero(&c2) {
+                found.push(over(scaled(-1, 2, &c0), &half));
+            } else {
+                let square = expr(ExprKind::Power(Box::new(half.clone()), Box::new(number(2, 1))));
+                let rest = plus(vec![square, scaled(-1, 1, &product(vec![c2.clone(), c0]))]);
+                let Some(rest) = self.simplified(&rest) else { continue };
+                let root = if is_zero(&rest) { rest } else { apply("sqrt", rest) };
+                found.extend([1, -1].map(|k| over(plus(vec![scaled(-1, 1, &half), scaled(k, 1, &root)]), &c2)));
+            }
+            for value in found {
+                let Some(value) = self.simplified(&value) else { continue };
+                let point = vec![(variable.text.clone(), value)];
+                if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point)) {
+                    return Ok(label);
+                }
+            }
+        }
+        Err(no())
+    }
+
+    /// An expression in fewer words.
+    fn simplified(&mut self, e: &Expr) -> Option<Expr> {
+        self.define(e);
+        let reading = self.read(e, false)?;
+        let mut factors = Vec::new();
+        if reading.factors.is_empty() || reading.number != 1 {
+            factors.push(literal(&reading.number));
+        }
         for f in &reading.factors {
             factors.push(super::letters::whole_power(self.letters.written(&f.poly), f.power));
         }
-        Ok((variable.text.clone(), super::letters::product(factors)))
+        Some(product(factors))
     }
 
     fn extremum(&mut self, goal: &Prop, e: &Extremum) -> Result<Label, Fail> {
@@ -224,4 +296,8 @@ pub fn sides_in(p: &Prop, out: &mut Vec<Expr>) {
         }
         _ => {}
     }
+}
+
+fn is_zero(e: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Number(text) if text == "0")
 }

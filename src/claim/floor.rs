@@ -1,0 +1,206 @@
+//! floor and ceil, written out where a claim is read.
+//!
+//! Contract: after [`write_out`] no floor is left. `floor(x)` becomes an integer k, written out as the difference of two natural
+//! numbers, with the hypothesis k ≤ x < k + 1; `ceil(x)` becomes `-floor(-x)`. The claim says the same, since there is exactly
+//! one such k for every x. So that this holds, x speaks of the claim's own variables alone, and has a value everywhere: what
+//! divides, or takes a root, is refused.
+
+use super::definedness::{needs, number};
+use super::diagnostic::{Diagnostic, Fault};
+use super::matrix::{at, numeral};
+use super::preamble::declared;
+use super::syntax::*;
+use super::walk;
+use std::collections::BTreeSet;
+
+/// The functions that are written out here.
+const WORDS: [&str; 3] = ["floor", "ceil", "ceiling"];
+
+/// The most different floors of a claim.
+const FLOORS_LIMIT: usize = 20;
+
+/// Whether this is a function that is written out here; it takes one argument.
+pub fn is_function(name: &str) -> bool {
+    WORDS.contains(&name)
+}
+
+struct Writer<'a> {
+    /// The words that the claim gives another meaning.
+    own: BTreeSet<String>,
+    /// Every name that occurs.
+    names: BTreeSet<String>,
+    /// The names that stand for something inside of quantifiers, sums and definitions.
+    bound: BTreeSet<String>,
+    /// Definitions that may have no value.
+    partial: BTreeSet<String>,
+    /// What was written out, with its name.
+    floors: Vec<(Expr, Name)>,
+    /// What has to be declared before what is being written.
+    open: Vec<Item>,
+    faults: &'a mut Vec<Diagnostic>,
+}
+
+/// Writes out every floor of a claim.
+pub fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
+    let mut names = BTreeSet::new();
+    let mut bound = BTreeSet::new();
+    walk::expressions(claim, &mut |e| {
+        walk::names_in(e, &mut names);
+        walk::indices(e, &mut bound);
+    });
+    if !WORDS.iter().any(|word| names.contains(*word)) {
+        return;
+    }
+    let own: BTreeSet<String> = claim.items.iter().flat_map(declared).map(|n| n.text.clone()).collect();
+    walk::bound_names(claim, &mut |name| {
+        // The names under `given` are bound for the whole claim.
+        if !own.contains(name) {
+            bound.insert(name.to_string());
+        }
+    });
+    names.extend(own.iter().chain(&bound).cloned());
+    let mut writer =
+        Writer { own, names, bound, partial: BTreeSet::new(), floors: Vec::new(), open: Vec::new(), faults };
+    for mut item in std::mem::take(&mut claim.items) {
+        walk::of_item(&mut item, &mut |e| writer.expr(e));
+        if let Item::Let { name, value, .. } = &item
+            && !writer.has_a_value(value)
+        {
+            writer.partial.insert(name.text.clone());
+        }
+        claim.items.append(&mut writer.open);
+        claim.items.push(item);
+    }
+    walk::expressions(claim, &mut |e| writer.expr(e));
+    claim.items.append(&mut writer.open);
+}
+
+impl Writer<'_> {
+    fn fault(&mut self, message: &str, help: &str, span: Span) {
+        let fault = Fault::Other { message: message.to_string(), help: Some(help.to_string()) };
+        self.faults.push(Diagnostic::new(fault, span));
+    }
+
+    fn expr(&mut self, e: &mut Expr) {
+        walk::parts_mut(e, &mut |part| self.expr(part));
+        let span = e.span;
+        let ExprKind::Apply(word, arguments) = &mut e.kind else { return };
+        if !is_function(&word.text) || self.own.contains(&word.text) || self.bound.contains(&word.text) {
+            return;
+        }
+        let Some(of) = arguments.pop() else { return };
+        let minus = |e: Expr| at(span, ExprKind::Negate(Box::new(e)));
+        *e = match word.text.as_str() {
+            "floor" => self.floor(of, span),
+            _ => minus(self.floor(minus(of), span)),
+        };
+    }
+
+    fn floor(&mut self, of: Expr, span: Span) -> Expr {
+        let name = |name: &Name| at(span, ExprKind::Name(name.text.clone()));
+        if let Some((_, known)) = self.floors.iter().find(|f| f.0 == of) {
+            return name(known);
+        }
+        let mut inside = BTreeSet::new();
+        walk::names_in(&of, &mut inside);
+        if let Some(bound) = inside.intersection(&self.bound).next() {
+            let help = "declare the floor as a number of its own: `k integer` and `k <= x < k + 1`";
+            self.fault(&format!("this floor moves with {bound}"), help, span);
+            return of;
+        }
+        if !self.has_a_value(&of) {
+            let help = "give the quotient or root a name: `given q real` with `assume q*m = a`, and write floor(q)";
+            self.fault("a floor is taken of what has a value everywhere", help, span);
+            return of;
+        }
+        if self.floors.len() >= FLOORS_LIMIT {
+            self.faults.push(Diagnostic::new(Fault::Limit { name: "floors of a claim", allowed: FLOORS_LIMIT }, span));
+            return of;
+        }
+        let mut fresh = |text: String| {
+            let is_free = |text: &String| !self.names.contains(text);
+            let text = std::iter::once(text.clone()).chain((2..).map(|k| format!("{text}_{k}"))).find(is_free);
+            let name = Name { text: text.unwrap_or_default(), span };
+            self.names.insert(name.text.clone());
+            name
+        };
+        let floor = fresh(format!("floor_{}", self.floors.len() + 1));
+        let (up, down) = (fresh(format!("{}_up", floor.text)), fresh(format!("{}_down", floor.text)));
+        let sum = |a: Expr, sign: Sign, b: Expr| at(span, ExprKind::Sum(vec![(Sign::Plus, a), (sign, b)]));
+        let names = vec![(up.clone(), None), (down.clone(), None)];
+        self.open.push(Item::Given(vec![Binding {
+            names,
+            natural: true,
+            constraints: Vec::new(),
+            indices: None,
+            span,
+        }]));
+        let value = sum(name(&up), Sign::Minus, name(&down));
+        self.open.push(Item::Let { name: floor.clone(), parameters: Vec::new(), value });
+        let sides = vec![name(&floor), of.clone(), sum(name(&floor), Sign::Plus, numeral(span, 1))];
+        let kind = PropKind::Compare(sides, vec![Relation::LessEqual, Relation::Less]);
+        self.open.push(Item::Assume { label: None, prop: Prop { kind, span } });
+        let out = name(&floor);
+        self.floors.push((of, floor));
+        out
+    }
+
+    /// Whether an expression has a value by its form: what it divides by is a number other than 0, and its other conditions
+    /// are none.
+    fn has_a_value(&self, e: &Expr) -> bool {
+        const EVERYWHERE: [&str; 8] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh"];
+        let own = match &e.kind {
+            ExprKind::Product(list) => {
+                list.iter().all(|(factor, a)| *factor == Factor::Times || number(a).is_some_and(|(top, _)| top != 0))
+            }
+            // Families and definitions with parameters may have no value, and so may sums.
+            ExprKind::Apply(f, _) => EVERYWHERE.contains(&f.text.as_str()) && !self.own.contains(&f.text),
+            ExprKind::Name(name) => !self.partial.contains(name),
+            ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
+            ExprKind::Power(..) => needs(e, &|_| false).is_empty(),
+            _ => false,
+        };
+        let mut all = own;
+        walk::parts(e, &mut |part| all = all && self.has_a_value(part));
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::claim::parse::parse;
+    use crate::claim::print::{Style, statement};
+
+    #[test]
+    fn a_floor_is_an_integer_next_below() {
+        let claims = parse("claim c \"t\"\ngiven x real\nassume floor(x) > 2\nprove ceil(x/2) >= floor(x) - 3\n");
+        let lines = statement(&claims.expect("it parses")[0], Style::Text);
+        assert_eq!(
+            lines,
+            [
+                "given x real",
+                "given floor_1_up, floor_1_down natural",
+                "let floor_1 = floor_1_up - floor_1_down",
+                "assume floor_1 <= x < floor_1 + 1",
+                "assume floor_1 > 2",
+                "given floor_2_up, floor_2_down natural",
+                "let floor_2 = floor_2_up - floor_2_down",
+                "assume floor_2 <= -x/2 < floor_2 + 1",
+                "prove -floor_2 >= floor_1 - 3",
+            ]
+        );
+    }
+
+    #[test]
+    fn what_moves_or_may_have_no_value_is_refused() {
+        let fault = |goal: &str| {
+            let source = format!("claim c \"t\"\ngiven x real; n natural\nlet w = 1/x\nprove {goal}\n");
+            parse(&source).expect_err("refused")[0].message()
+        };
+        assert_eq!(fault("sum(i = 0..n, floor(x*i)) = x"), "this floor moves with i");
+        assert_eq!(fault("for all t real: floor(t) <= t"), "this floor moves with t");
+        assert_eq!(fault("floor(1/x) = x"), "a floor is taken of what has a value everywhere");
+        assert_eq!(fault("floor(sqrt(x)) = x"), "a floor is taken of what has a value everywhere");
+        assert_eq!(fault("floor(w) = x"), "a floor is taken of what has a value everywhere");
+    }
+}
