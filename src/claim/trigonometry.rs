@@ -374,6 +374,13 @@ impl Writer<'_> {
             mut other => {
                 match &mut other {
                     Item::Assume { prop, .. } => self.prop(prop),
+                    Item::Let { parameters, value, .. } => {
+                        // A parameter may have the name of an angle of another place.
+                        let hidden: Vec<_> =
+                            parameters.iter().filter_map(|p| self.angles.remove_entry(&p.text)).collect();
+                        self.expr(value);
+                        self.angles.extend(hidden);
+                    }
                     item => walk::of_item(item, &mut |e| self.expr(e)),
                 }
                 if let Item::Let { name, parameters, value } = &other
