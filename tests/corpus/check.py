@@ -325,6 +325,8 @@ def call(name, argument, env):
         if v <= 0:
             raise Undefined
         return mpmath.log(v)
+    if name == "tan" and abs(mpmath.cos(v)) < CLOSE:
+        raise Undefined
     if name == "det":
         return determinant(v)
     if name in FUNCTIONS:
@@ -516,6 +518,9 @@ class Claim:
             name, right = text.split(" = ", 1)
             self.names[name] = self.replaced(Parser(right).sum())
         equations = []
+        # Where equations define families, they hold nowhere where a member has no value; a `define` of one sequence from
+        # u(k) to u(k + 1) is a definition, and the claim has to see to it that there are values.
+        self.by_equations = any(re.search(r"^\S+,|\(k \+ [^1]", t) for t in read("define"))
         for text in read("define"):
             names, _, right = text.partition(" by ")
             for name in names.split(", "):
@@ -630,6 +635,9 @@ class Claim:
         global tolerance
         tolerance = SOLVED
         try:
+            if self.by_equations:
+                for name in self.families:
+                    [env[name](k) for k in range(6)]
             domains = all(family or inside(domain, env[name], env) for name, family, domain in self.domains)
             return domains and all(truth(a, env, rng) for a in self.assumed)
         finally:

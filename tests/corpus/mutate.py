@@ -19,6 +19,8 @@ import subprocess
 import sys
 import tempfile
 
+import mpmath
+
 import check
 
 RELATIONS = {">=": "<=", "<=": ">=", ">": "<", "<": ">", "=": ">="}
@@ -89,6 +91,22 @@ def readable(carom, text, path):
     return subprocess.run([carom, "print", str(path)], capture_output=True).returncode == 0
 
 
+def as_written(claim, witness):
+    """A witness in the claim's own words: angles by their cosines and sines, within their bounds; floors are left out."""
+    own = {n: v for n, v in witness.items() if not re.match(r"(cos|sin)_|floor_\d+_(up|down)$", n)}
+    domains = {name: domain for name, _, domain in claim.domains}
+    for name in [n[4:] for n in witness if n.startswith("cos_")]:
+        cosine, sine = (check.value(check.Parser(witness[f"{f}_{name}"]).sum(), {}) for f in ("cos", "sin"))
+        angle, _, over = name.partition("_over_")
+        over = int(over or 1)
+        if angle not in domains:
+            continue
+        turns = [over * (mpmath.atan2(sine, cosine) + 2 * mpmath.pi * k) for k in (0, 1, -1, 2, -2)]
+        within = [t for t in turns if check.inside(domains[angle], t, {})]
+        own[angle] = mpmath.nstr((within or turns)[0], 60)
+    return own
+
+
 def fault(text, verdict, witness):
     """What is wrong with a verdict, or None."""
     try:
@@ -102,12 +120,17 @@ def fault(text, verdict, witness):
         found = claim.counterexample(300)
         return found and f"proved, and fails at {found}"
     if verdict == "refuted" and witness and all(re.fullmatch(r"-?\d+(/\d+)?", v) for v in witness.values()):
+        is_of_angles = any(n.startswith("cos_") for n in witness)
+        witness = as_written(claim, witness)
         try:
             env = claim.start(rng, witness)
         except (AssertionError, check.Undefined):
             return f"refuted at {witness}, which is outside its domains"
         try:
             if not claim.allowed(env, rng):
+                # Angles without bounds may be told up to whole turns only.
+                if is_of_angles and claim.assumed:
+                    return None
                 return f"refuted at {witness}, where its hypotheses do not hold"
             if claim.goal[0] not in ("limit", "exists", "all", "maximum", "minimum") and claim.holds(env, rng):
                 return f"refuted at {witness}, where it holds"
