@@ -96,7 +96,7 @@ fn judged(claim: &Claim) -> Entry {
 #[test]
 fn a_refuted_claim_without_a_certificate_is_listed() {
     deep(|| {
-        println!("{:<28}{:>8}{:>10}{:>11}", "refutations", "refuted", "certified", "evaluated");
+        let mut table = vec![format!("{:<28}{:>8}{:>10}{:>11}", "refutations", "refuted", "certified", "evaluated")];
         let (mut listed, mut all) = (Vec::new(), (0, 0));
         for (kind, claims) in verdicts() {
             let (mut refuted, mut certified) = (0, 0);
@@ -118,9 +118,10 @@ fn a_refuted_claim_without_a_certificate_is_listed() {
                 }
             }
             all = (all.0 + refuted, all.1 + certified);
-            println!("{kind:<28}{refuted:>8}{certified:>10}{:>11}", refuted - certified);
+            table.push(format!("{kind:<28}{refuted:>8}{certified:>10}{:>11}", refuted - certified));
         }
-        println!("{:<28}{:>8}{:>10}{:>11}", "all refutations", all.0, all.1, all.0 - all.1);
+        table.push(format!("{:<28}{:>8}{:>10}{:>11}", "all refutations", all.0, all.1, all.0 - all.1));
+        super::corpus::show("refutations", &table);
         listed.sort();
         if std::env::var_os("CAROM_WRITE").is_some() {
             let text: String = listed.iter().map(|name| format!("{name}\n")).collect();
