@@ -5,11 +5,11 @@
 //! one such k for every x. So that this holds, x speaks of the claim's own variables alone, and has a value everywhere: what
 //! divides, or takes a root, is refused.
 
-use super::definedness::{needs, number};
 use super::diagnostic::{Diagnostic, Fault};
 use super::matrix::{at, numeral};
-use super::preamble::declared;
+use super::preamble::{applied, declared};
 use super::syntax::*;
+use super::total;
 use super::walk;
 use std::collections::BTreeSet;
 
@@ -31,7 +31,7 @@ struct Writer<'a> {
     names: BTreeSet<String>,
     /// The names that stand for something inside of quantifiers, sums and definitions.
     bound: BTreeSet<String>,
-    /// Definitions that may have no value.
+    /// Definitions that may have no value; those with parameters, families and sequences are taken to be such.
     partial: BTreeSet<String>,
     /// What was written out, with its name.
     floors: Vec<(Expr, Name)>,
@@ -63,6 +63,7 @@ pub fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
         Writer { own, names, bound, partial: BTreeSet::new(), floors: Vec::new(), open: Vec::new(), faults };
     for mut item in std::mem::take(&mut claim.items) {
         walk::of_item(&mut item, &mut |e| writer.expr(e));
+        writer.partial.extend(applied(&item).into_iter().map(|n| n.text.clone()));
         if let Item::Let { name, value, .. } = &item
             && !writer.has_a_value(value)
         {
@@ -145,24 +146,9 @@ impl Writer<'_> {
         out
     }
 
-    /// Whether an expression has a value by its form: what it divides by is a number other than 0, and its other conditions
-    /// are none.
+    /// Whether an expression has a value everywhere.
     fn has_a_value(&self, e: &Expr) -> bool {
-        const EVERYWHERE: [&str; 8] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh"];
-        let own = match &e.kind {
-            ExprKind::Product(list) => {
-                list.iter().all(|(factor, a)| *factor == Factor::Times || number(a).is_some_and(|(top, _)| top != 0))
-            }
-            // Families and definitions with parameters may have no value, and so may sums.
-            ExprKind::Apply(f, _) => EVERYWHERE.contains(&f.text.as_str()) && !self.own.contains(&f.text),
-            ExprKind::Name(name) => !self.partial.contains(name),
-            ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
-            ExprKind::Power(..) => needs(e, &|_| false).is_empty(),
-            _ => false,
-        };
-        let mut all = own;
-        walk::parts(e, &mut |part| all = all && self.has_a_value(part));
-        all
+        total::has_a_value(e, &|name| !self.partial.contains(name))
     }
 }
 

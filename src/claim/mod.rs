@@ -15,6 +15,7 @@ pub mod parse;
 pub mod preamble;
 pub mod print;
 pub mod syntax;
+mod total;
 mod trigonometry;
 pub mod walk;
 

@@ -133,3 +133,15 @@ pub fn declared(item: &Item) -> Vec<&Name> {
         Item::Assume { .. } => Vec::new(),
     }
 }
+
+/// The names among these that take an argument: definitions with parameters, families and sequences.
+pub fn applied(item: &Item) -> Vec<&Name> {
+    match item {
+        Item::Given(bindings) => {
+            bindings.iter().flat_map(|b| &b.names).filter(|n| n.1.is_some()).map(|n| &n.0).collect()
+        }
+        Item::Let { name, parameters, .. } if !parameters.is_empty() => vec![name],
+        Item::Define { name, .. } => vec![name],
+        Item::Let { .. } | Item::Assume { .. } => Vec::new(),
+    }
+}

@@ -25,8 +25,9 @@ use super::circle::{MULTIPLE_LIMIT, Point, TERMS_LIMIT, compared, cosine_name, s
 use super::definedness::number;
 use super::diagnostic::{Diagnostic, Fault};
 use super::matrix::{at, numeral};
-use super::preamble::declared;
+use super::preamble::{applied, declared};
 use super::syntax::*;
+use super::total;
 use super::walk;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -72,6 +73,8 @@ struct Writer<'a> {
     equations: Vec<Angle>,
     /// What definitions without parameters stand for, written out.
     values: BTreeMap<String, Expr>,
+    /// The names that take an argument.
+    applied: BTreeSet<String>,
     nodes: usize,
     faults: &'a mut Vec<Diagnostic>,
 }
@@ -101,6 +104,7 @@ pub fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
         bounds: BTreeMap::new(),
         equations: Vec::new(),
         values: BTreeMap::new(),
+        applied: claim.items.iter().flat_map(applied).map(|n| n.text.clone()).collect(),
         nodes: 0,
         faults: &mut found,
     };
@@ -466,8 +470,8 @@ impl Writer<'_> {
     /// An equation between angles, as two of cosines and sines.
     ///
     /// These say that both sides differ by whole turns. The equation says the same if the bounds leave no other number
-    /// of turns than none, or if one of the angles has no bounds, stands in no other equation, and a whole turn of it is a
-    /// whole turn of the sum: then it may be turned until both sides agree.
+    /// of turns than none. It also does if one of the angles has no bounds, stands in no other equation, and turns the sum
+    /// once when it is turned once. Then it may be turned until both sides agree.
     fn relation(&mut self, a: &Expr, b: &Expr) -> Vec<Prop> {
         let span = Span { start: a.span.start, end: b.span.end };
         let Some(sum) = self.difference(a, b) else {
@@ -584,7 +588,9 @@ impl Writer<'_> {
                 let mut out = (**body).clone();
                 for name in by.clone() {
                     let found = match self.angles.get(&name.text).map(|v| v.over) {
-                        Some(over) => self.derivative(&out, &named(&name.text, over), over),
+                        Some(over) => self
+                            .derivative(&out, &named(&name.text, over), over)
+                            .map(|d| self.with_the_value_of(d, &out)),
                         None => Some(at(span, ExprKind::Derivative(Box::new(out), vec![name]))),
                     };
                     let Some(found) = found else {
@@ -603,8 +609,26 @@ impl Writer<'_> {
         }
     }
 
+    /// A derivative that has a value only where the function has one: a summand without the angle leaves nothing behind, and
+    /// it may divide by what can be 0.
+    fn with_the_value_of(&self, derivative: Expr, function: &Expr) -> Expr {
+        let plain = |name: &str| !self.applied.contains(name) && !self.values.contains_key(name);
+        let named = |name: &str| match self.values.get(name) {
+            Some(value) => total::has_a_value(value, &plain),
+            None => plain(name),
+        };
+        if total::has_a_value(function, &named) {
+            return derivative;
+        }
+        let span = derivative.span;
+        let nothing = vec![(Factor::Times, numeral(span, 0)), (Factor::Times, function.clone())];
+        let nothing = at(span, ExprKind::Product(nothing));
+        at(span, ExprKind::Sum(vec![(Sign::Plus, derivative), (Sign::Plus, nothing)]))
+    }
+
     /// The derivative of what is written out already, by the rules for sums, products, quotients, whole powers, roots, exp
-    /// and ln. It has a value where the function has derivatives: the divisors are those of the function, and the roots.
+    /// and ln. Where the function has a value, this has one where there are derivatives: it divides by what the function divides
+    /// by, and by its roots.
     fn derivative(&mut self, of: &Expr, angle: &str, over: u32) -> Option<Expr> {
         let span = of.span;
         // A product of k factors has k terms, each with all factors.

@@ -38,6 +38,7 @@ impl Parser {
         let natural = domain_said == Some(true);
         self.need_sign("->", "between the variable and where it goes")?;
         let mut sides = vec![of];
+        let mut conditions = Vec::new();
         if !self.word("infinity") {
             if is_declared || domain_said.is_some() {
                 let message = format!("{} is declared, and goes to a point here", variable.text);
@@ -49,6 +50,13 @@ impl Parser {
                 ));
             }
             let point = self.expr()?;
+            let mut inside = BTreeSet::new();
+            walk::names_in(&sides[0], &mut inside);
+            if !inside.contains(&variable.text) {
+                // Nothing is left of the point, and it has to have a value.
+                let same = PropKind::Compare(vec![point.clone(), point.clone()], vec![Relation::Equal]);
+                conditions.push(Prop { kind: same, span: point.span });
+            }
             sides = self.sides(sides.remove(0), &variable, point)?;
         }
         self.need_word("is")?;
@@ -69,7 +77,7 @@ impl Parser {
         };
         let span = self.since(start);
         let mut list: Vec<Prop> =
-            sides.into_iter().flat_map(|of| says(of, &variable, natural, &target, span)).collect();
+            sides.into_iter().flat_map(|of| says(of, &variable, natural, &target, span)).chain(conditions).collect();
         Ok(match list.len() {
             1 => list.remove(0),
             _ => Prop { kind: PropKind::And(list), span },
