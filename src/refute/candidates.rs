@@ -10,7 +10,7 @@ use malachite::Rational;
 
 /// Natural numbers beyond the usual ones.
 const NATURALS: &[u32] =
-    &[8, 9, 10, 11, 12, 13, 14, 15, 16, 20, 24, 25, 32, 50, 64, 100, 128, 200, 256, 400, 500, 1000];
+    &[8, 9, 10, 11, 12, 13, 14, 15, 16, 20, 24, 25, 32, 50, 64, 100, 128, 200, 256, 400, 500, 700, 1000];
 
 /// Reals that the usual list leaves out.
 const REALS: &[&str] = &[

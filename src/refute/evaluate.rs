@@ -9,6 +9,7 @@ use super::number::{
     LARGEST, Missing, Number, Result, add, exponential, holds, hyperbolic, invert, large_power, logarithm, multiply,
     negate, of_some_size, root, whole_power,
 };
+use super::recurrence::{Members, Recurrence};
 use crate::claim::definedness::{self, Exponent};
 use crate::claim::syntax::*;
 use crate::number::rational;
@@ -42,6 +43,10 @@ pub struct Assignment {
     pub identities: Rc<HashSet<(String, String)>>,
     /// Sequences.
     pub sequences: BTreeMap<String, Sequence>,
+    /// Families that recurrences determine.
+    pub(super) recurrences: Rc<BTreeMap<String, Recurrence>>,
+    /// Their members so far.
+    pub(super) members: Members,
     /// Index ranges of families: first and last.
     pub ranges: HashMap<String, (Expr, Expr)>,
     /// The members that were looked up.
@@ -60,6 +65,8 @@ impl Default for Assignment {
             ratios: HashMap::default(),
             identities: Rc::default(),
             sequences: BTreeMap::new(),
+            recurrences: Rc::default(),
+            members: Members::default(),
             ranges: HashMap::default(),
             seen: RefCell::default(),
             steps: Rc::new(Cell::new(STEPS)),
@@ -257,14 +264,7 @@ impl Assignment {
             if text == "transpose" {
                 return Ok(Value::Matrix((0..m[0].len()).map(|j| m.iter().map(|r| r[j].clone()).collect()).collect()));
             }
-            return match m.as_slice() {
-                [a, b] if a.len() == 2 => {
-                    let down = multiply(&a[0], &b[1]);
-                    let up = multiply(&a[1], &b[0]);
-                    Ok(Value::Scalar(add(&down, &negate(&up))))
-                }
-                _ => Err(Missing::Unknown),
-            };
+            return determinant(&m).map(Value::Scalar);
         }
         let argument = arguments.first().ok_or(Missing::Unknown)?;
         let half = |k: i64| Number::Exact(Rational::from_signeds(1, k));
@@ -288,7 +288,15 @@ impl Assignment {
                 if index > LARGEST {
                     return Err(Missing::Unknown);
                 }
-                if let (Some(list), Some(ratio)) = (self.families.get(text), self.ratios.get(text)) {
+                if let Some(recurrence) = self.recurrences.get(text) {
+                    let index = usize::try_from(index).map_err(|_| Missing::Unknown)?;
+                    let value = self.recurrent(text, index)?;
+                    let members = self.members.borrow();
+                    let first = members.get(text).into_iter().flatten().take(recurrence.order);
+                    let first = (0i64..).zip(first).map(|(k, q)| ((name.text.clone(), k), q.clone()));
+                    self.seen.borrow_mut().extend(first);
+                    Number::Exact(value)
+                } else if let (Some(list), Some(ratio)) = (self.families.get(text), self.ratios.get(text)) {
                     let value = list.first().ok_or(Missing::Unknown)? * ratio.pow(index);
                     self.seen.borrow_mut().insert((name.text.clone(), index), value.clone());
                     Number::Exact(value)
@@ -542,6 +550,24 @@ impl Assignment {
 /// Whether two matrices have as many rows and columns.
 fn same_size(a: &[Vec<Number>], b: &[Vec<Number>]) -> bool {
     a.iter().map(Vec::len).eq(b.iter().map(Vec::len))
+}
+
+/// The determinant, by the first row, of a square matrix of at most five rows.
+fn determinant(rows: &[Vec<Number>]) -> Result<Number> {
+    let Some((first, others)) = rows.split_first() else { return Ok(Number::Exact(Rational::ONE)) };
+    if rows.len() > 5 || rows.iter().any(|row| row.len() != rows.len()) {
+        return Err(Missing::Unknown);
+    }
+    let mut sum = Number::Exact(Rational::ZERO);
+    for (place, a) in first.iter().enumerate() {
+        let without = |row: &Vec<Number>| {
+            row.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, x)| x.clone()).collect::<Vec<_>>()
+        };
+        let minor = determinant(&others.iter().map(without).collect::<Vec<_>>())?;
+        let term = multiply(a, &minor);
+        sum = add(&sum, &if place % 2 == 0 { term } else { negate(&term) });
+    }
+    Ok(sum)
 }
 
 /// Whether an index is a natural number for all natural values of what stands in it, if it is for one.

@@ -32,6 +32,9 @@ const TERMS: usize = 5;
 /// The highest whole power that is multiplied out.
 const WHOLE: i64 = 60;
 
+/// The highest degree of a sum in closed form.
+const DEGREE: usize = 8;
+
 /// A power of t below which everything vanishes that falls exponentially.
 const VANISHED: i64 = 1_000_000;
 
@@ -306,8 +309,86 @@ impl At<'_> {
                 ("exp" | "sqrt" | "cbrt", [_]) => self.product(&[(Factor::Times, e.clone())]),
                 _ => None,
             },
+            ExprKind::SumOver(index, body) => self.sum_over(index, body),
             ExprKind::Product(list) => self.product(list),
             ExprKind::Power(..) => self.product(&[(Factor::Times, e.clone())]),
+            _ => None,
+        }
+    }
+
+    /// A sum up to the variable: of a polynomial in the index, or a geometric one whose ratio is less than 1 in size.
+    ///
+    /// S(n) = f(a) + … + f(n) is a polynomial of one degree more in n, with S(a − 1) = 0: its values at a − 1, …, a + d tell it.
+    fn sum_over(&self, index: &Index, body: &Expr) -> Option<Series> {
+        let is_variable = matches!(&index.to.kind, ExprKind::Name(n) if n == self.variable);
+        if !is_variable || self.moves(&index.from) || self.moves(body) || self.variable == index.name.text {
+            return None;
+        }
+        let rational = |point: &Assignment, e: &Expr| match point.number(e).ok()? {
+            Number::Exact(q) => Some(q),
+            Number::Between(..) => None,
+        };
+        let from = rational(self.point, &index.from)?;
+        let at = |k: usize| {
+            let mut inner = self.point.clone();
+            inner.indices.insert(index.name.text.clone(), &from + Rational::from(k));
+            rational(&inner, body)
+        };
+        if let Some(ratio) = self.ratio(body, &index.name.text) {
+            // S(n) tends to f(a)/(1 − q), faster than any power of n.
+            let q = rational(self.point, &ratio)?;
+            let bounded = q > -1 && q < 1;
+            return bounded
+                .then_some(())
+                .and_then(|()| Some(Series::constant(Number::Exact(at(0)? / (Rational::ONE - q)))));
+        }
+        let degree = degree_in(body, &index.name.text).filter(|d| *d <= DEGREE)?;
+        // Newton's form: S = Σ Δ^k·binomial(n − a + 1, k).
+        let mut values = vec![Rational::ZERO];
+        for k in 0..=degree {
+            let last = values.last().cloned()?;
+            values.push(last + at(k)?);
+        }
+        let n = Series { order: Rational::from(-1), ..Series::constant(exact(1)) };
+        let steps = n.plus(&Series::constant(Number::Exact(Rational::ONE - &from)))?;
+        let (mut sum, mut binomial) = (None::<Series>, Series::constant(exact(1)));
+        let mut k = 0i64;
+        while let Some(first) = values.first().cloned() {
+            if first != 0 {
+                let term = binomial.scaled(&Number::Exact(first));
+                sum = Some(match sum {
+                    Some(sum) => sum.plus(&term)?,
+                    None => term,
+                });
+            }
+            let next = steps.plus(&Series::constant(exact(-k)))?;
+            binomial = binomial.times(&next).scaled(&Number::Exact(Rational::from_signeds(1, k + 1)));
+            values = values.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
+            k += 1;
+        }
+        Some(sum.unwrap_or_else(|| Series::constant(exact(0))))
+    }
+
+    /// The ratio of a member of a geometric sequence to the one before.
+    fn ratio(&self, body: &Expr, index: &str) -> Option<Expr> {
+        match &body.kind {
+            ExprKind::Negate(a) => self.ratio(a, index),
+            ExprKind::Product(list) => {
+                let mut with = list.iter().filter(|(_, e)| stands_in(index, e));
+                match (with.next(), with.next()) {
+                    (Some((Factor::Times, e)), None) => self.ratio(e, index),
+                    (Some((Factor::Over, e)), None) => {
+                        let one = (Factor::Times, numeral(1));
+                        Some(expr(ExprKind::Product(vec![one, (Factor::Over, self.ratio(e, index)?)])))
+                    }
+                    _ => None,
+                }
+            }
+            ExprKind::Power(base, exponent) if !stands_in(index, base) => {
+                // What is added to the exponent for each step, which has to be the same for all.
+                let slope = slope_in(exponent, index)?;
+                Some(expr(ExprKind::Power(base.clone(), Box::new(slope))))
+            }
             _ => None,
         }
     }
@@ -398,6 +479,52 @@ impl At<'_> {
         let mut out = composed(&binomial, &u)?.scaled(&power);
         out.order += q * &s.order;
         Some(out)
+    }
+}
+
+fn stands_in(name: &str, e: &Expr) -> bool {
+    let mut names = BTreeSet::new();
+    names_in(e, &mut names);
+    names.contains(name)
+}
+
+/// The degree of a polynomial in the index; `None` for anything else.
+fn degree_in(e: &Expr, index: &str) -> Option<usize> {
+    if !stands_in(index, e) {
+        return Some(0);
+    }
+    match &e.kind {
+        ExprKind::Name(_) => Some(1),
+        ExprKind::Negate(a) => degree_in(a, index),
+        ExprKind::Sum(list) => list.iter().map(|(_, e)| degree_in(e, index)).try_fold(0, |most, d| Some(d?.max(most))),
+        ExprKind::Product(list) => list.iter().try_fold(0, |sum, (factor, e)| {
+            let own = degree_in(e, index)?;
+            (own == 0 || *factor == Factor::Times).then_some(sum + own)
+        }),
+        ExprKind::Power(a, k) => {
+            let (k, 1) = crate::claim::definedness::number(k)? else { return None };
+            degree_in(a, index)?.checked_mul(usize::try_from(k).ok()?)
+        }
+        _ => None,
+    }
+}
+
+/// The slope of a linear form with numerals in the index.
+fn slope_in(e: &Expr, index: &str) -> Option<Expr> {
+    match &e.kind {
+        ExprKind::Name(n) if n == index => Some(numeral(1)),
+        _ if !stands_in(index, e) => Some(numeral(0)),
+        ExprKind::Sum(list) => {
+            let slopes: Option<Vec<_>> = list.iter().map(|(sign, e)| Some((*sign, slope_in(e, index)?))).collect();
+            Some(expr(ExprKind::Sum(slopes?)))
+        }
+        ExprKind::Product(list) => match list.as_slice() {
+            [(Factor::Times, c @ Expr { kind: ExprKind::Number(_), .. }), (Factor::Times, e)] => {
+                Some(expr(ExprKind::Product(vec![(Factor::Times, c.clone()), (Factor::Times, slope_in(e, index)?)])))
+            }
+            _ => None,
+        },
+        _ => None,
     }
 }
 

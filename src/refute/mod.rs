@@ -19,5 +19,6 @@ pub mod trial;
 
 mod candidates;
 mod closed;
+mod recurrence;
 
 use crate::algebra::Moment;

@@ -17,6 +17,9 @@ use std::rc::Rc;
 /// The largest exponent and index that is evaluated.
 pub const LARGEST: i64 = 400;
 
+/// The largest exponent of a power that is enclosed narrowly.
+const LARGE: u64 = 100_000;
+
 /// Bits kept of the ends of intervals.
 pub const PRECISION: u64 = 192;
 
@@ -269,6 +272,11 @@ pub(super) fn large_power(a: &Number, p: i64, negative: bool, text: impl Fn() ->
         }
         Number::Exact(q) if *q == 1 => Ok(a.clone()),
         Number::Exact(q) if *q == -1 => Ok(Number::Exact(if p % 2 == 0 { one } else { -one })),
+        // h^p = exp(p·ln h) for h > 0.
+        _ if *low > 0 && p.unsigned_abs() <= LARGE => {
+            let p = Number::Exact(Rational::from(if negative { -p.abs() } else { p.abs() }));
+            exponential(&multiply(&p, &logarithm(a, text)?))
+        }
         // 0 < h < 1: 0 < h^p ≤ h^400 for p ≥ 400.
         _ if *low > 0 && *high < 1 && !negative => {
             Ok(Number::Between(Rational::ZERO, rounded(&high.pow(LARGEST), true), None))

@@ -11,6 +11,7 @@ use super::limit::{Tends, tends};
 use super::number::Missing;
 use super::outcome::{Broken, Point, Witness};
 use super::reading::Reading;
+use super::recurrence::recurrences;
 use super::solve::{Way, ways};
 use crate::claim::print;
 use crate::claim::syntax::*;
@@ -111,7 +112,19 @@ impl Search {
             search.hypotheses = statement.assumptions.iter().map(|a| a.1.clone()).collect();
         }
         search.declare(bindings);
+        search.go_on_by_recurrences();
         search
+    }
+
+    /// Takes the families that recurrences determine as such; these hypotheses hold by construction.
+    fn go_on_by_recurrences(&mut self) {
+        // What a domain says of all members is not seen at a few.
+        let free = self.families.iter().filter(|f| !f.1 && f.2.is_empty() && !self.base.ranges.contains_key(&f.0));
+        let names: Vec<String> = free.map(|f| f.0.clone()).collect();
+        let (found, places) = recurrences(&names, &self.hypotheses);
+        let mut place = 0..;
+        self.hypotheses.retain(|_| place.next().is_none_or(|place| !places.contains(&place)));
+        self.base.recurrences = Rc::new(found);
     }
 
     fn declare(&mut self, bindings: &[Binding]) {
@@ -327,7 +340,7 @@ impl Search {
     }
 
     fn at_with(&self, choice: &Choice, steps: Rc<Cell<u32>>) -> Option<Assignment> {
-        let mut point = Assignment { steps, ..self.base.clone() };
+        let mut point = Assignment { steps, members: Rc::default(), ..self.base.clone() };
         for ((name, _), value) in self.names.iter().zip(&choice.scalars) {
             point.values.insert(name.clone(), value.clone());
         }
@@ -349,6 +362,15 @@ impl Search {
                 }
                 _ => return None,
             }
+        }
+        for family in self.base.recurrences.keys() {
+            let list = point.families.remove(family).unwrap_or_default();
+            point.ratios.remove(family);
+            point.begin(family, &list).ok()?;
+        }
+        // Where the first step has a value all have.
+        for (family, recurrence) in self.base.recurrences.iter() {
+            point.recurrent(family, recurrence.order).ok()?;
         }
         // A hypothesis that divides says that the divisor is not 0, wherever in it it stands.
         self.hypotheses.iter().all(|h| !point.undefined(h) && point.truth(h) == Ok(true)).then_some(point)

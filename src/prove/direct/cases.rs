@@ -71,6 +71,9 @@ impl Prover {
                 continue;
             }
             let Some(reading) = self.read(&minus(&sides[0], &sides[1]), true) else { continue };
+            if relations[0] == Relation::NotEqual && !is_settled(self.signs_of(&minus(&sides[0], &sides[1]))) {
+                cases.push(compare(sides[0].clone(), Relation::Greater, sides[1].clone()));
+            }
             let several = reading.factors.len() > 1;
             for f in &reading.factors {
                 if several && !is_settled(f.signs) {

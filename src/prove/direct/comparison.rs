@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 /// The most columns of a linear program, by level.
 const COLUMNS: [usize; 3] = [80, 300, 600];
 
+/// Of how many letters the squares of all sums and differences are tried from the second level on.
+const FEW_LETTERS: usize = 4;
+
 impl Prover {
     /// Shows a single comparison.
     pub fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
@@ -47,6 +50,13 @@ impl Prover {
         let quiet = self.splits >= 8;
         let top = if self.splits >= 9 { 1 } else { 2 };
         for level in 0..=top {
+            // What roots are about, few linear programs see.
+            if level == 1
+                && !quiet
+                && let Ok(label) = self.by_roots(goal, a, *relation, b)
+            {
+                return Ok(label);
+            }
             if let Ok(label) = self.attempt(|c| c.by_products(goal, level)) {
                 return Ok(label);
             }
@@ -87,22 +97,15 @@ impl Prover {
             }
         }
         if *relation == Relation::NotEqual {
+            if !quiet && let Ok(label) = self.attempt(|c| c.by_divisibility(goal, a, b)) {
+                return Ok(label);
+            }
             for side in [Relation::Greater, Relation::Less] {
                 let stronger = compare(a.clone(), side, b.clone());
                 if let Ok(label) = self.quietly(&stronger) {
                     return self.logic(&[&label], goal);
                 }
             }
-        }
-        if !quiet
-            && let Ok(label) = self.attempt(|c| {
-                c.splits = 8;
-                let label = c.by_squares(goal, a, *relation, b)?;
-                c.splits = splits;
-                Ok(label)
-            })
-        {
-            return Ok(label);
         }
         if !quiet
             && let Ok(label) = self.attempt(|c| {
@@ -133,6 +136,24 @@ impl Prover {
             return Ok(label);
         }
         Err(Fail::NotShown(crate::claim::print::prop(goal)))
+    }
+
+    /// A comparison in which roots stand.
+    fn by_roots(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if relation == Relation::NotEqual || self.roots_in(&minus(a, b)).is_empty() {
+            return Err(Fail::No("a root"));
+        }
+        if self.splits < 3
+            && let Ok(label) = self.by_absolute_values(goal)
+        {
+            return Ok(label);
+        }
+        let splits = std::mem::replace(&mut self.splits, 8);
+        let shown = self
+            .attempt(|c| c.by_squares(goal, a, relation, b))
+            .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)));
+        self.splits = splits;
+        shown
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
@@ -206,6 +227,8 @@ impl Prover {
         squares.extend(near.iter().map(|v| Polynomial::variable(*v)));
         if level > 0 {
             squares.extend(wanted.iter().flat_map(discriminant_forms));
+            let zeros = base.iter().filter(|k| k.kind == Kind::Zero);
+            squares.extend(zeros.flat_map(|k| discriminant_forms(&k.poly)).take(FEW_LETTERS));
         }
         out.extend(squares.iter().map(|m| self.squared(m)));
         if level == 0 {
@@ -240,6 +263,10 @@ impl Prover {
             roots.push(Polynomial::one());
         }
         roots.dedup();
+        if near.len() <= FEW_LETTERS {
+            let letters = near.iter().map(|v| Polynomial::variable(*v));
+            roots.extend(letters.filter(|x| !roots.contains(x)).collect::<Vec<_>>());
+        }
         let mut squares = Vec::new();
         for (i, x) in roots.iter().enumerate() {
             for y in roots.iter().skip(i + 1) {

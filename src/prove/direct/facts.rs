@@ -249,6 +249,22 @@ impl Prover {
         };
         let whole =
             |c: &Prover, e: &Expr| crate::claim::definedness::is_whole(e, &|n| c.naturals.iter().any(|m| m == n));
+        if whole(self, a)
+            && whole(self, b)
+            && matches!(relation, Relation::NotEqual | Relation::LessEqual | Relation::GreaterEqual)
+        {
+            // With what else is known it may be strict.
+            let signs = self.signs_of(&minus(a, b));
+            for relation in [Relation::Greater, Relation::Less] {
+                let strict = compare(a.clone(), relation, b.clone());
+                if signs.within(Signs::of(relation))
+                    && self.known(&strict).is_none()
+                    && let Ok(label) = self.combination(strict.clone(), Vec::new())
+                {
+                    self.consequences(&label, &strict);
+                }
+            }
+        }
         if whole(self, a) && whole(self, b) {
             let next = match relation {
                 Relation::Greater => Some(compare(a.clone(), Relation::GreaterEqual, plus_one(b))),

@@ -27,11 +27,32 @@ pub fn holds(e: &Expr, variable: &str) -> bool {
     names.contains(variable)
 }
 
-/// A geometric part of an expression: constant + slope·ratio^n.
+/// The largest degree of what stands before a power in a limit.
+const SLOPE_DEGREE: u32 = 4;
+
+/// A geometric part of an expression: constant + slope·ratio^n, where the slope is a polynomial of this degree in n.
 struct Geometric {
     constant: Expr,
     slope: Expr,
+    degree: u32,
     ratio: Expr,
+}
+
+/// n·(n − 1)·…·(n − k + 1)/k!.
+fn binomial(n: &Expr, k: u32) -> Expr {
+    let less = |i: u32| match i {
+        0 => n.clone(),
+        _ => expr(ExprKind::Sum(vec![(Sign::Plus, n.clone()), (Sign::Minus, numeral(i))])),
+    };
+    match (0..k).map(less).collect::<Vec<_>>() {
+        list if list.is_empty() => numeral(1),
+        list if k == 1 => product(list),
+        list => over(product(list), numeral((1..=k).product())),
+    }
+}
+
+fn is_one(e: &Expr) -> bool {
+    natural(e) == Some(1)
 }
 
 impl Prover {
@@ -43,7 +64,12 @@ impl Prover {
             Ok(label) => return Ok(label),
             Err(first) => first,
         };
-        if let Ok(label) = self.emit(Rule::Limit { with: from }, goal.clone()) {
+        if let Ok(label) = self.emit(Rule::Limit { with: from.clone() }, goal.clone()) {
+            return Ok(label);
+        }
+        if self.lead_is_not_zero(l)
+            && let Ok(label) = self.emit(Rule::Limit { with: from }, goal.clone())
+        {
             return Ok(label);
         }
         if self.splits > 2 {
@@ -53,6 +79,26 @@ impl Prover {
         let done = self.squeezed(goal, l);
         self.splits -= 1;
         done.map_err(|_| first)
+    }
+
+    /// Shows that the leading coefficient of the divisor is not 0, multiplied out as the kernel does; whether that was new.
+    fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
+        let variable = self.letters.of(&name(&l.variable.text));
+        let Some(reading) = self.read(&l.of, false) else { return false };
+        let mut lead = Polynomial::one();
+        for f in reading.factors.iter().filter(|f| f.power < 0) {
+            let own = f.poly.coefficients_in(variable).pop().unwrap_or_else(Polynomial::one);
+            let Ok(power) = u32::try_from(-f.power) else { return false };
+            let Some(product) = own.pow(power).ok().and_then(|p| lead.try_mul(&p).ok()) else { return false };
+            lead = product;
+        }
+        let lead = self.letters.written(&lead);
+        if self.signs_of(&lead).within(Signs::NOT_ZERO) {
+            return false;
+        }
+        [Relation::Greater, Relation::Less]
+            .into_iter()
+            .any(|relation| self.quietly(&compare(lead.clone(), relation, numeral(0))).is_ok())
     }
 
     fn squeezed(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
@@ -147,34 +193,44 @@ impl Prover {
                     ExprKind::Apply(f, _) => f.text == "exp",
                     _ => false,
                 };
-                if !is_power || power.is_some_and(|p| p != v) {
+                let is_variable = matches!(&e.kind, ExprKind::Name(n) if n == variable);
+                if !is_variable && (!is_power || power.is_some_and(|p| p != v)) {
                     return Err(no());
                 }
-                power = Some(v);
+                if !is_variable {
+                    power = Some(v);
+                }
             }
         }
         let x = power.ok_or_else(no)?;
+        let grows = self.letters.of(&name(variable));
         for f in &reading.factors {
             if f.power > 0 {
                 let k = u32::try_from(f.power).map_err(|_| no())?;
                 top = top.try_mul(&f.poly.pow(k).map_err(|_| no())?).map_err(|_| no())?;
             } else if f.poly == Polynomial::variable(x) {
                 below = -f.power;
-            } else if f.poly.contains(x) {
+            } else if f.poly.contains(x) || f.poly.contains(grows) {
                 return Err(no());
             } else {
                 bottom.push(whole_power(self.letters.written(&f.poly), -f.power));
             }
         }
-        let (mut constant, mut slope) = (numeral(0), None);
+        let (mut constant, mut slope, mut degree) = (numeral(0), None, 0);
         for (k, part) in top.coefficients_in(x).iter().enumerate() {
             if part.is_zero() {
                 continue;
             }
+            let own = part.degree_in(grows);
             let part = over(self.letters.written(part), product(bottom.clone()));
             match i64::try_from(k).unwrap_or(0) - below {
+                0 if own > 0 => return Err(no()),
                 0 => constant = part,
-                j if slope.is_none() => slope = Some((part, j)),
+                _ if own > SLOPE_DEGREE => return Err(no()),
+                j if slope.is_none() => {
+                    slope = Some((part, j));
+                    degree = own;
+                }
                 _ => return Err(no()),
             }
         }
@@ -191,10 +247,13 @@ impl Prover {
             }
             _ => return Err(no()),
         };
-        Ok(Geometric { constant, slope, ratio })
+        Ok(Geometric { constant, slope, degree, ratio })
     }
 
-    /// A limit of constant + slope·r^n for 0 < r < 1, since r^n·(r + n·(1 − r)) <= r.
+    /// A limit of constant + slope·r^n for 0 < r < 1 and a slope of degree m − 1 in n, since r^n·P(n) <= r^m for the sum P(n) of
+    /// binomial(n, i)·(1 − r)^i·r^(m − i) over i = 0 … m.
+    ///
+    /// By induction from m on: P(m) = (1 − r + r)^m = 1, and Pascal's rule gives r·P(n + 1) = P(n) − binomial(n, m)·(1 − r)^(m + 1).
     fn by_ratio(&mut self, goal: &Prop, l: &Limit, g: &Geometric) -> Result<Label, Fail> {
         let r = &g.ratio;
         self.define(r);
@@ -202,24 +261,35 @@ impl Prover {
             let p = compare(r.clone(), relation, numeral(bound));
             self.show(&p)?;
         }
+        let m = g.degree + 1;
         let k = self.fresh("k");
         let rest = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, r.clone())]));
-        let room = |at: &Expr| plus(r, product(vec![at.clone(), rest.clone()]));
+        let room = |at: &Expr| {
+            let term = |i: u32| {
+                let powers = [whole_power(rest.clone(), i64::from(i)), whole_power(r.clone(), i64::from(m - i))];
+                (Sign::Plus, product([binomial(at, i)].into_iter().chain(powers).filter(|e| !is_one(e)).collect()))
+            };
+            expr(ExprKind::Sum((0..=m).map(term).collect()))
+        };
         let power = |at: &Expr| expr(ExprKind::Power(Box::new(r.clone()), Box::new(at.clone())));
         let at = name(&k);
-        let body = compare(product(vec![power(&at), room(&at)]), Relation::LessEqual, r.clone());
-        let binding = natural_binding(&k);
+        let all = whole_power(r.clone(), i64::from(m));
+        let body = compare(product(vec![power(&at), room(&at)]), Relation::LessEqual, all.clone());
+        // The first binomials are positive at once from 0 on.
+        let least = if m == 1 { 0 } else { m };
+        let from = Constraint::Relation(Relation::GreaterEqual, numeral(least));
+        let binding = Binding { constraints: Vec::from_iter((least > 0).then_some(from)), ..natural_binding(&k) };
         let every = |p: &Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p.clone())));
-        let start = self.show(&super::put(&body, &k, &numeral(0))?)?;
+        let start = self.show(&super::put(&body, &k, &numeral(least))?)?;
         let next = at_next(&body, &k)?;
         let step = implies(&body, &next);
         let advance = self.block(&every(&step), |c, _| {
+            let positive = c.show(&compare(binomial(&at, m), Relation::GreaterEqual, numeral(0)))?;
             c.block(&step, |c, block| {
-                let square = whole_power(rest.clone(), 2);
-                let extra = expr(ExprKind::Negate(Box::new(product(vec![power(&at), at.clone(), square]))));
+                let extra = product(vec![power(&at), whole_power(rest.clone(), i64::from(m + 1))]);
                 let terms = vec![
                     Term { facts: vec![format!("{block}s")], factor: numeral(1) },
-                    Term { facts: Vec::new(), factor: extra },
+                    Term { facts: vec![positive], factor: expr(ExprKind::Negate(Box::new(extra))) },
                 ];
                 c.combination(next.clone(), terms)
             })
@@ -227,15 +297,15 @@ impl Prover {
         let bound = self.emit(Rule::Induction { base: start, advance }, every(&body))?;
         // That the divisor is positive is to be known of the variable that grows.
         let divisor = every(&compare(room(&at), Relation::Greater, numeral(0)));
-        self.show(&divisor)?;
+        let facts = [self.show(&divisor)?, bound];
         let n = name(&l.variable.text);
-        let falling = plus(&g.constant, product(vec![g.slope.clone(), over(r.clone(), room(&n))]));
+        let falling = plus(&g.constant, product(vec![g.slope.clone(), over(all, room(&n))]));
         let signs = self.signs_of(&g.slope);
         let mut pairs = vec![(g.constant.clone(), falling.clone()), (falling, g.constant.clone())];
         pairs.truncate(if signs.within(Signs::NOT_NEGATIVE) { 1 } else { 2 });
         let mut last = Err(Fail::No("a squeeze"));
         for (lower, upper) in pairs.into_iter().skip(usize::from(signs.within(Signs::of(Relation::LessEqual)))) {
-            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), std::slice::from_ref(&bound), 1));
+            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), &facts, least.max(1)));
             if last.is_ok() {
                 break;
             }

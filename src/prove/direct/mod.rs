@@ -12,6 +12,7 @@ mod absolute;
 mod cases;
 mod comparison;
 mod compound;
+mod divisibility;
 mod facts;
 mod goals;
 mod induction;
@@ -21,6 +22,7 @@ mod limits;
 mod logarithms;
 mod means;
 mod products;
+mod radicals;
 mod slopes;
 mod solutions;
 mod squares;
@@ -251,9 +253,14 @@ impl Prover {
         found.or(new)
     }
 
-    /// The facts whose signs a step may use.
+    /// The facts whose signs a step may use. A fact for all values with a sum in it is of use at its instances only: the
+    /// kernel puts it under every sum, where its index may be in use.
     fn signs(&self) -> Vec<Label> {
-        let speaks = |p: &Prop| matches!(p.kind, PropKind::Compare(..) | PropKind::And(_) | PropKind::ForAll(..));
+        let speaks = |p: &Prop| match &p.kind {
+            PropKind::Compare(..) | PropKind::And(_) => true,
+            PropKind::ForAll(_, body) => !has_an_index(body),
+            _ => false,
+        };
         self.checker.facts().filter(|(_, p)| speaks(p)).map(|f| f.0.to_string()).collect()
     }
 
@@ -267,6 +274,15 @@ impl Prover {
         self.names.insert(fresh.clone());
         fresh
     }
+}
+
+/// Whether a sum or product over an index stands in a proposition.
+fn has_an_index(p: &Prop) -> bool {
+    let mut found = BTreeSet::new();
+    let mut sides = Vec::new();
+    goals::sides_in(p, &mut sides);
+    sides.iter().for_each(|e| crate::claim::walk::indices(e, &mut found));
+    !found.is_empty()
 }
 
 /// `P => Q`.

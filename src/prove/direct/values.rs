@@ -35,8 +35,13 @@ impl Prover {
                 Need::NotZero(d) => self.nonzero(&d),
                 Need::Positive(b) => self.sign(&b, Relation::Greater, &zero),
                 Need::NotNegative(b) => {
-                    // A root of something positive may be divided by.
-                    self.sign(&b, Relation::Greater, &zero);
+                    // A root of something positive may be divided by. A square is positive where its base is not 0, which the kernel
+                    // sees or not.
+                    let reading = self.read(&b, false);
+                    let is_square = reading.is_some_and(|r| r.number > 0 && r.factors.iter().all(|f| f.power % 2 == 0));
+                    if !is_square {
+                        self.sign(&b, Relation::Greater, &zero);
+                    }
                     self.sign(&b, Relation::GreaterEqual, &zero);
                 }
                 Need::NotZeroOrNatural(b, k) => {
