@@ -245,7 +245,7 @@ impl<const L: usize> Fixed<L> {
 
     /// The same set as an interval with at most `bits` bits in the middle, where it has that accuracy.
     #[must_use]
-    pub fn to_interval(&self, bits: u64) -> Option<Interval> {
+    pub fn interval(&self, bits: u64) -> Option<Interval> {
         let Fixed { words, error } = Fixed::with_error(self.words, self.error)?;
         let mid = Integer::from(Natural::from_limbs_asc(&words));
         let unit = -i64::try_from(64 * L).ok()?;
@@ -258,7 +258,7 @@ impl<const L: usize> Fixed<L> {
 macro_rules! in_words {
     ($room:expr, $bits:expr, $call:ident $arguments:tt, $(<$words:literal $(, $half:literal)?>),* $(,)?) => {
         $(if $room <= $crate::number::fixed::Fixed::<$words>::ROOM {
-            $call::<$words $(, $half)?> $arguments?.to_interval($bits)
+            $call::<$words $(, $half)?> $arguments?.interval($bits)
         } else)* {
             None
         }

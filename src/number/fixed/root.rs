@@ -97,7 +97,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn enclosed_root<const L: usize>(p: u64, q: u64, n: u64) -> Result<bool, TestCaseError> {
-        let Some(found) = Fixed::<L>::inverse_root(p, q, n).and_then(|y| y.to_interval(10)) else { return Ok(false) };
+        let Some(found) = Fixed::<L>::inverse_root(p, q, n).and_then(|y| y.interval(10)) else { return Ok(false) };
         let exact = root(&Rational::from_unsigneds(q, p), &Natural::from(n), 64 * L as u64 + 100);
         prop_assert!(found.contains_interval(&exact), "{p}/{q}, {n}: {found:?} against {exact:?}");
         Ok(true)
@@ -107,17 +107,17 @@ mod tests {
     fn roots_are_as_narrow_as_the_words_allow() {
         for n in [1, 2, 3, 8, 100] {
             let narrow = |x: Option<Interval>| assert!(x.is_some(), "{n}");
-            narrow(Fixed::<3>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<3>::ROOM)));
-            narrow(Fixed::<4>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<4>::ROOM)));
-            narrow(Fixed::<6>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<6>::ROOM)));
-            narrow(Fixed::<8>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<8>::ROOM)));
-            narrow(Fixed::<12>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<12>::ROOM)));
-            narrow(Fixed::<16>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<16>::ROOM)));
-            narrow(Fixed::<24>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<24>::ROOM)));
-            narrow(Fixed::<32>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<32>::ROOM)));
-            narrow(Fixed::<46>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<46>::ROOM)));
-            narrow(Fixed::<62>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<62>::ROOM)));
-            narrow(Fixed::<94>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<94>::ROOM)));
+            narrow(Fixed::<3>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<3>::ROOM)));
+            narrow(Fixed::<4>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<4>::ROOM)));
+            narrow(Fixed::<6>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<6>::ROOM)));
+            narrow(Fixed::<8>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<8>::ROOM)));
+            narrow(Fixed::<12>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<12>::ROOM)));
+            narrow(Fixed::<16>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<16>::ROOM)));
+            narrow(Fixed::<24>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<24>::ROOM)));
+            narrow(Fixed::<32>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<32>::ROOM)));
+            narrow(Fixed::<46>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<46>::ROOM)));
+            narrow(Fixed::<62>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<62>::ROOM)));
+            narrow(Fixed::<94>::inverse_root(10, 1, n).and_then(|y| y.interval(Fixed::<94>::ROOM)));
         }
         assert!(Fixed::<3>::inverse_root(1, 1, 3).is_none() && Fixed::<3>::inverse_root(1, 2, 3).is_none());
         assert!(
@@ -143,7 +143,7 @@ mod tests {
         fn a_wrong_guess_is_refused_or_corrected(guess in 0.0..1.0_f64, n in 1..20_u64) {
             let equation = (10, Divisor::new(1).unwrap(), Divisor::new(n).unwrap());
             let exact = root(&Rational::from_unsigneds(1_u8, 10), &Natural::from(n), 400);
-            let found = Fixed::<4>::point(guess).and_then(|y| y.corrected(&equation)).and_then(|y| y.to_interval(1));
+            let found = Fixed::<4>::point(guess).and_then(|y| y.corrected(&equation)).and_then(|y| y.interval(1));
             prop_assert!(found.is_none_or(|found| found.contains_interval(&exact)));
         }
     }
