@@ -2,10 +2,10 @@
 
 use super::{MAX_COLLISIONS, SORTED, careful, quick};
 
-/// [`eta`] for slices of equal length; of slices of unequal length the shortest one counts.
+/// [`super::eta`] for slices of equal length; of slices of unequal length the shortest one counts.
 ///
 /// The cells of a block with as many collisions and `r` on the same side of 1 follow the same steps: they are taken
-/// some at a time. Each gets exactly what [`eta`] gives it.
+/// some at a time. Each gets exactly what [`super::eta`] gives it.
 pub fn etas(e: &[f64], r: &[f64], collisions: &[u64], out: &mut [(f64, f64)]) {
     let zero: &[f64] = &[];
     side_by_side::<false>(&Cells { e: [e, zero], r: [r, zero], collisions }, out);
