@@ -90,7 +90,10 @@ fn the_kernel_imports_nothing_else() {
 
 #[test]
 fn the_checker_of_tables_imports_nothing_else() {
-    imports_nothing_else("src/table_checker", &["dyadic", "failure", "rounding", "text", "value", "work"]);
+    imports_nothing_else(
+        "src/table_checker",
+        &["axes", "cell", "dyadic", "failure", "remarks", "rounding", "text", "value", "work"],
+    );
 }
 
 fn imports_nothing_else(folder: &str, own: &[&str]) {

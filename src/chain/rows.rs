@@ -4,7 +4,7 @@
 //! a double is printed as. [`Rows::etas`] encloses each row's eta between two doubles, at most `2^-50` apart relatively in the
 //! ordinary range of [`super::fast`]. A row that is no chain is an error that names it.
 //!
-//! **Cost.** That of scattered cells ([`super::fast::etas_of_two`]) and of two quotients for each row; where words do not
+//! **Cost.** That of scattered cells (`fast::etas_of_two`) and of two quotients for each row; where words do not
 //! suffice, that of [`super::transfer::optimal`].
 
 use super::fast::{self, TwoDoubles, decimal_of};

@@ -28,33 +28,7 @@ impl Words<'_> {
         };
         let put_in = self.put_in(seen);
         if view.factors.is_empty() {
-            let mut lead = Vec::new();
-            if put_in.is_empty() {
-                let named = self.short.given() > 0;
-                lead.push(say(if named {
-                    "Written by these names, both sides agree:"
-                } else {
-                    "Written out, both sides agree:"
-                }));
-            } else {
-                lead.push(say("With "));
-                lead.extend(self.cited_all(&put_in));
-                lead.push(say(" put in, both sides agree:"));
-            }
-            // What both sides come to, where that is short and neither of them.
-            let common = seen.common.as_ref().map(|view| self.short.expr(&view.expr()));
-            let text = |e: &Expr| Style::Text.expr(e);
-            let (left, right) = (self.short.expr(a), self.short.expr(b));
-            match common.filter(|c| text(c).len() <= COMMON && text(c) != text(&left) && text(c) != text(&right)) {
-                Some(common) => {
-                    let kind = PropKind::Compare(vec![left, common, right], vec![Relation::Equal; 2]);
-                    let prop = Prop { kind, span: show.prop.span };
-                    out.push(Block::Sentence(lead));
-                    out.push(Block::Formula { label: Some(show.label.clone()), prop, number: None });
-                }
-                None => self.formula(lead, &show.prop, Some(&show.label), out),
-            }
-            return;
+            return self.agree(seen, (a, b), &put_in, out);
         }
         let shown = self.written_out(view, seen);
         if matches!(relation, Relation::Equal | Relation::NotEqual) {
@@ -88,18 +62,47 @@ impl Words<'_> {
                 lead.extend(since);
                 lead.push(say(","));
             }
-            self.formula(lead, &show.prop, Some(&show.label), out);
-            return;
-        } else {
-            out.push(Block::Sentence(lead));
-            let kind = PropKind::Compare(vec![whole, product, numeral(0)], vec![Relation::Equal, relation]);
-            out.push(Block::Formula { label: None, prop: Prop { kind, span: show.prop.span }, number: None });
+            return self.formula(lead, &show.prop, Some(&show.label), out);
         }
+        out.push(Block::Sentence(lead));
+        let kind = PropKind::Compare(vec![whole, product, numeral(0)], vec![Relation::Equal, relation]);
+        out.push(Block::Formula { label: None, prop: Prop { kind, span: show.prop.span }, number: None });
         if !reasons.is_empty() {
             out.push(Block::Sentence(reasons));
         }
         if *b != numeral(0) {
             self.hence("Hence", &show.prop, Some(&show.label), out);
+        }
+    }
+
+    /// Both sides are the same when they are written out.
+    fn agree(&self, seen: &Seen, (a, b): (&Expr, &Expr), put_in: &[Label], out: &mut Vec<Block>) {
+        let show = &seen.show;
+        let mut lead = Vec::new();
+        if put_in.is_empty() {
+            let named = self.short.given() > 0;
+            lead.push(say(if named {
+                "Written by these names, both sides agree:"
+            } else {
+                "Written out, both sides agree:"
+            }));
+        } else {
+            lead.push(say("With "));
+            lead.extend(self.cited_all(put_in));
+            lead.push(say(" put in, both sides agree:"));
+        }
+        // What both sides come to, where that is short and neither of them.
+        let common = seen.common.as_ref().map(|view| self.short.expr(&view.expr()));
+        let text = |e: &Expr| Style::Text.expr(e);
+        let (left, right) = (self.short.expr(a), self.short.expr(b));
+        match common.filter(|c| text(c).len() <= COMMON && text(c) != text(&left) && text(c) != text(&right)) {
+            Some(common) => {
+                let kind = PropKind::Compare(vec![left, common, right], vec![Relation::Equal; 2]);
+                let prop = Prop { kind, span: show.prop.span };
+                out.push(Block::Sentence(lead));
+                out.push(Block::Formula { label: Some(show.label.clone()), prop, number: None });
+            }
+            None => self.formula(lead, &show.prop, Some(&show.label), out),
         }
     }
 

@@ -1,24 +1,21 @@
 //! What is said of each rule, and which steps are worth a sentence.
 
+mod ahead;
+mod citation;
+mod combination;
+
 use super::document::{Block, Piece};
-use super::follow::{Followed, Node, Seen, difference, sides};
+use super::follow::{Followed, Node, Seen, sides};
 use super::shorthand::Shorthand;
 use super::signs;
 use crate::certificate::{Label, Rule};
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::*;
-use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, name, numeral};
+use crate::kernel::statement::{compare, name, numeral};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Facts of so many letters are cited by what they say.
-const PLAIN: usize = 14;
-/// A part of a fact of more letters is cited by the whole fact.
-const LONG: usize = 30;
 /// A supposition of at most so many letters stands in its sentence.
 const SENTENCE: usize = 48;
-/// How a sentence ends that finds a contradiction.
-const CONTRADICTION: &str = ", which is impossible.";
 
 /// The sentences of a proof.
 pub(super) struct Words<'a> {
@@ -89,60 +86,6 @@ impl<'a> Words<'a> {
         };
         out.push(Block::Sentence(vec![say(closing)]));
         out
-    }
-
-    /// Finds what is false, what gives names, which polynomials are products, and what a supposition is for.
-    fn look_ahead(&mut self) {
-        for seen in &self.followed.seen {
-            let show = &seen.show;
-            match &show.rule {
-                Rule::Name => {
-                    self.naming.insert(show.label.clone());
-                }
-                Rule::Power if is_plain_power(&show.prop) => {
-                    self.naming.insert(show.label.clone());
-                }
-                Rule::Logic { from } => {
-                    // A part of a long fact is cited by the whole.
-                    if let [one] = from.as_slice()
-                        && matches!(self.followed.facts.get(one).map(|p| &p.kind), Some(PropKind::And(_)))
-                        && print::prop(&self.short.prop(&show.prop)).len() > LONG
-                    {
-                        self.same.insert(show.label.clone(), one.clone());
-                    }
-                    if from.iter().any(|label| self.absurd.contains(label)) {
-                        self.absurd.insert(show.label.clone());
-                    }
-                    if let (PropKind::Equivalent(_), [_, second]) = (&show.prop.kind, from.as_slice()) {
-                        self.converse.insert(second.clone());
-                    }
-                    let is_or =
-                        |l: &&Label| matches!(self.followed.facts.get(*l).map(|p| &p.kind), Some(PropKind::Or(_)));
-                    if from.iter().any(|label| is_or(&label)) {
-                        self.cases.extend(from.iter().filter(|l| !is_or(l)).cloned());
-                    }
-                }
-                Rule::Combination { terms, .. } => {
-                    let text = print::prop(&show.prop);
-                    let cited = show.by.iter().chain(terms.iter().flat_map(|t| &t.facts));
-                    let says = |label: &&Label| self.followed.facts.get(*label).is_some_and(|p| print::prop(p) == text);
-                    if let Some(same) = cited.into_iter().find(says) {
-                        self.same.insert(show.label.clone(), same.clone());
-                    }
-                    if is_false(&show.prop) {
-                        self.absurd.insert(show.label.clone());
-                    }
-                    // A polynomial whose sign is plain from its factors, and that serves for its sign only.
-                    if let [term] = terms.as_slice()
-                        && term.facts.is_empty()
-                        && !self.followed.cited.contains(&show.label)
-                    {
-                        self.products.insert(show.label.clone());
-                    }
-                }
-                _ => {}
-            }
-        }
     }
 
     fn nodes(&mut self, nodes: &[Node], out: &mut Vec<Block>) {
@@ -309,71 +252,6 @@ impl<'a> Words<'a> {
         out.push(Block::Formula { label: label.cloned(), prop, number: None });
     }
 
-    /// A fact as it is cited.
-    pub(super) fn cited(&self, label: &Label) -> Piece {
-        let mut label = label;
-        while let Some(same) = self.same.get(label) {
-            label = same;
-        }
-        if self.followed.seen.iter().any(|seen| seen.show.label == *label && seen.show.opens()) {
-            return say("what was shown above");
-        }
-        if let Some(called) = self.hypotheses.get(label) {
-            return Piece::Text(format!("the hypothesis “{called}”"));
-        }
-        match self.followed.facts.get(label) {
-            Some(prop) => Piece::Fact(label.clone(), self.short.prop(prop)),
-            None => Piece::Text(label.clone()),
-        }
-    }
-
-    /// Facts as they are cited, separated by commas and `and`.
-    pub(super) fn cited_all(&self, labels: &[Label]) -> Vec<Piece> {
-        let mut out = Vec::new();
-        for (place, label) in labels.iter().enumerate() {
-            if place > 0 {
-                out.push(say(if place + 1 == labels.len() { " and " } else { ", " }));
-            }
-            out.push(self.cited(label));
-        }
-        out
-    }
-
-    /// Whether a fact is so short that it is cited by what it says, like `m > 0`.
-    pub(super) fn is_short(&self, label: &Label) -> bool {
-        let Some((a, relation, b)) = self.followed.facts.get(label).and_then(sides) else { return false };
-        relation != Relation::Equal
-            && matches!(b.kind, ExprKind::Number(_) | ExprKind::Name(_))
-            && Style::Text.expr(&self.short.expr(a)).len() <= PLAIN
-    }
-
-    /// Whether a fact only says that a name of the proof is positive, which was said with the name.
-    fn is_of_name(&self, label: &Label) -> bool {
-        let sides = self.followed.facts.get(label).and_then(sides);
-        matches!(sides, Some((Expr { kind: ExprKind::Name(r), .. }, _, _)) if self.short.is_given(r))
-    }
-
-    /// `since m₁, m₂ > 0 and e ≥ 0`, of those facts that are short; nothing if there are none.
-    pub(super) fn since(&self, labels: &[Label]) -> Vec<Piece> {
-        let facts: Vec<(Expr, Relation, Expr)> = labels
-            .iter()
-            .filter(|label| self.is_short(label) && !self.is_of_name(label))
-            .filter_map(|label| self.followed.facts.get(label).and_then(sides))
-            .map(|(a, r, b)| (self.short.expr(a), r, b.clone()))
-            .collect();
-        let mut out = Vec::new();
-        if !facts.is_empty() {
-            out.push(say("since "));
-            signs::grouped(&facts, &mut out);
-        }
-        out
-    }
-
-    /// The equations that a step puts in, but for those that only give names.
-    pub(super) fn put_in(&self, seen: &Seen) -> Vec<Label> {
-        seen.used.using.iter().filter(|label| !self.naming.contains(*label)).cloned().collect()
-    }
-
     fn step(&mut self, seen: &Seen, out: &mut Vec<Block>) {
         let show = &seen.show;
         let (prop, label) = (&show.prop, Some(&show.label));
@@ -510,197 +388,10 @@ impl<'a> Words<'a> {
         };
         self.formula(lead, &show.prop, Some(&show.label), out);
     }
-
-    fn combination(&self, seen: &Seen, out: &mut Vec<Block>) {
-        let show = &seen.show;
-        let Rule::Combination { times, terms } = &show.rule else { return };
-        let facts: Vec<Label> = terms.iter().flat_map(|t| t.facts.clone()).collect();
-        if self.absurd.contains(&show.label) {
-            if facts.iter().any(|label| self.absurd.contains(label)) {
-                return;
-            }
-            if matches!(out.last(), Some(Block::Sentence(last)) if matches!(last.last(), Some(Piece::Text(t)) if t.as_str() == CONTRADICTION))
-            {
-                return;
-            }
-            let put_in = self.put_in(seen);
-            let mut lead = Vec::new();
-            if facts.len() > 1 && put_in.is_empty() {
-                lead.extend(self.cited_all(&facts));
-                lead.push(say(" say the opposite of each other"));
-            } else {
-                lead.push(say("But "));
-                if !put_in.is_empty() {
-                    lead.push(say("with "));
-                    lead.extend(self.cited_all(&put_in));
-                    lead.push(say(" put in, "));
-                }
-                lead.extend(self.cited_all(&facts));
-                lead.push(say(" becomes "));
-                lead.push(Piece::Prop(show.prop.clone()));
-            }
-            lead.push(say(CONTRADICTION));
-            out.push(Block::Sentence(lead));
-            return;
-        }
-        if self.same.contains_key(&show.label) {
-            return;
-        }
-        if terms.is_empty() {
-            return self.by_signs(seen, out);
-        }
-        let put_in = self.put_in(seen);
-        let mut lead = Vec::new();
-        let one = expr(ExprKind::Number("1".to_string()));
-        if facts.is_empty() {
-            // The product that shows a sign is said where it is needed.
-            if !self.products.contains(&show.label) {
-                self.by_product(seen, out);
-            }
-            return;
-        }
-        let is_equation = matches!(sides(&show.prop), Some((_, Relation::Equal, _)));
-        match terms.as_slice() {
-            [term] if times.is_none() && put_in.is_empty() && is_unit(&term.factor) && is_zero_goal(&show.prop) => {
-                lead.push(say("Bring everything in "));
-                lead.extend(self.cited_all(&term.facts));
-                lead.push(say(" to one side and factor:"));
-            }
-            [term] if times.is_none() => {
-                lead.push(say("From "));
-                lead.extend(self.cited_all(&term.facts));
-                if !put_in.is_empty() {
-                    lead.push(say(", with "));
-                    lead.extend(self.cited_all(&put_in));
-                    lead.push(say(" put in,"));
-                }
-                let factor = self.short.expr(&term.factor);
-                let plain = matches!(&factor.kind, ExprKind::Number(_))
-                    || matches!(&factor.kind, ExprKind::Negate(a) if matches!(a.kind, ExprKind::Number(_)));
-                if plain || factor == one {
-                    lead.push(say(" it follows that"));
-                } else {
-                    lead.push(say(", multiplied by "));
-                    lead.push(Piece::Expr(factor));
-                    lead.push(say(", it follows that"));
-                }
-            }
-            _ => {
-                lead.push(say("Multiply "));
-                let mut first = true;
-                for term in terms.iter().filter(|t| !t.facts.is_empty()) {
-                    if !first {
-                        lead.push(say(", "));
-                    }
-                    first = false;
-                    for (place, label) in term.facts.iter().enumerate() {
-                        if place > 0 {
-                            lead.push(say(" times "));
-                        }
-                        lead.push(self.cited(label));
-                    }
-                    lead.push(say(" by "));
-                    lead.push(Piece::Expr(self.short.expr(&term.factor)));
-                }
-                lead.push(say(" and add"));
-                let alone: Vec<&Expr> = terms.iter().filter(|t| t.facts.is_empty()).map(|t| &t.factor).collect();
-                for (place, factor) in alone.iter().enumerate() {
-                    lead.push(say(if place == 0 { " " } else { " and " }));
-                    lead.push(Piece::Expr(self.short.expr(factor)));
-                }
-                if !put_in.is_empty() {
-                    lead.push(say(", with "));
-                    lead.extend(self.cited_all(&put_in));
-                    lead.push(say(" put in"));
-                }
-                if !is_equation {
-                    let since = self.since(&seen.used.by);
-                    if !since.is_empty() {
-                        lead.push(say("; the factors have the right signs "));
-                        lead.extend(since);
-                    }
-                }
-                lead.push(say(". This gives"));
-            }
-        }
-        self.formula(lead, &show.prop, Some(&show.label), out);
-    }
-
-    /// A comparison whose difference is a sum of expressions with plain signs.
-    fn by_product(&self, seen: &Seen, out: &mut Vec<Block>) {
-        let show = &seen.show;
-        let (Rule::Combination { terms, .. }, Some((a, relation, b))) = (&show.rule, sides(&show.prop)) else { return };
-        let summed: Vec<(Sign, Expr)> = terms.iter().map(|t| (Sign::Plus, self.short.expr(&t.factor))).collect();
-        let sum = match summed.as_slice() {
-            [(_, one)] => one.clone(),
-            _ => expr(ExprKind::Sum(summed)),
-        };
-        self.hence("It holds that", &show.prop, Some(&show.label), out);
-        let whole = self.short.expr(&difference(a, b));
-        let prop = Prop {
-            kind: PropKind::Compare(vec![whole, sum, numeral(0)], vec![Relation::Equal, relation]),
-            span: show.prop.span,
-        };
-        let mut lead = vec![say("since ")];
-        if let Some(view) = seen.terms.first().and_then(|v| v.as_ref()).filter(|_| terms.len() == 1) {
-            lead = vec![say("because")];
-            out.push(Block::Sentence(lead));
-            out.push(Block::Formula { label: None, prop, number: None });
-            let reasons = self.reasons(view, relation, &seen.used.by, None);
-            if !reasons.is_empty() {
-                out.push(Block::Sentence(reasons));
-            }
-            return;
-        }
-        lead.clear();
-        lead.push(say("because"));
-        out.push(Block::Sentence(lead));
-        out.push(Block::Formula { label: None, prop, number: None });
-        let since = self.since(&seen.used.by);
-        if !since.is_empty() {
-            let mut sentence = vec![say("Each summand has this sign, ")];
-            sentence.extend(since);
-            sentence.push(say("."));
-            out.push(Block::Sentence(sentence));
-        }
-    }
-}
-
-/// An equation that writes a product of powers by a few others, and needs no words.
-fn is_plain_power(p: &Prop) -> bool {
-    sides(p).is_some()
-}
-
-/// Whether a comparison of numerals is false.
-fn is_false(p: &Prop) -> bool {
-    let zero = |text: &str| text.bytes().all(|b| b == b'0' || b == b'.');
-    let signs = |e: &Expr| match &e.kind {
-        ExprKind::Number(text) => Some(if zero(text) { Signs::ZERO } else { Signs::POSITIVE }),
-        ExprKind::Negate(inner) => match &inner.kind {
-            ExprKind::Number(text) if !zero(text) => Some(Signs::of(Relation::Less)),
-            _ => None,
-        },
-        _ => None,
-    };
-    match sides(p) {
-        Some((a, relation, b)) if *b == numeral(0) => signs(a).is_some_and(|found| !found.within(Signs::of(relation))),
-        _ => false,
-    }
 }
 
 /// Whether two propositions are an equation and that it does not hold.
 fn contradict(p: &Prop, q: &Prop) -> bool {
     let (Some((a, r, b)), Some((c, s, d))) = (sides(p), sides(q)) else { return false };
     a == c && b == d && matches!((r, s), (Relation::Equal, Relation::NotEqual) | (Relation::NotEqual, Relation::Equal))
-}
-
-/// Whether a factor is 1 or −1.
-fn is_unit(e: &Expr) -> bool {
-    let one = |e: &Expr| matches!(&e.kind, ExprKind::Number(text) if text == "1");
-    one(e) || matches!(&e.kind, ExprKind::Negate(inner) if one(inner))
-}
-
-/// Whether a comparison is one with 0.
-fn is_zero_goal(p: &Prop) -> bool {
-    sides(p).is_some_and(|(_, _, b)| *b == numeral(0))
 }

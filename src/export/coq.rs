@@ -30,12 +30,12 @@ use super::values::{self, Collector, Condition, Guard};
 use super::{Result, Unsupported};
 use crate::claim::definedness::{self, Need};
 use crate::claim::syntax::*;
-use crate::refute::expand::{self, Substitution};
+use crate::refute::expand;
 use crate::{certificate, kernel};
 use expressions::is_root;
 use layout::{laid_out, without_unused};
 use printer::{AND, ATOM, Printer, at};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// A claim's statement for Coq.
 #[derive(Clone, Debug)]
@@ -67,15 +67,30 @@ impl Statement {
 /// The construct that cannot be said, with its place.
 pub fn statement(claim: &Claim) -> Result<Statement> {
     let expanded = expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
-    let mut printer = Printer {
-        kinds: of_claim(claim),
-        words: BTreeMap::new(),
-        definitions: Substitution::default(),
-        positive: Positive::of_claim(claim),
-        tied: Vec::new(),
-        in_place_only: BTreeSet::new(),
-        inside: false,
-    };
+    let mut printer = printer(claim, &expanded)?;
+    let mut full = declared(&mut printer, claim, &expanded)?;
+    let (mut bare, premises) = in_place(&mut printer, &expanded)?;
+    full.push(match &claim.goal.kind {
+        PropKind::And(list) => printer.props(list, " /\\\n", AND)?,
+        _ => printer.prop(&claim.goal)?.0,
+    });
+    let full = without_unused(full);
+    let needs = values::of_statement(&expanded, &printer.kinds, &printer.positive);
+    let needs = printer.conditions(&needs)?;
+    let refuted = claim.expect == Expectation::Refuted;
+    let defined = (!needs.is_empty() && !refuted).then(|| {
+        bare.push(needs.join(" /\\\n"));
+        laid_out(&bare)
+    });
+    let full = if refuted { format!("  ~ (\n{})", laid_out(&full)) } else { laid_out(&full) };
+    let read = kernel::statement::Statement::of(claim).map_err(|_| Unsupported::limit("size", claim.name.span))?;
+    let digest = certificate::text::digest(&read.text());
+    Ok(Statement { name: identifier(&claim.name.text), full, defined, premises, digest })
+}
+
+/// The printer of a claim, which knows what restricts its variables, and its definitions.
+fn printer(claim: &Claim, expanded: &expand::Statement) -> Result<Printer> {
+    let mut printer = Printer::of_claim(claim);
     for (_, prop) in &expanded.assumptions {
         let text = printer.prop(prop)?.0;
         printer.tied.push(text);
@@ -98,66 +113,58 @@ pub fn statement(claim: &Claim) -> Result<Statement> {
             printer.definitions.define(&name.text, parameters, value);
         }
     }
+    Ok(printer)
+}
+
+/// What comes before the goal: variables, definitions and hypotheses as the claim has them.
+fn declared(printer: &mut Printer, claim: &Claim, expanded: &expand::Statement) -> Result<Vec<String>> {
     let mut assumptions = expanded.assumptions.iter();
-    let (mut full, mut bare, mut premises) = (Vec::new(), Vec::new(), 0);
+    let mut out = Vec::new();
     for item in &claim.items {
         match item {
             Item::Given(bindings) => {
                 for binding in bindings {
-                    full.push(printer.given(binding)?);
+                    out.push(printer.given(binding)?);
                 }
             }
             Item::Let { name, .. } if printer.in_place_only.contains(&name.text) => {}
-            Item::Let { name, parameters, value } => full.push(printer.definition(name, parameters, value)?),
+            Item::Let { name, parameters, value } => out.push(printer.definition(name, parameters, value)?),
             Item::Define { name, initial, index, step, .. } => {
-                full.push(printer.sequence(&name.text, initial, &index.text, step)?);
+                out.push(printer.sequence(&name.text, initial, &index.text, step)?);
             }
-            Item::Assume { prop, .. } => {
-                let mut divisors = Collector::new(&printer.kinds, &printer.positive);
-                if let Some((_, prop)) = assumptions.next() {
-                    divisors.prop(prop);
-                }
-                divisors.found.retain(|c| !printer.plain(c));
-                for need in printer.conditions(&divisors.found)? {
-                    full.push(format!("{need} ->"));
-                }
-                full.push(format!("{} ->", printer.prop_at(prop, 80)?));
-            }
+            Item::Assume { prop, .. } => out.extend(hypothesis(printer, prop, assumptions.next().map(|a| &a.1))?),
         }
     }
+    Ok(out)
+}
+
+/// The same with the definitions put in place, and how many variables and hypotheses these are.
+fn in_place(printer: &mut Printer, expanded: &expand::Statement) -> Result<(Vec<String>, usize)> {
+    let (mut out, mut premises) = (Vec::new(), 0);
     for binding in &expanded.bindings {
         premises += binding.names.len() * (1 + binding.constraints.len());
-        bare.push(printer.given(binding)?);
+        out.push(printer.given(binding)?);
     }
     for sequence in &expanded.sequences {
         premises += 3;
-        bare.push(printer.sequence(&sequence.name, &sequence.initial, &sequence.index, &sequence.step)?);
+        out.push(printer.sequence(&sequence.name, &sequence.initial, &sequence.index, &sequence.step)?);
     }
     for (_, prop) in &expanded.assumptions {
-        let mut divisors = Collector::new(&printer.kinds, &printer.positive);
-        divisors.prop(prop);
-        divisors.found.retain(|c| !printer.plain(c));
-        for need in printer.conditions(&divisors.found)? {
-            premises += 1;
-            bare.push(format!("{need} ->"));
-        }
-        premises += 1;
-        bare.push(format!("{} ->", printer.prop_at(prop, 80)?));
+        let said = hypothesis(printer, prop, Some(prop))?;
+        premises += said.len();
+        out.extend(said);
     }
-    full.push(match &claim.goal.kind {
-        PropKind::And(list) => printer.props(list, " /\\\n", AND)?,
-        _ => printer.prop(&claim.goal)?.0,
-    });
-    let full = without_unused(full);
-    let needs = values::of_statement(&expanded, &printer.kinds, &printer.positive);
-    let needs = printer.conditions(&needs)?;
-    let refuted = claim.expect == Expectation::Refuted;
-    let defined = (!needs.is_empty() && !refuted).then(|| {
-        bare.push(needs.join(" /\\\n"));
-        laid_out(&bare)
-    });
-    let full = if refuted { format!("  ~ (\n{})", laid_out(&full)) } else { laid_out(&full) };
-    let read = kernel::statement::Statement::of(claim).map_err(|_| Unsupported::limit("size", claim.name.span))?;
-    let digest = certificate::text::digest(&read.text());
-    Ok(Statement { name: identifier(&claim.name.text), full, defined, premises, digest })
+    Ok((out, premises))
+}
+
+/// A hypothesis, behind that its divisors, which are those of its expanded form, are not 0.
+fn hypothesis(printer: &mut Printer, prop: &Prop, expanded: Option<&Prop>) -> Result<Vec<String>> {
+    let mut divisors = Collector::new(&printer.kinds, &printer.positive);
+    if let Some(prop) = expanded {
+        divisors.prop(prop);
+    }
+    divisors.found.retain(|c| !printer.plain(c));
+    let mut out = printer.conditions(&divisors.found)?;
+    out.push(printer.prop_at(prop, 80)?);
+    Ok(out.into_iter().map(|premise| format!("{premise} ->")).collect())
 }

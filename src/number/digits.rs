@@ -69,10 +69,16 @@ fn prepare(n: u64, powers: &mut Powers) {
     powers.insert(first, found);
 }
 
+/// Bits that hold so many decimal digits.
+#[must_use]
+pub fn bits_of_digits(digits: u64) -> u64 {
+    // log2(10) = 3.32192…; at least that many.
+    digits.saturating_mul(3_322) / 1_000 + 1
+}
+
 /// Bits that hold every number of so many digits, and [`GUARD`] more.
 fn bits_for(digits: u64) -> u64 {
-    // log2(10) = 3.32192…; at least that many.
-    digits.saturating_mul(3_322) / 1_000 + 1 + GUARD
+    bits_of_digits(digits) + GUARD
 }
 
 /// The first `n` digits of `fraction·2^-bits`, a number below 1.

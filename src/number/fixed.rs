@@ -8,22 +8,17 @@
 //! - *Product.* `|ab − AB| = |αb + Aβ| <= e + f` units, since `A, b <= 1`. Of the products of words only those are formed
 //!   that reach the word before the last kept one. The others are `s + 1` at each place `s <= L − 2`, each below
 //!   `2^(64·(s + 2))` where a unit is `2^(64·L)`: below `L` units together, and the word that is cut off below another.
-//! - *Quotient* with `ab^-1 <= 1` and `B >= 2^-k`: `a/b − A/B = α/B − (a/b)·β/B`, at most `2^k·(e + f)` units; a digit that
-//!   is cut off is one more. Of many words the digits of `A/B` may be off by another unit: they come from the first one on,
-//!   and where `j` words are still to be found the rest and the divisor are cut to `j + 1` words. Counted in the place of the
-//!   next step's last word, cutting the rest lowers what is left of it by less than one, and cutting the divisor raises it by
-//!   less than one (a digit is below `2^64`, and what is cut off of the divisor is below one in the place before). A step
-//!   moves all up by a word, so that after `L` steps the rest is off by at most `L` in the place of the divisor's first word,
-//!   which is `L·2^-63` units, since that word begins with a digit. Cut, the rest is never above the divisor; where it equals
-//!   it, the next word is all ones, and they stay equal.
 //! - *Square.* The same products, those of different words formed once and doubled.
-//! - *Root.* See [`Fixed::inverse_root`].
+//! - *Quotient* and *root* have files of their own.
 //!
 //! Errors are counted in 64 bits, saturating, and refused where they are too large to be of use.
 
+mod quotient;
+mod root;
+
 use super::interval::Interval;
 use super::words::{
-    Divisor, UNROLLED, below, columns, columns_of_square, complement, difference, fused, halves, rows, shifted, sum,
+    Divisor, UNROLLED, below, columns, columns_of_square, complement, difference, fused, rows, shifted, sum,
 };
 use malachite::{Integer, Natural, Rational};
 
@@ -47,15 +42,6 @@ impl<const L: usize> Fixed<L> {
 
     fn with_error(words: [u64; L], error: u64) -> Option<Fixed<L>> {
         (error < MAX_ERROR).then_some(Fixed { words, error })
-    }
-
-    /// The point with the leading digits of a double between 0 and 1, without error; for guesses.
-    fn point(x: f64) -> Option<Fixed<L>> {
-        let inside = x > 0.0 && x < 1.0;
-        let mut words = [0; L];
-        // Below 2^64 as x < 1: the cast is exact but for digits beyond the 64th, which a guess does without.
-        *words.last_mut()? = if inside { (x * 18_446_744_073_709_551_616.0) as u64 } else { 0 };
-        inside.then_some(Fixed { words, error: 0 })
     }
 
     /// The digits with more or fewer words, without the error: a point.
@@ -257,125 +243,9 @@ impl<const L: usize> Fixed<L> {
         Fixed::with_error(words, self.error / 2 + 1)
     }
 
-    /// All quotients of what is at most 1; `None` unless the dividend's digits are below the divisor's.
-    pub fn over(&self, other: &Fixed<L>) -> Option<Fixed<L>> {
-        let zeros = other.leading_zeros();
-        // B >= 2^-k.
-        let k = zeros + 1;
-        if zeros >= 60 || !below(&self.words, &other.words) {
-            return None;
-        }
-        // Shifting both by the same places changes nothing but puts the divisor's first digit in front; the
-        // dividend, being smaller, loses nothing either.
-        let (mut rest, d) = (shifted(&self.words, zeros), shifted(&other.words, zeros));
-        let top = Divisor::new(*d.last()?)?;
-        let mut words = [0; L];
-        for (place, word) in words.iter_mut().enumerate().rev() {
-            // A guess from the two first words of the rest and the first of the divisor, at most 2 too large
-            // (Knuth, The Art of Computer Programming, 4.3.1, theorem B), or all ones.
-            let first = *rest.last()?;
-            let next = *rest.get(L.wrapping_sub(2))?;
-            let mut guess = if first >= top.value { u64::MAX } else { top.divide(first, next).0 };
-            // As many words as are still to be found, and one.
-            let cut = if L > UNROLLED { L.saturating_sub(place + 2) } else { 0 };
-            let (d, rest) = (d.get(cut..)?, rest.get_mut(cut..)?);
-            // rest·2^64 − guess·d, as the product with the complement, −d = !d + 1 − 2^(64·words); it may be negative by
-            // up to two d.
-            let (mut carry, mut previous) = (guess, 0_u64);
-            for (digit, place) in d.iter().zip(rest.iter_mut()) {
-                let (high, low) = fused(!*digit, guess, carry, previous);
-                carry = high;
-                previous = std::mem::replace(place, low);
-            }
-            let mut over = previous.wrapping_add(carry).wrapping_sub(guess);
-            while over != 0 {
-                guess -= 1;
-                let mut carry = 0;
-                for (place, digit) in rest.iter_mut().zip(d) {
-                    (carry, *place) = halves(u128::from(*place) + u128::from(*digit) + u128::from(carry));
-                }
-                over = over.wrapping_add(carry);
-            }
-            *word = guess;
-        }
-        let error = self.error.saturating_add(other.error).saturating_mul(1 << k);
-        Fixed::with_error(words, error.saturating_add(if L > UNROLLED { 2 } else { 1 }))
-    }
-
-    /// `(p/q)^(−1/n)` for `p > q > 0` and `n` from 1 to [`MAX_EXPONENT`].
-    ///
-    /// As in [`super::root`]: for a point `y` and `ρ = (p/q)·y^n − 1`, `|ρ| <= 1/16`, the root is `y − y·ρ/n + y·θ`, `|θ| <= 2ρ²/n`. The
-    /// guess has some 50 digits and each step doubles them: in two words, in four, in seven, and in all.
-    pub fn inverse_root(p: u64, q: u64, n: u64) -> Option<Fixed<L>> {
-        if p <= q || !(1..=MAX_EXPONENT).contains(&n) {
-            return None;
-        }
-        let equation = (p, Divisor::new(q)?, Divisor::new(n)?);
-        // The casts round; the guess may be wrong.
-        let guess = (q as f64 / p as f64).powf(1.0 / n as f64);
-        let y = Fixed::<2>::point(guess)?.corrected(&equation)?;
-        // What the guess lacks for a large n counts twice at each further step: two words in full cost little.
-        let y = if L > 8 { y.step::<2>(&equation)? } else { y };
-        let short = |y: &Fixed<2>| y.step::<3>(&equation)?.step::<5>(&equation)?.step::<9>(&equation);
-        let long = |y: &Fixed<2>| y.step::<4>(&equation)?.step::<7>(&equation);
-        match L {
-            0..=3 => y.step::<L>(&equation),
-            4..=6 => y.step::<4>(&equation)?.step::<L>(&equation),
-            7..=12 => long(&y)?.step::<L>(&equation),
-            13..=16 => short(&y)?.step::<L>(&equation),
-            17..=24 => long(&y)?.step::<13>(&equation)?.step::<L>(&equation),
-            25..=32 => short(&y)?.step::<17>(&equation)?.step::<L>(&equation),
-            33..=48 => long(&y)?.step::<13>(&equation)?.step::<25>(&equation)?.step::<L>(&equation),
-            _ => {
-                let y = short(&y)?.step::<17>(&equation)?.step::<33>(&equation)?;
-                match L {
-                    0..=64 => y.step::<L>(&equation),
-                    65..=128 => y.step::<65>(&equation)?.step::<L>(&equation),
-                    _ => y.step::<65>(&equation)?.step::<129>(&equation)?.step::<L>(&equation),
-                }
-            }
-        }
-    }
-
-    /// The digits with more or fewer words, and one step with as many.
-    fn step<const M: usize>(&self, equation: &(u64, Divisor, Divisor)) -> Option<Fixed<M>> {
-        self.resized::<M>().corrected(equation)
-    }
-
-    /// One step of [`Fixed::inverse_root`] from a point.
-    fn corrected(&self, (p, q, n): &(u64, Divisor, Divisor)) -> Option<Fixed<L>> {
-        let power = self.power(n.value)?;
-        let (whole, words) = power.times_word(*p);
-        let (whole, words) = Fixed::over_word(whole, words, q);
-        // |ρ|, with its sign aside; the error may make it cross 0, which the bounds of a product allow.
-        let (above, words) = match whole {
-            1 => (true, words),
-            // Without a digit ρ is −1, which is not small.
-            0 if words != [0; L] => (false, complement(&words)),
-            _ => return None,
-        };
-        let rho = Fixed { words, error: power.error.saturating_mul(p.div_ceil(q.value)).saturating_add(1) };
-        // |ρ| <= 2^-k.
-        let k = rho.zeros();
-        if k < 4 {
-            return None;
-        }
-        let product = self.times(&rho)?;
-        let (_, step) = Fixed::over_word(0, product.words, n);
-        // 2ρ²/n in units, at most 2^(64L + 1 − 2k).
-        let tail = match (64 * L as u64 + 1).saturating_sub(2 * k) {
-            places @ 0..64 => (1_u64 << places).div_ceil(n.value),
-            _ => u64::MAX,
-        };
-        let (words, beyond) = if above { difference(&self.words, &step) } else { sum(&self.words, &step) };
-        let error = (product.error / n.value).saturating_add(2).saturating_add(tail);
-        // Points of intermediate steps may have any error.
-        (!beyond).then_some(Fixed { words, error })
-    }
-
     /// The same set as an interval with at most `bits` bits in the middle, where it has that accuracy.
     #[must_use]
-    pub fn to_interval(&self, bits: u64) -> Option<Interval> {
+    pub fn interval(&self, bits: u64) -> Option<Interval> {
         let Fixed { words, error } = Fixed::with_error(self.words, self.error)?;
         let mid = Integer::from(Natural::from_limbs_asc(&words));
         let unit = -i64::try_from(64 * L).ok()?;
@@ -388,7 +258,7 @@ impl<const L: usize> Fixed<L> {
 macro_rules! in_words {
     ($room:expr, $bits:expr, $call:ident $arguments:tt, $(<$words:literal $(, $half:literal)?>),* $(,)?) => {
         $(if $room <= $crate::number::fixed::Fixed::<$words>::ROOM {
-            $call::<$words $(, $half)?> $arguments?.to_interval($bits)
+            $call::<$words $(, $half)?> $arguments?.interval($bits)
         } else)* {
             None
         }
@@ -414,9 +284,7 @@ pub fn two_words(r: &Rational) -> Option<(u64, u64)> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)] // a test stops where it fails
 mod tests {
-    use super::{Divisor, Fixed, MAX_EXPONENT};
-    use crate::number::interval::Interval;
-    use crate::number::root::root;
+    use super::Fixed;
     use malachite::base::num::arithmetic::traits::{Pow, PowerOf2};
     use malachite::{Natural, Rational};
     use proptest::prelude::*;
@@ -426,12 +294,12 @@ mod tests {
         prop_oneof![4 => any::<u64>(), 1 => Just(0), 1 => Just(u64::MAX), 1 => (0..64_u32).prop_map(|k| 1 << k)]
     }
 
-    fn number<const L: usize>() -> impl Strategy<Value = Fixed<L>> {
+    pub(super) fn number<const L: usize>() -> impl Strategy<Value = Fixed<L>> {
         (prop::collection::vec(word(), L), prop_oneof![Just(0), 0..1000_u64])
             .prop_map(|(words, error)| Fixed { words: words.try_into().unwrap(), error })
     }
 
-    fn unit<const L: usize>() -> Rational {
+    pub(super) fn unit<const L: usize>() -> Rational {
         Rational::power_of_2(-64 * i64::try_from(L).unwrap())
     }
 
@@ -498,76 +366,7 @@ mod tests {
         Ok(())
     }
 
-    fn enclosed_root<const L: usize>(p: u64, q: u64, n: u64) -> Result<bool, TestCaseError> {
-        let Some(found) = Fixed::<L>::inverse_root(p, q, n).and_then(|y| y.to_interval(10)) else { return Ok(false) };
-        let exact = root(&Rational::from_unsigneds(q, p), &Natural::from(n), 64 * L as u64 + 100);
-        prop_assert!(found.contains_interval(&exact), "{p}/{q}, {n}: {found:?} against {exact:?}");
-        Ok(true)
-    }
-
-    #[test]
-    fn a_word_over_a_word_is_rounded_down() {
-        for d in [1, 2, 3, 10, 1 << 63, (1 << 63) + 1, u64::MAX - 1, u64::MAX] {
-            let divisor = Divisor::new(d).unwrap();
-            for high in [0, 1, d / 2, d - 1] {
-                for low in [0, 1, d.wrapping_sub(1), u64::MAX - 1, u64::MAX] {
-                    if high < d {
-                        let x = u128::from(high) << 64 | u128::from(low);
-                        let (quotient, rest) = divisor.divide(high, low);
-                        assert_eq!((u128::from(quotient), u128::from(rest)), (x / u128::from(d), x % u128::from(d)));
-                    }
-                }
-            }
-        }
-        assert!(Divisor::new(0).is_none());
-    }
-
-    #[test]
-    fn roots_are_as_narrow_as_the_words_allow() {
-        for n in [1, 2, 3, 8, 100] {
-            let narrow = |x: Option<Interval>| assert!(x.is_some(), "{n}");
-            narrow(Fixed::<3>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<3>::ROOM)));
-            narrow(Fixed::<4>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<4>::ROOM)));
-            narrow(Fixed::<6>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<6>::ROOM)));
-            narrow(Fixed::<8>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<8>::ROOM)));
-            narrow(Fixed::<12>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<12>::ROOM)));
-            narrow(Fixed::<16>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<16>::ROOM)));
-            narrow(Fixed::<24>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<24>::ROOM)));
-            narrow(Fixed::<32>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<32>::ROOM)));
-            narrow(Fixed::<46>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<46>::ROOM)));
-            narrow(Fixed::<62>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<62>::ROOM)));
-            narrow(Fixed::<94>::inverse_root(10, 1, n).and_then(|y| y.to_interval(Fixed::<94>::ROOM)));
-        }
-        assert!(Fixed::<3>::inverse_root(1, 1, 3).is_none() && Fixed::<3>::inverse_root(1, 2, 3).is_none());
-        assert!(
-            Fixed::<3>::inverse_root(2, 1, 0).is_none() && Fixed::<3>::inverse_root(2, 1, MAX_EXPONENT + 1).is_none()
-        );
-    }
-
-    /// The quotient is that of the digits, cut off, or a unit less, whatever digits are skipped on the way.
-    fn cut_quotient<const L: usize>(a: &Fixed<L>, b: &Fixed<L>) -> Result<(), TestCaseError> {
-        let (mut a, mut b) = (*a, *b);
-        (a.error, b.error) = (0, 0);
-        if let Some(found) = a.over(&b) {
-            let value = |x: &Fixed<L>| Rational::from(Natural::from_limbs_asc(&x.words));
-            let exact = value(&a) / value(&b) / unit::<L>();
-            let off = exact - value(&found);
-            prop_assert!(off > -1 && off < 2, "{a:?} {b:?}: {off}");
-        }
-        Ok(())
-    }
-
     proptest! {
-        #[test]
-        fn long_quotients_skip_no_digit_that_counts(a in number::<16>(), b in number::<16>(), same in 0..16_usize) {
-            cut_quotient(&a, &b)?;
-            // The first words of both agree: guesses are all ones.
-            let mut near = b;
-            near.words[..same].copy_from_slice(&a.words[..same]);
-            cut_quotient(&near, &b)?;
-            cut_quotient(&b, &near)?;
-        }
-
         #[test]
         fn operations_in_twelve_words_hold_every_result(a in number::<12>(), b in number::<12>(), p in 1..99_u64, q in 1_u64..) {
             operations(&a, &b, p, q)?;
@@ -588,27 +387,6 @@ mod tests {
         #[test]
         fn operations_in_six_words_hold_every_result(a in number::<6>(), b in number::<6>(), p in 1..99_u64, q in 1_u64..) {
             operations(&a, &b, p, q)?;
-        }
-
-        #[test]
-        fn roots_hold_the_root(
-            p in prop_oneof![1..1000_u64, any::<u64>()], q in prop_oneof![1..1000_u64, 1_u64..], n in 1..=64_u64,
-        ) {
-            let (p, q) = (p.max(q), p.min(q));
-            prop_assume!(q > 0);
-            let all = [enclosed_root::<3>(p, q, n)?, enclosed_root::<4>(p, q, n)?, enclosed_root::<6>(p, q, n)?, enclosed_root::<8>(p, q, n)?];
-            let long = [enclosed_root::<10>(p, q, n)?, enclosed_root::<12>(p, q, n)?, enclosed_root::<16>(p, q, n)?, enclosed_root::<24>(p, q, n)?, enclosed_root::<28>(p, q, n)?, enclosed_root::<41>(p, q, n)?];
-            // Ordinary ratios are not left to others.
-            let hard = p / q >= 1 << 20 || p - q <= q / 1000;
-            prop_assert!(hard || (all == [true; 4] && long == [true; 6]), "{p}/{q}, {n}: {all:?} {long:?}");
-        }
-
-        #[test]
-        fn a_wrong_guess_is_refused_or_corrected(guess in 0.0..1.0_f64, n in 1..20_u64) {
-            let equation = (10, Divisor::new(1).unwrap(), Divisor::new(n).unwrap());
-            let exact = root(&Rational::from_unsigneds(1_u8, 10), &Natural::from(n), 400);
-            let found = Fixed::<4>::point(guess).and_then(|y| y.corrected(&equation)).and_then(|y| y.to_interval(1));
-            prop_assert!(found.is_none_or(|found| found.contains_interval(&exact)));
         }
     }
 }

@@ -13,10 +13,15 @@
 //!
 //! **Cost.** One integer operation of the precision each; a radius costs a few machine words.
 
-use malachite::base::num::arithmetic::traits::{DivisibleByPowerOf2, FloorSqrt, NegAssign, PowerOf2, Sign, Square};
-use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::num::conversion::traits::SaturatingFrom;
-use malachite::base::num::logic::traits::{BitAccess, SignificantBits};
+mod arithmetic;
+mod bound;
+mod double;
+
+pub(super) use arithmetic::NEWTON_DIVISION_BITS;
+use bound::Bound;
+use malachite::base::num::arithmetic::traits::{DivisibleByPowerOf2, PowerOf2, Sign};
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural, Rational};
 use std::cmp::Ordering;
 
@@ -32,9 +37,6 @@ const RADIUS_BITS: u32 = 32;
 /// Denominators longer than the precision by so much are cut to it.
 const LONG_BITS: u64 = 1_024;
 
-/// Divisions of more bits than this multiply by a Newton reciprocal (bench `numbers`, group `division`).
-pub(super) const NEWTON_DIVISION_BITS: u64 = 20_000;
-
 /// All reals within `radius·2^exponent` of `mid·2^exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interval {
@@ -49,87 +51,6 @@ const MAX_REFINEMENT: i64 = 4_096;
 
 /// The radius that says that nothing is known.
 const WHOLE: u64 = u64::MAX;
-
-/// A bound `size·2^shift` of an absolute error, rounded up in every step.
-#[derive(Clone, Copy)]
-struct Bound {
-    size: u64,
-    shift: u64,
-}
-
-impl Bound {
-    const NONE: Bound = Bound { size: 0, shift: 0 };
-    const UNIT: Bound = Bound { size: 1, shift: 0 };
-
-    /// At least `|x|`, with 32 bits.
-    fn of(x: &Integer) -> Bound {
-        let shift = x.significant_bits().saturating_sub(RADIUS_BITS.into());
-        let top = x.unsigned_abs_ref() >> shift;
-        let top = u64::saturating_from(&top);
-        Bound { size: top + u64::from(shift > 0), shift }
-    }
-
-    /// At least the product.
-    fn times(self, factor: u64) -> Bound {
-        let product = u128::from(self.size) * u128::from(factor);
-        Bound::from_wide(product, self.shift)
-    }
-
-    fn from_wide(size: u128, shift: u64) -> Bound {
-        let excess = (128 - u64::from(size.leading_zeros())).saturating_sub(60);
-        Bound { size: ceil_shift(size, excess), shift: shift + excess }
-    }
-
-    /// At least the sum.
-    fn plus(self, other: Bound) -> Bound {
-        if self.size == 0 {
-            return other;
-        }
-        if other.size == 0 {
-            return self;
-        }
-        let (high, low) = if self.shift >= other.shift { (self, other) } else { (other, self) };
-        let gap = high.shift - low.shift;
-        // Keep low digits where the high one has room for them.
-        let room = gap.min(60);
-        let wide = (u128::from(high.size) << room) + u128::from(ceil_shift(u128::from(low.size), gap - room));
-        Bound::from_wide(wide, high.shift - room)
-    }
-
-    /// At least the bound times `2^-places`, in whole units.
-    fn down(self, places: u64) -> Bound {
-        let less = places.min(self.shift);
-        Bound { size: ceil_shift(u128::from(self.size), places - less), shift: self.shift - less }
-    }
-
-    /// At least the bound times `2^places`.
-    fn up(self, places: u64) -> Bound {
-        Bound { size: self.size, shift: self.shift + places }
-    }
-
-    /// The bound in units; it is short.
-    fn units(self) -> u64 {
-        if self.size == 0 { 0 } else { self.size << self.shift }
-    }
-
-    /// Bits of the bound.
-    fn bits(self) -> u64 {
-        self.size.significant_bits() + if self.size == 0 { 0 } else { self.shift }
-    }
-}
-
-/// `x·2^-places`, rounded up; `x` fits after the shift.
-fn ceil_shift(x: u128, places: u64) -> u64 {
-    if places == 0 {
-        return u64::try_from(x).unwrap_or(u64::MAX - 1);
-    }
-    if places >= 128 {
-        return u64::from(x != 0);
-    }
-    let floor = x >> places;
-    let up = u128::from(floor << places != x);
-    u64::try_from(floor + up).unwrap_or(u64::MAX - 1)
-}
 
 impl Interval {
     /// The whole line.
@@ -154,37 +75,6 @@ impl Interval {
     #[must_use]
     pub fn from_dyadic(mid: Integer, exponent: i64) -> Interval {
         Interval::checked(mid, 0, exponent)
-    }
-
-    /// A double, exactly; the whole line where it is not finite.
-    #[must_use]
-    pub fn from_f64(x: f64) -> Interval {
-        if !x.is_finite() {
-            return Interval::whole();
-        }
-        let bits = x.to_bits();
-        let fraction = bits & ((1 << 52) - 1);
-        let biased = i64::from(u16::saturating_from(bits >> 52 & 0x7ff));
-        let (size, exponent) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
-        let mut mid = Integer::from(size);
-        if x < 0.0 {
-            mid.neg_assign();
-        }
-        Interval::from_dyadic(mid, exponent)
-    }
-
-    /// All reals between two positive doubles, `lo <= hi`; exactly them where they agree to about 20 bits.
-    #[must_use]
-    pub fn between_f64(lo: f64, hi: f64) -> Interval {
-        let (least, most) = (Interval::from_f64(lo), Interval::from_f64(hi));
-        let exponent = least.exponent.min(most.exponent).saturating_sub(1);
-        let places = |x: &Interval| x.exponent.saturating_sub(exponent).saturating_sub(1).unsigned_abs();
-        if least.is_whole() || most.is_whole() || places(&least).max(places(&most)) > 4_096 {
-            return Interval::whole();
-        }
-        let (a, b) = (&least.mid << places(&least), &most.mid << places(&most));
-        let radius = Bound::of(&(&b - &a));
-        Interval::rounded(a + b, radius, exponent, u64::MAX)
     }
 
     /// A rational to `bits` bits; exact where it is dyadic and short enough.
@@ -381,65 +271,6 @@ impl Interval {
         }
     }
 
-    /// A double at most the least element and one at least the greatest, infinite where need be.
-    #[must_use]
-    pub fn to_f64_ends(&self) -> (f64, f64) {
-        match self.ends() {
-            None => (f64::NEG_INFINITY, f64::INFINITY),
-            Some((lo, hi)) => (-(lo.negated()).f64_above(), hi.f64_above()),
-        }
-    }
-
-    /// The least double not below a point.
-    fn f64_above(&self) -> f64 {
-        let negative = self.mid < 0;
-        let bits = self.mid.significant_bits();
-        let top = self.top();
-        if bits == 0 {
-            return 0.0;
-        }
-        if top > 1024 {
-            return if negative { -f64::MAX } else { f64::INFINITY };
-        }
-        // The unit of the last place of doubles of this size.
-        let unit = (top - 53).max(-1074);
-        let shift = self.exponent.saturating_sub(unit);
-        let size = if shift >= 0 {
-            self.mid.unsigned_abs_ref() << shift.unsigned_abs()
-        } else {
-            let places = shift.unsigned_abs();
-            let floor = self.mid.unsigned_abs_ref() >> places;
-            let up = !negative && !self.mid.divisible_by_power_of_2(places);
-            floor + Natural::from(u8::from(up))
-        };
-        // At most 2^53, exact; powers of two are exact down to 2^-1074.
-        let size = u64::saturating_from(&size) as f64;
-        let scaled = scale_f64(size, unit);
-        if negative { -scaled } else { scaled }
-    }
-
-    /// About the middle, as a double; for guesses.
-    #[must_use]
-    pub fn guess_f64(&self) -> f64 {
-        let (lo, hi) = self.to_f64_ends();
-        if lo.is_finite() && hi.is_finite() { lo / 2.0 + hi / 2.0 } else { f64::NAN }
-    }
-
-    /// All negatives.
-    #[must_use]
-    pub fn negated(&self) -> Interval {
-        Interval { mid: -&self.mid, radius: self.radius, exponent: self.exponent }
-    }
-
-    /// All elements times `2^places`.
-    #[must_use]
-    pub fn shifted(&self, places: i64) -> Interval {
-        if self.is_whole() {
-            return Interval::whole();
-        }
-        Interval::checked(self.mid.clone(), self.radius, self.exponent.saturating_add(places))
-    }
-
     /// The same set in units of `2^exponent`, a hair wider; only for larger units.
     fn in_units(&self, exponent: i64) -> (Integer, Bound) {
         let shift = exponent.abs_diff(self.exponent);
@@ -450,181 +281,5 @@ impl Interval {
         let cut = !self.mid.divisible_by_power_of_2(shift);
         let bound = bound.down(shift);
         (&self.mid >> shift, if cut { bound.plus(Bound::UNIT) } else { bound })
-    }
-
-    /// All sums.
-    #[must_use]
-    pub fn add(&self, other: &Interval, bits: u64) -> Interval {
-        if self.is_whole() || other.is_whole() {
-            return Interval::whole();
-        }
-        let top = self.top().max(other.top());
-        if self.top() == i64::MIN {
-            return other.round(bits);
-        }
-        if other.top() == i64::MIN {
-            return self.round(bits);
-        }
-        // Digits more than four places below the precision are not needed.
-        let needed = top.saturating_sub(i64::try_from(bits.saturating_add(4)).unwrap_or(i64::MAX));
-        let unit = self.exponent.min(other.exponent).max(needed);
-        let (x, x_bound) = self.in_units(unit);
-        let (y, y_bound) = other.in_units(unit);
-        Interval::rounded(x + y, x_bound.plus(y_bound), unit, bits)
-    }
-
-    /// All differences.
-    #[must_use]
-    pub fn subtract(&self, other: &Interval, bits: u64) -> Interval {
-        self.add(&other.negated(), bits)
-    }
-
-    /// All products.
-    #[must_use]
-    pub fn multiply(&self, other: &Interval, bits: u64) -> Interval {
-        if self.is_whole() || other.is_whole() {
-            return Interval::whole();
-        }
-        let bound = if self.radius == 0 && other.radius == 0 {
-            Bound::NONE
-        } else {
-            Bound::of(&self.mid)
-                .times(other.radius)
-                .plus(Bound::of(&other.mid).times(self.radius))
-                .plus(Bound { size: self.radius, shift: 0 }.times(other.radius))
-        };
-        let exponent = self.exponent.saturating_add(other.exponent);
-        Interval::rounded(&self.mid * &other.mid, bound, exponent, bits)
-    }
-
-    /// All squares.
-    #[must_use]
-    pub fn square(&self, bits: u64) -> Interval {
-        if self.is_whole() {
-            return Interval::whole();
-        }
-        let radius = Bound { size: self.radius, shift: 0 };
-        let bound = if self.radius == 0 {
-            Bound::NONE
-        } else {
-            Bound::of(&self.mid).times(2 * self.radius).plus(radius.times(self.radius))
-        };
-        Interval::rounded((&self.mid).square(), bound, self.exponent.saturating_mul(2), bits)
-    }
-
-    /// All square roots; the whole line unless the middle is above 0 and no element is below 0.
-    ///
-    /// In the units of the result, let `M` be the middle, `y` an element, `|y − M| <= E`, and `s` the root found,
-    /// `s <= √M < s + 1`. Then `|√y − √M| = |y − M|/(√y + √M)` is at most `E/√M <= E/s`, and for `E <= M/16` at most
-    /// `(16/31)·E/s`, since `√y >= √M·√(1 − 1/16) >= √M·15/16`.
-    #[must_use]
-    pub fn square_root(&self, bits: u64) -> Interval {
-        let middle = self.mid.unsigned_abs_ref();
-        if self.mid <= 0 || *middle < self.radius {
-            return Interval::whole();
-        }
-        let bits = bits.max(2);
-        // Twice as many digits as the root shall have, and an even exponent.
-        let places = bits.saturating_mul(2).saturating_sub(self.mid.significant_bits());
-        let places = places + (places + self.exponent.unsigned_abs()) % 2;
-        let root = (middle << places).floor_sqrt();
-        let small = middle.significant_bits() > 4 + u64::from(RADIUS_BITS)
-            || self.radius.saturating_mul(16) <= u64::saturating_from(middle);
-        let (above, below) = if small { (16, 31) } else { (1, 1) };
-        // Its first digits, not 0, and at most twice 32 bits over them.
-        let cut = root.significant_bits().saturating_sub(RADIUS_BITS.into());
-        let leading = below * u128::from(u64::saturating_from(&(&root >> cut)));
-        let size = ((u128::from(self.radius) * above) << RADIUS_BITS).div_ceil(leading);
-        let bound = Bound::from_wide(size, places).down(cut + u64::from(RADIUS_BITS)).plus(Bound::UNIT);
-        let exponent = self.exponent.saturating_sub(i64::try_from(places).unwrap_or(i64::MAX)) / 2;
-        Interval::rounded(Integer::from(root), bound, exponent, bits)
-    }
-
-    /// All quotients by a natural number, the whole line where it is zero.
-    #[must_use]
-    pub fn divide_by_natural(&self, divisor: &Natural, bits: u64) -> Interval {
-        if self.is_whole() || *divisor == Natural::ZERO {
-            return Interval::whole();
-        }
-        if *divisor == Natural::ONE {
-            return self.round(bits);
-        }
-        let divisor_bits = divisor.significant_bits();
-        if divisor.divisible_by_power_of_2(divisor_bits - 1) {
-            return self.shifted(-i64::try_from(divisor_bits - 1).unwrap_or(MAX_EXPONENT)).round(bits);
-        }
-        let extra = bits.saturating_add(divisor_bits + 2).saturating_sub(self.mid.significant_bits());
-        let quotient = (&self.mid << extra) / Integer::from(divisor);
-        // The divisor is at least 2^(divisor_bits − 1); truncation costs a unit.
-        let bound = Bound { size: self.radius, shift: 0 }.up(extra).down(divisor_bits - 1).plus(Bound::UNIT);
-        let exponent = self.exponent.saturating_sub(i64::try_from(extra).unwrap_or(i64::MAX));
-        Interval::rounded(quotient, bound, exponent, bits)
-    }
-
-    /// All products with a rational; cheap where its numerator and denominator are short.
-    #[must_use]
-    pub fn multiply_rational(&self, x: &Rational, bits: u64) -> Interval {
-        let numerator = Integer::from_sign_and_abs_ref(*x >= Rational::ZERO, x.numerator_ref());
-        let product = self.multiply(&Interval::from_integer(numerator), bits.saturating_add(2));
-        product.divide_by_natural(x.denominator_ref(), bits)
-    }
-
-    /// All quotients; the whole line where zero may be an element of the divisor.
-    #[must_use]
-    pub fn divide(&self, other: &Interval, bits: u64) -> Interval {
-        let divisor_bits = other.mid.significant_bits();
-        // Below, |divisor| >= 2^(divisor_bits − 2) is used.
-        if self.is_whole() || other.is_whole() || divisor_bits == 0 {
-            return Interval::whole();
-        }
-        if other.radius.significant_bits() + 2 > divisor_bits && other.radius > 0 {
-            return Interval::whole();
-        }
-        if bits > NEWTON_DIVISION_BITS && divisor_bits > NEWTON_DIVISION_BITS {
-            return self.multiply(&other.reciprocal(bits + 4), bits);
-        }
-        let extra = bits.saturating_add(divisor_bits + 2).saturating_sub(self.mid.significant_bits());
-        let quotient = (&self.mid << extra) / &other.mid;
-        // |a/b − a'/b'| <= (|a − a'| + |a'/b'|·|b − b'|)/|b|, in units of 2^-extra.
-        let from_divisor = Bound::of(&quotient).plus(Bound::UNIT).times(other.radius);
-        let from_dividend = Bound { size: self.radius, shift: 0 }.up(extra);
-        let bound = from_dividend.plus(from_divisor).up(1).down(divisor_bits - 1).plus(Bound::UNIT);
-        let exponent = self.exponent.saturating_sub(other.exponent);
-        let exponent = exponent.saturating_sub(i64::try_from(extra).unwrap_or(i64::MAX));
-        Interval::rounded(quotient, bound, exponent, bits)
-    }
-
-    /// All powers with a natural exponent.
-    ///
-    /// Cost: a squaring for each binary digit of the exponent, a product for each digit one.
-    #[must_use]
-    pub fn power(&self, exponent: &Natural, bits: u64) -> Interval {
-        let digits = exponent.significant_bits();
-        if digits == 0 {
-            return Interval::from_integer(1);
-        }
-        // Each doubling of the exponent doubles the relative error.
-        let bits = bits.saturating_add(digits + 4);
-        let mut result = self.round(bits);
-        for place in (0..digits - 1).rev() {
-            result = result.square(bits);
-            if exponent.get_bit(place) {
-                result = result.multiply(self, bits);
-            }
-        }
-        result
-    }
-}
-
-/// `x·2^exponent` for a non-negative integer below `2^54`, exact where the result is a double.
-fn scale_f64(x: f64, exponent: i64) -> f64 {
-    let power = |k: i64| f64::from_bits(u64::try_from(1023 + k).unwrap_or(0) << 52);
-    if exponent < -1000 {
-        // In two steps; the first is exact, the second is where the result is a double.
-        x * power(-500) * power((exponent + 500).max(-1022))
-    } else if exponent > 1000 {
-        f64::INFINITY
-    } else {
-        x * power(exponent)
     }
 }

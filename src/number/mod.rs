@@ -1,6 +1,6 @@
 //! Exact numbers, certified enclosures and correctly rounded decimals.
 //!
-//! From cheap to dear: [`double`] (double-double with a rigorous error bound), [`fixed`] (some machine words),
+//! From cheap to dear: [`double`] (double-double with a rigorous error bound), `fixed` (some machine words),
 //! [`interval`] (dyadic enclosures at any precision), [`rational`] and [`radical`] (exact). [`real`] chooses between them and
 //! [`decimal`] prints the result.
 
@@ -8,7 +8,7 @@ pub mod decimal;
 pub mod digits;
 pub mod double;
 pub mod elementary;
-pub mod fixed;
+pub(crate) mod fixed;
 pub mod fraction;
 pub mod interval;
 pub mod parallel;

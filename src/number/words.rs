@@ -202,3 +202,26 @@ pub(super) fn difference<const L: usize>(a: &[u64; L], b: &[u64; L]) -> ([u64; L
 pub(super) fn complement<const L: usize>(words: &[u64; L]) -> [u64; L] {
     difference(&[0; L], words).0
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test stops where it fails
+mod tests {
+    use super::Divisor;
+
+    #[test]
+    fn a_word_over_a_word_is_rounded_down() {
+        for d in [1, 2, 3, 10, 1 << 63, (1 << 63) + 1, u64::MAX - 1, u64::MAX] {
+            let divisor = Divisor::new(d).unwrap();
+            for high in [0, 1, d / 2, d - 1] {
+                for low in [0, 1, d.wrapping_sub(1), u64::MAX - 1, u64::MAX] {
+                    if high < d {
+                        let x = u128::from(high) << 64 | u128::from(low);
+                        let (quotient, rest) = divisor.divide(high, low);
+                        assert_eq!((u128::from(quotient), u128::from(rest)), (x / u128::from(d), x % u128::from(d)));
+                    }
+                }
+            }
+        }
+        assert!(Divisor::new(0).is_none());
+    }
+}

@@ -21,7 +21,7 @@ pub const COUNT_BITS: u64 = 2_048;
 /// Exact values have at most about so many bits.
 const EXACT_BITS: u64 = 1 << 20;
 /// The most bits with which a cell is computed.
-pub const PRECISION_LIMIT: u64 = 1 << 17;
+const PRECISION_LIMIT: u64 = 1 << 17;
 
 /// A cell whose value is a real number.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use std::cell::Cell;
 /// The work that any table may cost, in products of two words of 64 bits.
 pub const WORK_LIMIT: u64 = 4_000_000_000;
 /// The further work for each byte of the file.
-pub const WORK_PER_BYTE: u64 = 2_000;
+const WORK_PER_BYTE: u64 = 2_000;
 /// Products of longer numbers, in words, are cheaper than the product of their lengths.
 const SHORT: u64 = 32;
 /// What a common divisor costs, in squares of the length: each bit takes a subtraction and a shift.

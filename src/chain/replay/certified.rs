@@ -15,279 +15,19 @@
 //! **Precision.** The run is repeated with more bits where a sign or an order stays open, up to
 //! [`MAX_BITS`]; a true tie of neighbouring times stays open for ever and ends as a limit.
 //!
-//! **Values.** What happened is kept as a history: runs of two pairs in turn with their length. Velocities
-//! and intercepts are products of transfer matrices; a run is one power. They are evaluated when asked for,
-//! with as many bits as the digits need, or exactly.
+//! **Values.** What happened is kept as a [`History`], which is evaluated when asked for.
 
-use super::bounds::Bounds;
+use super::Collision;
+use super::enclosure::Enclosure;
 use super::exact::Run;
-use super::line::{Line, Pair};
+use super::history::{History, Rows};
+use super::line::Line;
 use super::queue::Queue;
-use super::{Collision, Value};
-use crate::number::interval::Interval;
-use malachite::base::num::arithmetic::traits::Sign;
-use malachite::base::num::basic::traits::One;
-use malachite::{Integer, Rational};
+use malachite::Rational;
 use std::cmp::Ordering;
 
 /// The most bits of an enclosure of the run.
-pub const MAX_BITS: u64 = 4096;
-
-/// The operations that follow a worldline.
-pub(super) trait Number: Clone {
-    fn of(x: &Rational, bits: u64) -> Self;
-    fn plus(&self, other: &Self, bits: u64) -> Self;
-    fn minus(&self, other: &Self, bits: u64) -> Self;
-    fn times(&self, other: &Self, bits: u64) -> Self;
-}
-
-/// A number known up to an enclosure.
-pub(super) trait Enclosure: Number {
-    fn over(&self, other: &Self, bits: u64) -> Self;
-    fn sign(&self) -> Option<Ordering>;
-    /// A double to order the heap by; it decides nothing.
-    fn guess(&self) -> f64;
-    fn value(&self) -> Option<Value>;
-}
-
-impl Number for Rational {
-    fn of(x: &Rational, _: u64) -> Rational {
-        x.clone()
-    }
-    fn plus(&self, other: &Rational, _: u64) -> Rational {
-        self + other
-    }
-    fn minus(&self, other: &Rational, _: u64) -> Rational {
-        self - other
-    }
-    fn times(&self, other: &Rational, _: u64) -> Rational {
-        self * other
-    }
-}
-
-impl Number for Bounds {
-    fn of(x: &Rational, _: u64) -> Bounds {
-        Bounds::of(x)
-    }
-    fn plus(&self, other: &Bounds, _: u64) -> Bounds {
-        Bounds::plus(*self, *other)
-    }
-    fn minus(&self, other: &Bounds, _: u64) -> Bounds {
-        Bounds::minus(*self, *other)
-    }
-    fn times(&self, other: &Bounds, _: u64) -> Bounds {
-        Bounds::times(*self, *other)
-    }
-}
-
-impl Enclosure for Bounds {
-    fn over(&self, other: &Bounds, _: u64) -> Bounds {
-        Bounds::over(*self, *other)
-    }
-    fn sign(&self) -> Option<Ordering> {
-        Bounds::sign(*self)
-    }
-    fn guess(&self) -> f64 {
-        self.lo
-    }
-    fn value(&self) -> Option<Value> {
-        Some(Value::Within(Rational::try_from(self.lo).ok()?, Rational::try_from(self.hi).ok()?))
-    }
-}
-
-impl Enclosure for Rational {
-    fn over(&self, other: &Rational, _: u64) -> Rational {
-        self / other
-    }
-    fn sign(&self) -> Option<Ordering> {
-        Some(Sign::sign(self))
-    }
-    fn guess(&self) -> f64 {
-        Bounds::of(self).lo
-    }
-    fn value(&self) -> Option<Value> {
-        Some(Value::Exact(self.clone()))
-    }
-}
-
-impl Number for Interval {
-    fn of(x: &Rational, bits: u64) -> Interval {
-        Interval::from_rational(x, bits)
-    }
-    fn plus(&self, other: &Interval, bits: u64) -> Interval {
-        self.add(other, bits)
-    }
-    fn minus(&self, other: &Interval, bits: u64) -> Interval {
-        self.subtract(other, bits)
-    }
-    fn times(&self, other: &Interval, bits: u64) -> Interval {
-        self.multiply(other, bits)
-    }
-}
-
-impl Enclosure for Interval {
-    fn over(&self, other: &Interval, bits: u64) -> Interval {
-        self.divide(other, bits)
-    }
-    fn sign(&self) -> Option<Ordering> {
-        Interval::sign(self)
-    }
-    fn guess(&self) -> f64 {
-        self.to_f64_ends().0
-    }
-    fn value(&self) -> Option<Value> {
-        let end = |(mid, exponent): (Integer, i64)| Rational::from(mid) << exponent;
-        Some(Value::Within(end(self.lower()?), end(self.upper()?)))
-    }
-}
-
-/// Two pairs that collide in turn, `count` collisions in all, `first` first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Turns {
-    first: u32,
-    second: u32,
-    count: u64,
-}
-
-/// The order of collisions: 16 bytes for each break of a pattern.
-#[derive(Clone, Debug, Default)]
-pub(super) struct History {
-    turns: Vec<Turns>,
-}
-
-impl History {
-    fn push(&mut self, pair: usize) {
-        let pair = pair as u32;
-        if let Some(turns) = self.turns.last_mut() {
-            if turns.count == 1 && turns.first.abs_diff(pair) == 1 {
-                *turns = Turns { second: pair, count: 2, ..*turns };
-                return;
-            }
-            let next = if turns.count % 2 == 0 { turns.first } else { turns.second };
-            if turns.count > 1 && next == pair {
-                turns.count += 1;
-                return;
-            }
-        }
-        self.turns.push(Turns { first: pair, second: pair, count: 1 });
-    }
-
-    /// The number of entries.
-    pub fn entries(&self) -> usize {
-        self.turns.len()
-    }
-
-    /// The last pair.
-    pub fn last(&self) -> Option<usize> {
-        let turns = self.turns.last()?;
-        Some(if turns.count % 2 == 0 { turns.second } else { turns.first } as usize)
-    }
-
-    /// The last pair, and the history before it.
-    fn split_last(&self) -> Option<(usize, History)> {
-        let last = self.last()?;
-        let mut before = self.clone();
-        let turns = before.turns.last_mut()?;
-        turns.count -= 1;
-        if turns.count == 0 {
-            before.turns.pop();
-        }
-        Some((last, before))
-    }
-
-    /// Applies all collisions to numbers that change as velocities do.
-    fn apply<N: Number>(&self, line: &Line, state: &mut [N], bits: u64) {
-        for turns in &self.turns {
-            let (first, second) = (turns.first as usize, turns.second as usize);
-            if turns.count < 8 {
-                for i in 0..turns.count {
-                    collide(line, state, if i % 2 == 0 { first } else { second }, bits);
-                }
-                continue;
-            }
-            let low = first.min(second);
-            let step = |pair| -> Matrix<N> { transfer(line, low, pair, bits) };
-            let round = product(&step(second), &step(first), bits);
-            let mut all = power(round, turns.count / 2, bits);
-            if turns.count % 2 == 1 {
-                all = product(&step(first), &all, bits);
-            }
-            let old: Vec<N> = state[low..low + 3].to_vec();
-            for (i, row) in all.iter().enumerate() {
-                let terms: Vec<N> = row.iter().zip(&old).map(|(m, x)| m.times(x, bits)).collect();
-                state[low + i] = terms[0].plus(&terms[1], bits).plus(&terms[2], bits);
-            }
-        }
-    }
-}
-
-/// A transfer matrix on three neighbouring points.
-type Matrix<N> = [[N; 3]; 3];
-
-fn transfer<N: Number>(line: &Line, low: usize, pair: usize, bits: u64) -> Matrix<N> {
-    let unit = |i: usize, j: usize| N::of(&Rational::from(u8::from(i == j)), bits);
-    let rows = Rows::of(&line.pairs[pair], bits);
-    let mut m: Matrix<N> = std::array::from_fn(|i| std::array::from_fn(|j| unit(i, j)));
-    let i = pair - low;
-    (m[i][i], m[i][i + 1]) = rows.left;
-    (m[i + 1][i + 1], m[i + 1][i]) = rows.right;
-    m
-}
-
-fn product<N: Number>(a: &Matrix<N>, b: &Matrix<N>, bits: u64) -> Matrix<N> {
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let first = a[i][0].times(&b[0][j], bits).plus(&a[i][1].times(&b[1][j], bits), bits);
-            first.plus(&a[i][2].times(&b[2][j], bits), bits)
-        })
-    })
-}
-
-/// A power, at least the first, by repeated squaring.
-fn power<N: Number>(mut base: Matrix<N>, mut exponent: u64, bits: u64) -> Matrix<N> {
-    let mut result: Option<Matrix<N>> = None;
-    loop {
-        if exponent % 2 == 1 {
-            result = Some(match result {
-                None => base.clone(),
-                Some(r) => product(&r, &base, bits),
-            });
-        }
-        exponent /= 2;
-        if exponent == 0 {
-            return result.unwrap_or(base);
-        }
-        base = product(&base, &base, bits);
-    }
-}
-
-fn collide<N: Number>(line: &Line, state: &mut [N], p: usize, bits: u64) {
-    let rows = Rows::of(&line.pairs[p], bits);
-    let (left, right) = rows.apply(&state[p], &state[p + 1], bits);
-    (state[p], state[p + 1]) = (left, right);
-}
-
-/// The transfer matrix of a pair.
-///
-/// A row is applied as `(1 − share)·own + share·other`, not as `own + share·(other − own)`: with enclosures the
-/// latter counts `own` twice, and a light body bounced between heavy ones would lose a bit at every collision.
-#[derive(Clone)]
-struct Rows<N> {
-    left: (N, N),
-    right: (N, N),
-}
-
-impl<N: Number> Rows<N> {
-    fn of(pair: &Pair, bits: u64) -> Rows<N> {
-        let row = |share: &Rational| (N::of(&(Rational::ONE - share), bits), N::of(share, bits));
-        Rows { left: row(&pair.left), right: row(&pair.right) }
-    }
-
-    fn apply(&self, left: &N, right: &N, bits: u64) -> (N, N) {
-        let row = |(own, share): &(N, N), x: &N, y: &N| own.times(x, bits).plus(&share.times(y, bits), bits);
-        (row(&self.left, left, right), row(&self.right, right, left))
-    }
-}
+pub(super) const MAX_BITS: u64 = 4096;
 
 /// Why a certified run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -525,33 +265,14 @@ impl<'a, E: Enclosure> Certified<'a, E> {
     }
 }
 
-/// Intercepts and velocities after a history, and the time of its last collision as gap and speed.
-pub(super) struct Evaluated<N> {
-    pub b: Vec<N>,
-    pub v: Vec<N>,
-    pub last: Option<(N, N)>,
-}
-
-/// Evaluates a history from where an exact run stopped.
-pub(super) fn evaluate<N: Number>(run: &Run, history: &History, bits: u64) -> Evaluated<N> {
-    let mut b: Vec<N> = run.b.iter().map(|x| N::of(x, bits)).collect();
-    let mut v: Vec<N> = run.v.iter().map(|x| N::of(x, bits)).collect();
-    let mut last = None;
-    if let Some((p, before)) = history.split_last() {
-        before.apply(run.line, &mut b, bits);
-        before.apply(run.line, &mut v, bits);
-        last = Some((b[p + 1].minus(&b[p], bits), v[p].minus(&v[p + 1], bits)));
-        collide(run.line, &mut b, p, bits);
-        collide(run.line, &mut v, p, bits);
-    }
-    Evaluated { b, v, last }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain::replay::exact::Bound;
+    use crate::chain::replay::bounds::Bounds;
+    use crate::chain::replay::exact::{Bound, Stop};
+    use crate::chain::replay::history::{Evaluated, evaluate};
     use crate::chain::replay::{Body, Wall};
+    use crate::number::interval::Interval;
 
     fn small(seed: &mut u64, from: u64, to: u64) -> Rational {
         *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -587,9 +308,7 @@ mod tests {
             let mut exact = Run::new(&line);
             let bound = Bound { events: 120, until: None, list: 120, bits: None, through: false };
             let stop = exact.go(&bound).expect("the ledger holds");
-            if !matches!(stop, crate::chain::replay::exact::Stop::Quiet | crate::chain::replay::exact::Stop::Events)
-                || exact.count > 120
-            {
+            if !matches!(stop, Stop::Quiet | Stop::Events) || exact.count > 120 {
                 continue;
             }
             let start = Run::new(&line);
@@ -604,7 +323,7 @@ mod tests {
                     right.sort_unstable();
                     assert_eq!(left, right, "scene {seed}");
                     assert_eq!(certified.count, exact.count, "scene {seed}");
-                    let quiet = matches!(stop, crate::chain::replay::exact::Stop::Quiet);
+                    let quiet = matches!(stop, Stop::Quiet);
                     assert_eq!(end == End::Quiet, quiet, "scene {seed}");
                     for (b, v) in certified.points.iter().zip(&exact.v) {
                         let Some(value) = b.v.value() else { continue };

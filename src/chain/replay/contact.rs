@@ -10,10 +10,10 @@ use malachite::Rational;
 use std::collections::HashSet;
 
 /// The most states that are followed.
-pub const MAX_STATES: usize = 20_000;
+const MAX_STATES: usize = 20_000;
 
 /// The most collisions of one sequence.
-pub const MAX_DEPTH: usize = 200;
+const MAX_DEPTH: usize = 200;
 
 /// One possible end of a contact.
 #[derive(Clone, Debug)]

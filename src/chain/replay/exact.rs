@@ -10,27 +10,19 @@
 //! **Events.** A pair that approaches meets at `t = (b_r − b_l)/(v_l − v_r)`. A heap holds one entry a pair,
 //! ordered by enclosures of `t`; where two overlap, cross-multiplied exact fractions decide.
 //!
-//! **Instants.** All pairs that meet at the least time are taken together. Two of them within one cluster of
-//! touching bodies leave the order, and with it the outcome, undetermined: the run stops as ambiguous. Otherwise
-//! their collisions are independent. A pair that touches and approaches after that (a neighbour was hit while
-//! they touched) meets at the same instant, by the same rule: as with gaps that are too small to matter.
-//!
-//! **Restitution 0.** Points that touch, all their pairs with restitution 0, are one *soft run*. The end of their
-//! collisions does not depend on the order ([`super::joined`]), so several approaching pairs of one run are not
-//! ambiguous. Three or more points that end with one velocity have collided infinitely often: they are joined, which is
-//! listed apart and counts no collision. One thing can make a run depend on the order: a touching pair at its edge with a
-//! restitution above 0 that would approach before the run is at its end. Then the run is no longer taken as a whole, and
-//! the rule for instants applies.
+//! **Instants.** All pairs that meet at the least time are taken together (`instant`).
 //!
 //! **Cost.** `O(log n)` comparisons of doubles and a fixed number of exact operations a collision, those of the
 //! ledger included. Memory: the state, the heap, the listed collisions.
 
+mod accumulation;
+mod instant;
+
 use super::bounds::Bounds;
 use super::collapse::{self, Collapse};
-use super::joined::{Cause, Joined, settle};
+use super::joined::{Cause, Joined};
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
-use super::pattern;
 use super::queue::Queue;
 use super::{Collision, Value};
 use malachite::Rational;
@@ -83,16 +75,6 @@ enum Last {
     Meeting(Rational, Rational),
     /// Bodies came together.
     Joined(Value),
-}
-
-/// Touching points whose pairs all have restitution 0, some of them approaching.
-struct SoftRun {
-    /// The pairs, first and last.
-    pairs: (usize, usize),
-    /// Points that end with one velocity after infinitely many collisions, first and last of each block.
-    blocks: Vec<(usize, usize)>,
-    /// Whether a touching pair at an edge, with a restitution above 0, would approach at the end.
-    strained: bool,
 }
 
 /// The state of the run.
@@ -252,22 +234,6 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Ends the run at a collapse, or goes on from its end: always where a pair has restitution 0, for then the bodies
-    /// stick, and where asked for.
-    fn collapsed(&mut self, found: Collapse, bound: &Bound) -> Result<Option<Stop>, LedgerFault> {
-        let sticks = found.sticks();
-        if !sticks && !bound.through {
-            return Ok(Some(Stop::Collapse(Box::new(found))));
-        }
-        let points = (found.bodies.0 - self.line.first, found.bodies.1 - self.line.first);
-        self.withdraw(points);
-        let time = found.time.clone();
-        let cause = if sticks { Cause::Inelastic } else { Cause::Collapse(Box::new(found)) };
-        self.join(points, time, cause, bound)?;
-        self.predict_around(points);
-        Ok(None)
-    }
-
     /// Puts the points `first ..= last` on one worldline, that of their centre of mass, or of the wall among them.
     fn join(
         &mut self,
@@ -305,36 +271,6 @@ impl<'a> Run<'a> {
         self.recent.clear();
         self.last = Last::Joined(time);
         Ok(())
-    }
-
-    /// The soft runs around pairs that meet at one instant.
-    fn soft_runs(&self, together: &[usize]) -> Vec<SoftRun> {
-        let is_soft = |q: usize| self.line.pairs[q].restitution == Rational::ZERO;
-        let mut runs: Vec<SoftRun> = Vec::new();
-        for p in together.iter().copied().filter(|p| is_soft(*p)) {
-            if runs.last().is_some_and(|run| p <= run.pairs.1) {
-                continue;
-            }
-            let end = self.line.pairs.len();
-            let touching = |q: usize| together.binary_search(&q).is_ok() || self.touch(q, p);
-            let mut pairs = (p, p);
-            while pairs.0 > 0 && is_soft(pairs.0 - 1) && touching(pairs.0 - 1) {
-                pairs.0 -= 1;
-            }
-            while pairs.1 + 1 < end && is_soft(pairs.1 + 1) && touching(pairs.1 + 1) {
-                pairs.1 += 1;
-            }
-            let settled = settle(self.line, &self.v, pairs.0, pairs.1 + 1);
-            let left = pairs.0 > 0
-                && settled.first().is_some_and(|block| self.v[pairs.0 - 1] > block.velocity())
-                && touching(pairs.0 - 1);
-            let right = pairs.1 + 1 < end
-                && settled.last().is_some_and(|block| block.velocity() > self.v[pairs.1 + 2])
-                && touching(pairs.1 + 1);
-            let blocks = settled.iter().map(|block| block.points).filter(|points| points.1 > points.0 + 1).collect();
-            runs.push(SoftRun { pairs, blocks, strained: left || right });
-        }
-        runs
     }
 
     /// When the pair meets: a gap over a speed, both positive or the gap zero.
@@ -405,46 +341,6 @@ impl<'a> Run<'a> {
         self.queue = queue;
     }
 
-    /// All pairs that meet when the first does, in order from the left, out of the heap.
-    fn take_instant(&mut self, first: usize, together: &mut Vec<usize>) {
-        together.clear();
-        while let Some(p) = self.queue.first()
-            && self.order(p, first) == Ordering::Equal
-        {
-            together.push(p);
-            self.place(p, false);
-        }
-        together.sort_unstable();
-    }
-
-    /// Two approaching pairs in one cluster of touching bodies, whose order matters.
-    fn ambiguity(&self, together: &[usize], runs: &[SoftRun]) -> Option<Stop> {
-        let settled = |w: &[usize]| runs.iter().any(|run| !run.strained && run.pairs.0 <= w[0] && w[1] <= run.pairs.1);
-        let clash = together.windows(2).find(|w| !settled(w) && (w[0] + 1..w[1]).all(|r| self.touch(r, w[0])))?;
-        let from = clash[0];
-        let mut cluster = (from, from + 1);
-        while cluster.0 > 0 && (together.contains(&(cluster.0 - 1)) || self.touch(cluster.0 - 1, from)) {
-            cluster.0 -= 1;
-        }
-        while cluster.1 < self.line.pairs.len() && (together.contains(&cluster.1) || self.touch(cluster.1, from)) {
-            cluster.1 += 1;
-        }
-        let pairs = together.iter().copied().filter(|p| (cluster.0..cluster.1).contains(p)).collect();
-        let (gap, speed) = self.meeting(from);
-        Some(Stop::Ambiguous { cluster, pairs, time: gap / speed })
-    }
-
-    /// Whether the two points of pair `r` are at one place when pair `p` meets.
-    fn touch(&self, r: usize, p: usize) -> bool {
-        let ahead = self.near_b[r + 1].minus(self.near_b[r]);
-        let drift = self.near_v[r + 1].minus(self.near_v[r]);
-        if ahead.plus(drift.times(self.due[p])).sign().is_some_and(Ordering::is_ne) {
-            return false;
-        }
-        let (gap, speed) = self.meeting(p);
-        (&self.b[r + 1] - &self.b[r]) * speed + (&self.v[r + 1] - &self.v[r]) * gap == Rational::ZERO
-    }
-
     fn collide(&mut self, p: usize, bound: &Bound) -> Result<(), LedgerFault> {
         let line = self.line;
         let pair = &line.pairs[p];
@@ -494,51 +390,6 @@ impl<'a> Run<'a> {
             self.growth.push((number, self.largest));
         }
         Ok(())
-    }
-
-    /// A proved collapse around a point that nothing else reaches in time.
-    fn collapse_at(&self, middle: usize, until: Option<&Rational>) -> Option<Collapse> {
-        if middle == 0 || middle + 1 >= self.line.points.len() {
-            return None;
-        }
-        collapse::of_three(self.line, &self.b, &self.v, middle).filter(|found| self.undisturbed(found, until))
-    }
-
-    /// A proved collapse by the pattern that the last collisions repeat; looked for now and then.
-    fn pattern(&mut self, until: Option<&Rational>) -> Option<Collapse> {
-        if self.recent.len() < pattern::ATTEMPT {
-            return None;
-        }
-        let recent = std::mem::take(&mut self.recent);
-        let found = pattern::of_round(self.line, &self.b, &self.v, pattern::round(&recent)?);
-        found.filter(|found| self.undisturbed(found, until))
-    }
-
-    /// Nothing outside the points of a collapse meets any of them, or another, before it; and it is not later than
-    /// asked for.
-    fn undisturbed(&self, found: &Collapse, until: Option<&Rational>) -> bool {
-        let (from, to) = (found.bodies.0 - self.line.first, found.bodies.1 - self.line.first);
-        let not_after = |t: &Rational| found.time.compare(t).is_some_and(|order| order != Ordering::Greater);
-        if until.is_some_and(|until| !not_after(until)) {
-            return false;
-        }
-        let (lo, hi) = found.time.enclose(64);
-        let near = Bounds { lo: Bounds::of(&lo).lo, hi: Bounds::of(&hi).hi };
-        let mut far = self.queue.present().filter(|q| *q + 1 < from || *q > to);
-        let late = far.all(|q| match self.due[q].order(near) {
-            Some(order) => order == Ordering::Greater,
-            None => self.due_exactly(q).is_none_or(|t| not_after(&t)),
-        });
-        // The outer bodies of a collapse are only ever pushed outward, so each stays on the inner side of the
-        // chord of its worldline; a neighbour on a straight line that ends outside has not met it. Where all happens at
-        // this instant there is no chord: a neighbour that touches must be as fast as what the outer body approaches.
-        let at_once = self.time().rational().is_some_and(|now| found.time.compare(now) == Some(Ordering::Equal));
-        let apart = |outer: usize, side: Ordering| match found.reach(&self.b[outer], &self.v[outer]) {
-            Some(Ordering::Equal) => !at_once || self.v[outer].cmp(&found.velocity) != side.reverse(),
-            there => there == Some(side),
-        };
-        late && (from == 0 || apart(from - 1, Ordering::Less))
-            && (to + 1 >= self.line.points.len() || apart(to + 1, Ordering::Greater))
     }
 }
 

@@ -36,13 +36,13 @@ use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
 /// The longest round of a pattern that is looked for.
-pub const MAX_ROUND: usize = 24;
+const MAX_ROUND: usize = 24;
 
 /// Patterns are looked for after so many collisions, again and again: a prime, so that every phase of a round comes.
 pub(super) const ATTEMPT: usize = 97;
 
 /// The most points of a pattern.
-pub const MAX_POINTS: usize = 8;
+const MAX_POINTS: usize = 8;
 
 /// The most rounds that are taken together as one block.
 const MAX_BLOCK: u32 = 16;

@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 /// Square factors of primes below this are taken out of radicands.
-pub const SQUARE_PRIMES: u32 = 1000;
+const SQUARE_PRIMES: u32 = 1000;
 
 /// `a + b·√d`.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The printer of statements and proofs: what its names stand for, and how declarations and conditions are said.
 
 use super::super::Result;
-use super::super::kinds::{Kind, Kinds, bind, is_matrix};
+use super::super::kinds::{Kind, Kinds, bind, is_matrix, of_claim};
 use super::super::positive::Positive;
 use super::super::values::{Condition, Guard};
 use super::super::{Unsupported, unsupported};
@@ -47,6 +47,19 @@ pub(super) struct Printer {
 }
 
 impl Printer {
+    /// With the names that a claim declares, outside of a proof.
+    pub(super) fn of_claim(claim: &Claim) -> Printer {
+        Printer {
+            kinds: of_claim(claim),
+            words: BTreeMap::new(),
+            definitions: Substitution::default(),
+            positive: Positive::of_claim(claim),
+            tied: Vec::new(),
+            in_place_only: BTreeSet::new(),
+            inside: false,
+        }
+    }
+
     /// Whether a condition follows from the declarations by its form alone; a premise then says nothing.
     pub(super) fn plain(&self, condition: &Condition) -> bool {
         match &condition.need {

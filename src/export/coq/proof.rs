@@ -19,6 +19,7 @@ use std::rc::Rc;
 
 mod arithmetic;
 mod identity;
+mod leaves;
 mod limits;
 mod logarithms;
 mod matrices;
@@ -113,15 +114,7 @@ pub fn script(
 ) -> Found<Script> {
     let premises = statement(claim)?.premises;
     let checker = Checker::new(claim, cited)?;
-    let mut printer = Printer {
-        kinds: of_claim(claim),
-        words: BTreeMap::new(),
-        definitions: Substitution::default(),
-        positive: Positive::of_claim(claim),
-        tied: Vec::new(),
-        in_place_only: BTreeSet::new(),
-        inside: true,
-    };
+    let mut printer = Printer { inside: true, ..Printer::of_claim(claim) };
     for name in checker.statement().names() {
         printer.word(&name);
     }
@@ -374,17 +367,7 @@ impl Writer<'_> {
             Rule::Logic { from } => self.logic(goal, from)?,
             Rule::Instance { source, with, from } => self.instance(show, source, with, from, &given)?,
             Rule::Induction { base, advance } => self.induction(goal, base, advance)?,
-            Rule::Witness { with, .. } => {
-                let mut out = String::new();
-                if let PropKind::Exists(bindings, _) = &goal.kind {
-                    for (n, _) in bindings.iter().flat_map(|b| &b.names) {
-                        if let Some((_, value)) = with.iter().find(|w| w.0.text == n.text) {
-                            out += &format!("exists {}; repeat (split; [first [hyp | nz] |]); ", self.expr(value)?);
-                        }
-                    }
-                }
-                format!("{out}hyp")
-            }
+            Rule::Witness { with, .. } => self.witness(goal, with)?,
             Rule::Extremum { from } => {
                 self.point(goal, &given)?;
                 let all: Vec<String> = from.iter().map(|f| format!("assert (z__{f} := {}); ", fact(f))).collect();
@@ -392,19 +375,7 @@ impl Writer<'_> {
             }
             Rule::Combination { times, terms } => self.combination(goal, times.as_ref(), terms, &given)?,
             Rule::Name => {
-                let PropKind::Compare(sides, _) = &goal.kind else {
-                    return Err(Open::Untranslated(show.label.clone(), "name"));
-                };
-                let [value, new] = sides.as_slice() else {
-                    return Err(Open::Untranslated(show.label.clone(), "name"));
-                };
-                let ExprKind::Name(text) = &new.kind else {
-                    return Err(Open::Untranslated(show.label.clone(), "name"));
-                };
-                let value = self.expr(value)?;
-                self.printer.kinds.insert(text.clone(), Kind::Real);
-                let word = self.printer.word(text);
-                self.put(&format!("destruct (named {value}) as [{word} {}].", fact(label)));
+                self.name(show)?;
                 self.checker.step(step)?;
                 return Ok(());
             }
@@ -423,6 +394,32 @@ impl Writer<'_> {
         let text = self.prop(goal)?;
         self.put(&format!("assert ({} : {text}). {{ {tactic}. }}", fact(label)));
         self.checker.step(step)?;
+        Ok(())
+    }
+
+    /// Values for what exists.
+    fn witness(&mut self, goal: &Prop, with: &[(Name, Expr)]) -> Found<String> {
+        let mut out = String::new();
+        if let PropKind::Exists(bindings, _) = &goal.kind {
+            for (n, _) in bindings.iter().flat_map(|b| &b.names) {
+                if let Some((_, value)) = with.iter().find(|w| w.0.text == n.text) {
+                    out += &format!("exists {}; repeat (split; [first [hyp | nz] |]); ", self.expr(value)?);
+                }
+            }
+        }
+        Ok(format!("{out}hyp"))
+    }
+
+    /// A new name for a value.
+    fn name(&mut self, show: &Show) -> Found<()> {
+        let untranslated = || Open::Untranslated(show.label.clone(), "name");
+        let PropKind::Compare(sides, _) = &show.prop.kind else { return Err(untranslated()) };
+        let [value, new] = sides.as_slice() else { return Err(untranslated()) };
+        let ExprKind::Name(text) = &new.kind else { return Err(untranslated()) };
+        let value = self.expr(value)?;
+        self.printer.kinds.insert(text.clone(), Kind::Real);
+        let word = self.printer.word(text);
+        self.put(&format!("destruct (named {value}) as [{word} {}].", fact(&show.label)));
         Ok(())
     }
 

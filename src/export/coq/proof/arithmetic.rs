@@ -34,91 +34,24 @@ impl Writer<'_> {
         let (a, relation, b) = self.sides(goal, "combination")?;
         let to = lower(relation);
         if self.checker.is_matrix(a) {
-            let (left, right) = (self.entries(a)?, self.entries(b)?);
-            let mut rows = Vec::new();
-            for (x, y) in left.iter().zip(&right) {
-                let mut row = "eq_refl".to_string();
-                for (x, y) in x.iter().zip(y).rev() {
-                    row = format!("(same_cons _ _ _ _ _ {} {row})", self.identity(x, y, &given.using, given)?);
-                }
-                rows.push(row);
-            }
-            let rows = rows
-                .into_iter()
-                .rev()
-                .fold("eq_refl".to_string(), |rest, row| format!("(same_cons _ _ _ _ _ {row} {rest})"));
-            return Ok(format!("exact {rows}"));
+            return self.same_entries(a, b, given);
         }
         if let (ExprKind::Derivative(body, by), Relation::Equal) = (&a.kind, relation) {
             if by.len() > 1 {
                 return self.second_derivative(body, by, given);
             }
-            let f = self.checker.read(body, &[])?;
-            for poly in f.factors.keys() {
-                self.not_zero(poly, given)?;
-            }
-            self.positive(&f, given)?;
-            let (plain, value) = (self.checker.read(a, &[])?, self.checker.read(b, &[])?);
-            if plain == value {
-                return Ok("derive ltac:(idtac)".to_string());
-            }
-            // What it comes to by itself, then the equations.
-            let words = self.checker.fraction_words(&plain);
-            let text = self.prop(&compare(a.clone(), Relation::Equal, words.clone()))?;
-            let alone = self.lemma("L", &text, "derive ltac:(idtac)");
-            let with = [self.checker.read(&words, &given.using)?, self.checker.read(b, &given.using)?];
-            let equal = match with {
-                [x, y] if x == y => self.identity(&Side::Expr(words), &Side::Expr(b.clone()), &given.using, given)?,
-                // A sign or facts say that it is the other side.
-                _ => {
-                    let equation = compare(words, Relation::Equal, b.clone());
-                    let (text, tactic) = (self.prop(&equation)?, self.combination(&equation, times, terms, given)?);
-                    self.lemma("E", &text, &tactic)
-                }
-            };
-            return Ok(format!("exact (derive_is _ _ _ _ {alone} {equal})"));
+            return self.first_derivative(goal, body, times, terms, given);
         }
-        let (text_a, text_b) = (self.expr(a)?, self.expr(b)?);
+        let text = format!("{} - {}", self.expr(a)?, self.expr(b)?);
         let wanted = Signs::of(relation);
         if terms.is_empty() && times.is_none() {
-            let mut using = given.using.clone();
-            let (x, y) = (self.checker.read(a, &using)?, self.checker.read(b, &using)?);
-            let mut f = self.checker.difference_of(&x, &y)?;
-            if !self.checker.signs(&f, &given.signed)?.within(wanted) {
-                using.clear();
-                f = self.plain_difference(a, b)?;
-            }
-            let side = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
-            let h = self.sign(&format!("{text_a} - {text_b}"), &side, &using, &f, wanted, given)?;
+            let h = self.sign_of_difference(&text, (a, b), wanted, given)?;
             return Ok(format!("exact (to_{to} _ _ {h})"));
         }
         let mut env = Environment::default();
         let mut tree: Option<Tree> = None;
         for term in terms {
-            let mut f = self.checker.read(&term.factor, &given.using)?;
-            let mut using = given.using.clone();
-            let signs = self.checker.signs(&f, &given.signed)?;
-            let plain = self.checker.read(&term.factor, &[])?;
-            let other = self.checker.signs(&plain, &given.signed)?;
-            if other != signs && other.within(signs) {
-                (f, using) = (plain, Vec::new());
-            }
-            let signs = self.checker.signs(&f, &given.signed)?;
-            let text = self.expr(&term.factor)?;
-            let side = Side::Expr(term.factor.clone());
-            let h = self.sign(&text, &side, &using, &f, signs, given)?;
-            let mut product = env.get(text, side, signs, h);
-            for label in &term.facts {
-                let fact_prop = self.fact_prop(label)?;
-                let (x, relation, y) = self.sides(&fact_prop, "combination")?;
-                let text = format!("({} - {})", self.expr(x)?, self.expr(y)?);
-                let h = match relation {
-                    Relation::Equal => format!("(of_eq _ _ {})", equation_by(x, &fact(label))),
-                    _ => format!("(of_{} _ _ {})", lower(relation), fact(label)),
-                };
-                let side = Side::Expr(x.clone()).minus(Side::Expr(y.clone()));
-                product = product.times(env.get(text, side, Signs::of(relation), h));
-            }
+            let product = self.product(term, &mut env, given)?;
             tree = Some(match tree {
                 None => product,
                 Some(before) => before.plus(product),
@@ -143,6 +76,106 @@ impl Writer<'_> {
             signs_word(signs),
             signs_word(wanted)
         ))
+    }
+
+    /// An equation of matrices, entry by entry.
+    fn same_entries(&mut self, a: &Expr, b: &Expr, given: &Given) -> Found<String> {
+        let (left, right) = (self.entries(a)?, self.entries(b)?);
+        let mut rows = Vec::new();
+        for (x, y) in left.iter().zip(&right) {
+            let mut row = "eq_refl".to_string();
+            for (x, y) in x.iter().zip(y).rev() {
+                row = format!("(same_cons _ _ _ _ _ {} {row})", self.identity(x, y, &given.using, given)?);
+            }
+            rows.push(row);
+        }
+        let rows = rows
+            .into_iter()
+            .rev()
+            .fold("eq_refl".to_string(), |rest, row| format!("(same_cons _ _ _ _ _ {row} {rest})"));
+        Ok(format!("exact {rows}"))
+    }
+
+    /// What a derivative is: what it comes to by itself, then the equations, a sign or facts.
+    fn first_derivative(
+        &mut self,
+        goal: &Prop,
+        body: &Expr,
+        times: Option<&Expr>,
+        terms: &[Term],
+        given: &Given,
+    ) -> Found<String> {
+        let (a, _, b) = self.sides(goal, "combination")?;
+        let f = self.checker.read(body, &[])?;
+        for poly in f.factors.keys() {
+            self.not_zero(poly, given)?;
+        }
+        self.positive(&f, given)?;
+        let (plain, value) = (self.checker.read(a, &[])?, self.checker.read(b, &[])?);
+        if plain == value {
+            return Ok("derive ltac:(idtac)".to_string());
+        }
+        let words = self.checker.fraction_words(&plain);
+        let text = self.prop(&compare(a.clone(), Relation::Equal, words.clone()))?;
+        let alone = self.lemma("L", &text, "derive ltac:(idtac)");
+        let (x, y) = (self.checker.read(&words, &given.using)?, self.checker.read(b, &given.using)?);
+        let equal = if x == y {
+            self.identity(&Side::Expr(words), &Side::Expr(b.clone()), &given.using, given)?
+        } else {
+            // A sign or facts say that it is the other side.
+            let equation = compare(words, Relation::Equal, b.clone());
+            let (text, tactic) = (self.prop(&equation)?, self.combination(&equation, times, terms, given)?);
+            self.lemma("E", &text, &tactic)
+        };
+        Ok(format!("exact (derive_is _ _ _ _ {alone} {equal})"))
+    }
+
+    /// The hypothesis that a difference has these signs, with the equations put in or as it is.
+    fn sign_of_difference(
+        &mut self,
+        text: &str,
+        (a, b): (&Expr, &Expr),
+        wanted: Signs,
+        given: &Given,
+    ) -> Found<String> {
+        let mut using = given.using.clone();
+        let (x, y) = (self.checker.read(a, &using)?, self.checker.read(b, &using)?);
+        let mut f = self.checker.difference_of(&x, &y)?;
+        if !self.checker.signs(&f, &given.signed)?.within(wanted) {
+            using.clear();
+            f = self.plain_difference(a, b)?;
+        }
+        let side = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
+        self.sign(text, &side, &using, &f, wanted, given)
+    }
+
+    /// A term of a combination: its factor times its facts.
+    fn product(&mut self, term: &Term, env: &mut Environment, given: &Given) -> Found<Tree> {
+        let mut f = self.checker.read(&term.factor, &given.using)?;
+        let mut using = given.using.clone();
+        let signs = self.checker.signs(&f, &given.signed)?;
+        let plain = self.checker.read(&term.factor, &[])?;
+        let other = self.checker.signs(&plain, &given.signed)?;
+        if other != signs && other.within(signs) {
+            (f, using) = (plain, Vec::new());
+        }
+        let signs = self.checker.signs(&f, &given.signed)?;
+        let text = self.expr(&term.factor)?;
+        let side = Side::Expr(term.factor.clone());
+        let h = self.sign(&text, &side, &using, &f, signs, given)?;
+        let mut product = env.get(text, side, signs, h);
+        for label in &term.facts {
+            let fact_prop = self.fact_prop(label)?;
+            let (x, relation, y) = self.sides(&fact_prop, "combination")?;
+            let text = format!("({} - {})", self.expr(x)?, self.expr(y)?);
+            let h = match relation {
+                Relation::Equal => format!("(of_eq _ _ {})", equation_by(x, &fact(label))),
+                _ => format!("(of_{} _ _ {})", lower(relation), fact(label)),
+            };
+            let side = Side::Expr(x.clone()).minus(Side::Expr(y.clone()));
+            product = product.times(env.get(text, side, Signs::of(relation), h));
+        }
+        Ok(product)
     }
 
     /// Asserts that an extremum's point lies in the domain and has the value, where signs show it.
@@ -313,11 +346,5 @@ impl Writer<'_> {
             let [a, b] = sides.as_slice() else { return None };
             (key::expr(a) == wanted).then(|| (label.clone(), b.clone()))
         })
-    }
-
-    /// A sum or product over an index, by what its body comes to.
-    pub(super) fn over(&mut self, e: &Expr, value: &Side, given: &Given) -> Found<String> {
-        let _ = (e, value, given);
-        Ok("over".to_string())
     }
 }

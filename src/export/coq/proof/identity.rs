@@ -436,7 +436,7 @@ fn bare(text: &str) -> &str {
     bare(inner)
 }
 
-fn words_hold_ln(e: &Expr) -> bool {
+pub(super) fn words_hold_ln(e: &Expr) -> bool {
     let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln");
     crate::refute::expand::parts(e, &mut |part| found = found || words_hold_ln(part));
     found

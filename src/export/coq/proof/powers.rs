@@ -1,178 +1,21 @@
 //! Powers, roots, exponentials and logarithms: each is a product of powers of positive factors, and the sum of their
 //! logarithms says what it comes to.
 
-use super::arithmetic::equation_by;
-use super::identity::{Side, Valued};
+use super::identity::{Side, words_hold_ln};
 use super::*;
 use crate::kernel::statement::power;
 
 impl Writer<'_> {
-    /// A leaf of an expression, with its value and the proof of it.
-    pub(super) fn leaf(&mut self, e: &Expr, using: &[Label], given: &Given) -> Found<Valued> {
-        if self.expands
-            && let ExprKind::Apply(f, arguments) = &e.kind
-            && f.text == "ln"
-            && let Some(argument) = arguments.first()
-        {
-            let plain = self.checker.read(argument, &[])?;
-            if let Some(logs) = self.logs(&plain, using, given)? {
-                let text = self.expr(e)?;
-                let inner = self.identity(&Side::Expr(argument.clone()), &logs.product, &[], given)?;
-                let proof = format!("(ln_leaf _ _ {} {} {inner} eq_refl)", logs.list, logs.proof);
-                return Ok(Valued { text, value: logs.sum, proof: Some(proof) });
-            }
-        }
-        let f = self.checker.read(e, using)?;
-        let (text, value) = (self.expr(e)?, self.fraction(&f)?);
-        if text == value || text == format!("({value})") || format!("({text})") == value {
-            return Ok(Valued { text, value: Side::Value(f), proof: None });
-        }
-        let statement = format!("{text} = {value}");
-        if let Some(found) = self.shown.iter().find(|s| s.1 == statement) {
-            return Ok(Valued { text, value: Side::Value(f), proof: Some(found.2.clone()) });
-        }
-        if self.busy.contains(&statement) {
-            if using.is_empty() {
-                return Err(Open::Untranslated(text, "a value that rests on itself"));
-            }
-            return self.leaf(e, &[], given);
-        }
-        self.divisors(&f, given)?;
-        self.busy.push(statement.clone());
-        let expands = std::mem::replace(&mut self.expands, false);
-        let tactic = self.leaf_tactic(e, &f, using, given);
-        self.expands = expands;
-        self.busy.pop();
-        let hypothesis = self.lemma("L", &statement, &tactic?);
-        Ok(Valued { text, value: Side::Value(f), proof: Some(hypothesis) })
-    }
-
-    fn leaf_tactic(&mut self, e: &Expr, f: &Fraction, using: &[Label], given: &Given) -> Found<String> {
-        let value = Side::Value(f.clone());
-        if let Some((label, right)) = self.equation(e, using) {
-            let right = Side::Expr(right);
-            let before: Vec<Label> = using.iter().take_while(|l| **l != label).cloned().collect();
-            let Side::Expr(words) = &right else { return Err(Open::Untranslated(label, "a side")) };
-            let first = self.checker.read(words, &before)?;
-            // Its right side was read with the equations before it; those behind it are put into what came of that.
-            let rest = if self.checker.read(words, using)? == *f || first == *f {
-                let using = if first == *f { &before } else { using };
-                self.identity(&right, &value, using, given)?
-            } else {
-                let one = self.identity(&right, &Side::Value(first.clone()), &before, given)?;
-                let two = self.identity(&Side::Plain(first), &value, using, given)?;
-                format!("(eq_trans {one} {two})")
-            };
-            return Ok(format!("exact (eq_trans {} {rest})", equation_by(e, &fact(&label))));
-        }
-        let plain = self.checker.read(e, &[])?;
-        if !using.is_empty() && plain != *f {
-            // The left side of an equation comes to a multiple of the same.
-            for label in using {
-                let p = self.fact_prop(label)?;
-                let (a, _, b) = self.sides(&p, "equation")?;
-                let left = self.checker.read(a, &[])?;
-                if left.is_zero() || left.factors != plain.factors {
-                    continue;
-                }
-                let ratio = &plain.coefficient / &left.coefficient;
-                let mut right = self.checker.read(b, using)?;
-                right.coefficient *= &ratio;
-                if right == *f {
-                    let c = Side::Number(ratio);
-                    let before = c.clone().times(Side::Expr(a.clone()));
-                    let after = c.times(Side::Expr(b.clone()));
-                    let first = self.identity(&Side::Expr(e.clone()), &before, &[], given)?;
-                    let rest = self.identity(&after, &value, using, given)?;
-                    let h = fact(label);
-                    return Ok(format!("exact (eq_trans {first} (eq_trans (f_equal (Rmult _) {h}) {rest}))"));
-                }
-            }
-        }
-        let natural = is_natural(e, &self.printer.kinds) && !matches!(e.kind, ExprKind::Power(..));
-        let atomic = natural
-            || matches!(&e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Name(_))
-            || matches!(&e.kind, ExprKind::Apply(f, _) if self.printer.kinds.contains_key(&f.text));
-        if atomic {
-            if plain != *f {
-                // First what it comes to by itself, then the equations.
-                let words = self.checker.fraction_words(&plain);
-                let first = self.leaf(e, &[], given)?;
-                let second = self.identity(&Side::Plain(plain.clone()), &value, using, given)?;
-                let _ = words;
-                return Ok(match first.proof {
-                    Some(first) => format!("exact (eq_trans {first} {second})"),
-                    None => format!("exact {second}"),
-                });
-            }
-            return Ok(match &e.kind {
-                ExprKind::SumOver(..) | ExprKind::ProductOver(..) => self.over(e, &value, given)?,
-                _ if natural => "clear; natural_value".to_string(),
-                _ => "f_equal; lia".to_string(),
-            });
-        }
-        if let ExprKind::Apply(function, arguments) = &e.kind
-            && let Some(x) = arguments.first()
-        {
-            let x_minus = expr(ExprKind::Negate(Box::new(x.clone())));
-            let call = |f: &str, x: &Expr| {
-                let function = Name { text: f.to_string(), span: e.span };
-                Side::Expr(expr(ExprKind::Apply(function, vec![x.clone()])))
-            };
-            let half = || Side::integer(2).inverse();
-            let other = match function.text.as_str() {
-                "cosh" => Some(call("exp", x).plus(call("exp", &x_minus)).times(half())),
-                "sinh" => Some(call("exp", x).minus(call("exp", &x_minus)).times(half())),
-                "sech" | "tanh" => {
-                    let cosh = self.checker.read(&apply("cosh", x), using)?;
-                    for poly in cosh.factors.keys() {
-                        self.not_zero(poly, given)?;
-                    }
-                    let one = expr(ExprKind::Number("1".to_string()));
-                    let top = if function.text == "sech" { one } else { apply("sinh", x) };
-                    let quotient = vec![(Factor::Times, top), (Factor::Over, apply("cosh", x))];
-                    let quotient = Side::Expr(expr(ExprKind::Product(quotient)));
-                    let rest = self.identity(&quotient, &value, using, given)?;
-                    let unfolded = if function.text == "sech" { "sech_is" } else { "tanh_is" };
-                    return Ok(format!("exact (eq_trans ({unfolded} _) {rest})"));
-                }
-                _ => None,
-            };
-            if let Some(other) = other {
-                return Ok(format!("exact {}", self.identity(&other, &value, using, given)?));
-            }
-        }
-        if let ExprKind::Apply(function, arguments) = &e.kind
-            && let ("det", Some(matrix)) = (function.text.as_str(), arguments.first())
-        {
-            let rows = self.entries(matrix)?;
-            if let [[a, b], [c, d]] = rows.iter().map(Vec::as_slice).collect::<Vec<_>>().as_slice() {
-                let (ad, bc) = (a.clone().times(d.clone()), b.clone().times(c.clone()));
-                return Ok(format!("exact {}", self.identity(&ad.minus(bc), &value, using, given)?));
-            }
-        }
-        if let ExprKind::Derivative(body, by) = &e.kind {
-            return self.derivative_leaf(e, (body, by), &plain, f, using, given);
-        }
-        if let Some(tactic) = self.power_tactic(e, f, using, given)? {
-            return Ok(tactic);
-        }
-        if let ExprKind::Power(base, exponent) = &e.kind
-            && is_natural(exponent, &self.printer.kinds)
-        {
-            return self.whole_power(base, exponent, f, using, given);
-        }
-        let words = self.checker.fraction_words(f);
-        if let (ExprKind::Apply(function, _), Some(proof)) = (&e.kind, self.by_squares(e, &words, given)?)
-            && function.text == "sqrt"
-        {
-            return Ok(proof);
-        }
-        self.by_rules(e, using, given)
+    /// An identity in which logarithms are written as sums.
+    fn expanded(&mut self, left: &Side, right: &Side, using: &[Label], given: &Given) -> Found<String> {
+        self.expands = true;
+        let proof = self.identity(left, right, using, given);
+        self.expands = false;
+        proof
     }
 
     /// A power with a whole exponent of what may be 0 or negative: factor by factor.
-    fn whole_power(
+    pub(super) fn whole_power(
         &mut self,
         base: &Expr,
         exponent: &Expr,
@@ -244,10 +87,7 @@ impl Writer<'_> {
                 };
                 let first = self.identity(&side, &left.product, &[], given)?;
                 let second = self.identity(&Side::Value(value.clone()), &right.product, &[], given)?;
-                self.expands = true;
-                let sum = self.identity(&Side::Expr(exponent.clone()).times(left.sum), &right.sum, &[], given);
-                self.expands = false;
-                let sum = sum?;
+                let sum = self.expanded(&Side::Expr(exponent.clone()).times(left.sum), &right.sum, &[], given)?;
                 format!(
                     "exact (pow_leaf _ _ _ {} {} {} {} {first} {second} {sum})",
                     left.list, right.list, left.proof, right.proof
@@ -278,7 +118,13 @@ impl Writer<'_> {
     }
 
     /// A power, root, exponential or logarithm by logarithms, where the factors are positive.
-    fn power_tactic(&mut self, e: &Expr, f: &Fraction, using: &[Label], given: &Given) -> Found<Option<String>> {
+    pub(super) fn power_tactic(
+        &mut self,
+        e: &Expr,
+        f: &Fraction,
+        using: &[Label],
+        given: &Given,
+    ) -> Found<Option<String>> {
         let value = Side::Value(f.clone());
         let (lemma, base, times): (&str, Expr, Side) = match &e.kind {
             ExprKind::Power(base, exponent) => {
@@ -307,10 +153,7 @@ impl Writer<'_> {
                     "exp" => {
                         let Some(right) = self.logs(f, using, given)? else { return Ok(None) };
                         let product = self.identity(&value, &right.product, &[], given)?;
-                        self.expands = true;
-                        let sum = self.identity(&Side::Expr(x), &right.sum, using, given);
-                        self.expands = false;
-                        let sum = sum?;
+                        let sum = self.expanded(&Side::Expr(x), &right.sum, using, given)?;
                         return Ok(Some(format!(
                             "exact (exp_leaf _ _ {} {} {product} {sum})",
                             right.list, right.proof
@@ -320,10 +163,7 @@ impl Writer<'_> {
                         let plain = self.checker.read(&x, &[])?;
                         let Some(left) = self.logs(&plain, using, given)? else { return Ok(None) };
                         let product = self.identity(&Side::Expr(x), &left.product, &[], given)?;
-                        self.expands = true;
-                        let sum = self.identity(&left.sum, &Side::Plain(f.clone()), using, given);
-                        self.expands = false;
-                        let sum = sum?;
+                        let sum = self.expanded(&left.sum, &Side::Plain(f.clone()), using, given)?;
                         return Ok(Some(format!("exact (ln_leaf _ _ {} {} {product} {sum})", left.list, left.proof)));
                     }
                     _ => return Ok(None),
@@ -341,13 +181,8 @@ impl Writer<'_> {
         let Some(right) = self.logs(f, using, given)? else { return Ok(None) };
         let first = self.identity(&Side::Expr(base), &left.product, &[], given)?;
         let second = self.identity(&value, &right.product, &[], given)?;
-        self.expands = true;
-        let sum = match lemma {
-            "inv_pow_leaf" => self.identity(&Side::integer(-1).times(times).times(left.sum), &right.sum, using, given),
-            _ => self.identity(&times.times(left.sum), &right.sum, using, given),
-        };
-        self.expands = false;
-        let sum = sum?;
+        let times = if lemma == "inv_pow_leaf" { Side::integer(-1).times(times) } else { times };
+        let sum = self.expanded(&times.times(left.sum), &right.sum, using, given)?;
         Ok(Some(
             format!(
                 "exact ({lemma} _ _ _ {} {} {} {} {first} {second} {sum})",
@@ -370,10 +205,7 @@ impl Writer<'_> {
         if let (Some(l), Some(r)) = (self.logs(&x, &using, given)?, self.logs(&y, &using, given)?) {
             let first = self.identity(&left, &l.product, &using, given)?;
             let second = self.identity(&right, &r.product, &using, given)?;
-            self.expands = true;
-            let sum = self.identity(&l.sum, &r.sum, &using, given);
-            self.expands = false;
-            let sum = sum?;
+            let sum = self.expanded(&l.sum, &r.sum, &using, given)?;
             return Ok(format!(
                 "exact (same_logs _ _ {} {} {} {} {first} {second} {sum})",
                 l.list, r.list, l.proof, r.proof
@@ -382,10 +214,8 @@ impl Writer<'_> {
         if let Some(proof) = self.common_factors(a, b, &x, &y, given)? {
             return Ok(proof);
         }
-        if holds_ln(a) || holds_ln(b) {
-            self.expands = true;
-            let proof = self.identity(&left, &right, &using, given);
-            self.expands = false;
+        if words_hold_ln(a) || words_hold_ln(b) {
+            let proof = self.expanded(&left, &right, &using, given);
             return Ok(format!("exact {}", proof?));
         }
         if let Some(proof) = self.by_squares(a, b, given)? {
@@ -432,10 +262,7 @@ impl Writer<'_> {
         let common = Side::Value(common);
         let first = self.identity(&Side::Expr(a.clone()), &common.clone().times(l.product), &using, given)?;
         let second = self.identity(&Side::Expr(b.clone()), &common.times(r.product), &using, given)?;
-        self.expands = true;
-        let sum = self.identity(&l.sum, &r.sum, &using, given);
-        self.expands = false;
-        let sum = sum?;
+        let sum = self.expanded(&l.sum, &r.sum, &using, given)?;
         Ok(Some(format!(
             "exact (same_times _ _ {u} (prodz {}) (prodz {}) {first} (same_logs _ _ {} {} {} {} eq_refl eq_refl {sum}) {second})",
             l.list, r.list, l.list, r.list, l.proof, r.proof
@@ -443,7 +270,7 @@ impl Writer<'_> {
     }
 
     /// By the rules for powers, for what may be 0 or negative.
-    fn by_rules(&mut self, e: &Expr, using: &[Label], given: &Given) -> Found<String> {
+    pub(super) fn by_rules(&mut self, e: &Expr, using: &[Label], given: &Given) -> Found<String> {
         let mut parts = Vec::new();
         crate::refute::expand::parts(e, &mut |part| parts.push(part.clone()));
         for part in &parts {
@@ -453,15 +280,4 @@ impl Writer<'_> {
         let equations: String = using.iter().map(|label| format!("rewrite ?{}; ", fact(label))).collect();
         Ok(format!("first [pw ltac:(idtac) | ({equations}pw ltac:(idtac))]"))
     }
-}
-
-fn holds_ln(e: &Expr) -> bool {
-    let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln");
-    crate::refute::expand::parts(e, &mut |part| found = found || holds_ln(part));
-    found
-}
-
-fn apply(function: &str, x: &Expr) -> Expr {
-    let function = Name { text: function.to_string(), span: x.span };
-    expr(ExprKind::Apply(function, vec![x.clone()]))
 }

@@ -3,6 +3,7 @@
 use super::point;
 use crate::claim::print::{self, Style};
 use crate::explain;
+use crate::refute::outcome::Witness;
 use crate::report::handout::evidence::Evidence;
 use crate::report::handout::{Handout, STATED, address, certificate_of, coq_file};
 use crate::report::markup::escape;
@@ -11,8 +12,49 @@ use crate::report::{Entry, mathml, reading};
 /// Writes the section.
 pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
-    let verdict = outcome.verdict.name();
     let evidence = handout.evidence.get(&claim.name.text);
+    heading(out, entry, evidence);
+    if !claim.items.is_empty() {
+        out.push_str("<details><summary>Hypotheses and definitions</summary>\n");
+        for item in &claim.items {
+            let text = escape(&Style::Unicode.item(item));
+            out.push_str(&format!(
+                "<div class=\"math\" role=\"group\" aria-label=\"{text}\">{}</div>\n",
+                mathml::item(item)
+            ));
+        }
+        out.push_str("</details>\n");
+    }
+    let goal = escape(&print::prop(&claim.goal));
+    out.push_str(&format!(
+        "<div class=\"math\" role=\"group\" aria-label=\"{goal}\">{}</div>\n",
+        mathml::statement(&claim.goal)
+    ));
+    if let Some(witness) = &outcome.witness {
+        fails_at(out, witness);
+    }
+    if let Some(reason) = &outcome.reason {
+        out.push_str(&format!("<p>{}</p>\n", escape(reason)));
+    }
+    for note in &claim.notes {
+        out.push_str(&format!("<p>{}</p>\n", escape(note)));
+    }
+    if let Some(document) = &entry.explained {
+        out.push_str("<details><summary>Proof</summary>\n<div class=\"proof\">\n");
+        out.push_str(&explain::html::html(document));
+        out.push_str("</div></details>\n");
+    }
+    rests_on(out, entry);
+    if let Some(evidence) = evidence {
+        shown_by(out, &claim.name.text, evidence);
+    }
+    out.push_str("</section>\n");
+}
+
+/// The title with the verdict, and where the claim stands.
+fn heading(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
+    let verdict = outcome.verdict.name();
     let mark = |(text, good)| format!(" <span class=\"mark {}\">{text}</span>", if good { "good" } else { "lack" });
     let marks: Vec<String> =
         evidence.map(|e| e.marks(outcome.verdict)).unwrap_or_default().into_iter().map(mark).collect();
@@ -37,45 +79,25 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
         out.push_str(" · <strong>not as expected</strong>");
     }
     out.push_str("</p>\n");
-    if !claim.items.is_empty() {
-        out.push_str("<details><summary>Hypotheses and definitions</summary>\n");
-        for item in &claim.items {
-            let text = escape(&Style::Unicode.item(item));
-            out.push_str(&format!(
-                "<div class=\"math\" role=\"group\" aria-label=\"{text}\">{}</div>\n",
-                mathml::item(item)
-            ));
+}
+
+/// The point at which a refuted claim fails, and what is broken there.
+fn fails_at(out: &mut String, witness: &Witness) {
+    out.push_str(&format!("<div class=\"witness\">\n<p>It fails at {}.</p>\n<ul>\n", point(&witness.point)));
+    for broken in &witness.broken {
+        out.push_str(&format!("<li><code>{}</code>", escape(&broken.statement)));
+        if !broken.right.is_empty() {
+            let (left, right) = (escape(&broken.left), escape(&broken.right));
+            out.push_str(&format!(": left side <code>{left}</code>, right side <code>{right}</code>"));
         }
-        out.push_str("</details>\n");
+        out.push_str("</li>\n");
     }
-    let goal = escape(&print::prop(&claim.goal));
-    out.push_str(&format!(
-        "<div class=\"math\" role=\"group\" aria-label=\"{goal}\">{}</div>\n",
-        mathml::statement(&claim.goal)
-    ));
-    if let Some(witness) = &outcome.witness {
-        out.push_str(&format!("<div class=\"witness\">\n<p>It fails at {}.</p>\n<ul>\n", point(&witness.point)));
-        for broken in &witness.broken {
-            out.push_str(&format!("<li><code>{}</code>", escape(&broken.statement)));
-            if !broken.right.is_empty() {
-                let (left, right) = (escape(&broken.left), escape(&broken.right));
-                out.push_str(&format!(": left side <code>{left}</code>, right side <code>{right}</code>"));
-            }
-            out.push_str("</li>\n");
-        }
-        out.push_str("</ul>\n</div>\n");
-    }
-    if let Some(reason) = &outcome.reason {
-        out.push_str(&format!("<p>{}</p>\n", escape(reason)));
-    }
-    for note in &claim.notes {
-        out.push_str(&format!("<p>{}</p>\n", escape(note)));
-    }
-    if let Some(document) = &entry.explained {
-        out.push_str("<details><summary>Proof</summary>\n<div class=\"proof\">\n");
-        out.push_str(&explain::html::html(document));
-        out.push_str("</div></details>\n");
-    }
+    out.push_str("</ul>\n</div>\n");
+}
+
+/// The hypotheses that were used, and a point at which they hold; the claims that are cited.
+fn rests_on(out: &mut String, entry: &Entry) {
+    let (claim, outcome) = (&entry.claim, &entry.outcome);
     for (title, list) in [("Used", &outcome.used), ("Stated but not needed", &outcome.unused)] {
         if !list.is_empty() {
             let list: Vec<String> = list.iter().map(|h| format!("<code>{}</code>", escape(h))).collect();
@@ -90,10 +112,6 @@ pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
             claim.using.iter().map(|n| format!("<a href=\"#{0}\">{0}</a>", escape(&n.text))).collect();
         out.push_str(&format!("<p class=\"meta\">Rests on {}.</p>\n", list.join(", ")));
     }
-    if let Some(evidence) = evidence {
-        shown_by(out, &claim.name.text, evidence);
-    }
-    out.push_str("</section>\n");
 }
 
 /// Certificate and theorem, or why there is none.

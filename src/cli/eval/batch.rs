@@ -1,0 +1,256 @@
+//! A stream of chains, a CSV line each; memory stays flat.
+
+use super::{EvalFlags, bad, digits, failure, natural, rounding, wants};
+use crate::chain::best::Best;
+use crate::chain::threshold::Helps;
+use crate::chain::uncertain::{Range, RangeError};
+use crate::chain::{Positive, Restitution};
+use crate::cli::form::place;
+use crate::cli::interrupt::{INTERRUPTED, Interrupt, interrupted};
+use crate::cli::output::Output;
+use crate::cli::partial::Target;
+use crate::cli::progress::Progress;
+use crate::cli::table_contents::joined;
+use crate::cli::{Exit, ValueFormat, load};
+use crate::number::decimal::{Digits, Rounding};
+use crate::number::rational::parse;
+use crate::scene::answer::{Answers, Number, Value};
+use crate::scene::quantity::{Input, Quantity};
+use crate::scene::{Coefficients, Inputs, Inserted, Scene, Start};
+use std::io::{BufRead, BufReader, BufWriter, IsTerminal, Read, Write};
+use std::path::Path;
+
+/// The longest line of a batch.
+const MAX_LINE: usize = 1 << 16;
+/// So many lines of a batch that have no answer are named.
+const MAX_NAMED: usize = 20;
+
+/// Answers a stream of chains, a line each; memory stays flat.
+pub(super) fn run(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
+    if let Some(ValueFormat::Json) = flags.format {
+        return Err(Exit::usage("error: --batch writes CSV: leave --format json out"));
+    }
+    let want = joined(&flags.want).as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
+    let streamed = [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN];
+    if let Some(other) = want.iter().find(|q| !streamed.contains(q)) {
+        return Err(Exit::usage(format!(
+            "error: --batch answers eta, threshold, helps and best-n, not {}",
+            other.name()
+        )));
+    }
+    let fail = |e: std::io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
+    let mut input = BufReader::with_capacity(1 << 16, load::open(path).map_err(fail)?);
+    let batch = Batch { want, digits: digits(flags)?, rounding: rounding(flags) };
+    if let Some(target) = place(flags.output.as_deref()) {
+        let mut out = BufWriter::with_capacity(1 << 16, Output::file(target)?);
+        return match batch.answers(&mut input, path, &mut out) {
+            Err(Stop::Input(exit)) if exit.code == INTERRUPTED => Err(interrupted("nothing is written")),
+            Ok(unanswered) => Target::Whole(out).finish().and_then(|()| unanswered.exit()),
+            Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write {}: {e}", target.display()))),
+            Err(Stop::Input(exit)) => Err(exit),
+        };
+    }
+    let mut out = BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
+    let ended = batch.answers(&mut input, path, &mut out);
+    // What was answered so far stays, also when a line is wrong.
+    let ended = match (ended, out.flush()) {
+        (Ok(_), Err(e)) => Err(Stop::Write(e)),
+        (ended, _) => ended,
+    };
+    match ended {
+        Ok(unanswered) => unanswered.exit(),
+        // The reader has gone away.
+        Err(Stop::Write(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => Ok(0),
+        Err(Stop::Write(e)) => Err(Exit::usage(format!("error: cannot write to standard output: {e}"))),
+        Err(Stop::Input(exit)) => Err(exit),
+    }
+}
+
+/// Why a batch ended early.
+enum Stop {
+    Write(std::io::Error),
+    Input(Exit),
+}
+
+impl From<std::io::Error> for Stop {
+    fn from(error: std::io::Error) -> Stop {
+        Stop::Write(error)
+    }
+}
+
+/// The lines of a batch that have no answer.
+#[derive(Default)]
+struct Unanswered {
+    /// What is wrong with the first of them.
+    messages: Vec<String>,
+    /// How many there are.
+    count: u64,
+    /// Whether any is bad input, and no limit.
+    bad: bool,
+}
+
+impl Unanswered {
+    fn note(&mut self, code: u8, message: String) {
+        self.count += 1;
+        self.bad |= code != 3;
+        if self.messages.len() < MAX_NAMED {
+            self.messages.push(message);
+        }
+    }
+
+    fn exit(mut self) -> Result<u8, Exit> {
+        if self.count == 0 {
+            return Ok(0);
+        }
+        let more = self.count - self.messages.len() as u64;
+        if more > 0 {
+            self.messages.push(format!("error: {more} more lines have no answer"));
+        }
+        Err(Exit::faults(&self.messages, !self.bad))
+    }
+}
+
+/// The fields of a line of a batch: m1, m2, e, n.
+const INPUTS: usize = 4;
+
+/// What a batch asks of each line.
+struct Batch {
+    want: Vec<Quantity>,
+    digits: Digits,
+    rounding: Rounding,
+}
+
+impl Batch {
+    /// Answers line by line, the heading first. A line without an answer has empty cells.
+    fn answers(&self, input: &mut dyn BufRead, path: &Path, out: &mut dyn Write) -> Result<Unanswered, Stop> {
+        let shown = path.display();
+        let fault = |code: u8, line: u64, what: &str| Exit { code, message: format!("error: {shown}:{line}: {what}") };
+        let mut unanswered = Unanswered::default();
+        let (mut bytes, mut number, mut first) = (Vec::new(), 0_u64, true);
+        let interrupt = Interrupt::listen();
+        // What is printed says itself how far the work is.
+        let progress = (!std::io::stdout().is_terminal()).then(|| Progress::alone("lines"));
+        loop {
+            if interrupt.asked() {
+                return Err(Stop::Input(interrupted(&format!("{number} lines are answered"))));
+            }
+            if let Some(progress) = &progress {
+                progress.now(0, &format!("{number} lines"));
+            }
+            bytes.clear();
+            let read = (&mut *input).take(MAX_LINE as u64).read_until(b'\n', &mut bytes);
+            let read = read.map_err(|e| Stop::Input(load::cannot_read(path, &e)))?;
+            if number == 0 {
+                out.write_all(self.header().as_bytes())?;
+            }
+            if read == 0 {
+                return Ok(unanswered);
+            }
+            number += 1;
+            if bytes.len() >= MAX_LINE {
+                return Err(Stop::Input(fault(3, number, &format!("limit reached: {MAX_LINE} bytes in a line"))));
+            }
+            let Ok(text) = std::str::from_utf8(&bytes) else {
+                let Exit { code, message } = fault(2, number, "this is not UTF-8 text");
+                unanswered.note(code, message);
+                out.write_all(self.empty("").as_bytes())?;
+                continue;
+            };
+            let text = if number == 1 { text.trim_start_matches('\u{feff}') } else { text }.trim();
+            if text.is_empty() || text.starts_with('#') {
+                continue;
+            }
+            // The first line that is none of these may be the heading.
+            let is_first = std::mem::take(&mut first);
+            if is_first && text.replace(' ', "") == "m1,m2,e,n" {
+                continue;
+            }
+            match self.answer(text) {
+                Ok(answer) => out.write_all(answer.as_bytes())?,
+                Err(exit) => {
+                    let what = exit.message.strip_prefix("error: ").unwrap_or(&exit.message);
+                    let fault = fault(exit.code, number, what);
+                    // The heading of another table: no line of it will be a chain.
+                    if is_first && text.split(',').count() != INPUTS {
+                        return Err(Stop::Input(fault));
+                    }
+                    unanswered.note(fault.code, fault.message);
+                    out.write_all(self.empty(text).as_bytes())?;
+                }
+            }
+        }
+    }
+
+    /// The row of a line that has no answer: its fields, where they are as many as they must be, and empty cells.
+    fn empty(&self, line: &str) -> String {
+        let columns = self.header().split(',').count();
+        let inputs = if line.split(',').count() == INPUTS { line.to_owned() } else { ",".repeat(INPUTS - 1) };
+        format!("{inputs}{}\n", ",".repeat(columns - INPUTS))
+    }
+
+    fn header(&self) -> String {
+        let mut columns = vec!["m1,m2,e,n"];
+        columns.extend(self.want.iter().map(|q| match q {
+            Quantity::Eta => "eta,eta_lower,eta_upper",
+            Quantity::Threshold => "threshold,threshold_lower,threshold_upper",
+            Quantity::Helps => "helps",
+            _ => "best-n,tie",
+        }));
+        columns.join(",") + "\n"
+    }
+
+    fn answer(&self, line: &str) -> Result<String, Exit> {
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        let [m1, m2, e, n] = fields.as_slice() else {
+            return Err(Exit::usage(format!("error: four fields m1,m2,e,n were expected, not {}", fields.len())));
+        };
+        let number = |name: &str, text: &str| parse(text).map_err(|error| bad(name, &RangeError::Numeral(error)));
+        let positive = |name: &str, text: &str| Positive::new(number(name, text)?).map_err(|e| failure(name, &e));
+        let (first, last) = (positive("m1", m1)?, positive("m2", m2)?);
+        // A field that nothing asks for may be empty.
+        let given = |text: &&&str| !text.is_empty();
+        let e = Some(e).filter(given).map(|e| Restitution::new(number("e", e)?).map_err(|error| failure("e", &error)));
+        let n = Some(n).filter(given).map(|n| natural("n", n)).transpose()?;
+        let inputs = Inputs::new(
+            Range::point(first),
+            Range::point(last),
+            n.map(Inserted::Optimal),
+            e.transpose()?.map(|e| Coefficients::Same(Range::point(e))),
+            Start::unit(),
+        );
+        let inputs = inputs.map_err(|error| failure("n", &error))?;
+        let scene = Scene { want: self.want.clone(), digits: self.digits, rounding: self.rounding, inputs };
+        if let Some((quantity, input)) = scene.missing() {
+            let field = match input {
+                Input::Restitution => "e",
+                Input::Inserted => "n",
+            };
+            return Err(Exit::usage(format!("error: {} needs {field}, {}", quantity.name(), input.words())));
+        }
+        let answers = Answers::new(&scene);
+        let mut out = line.to_owned();
+        for quantity in &self.want {
+            let (value, _) = answers.get(*quantity).map_err(|error| failure(quantity.name(), &error))?;
+            out.push(',');
+            out.push_str(&field(value));
+        }
+        out.push('\n');
+        Ok(out)
+    }
+}
+
+/// The answer to a streamed question, as its columns.
+fn field(value: &Value) -> String {
+    match value {
+        Value::Number(Number { decimal, enclosure: (lower, upper), .. }) => {
+            format!("{},{lower},{upper}", decimal.as_deref().unwrap_or(""))
+        }
+        Value::Helps(answer) => answer.map_or("depends", Helps::text).to_owned(),
+        Value::Best(best, _) => match best {
+            Best::Finite { count, tie } => format!("{count},{tie}"),
+            Best::Infinite => "infinite,false".to_owned(),
+            Best::Any => "any,false".to_owned(),
+        },
+        _ => String::new(),
+    }
+}
