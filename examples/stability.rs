@@ -111,7 +111,7 @@ pub fn page() -> String {
     let head =
         "| m1 | m2 | e | n | as printed, in f64 | digits right | Carom, 20 digits |\n|---|---|---|---|---|---|---|\n";
     let mut out = String::from(
-        "# Stability\n\nThe formulas of the paper, typed into double precision as they are printed, against certified\nvalues. This page is the output of `cargo run --release --example stability`; `tests/stability.rs` holds the\nlast column to it, and tests the same kinds of scenes in thousands.\n\n",
+        "# Stability\n\nThe formulas of the paper, typed into double precision as they are printed, beside certified values. η (eta) is the\nshare of the energy that reaches the last body; L_n is the least restitution with which the n-th inserted body raises\nit. `cargo run --release --example stability` prints this page. `tests/stability.rs` compares the last column, and\ntests thousands of scenes of these kinds.\n\n",
     );
     out.push_str("## eta, equation (25)\n\n");
     out.push_str(head);
@@ -141,7 +141,7 @@ pub fn page() -> String {
         out.push_str(&row(s, 1.0 - printed_threshold(s), &truth));
     }
     out.push_str(
-        "\n## What goes wrong\n\n- `(m1^(1/N) + m2^(1/N))^N` is at least `2^N` times a mass: it overflows for N > 1023, and with it everything. Carom\n  works with `t/(1+t)²`, `t = r^(1/N)`, and with halves `((1+a)/2)^N`, in which no power leaves the range of the\n  masses' ratio; exponents are 64-bit integers anyway.\n- Products of masses over- and underflow although eta depends on their ratio only.\n- `L_n` and `1 − L_n` are differences of nearly equal numbers where the masses are far apart, or n is large.\n  Carom raises the precision until the relative width is what the digits need.\n- A double cannot hold `1 − 10^-300`, nor say that e equals `L_n`: with m1 = 64, m2 = 1, n = 2 and e = 44/81 it does,\n  exactly, and `carom eval` says so.\n",
+        "\n## What goes wrong\n\n- With N = n + 1, `(m1^(1/N) + m2^(1/N))^N` is at least `2^N` times a mass. For N > 1023 it overflows, and so does the\n  result. Carom works with `t/(1+t)²`, where `t = (m1/m2)^(1/N)`, and with halves `((1+t)/2)^N`. No power of these leaves\n  the range of the masses' ratio. Exponents are 64-bit integers.\n- Products of masses over- and underflow, although eta depends only on their ratio.\n- `L_n` and `1 − L_n` are differences of nearly equal numbers if the masses are far apart, or n is large.\n  Carom raises the precision until the enclosure is narrow enough for the digits.\n- A double cannot represent `1 − 10^-300`, and cannot decide whether e equals `L_n`. With m1 = 64, m2 = 1, n = 2 and\n  e = 44/81 they are equal, and `carom eval` prints that.\n",
     );
     out.push_str("- More than 10^18 inserted bodies are refused (exit code 3).\n");
     out

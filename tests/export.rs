@@ -138,16 +138,16 @@ fn table() -> &'static str {
 fn written() -> String {
     let mut out = String::from(
         "# The claims, by whom they are checked\n\n\
-         Written by `CAROM_WRITE=1 cargo test --test all export`. *prover*: `carom audit`. *Coq*: the theorem of\n\
-         `proofs/coq/claims.v`, which states it in full. Of a claim that\n\
-         is refuted, Coq proves the negation. *SMT*: whether it fits QF_NRA, so that Z3 and cvc5 can be asked\n\
-         (`proofs/smt/compare.py`). *kernel*: `carom check` accepts the certificate in `proofs/certificates`;\n\
-         *mean*: it rests on the weighted mean inequality. *statement*: the first digits of the SHA-256 of what\n\
-         the kernel reads; the whole stands in the certificate and beside the Coq statement.\n\n\
-         No person has written these proofs: `carom export coq --proofs --output DIR` makes them from certificates, of your\n\
-         own claims as well, in a folder with a script `check` that has Coq verify them. `proofs/coq/check` does so for this\n\
-         catalogue. Coq alone decides whether they hold.\n\n\
-         | claim | what it says | prover | kernel | Coq | SMT | statement |\n|---|---|---|---|---|---|---|\n",
+         `CAROM_WRITE=1 cargo test --test all export` writes this page. *prover*: the verdict of `carom audit`. *kernel*:\n\
+         `carom check` accepts the certificate in `proofs/certificates`; *mean*: the proof rests on the weighted mean\n\
+         inequality. *Coq*: the theorem of `proofs/coq/claims.v`, which states it in full; for a refuted claim, Coq proves\n\
+         the negation. *SMT*: whether the claim fits QF_NRA, so that `proofs/smt/compare.py` can ask Z3 and cvc5.\n\
+         *statement*: the first digits of the SHA-256 of the statement that the kernel reads. The certificate and the file\n\
+         of the Coq statement have the whole.\n\n\
+         The Coq proofs are generated. `carom export coq --proofs --output DIR` makes them from certificates, also for your\n\
+         own claims, in a folder with a script `check` that has Coq verify them. `proofs/coq/check` does so for this\n\
+         catalogue. Coq alone decides whether they are right.\n\n\
+         | claim | title | prover | kernel | Coq | SMT | statement |\n|---|---|---|---|---|---|---|\n",
     );
     let accepted = accepted();
     let proved = proved();
