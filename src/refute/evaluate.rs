@@ -44,9 +44,9 @@ pub struct Assignment {
     /// Sequences.
     pub sequences: BTreeMap<String, Sequence>,
     /// Families that recurrences determine.
-    pub(super) recurrences: Rc<BTreeMap<String, Recurrence>>,
+    pub recurrences: Rc<BTreeMap<String, Recurrence>>,
     /// Their members so far.
-    pub(super) members: Members,
+    pub members: Members,
     /// Index ranges of families: first and last.
     pub ranges: HashMap<String, (Expr, Expr)>,
     /// The members that were looked up.

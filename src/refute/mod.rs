@@ -1,7 +1,8 @@
 //! Claims at exact points: where the hypotheses hold, and where the goal then fails.
 //!
 //! A claim is expanded ([`expand`]) and read ([`reading`]), its equations are solved for variables ([`solve`]), and exact
-//! points are tried ([`search`], [`evaluate`]); limits are found at a point ([`limit`]). [`case`] says what came of it.
+//! points are tried ([`search`], [`evaluate`]), members of families by their recurrences ([`recurrence`]); limits are found at a point
+//! ([`limit`]). [`case`] says what came of it.
 //! Proofs are found in [`crate::prove`].
 pub mod case;
 pub mod catalogue;
@@ -12,6 +13,7 @@ pub mod limit;
 pub mod number;
 pub mod outcome;
 pub mod reading;
+pub mod recurrence;
 pub mod search;
 pub mod shape;
 pub mod solve;
@@ -19,6 +21,5 @@ pub mod trial;
 
 mod candidates;
 mod closed;
-mod recurrence;
 
 use crate::algebra::Moment;

@@ -3,7 +3,7 @@
 //! Method: sqrt(q^2) is q where q >= 0 and −q elsewhere. Cases of the signs of the factors of q are distinguished until that is
 //! settled, for the innermost absolute value first, and each is put in.
 
-use super::facts::{is_settled, minus, opposite};
+use super::facts::{minus, opposite};
 use super::letters::{product, whole_power};
 use super::values::root_of;
 use super::{Fail, Prover, implies};
@@ -51,13 +51,9 @@ impl Prover {
         let Some(found) = self.next_absolute(goal, known) else { return self.show(goal) };
         let settled = |s: Signs| s.within(Signs::NOT_NEGATIVE) || s.within(Signs::of(Relation::LessEqual));
         let mut negative = false;
-        let mut weak = Vec::new();
         for (factor, k) in &found.factors {
             let signs = self.signs_of(factor);
             if k % 2 == 0 || signs.within(Signs::NOT_NEGATIVE) {
-                if !is_settled(signs) {
-                    weak.push(factor.clone());
-                }
                 continue;
             }
             if settled(signs) {
@@ -79,24 +75,6 @@ impl Prover {
             let y = branch(self, &other)?;
             return self.logic(&[&x, &y], goal);
         }
-        if negative
-            && depth < DEPTH
-            && let Some(factor) = weak.first()
-        {
-            // Where no factor is 0, the product is negative and not only not positive.
-            let zero = compare(factor.clone(), Relation::Equal, numeral(0));
-            let other = opposite(&zero).ok_or(Fail::No("an opposite"))?;
-            let length = known.len();
-            let x = self.block(&implies(&zero, goal), |c, block| {
-                c.put_in(&format!("{block}s"));
-                c.in_signs(goal, known, depth + 1)
-            });
-            known.truncate(length);
-            let x = x?;
-            let y = self.block(&implies(&other, goal), |c, _| c.in_signs(goal, known, depth + 1));
-            known.truncate(length);
-            return self.logic(&[&x, &y?], goal);
-        }
         let inside = found.inside();
         let value = if negative { expr(ExprKind::Negate(Box::new(inside))) } else { inside };
         let equal = compare(found.root.clone(), Relation::Equal, value);
@@ -105,15 +83,10 @@ impl Prover {
             let apart = compare(minus(&found.root, &found.inside()), Relation::Greater, numeral(0));
             let below = match found.factors.as_slice() {
                 [(factor, 1)] => self.known(&compare(factor.clone(), Relation::Less, numeral(0))),
-                _ if negative => self.quietly(&compare(found.inside(), Relation::Less, numeral(0))).ok(),
                 _ => None,
             };
             if let Some(label) = below {
-                let number = match found.factors.as_slice() {
-                    [_] => found.number.clone(),
-                    _ => numeral(1),
-                };
-                let number = expr(ExprKind::Negate(Box::new(number)));
+                let number = expr(ExprKind::Negate(Box::new(found.number.clone())));
                 let root = Term { facts: Vec::new(), factor: found.root.clone() };
                 let _ = self.combination(apart, vec![Term { facts: vec![label], factor: number }, root]);
             }

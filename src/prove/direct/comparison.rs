@@ -51,7 +51,7 @@ impl Prover {
         let top = if self.splits >= 9 { 1 } else { 2 };
         for level in 0..=top {
             // What roots are about, few linear programs see.
-            if level == 1
+            if level == 2
                 && !quiet
                 && let Ok(label) = self.by_roots(goal, a, *relation, b)
             {
@@ -142,11 +142,6 @@ impl Prover {
     fn by_roots(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         if relation == Relation::NotEqual || self.roots_in(&minus(a, b)).is_empty() {
             return Err(Fail::No("a root"));
-        }
-        if self.splits < 3
-            && let Ok(label) = self.by_absolute_values(goal)
-        {
-            return Ok(label);
         }
         let splits = std::mem::replace(&mut self.splits, 8);
         let shown = self

@@ -47,7 +47,7 @@ use std::collections::{BTreeSet, HashMap};
 const TRIES: usize = 2_000;
 
 /// How large all linear programs of one claim are together: columns times entries.
-const PROGRAMS: usize = 3_000_000;
+const PROGRAMS: usize = 5_000_000;
 
 /// A certificate of a claim, found without its argument.
 ///
