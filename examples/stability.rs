@@ -107,7 +107,7 @@ fn row(s: &Scene, found: f64, truth: &Real) -> String {
 }
 
 /// The page.
-pub fn page() -> String {
+pub(crate) fn page() -> String {
     let head =
         "| m1 | m2 | e | n | as printed, in f64 | digits right | Carom, 20 digits |\n|---|---|---|---|---|---|---|\n";
     let mut out = String::from(

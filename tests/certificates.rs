@@ -185,10 +185,10 @@ fn the_kernel_passes_and_mock_kernels_are_caught() {
     });
 }
 
-pub struct Random(pub u64);
+pub(crate) struct Random(pub u64);
 
 impl Random {
-    pub fn below(&mut self, n: usize) -> usize {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -216,7 +216,7 @@ fn citation(lines: &[String], random: &mut Random) -> Option<(usize, usize, Stri
 }
 
 /// One way to damage a text; `None` where it does not apply.
-pub fn damaged(text: &str, kind: usize, random: &mut Random) -> Option<(&'static str, String)> {
+pub(crate) fn damaged(text: &str, kind: usize, random: &mut Random) -> Option<(&'static str, String)> {
     let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
     let at = 3 + random.below(lines.len() - 4);
     let replace_one = |text: &str, random: &mut Random, pairs: &[(&str, &str)]| -> Option<String> {

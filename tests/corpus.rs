@@ -101,7 +101,7 @@ fn row(title: &str, claims: &[&Judged]) -> String {
 }
 
 /// Prints a table; where `CAROM_TABLES` names a folder it is written there as well, for those who read no output of tests.
-pub fn show(name: &str, table: &[String]) {
+pub(crate) fn show(name: &str, table: &[String]) {
     let text = table.join("\n");
     println!("{text}");
     if let Some(folder) = std::env::var_os("CAROM_TABLES") {

@@ -1,5 +1,5 @@
 //! The kernel stands alone: it compiles with nothing but the syntax tree and the certificate as data.
-#![allow(missing_docs, dead_code, unused_imports, clippy::unwrap_used)]
+#![allow(missing_docs, dead_code, unused_imports, unreachable_pub, clippy::unwrap_used)]
 
 #[path = "../src/claim"]
 mod claim {

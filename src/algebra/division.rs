@@ -118,7 +118,7 @@ impl Polynomial {
 
     /// The largest monomial that divides every term; 1 of the zero polynomial.
     #[must_use]
-    pub fn monomial_content(&self) -> Monomial {
+    pub(crate) fn monomial_content(&self) -> Monomial {
         let mut monomials = self.terms.iter().map(|(m, _)| m);
         let Some(first) = monomials.next() else {
             return Monomial::one();

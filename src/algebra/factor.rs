@@ -35,7 +35,7 @@ impl Factored {
     /// The product of everything.
     ///
     /// # Errors
-    /// [`LimitReached`] when the product passes the limits of [`Polynomial::try_mul`].
+    /// [`LimitReached`] when the product passes the limits of `Polynomial::try_mul`.
     pub fn product(&self) -> Result<Polynomial, LimitReached> {
         let mut product = Polynomial::constant(self.unit.clone());
         for (factor, exponent) in &self.factors {

@@ -82,7 +82,7 @@ pub fn gcd(a: &Polynomial, b: &Polynomial) -> Result<Polynomial, LimitReached> {
 ///
 /// # Errors
 /// As for [`gcd`].
-pub fn content_in(p: &Polynomial, var: Var) -> Result<Polynomial, LimitReached> {
+pub(crate) fn content_in(p: &Polynomial, var: Var) -> Result<Polynomial, LimitReached> {
     content_within(p, var, &mut Budget::new())
 }
 

@@ -11,14 +11,14 @@ mod clock;
 mod division;
 pub mod factor;
 pub mod gcd;
-pub mod monomial;
-pub mod polynomial;
+pub(crate) mod monomial;
+pub(crate) mod polynomial;
 pub mod positivity;
 pub mod roots;
-pub mod simplex;
+pub(crate) mod simplex;
 mod substitution;
 mod text;
-pub mod univariate;
+pub(crate) mod univariate;
 
 pub use clock::Moment;
 pub use monomial::Monomial;

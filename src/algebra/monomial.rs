@@ -11,7 +11,7 @@ use super::{Limit, LimitReached, Var};
 use std::cmp::Ordering;
 
 /// The largest total degree of a monomial.
-pub const MAX_DEGREE: u32 = 50_000;
+pub(crate) const MAX_DEGREE: u32 = 50_000;
 
 /// A product of powers of variables.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
@@ -36,7 +36,7 @@ impl Monomial {
     /// The product of the given powers, in any order; equal variables are multiplied together.
     ///
     /// # Errors
-    /// [`LimitReached`] when the total degree would pass [`MAX_DEGREE`].
+    /// [`LimitReached`] when the total degree would pass `MAX_DEGREE`.
     pub fn new(powers: &[(Var, u32)]) -> Result<Self, LimitReached> {
         let total: u64 = powers.iter().map(|&(_, e)| u64::from(e)).sum();
         let degree = checked_degree(total)?;
@@ -50,14 +50,6 @@ impl Monomial {
             }
         }
         Ok(Self { degree, powers: merged })
-    }
-
-    /// The power `var^exponent`.
-    ///
-    /// # Errors
-    /// [`LimitReached`] when the exponent passes [`MAX_DEGREE`].
-    pub fn power_of(var: Var, exponent: u32) -> Result<Self, LimitReached> {
-        Self::new(&[(var, exponent)])
     }
 
     /// The power `var^exponent` for an exponent that is known to be within the limit.
@@ -90,15 +82,6 @@ impl Monomial {
     #[must_use]
     pub fn powers(&self) -> &[(Var, u32)] {
         &self.powers
-    }
-
-    /// The product, or the limit that its degree would pass.
-    ///
-    /// # Errors
-    /// [`LimitReached`] when the degree of the product passes [`MAX_DEGREE`].
-    pub fn checked_mul(&self, other: &Self) -> Result<Self, LimitReached> {
-        checked_degree(u64::from(self.degree) + u64::from(other.degree))?;
-        Ok(self.mul(other))
     }
 
     /// The product of two monomials whose degrees together stay below `u32::MAX`.
@@ -141,7 +124,7 @@ impl Monomial {
 
     /// The quotient, where the divisor divides.
     #[must_use]
-    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+    pub(crate) fn checked_div(&self, divisor: &Self) -> Option<Self> {
         if divisor.degree > self.degree {
             return None;
         }

@@ -19,7 +19,6 @@
 //! Cost: sums are linear in the terms; a product of n and m terms costs `n·m` coefficient products
 //! and `O(n·m·log n)` moves of terms, because rows are merged in a balanced tree.
 
-pub use super::monomial::MAX_DEGREE;
 use super::monomial::{Monomial, checked_degree};
 use super::{Limit, LimitReached, Var};
 use malachite::Rational;
@@ -30,13 +29,13 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 /// The most terms that a limited operation may return.
-pub const MAX_TERMS: usize = 50_000;
+pub(crate) const MAX_TERMS: usize = 50_000;
 
 /// The most products of two terms that one limited operation may form.
-pub const MAX_WORK: usize = 4_000_000;
+pub(crate) const MAX_WORK: usize = 4_000_000;
 
 /// The most bits of a numerator or denominator in the result of a limited operation.
-pub const MAX_BITS: usize = 1 << 22;
+pub(crate) const MAX_BITS: usize = 1 << 22;
 
 /// A polynomial with rational coefficients, in normal form.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
@@ -126,7 +125,7 @@ impl Polynomial {
 
     /// The value of a constant polynomial.
     #[must_use]
-    pub fn as_constant(&self) -> Option<Rational> {
+    pub(crate) fn as_constant(&self) -> Option<Rational> {
         match self.terms.as_slice() {
             [] => Some(Rational::ZERO),
             [(m, c)] if m.is_one() => Some(c.clone()),
@@ -141,19 +140,19 @@ impl Polynomial {
 
     /// The number of terms.
     #[must_use]
-    pub fn term_count(&self) -> usize {
+    pub(crate) fn term_count(&self) -> usize {
         self.terms.len()
     }
 
     /// The term with the largest monomial; none of the zero polynomial.
     #[must_use]
-    pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
+    pub(crate) fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
         self.terms.first().map(|(m, c)| (m, c))
     }
 
     /// The coefficient of the leading term; 0 of the zero polynomial.
     #[must_use]
-    pub fn leading_coefficient(&self) -> Rational {
+    pub(crate) fn leading_coefficient(&self) -> Rational {
         self.terms.first().map_or(Rational::ZERO, |(_, c)| c.clone())
     }
 
@@ -165,7 +164,7 @@ impl Polynomial {
 
     /// The constant term.
     #[must_use]
-    pub fn constant_term(&self) -> Rational {
+    pub(crate) fn constant_term(&self) -> Rational {
         match self.terms.last() {
             Some((m, c)) if m.is_one() => c.clone(),
             _ => Rational::ZERO,
@@ -180,7 +179,7 @@ impl Polynomial {
 
     /// The largest exponent of a variable.
     #[must_use]
-    pub fn degree_in(&self, var: Var) -> u32 {
+    pub(crate) fn degree_in(&self, var: Var) -> u32 {
         self.terms.iter().map(|(m, _)| m.exponent(var)).max().unwrap_or(0)
     }
 
@@ -193,7 +192,7 @@ impl Polynomial {
 
     /// The bits of the largest numerator or denominator among the coefficients.
     #[must_use]
-    pub fn height_bits(&self) -> usize {
+    pub(crate) fn height_bits(&self) -> usize {
         let bits = self.terms.iter().map(|(_, c)| c.height_ref().significant_bits()).max();
         usize::try_from(bits.unwrap_or(0)).unwrap_or(usize::MAX)
     }
@@ -233,8 +232,8 @@ impl Polynomial {
 
     /// The product of two polynomials whose degrees together stay below `u32::MAX`.
     ///
-    /// Limited operations keep degrees at most [`MAX_DEGREE`], so this holds for every product of a
-    /// few of their results; for unbounded products use [`Polynomial::try_mul`].
+    /// Limited operations keep degrees at most `MAX_DEGREE`, so this holds for every product of a
+    /// few of their results; for unbounded products use `Polynomial::try_mul`.
     #[must_use]
     pub fn mul(&self, other: &Self) -> Self {
         let (few, many) = if self.terms.len() <= other.terms.len() { (self, other) } else { (other, self) };
@@ -245,7 +244,7 @@ impl Polynomial {
     ///
     /// # Errors
     /// [`LimitReached`] when the degree, the terms, the work or the bits pass their limit.
-    pub fn try_mul(&self, other: &Self) -> Result<Self, LimitReached> {
+    pub(crate) fn try_mul(&self, other: &Self) -> Result<Self, LimitReached> {
         checked_degree(u64::from(self.degree()) + u64::from(other.degree()))?;
         let work = self.terms.len().saturating_mul(other.terms.len());
         within(Limit::Work, MAX_WORK, work)?;
@@ -276,7 +275,7 @@ impl Polynomial {
     ///
     /// The zero polynomial has the empty list.
     #[must_use]
-    pub fn coefficients_in(&self, var: Var) -> Vec<Self> {
+    pub(crate) fn coefficients_in(&self, var: Var) -> Vec<Self> {
         if self.is_zero() {
             return Vec::new();
         }
@@ -291,7 +290,7 @@ impl Polynomial {
 
     /// The coefficient of the highest power of one variable; 0 of the zero polynomial.
     #[must_use]
-    pub fn leading_coefficient_in(&self, var: Var) -> Self {
+    pub(crate) fn leading_coefficient_in(&self, var: Var) -> Self {
         let degree = self.degree_in(var);
         let terms = self
             .terms
@@ -304,7 +303,7 @@ impl Polynomial {
 
     /// The polynomial `Σ cᵢ·varⁱ`.
     #[must_use]
-    pub fn from_coefficients_in(var: Var, coefficients: &[Self]) -> Self {
+    pub(crate) fn from_coefficients_in(var: Var, coefficients: &[Self]) -> Self {
         let terms = coefficients.iter().zip(0u32..).flat_map(|(poly, exponent)| {
             let power = Monomial::small_power(var, exponent);
             poly.terms.iter().map(move |(m, c)| (m.mul(&power), c.clone()))
@@ -314,7 +313,7 @@ impl Polynomial {
 
     /// The product with a monomial.
     #[must_use]
-    pub fn mul_monomial(&self, monomial: &Monomial) -> Self {
+    pub(crate) fn mul_monomial(&self, monomial: &Monomial) -> Self {
         Self { terms: self.terms.iter().map(|(m, c)| (m.mul(monomial), c.clone())).collect() }
     }
 

@@ -17,11 +17,11 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 
 /// One column of the matrix: the rows where it is not 0, with the entries.
-pub type Column = Vec<(usize, Rational)>;
+pub(crate) type Column = Vec<(usize, Rational)>;
 
 /// What one program may cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SimplexLimits {
+pub(crate) struct SimplexLimits {
     /// Pivots.
     pub pivots: usize,
     /// Updates of tableau entries.
@@ -33,7 +33,7 @@ pub struct SimplexLimits {
 ///
 /// # Errors
 /// [`LimitReached`] when a limit stops the search; nothing is known then.
-pub fn solve(
+pub(crate) fn solve(
     columns: &[Column],
     target: &[Rational],
     preferred: Option<&[bool]>,

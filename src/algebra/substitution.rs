@@ -63,7 +63,7 @@ impl Polynomial {
     /// The polynomial with some variables replaced by numbers; where `value` is `None`, the variable
     /// stays.
     #[must_use]
-    pub fn evaluate_some(&self, value: &dyn Fn(Var) -> Option<Rational>) -> Self {
+    pub(crate) fn evaluate_some(&self, value: &dyn Fn(Var) -> Option<Rational>) -> Self {
         let mut tables: BTreeMap<Var, Vec<Rational>> = BTreeMap::new();
         for var in self.variables() {
             if let Some(value) = value(var) {

@@ -57,7 +57,7 @@ impl Univariate {
 
     /// The polynomial in the variable `var`.
     #[must_use]
-    pub fn to_polynomial(&self, var: Var) -> Polynomial {
+    pub(crate) fn to_polynomial(&self, var: Var) -> Polynomial {
         let coefficients: Vec<Polynomial> =
             self.coefficients.iter().map(|c| Polynomial::constant(Rational::from(c))).collect();
         Polynomial::from_coefficients_in(var, &coefficients)
@@ -98,13 +98,13 @@ impl Univariate {
 
     /// The sign for all sufficiently large `x`.
     #[must_use]
-    pub fn sign_at_infinity(&self) -> Ordering {
+    pub(crate) fn sign_at_infinity(&self) -> Ordering {
         self.coefficients.last().map_or(Ordering::Equal, |c| c.cmp(&Integer::ZERO))
     }
 
     /// The sign for all sufficiently small (very negative) `x`.
     #[must_use]
-    pub fn sign_at_minus_infinity(&self) -> Ordering {
+    pub(crate) fn sign_at_minus_infinity(&self) -> Ordering {
         let sign = self.sign_at_infinity();
         if self.degree() % 2 == 1 { sign.reverse() } else { sign }
     }
@@ -125,7 +125,7 @@ impl Univariate {
 
     /// The square-free part: the same roots, each once; the sign of the leading coefficient stays.
     #[must_use]
-    pub fn square_free_part(&self) -> Self {
+    pub(crate) fn square_free_part(&self) -> Self {
         let common = self.gcd(&self.derivative());
         if common.degree() == 0 {
             return self.primitive();
@@ -153,7 +153,7 @@ impl Univariate {
     /// The Sturm sequence: the polynomial, its derivative, and then the negated remainders, each up
     /// to a positive factor.
     #[must_use]
-    pub fn sturm_sequence(&self) -> SturmSequence {
+    pub(crate) fn sturm_sequence(&self) -> SturmSequence {
         let mut sequence = vec![self.primitive(), self.derivative().primitive()];
         while let [.., p, q] = sequence.as_slice() {
             if q.is_zero() {
@@ -265,7 +265,7 @@ impl Univariate {
 
     /// A bound with all real roots strictly between its negative and itself.
     #[must_use]
-    pub fn root_bound(&self) -> Rational {
+    pub(crate) fn root_bound(&self) -> Rational {
         let Some((lead, lower)) = self.coefficients.split_last() else {
             return Rational::ONE;
         };
@@ -333,14 +333,14 @@ impl Univariate {
 
 /// A Sturm sequence; see [`Univariate::sturm_sequence`].
 #[derive(Clone, Debug)]
-pub struct SturmSequence {
+pub(crate) struct SturmSequence {
     sequence: Vec<Univariate>,
 }
 
 impl SturmSequence {
     /// The number of distinct real roots.
     #[must_use]
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         let below = self.sequence.iter().map(Univariate::sign_at_minus_infinity);
         let above = self.sequence.iter().map(Univariate::sign_at_infinity);
         variations(below).saturating_sub(variations(above))
@@ -353,7 +353,7 @@ impl SturmSequence {
     /// and for ends that are roots of a square-free polynomial. For a polynomial that is not
     /// square-free the ends must not be multiple roots.
     #[must_use]
-    pub fn count_between(&self, a: Option<&Rational>, b: Option<&Rational>) -> usize {
+    pub(crate) fn count_between(&self, a: Option<&Rational>, b: Option<&Rational>) -> usize {
         let below = a.map_or_else(
             || variations(self.sequence.iter().map(Univariate::sign_at_minus_infinity)),
             |x| variations(self.sequence.iter().map(|p| p.sign_at(x))),

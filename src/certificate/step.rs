@@ -3,7 +3,7 @@
 use crate::claim::syntax::{Expr, Name, Prop};
 
 /// The version of the format.
-pub const VERSION: u32 = 2;
+pub(crate) const VERSION: u32 = 2;
 
 /// The name of a fact: letters and digits. The hypotheses are `h1`, `h2`, …
 pub type Label = String;

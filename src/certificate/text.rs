@@ -79,13 +79,13 @@ pub fn digest(statement: &str) -> String {
 }
 
 /// The format that a certificate's text says it has, from its first line.
-pub fn version_of(source: &str) -> Option<&str> {
+pub(crate) fn version_of(source: &str) -> Option<&str> {
     let version = source.lines().next()?.strip_prefix("carom-certificate ")?;
     Some(version.get(..20).unwrap_or(version))
 }
 
 /// The digest of the statement that a certificate's text says it shows, from its first lines.
-pub fn statement_of(source: &str) -> Option<&str> {
+pub(crate) fn statement_of(source: &str) -> Option<&str> {
     version_of(source)?;
     let mut lines = source.lines().skip(1);
     lines.next()?.strip_prefix("claim ")?;

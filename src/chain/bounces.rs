@@ -27,9 +27,9 @@ use malachite::{Natural, Rational};
 use std::cmp::Ordering;
 
 /// The most readings of a run.
-pub const MAX_READINGS: u64 = 100;
+pub(crate) const MAX_READINGS: u64 = 100;
 /// The most runs.
-pub const MAX_RUNS: u64 = 100_000;
+pub(crate) const MAX_RUNS: u64 = 100_000;
 
 /// What was read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -51,10 +51,10 @@ pub const MAX_INSERTED: u64 = 1_000_000_000_000_000_000;
 pub const MAX_LISTED: u64 = 1_000_000;
 
 /// The same with optimal masses and unequal coefficients, whose products are formed for each body.
-pub const MAX_LISTED_UNEQUAL: u64 = 2_000;
+pub(crate) const MAX_LISTED_UNEQUAL: u64 = 2_000;
 
 /// The most bits of an exact power that is written down; a longer rational is enclosed instead.
-pub const MAX_EXACT_BITS: u64 = 1 << 20;
+pub(crate) const MAX_EXACT_BITS: u64 = 1 << 20;
 
 /// Why a chain has no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -196,7 +196,7 @@ impl Optimum {
 
     /// A bound of the bits of all velocities together, where they are exact; 0 where they are enclosed.
     #[must_use]
-    pub fn listed_bits(&self) -> u64 {
+    pub(crate) fn listed_bits(&self) -> u64 {
         let count = self.collisions();
         let each = self.step.as_rational().map_or(0, |x| self.exact_size(x, count).min(MAX_EXACT_BITS));
         each.saturating_mul(count)
@@ -323,7 +323,7 @@ impl Optimum {
     /// The kinetic energy of both bodies of collision `i` (from 0) after it, for `e_i < 1`, where it is rational and `x` is
     /// not: with the energy `E` before, `E·(e_i² + x)/(1 + x)`.
     #[must_use]
-    pub fn rational_energy_after(&self, i: u64, speed: &Rational) -> Option<Rational> {
+    pub(crate) fn rational_energy_after(&self, i: u64, speed: &Rational) -> Option<Rational> {
         let e = self.restitutions.at(i)?;
         let found = self.rational_quotient(i, &e.value().square(), 1, 2 * i + 1)?;
         Some(self.energy_factor(i, speed) * found)
@@ -332,7 +332,7 @@ impl Optimum {
     /// The change of the kinetic energy of the body that strikes in collision `i` (from 0), for `e_i < 1`, where it is
     /// rational and `x` is not: with its energy `E` before, `−E·(1 + e_i)·(1 − e_i + 2x)/(1 + x)²`.
     #[must_use]
-    pub fn rational_energy_change(&self, i: u64, speed: &Rational) -> Option<Rational> {
+    pub(crate) fn rational_energy_change(&self, i: u64, speed: &Rational) -> Option<Rational> {
         let e = self.restitutions.at(i)?;
         let found = self.rational_quotient(i, &(Rational::ONE - e.value()), 2, 2 * i + 2)?;
         Some(-self.energy_factor(i, speed) * e.plus_one() * found)

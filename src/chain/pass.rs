@@ -176,7 +176,7 @@ impl Pass {
 
     /// The velocity of each body after the pass, with the others at rest before, as fractions in lowest terms: that of
     /// body `i` is `(m_i − e·m_(i+1))/(m_i + m_(i+1))` times its velocity on arrival, a running product
-    /// ([`crate::number::running`]). Quicker than [`Pass::velocities_after`] for many bodies.
+    /// (`crate::number::running`). Quicker than [`Pass::velocities_after`] for many bodies.
     ///
     /// # Errors
     /// [`ChainError::NotAtRest`]; a limit above [`MAX_PASS_BITS`].

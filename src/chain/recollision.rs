@@ -22,7 +22,8 @@ use std::cmp::Ordering;
 pub const WARNING: &str = "bodies meet again after the pass: these velocities are not final";
 
 /// What goes with them where that depends on measured inputs.
-pub const MAY_WARN: &str = "bodies may meet again after the pass, depending on the inputs: then these are not final";
+pub(crate) const MAY_WARN: &str =
+    "bodies may meet again after the pass, depending on the inputs: then these are not final";
 
 /// Whether bodies of given velocities, in their order on the line, meet again.
 #[must_use]

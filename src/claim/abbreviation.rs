@@ -37,7 +37,7 @@ const ABBREVIATIONS: &[(&str, usize, usize)] = &[
 ];
 
 /// The most nodes that the abbreviations of one claim may write.
-const NODES_LIMIT: usize = 100_000;
+pub(crate) const NODES_LIMIT: usize = 100_000;
 
 /// The deepest expression that is written.
 const DEPTH_LIMIT: usize = 400;
@@ -46,17 +46,17 @@ const DEPTH_LIMIT: usize = 400;
 const POWER_LIMIT: i128 = 100;
 
 /// How many arguments the abbreviation of this name takes: the least and the largest number.
-pub fn arguments(name: &str) -> Option<(usize, usize)> {
+pub(crate) fn arguments(name: &str) -> Option<(usize, usize)> {
     ABBREVIATIONS.iter().find(|a| a.0 == name).map(|a| (a.1, a.2))
 }
 
 /// Whether there is an abbreviation of this name.
-pub fn is_one(name: &str) -> bool {
+pub(crate) fn is_one(name: &str) -> bool {
     arguments(name).is_some()
 }
 
 /// Writes out every abbreviation of a claim.
-pub fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
+pub(crate) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
     let mut names = BTreeSet::new();
     walk::expressions(claim, &mut |e| walk::names_in(e, &mut names));
     let mut own: BTreeSet<String> = claim.items.iter().flat_map(declared).map(|n| n.text.clone()).collect();

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 /// `turns`·π + Σ kᵢ·xᵢ.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Angle {
+pub(super) struct Angle {
     /// How many times π.
     pub turns: BigRational,
     /// The variables with their coefficients, none of which is 0.
@@ -24,7 +24,7 @@ pub struct Angle {
 
 /// A number and an angle.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Linear {
+pub(super) struct Linear {
     number: BigRational,
     angle: Angle,
 }
@@ -55,14 +55,14 @@ impl Linear {
     }
 
     /// The angle, if no other number is added to it.
-    pub fn as_angle(&self) -> Option<&Angle> {
+    pub(crate) fn as_angle(&self) -> Option<&Angle> {
         self.number.is_zero().then_some(&self.angle)
     }
 }
 
 /// The sum of numbers, variables and π with rational coefficients that an expression is; `None` if it is no such sum.
 /// `definitions` has what names without parameters stand for; `is_pi` says whether `pi` is the number π.
-pub fn linear(e: &Expr, definitions: &BTreeMap<String, Linear>, is_pi: bool) -> Option<Linear> {
+pub(super) fn linear(e: &Expr, definitions: &BTreeMap<String, Linear>, is_pi: bool) -> Option<Linear> {
     if let Some((top, bottom)) = number(e) {
         return Some(Linear::number(BigRational::new(BigInt::from(top), BigInt::from(bottom))));
     }
@@ -94,18 +94,18 @@ pub fn linear(e: &Expr, definitions: &BTreeMap<String, Linear>, is_pi: bool) -> 
 }
 
 /// An end of a range of angles, in units of π, and whether it belongs to the range.
-pub type End = (BigRational, bool);
+pub(super) type End = (BigRational, bool);
 
 /// The bounds of an angle.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Bounds {
+pub(super) struct Bounds {
     low: Option<End>,
     high: Option<End>,
 }
 
 impl Bounds {
     /// The angle stands in this relation to an end: `<`, `<=`, `>`, `>=`. `false` for the other relations.
-    pub fn narrow(&mut self, relation: Relation, turns: BigRational) -> bool {
+    pub(super) fn narrow(&mut self, relation: Relation, turns: BigRational) -> bool {
         let closed = matches!(relation, Relation::LessEqual | Relation::GreaterEqual);
         match relation {
             Relation::Less | Relation::LessEqual => {
@@ -126,24 +126,24 @@ impl Bounds {
     }
 
     /// Whether there are neither.
-    pub fn are_none(&self) -> bool {
+    pub(crate) fn are_none(&self) -> bool {
         self.low.is_none() && self.high.is_none()
     }
 
     /// Both ends.
-    pub fn ends(&self) -> Option<(&End, &End)> {
+    pub(super) fn ends(&self) -> Option<(&End, &End)> {
         Some((self.low.as_ref()?, self.high.as_ref()?))
     }
 
     /// Whether an angle lies within.
-    pub fn hold(&self, turns: &BigRational) -> bool {
+    pub(super) fn hold(&self, turns: &BigRational) -> bool {
         let above = |(q, closed): &End| turns > q || turns == q && *closed;
         let below = |(q, closed): &End| turns < q || turns == q && *closed;
         self.low.as_ref().is_none_or(above) && self.high.as_ref().is_none_or(below)
     }
 
     /// Whether every angle within has a point of its own.
-    pub fn are_less_than_a_turn(&self) -> bool {
+    pub(crate) fn are_less_than_a_turn(&self) -> bool {
         let two = BigRational::from_integer(BigInt::from(2));
         self.ends().is_some_and(|(low, high)| {
             let length = &high.0 - &low.0;
@@ -162,7 +162,7 @@ impl Bounds {
     /// - π < L < 2π: what is left out is an arc shorter than π, from β to α + 2π: sin(b − β) > 0 and sin(α − b) > 0, with `≥`
     ///   where the end is left out as well. The conditions say the opposite.
     /// - L = 2π: every point; without that of α if both ends are left out. L > 2π, or an end missing: every point.
-    pub fn conditions(&self, angle: &str, times: u32, span: Span) -> Option<Vec<Prop>> {
+    pub(super) fn conditions(&self, angle: &str, times: u32, span: Span) -> Option<Vec<Prop>> {
         let Some((low, high)) = self.ends() else { return Some(Vec::new()) };
         let part = BigRational::new(BigInt::one(), BigInt::from(times));
         let (alpha, beta) = (&low.0 * &part, &high.0 * &part);

@@ -26,7 +26,7 @@ struct Names<'a> {
 }
 
 /// Reports every fault of names in a claim. `pi` needs no declaration.
-pub fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
+pub(super) fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
     let mut found = Vec::new();
     names(claim, &mut found);
     let is_pi = |fault: &Diagnostic| matches!(&fault.fault, Fault::Undeclared { name, .. } if name == PI);
@@ -48,19 +48,19 @@ fn names(claim: &Claim, faults: &mut Vec<Diagnostic>) {
 }
 
 /// Reports every fault of names in a preamble.
-pub fn preamble(preamble: &Preamble, faults: &mut Vec<Diagnostic>) {
+pub(super) fn preamble(preamble: &Preamble, faults: &mut Vec<Diagnostic>) {
     Names::new(faults).items(&preamble.items);
 }
 
 /// The names that a claim uses and does not declare.
-pub fn undeclared(claim: &Claim) -> BTreeSet<String> {
+pub(crate) fn undeclared(claim: &Claim) -> BTreeSet<String> {
     let mut faults = Vec::new();
     names(claim, &mut faults);
     missing(faults)
 }
 
 /// The names that a declaration or hypothesis uses and does not declare, and those that it declares.
-pub fn names_of(item: &Item) -> BTreeSet<String> {
+pub(crate) fn names_of(item: &Item) -> BTreeSet<String> {
     let mut faults = Vec::new();
     Names::new(&mut faults).items(std::slice::from_ref(item));
     missing(faults)

@@ -12,10 +12,10 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::collections::BTreeMap;
 
 /// The largest multiple of an angle.
-pub const MULTIPLE_LIMIT: i64 = 24;
+pub(crate) const MULTIPLE_LIMIT: i64 = 24;
 
 /// The most products of terms in a cosine or sine of a sum.
-pub const TERMS_LIMIT: usize = 10_000;
+pub(crate) const TERMS_LIMIT: usize = 10_000;
 
 /// What a term is a product of.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -180,44 +180,44 @@ fn letters_written(monomial: &Monomial, span: Span) -> Vec<Expr> {
 }
 
 /// A comparison at a place.
-pub fn compared(left: Expr, relation: Relation, right: Expr) -> Prop {
+pub(super) fn compared(left: Expr, relation: Relation, right: Expr) -> Prop {
     let span = left.span;
     Prop { kind: PropKind::Compare(vec![left, right], vec![relation]), span }
 }
 
 /// The name that stands for the cosine of an angle.
-pub fn cosine_name(angle: &str) -> String {
+pub(crate) fn cosine_name(angle: &str) -> String {
     format!("cos_{angle}")
 }
 
 /// The name that stands for the sine of an angle.
-pub fn sine_name(angle: &str) -> String {
+pub(crate) fn sine_name(angle: &str) -> String {
     format!("sin_{angle}")
 }
 
 /// A point of the unit circle: the cosine and the sine of an angle.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Point {
+pub(super) struct Point {
     cos: Polynomial,
     sin: Polynomial,
 }
 
 impl Point {
     /// The point of a named angle.
-    pub fn named(angle: &str) -> Point {
+    pub(super) fn named(angle: &str) -> Point {
         let one = |letter: Letter| Polynomial::of(&[(ratio(1, 1), &[letter])]);
         Point { cos: one(Letter::Cosine(angle.to_string())), sin: one(Letter::Sine(angle.to_string())) }
     }
 
     /// The point of the angle 0.
-    pub fn zero() -> Point {
+    pub(super) fn zero() -> Point {
         Point { cos: Polynomial::number(1), sin: Polynomial::default() }
     }
 
     /// The point of so many times π, where that is a multiple of π/120.
     ///
     /// Every whole number m is 10·a + 15·b + 24·c for some a, b, c, so that π/12, π/8 and π/5 are enough.
-    pub fn of_turns(turns: &BigRational) -> Option<Point> {
+    pub(crate) fn of_turns(turns: &BigRational) -> Option<Point> {
         let scaled = turns * ratio(120, 1);
         if !scaled.is_integer() {
             return None;
@@ -241,7 +241,7 @@ impl Point {
     }
 
     /// The point of the sum of two angles; `None` where it has more than [`TERMS_LIMIT`] terms.
-    pub fn plus(&self, other: &Point) -> Option<Point> {
+    pub(super) fn plus(&self, other: &Point) -> Option<Point> {
         if self.terms().saturating_mul(other.terms()) > TERMS_LIMIT {
             return None;
         }
@@ -252,7 +252,7 @@ impl Point {
     }
 
     /// The point of a multiple of the angle, at most [`MULTIPLE_LIMIT`] times it.
-    pub fn times(&self, k: i64) -> Option<Point> {
+    pub(super) fn times(&self, k: i64) -> Option<Point> {
         if k.abs() > MULTIPLE_LIMIT {
             return None;
         }
@@ -264,27 +264,27 @@ impl Point {
     }
 
     /// The point of the opposite angle.
-    pub fn opposite(self) -> Point {
+    pub(crate) fn opposite(self) -> Point {
         Point { sin: Polynomial::default().plus(&self.sin, -1), cos: self.cos }
     }
 
     /// The number of terms.
-    pub fn terms(&self) -> usize {
+    pub(super) fn terms(&self) -> usize {
         self.cos.0.len() + self.sin.0.len()
     }
 
     /// The cosine.
-    pub fn cosine(&self, span: Span) -> Expr {
+    pub(crate) fn cosine(&self, span: Span) -> Expr {
         self.cos.written(span)
     }
 
     /// The sine.
-    pub fn sine(&self, span: Span) -> Expr {
+    pub(crate) fn sine(&self, span: Span) -> Expr {
         self.sin.written(span)
     }
 
     /// The sine compared with 0, over what is positive in all its terms; `-s >= 0` is written `s <= 0`.
-    pub fn sine_is(&self, relation: Relation, span: Span) -> Prop {
+    pub(crate) fn sine_is(&self, relation: Relation, span: Span) -> Prop {
         let mut sine = self.sin.clone();
         for root in [2, 3, 5].map(Letter::Root) {
             if sine.0.keys().all(|monomial| monomial.contains_key(&root)) {

@@ -51,7 +51,7 @@ pub enum Need {
 type Number = (i128, i128);
 
 /// The largest exponent of a power of numerals that is computed.
-const LARGEST: i128 = 1_000;
+pub const LARGEST: i128 = 1_000;
 
 /// Which kind an exponent is. `whole` says of a name whether it stands for whole numbers: a natural variable, an index
 /// of a sum, product or sequence, or a natural family.
@@ -122,7 +122,7 @@ pub fn is_whole(e: &Expr, whole: &dyn Fn(&str) -> bool) -> bool {
 
 /// Whether it is, and no minus sign stands in it: at least 0 by its form. `natural` then speaks of names that stand for
 /// no negative number.
-pub fn is_natural(e: &Expr, natural: &dyn Fn(&str) -> bool) -> bool {
+pub(crate) fn is_natural(e: &Expr, natural: &dyn Fn(&str) -> bool) -> bool {
     if let Some(value) = number(e) {
         return matches!(value, (0.., 1));
     }

@@ -20,7 +20,7 @@ const WORDS: [&str; 3] = ["floor", "ceil", "ceiling"];
 const FLOORS_LIMIT: usize = 20;
 
 /// Whether this is a function that is written out here; it takes one argument.
-pub fn is_function(name: &str) -> bool {
+pub(crate) fn is_function(name: &str) -> bool {
     WORDS.contains(&name)
 }
 
@@ -41,7 +41,7 @@ struct Writer<'a> {
 }
 
 /// Writes out every floor of a claim.
-pub fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
+pub(crate) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
     let mut names = BTreeSet::new();
     let mut bound = BTreeSet::new();
     walk::expressions(claim, &mut |e| {

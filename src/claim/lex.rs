@@ -11,17 +11,17 @@ use super::diagnostic::{Diagnostic, Fault};
 use super::syntax::{GREEK, Span};
 
 /// The largest claim file in bytes.
-pub const FILE_LIMIT: usize = 1 << 20;
+pub(crate) const FILE_LIMIT: usize = 1 << 20;
 /// The longest numeral in characters, and the largest decimal exponent.
-pub const NUMERAL_LIMIT: usize = 10_000;
+pub(crate) const NUMERAL_LIMIT: usize = 10_000;
 /// The longest name in characters.
-pub const NAME_LIMIT: usize = 100;
+pub(crate) const NAME_LIMIT: usize = 100;
 /// The most tokens in a file.
-pub const TOKENS_LIMIT: usize = 500_000;
+pub(crate) const TOKENS_LIMIT: usize = 500_000;
 
 /// A token with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Token {
+pub(crate) struct Token {
     /// What it is.
     pub kind: Kind,
     /// Where it stands.
@@ -32,7 +32,7 @@ pub struct Token {
 
 /// The kinds of tokens.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// A name or keyword; may hold `-` between letters where a claim's name is read.
     Word(String),
     /// A numeral as written.
@@ -75,7 +75,7 @@ const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const UNICODE_WORDS: &[(char, &str)] = &[('∧', "and"), ('∨', "or"), ('¬', "not"), ('∞', "infinity"), ('∈', "in")];
 
 /// The tokens of a source, with all faults found on the way.
-pub fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
+pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
     let mut out: Vec<Token> = Vec::new();
     let mut faults = Vec::new();
     let mut first_on_line = true;

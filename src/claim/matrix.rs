@@ -4,11 +4,11 @@ use super::syntax::*;
 use std::collections::BTreeMap;
 
 /// The rows of a matrix.
-pub type Rows = Vec<Vec<Expr>>;
+pub(super) type Rows = Vec<Vec<Expr>>;
 
 /// Why a matrix cannot be written out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfit {
+pub(super) enum Unfit {
     /// It has not as many rows as columns.
     NotSquare,
     /// Its entries are not written in the claim.
@@ -16,27 +16,27 @@ pub enum Unfit {
 }
 
 /// An expression at a place.
-pub fn at(span: Span, kind: ExprKind) -> Expr {
+pub(super) fn at(span: Span, kind: ExprKind) -> Expr {
     Expr { kind, span }
 }
 
 /// A numeral at a place.
-pub fn numeral(span: Span, k: u32) -> Expr {
+pub(super) fn numeral(span: Span, k: u32) -> Expr {
     at(span, ExprKind::Number(k.to_string()))
 }
 
 /// A function of one argument.
-pub fn apply(span: Span, function: &str, argument: Expr) -> Expr {
+pub(super) fn apply(span: Span, function: &str, argument: Expr) -> Expr {
     at(span, ExprKind::Apply(Name { text: function.to_string(), span }, vec![argument]))
 }
 
 /// Definitions of matrices by their names, with their entries.
 #[derive(Debug, Default)]
-pub struct Matrices(pub BTreeMap<String, Rows>);
+pub(super) struct Matrices(pub BTreeMap<String, Rows>);
 
 impl Matrices {
     /// The entries of an expression that is a matrix by how it is written; `None` for a number.
-    pub fn entries(&self, e: &Expr) -> Option<Rows> {
+    pub(super) fn entries(&self, e: &Expr) -> Option<Rows> {
         let each = |rows: Rows, f: &dyn Fn(Expr) -> Expr| -> Rows {
             rows.into_iter().map(|row| row.into_iter().map(f).collect()).collect()
         };
@@ -94,7 +94,7 @@ impl Matrices {
     }
 
     /// The sum of the diagonal.
-    pub fn trace(&self, e: &Expr) -> Result<ExprKind, Unfit> {
+    pub(super) fn trace(&self, e: &Expr) -> Result<ExprKind, Unfit> {
         let rows = self.square(e)?;
         let mut diagonal: Vec<(Sign, Expr)> =
             rows.into_iter().enumerate().filter_map(|(i, row)| Some((Sign::Plus, row.into_iter().nth(i)?))).collect();
@@ -105,7 +105,7 @@ impl Matrices {
     }
 
     /// The matrix of cofactors, turned over its diagonal, divided by the determinant.
-    pub fn inverse(&self, e: &Expr) -> Result<ExprKind, Unfit> {
+    pub(super) fn inverse(&self, e: &Expr) -> Result<ExprKind, Unfit> {
         let rows = self.square(e)?;
         let span = e.span;
         let cofactor = |row: usize, column: usize| {
@@ -128,7 +128,7 @@ impl Matrices {
     }
 
     /// The power of a matrix to a whole numeral.
-    pub fn power(&self, base: &Expr, exponent: i64) -> Result<ExprKind, Unfit> {
+    pub(super) fn power(&self, base: &Expr, exponent: i64) -> Result<ExprKind, Unfit> {
         let n = self.square(base)?.len();
         let span = base.span;
         if exponent == 0 {

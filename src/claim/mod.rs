@@ -1,5 +1,5 @@
 //! The claim language: reading, checking and printing claim files.
-pub mod abbreviation;
+pub(crate) mod abbreviation;
 mod angle;
 mod check;
 mod circle;
@@ -9,15 +9,15 @@ pub mod diagnostic;
 pub mod embedded;
 mod floor;
 pub mod format;
-pub mod lex;
+pub(crate) mod lex;
 mod matrix;
 pub mod parse;
-pub mod preamble;
+pub(crate) mod preamble;
 pub mod print;
 pub mod syntax;
 mod total;
 mod trigonometry;
-pub mod walk;
+pub(crate) mod walk;
 
 /// The description of the language, for `carom help language`.
 pub const LANGUAGE: &str = include_str!("../../proofs/README.md");

@@ -12,7 +12,7 @@ use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The file whose preamble holds for all claim files of its folder.
-pub const FILE: &str = "paper.claim";
+pub(crate) const FILE: &str = "paper.claim";
 
 /// The shared clauses.
 #[derive(Clone, Debug, Default)]
@@ -44,7 +44,7 @@ struct Shared<'a> {
 
 impl Preamble {
     /// Puts before a claim's own declarations what it takes from the preamble.
-    pub fn put_before(&self, claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
+    pub(crate) fn put_before(&self, claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
         let or = |own: &mut Option<String>, shared: &Option<String>| {
             if own.is_none() {
                 own.clone_from(shared);
@@ -126,7 +126,7 @@ impl<'a> Shared<'a> {
 }
 
 /// The names that an item declares.
-pub fn declared(item: &Item) -> Vec<&Name> {
+pub(crate) fn declared(item: &Item) -> Vec<&Name> {
     match item {
         Item::Given(bindings) => bindings.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect(),
         Item::Let { name, .. } | Item::Define { name, .. } => vec![name],
@@ -135,7 +135,7 @@ pub fn declared(item: &Item) -> Vec<&Name> {
 }
 
 /// The names among these that take an argument: definitions with parameters, families and sequences.
-pub fn applied(item: &Item) -> Vec<&Name> {
+pub(crate) fn applied(item: &Item) -> Vec<&Name> {
     match item {
         Item::Given(bindings) => {
             bindings.iter().flat_map(|b| &b.names).filter(|n| n.1.is_some()).map(|n| &n.0).collect()

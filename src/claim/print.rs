@@ -49,7 +49,7 @@ pub fn level(e: &Expr) -> u8 {
 
 /// Precedence of propositions: equivalence 1, implication 2, or 3, and 4, not 5, atom 6. Quantifiers
 /// reach as far to the right as they can, so they bind like an equivalence.
-pub fn prop_level(p: &Prop) -> u8 {
+pub(crate) fn prop_level(p: &Prop) -> u8 {
     match &p.kind {
         PropKind::Equivalent(_) | PropKind::Exists(..) | PropKind::ForAll(..) => 1,
         PropKind::Implies(..) => 2,

@@ -111,7 +111,7 @@ pub enum ExprKind {
 
 /// Greek letters: a name may hold them by their names or as signs, which are the same. Those are left out
 /// that look like a Latin letter, and Σ and Π, which stand for sums and products in print.
-pub const GREEK: &[(&str, char)] = &[
+pub(crate) const GREEK: &[(&str, char)] = &[
     ("alpha", 'α'),
     ("beta", 'β'),
     ("gamma", 'γ'),

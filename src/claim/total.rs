@@ -10,7 +10,7 @@ use super::walk;
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
 /// alone, and nothing in it has another condition. `named` says of a name whether what it stands for has a value; families,
 /// definitions with parameters, sums and products are taken to have conditions.
-pub fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool) -> bool {
+pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool) -> bool {
     const EVERYWHERE: [&str; 8] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh"];
     let mut all = match &e.kind {
         ExprKind::Product(list) => {

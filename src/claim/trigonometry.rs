@@ -38,13 +38,13 @@ use std::collections::{BTreeMap, BTreeSet};
 const WORDS: [&str; 3] = ["sin", "cos", "tan"];
 
 /// The most nodes that are written for one claim.
-const NODES_LIMIT: usize = 100_000;
+pub(crate) const NODES_LIMIT: usize = 100_000;
 
 /// The deepest expression that is written.
 const DEPTH_LIMIT: usize = 400;
 
 /// Whether this is a function of an angle; it takes one argument.
-pub fn is_function(name: &str) -> bool {
+pub(crate) fn is_function(name: &str) -> bool {
     WORDS.contains(&name)
 }
 
@@ -80,7 +80,7 @@ struct Writer<'a> {
 }
 
 /// Writes out every angle of a claim.
-pub fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
+pub(crate) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
     let mut own: BTreeSet<String> = claim.items.iter().flat_map(declared).map(|n| n.text.clone()).collect();
     walk::bound_names(claim, &mut |name| {
         own.insert(name.to_string());

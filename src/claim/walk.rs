@@ -26,7 +26,7 @@ pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
 }
 
 /// The same with parts that may be changed.
-pub fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
+pub(crate) fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
     use ExprKind::*;
     match &mut expr.kind {
         Number(_) | Name(_) => {}
@@ -48,7 +48,7 @@ pub fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
 }
 
 /// The names of variables that are free in a comparison, from left to right.
-pub fn free_names(prop: &Prop, visit: &mut dyn FnMut(&str, Span)) {
+pub(crate) fn free_names(prop: &Prop, visit: &mut dyn FnMut(&str, Span)) {
     fn of<'a>(e: &'a Expr, bound: &mut Vec<&'a str>, visit: &mut dyn FnMut(&str, Span)) {
         match &e.kind {
             ExprKind::Name(name) if !bound.contains(&name.as_str()) => visit(name, e.span),
@@ -68,7 +68,7 @@ pub fn free_names(prop: &Prop, visit: &mut dyn FnMut(&str, Span)) {
 }
 
 /// Calls `visit` with every expression of a claim that is no part of another.
-pub fn expressions(claim: &mut Claim, visit: &mut dyn FnMut(&mut Expr)) {
+pub(crate) fn expressions(claim: &mut Claim, visit: &mut dyn FnMut(&mut Expr)) {
     claim.items.iter_mut().for_each(|item| of_item(item, visit));
     claim.sample.iter_mut().for_each(|(_, e)| visit(e));
     of_prop(&mut claim.goal, visit);
@@ -76,7 +76,7 @@ pub fn expressions(claim: &mut Claim, visit: &mut dyn FnMut(&mut Expr)) {
 }
 
 /// The same of one declaration.
-pub fn of_item(item: &mut Item, visit: &mut dyn FnMut(&mut Expr)) {
+pub(crate) fn of_item(item: &mut Item, visit: &mut dyn FnMut(&mut Expr)) {
     match item {
         Item::Given(bindings) => bindings.iter_mut().for_each(|b| of_binding(b, visit)),
         Item::Let { value, .. } => visit(value),
@@ -89,7 +89,7 @@ pub fn of_item(item: &mut Item, visit: &mut dyn FnMut(&mut Expr)) {
 }
 
 /// The same of a binding.
-pub fn of_binding(binding: &mut Binding, visit: &mut dyn FnMut(&mut Expr)) {
+pub(crate) fn of_binding(binding: &mut Binding, visit: &mut dyn FnMut(&mut Expr)) {
     for constraint in &mut binding.constraints {
         match constraint {
             Constraint::Relation(_, e) => visit(e),
@@ -154,7 +154,7 @@ fn of_proof(proof: &mut Proof, visit: &mut dyn FnMut(&mut Expr)) {
 }
 
 /// The same of what a method is told; the steps of an induction are none of it.
-pub fn of_method(method: &mut Method, visit: &mut dyn FnMut(&mut Expr)) {
+pub(crate) fn of_method(method: &mut Method, visit: &mut dyn FnMut(&mut Expr)) {
     match method {
         Method::Power { exponent, .. } => visit(exponent),
         Method::Product(list) => list.iter_mut().filter_map(|f| f.1.as_mut()).for_each(visit),
@@ -173,7 +173,7 @@ pub fn of_method(method: &mut Method, visit: &mut dyn FnMut(&mut Expr)) {
 
 /// Calls `visit` with every name that quantifiers, extrema and `obtain` bind, and with the parameters and indices of
 /// definitions and families.
-pub fn bound_names(claim: &Claim, visit: &mut dyn FnMut(&str)) {
+pub(crate) fn bound_names(claim: &Claim, visit: &mut dyn FnMut(&str)) {
     fn of_bindings(bindings: &[Binding], visit: &mut dyn FnMut(&str)) {
         for (name, index) in bindings.iter().flat_map(|b| &b.names) {
             visit(&name.text);
@@ -227,7 +227,7 @@ pub fn bound_names(claim: &Claim, visit: &mut dyn FnMut(&str)) {
 }
 
 /// The labels of facts that an argument cites.
-pub fn cited_facts(proof: &Proof, visit: &mut dyn FnMut(&str)) {
+pub(crate) fn cited_facts(proof: &Proof, visit: &mut dyn FnMut(&str)) {
     for step in &proof.steps {
         if let Step::Have { proof, .. } | Step::Case { proof, .. } = step {
             cited_facts(proof, visit);
@@ -262,21 +262,21 @@ pub fn names_in(expr: &Expr, into: &mut BTreeSet<String>) {
 }
 
 /// The number of an expression's nodes.
-pub fn nodes_in(expr: &Expr) -> usize {
+pub(crate) fn nodes_in(expr: &Expr) -> usize {
     let mut count = 1;
     parts(expr, &mut |part| count += nodes_in(part));
     count
 }
 
 /// How deep an expression nests.
-pub fn depth(expr: &Expr) -> usize {
+pub(crate) fn depth(expr: &Expr) -> usize {
     let mut deepest = 0;
     parts(expr, &mut |part| deepest = deepest.max(depth(part)));
     deepest + 1
 }
 
 /// Puts values in place of names. Whoever calls sees to it that no index of the expression has a name that stands in a value.
-pub fn substitute(e: &mut Expr, values: &BTreeMap<&str, &Expr>) {
+pub(crate) fn substitute(e: &mut Expr, values: &BTreeMap<&str, &Expr>) {
     if let ExprKind::Name(name) = &e.kind
         && let Some(value) = values.get(name.as_str())
     {
@@ -287,7 +287,7 @@ pub fn substitute(e: &mut Expr, values: &BTreeMap<&str, &Expr>) {
 }
 
 /// The indices that are bound in an expression.
-pub fn indices(e: &Expr, into: &mut BTreeSet<String>) {
+pub(crate) fn indices(e: &Expr, into: &mut BTreeSet<String>) {
     if let ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) = &e.kind {
         into.insert(index.name.text.clone());
     }

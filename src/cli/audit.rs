@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Claims ready to be judged, with the texts that errors point into.
-pub struct Loaded {
+pub(super) struct Loaded {
     /// The claims.
     pub catalogue: Catalogue,
     /// How many of the catalogue's claims were asked for; those behind them are cited ones of the built-in catalogue.
@@ -36,7 +36,7 @@ pub struct Loaded {
 ///
 /// # Errors
 /// Something could not be read.
-pub fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
+pub(crate) fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     let loaded = readable(paths, only)?;
     if loaded.broken.is_empty() { Ok(loaded) } else { Err(load::together(&loaded.broken)) }
 }
@@ -86,7 +86,7 @@ fn readable(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
 }
 
 /// Claims, and what they cite of the built-in catalogue: those that none of them is called like.
-pub fn cited_too(mut claims: Vec<Claim>) -> Vec<Claim> {
+pub(crate) fn cited_too(mut claims: Vec<Claim>) -> Vec<Claim> {
     let missing = |claims: &[Claim]| -> Vec<String> {
         let cited = claims.iter().flat_map(|c| c.using.iter().map(|n| n.text.clone()));
         cited.filter(|n| claims.iter().all(|c| c.name.text != *n)).collect()
@@ -142,12 +142,12 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
 
 impl Loaded {
     /// The claims that were asked for.
-    pub fn claims(&self) -> &[Claim] {
+    pub(super) fn claims(&self) -> &[Claim] {
         &self.catalogue.claims()[..self.own]
     }
 
     /// Judges claims: all of the catalogue, or those of these names.
-    pub fn judge(&self, only: &[String], settings: &Settings) -> Judgement {
+    pub(super) fn judge(&self, only: &[String], settings: &Settings) -> Judgement {
         let all = self.claims().iter().map(|c| c.name.text.clone());
         let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
         let progress = Progress::start(names.len() as u64);
@@ -160,7 +160,7 @@ impl Loaded {
     ///
     /// # Errors
     /// One of them is of another format, unless `replaced` says that new ones are made.
-    pub fn with_certificates(mut self, replaced: bool) -> Result<Loaded, Exit> {
+    pub(crate) fn with_certificates(mut self, replaced: bool) -> Result<Loaded, Exit> {
         self.hand = AtHand::embedded();
         let parents = self.sources.iter().map(|s| match Path::new(&s.path).parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
@@ -190,7 +190,7 @@ impl Loaded {
     }
 
     /// The failure of a claim that makes no sense, at its place.
-    pub fn failure(&self, name: &str, fault: Fault) -> Exit {
+    pub(super) fn failure(&self, name: &str, fault: Fault) -> Exit {
         let Some(claim) = self.catalogue.get(name) else {
             return Exit::usage(format!("error: no claim is called {name}"));
         };
@@ -200,7 +200,7 @@ impl Loaded {
 }
 
 /// Runs the command.
-pub fn run(
+pub(super) fn run(
     paths: &[PathBuf],
     only: &[String],
     format: Format,
@@ -237,7 +237,7 @@ pub fn run(
 }
 
 /// Judges the built-in catalogue or the given files as a whole.
-pub fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
+pub(super) fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
     let loaded = readable(paths, &[])?.with_certificates(settings.anew)?;
     let (audit, messages) = judge_all(&loaded, &[], settings);
     if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
@@ -265,7 +265,7 @@ fn judge_all(loaded: &Loaded, only: &[String], settings: &Settings) -> (Audit, V
 }
 
 /// The exit code: 0 all as expected, 3 where only limits stand in the way, else 1.
-pub fn code(audit: &Audit) -> u8 {
+pub(super) fn code(audit: &Audit) -> u8 {
     let unexpected: Vec<&Entry> = audit.entries.iter().filter(|e| !e.as_expected()).collect();
     let limit = |e: &&Entry| e.outcome.verdict == Verdict::Undecided && e.outcome.limit.is_some();
     match unexpected.len() {

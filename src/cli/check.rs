@@ -29,7 +29,7 @@ enum Outcome {
 }
 
 /// Runs the command: exit 1 if a certificate is rejected, 3 if a limit was reached.
-pub fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
+pub(super) fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
     let quiet = terminal::quiet();
     let Some(path) = form::place(output) else { return check(paths, claims, quiet, &mut print) };
     let mut report = String::new();
@@ -210,7 +210,7 @@ fn parsed(origin: &str, text: &str) -> Result<Certificate, Exit> {
 }
 
 /// The end of the program where a certificate cannot be read.
-pub fn unreadable(origin: &str, malformed: &Malformed) -> Exit {
+pub(super) fn unreadable(origin: &str, malformed: &Malformed) -> Exit {
     let Malformed { line, fault } = malformed;
     Exit::faults(&[format!("error: {origin}:{line}: {fault}")], fault.is_limit())
 }

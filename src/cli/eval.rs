@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 /// The flags of `carom eval`.
 #[derive(clap::Args)]
-pub struct EvalFlags {
+pub(super) struct EvalFlags {
     /// A scene file (see `carom help scene`), - for standard input; flags override its `digits` and `want`
     scene: Option<PathBuf>,
     /// Mass of the first body: 10, 3/4, 0.5, 2e-3, or measured: "57.1 ± 0.1", "[57, 58]"
@@ -76,7 +76,7 @@ pub struct EvalFlags {
 }
 
 /// Runs the subcommand.
-pub fn run(flags: &EvalFlags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &EvalFlags) -> Result<u8, Exit> {
     if let Some(batch) = &flags.batch {
         return batch::run(flags, batch);
     }
@@ -105,7 +105,7 @@ fn failure(place: &str, error: &ChainError) -> Exit {
 }
 
 /// What a sheet or a picture of a scene is called: its file's name.
-pub fn scene_title(path: &Path) -> String {
+pub(crate) fn scene_title(path: &Path) -> String {
     let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().replace(['-', '_'], " "));
     if stem.trim().is_empty() { "scene".to_owned() } else { stem }
 }
@@ -137,7 +137,7 @@ fn dropped(flags: &EvalFlags, about: &About, drop: &Drop, digits: u64) -> Result
 }
 
 /// Reads a scene file, of a chain or of balls that are dropped, with what it says of itself.
-pub fn described(path: &Path) -> Result<(About, read::Subject), Exit> {
+pub(super) fn described(path: &Path) -> Result<(About, read::Subject), Exit> {
     let text = text_of(path)?;
     read::described(&text).map_err(|fault| shown(&fault, path, &text))
 }
@@ -304,6 +304,6 @@ fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
 }
 
 /// The page of `carom help scene`.
-pub fn scene_help() -> String {
+pub(crate) fn scene_help() -> String {
     format!("{}\nJSON schema for editors:\n\n{}", include_str!("scene.txt"), read::SCHEMA)
 }

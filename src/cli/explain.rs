@@ -8,7 +8,7 @@ use crate::report::argument;
 use std::path::PathBuf;
 
 /// The text that the command prints, and its exit code.
-pub fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) -> Result<(String, u8), Exit> {
+pub(super) fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) -> Result<(String, u8), Exit> {
     let only = [id.to_string()];
     let loaded = load(paths, &only)?.with_certificates(false)?;
     let settings = Settings { limits: limits.clone(), argument: true, ..Settings::default() };

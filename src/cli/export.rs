@@ -11,7 +11,7 @@ const RESET: &str = "\n(reset)\n";
 
 impl Language {
     /// Its name on the command line.
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Language::Coq => "coq",
             Language::Smt2 => "smt2",
@@ -39,7 +39,7 @@ impl Language {
 ///
 /// Without names, what cannot be said is left out and counted on standard error; a named claim that cannot be said is an
 /// error, or a stated limit.
-pub fn run(language: Option<Language>, ids: &[String], from: &[PathBuf], listed: bool) -> Result<String, Exit> {
+pub(super) fn run(language: Option<Language>, ids: &[String], from: &[PathBuf], listed: bool) -> Result<String, Exit> {
     names_after_from(ids, from)?;
     let loaded = load(from, ids)?;
     let wanted = |claim: &&Claim| ids.is_empty() || ids.contains(&claim.name.text);
@@ -65,7 +65,7 @@ pub fn run(language: Option<Language>, ids: &[String], from: &[PathBuf], listed:
 }
 
 /// Every word after --from is taken for a path, a name as well.
-pub fn names_after_from(ids: &[String], from: &[PathBuf]) -> Result<(), Exit> {
+pub(crate) fn names_after_from(ids: &[String], from: &[PathBuf]) -> Result<(), Exit> {
     let [first, .., last] = from else { return Ok(()) };
     let is_name = |path: &PathBuf| {
         path.to_str().is_some_and(|p| p.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_'".contains(&b)))

@@ -6,7 +6,7 @@ use crate::report::table::Head;
 use clap::Parser;
 
 /// The tables in the report of the built-in catalogue.
-pub const TABLES: [&str; 3] = [
+pub(super) const TABLES: [&str; 3] = [
     "--want eta --ratio 10 -e 0.8,0.9,1 -n 0:4:1",
     "--want threshold --ratio 2,10,100,1000 -n 1,2,3,5",
     "--want best-n --ratio 10,100,1000,1e6 -e 0.5,0.8,0.9,0.95",
@@ -14,7 +14,7 @@ pub const TABLES: [&str; 3] = [
 
 /// The pictures there.
 #[cfg(feature = "plot")]
-pub const PLOTS: [&str; 4] = ["eta-x", "eta-n", "threshold", "map"];
+pub(crate) const PLOTS: [&str; 4] = ["eta-x", "eta-n", "threshold", "map"];
 
 /// The words after `carom table`.
 #[derive(Parser)]
@@ -37,7 +37,7 @@ struct PlotWords {
 ///
 /// # Errors
 /// Words that `carom table` does not take or that a report decides itself, such as `--format`; a limit.
-pub fn table(text: &str) -> Result<Table, Exit> {
+pub(super) fn table(text: &str) -> Result<Table, Exit> {
     let within = |exit: Exit| Exit { message: format!("{}\n  in --table '{text}'", exit.message), ..exit };
     let words = words(text).map_err(within)?;
     let parsed = TableWords::try_parse_from(&words).map_err(|e| within(refused(&e)))?;
@@ -58,7 +58,7 @@ pub fn table(text: &str) -> Result<Table, Exit> {
 /// # Errors
 /// Words that `carom plot` does not take or that a report decides itself, such as `--output`; a limit.
 #[cfg(feature = "plot")]
-pub fn plot(place: usize, text: &str) -> Result<crate::report::handout::numbers::Plot, Exit> {
+pub(super) fn plot(place: usize, text: &str) -> Result<crate::report::handout::numbers::Plot, Exit> {
     use crate::report::handout::numbers::Plot;
     use crate::report::plot::{letters, png, svg};
     use std::path::Path;

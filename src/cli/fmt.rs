@@ -9,7 +9,7 @@ use crate::claim::parse::text_of;
 use std::path::PathBuf;
 
 /// Runs the command: nothing is written unless every file parses.
-pub fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
+pub(super) fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     let mut changed = Vec::new();
     let (mut messages, mut only_limits) = (Vec::new(), true);
     let paths = files(paths)?;

@@ -10,7 +10,7 @@ use std::path::Path;
 const KNOWN: [&str; 12] = ["txt", "csv", "json", "md", "markdown", "tex", "xml", "html", "htm", "svg", "png", "pdf"];
 
 /// The forms of a command.
-pub trait Form: Copy + 'static {
+pub(super) trait Form: Copy + 'static {
     /// The form where nothing else is said.
     const DEFAULT: Self;
     /// The endings that stand for its other forms, in small letters.
@@ -18,7 +18,7 @@ pub trait Form: Copy + 'static {
 }
 
 /// The place that a flag names; `None` is standard output, which is also called `-`.
-pub fn place(output: Option<&Path>) -> Option<&Path> {
+pub(super) fn place(output: Option<&Path>) -> Option<&Path> {
     output.filter(|path| path.as_os_str() != "-")
 }
 
@@ -26,7 +26,7 @@ pub fn place(output: Option<&Path>) -> Option<&Path> {
 ///
 /// # Errors
 /// The file's ending stands for a form that the command does not have.
-pub fn form<F: Form>(format: Option<F>, output: Option<&Path>) -> Result<F, Exit> {
+pub(super) fn form<F: Form>(format: Option<F>, output: Option<&Path>) -> Result<F, Exit> {
     if let Some(format) = format {
         return Ok(format);
     }

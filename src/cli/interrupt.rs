@@ -9,7 +9,7 @@ use std::sync::Once;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// The exit code of a program that was interrupted.
-pub const INTERRUPTED: u8 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Ctrl-C ends the program.
 const AT_ONCE: u8 = 0;
@@ -37,7 +37,7 @@ fn handle() {
 }
 
 /// An end that was asked for; `what` says what is left behind.
-pub fn interrupted(what: &str) -> Exit {
+pub(super) fn interrupted(what: &str) -> Exit {
     Exit { code: INTERRUPTED, message: format!("interrupted: {what}") }
 }
 
@@ -45,7 +45,7 @@ pub fn interrupted(what: &str) -> Exit {
 ///
 /// # Errors
 /// An end has been asked for.
-pub fn at_once() -> Result<(), Exit> {
+pub(crate) fn at_once() -> Result<(), Exit> {
     handle();
     match STATE.swap(AT_ONCE, Ordering::SeqCst) {
         ASKED => Err(interrupted("nothing is written")),
@@ -55,18 +55,18 @@ pub fn at_once() -> Result<(), Exit> {
 
 /// Work that looks at whether somebody has asked for an end.
 #[derive(Clone, Copy)]
-pub struct Interrupt(());
+pub(super) struct Interrupt(());
 
 impl Interrupt {
     /// Listens from now on.
-    pub fn listen() -> Interrupt {
+    pub(crate) fn listen() -> Interrupt {
         handle();
         let _ = STATE.compare_exchange(AT_ONCE, LISTENING, Ordering::SeqCst, Ordering::SeqCst);
         Interrupt(())
     }
 
     /// Whether an end is asked for.
-    pub fn asked(self) -> bool {
+    pub(super) fn asked(self) -> bool {
         STATE.load(Ordering::SeqCst) == ASKED
     }
 }

@@ -19,7 +19,7 @@ const PASSES: u64 = 4;
 /// How long one pass may take.
 const TIME: Duration = Duration::from_secs(300);
 /// What is left behind where the work on the PDF ends early.
-pub const BUT_THE_PDF: &str = "everything but report.pdf is written";
+pub(crate) const BUT_THE_PDF: &str = "everything but report.pdf is written";
 /// The most bytes of its protocol that are looked at for an error.
 const PROTOCOL: u64 = 16 << 20;
 
@@ -27,7 +27,7 @@ const PROTOCOL: u64 = 16 << 20;
 ///
 /// # Errors
 /// No LaTeX on this machine, packages that it lacks, a limit of time, Ctrl-C.
-pub fn pdf(files: &[&(String, Vec<u8>)], interrupt: Interrupt) -> Result<Vec<u8>, Exit> {
+pub(super) fn pdf(files: &[&(String, Vec<u8>)], interrupt: Interrupt) -> Result<Vec<u8>, Exit> {
     let folder = tempfile::tempdir().map_err(|e| Exit::usage(format!("error: cannot make a temporary folder: {e}")))?;
     for (path, bytes) in files {
         let path = folder.path().join(path);

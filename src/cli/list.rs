@@ -9,7 +9,7 @@ use serde_json::json;
 use std::path::PathBuf;
 
 /// The text that the command prints.
-pub fn run(paths: &[PathBuf], format: ValueFormat) -> Result<String, Exit> {
+pub(super) fn run(paths: &[PathBuf], format: ValueFormat) -> Result<String, Exit> {
     let loaded = load(paths, &[])?;
     let claims = loaded.claims();
     Ok(match format {

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 ///
 /// A file is listed once, by the first of its names: two paths may lead to it, and links may lead in
 /// a circle.
-pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Exit> {
+pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Exit> {
     let mut seen = BTreeSet::new();
     let mut out = Vec::new();
     for path in paths {
@@ -54,17 +54,17 @@ fn claim_as_path(path: &Path) -> Option<Exit> {
 }
 
 /// Whether a path stands for standard input.
-pub fn is_standard_input(path: &Path) -> bool {
+pub(crate) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
 /// A file opened for reading; `-` is standard input.
-pub fn open(path: &Path) -> std::io::Result<Box<dyn Read>> {
+pub(super) fn open(path: &Path) -> std::io::Result<Box<dyn Read>> {
     Ok(if is_standard_input(path) { Box::new(std::io::stdin()) } else { Box::new(std::fs::File::open(path)?) })
 }
 
 /// The error for what cannot be read.
-pub fn cannot_read(path: &Path, e: &std::io::Error) -> Exit {
+pub(crate) fn cannot_read(path: &Path, e: &std::io::Error) -> Exit {
     Exit::usage(format!("error: cannot read {}: {e}", path.display()))
 }
 
@@ -103,14 +103,14 @@ fn folder(
 }
 
 /// The bytes of a file, or of standard input for `-`, at most one more than `limit`: enough to see that an endless one is too long.
-pub fn bounded(path: &Path, limit: usize) -> std::io::Result<Vec<u8>> {
+pub(super) fn bounded(path: &Path, limit: usize) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     open(path)?.take(limit as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
 /// The bytes of a claim file; of an endless one no more than is needed to see that it is too long.
-pub fn read(path: &Path) -> Result<Vec<u8>, Exit> {
+pub(super) fn read(path: &Path) -> Result<Vec<u8>, Exit> {
     let bytes = bounded(path, FILE_LIMIT).map_err(|e| cannot_read(path, &e))?;
     if bytes.len() > FILE_LIMIT {
         let message = format!("error: {}: limit reached: at most {FILE_LIMIT} bytes in a claim file", path.display());
@@ -120,7 +120,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Exit> {
 }
 
 /// A file's text; what is not UTF-8 is replaced, for messages only.
-pub struct Source {
+pub(super) struct Source {
     /// The path as given.
     pub path: String,
     /// The text.
@@ -129,7 +129,7 @@ pub struct Source {
 
 /// What files hold.
 #[derive(Default)]
-pub struct Files {
+pub(super) struct Files {
     /// The claims.
     pub claims: Vec<Claim>,
     /// The number of each one's source.
@@ -141,7 +141,7 @@ pub struct Files {
 }
 
 /// A file that could not be read, or a claim of a name that is taken.
-pub struct Broken {
+pub(super) struct Broken {
     /// The file or the claim.
     pub name: String,
     /// The names of the claims that are missing for it.
@@ -152,19 +152,19 @@ pub struct Broken {
 
 impl Files {
     /// All claims, if nothing is broken.
-    pub fn whole(self) -> Result<Files, Exit> {
+    pub(super) fn whole(self) -> Result<Files, Exit> {
         if self.broken.is_empty() { Ok(self) } else { Err(together(&self.broken)) }
     }
 }
 
 /// What is wrong, in one failure.
-pub fn together(broken: &[Broken]) -> Exit {
+pub(super) fn together(broken: &[Broken]) -> Exit {
     let messages: Vec<String> = broken.iter().map(|b| b.exit.message.clone()).collect();
     Exit::faults(&messages, broken.iter().all(|b| b.exit.code == 3))
 }
 
 /// The claims of files under the preambles of their folders; a file that is broken leaves the others as they are.
-pub fn claims(files: &[PathBuf]) -> Files {
+pub(super) fn claims(files: &[PathBuf]) -> Files {
     let mut out = Files::default();
     let mut folders: BTreeMap<PathBuf, Result<Preamble, String>> = BTreeMap::new();
     for path in files {
@@ -228,7 +228,7 @@ fn shared(path: &Path) -> Result<Preamble, String> {
 const SHOWN: usize = 20;
 
 /// The first faults of a file in full, and how many more there are.
-pub fn rendered(faults: &[Diagnostic], path: &str, text: &str) -> Vec<String> {
+pub(super) fn rendered(faults: &[Diagnostic], path: &str, text: &str) -> Vec<String> {
     let mut out: Vec<String> = faults.iter().take(SHOWN).map(|f| f.render(path, text, colour())).collect();
     match faults.len().saturating_sub(SHOWN) {
         0 => {}
@@ -262,7 +262,7 @@ fn twice(files: &Files) -> Vec<(usize, Exit)> {
 }
 
 /// Faults found in a set of claims, rendered at their places.
-pub fn faults(list: &[(String, Diagnostic)], claims: &[Claim], origin: &[usize], sources: &[Source]) -> Exit {
+pub(super) fn faults(list: &[(String, Diagnostic)], claims: &[Claim], origin: &[usize], sources: &[Source]) -> Exit {
     let text: Vec<String> = list
         .iter()
         .map(|(name, fault)| {

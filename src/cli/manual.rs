@@ -13,7 +13,7 @@ const CLAIMS: [(&str, &str); 6] =
     [("audit", "only"), ("explain", "id"), ("repair", "id"), ("print", "claims"), ("export", "ids"), ("test", "only")];
 
 /// A completion script. For bash, zsh and fish it knows the claims of the catalogue, the quantities and the topics of the help.
-pub fn completions(mut command: Command, shell: clap_complete::Shell) -> String {
+pub(super) fn completions(mut command: Command, shell: clap_complete::Shell) -> String {
     let claims: Vec<&str> = embedded::files().into_iter().map(|f| embedded::stem(f.path)).collect();
     let topics: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
     for (name, argument) in CLAIMS {
@@ -40,7 +40,7 @@ fn with(command: Command, name: &str, argument: &str, values: PossibleValuesPars
 }
 
 /// Prints one page, or writes all of them.
-pub fn run(mut command: Command, topic: Option<&str>, folder: Option<&Path>) -> Result<u8, Exit> {
+pub(super) fn run(mut command: Command, topic: Option<&str>, folder: Option<&Path>) -> Result<u8, Exit> {
     if let Some(folder) = super::form::place(folder) {
         let cannot = |e: std::io::Error| Exit::usage(format!("error: cannot make {}: {e}", folder.display()));
         std::fs::create_dir_all(folder).map_err(cannot)?;

@@ -8,7 +8,7 @@ use std::path::Path;
 const FIRST: &str = "half.claim";
 
 /// Writes the folder.
-pub fn run(dir: &Path, title: &str) -> Result<u8, Exit> {
+pub(super) fn run(dir: &Path, title: &str) -> Result<u8, Exit> {
     let failed = |e: std::io::Error| Exit::usage(format!("error: cannot make the folder {}: {e}", dir.display()));
     if title.contains(['"', '\n', '\r']) {
         return Err(Exit::usage("error: a title stands on one line and holds no quotation marks"));

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 const LINKS: usize = 40;
 
 /// An open place for output.
-pub enum Output {
+pub(super) enum Output {
     /// Written as it comes.
     InPlace(PathBuf, File),
     /// Written beside the target, which it replaces at the end.
@@ -32,7 +32,7 @@ impl Output {
     ///
     /// # Errors
     /// A folder, a file or folder without permission to write, symbolic links in a circle.
-    pub fn file(path: &Path) -> Result<Output, Exit> {
+    pub(super) fn file(path: &Path) -> Result<Output, Exit> {
         let target = followed(path)?;
         let old = std::fs::metadata(&target).ok();
         if let Some(old) = &old {
@@ -50,7 +50,7 @@ impl Output {
     }
 
     /// Puts the text in its place.
-    pub fn finish(self) -> Result<(), Exit> {
+    pub(super) fn finish(self) -> Result<(), Exit> {
         match self {
             Output::InPlace(path, mut file) => file.flush().map_err(|e| cannot(&path, e)),
             Output::Whole(path, file) => match file.persist(&path) {
@@ -106,7 +106,7 @@ fn followed(path: &Path) -> Result<PathBuf, Exit> {
 ///
 /// # Errors
 /// Symbolic links in a circle.
-pub fn place(path: &Path) -> Result<PathBuf, Exit> {
+pub(super) fn place(path: &Path) -> Result<PathBuf, Exit> {
     let target = followed(path)?;
     let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     // A folder that is not there is an error when the file is opened.
@@ -118,7 +118,7 @@ pub fn place(path: &Path) -> Result<PathBuf, Exit> {
 ///
 /// # Errors
 /// Whatever keeps the text from being written.
-pub fn deliver(output: Option<&Path>, text: &str) -> Result<(), Exit> {
+pub(crate) fn deliver(output: Option<&Path>, text: &str) -> Result<(), Exit> {
     match super::form::place(output) {
         Some(path) => write_file(path, &anstream::adapter::strip_str(text).to_string()),
         None => print(text),
@@ -126,12 +126,12 @@ pub fn deliver(output: Option<&Path>, text: &str) -> Result<(), Exit> {
 }
 
 /// Writes a file as a whole.
-pub fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
+pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), Exit> {
     write_bytes(path, text.as_bytes())
 }
 
 /// Writes a file as a whole.
-pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Exit> {
+pub(crate) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Exit> {
     let mut output = Output::file(path)?;
     output.write_all(bytes).map_err(|e| cannot(path, e))?;
     output.finish()
@@ -139,7 +139,7 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Exit> {
 
 /// A message for the terminal: what it quotes of a file cannot steer it. Where errors have colours, these stay: `ESC [`,
 /// the numbers of a colour or of bold letters, `m`.
-pub fn message(text: &str, colours: bool) -> String {
+pub(super) fn message(text: &str, colours: bool) -> String {
     let mut pieces = text.split('\u{1b}');
     let mut out = visible_lines(pieces.next().unwrap_or("")).into_owned();
     for piece in pieces {
@@ -161,7 +161,7 @@ fn is_colour(style: &str) -> bool {
 ///
 /// # Errors
 /// Whatever keeps the text from being written, but for a reader that has gone away.
-pub fn print(text: &str) -> Result<(), Exit> {
+pub(super) fn print(text: &str) -> Result<(), Exit> {
     let mut out = anstream::stdout();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {

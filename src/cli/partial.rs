@@ -11,14 +11,14 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// A file in the making.
-pub struct Partial {
+pub(super) struct Partial {
     target: PathBuf,
     path: PathBuf,
     file: BufWriter<File>,
 }
 
 /// The name under which a file grows.
-pub fn name(target: &Path) -> PathBuf {
+pub(super) fn name(target: &Path) -> PathBuf {
     let mut name = target.as_os_str().to_owned();
     name.push(".partial");
     PathBuf::from(name)
@@ -65,7 +65,7 @@ fn is_at(file: &File, path: &Path) -> bool {
 
 impl Partial {
     /// Opens the growing file, with what an earlier run left in it.
-    pub fn open(target: &Path) -> Result<Partial, Exit> {
+    pub(super) fn open(target: &Path) -> Result<Partial, Exit> {
         let path = name(target);
         let file =
             locked(&path, |path| OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path))?;
@@ -78,7 +78,7 @@ impl Partial {
     /// # Errors
     /// It was begun with another head, or holds a line that does not fit: another table, another rounding, another
     /// version, or lines that were changed since.
-    pub fn lines(&mut self, head: &str, fits: impl Fn(u64, &[u8]) -> bool) -> Result<u64, Exit> {
+    pub(super) fn lines(&mut self, head: &str, fits: impl Fn(u64, &[u8]) -> bool) -> Result<u64, Exit> {
         let Partial { path, file, .. } = self;
         let fail = |e: io::Error| Exit::usage(format!("error: cannot read {}: {e}", path.display()));
         let other = |what: String| {
@@ -115,7 +115,7 @@ impl Partial {
     }
 
     /// Keeps the head and so many lines, and nothing if there are none, and goes on after them.
-    pub fn keep(&mut self, head: &str, lines: u64) -> Result<(), Exit> {
+    pub(super) fn keep(&mut self, head: &str, lines: u64) -> Result<(), Exit> {
         let Partial { path, file, .. } = self;
         let fail = |e: io::Error| cannot(path, &e);
         let from = head.len() as u64;
@@ -127,13 +127,13 @@ impl Partial {
     }
 
     /// Leaves the lines where they are, for a later run.
-    pub fn leave(mut self) -> Result<PathBuf, Exit> {
+    pub(super) fn leave(mut self) -> Result<PathBuf, Exit> {
         self.file.flush().map_err(|e| cannot(&self.path, &e))?;
         Ok(self.path)
     }
 
     /// Puts the file in its place.
-    pub fn finish(mut self) -> Result<(), Exit> {
+    pub(super) fn finish(mut self) -> Result<(), Exit> {
         self.file.flush().map_err(|e| cannot(&self.path, &e))?;
         if let Ok(old) = std::fs::metadata(&self.target) {
             self.file.get_ref().set_permissions(old.permissions()).map_err(|e| cannot(&self.path, &e))?;
@@ -168,12 +168,12 @@ fn length(file: &mut File, from: u64, lines: u64) -> io::Result<u64> {
 }
 
 /// Whether a path can grow beside itself: it is new, or a regular file.
-pub fn can_grow(path: &Path) -> bool {
+pub(crate) fn can_grow(path: &Path) -> bool {
     std::fs::symlink_metadata(path).map_or(true, |m| m.is_file())
 }
 
 /// A file that grows, or one that is written as a whole.
-pub enum Target {
+pub(super) enum Target {
     /// Whole lines stay when the work ends early.
     Grows(Partial),
     /// Nothing stays when the work ends early.
@@ -182,7 +182,7 @@ pub enum Target {
 
 impl Target {
     /// Puts the file in its place.
-    pub fn finish(self) -> Result<(), Exit> {
+    pub(super) fn finish(self) -> Result<(), Exit> {
         match self {
             Target::Grows(partial) => partial.finish(),
             Target::Whole(output) => {

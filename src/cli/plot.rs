@@ -33,7 +33,7 @@ use std::path::PathBuf;
 
 /// The arguments that say what is drawn.
 #[derive(clap::Args)]
-pub struct Contents {
+pub(super) struct Contents {
     /// What to draw
     #[arg(value_enum)]
     picture: Picture,
@@ -72,7 +72,7 @@ pub struct Contents {
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     #[command(flatten)]
     contents: Contents,
     /// The file to write: .svg, .png or .pdf; - writes SVG to standard output; may be given several times
@@ -198,7 +198,7 @@ impl Contents {
     ///
     /// # Errors
     /// Flags that have no place in it, values out of their range, a limit.
-    pub fn draw(&self) -> Result<Page, Exit> {
+    pub(super) fn draw(&self) -> Result<Page, Exit> {
         let refuse = |given: bool, flag: &str| {
             if given {
                 Err(Exit::usage(format!("error: `plot {}` does not take {flag}", self.picture.name())))
@@ -321,7 +321,7 @@ impl Contents {
     }
 
     /// The claims of the catalogue that the drawn formulas are of.
-    pub fn claims(&self) -> &'static [&'static str] {
+    pub(super) fn claims(&self) -> &'static [&'static str] {
         match self.picture {
             Picture::EtaX => &["eq25"],
             Picture::EtaN => &["eq25", "b-best"],
@@ -357,7 +357,7 @@ impl Contents {
 }
 
 /// Runs the command: the picture is drawn once and written to each file.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     let mut files = Vec::new();
     for path in &flags.output {
         let end = path.extension().map(|e| e.to_ascii_lowercase());

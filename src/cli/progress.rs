@@ -28,24 +28,24 @@ struct State {
 }
 
 /// A bar that appears when the work turns out to be long, and goes when this is dropped.
-pub struct Progress {
+pub(super) struct Progress {
     state: Arc<Mutex<State>>,
     thread: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
 impl Progress {
     /// Begins to wait; `total` is how many steps there will be, each with a name.
-    pub fn start(total: u64) -> Progress {
+    pub(super) fn start(total: u64) -> Progress {
         Progress::on(total, 0, NAMED, ProgressDrawTarget::stderr)
     }
 
     /// The same for many short steps, of which the rate and the time left are shown; some are done already.
-    pub fn rows(done: u64, total: u64) -> Progress {
+    pub(super) fn rows(done: u64, total: u64) -> Progress {
         Progress::on(total, done, COUNTED, ProgressDrawTarget::stderr)
     }
 
     /// Work of which nobody knows how much is left: the time that has gone by is shown.
-    pub fn alone(what: &str) -> Progress {
+    pub(super) fn alone(what: &str) -> Progress {
         let progress = Progress::on(1, 0, ALONE, ProgressDrawTarget::stderr);
         progress.now(0, what);
         progress
@@ -88,7 +88,7 @@ impl Progress {
     }
 
     /// Says how many steps are done and what the present one is.
-    pub fn now(&self, done: u64, what: &str) {
+    pub(super) fn now(&self, done: u64, what: &str) {
         if self.thread.is_some() {
             let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
             state.done = done;
@@ -97,7 +97,7 @@ impl Progress {
     }
 
     /// Takes the bar away.
-    pub fn finish(self) {}
+    pub(super) fn finish(self) {}
 }
 
 impl Drop for Progress {

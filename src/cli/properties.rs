@@ -21,7 +21,7 @@ const MAX_CASES: u32 = 100_000_000;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     /// Claim files and folders, - for standard input; the built-in catalogue if none is given
     paths: Vec<PathBuf>,
     /// Random points for each claim
@@ -73,7 +73,7 @@ impl Row<'_> {
 }
 
 /// Runs the command: exit 1 if an outcome is not as expected, 3 if a claim that was asked for could not be tried.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     let loaded = load(&flags.paths, &flags.only)?;
     let format = form(flags.format, flags.output.as_deref())?;
     if let Some(folder) = flags.save.as_ref().filter(|f| !f.is_dir()) {

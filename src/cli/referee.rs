@@ -14,7 +14,7 @@ const MAX_BYTES: usize = 64 << 20;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     /// The results as CSV, - for standard input: columns `scene` and `velocities`; and, where your simulator knows them,
     /// `positions`, `collisions` (1-2 2-3 …, 0 is the left wall), `times` and `count`. Numbers in a field stand apart by
     /// spaces
@@ -41,7 +41,7 @@ pub struct Flags {
 }
 
 /// Runs the command: 0 where every scene is right, 1 where one is wrong or missing.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     // A fault of the program's own file, which the tests exclude.
     let broken = |fault: String| Exit { code: 101, message: format!("{fault}; please report this") };
     let all = settings().map_err(broken)?;

@@ -10,7 +10,7 @@ use crate::refute::catalogue::Limits;
 use std::path::{Path, PathBuf};
 
 /// The text that the command prints, and its exit code: 1 if no repair is found.
-pub fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &Limits) -> Result<(String, u8), Exit> {
+pub(super) fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &Limits) -> Result<(String, u8), Exit> {
     let only = [id.to_string()];
     let loaded = load(paths, &only)?.with_certificates(false)?;
     let settings = Settings { limits: limits.clone(), ..Settings::default() };

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// The forms of a replay.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum ReplayFormat {
+pub(super) enum ReplayFormat {
     /// Tables to read
     Text,
     /// Everything, for programs
@@ -28,7 +28,7 @@ pub enum ReplayFormat {
 
 /// The arguments of `carom replay`.
 #[derive(clap::Args)]
-pub struct ReplayArguments {
+pub(super) struct ReplayArguments {
     /// The scene, a TOML file, - for standard input
     scene: PathBuf,
     /// The form of the report [default: by the ending of --output (.json, .csv, .svg, .html), else text]
@@ -64,7 +64,7 @@ pub struct ReplayArguments {
 }
 
 /// Runs the command.
-pub fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
+pub(super) fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
     let until = arguments.until.as_deref().map(|t| {
         rational::parse(t).map_err(|e| Exit::usage(format!("error: --until {t}: {e}; write for instance 3/2 or 1.5")))
     });

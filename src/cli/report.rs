@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     /// Claim files and folders; the built-in catalogue if none is given
     paths: Vec<PathBuf>,
     /// The folder to write to
@@ -38,7 +38,7 @@ pub struct Flags {
 /// Runs the command: everything is judged and computed first, so that nothing is written where that fails. The PDF comes
 /// last, so that the rest is there where LaTeX is not. Ctrl-C ends the work at once before anything is written, and
 /// after all of it once something is.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     at_once()?;
     let handout = made(flags)?;
     let files = handout.files();

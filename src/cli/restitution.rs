@@ -12,7 +12,7 @@ const MAX_BYTES: usize = 16 << 20;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     /// A CSV file, or - for standard input. One column `height` or `time` has the readings of one ball, bounce after bounce;
     /// a column `run` tells several balls or tries apart. Two columns `drop` and `bounce` have one bounce a row
     file: PathBuf,
@@ -31,7 +31,7 @@ pub struct Flags {
 }
 
 /// Runs the command: 0 for measurements that one coefficient explains, 1 for those that none does.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     let found = read(flags)?;
     let estimate = found.estimate().map_err(|e| failure(flags, &e))?;
     let shown = match form(flags.format, flags.output.as_deref())? {

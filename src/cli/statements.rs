@@ -8,7 +8,7 @@ use crate::report::argument::statement_latex;
 use std::path::{Path, PathBuf};
 
 /// The text of the claims, in the order in which they are named.
-pub fn run(names: &[String], format: PrintFormat) -> Result<String, Exit> {
+pub(super) fn run(names: &[String], format: PrintFormat) -> Result<String, Exit> {
     let mut claims: Vec<Claim> = Vec::new();
     if names.is_empty() {
         claims.extend_from_slice(load(&[], &[])?.catalogue.claims());
@@ -26,7 +26,7 @@ pub fn run(names: &[String], format: PrintFormat) -> Result<String, Exit> {
 }
 
 /// The statement of a claim under its name.
-pub fn one(claim: &Claim, format: PrintFormat) -> String {
+pub(super) fn one(claim: &Claim, format: PrintFormat) -> String {
     let style = match format {
         PrintFormat::Latex => return statement_latex(claim),
         PrintFormat::Text => Style::Text,

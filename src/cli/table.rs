@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     #[command(flatten)]
     contents: Contents,
     /// The form of the table [default: by the ending of --output (.csv, .json, .md, .tex), else text]
@@ -74,7 +74,7 @@ impl Flags {
 }
 
 /// The error of a table, with the flag that it is about.
-pub fn exit(error: &TableError) -> Exit {
+pub(super) fn exit(error: &TableError) -> Exit {
     let of_axis = |axis: &str| if axis == "e" { "-e: " } else { "-n: " };
     let flag = match error {
         TableError::Lacks(_, axis) | TableError::Independent(_, axis) => of_axis(axis),
@@ -89,7 +89,7 @@ pub fn exit(error: &TableError) -> Exit {
 }
 
 /// Runs the command.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     if !flags.merge.is_empty() {
         return table_merge::run(&flags.merge, flags.output());
     }
@@ -310,7 +310,7 @@ fn apart(output: &Path, certificate: Option<&Path>) -> Result<(), Exit> {
 ///
 /// # Errors
 /// A limit, or Ctrl-C.
-pub fn in_memory(plan: &Plan) -> Result<(String, String), Exit> {
+pub(crate) fn in_memory(plan: &Plan) -> Result<(String, String), Exit> {
     let job = Job { plan, rows: 0..plan.rows(), binding: None };
     let (mut csv, mut certificate) = (Vec::new(), Vec::new());
     match write(&job, Writer::new(Form::Csv, Head::of(plan)), 0, &mut csv, Some(&mut certificate)) {
@@ -327,7 +327,7 @@ pub fn in_memory(plan: &Plan) -> Result<(String, String), Exit> {
 ///
 /// # Errors
 /// A limit.
-pub fn rows(plan: &Plan) -> Result<Vec<Vec<Entry>>, Exit> {
+pub(super) fn rows(plan: &Plan) -> Result<Vec<Vec<Entry>>, Exit> {
     let mut factors = Factors::new(plan);
     let one = |row: u64| {
         let found = factors.value(row)?;

@@ -16,13 +16,13 @@ use std::path::{Path, PathBuf};
 const BEGIN: &[u8] = b"{";
 
 /// The certificate of a table: a file, or what stands at the beginning of a pipe that was opened.
-pub struct Table {
+pub(super) struct Table {
     path: PathBuf,
     opened: Option<Box<dyn Read>>,
 }
 
 /// Something else: a path, or the text of a pipe.
-pub enum Other {
+pub(super) enum Other {
     /// A file or folder.
     Path(PathBuf),
     /// A pipe's name and what it holds, up to one byte more than a certificate may have.
@@ -30,7 +30,7 @@ pub enum Other {
 }
 
 /// What are certificates of tables, and what is not. Standard input is `-`; a pipe is opened only once.
-pub fn told_apart(paths: &[PathBuf]) -> Result<(Vec<Table>, Vec<Other>), Exit> {
+pub(crate) fn told_apart(paths: &[PathBuf]) -> Result<(Vec<Table>, Vec<Other>), Exit> {
     let mut tables = Vec::new();
     let mut others = Vec::new();
     for path in paths {
@@ -76,7 +76,7 @@ struct Stopped {
 
 /// Checks tables one after another, and says each as soon as it is checked: 1 if one is rejected, else 3 if a limit was
 /// reached.
-pub fn run(tables: Vec<Table>, quiet: bool, say: &mut dyn FnMut(&str) -> Result<(), Exit>) -> Result<u8, Exit> {
+pub(super) fn run(tables: Vec<Table>, quiet: bool, say: &mut dyn FnMut(&str) -> Result<(), Exit>) -> Result<u8, Exit> {
     let mut code = 0;
     for Table { path, opened } in tables {
         let name = path.display();

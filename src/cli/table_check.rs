@@ -11,7 +11,13 @@ use std::io::{BufReader, Write};
 use std::path::Path;
 
 /// Runs the check.
-pub fn run(path: &Path, given: &Given, rounding: Rounding, form: Form, output: Option<&Path>) -> Result<u8, Exit> {
+pub(super) fn run(
+    path: &Path,
+    given: &Given,
+    rounding: Rounding,
+    form: Form,
+    output: Option<&Path>,
+) -> Result<u8, Exit> {
     let shown = path.display();
     let failure =
         |e: ComparisonError| Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {shown}: {e}") };

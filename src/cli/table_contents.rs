@@ -8,7 +8,7 @@ use crate::table::{Plan, Printing, Quantity};
 
 /// The arguments that say what a table holds.
 #[derive(clap::Args)]
-pub struct Contents {
+pub(super) struct Contents {
     /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub ratio: Vec<String>,
@@ -40,7 +40,7 @@ impl Contents {
     ///
     /// # Errors
     /// A grid that is missing, cannot be read, or is out of its range.
-    pub fn plan(&self) -> Result<Plan, Exit> {
+    pub(super) fn plan(&self) -> Result<Plan, Exit> {
         let ratio = grid("--ratio", joined(&self.ratio).as_deref())?;
         let e = grid("-e", joined(&self.e).as_deref())?;
         let n = grid("-n", joined(&self.n).as_deref())?;
@@ -58,7 +58,7 @@ impl Contents {
 
 /// The quantities.
 #[derive(Clone, Copy, clap::ValueEnum)]
-pub enum Want {
+pub(super) enum Want {
     /// The share of the energy handed on, (25)
     Eta,
     /// The least restitution with which the n-th body helps, (19)
@@ -69,7 +69,7 @@ pub enum Want {
 
 /// The directions of rounding.
 #[derive(Clone, Copy, clap::ValueEnum)]
-pub enum Round {
+pub(super) enum Round {
     /// To the nearest, ties to the even digit
     #[value(alias = "nearest-even")]
     Nearest,
@@ -85,7 +85,7 @@ pub enum Round {
 
 impl Round {
     /// The rule of rounding.
-    pub fn rounding(self) -> Rounding {
+    pub(super) fn rounding(self) -> Rounding {
         match self {
             Round::Nearest => Rounding::Nearest,
             Round::Up => Rounding::Up,
@@ -97,12 +97,12 @@ impl Round {
 }
 
 /// The values of a flag that may be repeated, or hold several with commas between: both are the same list.
-pub fn joined(values: &[String]) -> Option<String> {
+pub(super) fn joined(values: &[String]) -> Option<String> {
     if values.is_empty() { None } else { Some(values.join(",")) }
 }
 
 /// A grid of the command line.
-pub fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
+pub(super) fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit> {
     let fault = |text: &str, e: &GridError| {
         let shown: String = text.chars().take(SHOWN).collect();
         let rest = if shown.len() < text.len() { "…" } else { "" };

@@ -12,7 +12,7 @@ const MAX_CELLS: u64 = 20_000;
 
 /// An axis.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Axis {
+pub(super) enum Axis {
     /// The mass ratio
     Ratio,
     /// The restitution
@@ -32,7 +32,7 @@ impl Axis {
 }
 
 /// Writes the cross tables of a plan.
-pub fn run(plan: &Plan, axis: Axis, fractions: bool, form: Form, output: Option<&Path>) -> Result<u8, Exit> {
+pub(super) fn run(plan: &Plan, axis: Axis, fractions: bool, form: Form, output: Option<&Path>) -> Result<u8, Exit> {
     let names = plan.axis_names();
     let Some(across) = names.iter().position(|name| *name == axis.name()) else {
         let message = format!("error: --across {}: this table has the axes {}", axis.name(), names.join(", "));

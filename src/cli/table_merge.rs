@@ -19,15 +19,15 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The name of a shard's fact about the whole table.
-pub const TABLE: &str = "table";
+pub(super) const TABLE: &str = "table";
 /// The name of a shard's fact about its own place.
-pub const SHARD: &str = "shard";
+pub(crate) const SHARD: &str = "shard";
 
 /// The longest head that is read.
 const MAX_HEAD: u64 = 64 << 20;
 
 /// A certificate's head with what binds a shard to its table.
-pub fn bind(head: &str, binding: &Binding) -> String {
+pub(crate) fn bind(head: &str, binding: &Binding) -> String {
     let mut object: Map<String, Value> = serde_json::from_str(head).unwrap_or_default();
     object.insert(SHARD.to_owned(), json!({ TABLE: binding.table, SHARD: binding.shard }));
     format!("{}\n", Value::Object(object))
@@ -51,7 +51,7 @@ fn fault(path: &Path, what: &str) -> Exit {
 }
 
 /// Runs the command.
-pub fn run(files: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
+pub(super) fn run(files: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
     let mut parts = files.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     parts.sort_by_key(|part| part.shard.part());
     agree(&parts)?;

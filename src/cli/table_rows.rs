@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub(super) enum Form {
     /// The table itself.
     Csv,
     /// Its certificate, one JSON object a line.
@@ -18,7 +18,7 @@ pub enum Form {
 
 impl Form {
     /// In words.
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Csv => "a table",
             Self::Certificate => "a certificate",
@@ -27,7 +27,7 @@ impl Form {
 }
 
 /// The rows of one file.
-pub struct Rows<'a> {
+pub(super) struct Rows<'a> {
     plan: &'a Plan,
     form: Form,
     commas: usize,
@@ -35,7 +35,7 @@ pub struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// The rows below a head, whose last line is the heading.
-    pub fn new(plan: &'a Plan, form: Form, head: &str) -> Rows<'a> {
+    pub(super) fn new(plan: &'a Plan, form: Form, head: &str) -> Rows<'a> {
         Rows { plan, form, commas: head.lines().last().unwrap_or_default().matches(',').count() }
     }
 
@@ -54,7 +54,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Whether a line, with its end, is this row of the table.
-    pub fn has(&self, row: u64, line: &[u8]) -> bool {
+    pub(super) fn has(&self, row: u64, line: &[u8]) -> bool {
         let whole = match self.form {
             Form::Csv => line.ends_with(b"\n") && line.iter().filter(|b| **b == b',').count() == self.commas,
             Form::Certificate => line.ends_with(b"}\n"),

@@ -9,7 +9,7 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 
 /// When colours are shown.
 #[derive(Clone, Copy, ValueEnum)]
-pub enum Color {
+pub(super) enum Color {
     /// On a terminal, unless NO_COLOR is set
     Auto,
     /// Also in files and pipes
@@ -20,7 +20,7 @@ pub enum Color {
 
 /// Flags of all commands.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     /// When to use colours
     #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", help_heading = "Everywhere")]
     color: Color,
@@ -31,7 +31,7 @@ pub struct Flags {
 
 impl Flags {
     /// Holds from now on.
-    pub fn apply(&self) {
+    pub(super) fn apply(&self) {
         match self.color {
             Color::Auto => anstream::ColorChoice::Auto,
             Color::Always => anstream::ColorChoice::AlwaysAnsi,
@@ -43,17 +43,17 @@ impl Flags {
 }
 
 /// Whether no more is to be said than is needed.
-pub fn quiet() -> bool {
+pub(super) fn quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
 }
 
 /// Whether messages have colours.
-pub fn colour() -> bool {
+pub(super) fn colour() -> bool {
     anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never
 }
 
 /// Something worth knowing that is no error.
-pub fn note(text: &str) {
+pub(super) fn note(text: &str) {
     if !quiet() {
         // What cannot be said does no harm.
         let _ = writeln!(anstream::stderr(), "{}", message(text, colour()));
@@ -61,6 +61,6 @@ pub fn note(text: &str) {
 }
 
 /// The columns of the terminal that output goes to, if it is one.
-pub fn width() -> Option<usize> {
+pub(super) fn width() -> Option<usize> {
     terminal_size::terminal_size_of(std::io::stdout()).map(|(columns, _)| usize::from(columns.0))
 }

@@ -33,7 +33,7 @@ fn asked(ids: &[String], from: &[PathBuf], limits: &Limits) -> Result<Folder, Ex
 }
 
 /// Writes the folder: everything is judged and made first, so that nothing is written where that fails.
-pub fn run(
+pub(super) fn run(
     language: Option<Language>,
     ids: &[String],
     from: &[PathBuf],
@@ -68,7 +68,12 @@ pub fn run(
 }
 
 /// The page of theorems: each in full, with the place of its proof in the folder that [`run`] writes.
-pub fn page(language: Option<Language>, ids: &[String], from: &[PathBuf], limits: &Limits) -> Result<String, Exit> {
+pub(super) fn page(
+    language: Option<Language>,
+    ids: &[String],
+    from: &[PathBuf],
+    limits: &Limits,
+) -> Result<String, Exit> {
     if language != Some(Language::Coq) {
         return Err(Exit::usage("error: --theorems are for Coq: write `carom export coq --theorems`"));
     }
@@ -98,7 +103,7 @@ fn is_free(out: &Path) -> Result<(), Exit> {
 }
 
 /// Writes the files of a folder.
-pub fn write(made: &Folder, out: &Path) -> Result<(), Exit> {
+pub(super) fn write(made: &Folder, out: &Path) -> Result<(), Exit> {
     std::fs::create_dir_all(out)
         .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", out.display())))?;
     made.contents().iter().try_for_each(|(name, text)| write_file(&out.join(name), text))
@@ -111,14 +116,14 @@ fn is_installed() -> bool {
 }
 
 /// The folder of an audit's claims.
-pub fn of_audit(audit: &Audit, limits: &Limits) -> Result<Folder, String> {
+pub(crate) fn of_audit(audit: &Audit, limits: &Limits) -> Result<Folder, String> {
     let claims: Vec<Claim> = audit.entries.iter().map(|e| e.claim.clone()).collect();
     let catalogue = Catalogue::new(claims).map_err(|_| "the claims are not those that were judged".to_string())?;
     folder(&catalogue, &audit.entries, limits).map_err(|clash| clash.to_string())
 }
 
 /// The evidence where Coq is run on the folder of an audit; `None` where Coq is not installed.
-pub fn ran(audit: &Audit, made: &Folder) -> Result<Option<BTreeMap<String, Evidence>>, Exit> {
+pub(super) fn ran(audit: &Audit, made: &Folder) -> Result<Option<BTreeMap<String, Evidence>>, Exit> {
     if !is_installed() {
         terminal::note("note: coqc is not installed, so Coq is not run: `bash coq/check` in the folder runs it");
         return Ok(None);

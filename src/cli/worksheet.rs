@@ -1,8 +1,7 @@
 //! `carom worksheet`
 
 use super::eval::{described, scene_title};
-use super::form::{self, form, place};
-use super::output::write_bytes;
+use super::form::{self, form};
 use super::{Exit, deliver};
 use crate::chain::ChainError;
 use crate::number::NumberError;
@@ -13,7 +12,7 @@ use std::path::PathBuf;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Flags {
+pub(super) struct Flags {
     /// A scene file (see `carom help scene`), - for standard input; its `want` is not used
     scene: PathBuf,
     /// Which sheets
@@ -99,7 +98,7 @@ enum Which {
 }
 
 /// Runs the command.
-pub fn run(flags: &Flags) -> Result<u8, Exit> {
+pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     let form = form(flags.format, flags.output.as_deref())?;
     let fail = |error: ChainError| {
         let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
@@ -135,10 +134,10 @@ fn written(sheets: &[Sheet], form: Form, flags: &Flags) -> Result<u8, Exit> {
         Form::Pdf => {
             let pages = crate::report::worksheet::pages::pages(sheets, letter);
             let bytes = crate::report::plot::pdf::render(&pages);
-            let Some(path) = place(flags.output.as_deref()) else {
+            let Some(path) = form::place(flags.output.as_deref()) else {
                 return Err(Exit::usage("error: --format pdf: give a file, as in -o sheet.pdf"));
             };
-            return write_bytes(path, &bytes).map(|()| 0);
+            return super::output::write_bytes(path, &bytes).map(|()| 0);
         }
     };
     deliver(flags.output.as_deref(), &text)?;

@@ -6,7 +6,7 @@ use crate::report::mathml;
 
 /// The proof as paragraphs; what is shown under a supposition stands in a `div` of the class `inner`.
 #[must_use]
-pub fn html(document: &Document) -> String {
+pub(crate) fn html(document: &Document) -> String {
     let mut out = String::new();
     blocks(&document.blocks, &mut out);
     out

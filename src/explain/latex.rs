@@ -8,7 +8,7 @@ use crate::claim::print::Style;
 use crate::report::latex::escape;
 
 /// `\formula{…}{…}` sets a formula on lines of its own; the second text is the same with parentheses that may be broken.
-pub const MACROS: &str = r"\ifdefined\carombox\else\newsavebox{\carombox}\fi
+pub(crate) const MACROS: &str = r"\ifdefined\carombox\else\newsavebox{\carombox}\fi
 \providecommand{\formula}[2]{\sbox{\carombox}{$\displaystyle #1$}%
   \par\smallskip
   \ifdim\wd\carombox<\linewidth{\centering\usebox{\carombox}\par}%
@@ -22,7 +22,7 @@ const DEEPEST: usize = 4;
 
 /// The proof as LaTeX.
 #[must_use]
-pub fn latex(document: &Document) -> String {
+pub(crate) fn latex(document: &Document) -> String {
     let mut out = String::new();
     blocks(&document.blocks, 0, &mut out);
     out
@@ -30,7 +30,7 @@ pub fn latex(document: &Document) -> String {
 
 /// A formula of mathematics mode on a line of its own, behind its number.
 #[must_use]
-pub fn formula(number: &str, math: &str) -> String {
+pub(crate) fn formula(number: &str, math: &str) -> String {
     let breakable = math.replace("\\left(", "(").replace("\\right)", ")");
     format!("\\formula{{{number}{math}}}{{{number}{breakable}}}\n")
 }

@@ -4,12 +4,12 @@
 //! is shown, from which facts and why. What is said of signs is what the kernel answered; nothing is searched for.
 //! Steps that a reader takes by himself are left out: a part of a conjunction, a case that repeats what is known.
 
-pub mod document;
+pub(crate) mod document;
 mod follow;
 #[cfg(feature = "report")]
-pub mod html;
+pub(crate) mod html;
 #[cfg(feature = "report")]
-pub mod latex;
+pub(crate) mod latex;
 mod shorthand;
 mod signs;
 pub mod text;

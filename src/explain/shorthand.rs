@@ -8,7 +8,7 @@ use crate::kernel::statement::{Statement, expr, name};
 
 /// What is written for something longer.
 #[derive(Clone, Debug, Default)]
-pub struct Shorthand {
+pub(super) struct Shorthand {
     /// The definitions of the claim, each with the earlier ones put in.
     definitions: Vec<(Name, Vec<String>, Expr)>,
     /// The names that the proof gives.
@@ -17,7 +17,7 @@ pub struct Shorthand {
 
 impl Shorthand {
     /// The definitions of a claim.
-    pub fn of(claim: &Claim) -> Shorthand {
+    pub(super) fn of(claim: &Claim) -> Shorthand {
         let mut definitions = Vec::new();
         for (place, item) in claim.items.iter().enumerate() {
             let Item::Let { name, parameters, value } = item else { continue };
@@ -37,27 +37,27 @@ impl Shorthand {
     }
 
     /// Gives something a name from here on.
-    pub fn give(&mut self, name: &str, value: &Expr) {
+    pub(super) fn give(&mut self, name: &str, value: &Expr) {
         self.names.push((name.to_string(), value.clone()));
     }
 
     /// Whether a name was given by the proof.
-    pub fn is_given(&self, name: &str) -> bool {
+    pub(crate) fn is_given(&self, name: &str) -> bool {
         self.names.iter().any(|n| n.0 == name)
     }
 
     /// How many names were given.
-    pub fn given(&self) -> usize {
+    pub(super) fn given(&self) -> usize {
         self.names.len()
     }
 
     /// Forgets the names given since.
-    pub fn back_to(&mut self, given: usize) {
+    pub(crate) fn back_to(&mut self, given: usize) {
         self.names.truncate(given);
     }
 
     /// An expression in short.
-    pub fn expr(&self, e: &Expr) -> Expr {
+    pub(super) fn expr(&self, e: &Expr) -> Expr {
         if let Some((short, _)) = self.names.iter().find(|n| n.1 == *e) {
             return name(short);
         }
@@ -96,7 +96,7 @@ impl Shorthand {
     }
 
     /// A proposition in short.
-    pub fn prop(&self, p: &Prop) -> Prop {
+    pub(super) fn prop(&self, p: &Prop) -> Prop {
         let list = |list: &[Prop]| list.iter().map(|p| self.prop(p)).collect::<Vec<_>>();
         let boxed = |p: &Prop| Box::new(self.prop(p));
         let kind = match &p.kind {

@@ -18,7 +18,7 @@ pub fn text(document: &Document, margin: usize, width: usize) -> String {
 
 /// Text behind a margin, which is wider from the second line on.
 #[must_use]
-pub fn paragraph(text: &str, first: usize, rest: usize, width: usize) -> String {
+pub(crate) fn paragraph(text: &str, first: usize, rest: usize, width: usize) -> String {
     let mut out = String::new();
     wrapped(text, first, rest, width, &mut out);
     out

@@ -11,14 +11,14 @@
 //! Refused, with the reason: families on a part of the naturals, matrices among functions' values,
 //! bounds of a sum that are not natural by their form, determinants beyond two rows.
 
-pub mod defined;
+pub(crate) mod defined;
 mod expressions;
 mod layout;
 mod page;
 mod printer;
 pub mod proof;
 mod propositions;
-pub mod refuted;
+pub(crate) mod refuted;
 mod words;
 
 pub use page::{BY_HAND, definitions, proved_in, theorems};

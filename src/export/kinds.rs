@@ -21,15 +21,15 @@ pub enum Kind {
 }
 
 /// The kinds of the names in scope.
-pub type Kinds = BTreeMap<String, Kind>;
+pub(super) type Kinds = BTreeMap<String, Kind>;
 
 /// Whether a name stands for natural numbers, as [`definedness`](crate::claim::definedness) asks.
-pub fn is_natural_name(name: &str, kinds: &Kinds) -> bool {
+pub(crate) fn is_natural_name(name: &str, kinds: &Kinds) -> bool {
     kinds.get(name) == Some(&Kind::Natural)
 }
 
 /// Whether an expression is a natural number by its form alone, such that it can be written in `nat`.
-pub fn is_natural(expr: &Expr, kinds: &Kinds) -> bool {
+pub(crate) fn is_natural(expr: &Expr, kinds: &Kinds) -> bool {
     match &expr.kind {
         ExprKind::Number(text) => text.bytes().all(|b| b.is_ascii_digit()),
         ExprKind::Name(name) => is_natural_name(name, kinds),
@@ -41,7 +41,7 @@ pub fn is_natural(expr: &Expr, kinds: &Kinds) -> bool {
 }
 
 /// Whether an expression is a matrix.
-pub fn is_matrix(expr: &Expr, kinds: &Kinds) -> bool {
+pub(crate) fn is_matrix(expr: &Expr, kinds: &Kinds) -> bool {
     match &expr.kind {
         ExprKind::Matrix(_) => true,
         ExprKind::Name(name) => kinds.get(name) == Some(&Kind::Matrix),
@@ -54,7 +54,7 @@ pub fn is_matrix(expr: &Expr, kinds: &Kinds) -> bool {
 }
 
 /// Adds the names of bindings.
-pub fn bind(bindings: &[Binding], kinds: &mut Kinds) {
+pub(crate) fn bind(bindings: &[Binding], kinds: &mut Kinds) {
     for binding in bindings {
         for (name, index) in &binding.names {
             let kind = match index {
@@ -68,7 +68,7 @@ pub fn bind(bindings: &[Binding], kinds: &mut Kinds) {
 }
 
 /// The kinds of all names that a claim declares.
-pub fn of_claim(claim: &Claim) -> Kinds {
+pub(crate) fn of_claim(claim: &Claim) -> Kinds {
     let mut kinds = Kinds::new();
     for item in &claim.items {
         match item {

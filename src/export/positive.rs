@@ -27,7 +27,7 @@ fn numeral(e: &Expr) -> Option<&str> {
 
 impl Positive {
     /// The names and families that a claim declares positive.
-    pub fn of_claim(claim: &Claim) -> Positive {
+    pub(crate) fn of_claim(claim: &Claim) -> Positive {
         let mut out = Positive { names: Vec::new() };
         for item in &claim.items {
             if let Item::Given(bindings) = item {

@@ -31,7 +31,7 @@ pub struct Condition {
 }
 
 /// The conditions of a statement's sequences and goal.
-pub fn of_statement(statement: &Statement, kinds: &Kinds, positive: &Positive) -> Vec<Condition> {
+pub(crate) fn of_statement(statement: &Statement, kinds: &Kinds, positive: &Positive) -> Vec<Condition> {
     let mut values = Collector::new(kinds, positive);
     for sequence in &statement.sequences {
         values.sequence(&sequence.initial, &sequence.index, &sequence.step);

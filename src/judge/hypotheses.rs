@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 ///
 /// The facts `h1`, `h2`, … are in the order of the kernel: the domains of each declaration, its families last, then
 /// the hypotheses.
-pub fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -> (Vec<String>, Vec<String>) {
+pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -> (Vec<String>, Vec<String>) {
     let statement = shown.statement();
     let cited = needed(certificate).facts;
     // Where nothing is to be shown the goal is a hypothesis, which no step cites.
@@ -55,7 +55,7 @@ pub fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -> (Vec<
 type Is<'a> = dyn Fn(&Show) -> bool + 'a;
 
 /// The rule that carries a proof, the most telling of those used.
-pub fn method(certificate: &Certificate, shown: &Accepted) -> &'static str {
+pub(super) fn method(certificate: &Certificate, shown: &Accepted) -> &'static str {
     let steps: Vec<&Show> = certificate.steps.iter().filter_map(Step::show).collect();
     let any = |is: &dyn Fn(&Show) -> bool| steps.iter().any(|step| is(step));
     let families = families(shown);

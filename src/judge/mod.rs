@@ -218,14 +218,14 @@ fn with_a_point(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
 }
 
 /// Whether the hypotheses are shown to contradict each other: anything follows from them.
-pub fn contradictory(claim: &Claim, limits: &Limits) -> bool {
+pub(crate) fn contradictory(claim: &Claim, limits: &Limits) -> bool {
     let goal = compare(numeral(0), Relation::Equal, numeral(1));
     let absurd = Claim { goal, proof: claim::Proof::default(), using: Vec::new(), ..claim.clone() };
     prove::certificate(&absurd, &[], &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }).is_ok()
 }
 
 /// The fault of a claim whose hypotheses contradict each other.
-pub fn contradiction(claim: &Claim) -> Fault {
+pub(crate) fn contradiction(claim: &Claim) -> Fault {
     let assumed = claim.items.iter().filter_map(|item| match item {
         Item::Assume { prop, .. } => Some(crate::claim::print::prop(prop)),
         _ => None,

@@ -23,7 +23,7 @@ use crate::refute::search::{example, literal};
 use std::collections::BTreeSet;
 
 /// A point at which the hypotheses of a claim hold, its coordinates perhaps roots; `None` where none was shown to exist.
-pub fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
+pub(super) fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
     let statement = Statement::of(claim).ok()?;
     if statement.bindings.iter().flat_map(|b| &b.names).any(|n| n.1.is_some()) {
         return by_recurrence(claim, &statement, limits);
@@ -37,7 +37,7 @@ pub fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
 
 /// A point with roots as coordinates at which the hypotheses hold and the goal, a comparison, fails, as far as the search
 /// for proofs tells.
-pub fn counterexample(claim: &Claim, limits: &Limits) -> Option<Point> {
+pub(super) fn counterexample(claim: &Claim, limits: &Limits) -> Option<Point> {
     let Statement { bindings, sequences, assumptions, goal, .. } = Statement::of(claim).ok()?;
     let PropKind::Compare(sides, relations) = &goal.kind else { return None };
     let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };

@@ -19,7 +19,7 @@ struct Shared<'c> {
 }
 
 /// Does the work for each claim, when it is done for those that it cites; `order` holds cited claims first.
-pub fn each_after_what_it_cites(
+pub(crate) fn each_after_what_it_cites(
     order: &[Claim],
     now: &(dyn Fn(usize, &str) + Sync),
     work: &(dyn Fn(&Claim, &[&Judged]) -> Judged + Sync),

@@ -12,10 +12,10 @@ use crate::claim::syntax::*;
 pub const LEMMA: &str = "the weighted mean inequality for two values";
 
 /// What an acceptance says where it rests on rule `tangent`.
-pub const TANGENT: &str = "exp lies above its tangent";
+pub(crate) const TANGENT: &str = "exp lies above its tangent";
 
 /// `a^(1 - p)*b^p relation (1 - p)*a + p*b`.
-pub fn weighted_mean(a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Prop {
+pub(crate) fn weighted_mean(a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Prop {
     let rest = one_minus(p);
     let left = product(vec![power(a, &rest), power(b, p)]);
     let right =
@@ -30,7 +30,7 @@ pub fn tangent(x: &Expr, relation: Relation) -> Prop {
 }
 
 /// `x = A`, or `x = A and y = B …`: that the variables of an extremum are at its point; `None` without variables.
-pub fn at_the_point(e: &Extremum) -> Option<Prop> {
+pub(crate) fn at_the_point(e: &Extremum) -> Option<Prop> {
     let mut there: Vec<Prop> = e.at.iter().map(|(n, v)| compare(name(&n.text), Relation::Equal, v.clone())).collect();
     match there.len() {
         0 | 1 => there.pop(),

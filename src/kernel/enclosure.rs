@@ -15,17 +15,17 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// Bits that are kept of an end that is rounded.
-pub const PRECISION: u64 = 256;
+pub(crate) const PRECISION: u64 = 256;
 /// The most bits of an exact number.
-pub const EXACT_BITS: u64 = 10_000;
+pub(crate) const EXACT_BITS: u64 = 10_000;
 /// The largest exponent of a number other than 0, 1 and -1.
-pub const POWER_LIMIT: u32 = 1_000_000;
+pub(crate) const POWER_LIMIT: u32 = 1_000_000;
 /// The highest root that is taken as one; higher ones are taken by ln and exp.
-pub const ROOT_LIMIT: u32 = 64;
+pub(crate) const ROOT_LIMIT: u32 = 64;
 
 /// A number between two others, which may be equal.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Enclosure {
+pub(crate) struct Enclosure {
     low: BigRational,
     high: BigRational,
 }
@@ -50,7 +50,7 @@ fn rounded(q: &BigRational, up: bool) -> BigRational {
 
 impl Enclosure {
     /// This number.
-    pub fn exact(q: BigRational) -> Enclosure {
+    pub(crate) fn exact(q: BigRational) -> Enclosure {
         Enclosure { low: q.clone(), high: q }
     }
 
@@ -75,33 +75,33 @@ impl Enclosure {
     }
 
     /// The number, if it is known exactly.
-    pub fn number(&self) -> Option<&BigRational> {
+    pub(crate) fn number(&self) -> Option<&BigRational> {
         (self.low == self.high).then_some(&self.low)
     }
 
     /// The signs that it may have.
-    pub fn signs(&self) -> Signs {
+    pub(crate) fn signs(&self) -> Signs {
         let ends = Signs::of_number(&self.low).or(Signs::of_number(&self.high));
         if self.low.is_negative() && self.high.is_positive() { Signs::ANY } else { ends }
     }
 
     /// The opposite.
-    pub fn negated(&self) -> Enclosure {
+    pub(crate) fn negated(&self) -> Enclosure {
         Enclosure { low: -&self.high, high: -&self.low }
     }
 
     /// The sum.
-    pub fn plus(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn plus(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
         Enclosure::between(&self.low + &other.low, &self.high + &other.high, work)
     }
 
     /// The difference.
-    pub fn minus(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn minus(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
         self.plus(&other.negated(), work)
     }
 
     /// The product.
-    pub fn times(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn times(&self, other: &Enclosure, work: &Work) -> Result<Enclosure, Refusal> {
         if let (Some(a), Some(b)) = (self.number(), other.number()) {
             let product = a * b;
             return Enclosure::between(product.clone(), product, work);
@@ -116,7 +116,7 @@ impl Enclosure {
     }
 
     /// The reciprocal of what is not 0.
-    pub fn inverse(&self, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn inverse(&self, work: &Work) -> Result<Enclosure, Refusal> {
         if !self.signs().within(Signs::NOT_ZERO) || self.low.is_negative() != self.high.is_negative() {
             return rejected(Reason::NotDecided);
         }
@@ -124,7 +124,7 @@ impl Enclosure {
     }
 
     /// The k-th power; that to 0 is 1.
-    pub fn power(&self, k: &BigInt, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn power(&self, k: &BigInt, work: &Work) -> Result<Enclosure, Refusal> {
         if let Some(q) = self.number().filter(|q| q.is_integer() && q.numer().bits() <= 1) {
             // 0, 1 and -1, whatever the exponent.
             let kept = k.bit(0) || (q.is_zero() && !k.is_zero());
@@ -140,7 +140,7 @@ impl Enclosure {
     }
 
     /// The k-th root, k from 1 to [`ROOT_LIMIT`], of what is not negative.
-    pub fn root(&self, k: u32, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn root(&self, k: u32, work: &Work) -> Result<Enclosure, Refusal> {
         if self.low.is_negative() || k == 0 || k > ROOT_LIMIT {
             return rejected(Reason::NotDecided);
         }
@@ -149,14 +149,14 @@ impl Enclosure {
     }
 
     /// e to this power.
-    pub fn exp(&self, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn exp(&self, work: &Work) -> Result<Enclosure, Refusal> {
         let low = exp_of(&self.low, work)?;
         let high = if self.number().is_some() { low.clone() } else { exp_of(&self.high, work)? };
         Enclosure::between(low.low, high.high, work)
     }
 
     /// The natural logarithm of what is positive.
-    pub fn ln(&self, work: &Work) -> Result<Enclosure, Refusal> {
+    pub(crate) fn ln(&self, work: &Work) -> Result<Enclosure, Refusal> {
         if !self.low.is_positive() {
             return rejected(Reason::NotDecided);
         }

@@ -21,13 +21,13 @@ use std::collections::BTreeMap;
 
 /// The most work in the check of one certificate: about that many operations on short numbers, terms
 /// written, and comparisons of names, signs and facts in searches.
-pub const WORK_LIMIT: u64 = 20_000_000;
+pub(crate) const WORK_LIMIT: u64 = 20_000_000;
 /// The most terms of a polynomial.
-pub const TERMS_LIMIT: usize = 20_000;
+pub(crate) const TERMS_LIMIT: usize = 20_000;
 /// The largest exponent of a factor or an atom.
-pub const EXPONENT_LIMIT: i64 = 1_000;
+pub(crate) const EXPONENT_LIMIT: i64 = 1_000;
 /// The most bits of a numerator or denominator.
-pub const BITS_LIMIT: u64 = 100_000;
+pub(crate) const BITS_LIMIT: u64 = 100_000;
 
 /// Counts work. A cell, so that what only reads the state of a check counts as well.
 #[derive(Clone, Debug, Default)]
@@ -35,7 +35,7 @@ pub struct Work(Cell<u64>);
 
 impl Work {
     /// Counts some work; whether it was too much, the next [`Work::count`] says.
-    pub fn spend(&self, amount: usize) {
+    pub(crate) fn spend(&self, amount: usize) {
         self.0.set(self.0.get().saturating_add(u64::try_from(amount).unwrap_or(u64::MAX)));
     }
 
@@ -86,7 +86,7 @@ impl Fraction {
     }
 
     /// An atom.
-    pub fn atom(atom: usize) -> Fraction {
+    pub(crate) fn atom(atom: usize) -> Fraction {
         Fraction { coefficient: BigRational::one(), factors: BTreeMap::from([(Poly::atom(atom), 1)]) }
     }
 
@@ -143,18 +143,18 @@ impl Fraction {
     }
 
     /// The number, if it is one.
-    pub fn as_number(&self) -> Option<&BigRational> {
+    pub(crate) fn as_number(&self) -> Option<&BigRational> {
         if self.factors.is_empty() { Some(&self.coefficient) } else { None }
     }
 
     /// The whole number of moderate size, if it is one.
-    pub fn as_integer(&self) -> Option<i64> {
+    pub(crate) fn as_integer(&self) -> Option<i64> {
         let number = self.as_number()?;
         if number.is_integer() { i64::try_from(number.numer()).ok() } else { None }
     }
 
     /// Every atom that occurs.
-    pub fn atoms(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn atoms(&self) -> impl Iterator<Item = usize> {
         self.factors.keys().flat_map(Poly::atoms)
     }
 
@@ -239,12 +239,12 @@ impl Fraction {
     }
 
     /// The difference.
-    pub fn minus(&self, other: &Fraction, work: &Work) -> Result<Fraction, Refusal> {
+    pub(crate) fn minus(&self, other: &Fraction, work: &Work) -> Result<Fraction, Refusal> {
         Fraction::sum(&[self.clone(), other.negated()], work)
     }
 
     /// The polynomial; a fraction with denominators is none.
-    pub fn expanded(&self, work: &Work) -> Result<Poly, Refusal> {
+    pub(crate) fn expanded(&self, work: &Work) -> Result<Poly, Refusal> {
         // The atoms make one monomial; what has several terms is multiplied out.
         let mut monomial = Monomial::new();
         let mut others = Vec::new();
@@ -280,7 +280,7 @@ impl Fraction {
 
     /// The number's logarithm as whole multiples of those of primes: (prime, multiplicity). What has no
     /// small prime factor is kept whole: any splitting into factors is right.
-    pub fn prime_powers(&self, work: &Work) -> Result<Vec<(BigInt, i64)>, Refusal> {
+    pub(crate) fn prime_powers(&self, work: &Work) -> Result<Vec<(BigInt, i64)>, Refusal> {
         let mut out = Vec::new();
         for (number, sign) in [(self.coefficient.numer(), 1), (self.coefficient.denom(), -1)] {
             let mut rest = number.abs();

@@ -24,14 +24,14 @@ pub mod analysis;
 mod arithmetic;
 mod defined;
 mod derivative;
-pub mod enclosure;
+pub(crate) mod enclosure;
 mod evaluate;
 pub mod fraction;
 pub mod key;
 mod logic;
 mod matrix;
 mod memo;
-pub mod order;
+pub(crate) mod order;
 mod over;
 mod poly;
 mod power;
@@ -40,12 +40,12 @@ mod reason;
 pub mod refutation;
 mod replace;
 mod sign;
-pub mod slope;
+pub(crate) mod slope;
 pub mod statement;
 mod term;
 pub mod text;
-pub mod view;
-pub mod words;
+pub(crate) mod view;
+pub(crate) mod words;
 
 pub use quantifier::domains;
 pub use reason::Reason;
@@ -61,9 +61,9 @@ use std::rc::Rc;
 use term::Atom;
 
 /// The most steps of a certificate.
-pub const STEPS_LIMIT: usize = 50_000;
+pub(crate) const STEPS_LIMIT: usize = 50_000;
 /// The most names that a statement declares, and that are in scope at once.
-pub const NAMES_LIMIT: usize = 1_000;
+pub(crate) const NAMES_LIMIT: usize = 1_000;
 
 /// Why a step was not taken.
 #[derive(Clone, Debug)]
@@ -361,7 +361,7 @@ impl Checker {
     }
 
     /// What a claim says that was accepted and is cited under `using`.
-    pub fn cited_statement(&self, name: &str) -> Option<&Statement> {
+    pub(crate) fn cited_statement(&self, name: &str) -> Option<&Statement> {
         self.cited.iter().map(|accepted| &accepted.statement).find(|statement| statement.name == name)
     }
 
@@ -371,7 +371,7 @@ impl Checker {
     }
 
     /// Whether a proposition is an equation that can be put in after these: its left side is an atom, a power or an exponential.
-    pub fn can_be_put_in(&mut self, p: &Prop, after: &[Label]) -> bool {
+    pub(crate) fn can_be_put_in(&mut self, p: &Prop, after: &[Label]) -> bool {
         self.known(&[], after).is_ok_and(|known| self.equation(p, &known).is_ok())
     }
 

@@ -12,11 +12,11 @@ impl Signs {
     /// Only zero.
     pub const ZERO: Signs = Signs(2);
     /// Only positive.
-    pub const POSITIVE: Signs = Signs(4);
+    pub(crate) const POSITIVE: Signs = Signs(4);
     /// Not negative.
-    pub const NOT_NEGATIVE: Signs = Signs(6);
+    pub(crate) const NOT_NEGATIVE: Signs = Signs(6);
     /// Not zero.
-    pub const NOT_ZERO: Signs = Signs(5);
+    pub(crate) const NOT_ZERO: Signs = Signs(5);
     /// Nothing known.
     pub const ANY: Signs = Signs(7);
 
@@ -33,7 +33,7 @@ impl Signs {
     }
 
     /// The sign of a number.
-    pub fn of_number(q: &BigRational) -> Signs {
+    pub(crate) fn of_number(q: &BigRational) -> Signs {
         if q.is_zero() {
             Signs(2)
         } else if q.is_negative() {

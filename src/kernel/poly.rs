@@ -16,12 +16,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The length of a number, in 64 bits.
-pub fn words(q: &BigRational) -> usize {
+pub(super) fn words(q: &BigRational) -> usize {
     usize::try_from(q.numer().bits().max(q.denom().bits()) / 64).unwrap_or(usize::MAX)
 }
 
 /// The product; between integers no common divisor is sought.
-pub fn product(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Refusal> {
+pub(super) fn product(a: &BigRational, b: &BigRational, work: &Work) -> Result<BigRational, Refusal> {
     let whole = a.is_integer() && b.is_integer();
     computed(if whole { BigRational::from_integer(a.numer() * b.numer()) } else { a * b }, work)
 }
@@ -77,7 +77,7 @@ impl Poly {
     }
 
     /// An atom.
-    pub fn atom(atom: usize) -> Poly {
+    pub(crate) fn atom(atom: usize) -> Poly {
         Poly(Arc::new(vec![(vec![(atom, 1)], BigRational::one())]))
     }
 
@@ -100,7 +100,7 @@ impl Poly {
     }
 
     /// The atom, if the polynomial is a single one.
-    pub fn single_atom(&self) -> Option<usize> {
+    pub(crate) fn single_atom(&self) -> Option<usize> {
         match self.0.as_slice() {
             [(monomial, c)] if c.is_one() => match monomial.as_slice() {
                 [(atom, 1)] => Some(*atom),
@@ -111,7 +111,7 @@ impl Poly {
     }
 
     /// Every atom that occurs.
-    pub fn atoms(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn atoms(&self) -> impl Iterator<Item = usize> {
         self.0.iter().flat_map(|term| &term.0).map(|power| power.0)
     }
 

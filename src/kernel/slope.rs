@@ -8,7 +8,7 @@ use crate::claim::syntax::*;
 use std::collections::BTreeSet;
 
 /// What an acceptance says where it rests on rule `slope`.
-pub const MEAN_VALUE: &str = "the mean value theorem";
+pub(crate) const MEAN_VALUE: &str = "the mean value theorem";
 
 impl Checker {
     /// Rule `slope`: `F(b) relation F(a)` from a fact `for all t …: derivative(F, t) R 0`. The values a and b are given.

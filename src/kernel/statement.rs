@@ -9,7 +9,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 /// The deepest nesting of an expression or proposition.
-pub const DEPTH_LIMIT: usize = 400;
+pub(crate) const DEPTH_LIMIT: usize = 400;
 /// The most nodes that one substitution may write, and all that put the `let`s of one claim in place.
 pub const NODES_LIMIT: usize = 200_000;
 
@@ -141,7 +141,7 @@ pub fn apply(function: &str, argument: Expr) -> Expr {
 }
 
 /// `1 - p`.
-pub fn one_minus(p: &Expr) -> Expr {
+pub(crate) fn one_minus(p: &Expr) -> Expr {
     sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, p.clone())])
 }
 
@@ -237,7 +237,7 @@ impl Substitution {
     }
 
     /// Renames a family.
-    pub fn rename_family(&mut self, name: &str, other: &str) {
+    pub(crate) fn rename_family(&mut self, name: &str, other: &str) {
         Rc::make_mut(&mut self.mentioned).insert(other.to_string());
         Rc::make_mut(&mut self.map).insert(name.to_string(), Replacement::Family(other.to_string()));
     }
@@ -457,7 +457,7 @@ fn has_member(e: &Expr) -> bool {
 }
 
 /// Whether a sequence occurs in its own step as the member at the index only, which nothing binds again.
-pub fn steps_once(step: &Expr, sequence: &str, index: &str) -> bool {
+pub(crate) fn steps_once(step: &Expr, sequence: &str, index: &str) -> bool {
     let here = match &step.kind {
         ExprKind::Name(text) => text != sequence,
         ExprKind::Apply(f, arguments) if f.text == sequence => {

@@ -52,7 +52,7 @@ pub(super) struct Over {
 }
 
 /// The functions that the kernel knows.
-pub(super) const FUNCTIONS: [&str; 10] =
+pub(crate) const FUNCTIONS: [&str; 10] =
     ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cosh", "sinh", "sech", "tanh"];
 
 /// A number, or a matrix of them.

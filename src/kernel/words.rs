@@ -36,7 +36,7 @@ pub struct Signed {
 }
 
 /// The kind of an atom, as far as its sign depends on it.
-pub enum Form {
+pub(crate) enum Form {
     /// A natural number.
     Natural,
     /// A power: base, exponent, whether the exponent is whole.
@@ -46,7 +46,7 @@ pub enum Form {
     /// A logarithm.
     Logarithm(Fraction),
     /// A member of a family or sequence.
-    Member(String),
+    Member,
     /// A sum, or a product.
     Over(bool),
     /// A variable.
@@ -64,7 +64,7 @@ impl Checker {
     }
 
     /// Whether an expression is a matrix.
-    pub fn is_matrix(&mut self, e: &Expr) -> bool {
+    pub(crate) fn is_matrix(&mut self, e: &Expr) -> bool {
         self.memo.begin(&self.scope);
         matches!(self.value(e), Ok(super::term::Value::Matrix(_)))
     }
@@ -73,7 +73,7 @@ impl Checker {
     ///
     /// # Errors
     /// It is too large.
-    pub fn difference_of(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refusal> {
+    pub(crate) fn difference_of(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refusal> {
         a.minus(b, &self.work)
     }
 
@@ -129,7 +129,7 @@ impl Checker {
     ///
     /// # Errors
     /// It is too large.
-    pub fn factor_signs(&self, factor: &Poly, signed: &Signed) -> Result<Signs, Refusal> {
+    pub(crate) fn factor_signs(&self, factor: &Poly, signed: &Signed) -> Result<Signs, Refusal> {
         self.poly_signs(factor, &signed.known, NESTING, &mut Found::new())
     }
 
@@ -146,7 +146,7 @@ impl Checker {
     ///
     /// # Errors
     /// There is none.
-    pub fn domain_of_slope(
+    pub(crate) fn domain_of_slope(
         &mut self,
         binding: &Binding,
         derivative: &Expr,
@@ -159,7 +159,7 @@ impl Checker {
     }
 
     /// What an atom is.
-    pub fn atom_form(&self, place: usize) -> Form {
+    pub(crate) fn atom_form(&self, place: usize) -> Form {
         if self.is_natural_atom(place) {
             return Form::Natural;
         }
@@ -169,7 +169,7 @@ impl Checker {
             }
             Some(Atom::Exponential(inner)) => Form::Exponential(inner.clone()),
             Some(Atom::Logarithm(inner)) => Form::Logarithm(inner.clone()),
-            Some(Atom::Member(name, _)) => Form::Member(name.clone()),
+            Some(Atom::Member(..)) => Form::Member,
             Some(Atom::Over(over)) => Form::Over(over.sum),
             _ => Form::Variable,
         }
@@ -179,7 +179,7 @@ impl Checker {
     ///
     /// # Errors
     /// It is too large.
-    pub fn product_of(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refusal> {
+    pub(crate) fn product_of(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refusal> {
         a.times(b, &self.work)
     }
 
@@ -187,7 +187,7 @@ impl Checker {
     ///
     /// # Errors
     /// They are too large.
-    pub fn parts_of(&self, f: &Fraction) -> Result<(Poly, Poly), Refusal> {
+    pub(crate) fn parts_of(&self, f: &Fraction) -> Result<(Poly, Poly), Refusal> {
         f.parts(&self.work)
     }
 
@@ -195,7 +195,7 @@ impl Checker {
     ///
     /// # Errors
     /// It is too large, or has a divisor.
-    pub fn expanded(&self, f: &Fraction) -> Result<Poly, Refusal> {
+    pub(crate) fn expanded(&self, f: &Fraction) -> Result<Poly, Refusal> {
         f.expanded(&self.work)
     }
 
@@ -203,12 +203,12 @@ impl Checker {
     ///
     /// # Errors
     /// It is too large.
-    pub fn primes(&self, f: &Fraction) -> Result<Vec<(num_bigint::BigInt, i64)>, Refusal> {
+    pub(crate) fn primes(&self, f: &Fraction) -> Result<Vec<(num_bigint::BigInt, i64)>, Refusal> {
         f.prime_powers(&self.work)
     }
 
     /// A fraction in words, in its factors.
-    pub fn fraction_words(&self, f: &Fraction) -> Expr {
+    pub(crate) fn fraction_words(&self, f: &Fraction) -> Expr {
         let (mut top, mut bottom) = (Vec::new(), Vec::new());
         for (poly, k) in &f.factors {
             let power = whole_power(self.poly_words(poly), k.unsigned_abs());
@@ -218,7 +218,7 @@ impl Checker {
     }
 
     /// A polynomial in words.
-    pub fn poly_words(&self, poly: &Poly) -> Expr {
+    pub(crate) fn poly_words(&self, poly: &Poly) -> Expr {
         let mut terms = Vec::new();
         for (monomial, c) in poly.terms() {
             let top = monomial.iter().map(|(a, k)| whole_power(self.atom_words(*a), u64::from(*k))).collect();
@@ -235,7 +235,7 @@ impl Checker {
     }
 
     /// An atom in words.
-    pub fn atom_words(&self, place: usize) -> Expr {
+    pub(crate) fn atom_words(&self, place: usize) -> Expr {
         match self.atoms.get(place) {
             Some(Atom::Variable(text)) => name(text),
             Some(Atom::Bound(depth)) => name(&bound_name(*depth)),
@@ -275,12 +275,12 @@ fn numeral(q: &BigRational) -> Expr {
 }
 
 /// b^k with k ≥ 1.
-pub fn whole_power(base: Expr, k: u64) -> Expr {
+pub(crate) fn whole_power(base: Expr, k: u64) -> Expr {
     if k == 1 { base } else { expr(ExprKind::Power(Box::new(base), Box::new(expr(ExprKind::Number(k.to_string()))))) }
 }
 
 /// c times the product of the first list, over each of the second.
-pub fn quotient(c: &BigRational, mut top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
+pub(crate) fn quotient(c: &BigRational, mut top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
     if top.is_empty() || !c.is_one() {
         top.insert(0, numeral(c));
     }

@@ -83,7 +83,7 @@ fn bits_for(digits: u64) -> u64 {
 
 /// The first `n` digits of `fraction·2^-bits`, a number below 1.
 #[must_use]
-pub fn of_fraction(fraction: &Natural, bits: u64, n: u64) -> Option<String> {
+pub(crate) fn of_fraction(fraction: &Natural, bits: u64, n: u64) -> Option<String> {
     if fraction.significant_bits() > bits {
         return None;
     }

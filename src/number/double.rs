@@ -39,7 +39,7 @@ const ROUND_UP: f64 = 1.0 + 16.0 * f64::EPSILON / 2.0;
 const TERMS: u32 = 24;
 const REST: f64 = f64::from_bits((1023 - 115) << 52);
 /// `2^480` and its reciprocal: the range in which results are certified.
-const LARGEST: f64 = f64::from_bits((1023 + 480) << 52);
+pub const LARGEST: f64 = f64::from_bits((1023 + 480) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 480) << 52);
 
 /// All reals within `radius` of `hi + lo`.

@@ -26,19 +26,19 @@ use malachite::{Integer, Natural, Rational};
 const MAX_ERROR: u64 = 1 << 60;
 
 /// Exponents up to which powers are taken.
-pub const MAX_EXPONENT: u64 = 1 << 10;
+pub(crate) const MAX_EXPONENT: u64 = 1 << 10;
 
 /// All reals from 0 to 1 within `error·2^(−64·L)` of the number whose binary digits after the point are `words`, the
 /// last word first.
 #[derive(Clone, Copy, Debug)]
-pub struct Fixed<const L: usize> {
+pub(crate) struct Fixed<const L: usize> {
     words: [u64; L],
     error: u64,
 }
 
 impl<const L: usize> Fixed<L> {
     /// Up to so many bits can be expected of a result.
-    pub const ROOM: u64 = 64 * L as u64 - 40;
+    pub(crate) const ROOM: u64 = 64 * L as u64 - 40;
 
     fn with_error(words: [u64; L], error: u64) -> Option<Fixed<L>> {
         (error < MAX_ERROR).then_some(Fixed { words, error })
@@ -46,7 +46,7 @@ impl<const L: usize> Fixed<L> {
 
     /// The digits with more or fewer words, without the error: a point.
     #[must_use]
-    pub fn resized<const M: usize>(&self) -> Fixed<M> {
+    pub(crate) fn resized<const M: usize>(&self) -> Fixed<M> {
         let mut words = [0; M];
         for (word, digit) in words.iter_mut().rev().zip(self.words.iter().rev()) {
             *word = *digit;
@@ -63,7 +63,7 @@ impl<const L: usize> Fixed<L> {
 
     /// All products.
     #[inline]
-    pub fn times(&self, other: &Fixed<L>) -> Option<Fixed<L>> {
+    pub(crate) fn times(&self, other: &Fixed<L>) -> Option<Fixed<L>> {
         let mut words = [0; L];
         if L > UNROLLED {
             // Words in front that are zero do nothing, nor do the last words of the other factor.
@@ -78,7 +78,7 @@ impl<const L: usize> Fixed<L> {
 
     /// All squares.
     #[inline]
-    pub fn square(&self) -> Option<Fixed<L>> {
+    pub(crate) fn square(&self) -> Option<Fixed<L>> {
         let mut words = [0; L];
         if L > UNROLLED {
             columns_of_square(&self.words, &mut words);
@@ -89,7 +89,7 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// All powers, for an exponent from 1 to [`MAX_EXPONENT`].
-    pub fn power(&self, exponent: u64) -> Option<Fixed<L>> {
+    pub(crate) fn power(&self, exponent: u64) -> Option<Fixed<L>> {
         if !(1..=MAX_EXPONENT).contains(&exponent) {
             return None;
         }
@@ -128,7 +128,7 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// All products with `p/q`, where the digits' product is below 1.
-    pub fn times_rational(&self, p: u64, q: u64) -> Option<Fixed<L>> {
+    pub(crate) fn times_rational(&self, p: u64, q: u64) -> Option<Fixed<L>> {
         let divisor = Divisor::new(q)?;
         let (whole, words) = self.times_word(p);
         let (whole, words) = Fixed::over_word(whole, words, &divisor);
@@ -138,7 +138,7 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// All products with `(p/q)^exponent`, where the digits' product is below 1, and so are those with the smaller powers.
-    pub fn times_power(&self, p: u64, q: u64, exponent: u64) -> Option<Fixed<L>> {
+    pub(crate) fn times_power(&self, p: u64, q: u64, exponent: u64) -> Option<Fixed<L>> {
         if p == q || exponent == 0 {
             return Some(*self);
         }
@@ -167,7 +167,7 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// `1 − x` for all elements.
-    pub fn one_minus(&self) -> Option<Fixed<L>> {
+    pub(crate) fn one_minus(&self) -> Option<Fixed<L>> {
         // Of 0 the digits of 1, which there is no room for, are a unit less.
         let zero = self.words == [0; L];
         let words = if zero { [u64::MAX; L] } else { complement(&self.words) };
@@ -175,7 +175,7 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// Whether the digits are above another number's, and then all `x − y`, else all `y − x`.
-    pub fn distance(&self, other: &Fixed<L>) -> Option<(bool, Fixed<L>)> {
+    pub(crate) fn distance(&self, other: &Fixed<L>) -> Option<(bool, Fixed<L>)> {
         let above = below(&other.words, &self.words);
         let (more, less) = if above { (self, other) } else { (other, self) };
         let (words, _) = difference(&more.words, &less.words);
@@ -185,14 +185,14 @@ impl<const L: usize> Fixed<L> {
 
     /// All sums, where the digits' sum is below 1; all differences if `above` is false, where the digits' difference is not
     /// below 0.
-    pub fn plus(&self, above: bool, other: &Fixed<L>) -> Option<Fixed<L>> {
+    pub(crate) fn plus(&self, above: bool, other: &Fixed<L>) -> Option<Fixed<L>> {
         let (words, beyond) =
             if above { sum(&self.words, &other.words) } else { difference(&self.words, &other.words) };
         if beyond { None } else { Fixed::with_error(words, self.error.saturating_add(other.error)) }
     }
 
     /// All `x·2^places`, for fewer than 64 places and digits that have so many zeros in front.
-    pub fn times_power_of_2(&self, places: u64) -> Option<Fixed<L>> {
+    pub(crate) fn times_power_of_2(&self, places: u64) -> Option<Fixed<L>> {
         if places >= 64 || self.leading_zeros() < places {
             return None;
         }
@@ -200,7 +200,7 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// The same and what is at most `factor·δ²` away, for each element `δ` of another number.
-    pub fn widened(&self, factor: u64, delta: &Fixed<L>) -> Option<Fixed<L>> {
+    pub(crate) fn widened(&self, factor: u64, delta: &Fixed<L>) -> Option<Fixed<L>> {
         // δ² in units, at most 2^(64L − 2k) for |δ| <= 2^-k.
         let tail = match (64 * L as u64).saturating_sub(2 * delta.zeros()) {
             places @ 0..64 => factor.saturating_mul(1 << places),
@@ -210,25 +210,25 @@ impl<const L: usize> Fixed<L> {
     }
 
     /// Some `k` with `|x| <= 2^-k` for all elements, negative ones included.
-    pub fn zeros(&self) -> u64 {
+    pub(crate) fn zeros(&self) -> u64 {
         let of_error = (64 * L as u64).saturating_sub(u64::from((self.error | 1).ilog2()) + 1);
         self.leading_zeros().min(of_error).saturating_sub(1)
     }
 
     /// Some `k` with `x >= 2^-k` for all elements.
-    pub fn least(&self) -> Option<u64> {
+    pub(crate) fn least(&self) -> Option<u64> {
         let digits = self.leading_zeros();
         let small = digits + 2 + u64::from((self.error | 1).ilog2()) < 64 * L as u64;
         small.then_some(digits + 2)
     }
 
     /// `(1 + x)/2` for all elements.
-    pub fn halfway_to_one(&self) -> Option<Fixed<L>> {
+    pub(crate) fn halfway_to_one(&self) -> Option<Fixed<L>> {
         self.halved(1)
     }
 
     /// `x/2` for all elements.
-    pub fn half(&self) -> Option<Fixed<L>> {
+    pub(crate) fn half(&self) -> Option<Fixed<L>> {
         self.halved(0)
     }
 
@@ -245,7 +245,7 @@ impl<const L: usize> Fixed<L> {
 
     /// The same set as an interval with at most `bits` bits in the middle, where it has that accuracy.
     #[must_use]
-    pub fn interval(&self, bits: u64) -> Option<Interval> {
+    pub(crate) fn interval(&self, bits: u64) -> Option<Interval> {
         let Fixed { words, error } = Fixed::with_error(self.words, self.error)?;
         let mid = Integer::from(Natural::from_limbs_asc(&words));
         let unit = -i64::try_from(64 * L).ok()?;
@@ -268,7 +268,7 @@ pub(crate) use in_words;
 
 /// A ratio that is not 1 or its reciprocal, whichever is above 1, as two words, up to `2^32`.
 #[must_use]
-pub fn above_one(r: &Rational) -> Option<(u64, u64)> {
+pub(crate) fn above_one(r: &Rational) -> Option<(u64, u64)> {
     let (p, q) = two_words(r)?;
     let (p, q) = (p.max(q), p.min(q));
     (p != q && p >> 32 < q).then_some((p, q))
@@ -276,7 +276,7 @@ pub fn above_one(r: &Rational) -> Option<(u64, u64)> {
 
 /// Numerator and denominator of what is not below 0, if each fits in a word.
 #[must_use]
-pub fn two_words(r: &Rational) -> Option<(u64, u64)> {
+pub(crate) fn two_words(r: &Rational) -> Option<(u64, u64)> {
     let words = (u64::try_from(r.numerator_ref()).ok()?, u64::try_from(r.denominator_ref()).ok()?);
     (*r >= 0).then_some(words)
 }

@@ -1,7 +1,7 @@
 //! Long fractions in lowest terms.
 //!
 //! malachite's rational takes a greatest common divisor whenever it is made from two naturals, even where they are known
-//! to have none. For the velocities in a long chain that divisor is most of the work, and [`super::product`] finds it
+//! to have none. For the velocities in a long chain that divisor is most of the work, and `super::product` finds it
 //! in a quicker way: what it finds is kept here.
 
 use super::parallel::{MIN_BITS, both};
@@ -60,7 +60,7 @@ impl Fraction {
 
     /// The numerator and the denominator.
     #[must_use]
-    pub fn into_parts(self) -> (Integer, Natural) {
+    pub(crate) fn into_parts(self) -> (Integer, Natural) {
         (Integer::from_sign_and_abs(!self.negative, self.numerator), self.denominator)
     }
 
@@ -88,7 +88,7 @@ impl Fraction {
 
     /// Whether finitely many decimals write it: whether its denominator has no prime factor but 2 and 5.
     #[must_use]
-    pub fn is_decimal(&self) -> bool {
+    pub(crate) fn is_decimal(&self) -> bool {
         let odd = match self.denominator.trailing_zeros() {
             Some(twos) => &self.denominator >> twos,
             None => Natural::ONE,

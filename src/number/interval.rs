@@ -212,7 +212,7 @@ impl Interval {
 
     /// Bits of the middle.
     #[must_use]
-    pub fn middle_bits(&self) -> u64 {
+    pub(crate) fn middle_bits(&self) -> u64 {
         self.mid.significant_bits()
     }
 

@@ -5,20 +5,20 @@
 //! [`decimal`] prints the result.
 
 pub mod decimal;
-pub mod digits;
+pub(crate) mod digits;
 pub mod double;
 pub mod elementary;
 pub(crate) mod fixed;
 pub mod fraction;
 pub mod interval;
-pub mod parallel;
+pub(crate) mod parallel;
 pub mod plus_minus;
-pub mod product;
+pub(crate) mod product;
 pub mod radical;
 pub mod rational;
 pub mod real;
 pub mod root;
-pub mod running;
+pub(crate) mod running;
 mod words;
 
 use std::fmt;

@@ -19,7 +19,7 @@ const THREAD_BITS: u64 = 30_000;
 
 /// The product of all, by halves: `O(M(b) log b)` for `b` bits in all.
 #[must_use]
-pub fn product(factors: &[Natural]) -> Natural {
+pub(crate) fn product(factors: &[Natural]) -> Natural {
     match factors {
         [] => Natural::ONE,
         [only] => only.clone(),
@@ -58,7 +58,7 @@ fn halved(list: &[Natural]) -> Vec<Natural> {
 /// has `p^(b_j)`, and both sides have `p^min(a, b)`. The g_j take `N mod d_j`, which come from a remainder tree over the
 /// same products that made D; their product is much shorter than D, so that the one long greatest common divisor is short.
 #[must_use]
-pub fn quotient(above: impl IntoIterator<Item = Natural>, below: impl IntoIterator<Item = Natural>) -> Fraction {
+pub(crate) fn quotient(above: impl IntoIterator<Item = Natural>, below: impl IntoIterator<Item = Natural>) -> Fraction {
     let (mut up, mut down) = (Factors::of(above), Factors::of(below));
     if up.zero {
         return Fraction::reduced(Natural::ZERO, Natural::ONE, &Natural::ONE);

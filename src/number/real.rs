@@ -24,7 +24,7 @@ use std::sync::atomic::{AtomicU32, Ordering as Memory};
 pub const MAX_BITS: u64 = 1 << 27;
 
 /// The first precision above double-double.
-pub const FIRST_BITS: u64 = 128;
+pub(crate) const FIRST_BITS: u64 = 128;
 
 /// Questions that need more relative accuracy than this skip double-double.
 const DOUBLE_BITS: u64 = 90;
@@ -113,7 +113,7 @@ impl Real {
 
     /// Adds an enclosure from double-double arithmetic, which is tried first.
     #[must_use]
-    pub fn with_quick(mut self, found: impl Fn() -> Option<Interval> + Send + Sync + 'static) -> Real {
+    pub(crate) fn with_quick(mut self, found: impl Fn() -> Option<Interval> + Send + Sync + 'static) -> Real {
         if let Form::Enclosed { quick, .. } = &mut self.form {
             *quick = Some(Box::new(found));
         }
@@ -122,7 +122,7 @@ impl Real {
 
     /// Adds the closed form, for readers: it is written where it is asked for.
     #[must_use]
-    pub fn with_radical(mut self, text: impl FnOnce() -> String + Send + 'static) -> Real {
+    pub(crate) fn with_radical(mut self, text: impl FnOnce() -> String + Send + 'static) -> Real {
         self.radical = Some(LazyLock::new(Box::new(text)));
         self
     }

@@ -29,7 +29,7 @@ const THREAD_BITS: u64 = 1_000_000;
 
 /// The factors of one step; those of `below` and `given` are not zero.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub(crate) struct Step {
     /// By these R is divided, in what is written down and in the next R.
     pub below: Vec<Natural>,
     /// By this R is multiplied in what is written down.
@@ -40,7 +40,7 @@ pub struct Step {
 
 /// All that is written down, in the order of the steps, and then the last R; all in lowest terms.
 #[must_use]
-pub fn quotients(above: Natural, below: Natural, steps: &[Step]) -> Vec<Fraction> {
+pub(crate) fn quotients(above: Natural, below: Natural, steps: &[Step]) -> Vec<Fraction> {
     let primes = Prime::small(steps.len() + 1);
     let first = (Split::of([&above], &primes), Split::of([&below], &primes));
     let split: Vec<[Split; 3]> = steps

@@ -14,7 +14,7 @@ use std::collections::{BTreeSet, HashMap};
 ///
 /// # Errors
 /// The kernel refuses a step: it was not a certificate of this claim.
-pub fn brief(
+pub(crate) fn brief(
     claim: &Claim,
     certificate: Certificate,
     cited: &[&Accepted],
@@ -39,7 +39,7 @@ pub fn brief(
 ///
 /// # Errors
 /// The kernel does not take the step.
-pub fn looked_at(checker: &mut Checker, show: Show) -> Result<Show, Refusal> {
+pub(crate) fn looked_at(checker: &mut Checker, show: Show) -> Result<Show, Refusal> {
     let used = checker.used(&show)?;
     let shorter = Show { by: used.by, using: used.using, ..show.clone() };
     Ok(if checker.used(&shorter).is_ok() { shorter } else { show })

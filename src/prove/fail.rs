@@ -67,7 +67,7 @@ impl Fail {
     }
 
     /// The same, with the goal where it does not name what was not shown.
-    pub fn of_goal(self, goal: &Prop) -> Fail {
+    pub(crate) fn of_goal(self, goal: &Prop) -> Fail {
         match self.limit() {
             None if !self.names_what() => Fail::Goal(prop(goal), Box::new(self)),
             _ => self,

@@ -42,7 +42,7 @@ const STEPS_OF_A_TRY: usize = 20;
 /// A certificate of a claim; `cited` holds what was accepted of the claims it cites.
 ///
 /// # Errors
-/// Those of [`by_search`].
+/// Those of `by_search`.
 pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     at_once(claim, cited, limits).or_else(|_| by_search(claim, cited, limits))
 }
@@ -52,7 +52,7 @@ pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Resul
 /// # Errors
 /// The first thing that could not be shown in the kernel's rules; [`Fail::Unwritten`] where all was, and the kernel does
 /// not accept what was written.
-pub fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let begin = Moment::now();
     by_draft(claim, cited, limits).or_else(|first| {
         // What the argument does not reach may be found without it, in the time that is left.
@@ -84,7 +84,7 @@ fn accepted(
 ///
 /// # Errors
 /// The kernel does not see it.
-pub fn at_once(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+pub(crate) fn at_once(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     if !claim.proof.steps.is_empty() || claim.proof.close.is_some() {
         return Err(Fail::No("a comparison without an argument"));
     }

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 /// A power that others are written in.
 #[derive(Clone, Debug)]
-pub struct Generator {
+pub(super) struct Generator {
     base: Poly,
     exponent: Fraction,
     expr: Expr,
@@ -26,7 +26,7 @@ type Vector = BTreeMap<Vec<(usize, u32)>, BigRational>;
 
 impl Certifier {
     /// Introduces every power in these expressions.
-    pub fn prepare(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
+    pub(crate) fn prepare(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
         let mut list = Vec::new();
         exprs.iter().for_each(|e| powers_in(e, &mut list));
         list.retain(|e| !self.introduced.contains(&crate::kernel::text::expr(e)));
@@ -211,7 +211,7 @@ impl Certifier {
     }
 
     /// The exponents of the generators of a variable, and the differences of two of them.
-    pub fn exponents_of(&self, variable: &Fraction) -> Vec<Expr> {
+    pub(crate) fn exponents_of(&self, variable: &Fraction) -> Vec<Expr> {
         let bases: Vec<&Poly> = variable.factors.keys().collect();
         let logs: Vec<&Generator> = self
             .generators
@@ -293,7 +293,7 @@ fn product_of(factors: &[(Expr, i64)]) -> Expr {
 
 /// A fraction with common factors of numerator and denominator cancelled where these are factors of
 /// the denominator as it stands.
-pub fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
+pub(crate) fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
     use crate::algebra::Polynomial;
     let work = Work::default();
     let (top, bottom) = f.parts(&work).map_err(Fail::from)?;

@@ -16,12 +16,12 @@ use std::collections::BTreeSet;
 use std::str::FromStr;
 
 /// The kernel's polynomial as one of the engine's.
-pub fn to_algebra(poly: &Poly) -> Result<Polynomial, Fail> {
+pub(crate) fn to_algebra(poly: &Poly) -> Result<Polynomial, Fail> {
     Ok(crate::refute::reading::to_algebra(poly).ok_or("too many atoms, or too high a degree")?)
 }
 
 /// The engine's polynomial as one of the kernel's.
-pub fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
+pub(crate) fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
     let mut terms = Vec::new();
     for (monomial, c) in p.terms() {
         let c = BigRational::from_str(&c.to_string()).map_err(|_| "a number that cannot be read")?;
@@ -35,7 +35,7 @@ pub fn from_algebra(p: &Polynomial) -> Result<Fraction, Fail> {
 }
 
 /// The engine's polynomial, in factors.
-pub fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
+pub(super) fn factored(p: &Polynomial) -> Result<Fraction, Fail> {
     let Ok(list) = factor::factor(p) else { return from_algebra(p) };
     let mut out =
         Fraction::number(BigRational::from_str(&list.unit.to_string()).map_err(|_| "a number that cannot be read")?);
@@ -147,7 +147,7 @@ impl Certifier {
     }
 
     /// The sign of a polynomial sought although one is known: facts may contradict each other.
-    pub fn search_again(&mut self, poly: &Poly) -> Result<(), Fail> {
+    pub(crate) fn search_again(&mut self, poly: &Poly) -> Result<(), Fail> {
         let p = to_algebra(poly)?;
         self.search(poly, &p)
     }
@@ -336,7 +336,7 @@ impl Certifier {
     }
 
     /// What follows from a comparison that is known: signs of factors, values of variables.
-    pub fn exploit(&mut self, label: &str, prop: &Prop) -> Result<(), Fail> {
+    pub(crate) fn exploit(&mut self, label: &str, prop: &Prop) -> Result<(), Fail> {
         let Ok((difference, relation)) = self.checker.difference(prop) else { return Ok(()) };
         let _ = self.take(Rule::Note, &[label.to_string()], None);
         let Ok((difference, _)) = self.checker.difference(prop).or(Ok::<_, Fail>((difference, relation))) else {
@@ -492,14 +492,14 @@ impl Certifier {
     }
 
     /// Has the kernel note once more the simple facts that mention a variable.
-    pub fn note_again(&mut self, variable: &str) {
+    pub(crate) fn note_again(&mut self, variable: &str) {
         for (label, _) in self.facts_about(variable) {
             let _ = self.take(Rule::Note, &[label], None);
         }
     }
 
     /// Splits members off sums, products and sequences, so that equal ones are written alike.
-    pub fn unfold_all(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
+    pub(crate) fn unfold_all(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
         self.unfold_within(exprs, 40)
     }
 

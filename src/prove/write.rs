@@ -16,28 +16,28 @@ fn numeral(n: &BigInt) -> Expr {
 }
 
 /// A product and quotient of expressions.
-pub fn quotient(top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
+pub(super) fn quotient(top: Vec<Expr>, bottom: Vec<Expr>) -> Expr {
     words::quotient(&BigRational::one(), top, bottom)
 }
 
 /// The opposite.
-pub fn negated(e: Expr) -> Expr {
+pub(super) fn negated(e: Expr) -> Expr {
     expr(ExprKind::Negate(Box::new(e)))
 }
 
 /// A name without a place, with its value.
-pub fn named(text: &str, value: &Expr) -> (Name, Expr) {
+pub(super) fn named(text: &str, value: &Expr) -> (Name, Expr) {
     (Name { text: text.to_string(), span: Span::default() }, value.clone())
 }
 
 /// The product of two fractions.
-pub fn multiplied(a: &Fraction, b: &Fraction) -> Result<Fraction, Fail> {
+pub(crate) fn multiplied(a: &Fraction, b: &Fraction) -> Result<Fraction, Fail> {
     a.times(b, &Work::default()).map_err(Fail::from)
 }
 
 impl Certifier {
     /// A fraction.
-    pub fn fraction_expr(&self, f: &Fraction) -> Result<Expr, Fail> {
+    pub(crate) fn fraction_expr(&self, f: &Fraction) -> Result<Expr, Fail> {
         if f.is_zero() {
             return Ok(numeral(&BigInt::zero()));
         }
@@ -58,7 +58,7 @@ impl Certifier {
     }
 
     /// A polynomial.
-    pub fn poly_expr(&self, poly: &Poly) -> Result<Expr, Fail> {
+    pub(crate) fn poly_expr(&self, poly: &Poly) -> Result<Expr, Fail> {
         let mut terms = Vec::new();
         let mut list: Vec<_> = poly.terms().collect();
         // A positive term first reads better.
@@ -96,7 +96,7 @@ impl Certifier {
     }
 
     /// An atom.
-    pub fn atom_expr(&self, place: usize) -> Result<Expr, Fail> {
+    pub(crate) fn atom_expr(&self, place: usize) -> Result<Expr, Fail> {
         if let Some((_, e)) = self.exponentials.iter().find(|x| x.0 == place) {
             return Ok(e.clone());
         }
@@ -124,6 +124,6 @@ impl Certifier {
 }
 
 /// The name that stands for an index of sums and products.
-pub fn bound_name(depth: usize) -> String {
+pub(crate) fn bound_name(depth: usize) -> String {
     format!("index_{depth}")
 }

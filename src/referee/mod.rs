@@ -23,7 +23,7 @@ const SCENES: &str = include_str!("scenes.json");
 pub const DIGITS: u64 = 40;
 
 /// How many collisions of a scene are listed; all are counted.
-pub const LISTED: usize = 200;
+pub(crate) const LISTED: usize = 200;
 
 /// Contacts that the laws leave open, one after the other, that are followed.
 const DEEPEST: usize = 3;

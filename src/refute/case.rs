@@ -15,12 +15,12 @@ use std::time::Duration;
 
 /// How many expressions are evaluated before a proof is sought: most false claims fail within them, and a true one waits
 /// for a few milliseconds.
-pub const FIRST: u64 = 20_000;
+pub(crate) const FIRST: u64 = 20_000;
 
 const NO_POINT: &str = "no point was found at which all the hypotheses hold";
 
 /// A claim with its hypotheses taken in.
-pub struct Case {
+pub(crate) struct Case {
     plan: Plan,
     statement: Statement,
     sample: Option<Point>,
@@ -37,7 +37,7 @@ impl Case {
     ///
     /// # Errors
     /// A limit, by name.
-    pub fn new(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
+    pub(crate) fn new(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
         let started = Moment::now();
         let statement = Statement::of(claim).map_err(|Limit(name)| name)?;
         let mut plan = Plan::of(&statement);
@@ -49,17 +49,17 @@ impl Case {
     }
 
     /// Whether something is supposed and no point was found at which it holds.
-    pub fn has_no_point(&self) -> bool {
+    pub(crate) fn has_no_point(&self) -> bool {
         self.statement.has_hypotheses() && self.sample.is_none()
     }
 
     /// Whether the claim declares anything.
-    pub fn has_variables(&self) -> bool {
+    pub(crate) fn has_variables(&self) -> bool {
         !self.statement.bindings.is_empty()
     }
 
     /// Notes a point at which the hypotheses were shown to hold.
-    pub fn found_a_point(&mut self, point: Option<Point>) {
+    pub(crate) fn found_a_point(&mut self, point: Option<Point>) {
         self.sample = point;
     }
 
@@ -67,20 +67,20 @@ impl Case {
     ///
     /// # Errors
     /// The fault.
-    pub fn check(&mut self, cited: &[&Claim]) -> Result<(), Diagnose> {
+    pub(crate) fn check(&mut self, cited: &[&Claim]) -> Result<(), Diagnose> {
         faults::check(&self.statement, cited)?;
         let said = self.statement.assumptions.iter().map(|a| &a.1).chain([&self.statement.goal]);
         said.into_iter().try_for_each(shape::check)
     }
 
     /// Why no proof is sought, if there is a reason: the goal may be read in two ways.
-    pub fn ambiguous(&self) -> Option<String> {
+    pub(crate) fn ambiguous(&self) -> Option<String> {
         let variable = search::tied_derivative(&self.statement)?;
         Some(format!("a derivative by {variable}, which a hypothesis ties to other variables, may be read in two ways"))
     }
 
     /// What is said of a claim whose proof is accepted: that its hypotheses can hold has to be known as well.
-    pub fn proved(self) -> Outcome {
+    pub(crate) fn proved(self) -> Outcome {
         let mut outcome = undecided(&self.statement.name, None, self.limit());
         if self.has_no_point() {
             let limit = outcome.limit.map_or(String::new(), |name| format!("; {}", limit_reached(name)));
@@ -92,7 +92,7 @@ impl Case {
     }
 
     /// What is said of a claim that is neither shown nor refuted.
-    pub fn undecided(self, reason: String, limit: Option<&'static str>) -> Outcome {
+    pub(crate) fn undecided(self, reason: String, limit: Option<&'static str>) -> Outcome {
         let late = limit.is_none() && self.started.elapsed() > self.time;
         let reason = if late { format!("{reason}; {}", limit_reached("time")) } else { reason };
         let limit = if late { Some("time") } else { limit };
@@ -100,7 +100,7 @@ impl Case {
     }
 
     /// A counterexample among the points that are tried with so many expressions evaluated, or among all.
-    pub fn counterexample(&mut self, most: Option<u64>) -> Option<Outcome> {
+    pub(crate) fn counterexample(&mut self, most: Option<u64>) -> Option<Outcome> {
         if self.has_no_point() {
             return None;
         }
@@ -134,13 +134,13 @@ impl Case {
     }
 
     /// The time that is left for the claim.
-    pub fn time_left(&self) -> Duration {
+    pub(crate) fn time_left(&self) -> Duration {
         self.time.saturating_sub(self.started.elapsed())
     }
 }
 
 /// A claim that is beyond a limit before anything is sought.
-pub fn beyond(claim: &Claim, limit: &'static str) -> Outcome {
+pub(crate) fn beyond(claim: &Claim, limit: &'static str) -> Outcome {
     undecided(&claim.name.text, Some(limit_reached(limit)), Some(limit))
 }
 

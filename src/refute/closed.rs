@@ -15,7 +15,7 @@ const TERMS: usize = 12;
 const TRIAL: u64 = 1_000;
 
 /// The largest whole exponent.
-const LARGEST: i64 = 400;
+pub(crate) const LARGEST: i64 = 400;
 
 /// What a form is made of.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

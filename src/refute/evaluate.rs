@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// How many expressions are evaluated at one point.
-pub const STEPS: u32 = 100_000;
+pub(crate) const STEPS: u32 = 100_000;
 
 /// A point: values of variables and of members of families.
 #[derive(Clone, Debug)]

@@ -42,7 +42,7 @@ impl Sequence {
     }
 
     /// Whether the step speaks of the sequence by the member before only, u(k).
-    pub fn steps_once(&self) -> bool {
+    pub(crate) fn steps_once(&self) -> bool {
         fn fine(e: &Expr, name: &str, index: &str) -> bool {
             if let ExprKind::Apply(function, arguments) = &e.kind
                 && function.text == name
@@ -99,7 +99,7 @@ type Result<T> = std::result::Result<T, Limit>;
 
 impl Statement {
     /// Whether anything is supposed.
-    pub fn has_hypotheses(&self) -> bool {
+    pub(crate) fn has_hypotheses(&self) -> bool {
         !self.bindings.is_empty() || !self.assumptions.is_empty()
     }
 
@@ -154,7 +154,7 @@ impl Substitution {
     }
 
     /// Renames a family or sequence.
-    pub fn rename_family(&mut self, name: &str, other: &str) {
+    pub(crate) fn rename_family(&mut self, name: &str, other: &str) {
         self.mentioned.insert(other.to_string());
         self.map.insert(name.to_string(), Replacement::Family(other.to_string()));
     }
@@ -509,14 +509,14 @@ fn has_member(expr: &Expr) -> bool {
 }
 
 /// All names that occur in a proposition.
-pub fn names_of_prop(prop: &Prop) -> BTreeSet<String> {
+pub(crate) fn names_of_prop(prop: &Prop) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     names_in_prop(prop, &mut names);
     names
 }
 
 /// All names that occur in a binding.
-pub fn names_of_binding(binding: &Binding) -> BTreeSet<String> {
+pub(crate) fn names_of_binding(binding: &Binding) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     names_in_binding(binding, &mut names);
     names

@@ -13,7 +13,7 @@ type Result = std::result::Result<(), Diagnose>;
 ///
 /// # Errors
 /// The fault, at its place.
-pub fn check(statement: &Statement, cited: &[&Claim]) -> Result {
+pub(crate) fn check(statement: &Statement, cited: &[&Claim]) -> Result {
     let labels = statement.assumptions.iter().filter_map(|(label, prop)| Some((label.clone()?, prop.clone())));
     let mut scope = Scope { statement, cited, labels: labels.collect() };
     goals(&statement.goal)?;

@@ -40,7 +40,7 @@ const VANISHED: i64 = 1_000_000;
 
 /// What an expression tends to.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Tends {
+pub(crate) enum Tends {
     /// To this value.
     To(Number),
     /// Beyond every bound.
@@ -58,7 +58,7 @@ struct Series {
 }
 
 /// What an expression tends to as its variable grows, the other variables at the values of a point.
-pub fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
+pub(crate) fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
     let mut point = point.clone();
     point.values.remove(&limit.variable.text);
     let at = At { point: &point, variable: &limit.variable.text };

@@ -1,22 +1,22 @@
 //! Claims at exact points: where the hypotheses hold, and where the goal then fails.
 //!
-//! A claim is expanded ([`expand`]) and read ([`reading`]), its equations are solved for variables ([`solve`]), and exact
-//! points are tried ([`search`], [`evaluate`]), members of families by their recurrences ([`recurrence`]); limits are found at a point
-//! ([`limit`]). [`case`] says what came of it.
+//! A claim is expanded ([`expand`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
+//! points are tried ([`search`], [`evaluate`]), members of families by their recurrences (`recurrence`); limits are found at a point
+//! (`limit`). `case` says what came of it.
 //! Proofs are found in [`crate::prove`].
-pub mod case;
+pub(crate) mod case;
 pub mod catalogue;
 pub mod evaluate;
 pub mod expand;
-pub mod faults;
-pub mod limit;
+pub(crate) mod faults;
+pub(crate) mod limit;
 pub mod number;
 pub mod outcome;
 pub mod reading;
-pub mod recurrence;
+pub(crate) mod recurrence;
 pub mod search;
-pub mod shape;
-pub mod solve;
+pub(crate) mod shape;
+pub(crate) mod solve;
 pub mod trial;
 
 mod candidates;

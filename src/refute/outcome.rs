@@ -65,7 +65,7 @@ pub struct Broken {
 }
 
 /// What is said of a limit that was reached, with the flag that raises it.
-pub fn limit_reached(name: &str) -> String {
+pub(crate) fn limit_reached(name: &str) -> String {
     let flag = match name {
         "steps" => " (--max-steps raises it)",
         "time" => " (--time raises it)",

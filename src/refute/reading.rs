@@ -91,7 +91,7 @@ impl Reading {
 }
 
 /// The kernel's polynomial as one of the engine's: its letters are the places of the atoms.
-pub fn to_algebra(poly: &Poly) -> Option<Polynomial> {
+pub(crate) fn to_algebra(poly: &Poly) -> Option<Polynomial> {
     let mut terms = Vec::new();
     for (monomial, c) in poly.terms() {
         let powers: Option<Vec<(u32, u32)>> =

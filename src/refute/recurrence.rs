@@ -29,7 +29,7 @@ pub struct Recurrence {
 }
 
 /// The recurrences among hypotheses, by family, and the places of the hypotheses that hold by construction then.
-pub fn recurrences(families: &[String], hypotheses: &[Prop]) -> (BTreeMap<String, Recurrence>, Vec<usize>) {
+pub(crate) fn recurrences(families: &[String], hypotheses: &[Prop]) -> (BTreeMap<String, Recurrence>, Vec<usize>) {
     let mut found: BTreeMap<String, (Recurrence, usize)> = BTreeMap::new();
     let mut several = Vec::new();
     for (place, h) in hypotheses.iter().enumerate() {
@@ -135,7 +135,7 @@ fn is_step(e: &Expr, index: &str, order: usize, families: &[String], recurrent: 
 }
 
 /// The members that are known so far, by family; copies of a point share them.
-pub type Members = Rc<RefCell<BTreeMap<String, Vec<Rational>>>>;
+pub(crate) type Members = Rc<RefCell<BTreeMap<String, Vec<Rational>>>>;
 
 impl Assignment {
     /// The members at a point that come first: those that hypotheses tell, else those of the list in turn.

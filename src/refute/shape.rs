@@ -7,13 +7,13 @@ use crate::claim::walk::parts;
 type Size = Option<(usize, usize)>;
 
 /// The largest matrix of which a determinant is taken.
-const LARGEST: usize = 6;
+pub(crate) const LARGEST: usize = 6;
 
 /// The first matrix of a proposition that does not fit where it stands.
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn check(prop: &Prop) -> Result<(), Diagnose> {
+pub(crate) fn check(prop: &Prop) -> Result<(), Diagnose> {
     match &prop.kind {
         PropKind::Compare(sides, relations) => {
             let sizes = sides.iter().map(of).collect::<Result<Vec<Size>, _>>()?;

@@ -32,11 +32,11 @@ const DEGREE: u32 = 8;
 
 /// Values of variables by other variables, in an order in which they can be computed. A variable whose value speaks of the
 /// variable itself is chosen first, and what was chosen is the parameter.
-pub type Way = Vec<(String, Expr)>;
+pub(crate) type Way = Vec<(String, Expr)>;
 
 /// Ways to satisfy the equations among the hypotheses by values of these variables, those that come last first; one empty
 /// way where there is nothing to solve.
-pub fn ways(reading: &mut Reading, hypotheses: &[Prop], variables: &[String]) -> Vec<Way> {
+pub(crate) fn ways(reading: &mut Reading, hypotheses: &[Prop], variables: &[String]) -> Vec<Way> {
     let mut comparisons = Vec::new();
     hypotheses.iter().for_each(|p| flatten(p, &mut comparisons));
     let (equations, others) = comparisons.into_iter().partition(|c| c.1 == Relation::Equal);

@@ -106,7 +106,7 @@ impl Trial {
     }
 
     /// The simplest points, so many at most.
-    pub fn simple(&mut self, most: usize) -> Vec<Choice> {
+    pub(crate) fn simple(&mut self, most: usize) -> Vec<Choice> {
         let mut out = Vec::new();
         self.search.run_choices(None, &mut |choice, _| {
             out.push(choice.clone());
@@ -132,7 +132,7 @@ impl Trial {
     }
 
     /// The choices in which one number, or the list of a family, is shorter.
-    pub fn simpler(choice: &Choice) -> Vec<Choice> {
+    pub(crate) fn simpler(choice: &Choice) -> Vec<Choice> {
         simpler(choice)
     }
 

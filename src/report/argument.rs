@@ -168,7 +168,7 @@ pub fn latex(entry: &Entry) -> String {
 }
 
 /// Name, title, hypotheses and goal as LaTeX, with what each line is.
-pub fn statement_latex(claim: &Claim) -> String {
+pub(crate) fn statement_latex(claim: &Claim) -> String {
     let mut out =
         format!("{}\\paragraph{{{}}} {}\n", explain::latex::MACROS, escape(&claim.name.text), escape(&claim.title));
     out.push_str(&clauses_latex(claim));
@@ -176,7 +176,7 @@ pub fn statement_latex(claim: &Claim) -> String {
 }
 
 /// Hypotheses and goal as LaTeX, each with the word for what it is: given, let, define, assume, prove.
-pub fn clauses_latex(claim: &Claim) -> String {
+pub(crate) fn clauses_latex(claim: &Claim) -> String {
     let mut out = String::new();
     let mut before = "";
     let clauses = claim.items.iter().map(|item| (word(item), Style::Latex.item(item)));

@@ -49,7 +49,7 @@ const AGAIN: &str = "another ball may reach the highest one again and change thi
 ///
 /// # Errors
 /// A limit.
-pub fn text(drop: &Drop, about: &About, digits: u64) -> Result<String, ChainError> {
+pub(crate) fn text(drop: &Drop, about: &About, digits: u64) -> Result<String, ChainError> {
     let found = found(drop)?;
     let unit = |unit: &Option<String>| unit.as_ref().map_or(String::new(), |unit| format!(" ({unit})"));
     let mut rows = vec![["ball".to_owned(), format!("mass{}", unit(&about.mass)), "velocity after (v)".to_owned()]];
@@ -82,7 +82,7 @@ pub fn text(drop: &Drop, about: &About, digits: u64) -> Result<String, ChainErro
 ///
 /// # Errors
 /// A limit.
-pub fn json(drop: &Drop, digits: u64) -> Result<String, ChainError> {
+pub(crate) fn json(drop: &Drop, digits: u64) -> Result<String, ChainError> {
     let found = found(drop)?;
     let number = |range: &(Rational, Rational)| -> Result<Json, ChainError> {
         let (lo, hi) = range;

@@ -6,7 +6,7 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 /// The report.
 ///
 /// What could not be judged is an error of the suite, so that a run that read nothing is no success.
-pub fn report(audit: &Audit) -> String {
+pub(crate) fn report(audit: &Audit) -> String {
     let mut report = Report::new("carom audit");
     let mut suite = TestSuite::new("claims");
     suite.add_test_cases(audit.entries.iter().map(case));

@@ -2,7 +2,7 @@
 
 /// Text that LaTeX shows as it stands, whatever the fonts: letters of other scripts than Latin and Greek, for which
 /// pdflatex has none, are named by their numbers.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut before = None;
     for c in text.chars() {
@@ -17,7 +17,7 @@ pub fn escape(text: &str) -> String {
 }
 
 /// A formula or a name in typewriter letters; a long word may be broken after a sign, and within a long number.
-pub fn code(text: &str) -> String {
+pub(crate) fn code(text: &str) -> String {
     const LONG: usize = 24;
     let word = |word: &str| {
         if word.chars().count() <= LONG {

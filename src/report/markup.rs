@@ -1,7 +1,7 @@
 //! Text in HTML, MathML and SVG.
 
 /// Text inside an element or an attribute, whatever it holds.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -5,15 +5,15 @@ pub mod answers;
 pub mod argument;
 pub mod bounces;
 pub mod comparison;
-pub mod drop;
+pub(crate) mod drop;
 #[cfg(feature = "cli")]
-pub mod handout;
+pub(crate) mod handout;
 pub mod json;
 #[cfg(feature = "cli")]
-pub mod junit;
-pub mod latex;
+pub(crate) mod junit;
+pub(crate) mod latex;
 pub mod markdown;
-pub mod markup;
+pub(crate) mod markup;
 pub mod mathml;
 #[cfg(feature = "svg")]
 pub mod plot;
@@ -22,7 +22,7 @@ pub mod replay;
 pub mod table;
 pub mod text;
 #[cfg(feature = "cli")]
-pub mod theorems;
+pub(crate) mod theorems;
 pub mod worksheet;
 
 use crate::claim::print::{self, Style};
@@ -78,7 +78,7 @@ pub fn counted(number: usize, noun: &str) -> String {
 /// Foreign text for a terminal: a character that is not visible, and could steer the terminal or turn the text around, is
 /// shown by its number, as `\u{1b}`.
 #[must_use]
-pub fn visible(text: &str) -> Cow<'_, str> {
+pub(crate) fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(steers) {
         return Cow::Borrowed(text);
     }
@@ -88,7 +88,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
 
 /// The same for a text of several lines, whose ends stay.
 #[must_use]
-pub fn visible_lines(text: &str) -> Cow<'_, str> {
+pub(crate) fn visible_lines(text: &str) -> Cow<'_, str> {
     if !text.contains(|c| c != '\n' && steers(c)) {
         return Cow::Borrowed(text);
     }

@@ -127,7 +127,7 @@ impl Drop {
     ///
     /// # Errors
     /// As [`Drop::last_velocity`].
-    pub fn rises_to(&self) -> Result<Option<Range<Rational>>, ChainError> {
+    pub(crate) fn rises_to(&self) -> Result<Option<Range<Rational>>, ChainError> {
         let Some(height) = &self.height else { return Ok(None) };
         let height = height.clone().map(|h| Ok::<_, ChainError>(h.value().clone()))?;
         Ok(Some(self.rise()?.times(&height)))

@@ -8,7 +8,7 @@ use toml::de::DeTable;
 
 /// A key that does not belong into its table.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownKey {
+pub(super) struct UnknownKey {
     /// What is wrong.
     pub message: String,
     /// What would be right.
@@ -21,7 +21,7 @@ pub struct UnknownKey {
 ///
 /// # Errors
 /// The key, with the nearest known one or all of them.
-pub fn known(table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), UnknownKey> {
+pub(super) fn known(table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), UnknownKey> {
     let unknown = table.iter().map(|(key, _)| key).find(|key| !known.contains(&key.get_ref().as_ref()));
     let Some(key) = unknown else { return Ok(()) };
     let name = key.get_ref().as_ref();

@@ -10,7 +10,7 @@ mod keys;
 pub mod quantity;
 pub mod read;
 pub mod replay;
-pub mod versions;
+pub(crate) mod versions;
 
 pub use crate::chain::uncertain::Coefficients;
 use crate::chain::uncertain::Range;

@@ -40,7 +40,7 @@ impl Dice {
 ///
 /// # Errors
 /// Those of [`Chain::new`].
-pub fn of_chain(chain: &Chain, seed: u64, count: usize) -> Result<Vec<Chain>, ChainError> {
+pub(crate) fn of_chain(chain: &Chain, seed: u64, count: usize) -> Result<Vec<Chain>, ChainError> {
     let old: Vec<Rational> = match chain.masses() {
         Some(masses) => masses.iter().map(middle).collect(),
         None => vec![middle(chain.first()), middle(chain.last())],
@@ -75,7 +75,7 @@ pub fn of_chain(chain: &Chain, seed: u64, count: usize) -> Result<Vec<Chain>, Ch
 ///
 /// # Errors
 /// Those of [`Drop::new`].
-pub fn of_drop(drop: &Drop, seed: u64, count: usize) -> Result<Vec<Drop>, ChainError> {
+pub(crate) fn of_drop(drop: &Drop, seed: u64, count: usize) -> Result<Vec<Drop>, ChainError> {
     let old: Vec<Rational> = drop.masses().iter().map(middle).collect();
     let build = |masses: Vec<Rational>| {
         let masses = masses.into_iter().map(|m| Positive::new(m).map(Range::point)).collect::<Result<_, _>>()?;

@@ -10,11 +10,11 @@ use std::fmt;
 use std::io::{self, BufRead, Read};
 
 /// The longest line, in bytes.
-pub const MAX_LINE: u64 = 1 << 20;
+pub(crate) const MAX_LINE: u64 = 1 << 20;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub(crate) enum Role {
     /// m1/m2.
     Ratio,
     /// The first mass.
@@ -50,7 +50,7 @@ const NAMES: &[(&str, Role)] = &[
 /// A number as tables write it, with the digit before the point that a numeral needs, and the plain sign of a fraction:
 /// `.9` is 0.9, and `9⁄16`, as a table for a spreadsheet has it, is 9/16.
 #[must_use]
-pub fn completed(text: &str) -> Cow<'_, str> {
+pub(crate) fn completed(text: &str) -> Cow<'_, str> {
     if text.contains('\u{2044}') {
         return Cow::Owned(text.replace('\u{2044}', "/"));
     }
@@ -124,7 +124,7 @@ impl ForeignError {
 }
 
 /// A table that is being read.
-pub struct Foreign<R> {
+pub(crate) struct Foreign<R> {
     reader: R,
     line: u64,
     separator: char,
@@ -136,7 +136,7 @@ pub struct Foreign<R> {
 
 /// A row: its line and its fields, spaces around them removed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fields {
+pub(crate) struct Fields {
     /// The line, from 1.
     pub line: u64,
     /// The fields.
@@ -148,7 +148,7 @@ impl<R: BufRead> Foreign<R> {
     ///
     /// # Errors
     /// [`ForeignError`].
-    pub fn open(reader: R) -> Result<Foreign<R>, ForeignError> {
+    pub(crate) fn open(reader: R) -> Result<Foreign<R>, ForeignError> {
         let mut table = Foreign { reader, line: 0, separator: ',', names: Vec::new(), roles: Vec::new() };
         let Some(heading) = table.next_line()? else { return Err(ForeignError::Empty) };
         let heading = heading.trim_start_matches('\u{feff}').to_owned();
@@ -167,7 +167,7 @@ impl<R: BufRead> Foreign<R> {
     }
 
     /// The place of the column of a role.
-    pub fn column(&self, role: Role) -> Option<usize> {
+    pub(crate) fn column(&self, role: Role) -> Option<usize> {
         self.roles.iter().find(|r| r.1 == role).map(|r| r.0)
     }
 
@@ -175,7 +175,7 @@ impl<R: BufRead> Foreign<R> {
     ///
     /// # Errors
     /// [`ForeignError`].
-    pub fn row(&mut self) -> Result<Option<Fields>, ForeignError> {
+    pub(crate) fn row(&mut self) -> Result<Option<Fields>, ForeignError> {
         let Some(text) = self.next_line()? else { return Ok(None) };
         let mut fields = self.split(&text)?;
         let needed = self.names.len();

@@ -21,7 +21,7 @@ pub const MAX_GEOMETRIC: usize = 1_000_000;
 /// The most bits of all values of a geometric run.
 pub const MAX_BITS: u64 = 1 << 30;
 /// The most values of one axis.
-pub const MAX_VALUES: u64 = 1 << 62;
+pub(crate) const MAX_VALUES: u64 = 1 << 62;
 
 /// Exact values in order; at least one.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,7 +127,7 @@ impl GridError {
 
 /// The limit that a numeral exceeds, where that is what keeps it from being read.
 #[must_use]
-pub fn beyond_limits(error: &NumeralError) -> Option<NumberError> {
+pub(crate) fn beyond_limits(error: &NumeralError) -> Option<NumberError> {
     match error {
         NumeralError::TooManyDigits { allowed, needed } => Some(NumberError::LimitReached {
             limit: "digits of a numeral",
@@ -281,7 +281,7 @@ impl Grid {
 
     /// Whether every value is an integer.
     #[must_use]
-    pub fn is_integral(&self) -> bool {
+    pub(crate) fn is_integral(&self) -> bool {
         let integer = |v: &Rational| *v.denominator_ref() == 1u32;
         match &self.values {
             Values::List(list) => list.iter().all(|v| integer(&v.1)),

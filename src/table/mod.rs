@@ -10,7 +10,7 @@
 pub mod bounces;
 pub mod check;
 pub mod comparison;
-pub mod foreign;
+pub(crate) mod foreign;
 pub mod grid;
 pub mod shard;
 pub mod shared;

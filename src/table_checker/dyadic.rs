@@ -16,7 +16,7 @@ const SHIFT_LIMIT: u64 = 1 << 24;
 
 /// The direction of a cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Toward {
+pub(crate) enum Toward {
     /// The result is at most the exact one.
     Down,
     /// The result is at least the exact one.
@@ -25,7 +25,7 @@ pub enum Toward {
 
 /// `mantissa·2^exponent`, not negative.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Dyadic {
+pub(crate) struct Dyadic {
     mantissa: BigUint,
     exponent: i64,
 }
@@ -49,44 +49,44 @@ fn distance(high: i64, low: i64) -> u64 {
 
 impl Dyadic {
     /// `mantissa·2^exponent`.
-    pub fn new(mantissa: BigUint, exponent: i64) -> Dyadic {
+    pub(crate) fn new(mantissa: BigUint, exponent: i64) -> Dyadic {
         Dyadic { mantissa, exponent }
     }
 
     /// One.
-    pub fn one() -> Dyadic {
+    pub(crate) fn one() -> Dyadic {
         Dyadic::new(BigUint::one(), 0)
     }
 
     /// Whether it is 0.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.mantissa.is_zero()
     }
 
     /// The mantissa and the exponent.
-    pub fn parts(&self) -> (&BigUint, i64) {
+    pub(crate) fn parts(&self) -> (&BigUint, i64) {
         (&self.mantissa, self.exponent)
     }
 
     /// The mantissa and the exponent, taken apart.
-    pub fn into_parts(self) -> (BigUint, i64) {
+    pub(crate) fn into_parts(self) -> (BigUint, i64) {
         (self.mantissa, self.exponent)
     }
 
     /// `t` with `2^(t−1) <= self < 2^t`, for a number other than 0.
-    pub fn top(&self) -> i64 {
+    pub(crate) fn top(&self) -> i64 {
         let bits = i64::try_from(self.mantissa.bits()).unwrap_or(i64::MAX);
         self.exponent.saturating_add(bits)
     }
 
     /// The number times `2^places`.
-    pub fn scaled(&self, places: i64) -> Result<Dyadic, Failure> {
+    pub(crate) fn scaled(&self, places: i64) -> Result<Dyadic, Failure> {
         Ok(Dyadic::new(self.mantissa.clone(), exponent(self.exponent.checked_add(places))?))
     }
 
     /// At most `bits` bits of it: the low bits are cut off, and one is added in their place upwards if they were not
     /// all 0.
-    pub fn cut(self, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
+    pub(crate) fn cut(self, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
         let low = self.mantissa.bits().saturating_sub(bits);
         if low == 0 {
             return Ok(self);
@@ -101,7 +101,7 @@ impl Dyadic {
     }
 
     /// The same number with a mantissa of exactly `bits` bits or more.
-    pub fn widened(self, bits: u64) -> Result<Dyadic, Failure> {
+    pub(crate) fn widened(self, bits: u64) -> Result<Dyadic, Failure> {
         let places = bits.saturating_sub(self.mantissa.bits());
         let by = i64::try_from(places).ok();
         let exponent = exponent(by.and_then(|by| self.exponent.checked_sub(by)))?;
@@ -109,7 +109,7 @@ impl Dyadic {
     }
 
     /// The mantissa moved by so many units of its last place; `None` below 0.
-    pub fn moved(&self, units: &BigUint, toward: Toward) -> Option<Dyadic> {
+    pub(crate) fn moved(&self, units: &BigUint, toward: Toward) -> Option<Dyadic> {
         let mantissa = match toward {
             Toward::Up => &self.mantissa + units,
             Toward::Down if self.mantissa > *units => &self.mantissa - units,
@@ -119,20 +119,20 @@ impl Dyadic {
     }
 
     /// The product, cut.
-    pub fn times(&self, other: &Dyadic, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
+    pub(crate) fn times(&self, other: &Dyadic, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
         let exponent = exponent(self.exponent.checked_add(other.exponent))?;
         Dyadic::new(&self.mantissa * &other.mantissa, exponent).cut(bits, toward)
     }
 
     /// The sum, exactly.
-    pub fn plus(&self, other: &Dyadic) -> Result<Dyadic, Failure> {
+    pub(crate) fn plus(&self, other: &Dyadic) -> Result<Dyadic, Failure> {
         let (high, low) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
         let aligned = shifted(&high.mantissa, distance(high.exponent, low.exponent))?;
         Ok(Dyadic::new(aligned + &low.mantissa, low.exponent))
     }
 
     /// The difference, exactly; `None` if it is below 0.
-    pub fn minus(&self, other: &Dyadic) -> Result<Option<Dyadic>, Failure> {
+    pub(crate) fn minus(&self, other: &Dyadic) -> Result<Option<Dyadic>, Failure> {
         if self.compare(other)? == Ordering::Less {
             return Ok(None);
         }
@@ -145,7 +145,7 @@ impl Dyadic {
     }
 
     /// The quotient, cut to `bits` or one more; the divisor is not 0.
-    pub fn over(&self, other: &Dyadic, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
+    pub(crate) fn over(&self, other: &Dyadic, bits: u64, toward: Toward) -> Result<Dyadic, Failure> {
         if other.is_zero() {
             return declined("a divisor without a lower bound above 0");
         }
@@ -161,7 +161,7 @@ impl Dyadic {
     }
 
     /// The power by products, each cut; for `n >= 1`.
-    pub fn power(&self, n: &BigUint, bits: u64, toward: Toward, work: &Work) -> Result<Dyadic, Failure> {
+    pub(crate) fn power(&self, n: &BigUint, bits: u64, toward: Toward, work: &Work) -> Result<Dyadic, Failure> {
         let mut out = self.clone();
         for place in (0..n.bits().saturating_sub(1)).rev() {
             work.product(out.mantissa.bits(), out.mantissa.bits())?;
@@ -176,7 +176,7 @@ impl Dyadic {
 
     /// The order of two numbers. Where the leading bits stand at different places, they decide; else the exponents
     /// differ by no more than the mantissas have bits.
-    pub fn compare(&self, other: &Dyadic) -> Result<Ordering, Failure> {
+    pub(crate) fn compare(&self, other: &Dyadic) -> Result<Ordering, Failure> {
         match (self.is_zero(), other.is_zero()) {
             (true, true) => return Ok(Ordering::Equal),
             (true, false) => return Ok(Ordering::Less),
@@ -195,7 +195,7 @@ impl Dyadic {
 
     /// The order of the number and a rational that is not negative: that of `mantissa·2^exponent·denominator` and the
     /// numerator.
-    pub fn compare_ratio(&self, ratio: &BigRational) -> Result<Ordering, Failure> {
+    pub(crate) fn compare_ratio(&self, ratio: &BigRational) -> Result<Ordering, Failure> {
         let times = Dyadic::new(&self.mantissa * ratio.denom().magnitude(), self.exponent);
         times.compare(&Dyadic::new(ratio.numer().magnitude().clone(), 0))
     }
@@ -203,7 +203,7 @@ impl Dyadic {
 
 /// All numbers from `lo` to `hi`.
 #[derive(Clone, Debug)]
-pub struct Interval {
+pub(crate) struct Interval {
     /// The lower end.
     pub lo: Dyadic,
     /// The upper end.
@@ -212,18 +212,18 @@ pub struct Interval {
 
 impl Interval {
     /// A point.
-    pub fn point(x: Dyadic) -> Interval {
+    pub(crate) fn point(x: Dyadic) -> Interval {
         Interval { lo: x.clone(), hi: x }
     }
 
     /// A rational that is not negative.
-    pub fn ratio(x: &BigRational, bits: u64) -> Result<Interval, Failure> {
+    pub(crate) fn ratio(x: &BigRational, bits: u64) -> Result<Interval, Failure> {
         let part = |of: &BigUint| Interval::point(Dyadic::new(of.clone(), 0));
         part(x.numer().magnitude()).over(&part(x.denom().magnitude()), bits)
     }
 
     /// The products.
-    pub fn times(&self, other: &Interval, bits: u64) -> Result<Interval, Failure> {
+    pub(crate) fn times(&self, other: &Interval, bits: u64) -> Result<Interval, Failure> {
         Ok(Interval {
             lo: self.lo.times(&other.lo, bits, Toward::Down)?,
             hi: self.hi.times(&other.hi, bits, Toward::Up)?,
@@ -231,7 +231,7 @@ impl Interval {
     }
 
     /// The quotients; the divisor grows where the quotient falls.
-    pub fn over(&self, other: &Interval, bits: u64) -> Result<Interval, Failure> {
+    pub(crate) fn over(&self, other: &Interval, bits: u64) -> Result<Interval, Failure> {
         Ok(Interval {
             lo: self.lo.over(&other.hi, bits, Toward::Down)?,
             hi: self.hi.over(&other.lo, bits, Toward::Up)?,
@@ -239,7 +239,7 @@ impl Interval {
     }
 
     /// `1 + x`.
-    pub fn plus_one(&self, bits: u64) -> Result<Interval, Failure> {
+    pub(crate) fn plus_one(&self, bits: u64) -> Result<Interval, Failure> {
         let one = Dyadic::one();
         Ok(Interval {
             lo: self.lo.plus(&one)?.cut(bits, Toward::Down)?,
@@ -248,12 +248,12 @@ impl Interval {
     }
 
     /// `x·2^places`, exactly.
-    pub fn scaled(&self, places: i64) -> Result<Interval, Failure> {
+    pub(crate) fn scaled(&self, places: i64) -> Result<Interval, Failure> {
         Ok(Interval { lo: self.lo.scaled(places)?, hi: self.hi.scaled(places)? })
     }
 
     /// `x^n`, for `n >= 1`.
-    pub fn power(&self, n: &BigUint, bits: u64, work: &Work) -> Result<Interval, Failure> {
+    pub(crate) fn power(&self, n: &BigUint, bits: u64, work: &Work) -> Result<Interval, Failure> {
         Ok(Interval { lo: self.lo.power(n, bits, Toward::Down, work)?, hi: self.hi.power(n, bits, Toward::Up, work)? })
     }
 }

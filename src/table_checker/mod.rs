@@ -11,19 +11,19 @@
 //! - `best_cell`: the number of bodies, by two comparisons. This rests on the claims `b-grow`, that `L_n` rises with `n`,
 //!   and `b-grow-bounded`, that it stays below 1, which have certificates of their own; an acceptance says so.
 //!
-//! **What is assumed.** The formulas of [`value`], which the head repeats in words. That other numbers are irrational is
+//! **What is assumed.** The formulas of `value`, which the head repeats in words. That other numbers are irrational is
 //! not assumed: what is not known exactly is enclosed, and an enclosure decides or a limit is reached.
 
 mod axes;
 mod cell;
-pub mod dyadic;
+pub(crate) mod dyadic;
 mod failure;
 mod remarks;
-pub mod root;
-pub mod rounding;
-pub mod text;
-pub mod value;
-pub mod work;
+pub(crate) mod root;
+pub(crate) mod rounding;
+pub(crate) mod text;
+pub(crate) mod value;
+pub(crate) mod work;
 
 pub use failure::Failure;
 

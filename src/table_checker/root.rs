@@ -16,7 +16,7 @@ const WIDENINGS: u32 = 4;
 
 /// The root where it is rational. `p/q` in lowest terms is an `N`-th power of a rational iff `p` and `q` are `N`-th
 /// powers; other than 0 and 1 these have more than `N` bits.
-pub fn rational(r: &BigRational, count: &BigUint, work: &Work) -> Result<Option<BigRational>, Failure> {
+pub(crate) fn rational(r: &BigRational, count: &BigUint, work: &Work) -> Result<Option<BigRational>, Failure> {
     if r.is_one() || count.is_one() {
         return Ok(Some(r.clone()));
     }
@@ -37,7 +37,7 @@ pub fn rational(r: &BigRational, count: &BigUint, work: &Work) -> Result<Option<
 /// For `r < 1` the root is that of `1/r`, inverted. Else two candidates beside a guess are tried: `x ↦ x^N` rises, so
 /// `lo^N <= r <= hi^N` shows `lo <= r^(1/N) <= hi`. The powers are cut upwards for `lo` and downwards for `hi`, the rational
 /// `r` the other way about.
-pub fn enclosure(r: &BigRational, count: &BigUint, bits: u64, work: &Work) -> Result<Interval, Failure> {
+pub(crate) fn enclosure(r: &BigRational, count: &BigUint, bits: u64, work: &Work) -> Result<Interval, Failure> {
     work.quotient(bits, r.numer().bits().max(r.denom().bits()))?;
     if r.is_one() || count.is_one() {
         return Interval::ratio(r, bits);

@@ -12,7 +12,7 @@ use num_traits::{One, Zero};
 use std::cmp::Ordering;
 
 /// The most digits of a printed number.
-pub const DIGITS_LIMIT: u64 = 10_000;
+pub(crate) const DIGITS_LIMIT: u64 = 10_000;
 /// Powers of ten up to this one are exact.
 const EXACT_POWER: u64 = 5_000;
 /// The most powers of ten by which a rational is scaled.
@@ -20,7 +20,7 @@ const SCALE_LIMIT: u64 = 1 << 20;
 
 /// How many digits are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Digits {
+pub(crate) enum Digits {
     /// So many significant ones.
     Significant(u64),
     /// So many after the point.
@@ -29,7 +29,7 @@ pub enum Digits {
 
 /// The direction of rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rounding {
+pub(crate) enum Rounding {
     /// To the nearest, ties to the even digit.
     NearestEven,
     /// Never below the value.
@@ -135,7 +135,7 @@ fn written(digits: String, exponent: i64, plain: bool) -> Result<String, Failure
 }
 
 /// The decimal of a rational, exactly.
-pub fn of_ratio(x: &BigRational, digits: Digits, rounding: Rounding, work: &Work) -> Result<String, Failure> {
+pub(crate) fn of_ratio(x: &BigRational, digits: Digits, rounding: Rounding, work: &Work) -> Result<String, Failure> {
     let (above, below) = (x.numer().magnitude(), x.denom().magnitude());
     let scaled = |places: i64| {
         if places.unsigned_abs() > SCALE_LIMIT {
@@ -153,7 +153,13 @@ pub fn of_ratio(x: &BigRational, digits: Digits, rounding: Rounding, work: &Work
 ///
 /// It is `x` itself where the power of ten that it is scaled by is exact; else that power is rounded, and so is the number,
 /// in the direction asked for. So the decimals of a lower and an upper end that agree are those of what lies between.
-pub fn of_end(x: &Dyadic, digits: Digits, rounding: Rounding, toward: Toward, work: &Work) -> Result<String, Failure> {
+pub(crate) fn of_end(
+    x: &Dyadic,
+    digits: Digits,
+    rounding: Rounding,
+    toward: Toward,
+    work: &Work,
+) -> Result<String, Failure> {
     if x.is_zero() && matches!(digits, Digits::Significant(_)) {
         return rejected("an enclosure that reaches 0 has no significant digits");
     }

@@ -12,13 +12,13 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 /// The longest line, in bytes.
-pub const LINE_LIMIT: usize = 4 << 20;
+pub(crate) const LINE_LIMIT: usize = 4 << 20;
 /// The most digits of a number in a line.
 const NUMBER_LIMIT: usize = 40_000;
 
 /// The quantity of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub(crate) enum Quantity {
     /// (25).
     Eta,
     /// `L_n`, (19).
@@ -29,7 +29,7 @@ pub enum Quantity {
 
 /// The values of an axis, as the head gives them.
 #[derive(Clone, Debug)]
-pub enum Values {
+pub(crate) enum Values {
     /// One by one.
     List(Vec<BigRational>),
     /// So many from a start on, each by a step more than the last.
@@ -40,7 +40,7 @@ pub enum Values {
 
 /// What the head says.
 #[derive(Clone, Debug)]
-pub struct Head {
+pub(crate) struct Head {
     /// The quantity.
     pub quantity: Quantity,
     /// Remarks for readers: names and texts.
@@ -57,7 +57,7 @@ pub struct Head {
 
 /// What a row says.
 #[derive(Clone, Debug)]
-pub struct Row<'a> {
+pub(crate) struct Row<'a> {
     /// Its place, from 0.
     pub row: u64,
     /// The mass ratio.
@@ -202,7 +202,7 @@ fn values(at: &mut Cursor<'_>, work: &Work) -> Read<Values> {
 }
 
 /// Reads the first line.
-pub fn head(line: &str, work: &Work) -> Read<Head> {
+pub(crate) fn head(line: &str, work: &Work) -> Read<Head> {
     let mut at = Cursor { rest: line };
     at.word("{\"certificate\":\"table\",\"want\":")?;
     let quantity = match at.text()? {
@@ -271,7 +271,7 @@ fn digits(at: &mut Cursor<'_>) -> Read<Option<Digits>> {
 }
 
 /// Reads a row.
-pub fn row(line: &str) -> Read<Row<'_>> {
+pub(crate) fn row(line: &str) -> Read<Row<'_>> {
     let mut at = Cursor { rest: line };
     at.word("{\"row\":")?;
     let row = at.count()?;

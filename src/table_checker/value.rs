@@ -17,7 +17,7 @@ use num_traits::{One, Pow, ToPrimitive};
 use std::cmp::Ordering;
 
 /// The most bits of a number of bodies.
-pub const COUNT_BITS: u64 = 2_048;
+pub(crate) const COUNT_BITS: u64 = 2_048;
 /// Exact values have at most about so many bits.
 const EXACT_BITS: u64 = 1 << 20;
 /// The most bits with which a cell is computed.
@@ -25,7 +25,7 @@ const PRECISION_LIMIT: u64 = 1 << 17;
 
 /// A cell whose value is a real number.
 #[derive(Clone, Debug)]
-pub enum Cell {
+pub(crate) enum Cell {
     /// eta, of the ratio, the restitution and the number of collisions `N`.
     Eta(BigRational, BigRational, BigUint),
     /// `L_n`, of the ratio and `n`.
@@ -34,7 +34,7 @@ pub enum Cell {
 
 /// What is known of a value before anything is enclosed.
 #[derive(Clone, Debug)]
-pub enum Form {
+pub(crate) enum Form {
     /// It is this number.
     Exact(BigRational),
     /// It is rational and too long to be multiplied out.
@@ -60,7 +60,7 @@ fn half_sum(x: &BigRational) -> BigRational {
 
 impl Cell {
     /// Whether the value is rational, as far as its roots tell, and the value.
-    pub fn form(&self, work: &Work) -> Result<Form, Failure> {
+    pub(crate) fn form(&self, work: &Work) -> Result<Form, Failure> {
         let exact = |value: Option<BigRational>| value.map_or(Form::Long, Form::Exact);
         let size = |x: &BigRational| x.numer().bits().max(x.denom().bits());
         Ok(match self {
@@ -116,7 +116,7 @@ impl Cell {
     }
 
     /// An enclosure of the value; `None` if so few bits do not tell it from 0.
-    pub fn enclosed(&self, bits: u64, work: &Work) -> Result<Option<Interval>, Failure> {
+    pub(crate) fn enclosed(&self, bits: u64, work: &Work) -> Result<Option<Interval>, Failure> {
         if bits > PRECISION_LIMIT {
             return declined("bits of a cell");
         }
@@ -133,7 +133,7 @@ impl Cell {
 
     /// The order of the value and a rational that is not negative. Enclosures are narrowed until they tell; a value that
     /// is equal to it is recognised if it is known exactly.
-    pub fn compare(&self, number: &BigRational, work: &Work) -> Result<Ordering, Failure> {
+    pub(crate) fn compare(&self, number: &BigRational, work: &Work) -> Result<Ordering, Failure> {
         if let Form::Exact(value) = self.form(work)? {
             return Ok(value.cmp(number));
         }

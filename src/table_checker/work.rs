@@ -8,7 +8,7 @@ use super::failure::{Failure, declined};
 use std::cell::Cell;
 
 /// The work that any table may cost, in products of two words of 64 bits.
-pub const WORK_LIMIT: u64 = 4_000_000_000;
+pub(crate) const WORK_LIMIT: u64 = 4_000_000_000;
 /// The further work for each byte of the file.
 const WORK_PER_BYTE: u64 = 2_000;
 /// Products of longer numbers, in words, are cheaper than the product of their lengths.
@@ -18,7 +18,7 @@ const DIVISOR: u64 = 128;
 
 /// Counts work. A cell, so that what only reads the state of a check counts as well.
 #[derive(Clone, Debug, Default)]
-pub struct Work {
+pub(crate) struct Work {
     spent: Cell<u64>,
     read: Cell<u64>,
 }
@@ -30,7 +30,7 @@ fn words(bits: u64) -> u64 {
 
 impl Work {
     /// So many bytes were read.
-    pub fn read(&self, bytes: usize) {
+    pub(crate) fn read(&self, bytes: usize) {
         self.read.set(self.read.get().saturating_add(u64::try_from(bytes).unwrap_or(u64::MAX)));
     }
 
@@ -42,7 +42,7 @@ impl Work {
     }
 
     /// A product of numbers of so many bits: three products of half the length instead of four, down to `SHORT`.
-    pub fn product(&self, a: u64, b: u64) -> Result<(), Failure> {
+    pub(crate) fn product(&self, a: u64, b: u64) -> Result<(), Failure> {
         let (short, long) = (words(a.min(b)), words(a.max(b)));
         let halvings = (short / SHORT).checked_ilog2().unwrap_or(0);
         let square = short.saturating_mul(short).saturating_mul(3u64.saturating_pow(halvings)) >> (2 * halvings);
@@ -50,12 +50,12 @@ impl Work {
     }
 
     /// A quotient of so many bits by a divisor of so many, or the digits of a number: by the school's method.
-    pub fn quotient(&self, quotient: u64, divisor: u64) -> Result<(), Failure> {
+    pub(crate) fn quotient(&self, quotient: u64, divisor: u64) -> Result<(), Failure> {
         self.count(words(quotient).saturating_mul(words(divisor)))
     }
 
     /// The lowest terms of a fraction whose numerator and denominator have so many bits.
-    pub fn reduction(&self, bits: u64) -> Result<(), Failure> {
+    pub(crate) fn reduction(&self, bits: u64) -> Result<(), Failure> {
         self.count(words(bits).saturating_mul(words(bits)).saturating_mul(DIVISOR))
     }
 }

@@ -47,7 +47,7 @@ fn shown(faults: &[Diagnostic], text: &str) {
 
 /// The parser answers with claims or faults that can be shown; a claim that was read prints as one that reads to the
 /// same statement.
-pub fn claim(bytes: &[u8]) {
+pub(crate) fn claim(bytes: &[u8]) {
     match parse_bytes(bytes) {
         Ok(claims) => {
             for claim in &claims {
@@ -65,7 +65,7 @@ pub fn claim(bytes: &[u8]) {
 
 /// A certificate that was read is written and read to the same text; the kernel answers for the claim that it
 /// names, and shows nothing false by it.
-pub fn certificate(bytes: &[u8]) {
+pub(crate) fn certificate(bytes: &[u8]) {
     static KNOWN: OnceLock<(Vec<Claim>, Vec<Claim>)> = OnceLock::new();
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let Ok(mut certificate) = read(text) else { return };
@@ -84,7 +84,7 @@ pub fn certificate(bytes: &[u8]) {
 
 /// Both readers of scenes answer with a scene or a fault that can be shown; a small scene of bodies is replayed, its
 /// ledger balances, and every form of it is written.
-pub fn scene(bytes: &[u8]) {
+pub(crate) fn scene(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     if let Err(fault) = carom::scene::read::scene(text) {
         shown(&[fault.diagnostic], text);
@@ -119,7 +119,7 @@ fn replayed(scene: &carom::scene::replay::Scene) {
 }
 
 /// The kernel and the engine read a numeral, or say why not; where both read it, to the same number.
-pub fn numeral(bytes: &[u8]) {
+pub(crate) fn numeral(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let ours = carom::number::rational::parse(text);
     if let (Ok(theirs), Ok(ours)) = (kernel::numeral(text), &ours) {
@@ -131,7 +131,7 @@ pub fn numeral(bytes: &[u8]) {
 }
 
 /// The kernel answers for a table, and accepts no more or fewer rows than there are lines for.
-pub fn table(bytes: &[u8]) {
+pub(crate) fn table(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let mut lines = text.lines();
     let Ok(mut checker) = carom::table_checker::Checker::new(lines.next().unwrap_or("")) else { return };

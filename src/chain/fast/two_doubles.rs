@@ -26,13 +26,13 @@ impl TwoDoubles {
 
     /// A double.
     #[must_use]
-    pub fn exact(x: f64) -> TwoDoubles {
+    pub(crate) fn exact(x: f64) -> TwoDoubles {
         TwoDoubles { high: x, low: 0.0 }
     }
 
     /// A whole number.
     #[must_use]
-    pub fn of_integer(x: i64) -> TwoDoubles {
+    pub(crate) fn of_integer(x: i64) -> TwoDoubles {
         let high = x as f64;
         // At most 2^9 in size.
         TwoDoubles { high, low: (i128::from(x) - high as i128) as f64 }
@@ -40,7 +40,7 @@ impl TwoDoubles {
 
     /// A rational: the nearest double, and the double nearest to the rest.
     #[must_use]
-    pub fn of_rational(x: &Rational) -> TwoDoubles {
+    pub(crate) fn of_rational(x: &Rational) -> TwoDoubles {
         let nearest = |x: &Rational| f64::rounding_from(x, RoundingMode::Nearest).0;
         let high = nearest(x);
         if *x == Rational::ZERO {
@@ -59,7 +59,7 @@ impl TwoDoubles {
     /// `10^15` with `p/10^k` rounding to `x`, then `p/10^k` is the shortest one. The rest `(p − x·10^k)/10^k` follows from the exact
     /// product, with two roundings.
     #[must_use]
-    pub fn of_decimal(x: f64) -> TwoDoubles {
+    pub(crate) fn of_decimal(x: f64) -> TwoDoubles {
         const MOST: f64 = 1e15;
         let mut scale = 1.0;
         for _ in 0..=15 {
@@ -79,7 +79,7 @@ impl TwoDoubles {
     /// The quotient, within `2E` for operands within `4u²`.
     #[must_use]
     #[inline]
-    pub fn over(self, other: TwoDoubles) -> TwoDoubles {
+    pub(crate) fn over(self, other: TwoDoubles) -> TwoDoubles {
         let pair = |x: TwoDoubles| Pair::<1, false> { high: Lanes([x.high]), low: Lanes([x.low]) };
         // Then no product on the way is so small or so large that its error is not a double.
         if [self, other].iter().all(|x| (SMALL..=LARGE).contains(&x.high)) {

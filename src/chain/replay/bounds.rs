@@ -19,10 +19,10 @@ pub(super) struct Bounds {
 
 impl Bounds {
     /// Nothing is known.
-    pub const WHOLE: Bounds = Bounds { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    pub(crate) const WHOLE: Bounds = Bounds { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
     /// The two neighbouring doubles around an exact number.
-    pub fn of(x: &Rational) -> Bounds {
+    pub(super) fn of(x: &Rational) -> Bounds {
         Bounds { lo: f64::rounding_from(x, RoundingMode::Floor).0, hi: f64::rounding_from(x, RoundingMode::Ceiling).0 }
     }
 
@@ -33,7 +33,7 @@ impl Bounds {
         Bounds { lo: lo.next_down(), hi: hi.next_up() }
     }
 
-    pub fn minus(self, other: Bounds) -> Bounds {
+    pub(crate) fn minus(self, other: Bounds) -> Bounds {
         let points = self.lo == self.hi && other.lo == other.hi && self.lo.is_finite();
         if points && self.lo == other.lo {
             return Bounds { lo: 0.0, hi: 0.0 };
@@ -41,17 +41,17 @@ impl Bounds {
         Bounds::outward(self.lo - other.hi, self.hi - other.lo)
     }
 
-    pub fn plus(self, other: Bounds) -> Bounds {
+    pub(super) fn plus(self, other: Bounds) -> Bounds {
         Bounds::outward(self.lo + other.lo, self.hi + other.hi)
     }
 
-    pub fn times(self, other: Bounds) -> Bounds {
+    pub(super) fn times(self, other: Bounds) -> Bounds {
         let all = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
         Bounds::around(all)
     }
 
     /// The quotient; the whole line where the divisor may be zero.
-    pub fn over(self, other: Bounds) -> Bounds {
+    pub(super) fn over(self, other: Bounds) -> Bounds {
         if other.sign().is_none_or(Ordering::is_eq) {
             return Bounds::WHOLE;
         }
@@ -68,7 +68,7 @@ impl Bounds {
     }
 
     /// The sign, where all elements have the same.
-    pub fn sign(self) -> Option<Ordering> {
+    pub(super) fn sign(self) -> Option<Ordering> {
         if self.lo > 0.0 {
             Some(Ordering::Greater)
         } else if self.hi < 0.0 {
@@ -81,7 +81,7 @@ impl Bounds {
     }
 
     /// The order, where the enclosures are apart.
-    pub fn order(self, other: Bounds) -> Option<Ordering> {
+    pub(super) fn order(self, other: Bounds) -> Option<Ordering> {
         if self.hi < other.lo {
             Some(Ordering::Less)
         } else if self.lo > other.hi {

@@ -27,7 +27,7 @@ use malachite::Rational;
 use std::cmp::Ordering;
 
 /// The most bits of an enclosure of the run.
-pub(super) const MAX_BITS: u64 = 4096;
+pub(crate) const MAX_BITS: u64 = 4096;
 
 /// Why a certified run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,7 +72,7 @@ pub(super) struct Certified<'a, E> {
 
 impl<'a, E: Enclosure> Certified<'a, E> {
     /// Goes on from where an exact run stopped.
-    pub fn new(run: &Run<'a>, bits: u64) -> Certified<'a, E> {
+    pub(super) fn new(run: &Run<'a>, bits: u64) -> Certified<'a, E> {
         let line = run.line;
         let points = run.b.iter().zip(&run.v).map(|(b, v)| Worldline {
             b: E::of(b, bits),
@@ -111,7 +111,7 @@ impl<'a, E: Enclosure> Certified<'a, E> {
     }
 
     /// Runs until something ends it.
-    pub fn go(&mut self, events: u64, until: Option<&Rational>, list: usize) -> Result<End, Open> {
+    pub(super) fn go(&mut self, events: u64, until: Option<&Rational>, list: usize) -> Result<End, Open> {
         let until = until.map(|t| E::of(t, self.bits));
         while let Some(first) = self.queue.first() {
             let (p, time) = self.earliest_near(first)?;

@@ -13,7 +13,7 @@ use std::collections::HashSet;
 const MAX_STATES: usize = 20_000;
 
 /// The most collisions of one sequence.
-const MAX_DEPTH: usize = 200;
+pub(crate) const MAX_DEPTH: usize = 200;
 
 /// One possible end of a contact.
 #[derive(Clone, Debug)]

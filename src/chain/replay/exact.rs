@@ -114,7 +114,7 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// The state at time 0, with what is due.
-    pub fn new(line: &'a Line) -> Run<'a> {
+    pub(super) fn new(line: &'a Line) -> Run<'a> {
         let n = line.points.len();
         let b: Vec<Rational> = line.points.iter().map(|p| p.position.clone()).collect();
         let v: Vec<Rational> = line.points.iter().map(|p| p.velocity.clone()).collect();
@@ -148,7 +148,7 @@ impl<'a> Run<'a> {
     }
 
     /// Replays until something ends it.
-    pub fn go(&mut self, bound: &Bound) -> Result<Stop, LedgerFault> {
+    pub(super) fn go(&mut self, bound: &Bound) -> Result<Stop, LedgerFault> {
         let mut together = Vec::new();
         loop {
             let Some(first) = self.queue.first() else { return Ok(Stop::Quiet) };
@@ -279,13 +279,13 @@ impl<'a> Run<'a> {
     }
 
     /// When the pair meets, if it approaches.
-    pub fn due_exactly(&self, p: usize) -> Option<Rational> {
+    pub(crate) fn due_exactly(&self, p: usize) -> Option<Rational> {
         let (gap, speed) = self.meeting(p);
         (speed > Rational::ZERO).then(|| gap / speed)
     }
 
     /// The time of what happened last.
-    pub fn time(&self) -> Value {
+    pub(super) fn time(&self) -> Value {
         match &self.last {
             Last::Start => Value::Exact(Rational::ZERO),
             Last::Meeting(gap, speed) => Value::Exact(gap / speed),

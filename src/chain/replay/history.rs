@@ -24,7 +24,7 @@ pub(super) struct History {
 }
 
 impl History {
-    pub fn push(&mut self, pair: usize) {
+    pub(super) fn push(&mut self, pair: usize) {
         let pair = pair as u32;
         if let Some(turns) = self.turns.last_mut() {
             if turns.count == 1 && turns.first.abs_diff(pair) == 1 {
@@ -41,12 +41,12 @@ impl History {
     }
 
     /// The number of entries.
-    pub fn entries(&self) -> usize {
+    pub(super) fn entries(&self) -> usize {
         self.turns.len()
     }
 
     /// The last pair.
-    pub fn last(&self) -> Option<usize> {
+    pub(super) fn last(&self) -> Option<usize> {
         let turns = self.turns.last()?;
         Some(if turns.count % 2 == 0 { turns.second } else { turns.first } as usize)
     }
@@ -146,12 +146,12 @@ pub(super) struct Rows<N> {
 }
 
 impl<N: Number> Rows<N> {
-    pub fn of(pair: &Pair, bits: u64) -> Rows<N> {
+    pub(super) fn of(pair: &Pair, bits: u64) -> Rows<N> {
         let row = |share: &Rational| (N::of(&(Rational::ONE - share), bits), N::of(share, bits));
         Rows { left: row(&pair.left), right: row(&pair.right) }
     }
 
-    pub fn apply(&self, left: &N, right: &N, bits: u64) -> (N, N) {
+    pub(super) fn apply(&self, left: &N, right: &N, bits: u64) -> (N, N) {
         let row = |(own, share): &(N, N), x: &N, y: &N| own.times(x, bits).plus(&share.times(y, bits), bits);
         (row(&self.left, left, right), row(&self.right, right, left))
     }

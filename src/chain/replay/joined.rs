@@ -101,7 +101,7 @@ pub(super) struct Block {
 
 impl Block {
     /// The common velocity.
-    pub fn velocity(&self) -> Rational {
+    pub(super) fn velocity(&self) -> Rational {
         self.mass.as_ref().map_or(Rational::ZERO, |mass| &self.momentum / mass)
     }
 

@@ -29,7 +29,7 @@ pub(super) struct Sum {
 }
 
 impl Sum {
-    pub fn add(&mut self, mut x: Rational) {
+    pub(super) fn add(&mut self, mut x: Rational) {
         if x == Rational::ZERO {
             return;
         }
@@ -45,7 +45,7 @@ impl Sum {
         self.parts.push(Some(x));
     }
 
-    pub fn total(&self) -> Rational {
+    pub(super) fn total(&self) -> Rational {
         self.parts.iter().flatten().fold(Rational::ZERO, |a, b| a + b)
     }
 }
@@ -59,7 +59,7 @@ pub(super) struct Ledger {
 
 impl Ledger {
     /// Checks a collision and books it; returns the energy that it cost.
-    pub fn book(
+    pub(crate) fn book(
         &mut self,
         sides: (&Point, &Point),
         pair: &Pair,
@@ -104,7 +104,7 @@ impl Ledger {
 
     /// Checks that points that came together kept their momentum, unless a wall is among them, and gained no energy;
     /// returns the energy that it cost.
-    pub fn book_joined(
+    pub(crate) fn book_joined(
         &mut self,
         points: &[Point],
         before: &[Rational],
@@ -139,7 +139,7 @@ impl Ledger {
 
     /// Holds the sums of all collisions against the states: energy before = energy after + lost, momentum after =
     /// momentum before + what the walls gave.
-    pub fn balance(&self, line: &Line, v: &[Rational]) -> Result<(), LedgerFault> {
+    pub(super) fn balance(&self, line: &Line, v: &[Rational]) -> Result<(), LedgerFault> {
         let start: Vec<Rational> = line.points.iter().map(|p| p.velocity.clone()).collect();
         if energy(line, &start) != energy(line, v) + self.lost.total() {
             return Err(LedgerFault { law: "energy", collision: None });

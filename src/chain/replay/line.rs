@@ -221,13 +221,13 @@ impl Line {
 
     /// Whether there is a wall on the left.
     #[must_use]
-    pub fn has_left_wall(&self) -> bool {
+    pub(crate) fn has_left_wall(&self) -> bool {
         self.first == 0
     }
 
     /// Whether there is a wall on the right.
     #[must_use]
-    pub fn has_right_wall(&self) -> bool {
+    pub(crate) fn has_right_wall(&self) -> bool {
         self.points.len() + self.first - 1 > self.bodies
     }
 
@@ -246,7 +246,7 @@ impl Line {
 
     /// Half the body's length; bodies count from 1.
     #[must_use]
-    pub fn half_length(&self, body: usize) -> Option<&Rational> {
+    pub(crate) fn half_length(&self, body: usize) -> Option<&Rational> {
         self.half_lengths.get(body.checked_sub(1)?)
     }
 

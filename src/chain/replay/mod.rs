@@ -57,7 +57,7 @@ use malachite::Rational;
 pub const MAX_EVENTS: u64 = 1_000_000;
 
 /// Numbers of more bits end the exact part of a replay, unless told otherwise (bench `replay`, table `sizes`).
-pub const EXACT_BITS: u64 = 8192;
+pub(crate) const EXACT_BITS: u64 = 8192;
 
 /// Exact final values of a run in enclosures are evaluated up to about so many bits.
 pub const MAX_VALUE_BITS: u64 = 1 << 24;

@@ -18,22 +18,22 @@ pub(super) struct Queue {
 
 impl Queue {
     /// An empty heap for the numbers below `n`.
-    pub fn new(n: usize) -> Queue {
+    pub(super) fn new(n: usize) -> Queue {
         Queue { heap: Vec::with_capacity(n), place: vec![ABSENT; n] }
     }
 
     /// The first, if there is one.
-    pub fn first(&self) -> Option<usize> {
+    pub(super) fn first(&self) -> Option<usize> {
         self.heap.first().map(|p| *p as usize)
     }
 
     /// All present numbers, in no order.
-    pub fn present(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn present(&self) -> impl Iterator<Item = usize> + '_ {
         self.heap.iter().map(|p| *p as usize)
     }
 
     /// Puts the number where it belongs now, or takes it out.
-    pub fn set(&mut self, item: usize, present: bool, less: impl Fn(usize, usize) -> bool) {
+    pub(super) fn set(&mut self, item: usize, present: bool, less: impl Fn(usize, usize) -> bool) {
         let at = self.place[item];
         match (at == ABSENT, present) {
             (true, false) => {}

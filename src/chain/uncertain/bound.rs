@@ -13,11 +13,11 @@ use malachite::{Integer, Rational};
 const EXACT: u64 = 8;
 
 /// The most bits by which the sizes of all masses may differ from 1 together.
-pub const MAX_SPREAD_BITS: u64 = 1 << 18;
+pub(crate) const MAX_SPREAD_BITS: u64 = 1 << 18;
 
 /// The side to which a bound may be off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub(crate) enum Side {
     /// Never above.
     Below,
     /// Never below.
@@ -26,7 +26,7 @@ pub enum Side {
 
 /// A number of about `bits` bits on the given side of `x`, within a relative `2^(1 − bits)`; `x` itself where it is short.
 #[must_use]
-pub fn shortened(x: Rational, side: Side, bits: u64) -> Rational {
+pub(crate) fn shortened(x: Rational, side: Side, bits: u64) -> Rational {
     let (above, below) = (x.numerator_ref().significant_bits(), x.denominator_ref().significant_bits());
     if above.max(below) <= bits.saturating_mul(EXACT) {
         return x;

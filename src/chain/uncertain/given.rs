@@ -9,7 +9,7 @@
 //! - *Least, of what is nowhere negative.* Each of these is a concave function of the logarithms of the masses, so its
 //!   least value lies at a vertex; `P_(k+1)` depends on the masses before `m_k` through `P_k` alone, so the vertices are
 //!   searched body by body.
-//! - *Greatest, of what is positive somewhere*: [`super::peak`].
+//! - *Greatest, of what is positive somewhere*: `super::peak`.
 //! - *Where `u_k` is negative* its size is a product of two factors that both fall with `m_k`: `m_k` stands at an end.
 //!   Greatest size: lower end, with the greatest `P_k` for it; least size: upper end.
 //! - *Independent coefficients* enter in factors of their own, each monotone. *One coefficient for all*, measured:
@@ -99,7 +99,7 @@ impl Given {
     /// Bounds of the velocity of each body after the pass.
     ///
     /// # Errors
-    /// A limit of [`super::peak`].
+    /// A limit of `super::peak`.
     pub fn velocities(&self) -> Result<Vec<Reals>, ChainError> {
         let mut list = Vec::with_capacity(self.masses.len());
         for (k, pair) in self.masses.windows(2).enumerate() {
@@ -115,7 +115,7 @@ impl Given {
     /// Bounds of the velocity of the last body after the pass.
     ///
     /// # Errors
-    /// A limit of [`super::peak`].
+    /// A limit of `super::peak`.
     pub fn last_velocity(&self) -> Result<Reals, ChainError> {
         let last = self.masses.len().saturating_sub(1);
         let least = self.least.last().map_or(Rational::ZERO, |[low, high]| low.min(high).clone());
@@ -216,7 +216,7 @@ impl Given {
     /// Bounds of the energy lost in each collision.
     ///
     /// # Errors
-    /// A limit of [`super::peak`].
+    /// A limit of `super::peak`.
     pub fn losses(&self) -> Result<Vec<Reals>, ChainError> {
         let scale = (&self.speed).square() / Rational::TWO;
         let mut list = Vec::with_capacity(self.masses.len());
@@ -253,7 +253,7 @@ impl Given {
     /// Bounds of the energy transfer.
     ///
     /// # Errors
-    /// A limit of [`super::peak`].
+    /// A limit of `super::peak`.
     pub fn transfer(&self) -> Result<Reals, ChainError> {
         let last = self.masses.len().saturating_sub(1);
         // Here the first mass enters twice: its two ends are tried like all others.

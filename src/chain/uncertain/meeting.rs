@@ -212,7 +212,7 @@ fn needed(a: &Rational, b: &Rational, e: &Rational, f: &Rational) -> Option<Rati
 ///
 /// # Errors
 /// As [`Pass::velocities_after`].
-pub fn of_moving(
+pub(crate) fn of_moving(
     masses: &[Range<Positive>],
     coefficients: &Coefficients,
     before: &[Rational],

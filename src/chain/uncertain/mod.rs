@@ -10,16 +10,16 @@
 //!   `tanh(d/(n+1)) − tanh(d/n) < 0`: `L_n` falls with `|d|`. So `n* = #{n : L_n <= e}` rises with `e` and with `|d|`, and
 //!   `e − L_n` does. `mu_i = m1^((N−i)/N)·m2^(i/N)` rises with both masses. Velocities and losses: [`optimum`].
 //! - *Given masses.* [`given`]: what falls is least at a vertex of the box; what is greatest is the maximum of a
-//!   concave function, found in [`peak`]. Other bodies in motion: [`cells`]. Whether bodies meet again: [`meeting`].
+//!   concave function, found in `peak`. Other bodies in motion: [`cells`]. Whether bodies meet again: [`meeting`].
 //!
 //! The ratio `r` ranges over `[m1_lo/m2_hi, m1_hi/m2_lo]`: the two masses are measured independently.
 
-pub mod bound;
+pub(crate) mod bound;
 pub mod cells;
 pub mod given;
 pub mod meeting;
 pub mod optimum;
-pub mod peak;
+pub(crate) mod peak;
 
 use super::best::{Best, best};
 use super::threshold::{Helps, helps};
@@ -291,7 +291,7 @@ pub struct Reals {
 ///
 /// # Errors
 /// As [`transfer::optimal`].
-pub fn optimal_transfer(
+pub(crate) fn optimal_transfer(
     first: &Range<Positive>,
     last: &Range<Positive>,
     (lower, upper): (&Restitutions, &Restitutions),
@@ -314,7 +314,7 @@ pub fn threshold(first: &Range<Positive>, last: &Range<Positive>, n: u64) -> Res
 ///
 /// # Errors
 /// As [`super::threshold::compare`].
-pub fn helps_over(
+pub(crate) fn helps_over(
     first: &Range<Positive>,
     last: &Range<Positive>,
     e: &Range<Restitution>,
@@ -333,7 +333,7 @@ pub fn helps_over(
 ///
 /// # Errors
 /// As [`best`].
-pub fn best_over(
+pub(crate) fn best_over(
     first: &Range<Positive>,
     last: &Range<Positive>,
     e: &Range<Restitution>,

@@ -32,14 +32,14 @@ use malachite::{Natural, Rational};
 use std::cmp::Ordering;
 
 /// A bound exceeds a value that is attained by at most `2^-MAX_EXCESS_BITS` of itself.
-pub const MAX_EXCESS_BITS: u64 = 30;
+pub(crate) const MAX_EXCESS_BITS: u64 = 30;
 
 /// The most steps of the secant method.
 const STEPS: usize = 40;
 
 /// What stands beside the power of `P`.
 #[derive(Clone, Debug)]
-pub enum Last<'a> {
+pub(crate) enum Last<'a> {
     /// `P`: body `k` leaves with it.
     Arrival,
     /// `P·(m_k − e·b)/(m_k + b)`: body `k` keeps that after striking a body of mass `b`. Somewhere in the box it is above 0.
@@ -123,7 +123,7 @@ struct Knot {
 ///
 /// # Errors
 /// A limit where the bound exceeds what is attained by more than [`MAX_EXCESS_BITS`] tell.
-pub fn greatest(masses: &[Range<Positive>], last: &Last<'_>, bits: u64) -> Result<Rational, NumberError> {
+pub(crate) fn greatest(masses: &[Range<Positive>], last: &Last<'_>, bits: u64) -> Result<Rational, NumberError> {
     let places = guess(masses, last, bits + 16);
     certify(masses, last, &places, bits + 16)
 }

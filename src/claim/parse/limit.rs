@@ -13,7 +13,7 @@ use super::super::walk;
 use super::*;
 
 /// The most nodes of a function, times those of the point that is put into it.
-const NODES_LIMIT: usize = 100_000;
+pub(crate) const NODES_LIMIT: usize = 100_000;
 
 /// What a limit is said to be.
 enum Target {

@@ -84,7 +84,7 @@ pub fn parse(source: &str) -> Result<Vec<Claim>, Vec<Diagnostic>> {
 /// The claims of a source text under the preamble of its folder, and the preamble that the file leaves to others.
 ///
 /// A claim as it is returned has what it takes from the preambles, and every abbreviation is written out.
-pub fn parse_under(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
+pub(crate) fn parse_under(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
     let mut faults = Vec::new();
     let (mut claims, preamble) = clauses(source, folder)?;
     super::check::preamble(&preamble, &mut faults);
@@ -124,7 +124,7 @@ pub fn clauses(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble)
 }
 
 /// The names of the claims in a file, be it faulty or not.
-pub fn claim_names(source: &str) -> Vec<String> {
+pub(crate) fn claim_names(source: &str) -> Vec<String> {
     let (tokens, _) = tokens(source);
     let begins = |token: &Token| token.first_on_line && token.kind == Kind::Word("claim".to_string());
     let pairs = tokens.windows(2).filter(|pair| begins(&pair[0]));
@@ -137,7 +137,7 @@ pub fn claim_names(source: &str) -> Vec<String> {
 }
 
 /// The text of a file's bytes.
-pub fn text_of(bytes: &[u8]) -> Result<&str, Vec<Diagnostic>> {
+pub(crate) fn text_of(bytes: &[u8]) -> Result<&str, Vec<Diagnostic>> {
     std::str::from_utf8(bytes).map_err(|fault| {
         let start = fault.valid_up_to();
         vec![Diagnostic::new(Fault::NotText, Span { start, end: start + 1 })]

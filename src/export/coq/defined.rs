@@ -15,7 +15,7 @@ use crate::kernel::{Accepted, key};
 ///
 /// # Errors
 /// The claim makes no sense to the kernel.
-pub fn companion(claim: &Claim) -> Found<Option<Claim>> {
+pub(crate) fn companion(claim: &Claim) -> Found<Option<Claim>> {
     let read = Read::of(claim)?;
     let (kinds, positive) = (of_claim(claim), Positive::of_claim(claim));
     let mut needs = Collector::new(&kinds, &positive);
@@ -119,7 +119,7 @@ fn said(condition: &Condition) -> Option<Prop> {
 ///
 /// # Errors
 /// Why there is none.
-pub fn proof(
+pub(crate) fn proof(
     companion: &Claim,
     certificate: &Certificate,
     cited: &[&Accepted],

@@ -2,7 +2,7 @@
 //!
 //! Contract: the text of [`proof()`] is a file for Coq whose theorem is the statement of [`super::statement`]. Coq checks it:
 //! a mistake here can only make a proof that Coq does not accept. What an expression comes to, and which signs the cited
-//! facts give, the kernel says ([`crate::kernel::words`]).
+//! facts give, the kernel says (`crate::kernel::words`).
 
 use super::super::Unsupported;
 use super::super::kinds::{self, Kind};

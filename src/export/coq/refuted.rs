@@ -11,18 +11,18 @@ use crate::kernel::refutation;
 use crate::kernel::statement::Statement as Read;
 
 /// Variables and members of families with their values.
-pub type Point = Vec<(Expr, Expr)>;
+pub(crate) type Point = Vec<(Expr, Expr)>;
 
 /// What has to be shown so that a claim is false at a point.
 ///
 /// # Errors
 /// The point is none of the claim.
-pub fn at(claim: &Claim, point: &Point) -> std::result::Result<Claim, crate::kernel::Refusal> {
+pub(crate) fn at(claim: &Claim, point: &Point) -> std::result::Result<Claim, crate::kernel::Refusal> {
     refutation::of(claim, &Refutes { point: point.clone(), undefined: None })
 }
 
 /// The negation of a claim in Coq, and how it is proved.
-pub struct Negation {
+pub(crate) struct Negation {
     /// The lemma that says what holds at the point, as text with its proof.
     pub lemma: String,
     /// The proof of the negation.
@@ -33,7 +33,7 @@ pub struct Negation {
 ///
 /// # Errors
 /// The point is none of the claim.
-pub fn is_computed(claim: &Claim, point: &Point) -> Found<bool> {
+pub(crate) fn is_computed(claim: &Claim, point: &Point) -> Found<bool> {
     Ok(prop_is_computed(&at(claim, point)?.goal))
 }
 
@@ -65,7 +65,7 @@ fn expr_is_computed(e: &Expr) -> bool {
 ///
 /// # Errors
 /// Why there is none.
-pub fn proof(claim: &Claim, point: &Point, certificate: Option<&Certificate>) -> Found<Negation> {
+pub(crate) fn proof(claim: &Claim, point: &Point, certificate: Option<&Certificate>) -> Found<Negation> {
     let mut there = at(claim, point)?;
     if certificate.is_none() {
         with_domains(&mut there, claim)?;

@@ -22,7 +22,7 @@ use crate::number::words::{Divisor, UNROLLED, below, fused, halves, shifted};
 
 impl<const L: usize> Fixed<L> {
     /// All quotients of what is at most 1; `None` unless the dividend's digits are below the divisor's.
-    pub fn over(&self, other: &Fixed<L>) -> Option<Fixed<L>> {
+    pub(crate) fn over(&self, other: &Fixed<L>) -> Option<Fixed<L>> {
         let zeros = other.leading_zeros();
         // B >= 2^-k.
         let k = zeros + 1;

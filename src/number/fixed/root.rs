@@ -19,7 +19,7 @@ impl<const L: usize> Fixed<L> {
     ///
     /// As in [`crate::number::root`]: for a point `y` and `ρ = (p/q)·y^n − 1`, `|ρ| <= 1/16`, the root is `y − y·ρ/n + y·θ`, `|θ| <= 2ρ²/n`. The
     /// guess has some 50 digits and each step doubles them: in two words, in four, in seven, and in all.
-    pub fn inverse_root(p: u64, q: u64, n: u64) -> Option<Fixed<L>> {
+    pub(crate) fn inverse_root(p: u64, q: u64, n: u64) -> Option<Fixed<L>> {
         if p <= q || !(1..=MAX_EXPONENT).contains(&n) {
             return None;
         }

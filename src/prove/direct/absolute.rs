@@ -34,7 +34,7 @@ impl Absolute {
 
 impl Prover {
     /// Shows a comparison in which absolute values stand.
-    pub fn by_absolute_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn by_absolute_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.next_absolute(goal, &[]).is_none() {
             return Err(Fail::No("an absolute value"));
         }

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 impl Prover {
     /// Conclusions of implications and equivalences whose premises are seen; whether there were any.
-    pub fn saturate(&mut self) -> bool {
+    pub(crate) fn saturate(&mut self) -> bool {
         let list: Vec<(Label, Prop)> = self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
         let mut changed = false;
         for (label, fact) in list {
@@ -38,7 +38,7 @@ impl Prover {
     }
 
     /// Distinguishes cases.
-    pub fn by_cases(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn by_cases(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.splits >= 3 {
             return Err(Fail::NotShown(crate::claim::print::prop(goal)));
         }
@@ -155,7 +155,7 @@ impl Prover {
     }
 
     /// Shows a comparison for each order of three variables, where these may change places.
-    pub fn by_order_of_three(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn by_order_of_three(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("three variables that may change places");
         let PropKind::Compare(sides, _) = &goal.kind else { return Err(no()) };
         let reading = self.read(&minus(&sides[0], &sides[1]), false).ok_or_else(no)?;

@@ -22,7 +22,7 @@ const FEW_LETTERS: usize = 4;
 
 impl Prover {
     /// Shows a single comparison.
-    pub fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
             return Err(Fail::No("a single comparison is needed"));
@@ -160,7 +160,7 @@ impl Prover {
     }
 
     /// Notes the bases of even powers as they are written: what is squared is lost where it is multiplied out.
-    pub fn note_squares(&mut self, e: &Expr) {
+    pub(crate) fn note_squares(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Negate(a) => self.note_squares(a),
             ExprKind::Sum(list) => list.iter().for_each(|(_, e)| self.note_squares(e)),
@@ -337,7 +337,7 @@ impl Prover {
     }
 
     /// The goal as a sum of products of what is known.
-    pub fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
+    pub(crate) fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let (a, b, relation) = (&sides[0], &sides[1], relations[0]);
         let mut reading = self.read(&minus(a, b), true).ok_or(Fail::No("a difference"))?;
@@ -432,7 +432,7 @@ impl Prover {
     }
 
     /// A contradiction among the facts and the opposite of the goal.
-    pub fn by_contradiction(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
+    pub(crate) fn by_contradiction(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
         let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
         let block = self.block(&implies(&other, goal), |c, _| {
             if level > 0 {
@@ -444,7 +444,7 @@ impl Prover {
     }
 
     /// Shows anything where facts contradict each other.
-    pub fn absurd(&mut self, level: usize, goal: &Prop, about: Option<&Prop>) -> Result<Label, Fail> {
+    pub(crate) fn absurd(&mut self, level: usize, goal: &Prop, about: Option<&Prop>) -> Result<Label, Fail> {
         let mut wanted = Vec::new();
         if let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = about
             && let Some(reading) = self.read(&minus(&sides[0], &sides[1]), false)

@@ -40,7 +40,7 @@ impl Prover {
     ///
     /// With u = base − 1: base <= exp(u), so base^n <= exp(n·u) = exp(a). With v = 1/base − 1: 1/base <= exp(v), so
     /// base^n >= exp(−n·v) = exp(a)·exp(−n·v − a) >= exp(a)·(1 − n·v − a), which is rational in n.
-    pub fn by_compound(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+    pub(crate) fn by_compound(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let no = || Fail::No("a power with a base that tends to 1");
         let (base, exponent) = as_power(&l.of).ok_or_else(no)?;
         let a = match &l.value.kind {

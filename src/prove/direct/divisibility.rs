@@ -14,7 +14,7 @@ use malachite::{Integer, Natural, Rational};
 impl Prover {
     /// Shows `a != b` where a − b = g·w + c with whole numbers w and g, and g does not divide c: w is at most floor(−c/g), or at
     /// least one more.
-    pub fn by_divisibility(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_divisibility(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("a common divisor");
         let naturals = self.naturals.clone();
         let whole = |e: &Expr| is_whole(e, &|n| naturals.iter().any(|m| m == n));

@@ -15,7 +15,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 
 /// An expression as a number times powers of polynomials.
 #[derive(Clone, Debug)]
-pub struct Reading {
+pub(crate) struct Reading {
     /// The number; with 0 there are no factors.
     pub number: Rational,
     /// The powers.
@@ -24,7 +24,7 @@ pub struct Reading {
 
 /// A factor of a reading.
 #[derive(Clone, Debug)]
-pub struct Factored {
+pub(crate) struct Factored {
     /// The polynomial.
     pub poly: Polynomial,
     /// What it is raised to.
@@ -34,12 +34,12 @@ pub struct Factored {
 }
 
 /// Whether these signs are those of a number of one known sign other than 0.
-pub fn is_settled(signs: Signs) -> bool {
+pub(crate) fn is_settled(signs: Signs) -> bool {
     signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less))
 }
 
 /// a − b.
-pub fn minus(a: &Expr, b: &Expr) -> Expr {
+pub(crate) fn minus(a: &Expr, b: &Expr) -> Expr {
     expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]))
 }
 
@@ -55,7 +55,7 @@ fn power_of(base: &Rational, k: i64) -> Rational {
 
 impl Prover {
     /// An expression as the kernel reads it with the equations put in, and with the signs that it sees if wanted.
-    pub fn read(&mut self, e: &Expr, signs: bool) -> Option<Reading> {
+    pub(crate) fn read(&mut self, e: &Expr, signs: bool) -> Option<Reading> {
         self.read_by(e, signs, &[])
     }
 
@@ -78,7 +78,7 @@ impl Prover {
     }
 
     /// The reading with its polynomials as products of their factors, where these are found.
-    pub fn split(&mut self, mut reading: Reading) -> Reading {
+    pub(crate) fn split(&mut self, mut reading: Reading) -> Reading {
         let mut factors = Vec::new();
         for f in reading.factors {
             let small = f.poly.term_count() <= FACTOR_TERMS && f.poly.degree() <= FACTOR_DEGREE;
@@ -97,13 +97,13 @@ impl Prover {
     }
 
     /// The signs that an expression may have, as far as the kernel sees.
-    pub fn signs_of(&mut self, e: &Expr) -> Signs {
+    pub(crate) fn signs_of(&mut self, e: &Expr) -> Signs {
         let Some(reading) = self.read(e, true) else { return Signs::ANY };
         reading.factors.iter().fold(sign_of(&reading.number), |s, f| s.times(f.signs.power(f.power)))
     }
 
     /// A fact as a polynomial that is 0, positive or not negative.
-    pub fn known_of(&mut self, label: &str, fact: &Prop) -> Option<Known> {
+    pub(crate) fn known_of(&mut self, label: &str, fact: &Prop) -> Option<Known> {
         let PropKind::Compare(sides, relations) = &fact.kind else { return None };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
         let (kind, up) = match relation {
@@ -157,7 +157,7 @@ impl Prover {
     }
 
     /// Everything that is known of signs, as polynomials; those of letters among them.
-    pub fn all_known(&mut self, extra: &[Polynomial]) -> Vec<Known> {
+    pub(crate) fn all_known(&mut self, extra: &[Polynomial]) -> Vec<Known> {
         let list: Vec<(Label, Prop)> = self
             .checker
             .facts()
@@ -201,7 +201,7 @@ impl Prover {
     }
 
     /// Uses a fact: its parts, and what follows from it at once.
-    pub fn take_in(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
+    pub(crate) fn take_in(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
         match &fact.kind {
             PropKind::Compare(sides, relations) if relations.len() == 1 => {
                 let sides = sides.clone();
@@ -289,7 +289,7 @@ impl Prover {
 }
 
 /// The sign of a number.
-pub fn sign_of(q: &Rational) -> Signs {
+pub(crate) fn sign_of(q: &Rational) -> Signs {
     if *q == Rational::ZERO {
         Signs::ZERO
     } else if *q > 0 {
@@ -300,7 +300,7 @@ pub fn sign_of(q: &Rational) -> Signs {
 }
 
 /// What holds where a proposition does not.
-pub fn opposite(p: &Prop) -> Option<Prop> {
+pub(crate) fn opposite(p: &Prop) -> Option<Prop> {
     use crate::kernel::statement::prop;
     Some(match &p.kind {
         PropKind::Compare(sides, relations) => {

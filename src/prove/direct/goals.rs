@@ -15,7 +15,7 @@ const FAR_ENOUGH: [i32; 4] = [1, 2, 10, 100];
 
 impl Prover {
     /// Shows a goal; returns the label of the fact that says it.
-    pub fn show(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn show(&mut self, goal: &Prop) -> Result<Label, Fail> {
         self.tick()?;
         if let Some(label) = self.known(goal) {
             return Ok(label);
@@ -261,7 +261,7 @@ impl Prover {
     }
 
     /// A fact for all values, with a value put in for its one variable.
-    pub fn instance(&mut self, source: &str, value: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn instance(&mut self, source: &str, value: &Expr) -> Result<Label, Fail> {
         let Some(Prop { kind: PropKind::ForAll(bindings, body), .. }) = self.fact(source) else {
             return Err(Fail::No("a fact for all values"));
         };
@@ -283,7 +283,7 @@ impl Prover {
 }
 
 /// The sides of every comparison in a proposition, but for those under quantifiers.
-pub fn sides_in(p: &Prop, out: &mut Vec<Expr>) {
+pub(crate) fn sides_in(p: &Prop, out: &mut Vec<Expr>) {
     match &p.kind {
         PropKind::Compare(sides, _) => out.extend(sides.iter().cloned()),
         PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {

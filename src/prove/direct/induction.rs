@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 impl Prover {
     /// Shows a goal by induction on one of its natural numbers.
-    pub fn by_induction(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn by_induction(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.inductions >= 2 || self.splits > 0 {
             return Err(Fail::No("induction"));
         }
@@ -56,7 +56,7 @@ impl Prover {
     }
 
     /// Shows a statement for all natural numbers by induction. Its step may distinguish cases where `splits` is less than 3.
-    pub fn all_by_induction(&mut self, goal: &Prop, splits: usize) -> Result<Label, Fail> {
+    pub(crate) fn all_by_induction(&mut self, goal: &Prop, splits: usize) -> Result<Label, Fail> {
         let PropKind::ForAll(bindings, body) = &goal.kind else { return Err(Fail::No("a statement for all values")) };
         let ([binding], true) = (bindings.as_slice(), self.inductions < 2 && self.splits == 0) else {
             return Err(Fail::No("induction"));

@@ -12,7 +12,7 @@ type Member = (String, Polynomial);
 impl Prover {
     /// Puts the indices that occur in these expressions, and in what follows, into the facts for all numbers that relate
     /// members; whether something new is known.
-    pub fn instantiate(&mut self, exprs: &[&Expr]) -> bool {
+    pub(crate) fn instantiate(&mut self, exprs: &[&Expr]) -> bool {
         let facts: Vec<(Label, Name, Vec<Member>)> = self
             .checker
             .facts()

@@ -13,18 +13,18 @@ use std::str::FromStr;
 
 /// The letters met so far, each with the expression that it stands for.
 #[derive(Default)]
-pub struct Letters {
+pub(super) struct Letters {
     exprs: Vec<Expr>,
     index: HashMap<String, u32>,
 }
 
 /// A number of the kernel as one of the engine.
-pub fn number(q: &BigRational) -> Option<Rational> {
+pub(super) fn number(q: &BigRational) -> Option<Rational> {
     Rational::from_str(&q.to_string()).ok()
 }
 
 /// A natural numeral, where an expression is one.
-pub fn natural(e: &Expr) -> Option<u32> {
+pub(super) fn natural(e: &Expr) -> Option<u32> {
     match &e.kind {
         ExprKind::Number(text) => text.parse().ok(),
         _ => None,
@@ -32,7 +32,7 @@ pub fn natural(e: &Expr) -> Option<u32> {
 }
 
 /// The product of expressions; 1 where there are none.
-pub fn product(mut list: Vec<Expr>) -> Expr {
+pub(super) fn product(mut list: Vec<Expr>) -> Expr {
     match (list.len(), list.pop()) {
         (_, None) => numeral(1),
         (1, Some(one)) => one,
@@ -44,7 +44,7 @@ pub fn product(mut list: Vec<Expr>) -> Expr {
 }
 
 /// The base and exponent of a power; a square root has the exponent 1/2.
-pub fn as_power(e: &Expr) -> Option<(Expr, Expr)> {
+pub(crate) fn as_power(e: &Expr) -> Option<(Expr, Expr)> {
     match &e.kind {
         ExprKind::Power(base, exponent) => Some(((**base).clone(), (**exponent).clone())),
         ExprKind::Apply(f, list) if f.text == "sqrt" => {
@@ -56,7 +56,7 @@ pub fn as_power(e: &Expr) -> Option<(Expr, Expr)> {
 }
 
 /// An expression to a whole power.
-pub fn whole_power(base: Expr, k: i64) -> Expr {
+pub(crate) fn whole_power(base: Expr, k: i64) -> Expr {
     let size = u32::try_from(k.unsigned_abs()).unwrap_or(u32::MAX);
     let power = if size == 1 { base } else { expr(ExprKind::Power(Box::new(base), Box::new(numeral(size)))) };
     match k {
@@ -68,7 +68,7 @@ pub fn whole_power(base: Expr, k: i64) -> Expr {
 
 impl Letters {
     /// The letter that stands for an expression.
-    pub fn of(&mut self, e: &Expr) -> u32 {
+    pub(super) fn of(&mut self, e: &Expr) -> u32 {
         let next = u32::try_from(self.exprs.len()).unwrap_or(u32::MAX);
         let letter = *self.index.entry(key::expr(e)).or_insert(next);
         if letter == next {
@@ -78,12 +78,12 @@ impl Letters {
     }
 
     /// What a letter stands for.
-    pub fn expr(&self, letter: u32) -> Option<&Expr> {
+    pub(super) fn expr(&self, letter: u32) -> Option<&Expr> {
         self.exprs.get(letter as usize)
     }
 
     /// A sum of monomials, as the kernel's view writes it.
-    pub fn polynomial(&mut self, e: &Expr) -> Option<Polynomial> {
+    pub(super) fn polynomial(&mut self, e: &Expr) -> Option<Polynomial> {
         Some(match &e.kind {
             ExprKind::Number(text) => Polynomial::constant(number(&crate::kernel::numeral(text).ok()?)?),
             ExprKind::Negate(a) => self.polynomial(a)?.neg(),
@@ -118,7 +118,7 @@ impl Letters {
     }
 
     /// A polynomial as an expression.
-    pub fn written(&self, p: &Polynomial) -> Expr {
+    pub(super) fn written(&self, p: &Polynomial) -> Expr {
         let mut terms: Vec<(Sign, Expr)> = Vec::new();
         for (monomial, c) in p.terms() {
             let sign = if *c < 0 { Sign::Minus } else { Sign::Plus };

@@ -16,12 +16,12 @@ fn plus(a: &Expr, b: Expr) -> Expr {
 }
 
 /// a/b.
-pub fn over(a: Expr, b: Expr) -> Expr {
+pub(super) fn over(a: Expr, b: Expr) -> Expr {
     expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]))
 }
 
 /// Whether a name stands in an expression.
-pub fn holds(e: &Expr, variable: &str) -> bool {
+pub(super) fn holds(e: &Expr, variable: &str) -> bool {
     let mut names = BTreeSet::new();
     names_in(e, &mut names);
     names.contains(variable)
@@ -57,7 +57,7 @@ fn is_one(e: &Expr) -> bool {
 
 impl Prover {
     /// Shows a limit.
-    pub fn limit(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+    pub(crate) fn limit(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         self.define(&l.value);
         let from = vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(1))];
         let first = match self.emit(Rule::Limit { with: Vec::new() }, goal.clone()) {
@@ -347,7 +347,7 @@ impl Prover {
     }
 
     /// `k >= least`, of the kind of the variable that grows.
-    pub fn growing_from(&self, least: u32, l: &Limit, k: &str) -> Binding {
+    pub(crate) fn growing_from(&self, least: u32, l: &Limit, k: &str) -> Binding {
         Binding {
             natural: self.naturals.contains(&l.variable.text),
             constraints: vec![Constraint::Relation(Relation::GreaterEqual, numeral(least))],
@@ -356,7 +356,7 @@ impl Prover {
     }
 
     /// A limit between two expressions with the same limit, as the facts tell for every value from `least` on.
-    pub fn between(
+    pub(crate) fn between(
         &mut self,
         goal: &Prop,
         l: &Limit,
@@ -401,7 +401,7 @@ impl Prover {
 }
 
 /// `k natural`.
-pub fn natural_binding(variable: &str) -> Binding {
+pub(crate) fn natural_binding(variable: &str) -> Binding {
     Binding {
         names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
         natural: true,
@@ -412,7 +412,7 @@ pub fn natural_binding(variable: &str) -> Binding {
 }
 
 /// The bases of powers whose exponent is this name.
-pub fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
+pub(crate) fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
     match &e.kind {
         ExprKind::Power(base, exponent) => {
             if matches!(&exponent.kind, ExprKind::Name(n) if n == index) && !holds(base, index) {

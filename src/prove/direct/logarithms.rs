@@ -11,7 +11,7 @@ use malachite::Rational;
 
 impl Prover {
     /// Whether an exponential is below or above 1, by the sign of its exponent.
-    pub fn exponential(&mut self, e: &Expr, exponent: &Expr) -> Result<(), Fail> {
+    pub(crate) fn exponential(&mut self, e: &Expr, exponent: &Expr) -> Result<(), Fail> {
         let signs = self.signs_of(exponent);
         let relation = [Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual]
             .into_iter()
@@ -49,7 +49,7 @@ impl Prover {
     }
 
     /// Orders numbers whose logarithms some fact is about: where the opposite held, so would that of the logarithms.
-    pub fn by_order_of_logarithms(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_order_of_logarithms(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("logarithms in order");
         let log = |e: &Expr| apply("ln", e.clone());
         let known: Vec<String> = self.checker.facts().map(|(_, p)| crate::kernel::text::prop(p)).collect();
@@ -69,7 +69,7 @@ impl Prover {
     }
 
     /// A comparison of sums of logarithms and a number c: their difference is the logarithm of a product with exp(c).
-    pub fn of_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn of_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("a sum of logarithms");
         let reading = self.read(&super::facts::minus(a, b), true).ok_or_else(no)?;
         let mut rest = vec![literal(&reading.number)];

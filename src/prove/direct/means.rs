@@ -20,7 +20,7 @@ const LIMITS: SimplexLimits = SimplexLimits { pivots: 250, work: 400_000 };
 
 impl Prover {
     /// Notes a^(1 - p)*b^p <= (1 - p)*a + p*b for powers a^q and b^p in the goal with q = 1 - p, and for a power alone.
-    pub fn means(&mut self, goal: &Prop) -> Result<Vec<Label>, Fail> {
+    pub(crate) fn means(&mut self, goal: &Prop) -> Result<Vec<Label>, Fail> {
         let mut powers = Vec::new();
         let mut sides = Vec::new();
         super::goals::sides_in(goal, &mut sides);
@@ -67,7 +67,13 @@ impl Prover {
 impl Prover {
     /// Shows that a polynomial in positive letters is not negative where each monomial that is subtracted lies below a
     /// mean of monomials that are added: x1^w1*x2^w2*… <= w1*x1 + w2*x2 + … for weights that add up to 1.
-    pub fn by_means_of_many(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_means_of_many(
+        &mut self,
+        goal: &Prop,
+        a: &Expr,
+        relation: Relation,
+        b: &Expr,
+    ) -> Result<Label, Fail> {
         let no = || Fail::No("a mean of monomials");
         let up = match relation {
             Relation::Greater | Relation::GreaterEqual => true,

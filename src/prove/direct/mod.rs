@@ -53,7 +53,7 @@ const PROGRAMS: usize = 5_000_000;
 ///
 /// # Errors
 /// What could not be shown.
-pub fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+pub(super) fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let checker = Checker::new(claim, cited).map_err(Fail::from)?;
     let statement = checker.statement().clone();
     let mut prover = Prover {

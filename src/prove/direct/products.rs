@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// Something that is known not to be negative, positive, or 0.
 #[derive(Clone, Debug)]
-pub struct Known {
+pub(crate) struct Known {
     /// The polynomial.
     pub poly: Polynomial,
     /// Which of the three.
@@ -25,7 +25,7 @@ pub struct Known {
 
 /// What is known of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// It is 0.
     Zero,
     /// It is not negative.
@@ -36,7 +36,7 @@ pub enum Kind {
 
 impl Kind {
     /// What is known of a product.
-    pub fn times(self, other: Kind) -> Kind {
+    pub(crate) fn times(self, other: Kind) -> Kind {
         match (self, other) {
             (Kind::Zero, _) | (_, Kind::Zero) => Kind::Zero,
             (Kind::Strict, Kind::Strict) => Kind::Strict,
@@ -47,7 +47,7 @@ impl Kind {
 
 impl Known {
     /// The product of two; `None` where it is too large.
-    pub fn times(&self, other: &Known) -> Option<Known> {
+    pub(crate) fn times(&self, other: &Known) -> Option<Known> {
         let poly = self.poly.try_mul(&other.poly).ok()?;
         if poly.term_count() > 80 || poly.degree() > 12 {
             return None;
@@ -67,7 +67,7 @@ const LIMITS: SimplexLimits = SimplexLimits { pivots: 250, work: 400_000 };
 
 /// Weights λ with Σ λ·column = wanted, λ ≥ 0 but for columns that are 0. With `strict`, some column that is positive has
 /// a positive weight.
-pub fn combination(wanted: &Polynomial, columns: &[Known], strict: bool) -> Option<Vec<(usize, Rational)>> {
+pub(super) fn combination(wanted: &Polynomial, columns: &[Known], strict: bool) -> Option<Vec<(usize, Rational)>> {
     let mut rows: BTreeMap<Monomial, usize> = BTreeMap::new();
     let mut signed: Vec<(usize, bool)> = Vec::new();
     let mut matrix: Vec<Column> = Vec::new();
@@ -102,7 +102,7 @@ pub fn combination(wanted: &Polynomial, columns: &[Known], strict: bool) -> Opti
 }
 
 /// Weights by which columns add up to 0, a positive one among them.
-pub fn contradiction(columns: &[Known]) -> Option<Vec<(usize, Rational)>> {
+pub(crate) fn contradiction(columns: &[Known]) -> Option<Vec<(usize, Rational)>> {
     // One more row, and an unknown that only it has, make the weights of positive columns add up to 1.
     let unit = u32::MAX;
     let one = Polynomial::variable(unit);
@@ -116,7 +116,7 @@ pub fn contradiction(columns: &[Known]) -> Option<Vec<(usize, Rational)>> {
 }
 
 /// The monomials m for which m² may occur in a sum of squares that is p: 2·m lies in the convex hull of p's exponents.
-pub fn halves(p: &Polynomial, most: usize) -> Vec<Polynomial> {
+pub(super) fn halves(p: &Polynomial, most: usize) -> Vec<Polynomial> {
     let letters = p.variables();
     if letters.len() > 8 || p.term_count() > 60 {
         return Vec::new();
@@ -165,7 +165,7 @@ pub fn halves(p: &Polynomial, most: usize) -> Vec<Polynomial> {
 
 /// Linear forms, with constants, whose squares with positive weights add up to a polynomial of degree two, if there are
 /// such: one variable after the other is completed to a square.
-pub fn completed_squares(p: &Polynomial) -> Vec<Polynomial> {
+pub(crate) fn completed_squares(p: &Polynomial) -> Vec<Polynomial> {
     let mut rest = p.clone();
     let mut out = Vec::new();
     if p.degree() != 2 {
@@ -191,7 +191,7 @@ pub fn completed_squares(p: &Polynomial) -> Vec<Polynomial> {
 
 /// Forms whose squares show the sign of a polynomial that is quadratic in a variable: of L·v² + M·v + N, 2·L·v + M, since
 /// 4·L·(L·v² + M·v + N) = (2·L·v + M)² + (4·L·N − M²).
-pub fn discriminant_forms(p: &Polynomial) -> Vec<Polynomial> {
+pub(crate) fn discriminant_forms(p: &Polynomial) -> Vec<Polynomial> {
     let of = |v: u32| match p.coefficients_in(v).as_slice() {
         [_, linear, lead] if !linear.is_zero() => {
             let lead = lead.mul(&Polynomial::variable(v));

@@ -31,7 +31,7 @@ const DIVISIONS: usize = 40;
 
 impl Prover {
     /// Shows a comparison of expressions with roots.
-    pub fn by_radicals(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_radicals(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("a comparison of radicals");
         let mut split = false;
         let mut named = Vec::new();
@@ -79,7 +79,7 @@ impl Prover {
     }
 
     /// The letters in an expression that are roots.
-    pub fn roots_in(&mut self, e: &Expr) -> Vec<Expr> {
+    pub(crate) fn roots_in(&mut self, e: &Expr) -> Vec<Expr> {
         let Some(reading) = self.read(e, false) else { return Vec::new() };
         let mut letters: Vec<u32> = reading.factors.iter().flat_map(|f| f.poly.variables()).collect();
         letters.sort_unstable();

@@ -18,7 +18,7 @@ const SLOPES: usize = 40;
 
 impl Prover {
     /// A comparison a relation b by the mean value theorem.
-    pub fn by_slope(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_slope(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         if self.slopes_open >= DEPTH {
             return Err(Fail::No("a sign"));
         }
@@ -245,7 +245,7 @@ impl Prover {
     }
 
     /// A comparison x relation y from facts about F(x) and F(y), where F rises or falls strictly.
-    pub fn by_equal_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_equal_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         if let PropKind::Compare(_, relations) = &goal.kind
             && *relations == [Relation::Equal]
         {

@@ -17,7 +17,7 @@ use malachite::base::num::conversion::traits::IsInteger;
 use std::collections::BTreeMap;
 
 /// How many times free variables are given other values.
-const ROUNDS: usize = 24;
+pub(crate) const ROUNDS: usize = 24;
 
 /// Values for names.
 type Point = Vec<(String, Expr)>;
@@ -32,7 +32,7 @@ fn seed(place: usize) -> Rational {
 
 impl Prover {
     /// A point that satisfies a conjunction with equations, as far as arithmetic tells; the equations are not checked.
-    pub fn solved(&mut self, bindings: &[Binding], body: &Prop) -> Option<Point> {
+    pub(crate) fn solved(&mut self, bindings: &[Binding], body: &Prop) -> Option<Point> {
         let names: Vec<String> = bindings
             .iter()
             .filter(|b| !b.natural)

@@ -12,7 +12,7 @@ use crate::refute::search::literal;
 use malachite::Rational;
 
 /// A difference as a factor whose sign is open, times the rest.
-pub struct Open {
+pub(super) struct Open {
     /// The factor.
     pub poly: Polynomial,
     /// The factors of the rest.
@@ -33,7 +33,7 @@ struct Radical {
 
 impl Open {
     /// The only factor whose sign is open; `None` where there are several, or its power is not 1.
-    pub fn of(prover: &Prover, reading: &Reading) -> Option<Open> {
+    pub(super) fn of(prover: &Prover, reading: &Reading) -> Option<Open> {
         let mut rest = vec![literal(&reading.number)];
         let mut signs = sign_of(&reading.number);
         let mut open = None;
@@ -51,14 +51,14 @@ impl Open {
 }
 
 /// What a factor is to 0, if its product with something of these signs is to be so.
-pub fn own_relation(rest: Signs, relation: Relation) -> Option<Relation> {
+pub(crate) fn own_relation(rest: Signs, relation: Relation) -> Option<Relation> {
     let all = [Relation::Less, Relation::LessEqual, Relation::Greater, Relation::GreaterEqual];
     all.into_iter().find(|r| is_settled(rest) && rest.times(Signs::of(*r)) == Signs::of(relation))
 }
 
 impl Prover {
     /// Shows a comparison that is linear in a square root or a product of some, M against e, from that of M² and e².
-    pub fn by_squares(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_squares(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("a root alone");
         let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
         let open = Open::of(self, &reading).ok_or_else(no)?;

@@ -21,7 +21,7 @@ impl Prover {
     ///
     /// # Errors
     /// No sum has a closed form that was found.
-    pub fn with_closed_sums(&mut self, e: &Expr, variable: &str) -> Result<(Expr, Vec<Label>), Fail> {
+    pub(crate) fn with_closed_sums(&mut self, e: &Expr, variable: &str) -> Result<(Expr, Vec<Label>), Fail> {
         let mut sums = Vec::new();
         sums_to(e, variable, &mut sums);
         let (mut closed, mut facts) = (e.clone(), Vec::new());
@@ -38,7 +38,7 @@ impl Prover {
     }
 
     /// A comparison with the closed forms of its sums up to natural numbers put in.
-    pub fn by_sums(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn by_sums(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.inductions > 0 {
             return Err(Fail::No("a comparison outside an induction"));
         }

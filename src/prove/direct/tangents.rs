@@ -16,7 +16,7 @@ const TANGENTS: usize = 16;
 
 impl Prover {
     /// A comparison by tangents; an equation by what they say where its sides differ.
-    pub fn by_tangents(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn by_tangents(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let exponents = self.exponents(goal);
         if exponents.is_empty() {
             return Err(Fail::No("an exponential or a logarithm"));
@@ -93,7 +93,7 @@ impl Prover {
     }
 
     /// `1 + x <= exp(x)`, strict where x is seen to be other than 0.
-    pub fn tangent_at(&mut self, x: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn tangent_at(&mut self, x: &Expr) -> Result<Label, Fail> {
         self.define(x);
         let other = compare(x.clone(), Relation::NotEqual, numeral(0));
         let strict =

@@ -13,7 +13,7 @@ use malachite::Rational;
 
 impl Prover {
     /// Shows what an expression needs to have a value, as far as the kernel does not see it.
-    pub fn define(&mut self, e: &Expr) {
+    pub(crate) fn define(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Number(_) | ExprKind::Name(_) => {}
             ExprKind::Apply(_, list) => list.iter().for_each(|e| self.define(e)),
@@ -77,7 +77,7 @@ impl Prover {
     }
 
     /// Shows something with little effort.
-    pub fn quietly(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(crate) fn quietly(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let splits = std::mem::replace(&mut self.splits, 9);
         let shown = self.attempt(|c| c.show(goal));
         self.splits = splits;
@@ -85,7 +85,7 @@ impl Prover {
     }
 
     /// Makes facts of the letters in these expressions.
-    pub fn enrich(&mut self, exprs: &[&Expr]) {
+    pub(crate) fn enrich(&mut self, exprs: &[&Expr]) {
         for _ in 0..12 {
             let mut polys = Vec::new();
             for e in exprs {
@@ -293,7 +293,7 @@ impl Prover {
     }
 
     /// Puts an equation in from here on, where the kernel can.
-    pub fn put_in(&mut self, label: &str) {
+    pub(crate) fn put_in(&mut self, label: &str) {
         let Some(fact) = self.fact(label) else { return };
         let equations = self.equations.clone();
         if self.checker.can_be_put_in(&fact, &equations) {
@@ -302,7 +302,7 @@ impl Prover {
     }
 
     /// Uses the equations among the facts to write a variable by others.
-    pub fn solve_equations(&mut self) {
+    pub(crate) fn solve_equations(&mut self) {
         let facts: Vec<(Label, Prop)> = self
             .checker
             .facts()
@@ -356,7 +356,7 @@ impl Prover {
 }
 
 /// The d-th root of a positive number, rounded down to six places, and whether it is exact.
-pub fn root_of(q: &Rational, d: i64) -> Option<(Rational, bool)> {
+pub(crate) fn root_of(q: &Rational, d: i64) -> Option<(Rational, bool)> {
     let (n, m) = (i64::try_from(q.numerator_ref()).ok()?, i64::try_from(q.denominator_ref()).ok()?);
     if *q <= 0 {
         return None;
@@ -382,7 +382,7 @@ fn enclosed_root(q: &Rational, d: i64) -> Option<(Rational, Rational)> {
 }
 
 /// A proposition at the next number.
-pub fn at_next(p: &Prop, name: &str) -> Result<Prop, Fail> {
+pub(crate) fn at_next(p: &Prop, name: &str) -> Result<Prop, Fail> {
     let next = expr(ExprKind::Sum(vec![(Sign::Plus, crate::kernel::statement::name(name)), (Sign::Plus, numeral(1))]));
     put(p, name, &next)
 }

@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 impl Draft {
     /// The logarithm of an expression, which is shown to be positive: of a power b^E it is E·ln b, so
     /// that it exists before the power is introduced.
-    pub fn log(&mut self, e: &Expr) -> Result<Fraction, Failure> {
+    pub(crate) fn log(&mut self, e: &Expr) -> Result<Fraction, Failure> {
         let part = |k: i64| Fraction::integer(k).power(-1);
         match &e.kind {
             ExprKind::Power(base, exponent) => {

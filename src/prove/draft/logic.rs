@@ -395,7 +395,7 @@ impl Draft {
     }
 
     /// Whether a fraction is free of a variable, at any depth. Each atom is looked at once.
-    pub fn is_free_of(&self, f: &Fraction, variable: &str) -> Result<bool, Failure> {
+    pub(crate) fn is_free_of(&self, f: &Fraction, variable: &str) -> Result<bool, Failure> {
         let mut open: Vec<usize> = f.atoms().collect();
         let mut seen = BTreeSet::new();
         while let Some(place) = open.pop() {
@@ -441,7 +441,7 @@ fn parts(p: &Prop) -> Result<Vec<Prop>, Failure> {
 }
 
 /// The negation of a comparison, conjunction, disjunction or negation, moved inwards.
-pub fn negation(p: &Prop) -> Option<Prop> {
+pub(crate) fn negation(p: &Prop) -> Option<Prop> {
     Some(match &p.kind {
         PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
             ([a, b], [relation]) => compare(a.clone(), relation.negated(), b.clone()),
@@ -455,7 +455,7 @@ pub fn negation(p: &Prop) -> Option<Prop> {
 }
 
 /// A proposition with its negations moved inwards.
-pub fn inward(p: &Prop) -> Option<Prop> {
+pub(crate) fn inward(p: &Prop) -> Option<Prop> {
     Some(match &p.kind {
         PropKind::Compare(..) => p.clone(),
         PropKind::And(list) => prop(PropKind::And(list.iter().map(inward).collect::<Option<_>>()?)),

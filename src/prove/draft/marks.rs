@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// From where something is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Source {
+pub(crate) enum Source {
     /// A domain or hypothesis of the claim: the fact `h1` is 0, `h2` is 1, …
     Hypothesis(usize),
     /// What a binding of the claim, by its place, says of the kind of its names: that they are natural, or the domain
@@ -19,28 +19,28 @@ pub enum Source {
 
 /// Some sources, in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Sources(Vec<Source>);
+pub(crate) struct Sources(Vec<Source>);
 
 impl Sources {
     /// One source.
-    pub fn one(source: Source) -> Sources {
+    pub(crate) fn one(source: Source) -> Sources {
         Sources(vec![source])
     }
 
     /// Adds one.
-    pub fn add(&mut self, source: Source) {
+    pub(crate) fn add(&mut self, source: Source) {
         if let Err(place) = self.0.binary_search(&source) {
             self.0.insert(place, source);
         }
     }
 
     /// Adds others.
-    pub fn extend(&mut self, others: &Sources) {
+    pub(crate) fn extend(&mut self, others: &Sources) {
         others.0.iter().for_each(|source| self.add(*source));
     }
 
     /// The sources in order.
-    pub fn iter(&self) -> impl Iterator<Item = Source> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Source> {
         self.0.iter().copied()
     }
 }
@@ -48,7 +48,7 @@ impl Sources {
 /// All that is needed for what the goal comes from: `trail` holds what each step used, in order.
 ///
 /// A step uses only what is known before it, so that one walk from the last step to the first finds all.
-pub fn needed(trail: &[Sources], goal: Source) -> BTreeSet<Source> {
+pub(crate) fn needed(trail: &[Sources], goal: Source) -> BTreeSet<Source> {
     let mut needed = BTreeSet::from([goal]);
     for (place, used) in trail.iter().enumerate().rev() {
         if needed.contains(&Source::Step(place)) {

@@ -9,13 +9,13 @@
 
 mod analysis;
 mod logic;
-pub mod marks;
+pub(crate) mod marks;
 mod order;
 mod step;
-pub mod translate;
+pub(crate) mod translate;
 
-pub use logic::negation;
-pub use step::{Rule, Step};
+pub(super) use logic::negation;
+pub(super) use step::{Rule, Step};
 
 use crate::claim::syntax::{Binding, Claim, Prop, PropKind};
 use crate::kernel::fraction::{self, Fraction, Work};
@@ -29,9 +29,9 @@ use std::rc::Rc;
 use translate::Atom;
 
 /// The most steps of a certificate.
-pub const STEPS_LIMIT: usize = 20_000;
+pub(crate) const STEPS_LIMIT: usize = 20_000;
 /// The most names that a statement declares, and that are in scope at once.
-pub const NAMES_LIMIT: usize = 1_000;
+pub(crate) const NAMES_LIMIT: usize = 1_000;
 
 /// Why a step was not taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,12 +43,12 @@ pub enum Failure {
 }
 
 /// A rejection.
-pub fn rejected<T>(reason: &str) -> Result<T, Failure> {
+pub(super) fn rejected<T>(reason: &str) -> Result<T, Failure> {
     Err(Failure::Rejected(reason.to_string()))
 }
 
 /// A limit.
-pub fn declined<T>(limit: &'static str) -> Result<T, Failure> {
+pub(crate) fn declined<T>(limit: &'static str) -> Result<T, Failure> {
     Err(Failure::Declined(limit))
 }
 
@@ -63,7 +63,7 @@ impl From<Refusal> for Failure {
 
 /// Something that seems known.
 #[derive(Clone, Debug)]
-pub struct Fact {
+pub(super) struct Fact {
     label: String,
     prop: Rc<Prop>,
     /// The same as text: facts are compared by it.
@@ -73,29 +73,29 @@ pub struct Fact {
 
 impl Fact {
     /// Its label.
-    pub fn label(&self) -> &str {
+    pub(super) fn label(&self) -> &str {
         &self.label
     }
 
     /// What holds.
-    pub fn prop(&self) -> &Rc<Prop> {
+    pub(super) fn prop(&self) -> &Rc<Prop> {
         &self.prop
     }
 
     /// What holds, as the kernel writes it.
-    pub fn key(&self) -> &str {
+    pub(super) fn key(&self) -> &str {
         &self.key
     }
 
     /// From where it is known.
-    pub fn source(&self) -> Source {
+    pub(super) fn source(&self) -> Source {
         self.source
     }
 }
 
 /// A variable in scope.
 #[derive(Clone, Debug)]
-pub struct Variable {
+pub(super) struct Variable {
     name: String,
     natural: bool,
     /// What says so; the index of a sum or product needs nothing.
@@ -104,12 +104,12 @@ pub struct Variable {
 
 impl Variable {
     /// Its name.
-    pub fn name(&self) -> &str {
+    pub(super) fn name(&self) -> &str {
         &self.name
     }
 
     /// Whether it is a natural number.
-    pub fn is_natural(&self) -> bool {
+    pub(crate) fn is_natural(&self) -> bool {
         self.natural
     }
 }
@@ -137,7 +137,7 @@ struct Replaced {
 }
 
 /// The most work in all attempts of one search for a certificate.
-pub const DRAFT_LIMIT: u64 = 200 * fraction::WORK_LIMIT;
+pub(crate) const DRAFT_LIMIT: u64 = 200 * fraction::WORK_LIMIT;
 
 /// A block that is open, with what is forgotten at its end.
 #[derive(Clone, Debug)]
@@ -150,7 +150,7 @@ struct Block {
 
 /// What is known so far.
 #[derive(Clone)]
-pub struct Draft {
+pub(super) struct Draft {
     statement: Rc<Statement>,
     cited: Rc<Vec<Accepted>>,
     facts: Vec<Fact>,
@@ -182,7 +182,7 @@ impl Draft {
     ///
     /// # Errors
     /// The statement makes no sense, or is beyond a limit.
-    pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Draft, Failure> {
+    pub(super) fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Draft, Failure> {
         let statement = Statement::of(claim)?;
         if statement.bindings.iter().map(|b| b.names.len()).sum::<usize>() + statement.sequences.len() > NAMES_LIMIT {
             return declined("names");
@@ -250,22 +250,22 @@ impl Draft {
     }
 
     /// The statement that is to be shown.
-    pub fn statement(&self) -> &Statement {
+    pub(super) fn statement(&self) -> &Statement {
         &self.statement
     }
 
     /// The statement of a claim that may be cited.
-    pub fn cited_statement(&self, name: &str) -> Option<Statement> {
+    pub(crate) fn cited_statement(&self, name: &str) -> Option<Statement> {
         self.cited.iter().find(|a| a.statement().name == name).map(|a| a.statement().clone())
     }
 
     /// The facts that are known now, those of open blocks among them.
-    pub fn facts(&self) -> &[Fact] {
+    pub(super) fn facts(&self) -> &[Fact] {
         &self.facts
     }
 
     /// The variables in scope.
-    pub fn variables(&self) -> &[Variable] {
+    pub(super) fn variables(&self) -> &[Variable] {
         &self.variables
     }
 
@@ -283,7 +283,7 @@ impl Draft {
     }
 
     /// Takes one step and says what it used, or says why not; then nothing is changed but the list of atoms.
-    pub fn step(&mut self, step: &Step) -> Result<Sources, Failure> {
+    pub(super) fn step(&mut self, step: &Step) -> Result<Sources, Failure> {
         self.total.set(self.total.get().saturating_add(self.work.done()));
         if self.total.get() > DRAFT_LIMIT {
             return declined("work of a search");
@@ -385,7 +385,7 @@ impl Draft {
     }
 
     /// A fact by label.
-    pub fn fact(&self, label: &str) -> Result<Rc<Prop>, Failure> {
+    pub(super) fn fact(&self, label: &str) -> Result<Rc<Prop>, Failure> {
         match self.facts.iter().find(|f| f.label == label) {
             Some(fact) => {
                 self.work.count(fact.key.len())?;
@@ -397,7 +397,7 @@ impl Draft {
     }
 
     /// Whether this very proposition is a fact.
-    pub fn knows(&self, prop: &Prop) -> bool {
+    pub(super) fn knows(&self, prop: &Prop) -> bool {
         self.find(prop).is_some()
     }
 

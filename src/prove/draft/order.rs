@@ -52,7 +52,7 @@ type Found = BTreeMap<usize, Seen>;
 
 impl Draft {
     /// The signs of a fraction: the product of the signs of its factors.
-    pub fn signs_of(&self, f: &Fraction) -> Result<Signs, Failure> {
+    pub(crate) fn signs_of(&self, f: &Fraction) -> Result<Signs, Failure> {
         let seen = self.fraction_signs(f, NESTING, &mut BTreeMap::new())?;
         self.consult_all(&seen.because);
         Ok(seen.signs)
@@ -69,7 +69,7 @@ impl Draft {
     }
 
     /// The signs of a polynomial: those noted of it, and those of the sum of its terms.
-    pub fn poly_signs(&self, poly: &Poly) -> Result<Signs, Failure> {
+    pub(crate) fn poly_signs(&self, poly: &Poly) -> Result<Signs, Failure> {
         let seen = self.poly_signs_in(poly, NESTING, &mut BTreeMap::new())?;
         self.consult_all(&seen.because);
         Ok(seen.signs)
@@ -185,7 +185,7 @@ impl Draft {
     }
 
     /// The difference of the two sides of a single comparison.
-    pub fn difference(&mut self, prop: &Prop) -> Result<(Fraction, Relation), Failure> {
+    pub(crate) fn difference(&mut self, prop: &Prop) -> Result<(Fraction, Relation), Failure> {
         let PropKind::Compare(sides, relations) = &prop.kind else { return rejected("a comparison is needed") };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
             return rejected("a single comparison is needed, not a chain");

@@ -5,7 +5,7 @@ use crate::claim::syntax::{Expr, Name, Prop};
 
 /// One step: a rule with what it is applied to.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub(crate) struct Step {
     /// Its name, by which later steps cite what it shows; `end` has none.
     pub label: String,
     /// The rule.
@@ -26,13 +26,13 @@ macro_rules! rules {
     ($($(#[$doc:meta])* $rule:ident = $name:literal,)*) => {
         /// The rules of drafts; some need several steps of a certificate.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Rule {
+        pub(crate) enum Rule {
             $($(#[$doc])* $rule,)*
         }
 
         impl Rule {
             /// The name, for messages.
-            pub fn name(self) -> &'static str {
+            pub(crate) fn name(self) -> &'static str {
                 match self {
                     $(Rule::$rule => $name,)*
                 }

@@ -17,7 +17,7 @@ use num_traits::{One, Zero};
 
 /// What a fraction is made of: a number that has a meaning of its own.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Atom {
+pub(crate) enum Atom {
     /// A variable.
     Variable(String),
     /// The index of a sum or product, by its depth: a natural number.
@@ -33,10 +33,11 @@ pub enum Atom {
 }
 
 /// The functions that the kernel knows.
-pub const FUNCTIONS: [&str; 10] = ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cosh", "sinh", "sech", "tanh"];
+pub(crate) const FUNCTIONS: [&str; 10] =
+    ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cosh", "sinh", "sech", "tanh"];
 
 /// A number, or a matrix of them.
-pub enum Value {
+pub(crate) enum Value {
     /// A number.
     Scalar(Fraction),
     /// Rows of equal length, at least one.
@@ -55,12 +56,12 @@ impl Draft {
     }
 
     /// What an atom is.
-    pub fn atom(&self, place: usize) -> Option<&Atom> {
+    pub(crate) fn atom(&self, place: usize) -> Option<&Atom> {
         self.atoms.get(place)
     }
 
     /// The atom, or what it is replaced by.
-    pub fn resolved(&self, place: usize) -> Fraction {
+    pub(crate) fn resolved(&self, place: usize) -> Fraction {
         let Some(replaced) = self.replaced.iter().rev().find(|r| r.atom == place) else {
             return Fraction::atom(place);
         };
@@ -75,7 +76,7 @@ impl Draft {
     }
 
     /// An expression that is a number.
-    pub fn scalar(&mut self, e: &Expr) -> Result<Fraction, Failure> {
+    pub(crate) fn scalar(&mut self, e: &Expr) -> Result<Fraction, Failure> {
         match self.value(e, DEPTH_LIMIT)? {
             Value::Scalar(fraction) => Ok(fraction),
             Value::Matrix(_) => rejected("a number is needed where a matrix stands"),
@@ -90,7 +91,7 @@ impl Draft {
     }
 
     /// An expression.
-    pub fn value(&mut self, e: &Expr, depth: usize) -> Result<Value, Failure> {
+    pub(crate) fn value(&mut self, e: &Expr, depth: usize) -> Result<Value, Failure> {
         let Some(depth) = depth.checked_sub(1) else { return declined("depth") };
         let value = self.value_of(e, depth)?;
         // Whatever was copied on the way is not much longer than what comes of it.
@@ -447,7 +448,7 @@ impl Draft {
     }
 
     /// exp of a fraction: 1 at 0, else as a step of rule `power` has said.
-    pub fn exponential(&mut self, log: &Fraction) -> Result<Fraction, Failure> {
+    pub(crate) fn exponential(&mut self, log: &Fraction) -> Result<Fraction, Failure> {
         if log.is_zero() {
             return Ok(Fraction::integer(1));
         }

@@ -96,7 +96,7 @@ struct Elaborator {
 ///
 /// # Errors
 /// Where it got stuck.
-pub fn elaborate(
+pub(crate) fn elaborate(
     claim: &Claim,
     draft: &[draft::Step],
     cited: &[&Accepted],

@@ -29,7 +29,7 @@ const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
 ";
 
 /// The document.
-pub fn document(handout: &Handout) -> String {
+pub(super) fn document(handout: &Handout) -> String {
     let s = summary(&handout.audit.entries);
     let title = escape(&handout.title);
     let mut out = format!(

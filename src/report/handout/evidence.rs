@@ -14,7 +14,7 @@ use crate::report::{Audit, Entry};
 use std::collections::BTreeMap;
 
 /// A theorem of Coq and its proof.
-pub struct Theorem {
+pub(crate) struct Theorem {
     /// Its name.
     pub name: String,
     /// The file of its proof, without folder and ending.
@@ -28,7 +28,7 @@ pub struct Theorem {
 }
 
 /// Who has shown a claim, other than the search.
-pub struct Evidence {
+pub(crate) struct Evidence {
     /// What the kernel accepted in this run; it checks proofs only.
     pub kernel: Option<Proof>,
     /// Coq; else why there is no theorem.
@@ -39,13 +39,13 @@ impl Evidence {
     /// Whether nobody but the search vouches for the verdict: a counterexample that it evaluated, without a certificate, and
     /// that Coq has not shown.
     #[must_use]
-    pub fn is_alone(&self) -> bool {
+    pub(crate) fn is_alone(&self) -> bool {
         self.kernel.is_none() && self.coq.is_err()
     }
 
     /// What stands beside the verdict: a few words each, and whether they are good news.
     #[must_use]
-    pub fn marks(&self, verdict: Verdict) -> Vec<(&'static str, bool)> {
+    pub(crate) fn marks(&self, verdict: Verdict) -> Vec<(&'static str, bool)> {
         match (verdict, &self.coq) {
             (Verdict::Undecided, _) => Vec::new(),
             (Verdict::Refuted, coq) => {
@@ -71,7 +71,7 @@ impl Evidence {
 
 /// The evidence for each claim of an audit, by name, where Coq is not run; `made` are the proofs for Coq, or why there are
 /// none.
-pub fn gather(audit: &Audit, made: Result<&Folder, &str>) -> BTreeMap<String, Evidence> {
+pub(crate) fn gather(audit: &Audit, made: Result<&Folder, &str>) -> BTreeMap<String, Evidence> {
     let claims = embedded::coq_files().into_iter().find(|f| f.path == "claims").map_or("", |f| f.text);
     let one = |entry: &Entry| {
         let coq = made.map_err(str::to_string).and_then(|made| {
@@ -97,7 +97,11 @@ fn is_stated(claims: &str, claim: &Claim, theorem: &str) -> bool {
 
 /// The evidence where Coq was run on a folder of generated proofs; `refused` says of theorems and files why Coq did not
 /// accept them.
-pub fn ran(audit: &Audit, made: &Folder, refused: &dyn Fn(&str, &str) -> Option<String>) -> BTreeMap<String, Evidence> {
+pub(crate) fn ran(
+    audit: &Audit,
+    made: &Folder,
+    refused: &dyn Fn(&str, &str) -> Option<String>,
+) -> BTreeMap<String, Evidence> {
     let one = |entry: &Entry| {
         let coq = theorem(entry, made).and_then(|(file, module, name)| match refused(module, name) {
             Some(why) => Err(why),

@@ -5,7 +5,7 @@ use crate::refute::outcome::{Point, Verdict};
 use crate::report::Audit;
 
 /// A finding.
-pub struct Finding<'a> {
+pub(super) struct Finding<'a> {
     /// The claim's name.
     pub name: &'a str,
     /// The claim's title.
@@ -19,7 +19,7 @@ pub struct Finding<'a> {
 }
 
 /// The findings of an audit, in the order of the claims.
-pub fn of(audit: &Audit) -> Vec<Finding<'_>> {
+pub(super) fn of(audit: &Audit) -> Vec<Finding<'_>> {
     let mut out = Vec::new();
     for entry in &audit.entries {
         let (claim, outcome) = (&entry.claim, &entry.outcome);

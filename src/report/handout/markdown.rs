@@ -9,7 +9,7 @@ use crate::report::table::{Form, Writer};
 use crate::report::{Entry, summary};
 
 /// The report: counts, a table for each section, what could not be judged, then claim by claim, then the numbers.
-pub fn report(handout: &Handout) -> String {
+pub(super) fn report(handout: &Handout) -> String {
     let s = summary(&handout.audit.entries);
     let mut out = format!(
         "# {}\n\n{}: {} proved, {} refuted, {} undecided; {} not as expected. {}\n",

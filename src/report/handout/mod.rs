@@ -5,10 +5,10 @@
 //! escaped in each form. Who vouches for a verdict is said beside it ([`evidence`]).
 
 mod document;
-pub mod evidence;
+pub(crate) mod evidence;
 mod findings;
 mod markdown;
-pub mod numbers;
+pub(crate) mod numbers;
 mod page;
 
 use super::{Audit, counted};
@@ -18,7 +18,7 @@ use numbers::{Plot, Table};
 use std::collections::BTreeMap;
 
 /// What a folder is made of.
-pub struct Handout {
+pub(crate) struct Handout {
     /// The audit.
     pub audit: Audit,
     /// The title.
@@ -39,7 +39,7 @@ pub struct Handout {
 
 /// How many claims others than the search have shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub(crate) struct Counts {
     /// Proved, and accepted by the kernel.
     pub kernel: usize,
     /// Refuted, and accepted by the kernel.
@@ -53,7 +53,7 @@ pub struct Counts {
 impl Handout {
     /// The files of the folder with their paths in it, which hold `/` between names.
     #[must_use]
-    pub fn files(&self) -> Vec<(String, Vec<u8>)> {
+    pub(crate) fn files(&self) -> Vec<(String, Vec<u8>)> {
         let mut out = vec![
             ("index.html".to_string(), page::page(self).into_bytes()),
             ("report.md".to_string(), markdown::report(self).into_bytes()),
@@ -78,7 +78,7 @@ impl Handout {
 
     /// Counts over some claims.
     #[must_use]
-    pub fn counts<'a>(&self, entries: impl Iterator<Item = &'a super::Entry>) -> Counts {
+    pub(crate) fn counts<'a>(&self, entries: impl Iterator<Item = &'a super::Entry>) -> Counts {
         let mut out = Counts::default();
         for entry in entries.filter(|e| e.outcome.verdict != Verdict::Undecided) {
             let Some(evidence) = self.evidence.get(&entry.claim.name.text) else { continue };
@@ -94,7 +94,7 @@ impl Handout {
 
     /// Who vouches for the verdicts, in one sentence each.
     #[must_use]
-    pub fn vouched(&self) -> Vec<String> {
+    pub(crate) fn vouched(&self) -> Vec<String> {
         let counts = self.counts(self.audit.entries.iter());
         let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
         let refuted = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Refuted).count();
@@ -130,7 +130,7 @@ impl Handout {
 
     /// How to check everything again.
     #[must_use]
-    pub fn again(&self) -> Vec<(String, &'static str)> {
+    pub(crate) fn again(&self) -> Vec<(String, &'static str)> {
         let mut out = Vec::new();
         if self.evidence.values().any(|e| e.kernel.is_some()) {
             let claims = if self.catalogue { "" } else { " --claims PATH…" };

@@ -6,10 +6,10 @@ use crate::table_checker::Checker;
 use crate::table_checker::Failure;
 
 /// The most rows of a table in a report: it is read by people.
-pub const ROWS: u64 = 1_000;
+pub(crate) const ROWS: u64 = 1_000;
 
 /// A table.
-pub struct Table {
+pub(crate) struct Table {
     /// The command that makes it.
     pub command: String,
     /// What it holds.
@@ -27,7 +27,7 @@ pub struct Table {
 impl Table {
     /// A caption: the quantity in words.
     #[must_use]
-    pub fn title(&self) -> &'static str {
+    pub(crate) fn title(&self) -> &'static str {
         match self.quantity {
             Quantity::Eta => "Share η of the energy handed on through n inserted bodies of optimal mass",
             Quantity::Threshold => "Least restitution L_n with which the n-th inserted body helps",
@@ -37,7 +37,7 @@ impl Table {
 
     /// The claims of the catalogue that the formula is of.
     #[must_use]
-    pub fn claims(&self) -> &'static [&'static str] {
+    pub(crate) fn claims(&self) -> &'static [&'static str] {
         match self.quantity {
             Quantity::Eta => &["eq25"],
             Quantity::Threshold => &["eq19"],
@@ -47,7 +47,7 @@ impl Table {
 
     /// A fact of its head.
     #[must_use]
-    pub fn fact(&self, name: &str) -> &str {
+    pub(crate) fn fact(&self, name: &str) -> &str {
         self.head.facts.iter().find(|f| f.0 == name).map_or("", |f| f.1.as_str())
     }
 
@@ -55,7 +55,7 @@ impl Table {
     ///
     /// # Errors
     /// Why the kernel did not accept it.
-    pub fn checked(&self) -> Result<&'static [&'static str], String> {
+    pub(crate) fn checked(&self) -> Result<&'static [&'static str], String> {
         let why = |failure: Failure| match failure {
             Failure::Rejected(reason) => reason,
             Failure::Declined(limit) => format!("limit reached: {limit}"),
@@ -70,7 +70,7 @@ impl Table {
 }
 
 /// A picture.
-pub struct Plot {
+pub(crate) struct Plot {
     /// The command that makes it.
     pub command: String,
     /// Its caption: the quantity in words.
@@ -90,12 +90,12 @@ pub struct Plot {
 impl Plot {
     /// How the identifiers of the picture with this number begin in a page; no claim's name holds a point.
     #[must_use]
-    pub fn prefix(place: usize) -> String {
+    pub(crate) fn prefix(place: usize) -> String {
         format!("plot.{}.", place + 1)
     }
 }
 
 /// What is said of tables and pictures.
-pub const WHAT_IS_CERTAIN: &str = "The tables are certified: every digit printed is right, and a certificate lies beside \
+pub(crate) const WHAT_IS_CERTAIN: &str = "The tables are certified: every digit printed is right, and a certificate lies beside \
                                    each. In the pictures the points of a curve are computed to 64 bits and then drawn; \
                                    what lies between two points is drawn, not certified.";

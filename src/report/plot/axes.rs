@@ -69,22 +69,22 @@ impl Chart {
     }
 
     /// A thin white line between two areas.
-    pub fn border(&mut self, points: &[(f64, f64)]) {
+    pub(crate) fn border(&mut self, points: &[(f64, f64)]) {
         self.marks.push(Mark::Border(points.to_vec()));
     }
 
     /// A dot in the colour of a curve.
-    pub fn dot(&mut self, number: usize, x: f64, y: f64, full: bool, radius: f32) {
+    pub(crate) fn dot(&mut self, number: usize, x: f64, y: f64, full: bool, radius: f32) {
         self.marks.push(Mark::Dot { number, at: (x, y), full, radius });
     }
 
     /// An upright bar with its two ends, in the colour of a curve.
-    pub fn bar(&mut self, number: usize, x: f64, ends: (f64, f64)) {
+    pub(crate) fn bar(&mut self, number: usize, x: f64, ends: (f64, f64)) {
         self.marks.push(Mark::Bar { number, x, ends });
     }
 
     /// A filled area through pairs of values.
-    pub fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
+    pub(crate) fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
         self.marks.push(Mark::Area(points.to_vec(), colour));
     }
 
@@ -103,7 +103,7 @@ impl Chart {
     ///
     /// # Errors
     /// [`Unclear::Limits`] where there is no such axis.
-    pub fn cut_across(&mut self, ends: (f64, f64)) -> Result<(), Unclear> {
+    pub(crate) fn cut_across(&mut self, ends: (f64, f64)) -> Result<(), Unclear> {
         self.cut = true;
         limited(&mut self.x, ends)
     }
@@ -112,7 +112,7 @@ impl Chart {
     ///
     /// # Errors
     /// [`Unclear::Limits`] where there is no such axis.
-    pub fn cut_upright(&mut self, ends: (f64, f64)) -> Result<(), Unclear> {
+    pub(crate) fn cut_upright(&mut self, ends: (f64, f64)) -> Result<(), Unclear> {
         self.cut = true;
         limited(&mut self.y, ends)
     }
@@ -142,22 +142,22 @@ impl Chart {
     }
 
     /// A title over the legend.
-    pub fn legend_title(&mut self, text: &str) {
+    pub(crate) fn legend_title(&mut self, text: &str) {
         self.legend.push((Key::Nothing, text.to_owned()));
     }
 
     /// A curve in the legend.
-    pub fn legend_curve(&mut self, number: usize, text: &str) {
+    pub(crate) fn legend_curve(&mut self, number: usize, text: &str) {
         self.legend.push((Key::Curve(number), text.to_owned()));
     }
 
     /// A dot in the legend.
-    pub fn legend_dot(&mut self, number: usize, full: bool, text: &str) {
+    pub(crate) fn legend_dot(&mut self, number: usize, full: bool, text: &str) {
         self.legend.push((Key::Dot(number, full), text.to_owned()));
     }
 
     /// A filled area in the legend.
-    pub fn legend_area(&mut self, colour: Colour, text: &str) {
+    pub(crate) fn legend_area(&mut self, colour: Colour, text: &str) {
         self.legend.push((Key::Area(colour), text.to_owned()));
     }
 

@@ -24,7 +24,7 @@ const MOST_PLACES: i64 = 400;
 /// What is not farther from 0 is not drawn.
 const TINY: f64 = 1e-290;
 /// The most curves of a picture: as many as there are colours.
-pub const CURVES: usize = super::shape::PALETTE.len();
+pub(crate) const CURVES: usize = super::shape::PALETTE.len();
 
 /// A curve through pairs of values.
 type Curve = Vec<(f64, f64)>;

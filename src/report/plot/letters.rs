@@ -4,13 +4,13 @@ use super::shape::Anchor;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// The font.
-pub struct Letters {
+pub(crate) struct Letters {
     face: Option<Face<'static>>,
 }
 
 /// A letter in its place: the outline times `scale`, moved to `x`, `y` (downwards) from the text's point.
 #[derive(Clone, Copy, Debug)]
-pub struct Letter {
+pub(crate) struct Letter {
     /// Which.
     pub glyph: GlyphId,
     /// The character that it shows.
@@ -25,7 +25,7 @@ pub struct Letter {
 
 /// A piece of an outline, in units of the font, `y` upwards.
 #[derive(Clone, Copy, Debug)]
-pub enum Piece {
+pub(crate) enum Piece {
     /// Go there.
     Move(f32, f32),
     /// A straight line.
@@ -41,13 +41,13 @@ pub enum Piece {
 impl Letters {
     /// The embedded font.
     #[must_use]
-    pub fn new() -> Letters {
+    pub(crate) fn new() -> Letters {
         Letters { face: Face::parse(dejavu::sans::regular(), 0).ok() }
     }
 
     /// The letters of a text with their places.
     #[must_use]
-    pub fn set(&self, text: &str, size: f32, anchor: Anchor) -> Vec<Letter> {
+    pub(crate) fn set(&self, text: &str, size: f32, anchor: Anchor) -> Vec<Letter> {
         let (mut out, width) = self.row(text, size);
         let back = match anchor {
             Anchor::Start => 0.0,
@@ -60,13 +60,13 @@ impl Letters {
 
     /// How wide a text is.
     #[must_use]
-    pub fn width(&self, text: &str, size: f32) -> f32 {
+    pub(crate) fn width(&self, text: &str, size: f32) -> f32 {
         self.row(text, size).1
     }
 
     /// A text in lines of at most so many points; words that are longer are broken.
     #[must_use]
-    pub fn lines(&self, text: &str, size: f32, room: f32) -> Vec<String> {
+    pub(crate) fn lines(&self, text: &str, size: f32, room: f32) -> Vec<String> {
         let mut out = vec![String::new()];
         for word in text.split_whitespace() {
             let mut word = word.to_owned();
@@ -97,13 +97,13 @@ impl Letters {
 
     /// Units of the font for each size of 1.
     #[must_use]
-    pub fn units(&self) -> f32 {
+    pub(crate) fn units(&self) -> f32 {
         self.face.as_ref().map_or(1.0, |face| f32::from(face.units_per_em()))
     }
 
     /// How far a letter takes the pen, in units of the font.
     #[must_use]
-    pub fn advance(&self, glyph: GlyphId) -> u16 {
+    pub(crate) fn advance(&self, glyph: GlyphId) -> u16 {
         self.face.as_ref().and_then(|face| face.glyph_hor_advance(glyph)).unwrap_or(0)
     }
 
@@ -138,7 +138,7 @@ impl Letters {
 
     /// The outline of a letter.
     #[must_use]
-    pub fn outline(&self, glyph: GlyphId) -> Vec<Piece> {
+    pub(crate) fn outline(&self, glyph: GlyphId) -> Vec<Piece> {
         let mut pen = Pen(Vec::new());
         if let Some(face) = &self.face {
             face.outline_glyph(glyph, &mut pen);
@@ -155,7 +155,7 @@ impl Default for Letters {
 
 /// A text without its marks for lowering; what is raised stands after `^`.
 #[must_use]
-pub fn plain(text: &str) -> String {
+pub(crate) fn plain(text: &str) -> String {
     text.replace("_{", "").replace("^{", "^").replace('}', "")
 }
 

@@ -6,11 +6,11 @@ use std::fmt;
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 
 /// The largest picture, in pixels of its longer side.
-pub const MAX_PIXELS: u32 = 10_000;
+pub(crate) const MAX_PIXELS: u32 = 10_000;
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq)]
-pub enum PngError {
+pub(crate) enum PngError {
     /// Less than one pixel.
     Small {
         /// The scale that was asked for.
@@ -43,7 +43,7 @@ impl std::error::Error for PngError {}
 ///
 /// # Errors
 /// [`PngError`].
-pub fn render(page: &Page, scale: f32) -> Result<Vec<u8>, PngError> {
+pub(crate) fn render(page: &Page, scale: f32) -> Result<Vec<u8>, PngError> {
     let needed = page.width.max(page.height) * scale;
     let too_large = || PngError::Size { needed };
     // What is no number is no scale either.

@@ -28,7 +28,7 @@ pub struct Scale {
 
 /// A labelled tick.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tick {
+pub(crate) struct Tick {
     /// Where it stands.
     pub value: f64,
     /// The same in words.
@@ -37,7 +37,7 @@ pub struct Tick {
 
 /// The ticks of a scale.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ticks {
+pub(crate) struct Ticks {
     /// Those with labels.
     pub main: Vec<Tick>,
     /// Fine ones without.
@@ -105,7 +105,7 @@ fn outward(x: f64, span: f64, up: bool) -> f64 {
 
 /// What values come to on a scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spread {
+pub(crate) enum Spread {
     /// They are one value, as far as a picture can show.
     Flat,
     /// They spread from the first to the second end.
@@ -114,7 +114,7 @@ pub enum Spread {
 
 impl Spread {
     /// Of some values.
-    pub fn of(values: impl Iterator<Item = f64>) -> Spread {
+    pub(crate) fn of(values: impl Iterator<Item = f64>) -> Spread {
         let (lo, hi) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
         if hi - lo > FLAT * hi.abs().max(lo.abs()) { Spread::Over(lo, hi) } else { Spread::Flat }
     }
@@ -122,7 +122,7 @@ impl Spread {
 
 /// The ends of a scale for curves of shares, which lie from 0 to 1: 0 and 1 where the curves read well on them, else what
 /// the curves need. No curve lies on the frame.
-pub fn shares(curves: &[Vec<(f64, f64)>]) -> (f64, f64) {
+pub(crate) fn shares(curves: &[Vec<(f64, f64)>]) -> (f64, f64) {
     let values = || curves.iter().flatten().map(|p| p.1);
     let (mut from, mut to) = match Spread::of(values()) {
         Spread::Over(lo, hi) if hi - lo < SPREAD => {
@@ -148,7 +148,7 @@ pub fn shares(curves: &[Vec<(f64, f64)>]) -> (f64, f64) {
 }
 
 /// The ends of a scale that begins at 0 or below and has some room above; `share` of the whole.
-pub fn from_zero(values: impl Iterator<Item = f64> + Clone, share: f64) -> (f64, f64) {
+pub(crate) fn from_zero(values: impl Iterator<Item = f64> + Clone, share: f64) -> (f64, f64) {
     let (low, high) = (values.clone().fold(0.0, f64::min), values.fold(0.0, f64::max));
     let span = high - low;
     if span == 0.0 {

@@ -17,14 +17,14 @@ impl Colour {
 }
 
 /// Ink.
-pub const BLACK: Colour = Colour(0, 0, 0);
+pub(crate) const BLACK: Colour = Colour(0, 0, 0);
 /// Fine lines behind the curves.
-pub const PALE: Colour = Colour(0xdd, 0xdd, 0xdd);
+pub(crate) const PALE: Colour = Colour(0xdd, 0xdd, 0xdd);
 /// Paper.
-pub const WHITE: Colour = Colour(0xff, 0xff, 0xff);
+pub(crate) const WHITE: Colour = Colour(0xff, 0xff, 0xff);
 
 /// The palette of Okabe and Ito without its yellow, which is too pale for lines on paper.
-pub const PALETTE: [Colour; 7] = [
+pub(crate) const PALETTE: [Colour; 7] = [
     Colour(0x00, 0x72, 0xb2),
     Colour(0xd5, 0x5e, 0x00),
     Colour(0x00, 0x9e, 0x73),
@@ -35,7 +35,7 @@ pub const PALETTE: [Colour; 7] = [
 ];
 
 /// Dashes that go with the colours; empty for a full line.
-pub const DASHES: [&[f32]; 7] =
+pub(crate) const DASHES: [&[f32]; 7] =
     [&[], &[7.0, 3.0], &[2.0, 2.5], &[9.0, 3.0, 2.0, 3.0], &[4.0, 2.0], &[12.0, 4.0], &[1.0, 3.0]];
 
 /// Where a text stands relative to its point.

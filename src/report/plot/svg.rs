@@ -14,7 +14,7 @@ pub fn render(page: &Page) -> String {
 
 /// The same to stand in a document with other pictures: its identifiers begin with a prefix.
 #[must_use]
-pub fn inline(page: &Page, prefix: &str) -> String {
+pub(crate) fn inline(page: &Page, prefix: &str) -> String {
     let letters = Letters::new();
     let (mut used, mut body) = (BTreeMap::new(), String::new());
     for shape in &page.shapes {

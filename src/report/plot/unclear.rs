@@ -4,7 +4,7 @@ use crate::chain::ChainError;
 use std::fmt;
 
 /// The most characters of a number in a title or legend.
-pub const NUMBER: usize = 40;
+pub(crate) const NUMBER: usize = 40;
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq)]

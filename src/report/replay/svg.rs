@@ -43,17 +43,17 @@ pub(super) struct Frame {
 
 impl Frame {
     /// The frame of the diagram around worldlines.
-    pub fn around(lines: &Worldlines) -> Frame {
+    pub(super) fn around(lines: &Worldlines) -> Frame {
         Frame { left: 78.0, top: 64.0, width: 742.0, height: 500.0, x: lines.range, t: (0.0, lines.end * 1.04) }
     }
 
     /// Across the page.
-    pub fn across(&self, x: f64) -> f64 {
+    pub(super) fn across(&self, x: f64) -> f64 {
         self.left + (x - self.x.0) / (self.x.1 - self.x.0) * self.width
     }
 
     /// Down the page: later is higher.
-    pub fn down(&self, t: f64) -> f64 {
+    pub(super) fn down(&self, t: f64) -> f64 {
         self.top + self.height - (t - self.t.0) / (self.t.1 - self.t.0) * self.height
     }
 }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// The room across, and what a column takes of it.
 #[derive(Clone, Copy, Debug)]
-pub struct Room {
+pub(crate) struct Room {
     /// All of it.
     pub most: usize,
     /// For each character of the widest entry.
@@ -20,10 +20,10 @@ pub struct Room {
 }
 
 /// Text and Markdown, in characters: a page of letters holds them.
-pub const PAGE: Room = Room { most: 84, character: 1, gap: 2 };
+pub(crate) const PAGE: Room = Room { most: 84, character: 1, gap: 2 };
 /// LaTeX, in tenths of a point: the width of the class article in ten points, its digits, and its space between columns
 /// with what siunitx puts between groups of digits.
-pub const LATEX: Room = Room { most: 3450, character: 53, gap: 165 };
+pub(crate) const LATEX: Room = Room { most: 3450, character: 53, gap: 165 };
 
 /// The longest fraction in a cell, in characters.
 const FRACTION: usize = 11;
@@ -31,7 +31,7 @@ const FRACTION: usize = 11;
 /// The cross tables of a plan from its rows; `across` is the place of an axis among [`Plan::axis_names`]. Without `room` columns
 /// are never cut, and a third axis is a column of its own.
 #[must_use]
-pub fn tables(
+pub(crate) fn tables(
     plan: &Plan,
     rows: &[Row],
     across: usize,

@@ -10,7 +10,7 @@ use std::io::{self, Write};
 
 /// What separates fields and decimals, and whether it is for a spreadsheet.
 #[derive(Clone, Copy)]
-pub enum Dialect {
+pub(super) enum Dialect {
     /// For programs, and for people who read comments.
     Plain,
     /// For a spreadsheet that writes 0.5.
@@ -67,7 +67,7 @@ fn is_decimal(text: &str) -> bool {
     is_whole(whole) && is_digits(places) && is_whole(exponent)
 }
 
-pub fn head(head: &Head, dialect: Dialect) -> String {
+pub(super) fn head(head: &Head, dialect: Dialect) -> String {
     let mut out = String::new();
     if let Dialect::Plain = dialect {
         for (name, text) in &head.facts {
@@ -84,7 +84,7 @@ pub fn head(head: &Head, dialect: Dialect) -> String {
     out
 }
 
-pub fn row(row: &[Entry], dialect: Dialect, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn row(row: &[Entry], dialect: Dialect, out: &mut dyn Write) -> io::Result<()> {
     for (place, entry) in row.iter().enumerate() {
         if place > 0 {
             out.write_all(&[dialect.separator()])?;

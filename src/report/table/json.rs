@@ -4,7 +4,7 @@ use super::{Entry, Head};
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
-pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "{{\"head\":{{")?;
     for (place, (name, text)) in head.facts.iter().enumerate() {
         write!(out, "{}{}:{}", if place == 0 { "" } else { "," }, Value::from(*name), Value::from(text.as_str()))?;
@@ -12,7 +12,7 @@ pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "}},\n\"rows\":[")
 }
 
-pub fn row(head: &Head, row: &[Entry], first: bool, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn row(head: &Head, row: &[Entry], first: bool, out: &mut dyn Write) -> io::Result<()> {
     let value = |entry: &Entry| match entry {
         Entry::Empty => Value::Null,
         entry => Value::from(entry.plain()),
@@ -22,6 +22,6 @@ pub fn row(head: &Head, row: &[Entry], first: bool, out: &mut dyn Write) -> io::
     write!(out, "{}\n{}", if first { "" } else { "," }, Value::Object(object))
 }
 
-pub fn end(rows: u64, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn end(rows: u64, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}],\n\"count\":{rows}}}", if rows == 0 { "" } else { "\n" })
 }

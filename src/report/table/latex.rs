@@ -8,16 +8,16 @@ use crate::report::latex::escape;
 use std::io::{self, Write};
 
 /// The most rows of a table that stands on one page.
-pub const PAGE: usize = 40;
+pub(crate) const PAGE: usize = 40;
 
-pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     for (name, text) in &head.facts {
         writeln!(out, "% {name}: {text}")?;
     }
     writeln!(out, "% \\usepackage{{booktabs,longtable,siunitx}}")
 }
 
-pub fn rows(head: &Head, rows: &[Vec<Entry>], out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn rows(head: &Head, rows: &[Vec<Entry>], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\\begingroup\n\\sisetup{{round-mode = none, round-pad = false}}")?;
     if !head.latex.is_empty() {
         writeln!(out, "% ${}$", head.latex)?;

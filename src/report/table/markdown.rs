@@ -4,7 +4,7 @@ use super::{Entry, Head};
 use crate::report::markdown::escape;
 use std::io::{self, Write};
 
-pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     for (name, text) in &head.facts {
         writeln!(out, "- {name}: `{text}`")?;
     }
@@ -13,7 +13,7 @@ pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}", line(head.columns.iter().map(|c| if c.numeric { "--:" } else { ":--" }.to_owned()).collect()))
 }
 
-pub fn row(row: &[Entry], out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn row(row: &[Entry], out: &mut dyn Write) -> io::Result<()> {
     let cells: Vec<String> = row.iter().map(shown).collect();
     writeln!(out, "| {} |", cells.join(" | "))
 }

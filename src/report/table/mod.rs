@@ -4,7 +4,7 @@
 //! then is a whole table. Text holds the first thousand rows to choose the widths of its columns, and LaTeX all of
 //! [`LATEX_ROWS`] at most; the other forms hold none.
 
-pub mod cross;
+pub(crate) mod cross;
 mod csv;
 mod json;
 pub(in crate::report) mod latex;
@@ -166,7 +166,7 @@ impl Entry {
 
     /// The entry for a terminal, if it is somebody else's text: see [`visible`].
     #[must_use]
-    pub fn visible(self) -> Entry {
+    pub(crate) fn visible(self) -> Entry {
         match self {
             Self::Plain(text) => Self::Plain(visible(&text).into_owned()),
             other => other,
@@ -223,13 +223,13 @@ impl Writer {
 
     /// The head as CSV has it, for comparing with a file begun earlier.
     #[must_use]
-    pub fn csv_head(&self) -> String {
+    pub(crate) fn csv_head(&self) -> String {
         csv::head(&self.head, csv::Dialect::Plain)
     }
 
     /// A writer that writes the same rows in the same way; `None` as long as rows are held back, or any would be.
     #[must_use]
-    pub fn settled(&self) -> Option<Writer> {
+    pub(crate) fn settled(&self) -> Option<Writer> {
         let settled = match self.form {
             Form::Text => self.widths.is_some(),
             Form::Latex => false,

@@ -5,7 +5,7 @@ use crate::report::push_padded;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-pub fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn begin(head: &Head, out: &mut dyn Write) -> io::Result<()> {
     for (name, text) in &head.facts {
         writeln!(out, "{name}: {text}")?;
     }
@@ -23,7 +23,7 @@ fn shown(entry: &Entry) -> Cow<'_, str> {
     Cow::Owned(format!("{kept}{bar}{small}{e}{exponent}"))
 }
 
-pub fn widths(head: &Head, rows: &[Vec<Entry>]) -> Vec<usize> {
+pub(crate) fn widths(head: &Head, rows: &[Vec<Entry>]) -> Vec<usize> {
     let width = |(place, column): (usize, &super::Column)| {
         let entries = rows.iter().filter_map(|row| Some(shown(row.get(place)?).chars().count()));
         entries.max().unwrap_or(0).max(column.name.chars().count())
@@ -31,14 +31,14 @@ pub fn widths(head: &Head, rows: &[Vec<Entry>]) -> Vec<usize> {
     head.columns.iter().enumerate().map(width).collect()
 }
 
-pub fn heading(head: &Head, widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn heading(head: &Head, widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
     let names: Vec<Entry> = head.columns.iter().map(|c| Entry::Plain(c.name.clone())).collect();
     row(head, &names, widths, out)?;
     let rules: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
     writeln!(out, "{}", rules.join("  "))
 }
 
-pub fn row(head: &Head, row: &[Entry], widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn row(head: &Head, row: &[Entry], widths: &[usize], out: &mut dyn Write) -> io::Result<()> {
     let mut line = String::with_capacity(widths.iter().sum::<usize>() + 2 * widths.len());
     for (place, ((entry, column), width)) in row.iter().zip(&head.columns).zip(widths).enumerate() {
         if place > 0 {

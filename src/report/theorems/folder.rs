@@ -1,6 +1,6 @@
 //! The files of the folder.
 
-use super::{File, Folder};
+use super::Folder;
 use crate::claim::embedded;
 use crate::export::coq;
 use std::collections::BTreeMap;
@@ -35,7 +35,7 @@ fn library() -> Vec<embedded::File> {
 }
 
 /// The names that no claim's file may take.
-pub fn own_modules() -> Vec<String> {
+pub(crate) fn own_modules() -> Vec<String> {
     library()
         .iter()
         .map(|f| f.path.to_string())
@@ -45,7 +45,7 @@ pub fn own_modules() -> Vec<String> {
 
 impl Folder {
     /// The files of the folder, with their names.
-    pub fn contents(&self) -> Vec<(String, String)> {
+    pub(crate) fn contents(&self) -> Vec<(String, String)> {
         let library = library();
         let mut out: Vec<(String, String)> =
             library.iter().map(|f| (format!("{}.v", f.path), f.text.to_string())).collect();
@@ -78,7 +78,7 @@ impl Folder {
     }
 
     /// The page of the theorems, each in full with the place of its proof.
-    pub fn page(&self) -> String {
+    pub(crate) fn page(&self) -> String {
         let mut proved = BTreeMap::new();
         for file in &self.files {
             let Some(module) = &file.module else { continue };
@@ -88,18 +88,8 @@ impl Folder {
     }
 
     /// How many theorems the files have.
-    pub fn theorems(&self) -> usize {
+    pub(crate) fn theorems(&self) -> usize {
         self.files.iter().map(|f| f.theorems.len()).sum()
-    }
-
-    /// The claims whose own statement has no proof, with the reason.
-    pub fn open(&self) -> BTreeMap<&str, &str> {
-        let one = |f: &'_ File| f.theorems.is_empty().then_some(());
-        self.files
-            .iter()
-            .filter(|f| one(f).is_some())
-            .filter_map(|f| Some((f.claim.as_str(), f.open.first()?.1.as_str())))
-            .collect()
     }
 
     fn readme(&self) -> String {

@@ -20,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A theorem.
 #[derive(Clone, Debug)]
-pub struct Theorem {
+pub(crate) struct Theorem {
     /// Its name.
     pub name: String,
     /// What it says, in the words of `statements.v`.
@@ -29,7 +29,7 @@ pub struct Theorem {
 
 /// The file of one claim.
 #[derive(Clone, Debug)]
-pub struct File {
+pub(crate) struct File {
     /// The claim.
     pub claim: String,
     /// The file's name without its ending; `None` where Coq cannot say the claim.
@@ -46,7 +46,7 @@ pub struct File {
 
 /// Why there is no folder: two claims would be one file, or a claim one of the library's.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Clash {
+pub(crate) struct Clash {
     /// The claims, or one of them and the library.
     pub claims: (String, String),
     /// The name of the file.
@@ -62,7 +62,7 @@ impl std::fmt::Display for Clash {
 
 /// The folder.
 #[derive(Clone, Debug)]
-pub struct Folder {
+pub(crate) struct Folder {
     /// The files of claims, those of cited claims first.
     pub files: Vec<File>,
     statements: Vec<Statement>,
@@ -81,7 +81,7 @@ struct Maker<'a> {
 ///
 /// # Errors
 /// Two files would have one name.
-pub fn folder(catalogue: &Catalogue, entries: &[Entry], limits: &Limits) -> Result<Folder, Clash> {
+pub(crate) fn folder(catalogue: &Catalogue, entries: &[Entry], limits: &Limits) -> Result<Folder, Clash> {
     let by_name: BTreeMap<&str, &Entry> = entries.iter().map(|e| (e.claim.name.text.as_str(), e)).collect();
     let asked: Vec<Claim> = entries.iter().map(|e| e.claim.clone()).collect();
     let mut maker = Maker { catalogue, limits, accepted: BTreeMap::new(), proved: BTreeSet::new() };

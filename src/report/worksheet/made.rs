@@ -42,7 +42,7 @@ struct Version {
 /// The sheets of a scene. All that pupils get comes first.
 ///
 /// # Errors
-/// Those of [`Worksheet`] and of [`versions`]; a limit on digits.
+/// Those of [`Worksheet`] and of `versions`; a limit on digits.
 pub fn sheets(about: &About, scene: &Scene, wanted: &Wanted<'_>) -> Result<Vec<Sheet>, ChainError> {
     let versions = made(scene, wanted)?;
     let mut sheets = Vec::new();

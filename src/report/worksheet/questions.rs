@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 const LISTED: usize = 8;
 
 /// What pupils guess before they compute.
-pub fn predictions(subject: &Subject<'_>, filled: bool) -> Vec<Part> {
+pub(crate) fn predictions(subject: &Subject<'_>, filled: bool) -> Vec<Part> {
     let asked = [fastest(subject.worksheet), backwards(subject), lost(subject), rise(subject)];
     let asked: Vec<(String, Vec<(String, bool)>)> = asked.into_iter().flatten().collect();
     if asked.is_empty() {
@@ -140,7 +140,12 @@ fn sum(entry: &Entry, style: Style) -> Option<String> {
 }
 
 /// What is found by adding up, and how it compares with the predictions.
-pub fn comparison(subject: &Subject<'_>, units: &Units, style: Style, filled: bool) -> Result<Vec<Part>, NumberError> {
+pub(super) fn comparison(
+    subject: &Subject<'_>,
+    units: &Units,
+    style: Style,
+    filled: bool,
+) -> Result<Vec<Part>, NumberError> {
     let Some((first, rest)) = subject.worksheet.collisions.split_first() else { return Ok(Vec::new()) };
     let with = |entry: &Entry, unit: &Option<String>| -> Option<String> {
         let unit = unit.as_deref().map_or(String::new(), |unit| format!(" {unit}"));

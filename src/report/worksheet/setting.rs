@@ -50,7 +50,7 @@ fn count(bodies: usize) -> String {
 }
 
 /// The scene's own words, what happens, and a table of the bodies.
-pub fn parts(subject: &Subject<'_>, units: &Units, style: Style) -> Result<Vec<Part>, NumberError> {
+pub(super) fn parts(subject: &Subject<'_>, units: &Units, style: Style) -> Result<Vec<Part>, NumberError> {
     let collisions = &subject.worksheet.collisions;
     let Some(first) = collisions.first() else { return Ok(Vec::new()) };
     let mut parts = Vec::new();

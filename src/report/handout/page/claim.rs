@@ -10,7 +10,7 @@ use crate::report::markup::escape;
 use crate::report::{Entry, mathml, reading};
 
 /// Writes the section.
-pub fn section(out: &mut String, entry: &Entry, handout: &Handout) {
+pub(super) fn section(out: &mut String, entry: &Entry, handout: &Handout) {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
     let evidence = handout.evidence.get(&claim.name.text);
     heading(out, entry, evidence);

@@ -15,7 +15,7 @@ const LETTERS: usize = 24;
 
 /// The claims that cite or are cited, as a figure; empty if there are none. A claim stands to the right of all that
 /// it cites, and about as high as these.
-pub fn svg(entries: &[Entry]) -> String {
+pub(super) fn svg(entries: &[Entry]) -> String {
     let index: BTreeMap<&str, usize> =
         entries.iter().enumerate().map(|(i, e)| (e.claim.name.text.as_str(), i)).collect();
     let mut edges: Vec<(usize, usize)> = Vec::new();

@@ -18,7 +18,7 @@ use crate::report::{counted, summary};
 const STYLE: &str = include_str!("style.css");
 
 /// The page.
-pub fn page(handout: &Handout) -> String {
+pub(super) fn page(handout: &Handout) -> String {
     let (audit, title) = (&handout.audit, escape(&handout.title));
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\

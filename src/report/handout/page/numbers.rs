@@ -6,7 +6,7 @@ use crate::report::handout::{Handout, address, named, plot_file, provenance, tab
 use crate::report::markup::escape;
 
 /// Writes all of them.
-pub fn all(out: &mut String, handout: &Handout) {
+pub(super) fn all(out: &mut String, handout: &Handout) {
     out.push_str(&format!("<p>{WHAT_IS_CERTAIN}</p>\n"));
     for (place, one) in handout.tables.iter().enumerate() {
         table(out, handout, place, one);
