@@ -12,7 +12,7 @@ use carom::claim::parse::parse;
 use carom::claim::syntax::{Claim, Prop};
 use carom::kernel::statement::Statement;
 use carom::kernel::{Accepted, Verdict, check, key};
-use carom::refute::{expand, search};
+use carom::refute::{counterexample, expand};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
@@ -128,7 +128,7 @@ fn a_changed_statement_is_accepted_only_if_it_is_true() {
                 if matches!(check(&mutant, &aimed(certificate, &old.goal, &new.goal), &cited), Verdict::Accepted(_)) {
                     true_ones += 1;
                     let statement = expand::Statement::of(&mutant).unwrap();
-                    let witness = search::falsified(&statement, Some(Duration::from_millis(200)));
+                    let witness = counterexample::falsified(&statement, Some(Duration::from_millis(200)));
                     assert!(witness.is_none(), "{}accepted, and false at {witness:?}", new.text());
                 }
             }

@@ -343,8 +343,8 @@ fn a_number_that_the_kernel_encloses_is_the_one_that_the_evaluator_finds() {
         };
         let width = rational::parse("1e-20").unwrap();
         let (below, above) = (
-            print::expr(&carom::refute::search::literal(&(&low - &width))),
-            print::expr(&carom::refute::search::literal(&(&high + &width))),
+            print::expr(&carom::refute::literal::literal(&(&low - &width))),
+            print::expr(&carom::refute::literal::literal(&(&high + &width))),
         );
         let goal = format!("{below} < {text} and {text} < {above}");
         let claims = parse(&format!("claim t \"t\"\nprove {goal}\n")).unwrap();

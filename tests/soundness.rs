@@ -9,9 +9,9 @@ use carom::claim::syntax::*;
 use carom::judge::hand::AtHand;
 use carom::judge::{Settings, one_of};
 use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::counterexample;
 use carom::refute::expand::Statement;
 use carom::refute::outcome::Verdict;
-use carom::refute::search;
 
 /// Changes the n-th place of a statement that can be changed; false when there is no n-th place.
 struct Mutation {
@@ -222,7 +222,7 @@ fn judge_mutants(claim: &Claim, all: &[Claim], hand: &AtHand, share: usize, tall
                 Verdict::Proved => {
                     tally.proved += 1;
                     let statement = Statement::of(&mutant).expect("within limits");
-                    if let Some(witness) = search::falsified(&statement, None) {
+                    if let Some(witness) = counterexample::falsified(&statement, None) {
                         tally.wrong.push(format!("{} at {:?}", said(), witness.point));
                     }
                 }

@@ -9,9 +9,9 @@ use carom::judge::hand::AtHand;
 use carom::judge::{Entry, Settings, judge, one_of, outcome_of};
 use carom::kernel::statement::domain;
 use carom::refute::catalogue::{Catalogue, Limits};
+use carom::refute::counterexample;
 use carom::refute::expand::Statement;
 use carom::refute::outcome::{Fault, Outcome, Verdict};
-use carom::refute::search;
 use std::process::Command;
 use std::time::Duration;
 
@@ -71,7 +71,7 @@ fn without_what_the_catalogue_calls_not_needed_no_claim_is_refuted() {
             }
             let (rest, count) = without(&Statement::of(&claim).unwrap(), &outcome.unused);
             assert_eq!(count, outcome.unused.len(), "{name}: {:?}", outcome.unused);
-            let witness = search::falsified(&rest, Some(Duration::from_millis(300)));
+            let witness = counterexample::falsified(&rest, Some(Duration::from_millis(300)));
             assert!(witness.is_none(), "{name}: {:?}: {witness:?}", outcome.unused);
             dropped += count;
         }

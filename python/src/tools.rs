@@ -17,7 +17,7 @@ use carom::number::rational;
 use carom::referee::Reference;
 use carom::referee::judge::{MAX_DIGITS, judge as judge_scene};
 use carom::referee::results::{self, ResultsError};
-use carom::refute::search::Seen;
+use carom::refute::goal::Seen;
 use carom::refute::trial::{Trial, Untried};
 use carom::report::plot::axes::Chart;
 use carom::report::plot::charts::{eta_of_number, eta_of_ratio, map, thresholds, velocities};

@@ -22,7 +22,7 @@ use super::{Result, Unsupported, unsupported};
 use crate::claim::definedness::Need;
 use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::refute::expand;
+use crate::refute::{expand, substitution};
 use quotient::joined;
 use std::collections::BTreeMap;
 
@@ -210,7 +210,7 @@ impl Writer {
         for binding in &extremum.over {
             domain.extend(self.declare(binding)?);
         }
-        let mut at = expand::Substitution::default();
+        let mut at = substitution::Substitution::default();
         let mut parts = Vec::new();
         let mut same = Vec::new();
         for (name, value) in &extremum.at {

@@ -24,7 +24,7 @@ use crate::refute::catalogue::Limits;
 use crate::refute::expand;
 use crate::refute::outcome::Verdict;
 use crate::refute::reading::Reading;
-use crate::refute::search::{example, falsified};
+use crate::refute::{counterexample::falsified, sample::example};
 use std::collections::BTreeSet;
 use std::time::Duration;
 
@@ -236,6 +236,26 @@ fn by_factors(
     b: &Expr,
 ) -> Option<(Vec<Prop>, Vec<Prop>)> {
     let difference = crate::kernel::statement::sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]);
+    let (positive, open) = open_factors(claim, statement, &difference)?;
+    if open.is_empty() || open.len() > FACTORS {
+        return None;
+    }
+    let zero = |relation: Relation| open.iter().map(|f| side(f, relation)).collect::<Vec<Prop>>();
+    let (up, strict) = match relation {
+        Relation::Equal => {
+            let list = zero(Relation::Equal);
+            let all = joined(&list, PropKind::Or);
+            return Some((list.into_iter().chain([all]).collect(), Vec::new()));
+        }
+        Relation::NotEqual => return Some((vec![joined(&zero(Relation::NotEqual), PropKind::And)], Vec::new())),
+        Relation::Greater | Relation::GreaterEqual => (positive, relation == Relation::Greater),
+        Relation::Less | Relation::LessEqual => (!positive, relation == Relation::Less),
+    };
+    Some(by_signs(&open, up, strict))
+}
+
+/// The factors of an expression whose signs are not known, and whether all the others together are positive.
+fn open_factors(claim: &Claim, statement: &Statement, difference: &Expr) -> Option<(bool, Vec<Expr>)> {
     let mut checker = Checker::new(claim, &[]).ok()?;
     let by = checker.facts().map(|(label, _)| label.to_string()).collect();
     let show = Show {
@@ -247,7 +267,7 @@ fn by_factors(
     };
     let expanded = expand::Statement::of(claim).ok()?;
     let mut reading = Reading::of(&expanded, &statement.bindings)?;
-    let view = checker.view(&difference, &show, false).ok()?;
+    let view = checker.view(difference, &show, false).ok()?;
     let mut positive = view.number > num_rational::BigRational::from_integer(0.into());
     let mut open: Vec<Expr> = Vec::new();
     for part in view.factors {
@@ -279,20 +299,11 @@ fn by_factors(
             }
         }
     }
-    if open.is_empty() || open.len() > FACTORS {
-        return None;
-    }
-    let zero = |relation: Relation| open.iter().map(|f| side(f, relation)).collect::<Vec<Prop>>();
-    let (up, strict) = match relation {
-        Relation::Equal => {
-            let list = zero(Relation::Equal);
-            let all = joined(&list, PropKind::Or);
-            return Some((list.into_iter().chain([all]).collect(), Vec::new()));
-        }
-        Relation::NotEqual => return Some((vec![joined(&zero(Relation::NotEqual), PropKind::And)], Vec::new())),
-        Relation::Greater | Relation::GreaterEqual => (positive, relation == Relation::Greater),
-        Relation::Less | Relation::LessEqual => (!positive, relation == Relation::Less),
-    };
+    Some((positive, open))
+}
+
+/// Candidates that give the product of these factors a sign: exact ones, and those that are enough.
+fn by_signs(open: &[Expr], up: bool, strict: bool) -> (Vec<Prop>, Vec<Prop>) {
     let signed = |f: &Expr, above: bool| {
         side(
             f,
@@ -324,7 +335,7 @@ fn by_factors(
     }
     exact.extend(cases.clone());
     exact.push(joined(&cases, PropKind::Or));
-    Some((exact, cases))
+    (exact, cases)
 }
 
 /// `P or Q …`, `P and Q …`; the one where there is one only.

@@ -18,8 +18,9 @@ use crate::kernel::statement::{
 };
 use crate::prove;
 use crate::refute::catalogue::Limits;
+use crate::refute::literal::{is_zero, literal};
 use crate::refute::outcome::Point;
-use crate::refute::search::{example, literal};
+use crate::refute::sample::example;
 use std::collections::BTreeSet;
 
 /// A point at which the hypotheses of a claim hold, its coordinates perhaps roots; `None` where none was shown to exist.
@@ -86,10 +87,6 @@ fn witness(certificate: &Certificate) -> Option<Point> {
         }
         _ => None,
     })
-}
-
-fn is_zero(e: &Expr) -> bool {
-    matches!(&e.kind, ExprKind::Number(text) if text == "0")
 }
 
 /// The factors of a product as it is written, without their exponents.

@@ -5,7 +5,8 @@
 
 use super::law::Law;
 use crate::number::rational::parse;
-use crate::refute::search::{Choice, Seen};
+use crate::refute::goal::Seen;
+use crate::refute::search::Choice;
 use crate::refute::trial::Trial;
 use malachite::Rational;
 use proptest::prelude::Rng;

@@ -60,10 +60,10 @@ impl Certifier {
             }),
             PropKind::Exists(bindings, body) => {
                 let point =
-                    crate::refute::search::example(bindings, body, self.deadline).ok_or("no witness was found")?;
+                    crate::refute::sample::example(bindings, body, self.deadline).ok_or("no witness was found")?;
                 let values: Vec<(Name, Expr)> = point
                     .into_iter()
-                    .map(|(n, v)| (Name { text: n, span: Span::default() }, crate::refute::search::literal(&v)))
+                    .map(|(n, v)| (Name { text: n, span: Span::default() }, crate::refute::literal::literal(&v)))
                     .collect();
                 self.witness(goal, &values)
             }

@@ -1,15 +1,16 @@
 //! One claim as a search for points sees it: its hypotheses, a point at which they hold, a counterexample.
 //!
-//! Contract: a sample satisfies every hypothesis exactly. A counterexample is one of [`super::search`]. It is sought twice: at
+//! Contract: a sample satisfies every hypothesis exactly. A counterexample is one of [`super::counterexample`]. It is sought twice: at
 //! few points, before a proof is sought, and at all of them, where none was found.
 
 use super::Moment;
 use super::catalogue::Limits;
 use super::expand::{Limit, Statement};
-use super::faults;
+use super::goal::{self, Goal};
 use super::outcome::{Outcome, Point, Verdict, Witness, limit_reached};
-use super::search::{self, Goal, Plan, Search};
+use super::search::{Plan, Search};
 use super::shape;
+use super::{counterexample, dependence, faults, sample};
 use crate::claim::syntax::{Claim, Diagnose};
 use std::time::Duration;
 
@@ -44,7 +45,7 @@ impl Case {
         let has_hypotheses = statement.has_hypotheses();
         // No deadline where the clock does not reach that far.
         let deadline = started.checked_add(limits.time);
-        let sample = if has_hypotheses { search::sample(&mut plan, &statement, deadline) } else { None };
+        let sample = if has_hypotheses { sample::sample(&mut plan, &statement, deadline) } else { None };
         Ok(Case { plan, statement, sample, aim: None, held: 0, started, time: limits.time })
     }
 
@@ -75,7 +76,7 @@ impl Case {
 
     /// Why no proof is sought, if there is a reason: the goal may be read in two ways.
     pub(crate) fn ambiguous(&self) -> Option<String> {
-        let variable = search::tied_derivative(&self.statement)?;
+        let variable = dependence::tied_derivative(&self.statement)?;
         Some(format!("a derivative by {variable}, which a hypothesis ties to other variables, may be read in two ways"))
     }
 
@@ -118,11 +119,11 @@ impl Case {
     fn falsified(&mut self, most: Option<u64>) -> Option<Witness> {
         let deadline = self.started.checked_add(self.time);
         let Case { plan, statement, aim, held, .. } = self;
-        let (search, goal) = aim.get_or_insert_with(|| search::aimed(plan, statement)).as_mut()?;
+        let (search, goal) = aim.get_or_insert_with(|| goal::aimed(plan, statement)).as_mut()?;
         if most.is_none() {
             goal.identify(plan);
         }
-        let (witness, points) = search::falsified_by(statement, search, goal, most, deadline);
+        let (witness, points) = counterexample::falsified_by(statement, search, goal, most, deadline);
         *held = points;
         witness
     }

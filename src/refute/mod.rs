@@ -1,25 +1,36 @@
 //! Claims at exact points: where the hypotheses hold, and where the goal then fails.
 //!
-//! A claim is expanded ([`expand`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
-//! points are tried ([`search`], [`evaluate`]), members of families by their recurrences (`recurrence`); limits are found at a point
-//! (`limit`). `case` says what came of it.
+//! A claim is expanded ([`expand`], [`substitution`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
+//! points are tried ([`search`]). At each the hypotheses and the goal are evaluated ([`goal`], [`evaluate`], `truth`):
+//! members of families by their recurrences (`recurrence`), limits by series (`limit`). What comes of it is a sample, where the hypotheses
+//! hold (`sample`), or a [`counterexample`]; `case` collects both for a claim.
 //! Proofs are found in [`crate::prove`].
 pub(crate) mod case;
 pub mod catalogue;
+pub mod counterexample;
 pub mod evaluate;
 pub mod expand;
 pub(crate) mod faults;
+pub mod goal;
 pub(crate) mod limit;
+pub mod literal;
+pub(crate) mod names;
 pub mod number;
 pub mod outcome;
 pub mod reading;
 pub(crate) mod recurrence;
+pub(crate) mod sample;
 pub mod search;
 pub(crate) mod shape;
 pub(crate) mod solve;
+pub mod substitution;
 pub mod trial;
+pub(crate) mod truth;
 
 mod candidates;
 mod closed;
+mod dependence;
+mod matrix;
+mod series;
 
 use crate::algebra::Moment;

@@ -78,7 +78,7 @@ impl Reading {
     /// A polynomial in words.
     pub fn words(&self, p: &Polynomial) -> Expr {
         let terms = p.terms().map(|(monomial, c)| {
-            let mut list = vec![(Factor::Times, super::search::literal(c))];
+            let mut list = vec![(Factor::Times, super::literal::literal(c))];
             list.extend(monomial.powers().iter().map(|(letter, k)| {
                 let power = ExprKind::Power(Box::new(self.letter(*letter)), Box::new(numeral(*k)));
                 (Factor::Times, expr(power))

@@ -1,30 +1,24 @@
-//! Search for exact points: where the hypotheses hold, and where the goal then fails.
+//! Search for exact points at which the hypotheses hold.
 //!
-//! Contract: a returned point satisfies every hypothesis exactly and certainly, and the goal is
-//! certainly false there or has no value. Points are tried in order of simplicity, so the first is
-//! small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
+//! Contract: a visited point satisfies every hypothesis exactly and certainly. Points are tried in order of simplicity, so
+//! the first is small: 0, 1, 2, 1/2, … Variables that the hypotheses determine are computed, not guessed.
 
 use super::Moment;
 use super::evaluate::{Assignment, STEPS};
 use super::expand::Statement;
-use super::limit::{Tends, tends};
-use super::number::Missing;
-use super::outcome::{Broken, Point, Witness};
+use super::outcome::Point;
 use super::reading::Reading;
 use super::recurrence::recurrences;
 use super::solve::{Way, ways};
-use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::kernel::statement::{compare, constraints, domain, name};
+use crate::kernel::statement::{constraints, domain, name};
 use crate::number::rational;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::conversion::traits::IsInteger;
-use rustc_hash::FxHashSet as HashSet;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
-use std::time::Duration;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
 const REALS: &[&str] = &[
@@ -38,15 +32,6 @@ const POINTS: usize = 6_000;
 /// How many points of those that a claim suggests.
 const SUGGESTED: usize = 2_500;
 
-/// At how many points limits are found anew.
-const LIMITS: usize = 60;
-
-/// At how many of them before a proof is sought.
-const FIRST_LIMITS: usize = 4;
-
-/// How long points are tried before a proof is sought.
-const FIRST_TIME: Duration = Duration::from_millis(100);
-
 /// A search over points.
 pub(super) struct Search {
     /// The variables that are free to choose, and whether each is a natural number.
@@ -59,17 +44,17 @@ pub(super) struct Search {
     /// Variables that are computed from the others.
     determined: Way,
     /// Ways to satisfy the equations.
-    ways: Vec<Way>,
+    pub(super) ways: Vec<Way>,
     /// Whether families are geometric where their domains allow it, or run through listed values.
-    geometric: bool,
+    pub(super) geometric: bool,
     /// Values for reals and naturals that the claim suggests, instead of the usual ones.
-    suggested: Option<[Vec<Rational>; 2]>,
+    pub(super) suggested: Option<[Vec<Rational>; 2]>,
     /// What holds at a point.
     pub(super) hypotheses: Vec<Prop>,
     /// What all points have in common.
     pub(super) base: Assignment,
     /// How many expressions may still be evaluated.
-    left: Cell<u64>,
+    pub(super) left: Cell<u64>,
 }
 
 /// What is chosen at a point: the free variables and the families, in the order of the search.
@@ -91,7 +76,7 @@ pub enum Members {
 }
 
 impl Search {
-    fn new(bindings: &[Binding], statement: Option<&Statement>) -> Search {
+    pub(super) fn new(bindings: &[Binding], statement: Option<&Statement>) -> Search {
         let mut search = Search {
             names: Vec::new(),
             order: Vec::new(),
@@ -127,7 +112,7 @@ impl Search {
         self.base.recurrences = Rc::new(found);
     }
 
-    fn declare(&mut self, bindings: &[Binding]) {
+    pub(super) fn declare(&mut self, bindings: &[Binding]) {
         for binding in bindings {
             for (name, index) in &binding.names {
                 if binding.natural {
@@ -178,7 +163,7 @@ impl Search {
         let [reals, naturals] = self.suggested.clone().unwrap_or_else(|| {
             [REALS.iter().filter_map(|t| rational::parse(t).ok()).collect(), (0..8).map(Rational::from).collect()]
         });
-        let mentioned: Vec<BTreeSet<String>> = self.hypotheses.iter().map(super::expand::names_of_prop).collect();
+        let mentioned: Vec<BTreeSet<String>> = self.hypotheses.iter().map(super::names::names_of_prop).collect();
         let kept = |name: &String, natural: bool, fits: &dyn Fn(&Assignment) -> bool| {
             let all = if natural { &naturals } else { &reals };
             let allowed = |value: &&Rational| {
@@ -202,7 +187,7 @@ impl Search {
     }
 
     /// Calls `visit` with points where the hypotheses hold, simple ones first, until it returns true.
-    fn run(&mut self, deadline: Option<Moment>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
+    pub(super) fn run(&mut self, deadline: Option<Moment>, visit: &mut dyn FnMut(&Assignment) -> bool) -> bool {
         self.ways.clone().into_iter().any(|way| {
             self.follow(way);
             self.run_choices(deadline, &mut |_, point| visit(point))
@@ -418,7 +403,7 @@ impl Plan {
     }
 
     /// A plan that solves no equation.
-    fn in_its_own_words(statement: &Statement) -> Plan {
+    pub(super) fn in_its_own_words(statement: &Statement) -> Plan {
         let (mut all, mut goal) = (statement.bindings.clone(), &statement.goal);
         loop {
             goal = match &goal.kind {
@@ -436,515 +421,4 @@ impl Plan {
         let reading = Reading::of(statement, &all).or_else(|| Reading::of(statement, &statement.bindings));
         Plan { reading, ways: vec![Vec::new()] }
     }
-}
-
-/// A point where all hypotheses of the statement hold: one that the author gives, or one that is found.
-pub(super) fn sample(plan: &mut Plan, statement: &Statement, deadline: Option<Moment>) -> Option<Point> {
-    if !statement.sample.is_empty()
-        && let Some(point) = given_sample(statement, deadline)
-    {
-        return Some(point);
-    }
-    let mut search = Search::new(&statement.bindings, Some(statement));
-    search.ways = plan.ways.clone();
-    let mut found = None;
-    let mut visit = |point: &Assignment| {
-        found = Some(as_point(statement, point));
-        true
-    };
-    if !search.run(deadline, &mut visit) {
-        search.suggested = Some(super::candidates::suggested(statement, &statement.goal));
-        search.run(deadline, &mut visit);
-    }
-    found
-}
-
-/// The author's point, where the hypotheses hold at it; variables without a value there are sought.
-fn given_sample(statement: &Statement, deadline: Option<Moment>) -> Option<Point> {
-    let mut search = Search::new(&statement.bindings, Some(statement));
-    search.ways = vec![statement.sample.clone()];
-    let mut found = None;
-    search.run(deadline, &mut |point| {
-        found = Some(as_point(statement, point));
-        true
-    });
-    found
-}
-
-/// A goal made ready to be looked at, point by point.
-pub(super) struct Goal {
-    /// What is to hold, with derivatives carried out where that succeeds.
-    pub(super) prop: Prop,
-    /// The same as the claim says it, where a derivative was carried out.
-    said: Option<Prop>,
-    identities: Rc<HashSet<(String, String)>>,
-    limits_left: usize,
-}
-
-/// What a goal is at a point.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Seen {
-    /// It certainly holds.
-    Holds,
-    /// It certainly fails, or has no value.
-    Fails(Vec<Broken>),
-    /// The point does not decide it.
-    Open,
-}
-
-/// The points of a statement and its goal at them; `None` where a point says nothing of what moves.
-pub(super) fn aimed(plan: &mut Plan, statement: &Statement) -> Option<(Search, Goal)> {
-    let mut search = Search::new(&statement.bindings, Some(statement));
-    search.ways = plan.ways.clone();
-    let (mut goal, mut bound) = (statement.goal.clone(), statement.bindings.clone());
-    // Quantifiers in front and the variables of an extremum are searched like the others.
-    loop {
-        goal = match goal.kind {
-            PropKind::ForAll(bindings, body) => {
-                search.declare(&bindings);
-                bound.extend(bindings);
-                *body
-            }
-            PropKind::Extremum(extremum) => {
-                let mut at = super::expand::Substitution::default();
-                for (name, value) in &extremum.at {
-                    at.replace(&name.text, value.clone());
-                }
-                let there = at.expr(&extremum.of).ok()?;
-                search.declare(&extremum.over);
-                bound.extend(extremum.over.iter().cloned());
-                let relation = if extremum.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
-                let mut list = vec![
-                    compare(there, Relation::Equal, extremum.value.clone()),
-                    compare(extremum.of.clone(), relation, extremum.value.clone()),
-                ];
-                if extremum.unique {
-                    let same =
-                        extremum.at.iter().map(|(n, e)| compare(name(&n.text), Relation::Equal, e.clone())).collect();
-                    let equal = compare(extremum.of, Relation::Equal, extremum.value);
-                    let kind = PropKind::Implies(
-                        Box::new(equal),
-                        Box::new(Prop { kind: PropKind::And(same), span: goal.span }),
-                    );
-                    list.push(Prop { kind, span: goal.span });
-                }
-                Prop { kind: PropKind::And(list), span: goal.span }
-            }
-            kind => {
-                goal = Prop { kind, span: goal.span };
-                break;
-            }
-        };
-    }
-    if ties_what_moves(statement, &bound, &goal) {
-        return None;
-    }
-    // Where a premise has equations, the points at which it holds are tried first.
-    if let (PropKind::Implies(premise, _), Some(reading)) = (&goal.kind, &mut plan.reading) {
-        let real: Vec<String> = search.names.iter().filter(|n| !n.1).map(|n| n.0.clone()).collect();
-        let held: Vec<Prop> = search.hypotheses.iter().cloned().chain([(**premise).clone()]).collect();
-        let solved = ways(reading, &held, &real);
-        if solved != search.ways {
-            search.ways.splice(0..0, solved);
-        }
-    }
-    let mut said = None;
-    if let Some(reading) = &mut plan.reading
-        && differs(&goal)
-    {
-        let plain = without_derivatives(reading, &goal);
-        said = Some(std::mem::replace(&mut goal, plain));
-    }
-    Some((search, Goal { prop: goal, said, identities: Rc::default(), limits_left: LIMITS }))
-}
-
-impl Goal {
-    /// Finds the comparisons whose sides are one: intervals cannot tell that they are equal.
-    pub(super) fn identify(&mut self, plan: &mut Plan) {
-        if let Some(reading) = &mut plan.reading {
-            self.identities = Rc::new(identities(reading, &self.prop));
-        }
-    }
-
-    /// What it is at a point, which keeps the members of families that were looked up.
-    pub(super) fn at(&mut self, point: &Assignment) -> Seen {
-        point.seen.borrow_mut().clear();
-        let here = Assignment { identities: self.identities.clone(), ..point.clone() };
-        let mut broken = Vec::new();
-        let truth = if has_limit(&self.prop) {
-            self.limits_left = self.limits_left.saturating_sub(1);
-            with_limits(&here, &self.prop, self.limits_left > 0, &mut broken)
-        } else {
-            here.truth(&self.prop)
-        };
-        let seen = match truth {
-            Ok(true) => Seen::Holds,
-            Ok(false) => {
-                if !has_limit(&self.prop) {
-                    here.broken(&self.prop, &mut broken);
-                }
-                Seen::Fails(broken)
-            }
-            Err(Missing::Undefined(text)) if self.is_undefined_as_said(&here) => {
-                Seen::Fails(vec![Broken { statement: text, left: "no value".to_string(), right: String::new() }])
-            }
-            Err(_) => Seen::Open,
-        };
-        point.seen.replace(here.seen.take());
-        seen
-    }
-
-    /// Whether the goal has no value in the claim's own words: the formula of a derivative may have none where the
-    /// derivative has one.
-    fn is_undefined_as_said(&self, here: &Assignment) -> bool {
-        self.said.as_ref().is_none_or(|said| matches!(here.truth(said), Err(Missing::Undefined(_))))
-    }
-}
-
-/// The truth of a goal that says limits, and what of it fails; limits are left open unless `sought`.
-fn with_limits(
-    here: &Assignment,
-    prop: &Prop,
-    sought: bool,
-    broken: &mut Vec<Broken>,
-) -> std::result::Result<bool, Missing> {
-    match &prop.kind {
-        PropKind::And(list) => {
-            let parts: Vec<_> = list.iter().map(|p| with_limits(here, p, sought, broken)).collect();
-            match parts.iter().find(|p| **p != Ok(true)) {
-                _ if parts.contains(&Ok(false)) => Ok(false),
-                Some(Err(missing)) => Err(missing.clone()),
-                _ => Ok(true),
-            }
-        }
-        PropKind::Limit(limit) if sought => {
-            let value = here.number(&limit.value)?;
-            let left = match tends(here, limit).ok_or(Missing::Unknown)? {
-                Tends::Infinitely => "no limit".to_string(),
-                Tends::To(found) => match found.order(&value) {
-                    None => return Err(Missing::Unknown),
-                    Some(std::cmp::Ordering::Equal) => return Ok(true),
-                    _ => found.text(),
-                },
-            };
-            broken.push(if left == "no limit" {
-                let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
-                Broken { statement, left, right: String::new() }
-            } else {
-                Broken { statement: print::prop(prop), left, right: value.text() }
-            });
-            Ok(false)
-        }
-        PropKind::Limit(_) => Err(Missing::Unknown),
-        _ => {
-            let truth = here.truth(prop);
-            if truth == Ok(false) {
-                here.broken(prop, broken);
-            }
-            truth
-        }
-    }
-}
-
-/// A counterexample to the statement, among all points or those that are tried with `most` expressions evaluated; and at
-/// how many points the goal was seen to hold.
-pub(super) fn falsified_by(
-    statement: &Statement,
-    search: &mut Search,
-    goal: &mut Goal,
-    most: Option<u64>,
-    deadline: Option<Moment>,
-) -> (Option<Witness>, usize) {
-    let (mut found, mut held) = (None, 0);
-    let first = most.and_then(|_| Moment::now().checked_add(FIRST_TIME));
-    let deadline = deadline.into_iter().chain(first).min();
-    search.left.set(most.unwrap_or(u64::MAX));
-    search.geometric = false;
-    goal.limits_left = if most.is_some() { FIRST_LIMITS } else { LIMITS };
-    let mut visit = |point: &Assignment| match goal.at(point) {
-        Seen::Fails(broken) => {
-            found = Some(Witness { point: as_point(statement, point), broken });
-            true
-        }
-        Seen::Holds => {
-            held += 1;
-            false
-        }
-        Seen::Open => false,
-    };
-    let mut done = search.run(deadline, &mut visit);
-    if !done && !search.families.is_empty() {
-        search.geometric = true;
-        done = search.run(deadline, &mut visit);
-        search.geometric = false;
-    }
-    if !done {
-        search.suggested = Some(super::candidates::suggested(statement, &statement.goal));
-        search.run(deadline, &mut visit);
-    }
-    (found, held)
-}
-
-/// A counterexample found by the evaluator and the statement's own words alone. For tests of soundness; a search of all
-/// points may take minutes, unless `time` ends it.
-pub fn falsified(statement: &Statement, time: Option<Duration>) -> Option<Witness> {
-    let deadline = time.and_then(|time| Moment::now().checked_add(time));
-    let mut plan = Plan::in_its_own_words(statement);
-    let (mut search, mut goal) = aimed(&mut plan, statement)?;
-    goal.identify(&mut plan);
-    falsified_by(statement, &mut search, &mut goal, None, deadline).0
-}
-
-/// Values for the variables of an `exists` that make its body certainly true.
-pub fn example(bindings: &[Binding], body: &Prop, deadline: Option<Moment>) -> Option<Vec<(String, Rational)>> {
-    let mut search = Search::new(bindings, None);
-    let names: Vec<String> = search.names.iter().map(|n| n.0.clone()).collect();
-    let mut found = None;
-    search.run(deadline, &mut |point| {
-        if point.truth(body) != Ok(true) {
-            return false;
-        }
-        found = Some(names.iter().filter_map(|n| Some((n.clone(), point.values.get(n)?.clone()))).collect());
-        true
-    });
-    found
-}
-
-/// The proposition with derivatives carried out, where that succeeds: the evaluator knows none.
-fn without_derivatives(reading: &mut Reading, prop: &Prop) -> Prop {
-    let mut each = |list: &[Prop]| list.iter().map(|p| without_derivatives(reading, p)).collect::<Vec<_>>();
-    let kind = match &prop.kind {
-        PropKind::And(list) => PropKind::And(each(list)),
-        PropKind::Or(list) => PropKind::Or(each(list)),
-        PropKind::Equivalent(list) => PropKind::Equivalent(each(list)),
-        PropKind::Implies(p, q) => {
-            PropKind::Implies(Box::new(without_derivatives(reading, p)), Box::new(without_derivatives(reading, q)))
-        }
-        PropKind::Compare(sides, relations) => {
-            let plain = |e: &Expr| if differentiates(e) { reading.plain(e) } else { None };
-            let sides = sides.iter().map(plain).zip(sides).map(|(plain, e)| plain.unwrap_or_else(|| e.clone()));
-            PropKind::Compare(sides.collect(), relations.clone())
-        }
-        other => other.clone(),
-    };
-    Prop { kind, span: prop.span }
-}
-
-/// Whether a comparison of a goal has a derivative in it.
-fn differs(prop: &Prop) -> bool {
-    match &prop.kind {
-        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().any(differs),
-        PropKind::Implies(p, q) => differs(p) || differs(q),
-        PropKind::Compare(sides, _) => sides.iter().any(differentiates),
-        _ => false,
-    }
-}
-
-/// The comparisons in a proposition whose two sides have one form: intervals cannot tell that they are equal.
-fn identities(reading: &mut Reading, prop: &Prop) -> HashSet<(String, String)> {
-    let mut found = HashSet::default();
-    let mut open = vec![prop];
-    while let Some(prop) = open.pop() {
-        match &prop.kind {
-            PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => open.extend(list),
-            PropKind::Not(p) => open.push(p),
-            PropKind::Implies(p, q) => open.extend([&**p, &**q]),
-            PropKind::Compare(sides, _) => {
-                for pair in sides.windows(2).filter(|pair| reading.same(&pair[0], &pair[1])) {
-                    found.insert((print::expr(&pair[0]), print::expr(&pair[1])));
-                }
-            }
-            _ => {}
-        }
-    }
-    found
-}
-
-fn has_limit(prop: &Prop) -> bool {
-    match &prop.kind {
-        PropKind::And(list) => list.iter().any(has_limit),
-        PropKind::Limit(_) => true,
-        _ => false,
-    }
-}
-
-/// Whether a hypothesis or a domain keeps the variable of a limit from growing or ties the variable of a derivative to
-/// others: then what holds at a point says nothing of either.
-fn ties_what_moves(statement: &Statement, bindings: &[Binding], goal: &Prop) -> bool {
-    let (limit, derivative) = tied(statement, bindings, goal);
-    limit || derivative.is_some()
-}
-
-/// The variable of a derivative in the goal that a hypothesis ties to others, if there is one. The derivative is partial
-/// all the same, but a reader may think of another.
-pub(super) fn tied_derivative(statement: &Statement) -> Option<String> {
-    let (mut bindings, mut goal) = (statement.bindings.clone(), &statement.goal);
-    while let PropKind::ForAll(more, body) = &goal.kind {
-        bindings.extend(more.iter().cloned());
-        goal = body;
-    }
-    // Parts of an equivalence are shown from one another by the kernel as they are read: partial.
-    let mut premise = Vec::new();
-    while let PropKind::Implies(p, q) = &goal.kind {
-        premise.push((**p).clone());
-        goal = q;
-    }
-    tied_by(statement, &bindings, goal, premise).1
-}
-
-/// Whether the variable of a limit is kept from growing, and the variable of a derivative that is tied to others.
-fn tied(statement: &Statement, bindings: &[Binding], goal: &Prop) -> (bool, Option<String>) {
-    let mut said = Vec::new();
-    premises(goal, &mut said);
-    tied_by(statement, bindings, goal, said)
-}
-
-/// The same, where the goal is said under no more than this.
-fn tied_by(statement: &Statement, bindings: &[Binding], goal: &Prop, more: Vec<Prop>) -> (bool, Option<String>) {
-    let (mut limits, mut derivatives) = (Vec::new(), Vec::new());
-    moving(goal, &mut limits, &mut derivatives);
-    if limits.is_empty() && derivatives.is_empty() {
-        return (false, None);
-    }
-    let mut said = more;
-    said.extend(statement.assumptions.iter().map(|a| a.1.clone()));
-    said.extend(bindings.iter().flat_map(domain));
-    let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
-    let of_families: BTreeSet<String> = families.flat_map(super::expand::names_of_binding).collect();
-    let kept = |v: &String| of_families.contains(v) || !said.iter().all(|prop| lets_grow(prop, v));
-    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| ties(prop, v));
-    (limits.iter().any(kept), derivatives.into_iter().find(bound))
-}
-
-/// What a part of a goal may be said under: premises, and the other parts of an equivalence or disjunction.
-fn premises(goal: &Prop, into: &mut Vec<Prop>) {
-    match &goal.kind {
-        PropKind::And(list) => list.iter().filter(|p| speaks_of_what_moves(p)).for_each(|p| premises(p, into)),
-        PropKind::Or(list) | PropKind::Equivalent(list) => {
-            // One part of a disjunction is looked at where the others fail.
-            for part in list.iter().filter(|p| !speaks_of_what_moves(p)) {
-                into.push(part.clone());
-                into.extend(negation(part));
-            }
-            list.iter().for_each(|p| premises(p, into));
-        }
-        PropKind::Implies(p, q) => {
-            into.push((**p).clone());
-            premises(q, into);
-        }
-        PropKind::Not(p) | PropKind::ForAll(_, p) | PropKind::Exists(_, p) => premises(p, into),
-        PropKind::Compare(..) | PropKind::Extremum(_) | PropKind::Limit(_) => {}
-    }
-}
-
-/// Whether a hypothesis says nothing of a variable, or only that it is above a number.
-fn lets_grow(prop: &Prop, variable: &str) -> bool {
-    if !super::expand::names_of_prop(prop).contains(variable) {
-        return true;
-    }
-    let PropKind::Compare(sides, relations) = &prop.kind else { return false };
-    sides.len() == 2
-        && matches!(relations[0], Relation::Greater | Relation::GreaterEqual)
-        && matches!(&sides[0].kind, ExprKind::Name(n) if *n == variable)
-        && matches!(&sides[1].kind, ExprKind::Number(_))
-}
-
-/// Whether a hypothesis, other than a strict comparison, has a variable and another name in it: alone or with others it
-/// may determine one by the other, as `x*y <= 1` and `x*y >= 1` do. Derivatives are partial all the same, all other
-/// variables held fast; this only refuses to speak of them where a reader could think of another derivative.
-fn ties(prop: &Prop, variable: &str) -> bool {
-    let strict = [Relation::Less, Relation::Greater, Relation::NotEqual];
-    let open = match &prop.kind {
-        PropKind::Compare(_, relations) => relations.iter().all(|r| strict.contains(r)),
-        _ => false,
-    };
-    let mut names = super::expand::names_of_prop(prop);
-    names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
-    !open && names.contains(variable) && names.len() > 1
-}
-
-fn speaks_of_what_moves(prop: &Prop) -> bool {
-    let (mut limits, mut derivatives) = (Vec::new(), Vec::new());
-    moving(prop, &mut limits, &mut derivatives);
-    !limits.is_empty() || !derivatives.is_empty()
-}
-
-/// The variables of limits and of derivatives.
-fn moving(prop: &Prop, limits: &mut Vec<String>, derivatives: &mut Vec<String>) {
-    fn by(e: &Expr, into: &mut Vec<String>) {
-        if let ExprKind::Derivative(_, names) = &e.kind {
-            into.extend(names.iter().map(|n| n.text.clone()));
-        }
-        super::expand::parts(e, &mut |part| by(part, into));
-    }
-    match &prop.kind {
-        PropKind::Compare(sides, _) => sides.iter().for_each(|e| by(e, derivatives)),
-        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
-            list.iter().for_each(|p| moving(p, limits, derivatives));
-        }
-        PropKind::Not(p) | PropKind::Exists(_, p) | PropKind::ForAll(_, p) => moving(p, limits, derivatives),
-        PropKind::Implies(p, q) => {
-            moving(p, limits, derivatives);
-            moving(q, limits, derivatives);
-        }
-        PropKind::Extremum(extremum) => {
-            [&extremum.of, &extremum.value].into_iter().for_each(|e| by(e, derivatives));
-            extremum.at.iter().for_each(|(_, e)| by(e, derivatives));
-        }
-        PropKind::Limit(limit) => {
-            limits.push(limit.variable.text.clone());
-            by(&limit.of, derivatives);
-            by(&limit.value, derivatives);
-        }
-    }
-}
-
-fn differentiates(e: &Expr) -> bool {
-    let mut found = matches!(e.kind, ExprKind::Derivative(..));
-    super::expand::parts(e, &mut |part| found |= differentiates(part));
-    found
-}
-
-/// A rational as an expression.
-pub fn literal(q: &Rational) -> Expr {
-    let span = Span::default();
-    let number = |text: String| Expr { kind: ExprKind::Number(text), span };
-    let (top, bottom) = (number(q.numerator_ref().to_string()), number(q.denominator_ref().to_string()));
-    let size = if *q.denominator_ref() == 1u32 {
-        top
-    } else {
-        Expr { kind: ExprKind::Product(vec![(Factor::Times, top), (Factor::Over, bottom)]), span }
-    };
-    if *q < 0 { Expr { kind: ExprKind::Negate(Box::new(size)), span } } else { size }
-}
-
-/// The negation with `not` pushed inwards; `None` for extrema and limits.
-fn negation(prop: &Prop) -> Option<Prop> {
-    let span = prop.span;
-    let kind = match &prop.kind {
-        PropKind::Compare(sides, relations) => {
-            let list: Vec<Prop> = sides
-                .windows(2)
-                .zip(relations)
-                .map(|(pair, r)| Prop { kind: PropKind::Compare(pair.to_vec(), vec![r.negated()]), span })
-                .collect();
-            if let [one] = list.as_slice() {
-                return Some(one.clone());
-            }
-            PropKind::Or(list)
-        }
-        PropKind::And(list) => PropKind::Or(list.iter().map(negation).collect::<Option<_>>()?),
-        PropKind::Or(list) => PropKind::And(list.iter().map(negation).collect::<Option<_>>()?),
-        PropKind::Not(inner) => return Some((**inner).clone()),
-        PropKind::Implies(p, q) => PropKind::And(vec![(**p).clone(), negation(q)?]),
-        PropKind::Equivalent(list) => {
-            let [p, q] = list.as_slice() else { return None };
-            let both = |a: Prop, b: Prop| Prop { kind: PropKind::And(vec![a, b]), span };
-            PropKind::Or(vec![both(p.clone(), negation(q)?), both(negation(p)?, q.clone())])
-        }
-        PropKind::Exists(bindings, body) => PropKind::ForAll(bindings.clone(), Box::new(negation(body)?)),
-        PropKind::ForAll(bindings, body) => PropKind::Exists(bindings.clone(), Box::new(negation(body)?)),
-        PropKind::Extremum(_) | PropKind::Limit(_) => return None,
-    };
-    Some(Prop { kind, span })
 }

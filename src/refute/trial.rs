@@ -10,9 +10,10 @@
 
 use super::evaluate::Assignment;
 use super::expand::{Limit, Statement, names_in};
+use super::goal::{Goal, Seen, aimed};
 use super::number::Number;
 use super::outcome::{Fault, Point, Witness};
-use super::search::{Choice, Goal, Members, Plan, Search, Seen, aimed, as_point};
+use super::search::{Choice, Members, Plan, Search, as_point};
 use super::shape;
 use crate::claim::syntax::*;
 use malachite::Rational;

@@ -8,7 +8,7 @@ use super::super::{Unsupported, unsupported};
 use super::words::{RESERVED, spelled};
 use crate::claim::definedness::Need;
 use crate::claim::syntax::*;
-use crate::refute::expand::Substitution;
+use crate::refute::substitution::Substitution;
 use std::collections::{BTreeMap, BTreeSet};
 
 // Levels of Coq's grammar: a text of a lower level stands where a higher one is allowed.

@@ -13,7 +13,7 @@ use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 
 /// How many signs are distinguished along one branch.
 const DEPTH: usize = 6;

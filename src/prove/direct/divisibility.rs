@@ -7,7 +7,7 @@ use crate::certificate::Label;
 use crate::claim::definedness::is_whole;
 use crate::claim::syntax::*;
 use crate::kernel::statement::compare;
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::base::num::arithmetic::traits::{Floor, Gcd};
 use malachite::{Integer, Natural, Rational};
 

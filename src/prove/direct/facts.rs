@@ -9,7 +9,7 @@ use crate::certificate::{Label, Rule, Show};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 

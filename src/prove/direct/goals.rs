@@ -7,7 +7,8 @@ use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::at_the_point;
 use crate::kernel::statement::{Substitution, apply, compare, domain, expr, prop};
-use crate::refute::search::{example, literal};
+use crate::refute::literal::{is_zero, literal};
+use crate::refute::sample::example;
 use malachite::Rational;
 
 /// The numbers that are tried where something holds for all that is greater.
@@ -296,8 +297,4 @@ pub(crate) fn sides_in(p: &Prop, out: &mut Vec<Expr>) {
         }
         _ => {}
     }
-}
-
-fn is_zero(e: &Expr) -> bool {
-    matches!(&e.kind, ExprKind::Number(text) if text == "0")
 }

@@ -4,7 +4,7 @@ use crate::algebra::{Monomial, Polynomial};
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::statement::{expr, numeral};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use num_rational::BigRational;

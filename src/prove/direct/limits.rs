@@ -242,7 +242,7 @@ impl Prover {
                 let mut map = Substitution::default();
                 map.replace(variable, &numeral(1));
                 let c = map.expr(list.first().ok_or_else(no)?).map_err(Fail::from)?;
-                let times = crate::refute::search::literal(&malachite::Rational::from(j));
+                let times = crate::refute::literal::literal(&malachite::Rational::from(j));
                 expr(ExprKind::Apply(f, vec![product(vec![times, c])]))
             }
             _ => return Err(no()),

@@ -6,7 +6,7 @@ use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, expr, name, numeral};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::Rational;
 
 impl Prover {

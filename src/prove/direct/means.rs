@@ -10,7 +10,7 @@ use crate::claim::syntax::*;
 use crate::kernel::analysis::weighted_mean;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, numeral, one_minus, power};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use std::collections::BTreeMap;

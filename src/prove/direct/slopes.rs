@@ -299,7 +299,7 @@ impl Prover {
                 self.settle(&e)?;
             }
         }
-        let mut written = vec![crate::refute::search::literal(&reading.number)];
+        let mut written = vec![crate::refute::literal::literal(&reading.number)];
         written.extend(reading.factors.iter().map(|f| whole_power(self.letters.written(&f.poly), f.power)));
         if let Ok(label) = self.combination(body.clone(), Vec::new()) {
             return Ok(label);

@@ -9,7 +9,7 @@ use crate::algebra::Polynomial;
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{Substitution, apply, expr, name, numeral};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
 use malachite::base::num::basic::traits::Zero;

@@ -8,7 +8,7 @@ use crate::claim::syntax::*;
 use crate::kernel::analysis::tangent;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
-use crate::refute::search::literal;
+use crate::refute::literal::literal;
 use malachite::Rational;
 
 /// At how many exponents the tangent is taken for one goal.

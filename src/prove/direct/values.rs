@@ -231,7 +231,7 @@ impl Prover {
         let named = self.emit(Rule::Name, compare((**base).clone(), Relation::Equal, b.clone()))?;
         let term = |label: &str, k: i64| crate::certificate::Term {
             facts: vec![label.to_string()],
-            factor: crate::refute::search::literal(&Rational::from(k)),
+            factor: crate::refute::literal::literal(&Rational::from(k)),
         };
         let own = crate::certificate::Term { facts: Vec::new(), factor: (**base).clone() };
         for relation in [Relation::Greater, Relation::GreaterEqual] {
@@ -261,7 +261,7 @@ impl Prover {
         let Some(own) = number(self, base) else { return };
         if let Some((low, high)) = enclosed_root(&own, d) {
             for (relation, bound) in [(Relation::Greater, low), (Relation::Less, high)] {
-                let _ = self.quietly(&compare(e.clone(), relation, crate::refute::search::literal(&bound)));
+                let _ = self.quietly(&compare(e.clone(), relation, crate::refute::literal::literal(&bound)));
             }
         }
         let others: Vec<(Expr, Expr)> = self
@@ -280,12 +280,12 @@ impl Prover {
                 for (p, q, r, square) in triples {
                     let Some((root, true)) = root_of(&square, d) else { continue };
                     let times = |list: Vec<Expr>| super::letters::product(list);
-                    let right = times(vec![crate::refute::search::literal(&root), r.clone()]);
+                    let right = times(vec![crate::refute::literal::literal(&root), r.clone()]);
                     let _ = self.emit(Rule::Power, compare(times(vec![p.clone(), q.clone()]), Relation::Equal, right));
                 }
             }
             if let Some((root, true)) = root_of(&(&own / &a), d) {
-                let right = super::letters::product(vec![crate::refute::search::literal(&root), x.clone()]);
+                let right = super::letters::product(vec![crate::refute::literal::literal(&root), x.clone()]);
                 let _ = self.emit(Rule::Power, compare(e.clone(), Relation::Equal, right));
             }
         }
