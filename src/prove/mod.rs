@@ -11,15 +11,19 @@
 
 mod argument;
 mod brief;
+mod constraints;
 mod contradiction;
 mod direct;
 mod draft;
 mod elaborate;
+mod equations;
 mod fail;
 mod goal;
 mod methods;
+mod polynomials;
 mod powers;
 mod signs;
+mod unfold;
 mod write;
 
 use crate::algebra::Moment;

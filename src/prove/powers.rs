@@ -297,14 +297,14 @@ pub(crate) fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
     use crate::algebra::Polynomial;
     let work = Work::default();
     let (top, bottom) = f.parts(&work).map_err(Fail::from)?;
-    let convert = |p: &Poly| super::signs::to_algebra(p);
+    let convert = |p: &Poly| super::polynomials::to_algebra(p);
     let (mut top, mut bottom): (Polynomial, Polynomial) = (convert(&top)?, convert(&bottom)?);
     let common = crate::algebra::gcd::gcd(&top, &bottom).map_err(|_| "a limit in a greatest common divisor")?;
     if !common.is_constant() {
         top = top.exact_divide(&common).unwrap_or(top);
         bottom = bottom.exact_divide(&common).unwrap_or(bottom);
     }
-    let (top, bottom) = (super::signs::factored(&top)?, super::signs::factored(&bottom)?);
+    let (top, bottom) = (super::polynomials::factored(&top)?, super::polynomials::factored(&bottom)?);
     multiplied(&top, &bottom.power(-1).map_err(Fail::from)?)
 }
 

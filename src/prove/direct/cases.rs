@@ -43,6 +43,32 @@ impl Prover {
             return Err(Fail::NotShown(crate::claim::print::prop(goal)));
         }
         let list: Vec<(Label, Prop)> = self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
+        if let Ok(label) = self.by_disjunction(goal, &list) {
+            return Ok(label);
+        }
+        for case in self.cases(goal, &list)? {
+            let Some(other) = opposite(&case) else { continue };
+            let done = self.attempt(|c| {
+                c.splits += 1;
+                let x = c.block(&implies(&case, goal), |c, block| {
+                    c.put_in(&format!("{block}s"));
+                    c.solve_equations();
+                    c.put_in_zeros();
+                    c.show(goal)
+                })?;
+                let y = c.block(&implies(&other, goal), |c, _| c.show(goal))?;
+                c.splits -= 1;
+                c.logic(&[&x, &y], goal)
+            });
+            if done.is_ok() {
+                return done;
+            }
+        }
+        Err(Fail::NotShown(crate::claim::print::prop(goal)))
+    }
+
+    /// Shows a goal in each case of a disjunction among the facts.
+    fn by_disjunction(&mut self, goal: &Prop, list: &[(Label, Prop)]) -> Result<Label, Fail> {
         for (label, fact) in list.iter().rev() {
             let PropKind::Or(parts) = &fact.kind else { continue };
             let used: Vec<Prop> = parts.iter().map(|p| implies(p, goal)).collect();
@@ -62,9 +88,15 @@ impl Prover {
                 return done;
             }
         }
+        Err(Fail::No("a disjunction"))
+    }
+
+    /// Cases to distinguish for a comparison, likely ones first: signs of factors and letters, orders of variables, sums that
+    /// may be 0.
+    fn cases(&mut self, goal: &Prop, list: &[(Label, Prop)]) -> Result<Vec<Prop>, Fail> {
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let (mut cases, mut sums): (Vec<Prop>, Vec<Prop>) = Default::default();
         let mut seen = BTreeSet::new();
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         for fact in list.iter().map(|f| &f.1).chain([goal]) {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
             if relations.len() > 1 {
@@ -86,22 +118,9 @@ impl Prover {
                     let Some(e) = self.letters.expr(v).cloned() else { continue };
                     let is_sum = matches!(e.kind, ExprKind::SumOver(..));
                     let kind = is_sum || matches!(e.kind, ExprKind::Name(_));
-                    if !kind || !seen.insert(crate::kernel::key::expr(&e)) {
-                        continue;
-                    }
-                    let signs = self.signs_of(&e);
-                    if is_sum {
-                        if !is_settled(signs) && signs.within(Signs::NOT_NEGATIVE) {
-                            sums.push(compare(e, Relation::Equal, numeral(0)));
-                        }
-                    } else if !is_settled(signs) {
-                        let natural = matches!(&e.kind, ExprKind::Name(n) if self.naturals.contains(n));
-                        let relation = if natural || signs.within(Signs::NOT_NEGATIVE) {
-                            Relation::Equal
-                        } else {
-                            Relation::GreaterEqual
-                        };
-                        cases.push(compare(e, relation, numeral(0)));
+                    if kind && seen.insert(crate::kernel::key::expr(&e)) {
+                        let case = self.case_of_letter(e);
+                        if is_sum { sums.extend(case) } else { cases.extend(case) }
                     }
                 }
             }
@@ -112,25 +131,23 @@ impl Prover {
         cases.truncate(4);
         cases.extend(self.orders(goal));
         cases.extend(sums);
-        for case in cases {
-            let Some(other) = opposite(&case) else { continue };
-            let done = self.attempt(|c| {
-                c.splits += 1;
-                let x = c.block(&implies(&case, goal), |c, block| {
-                    c.put_in(&format!("{block}s"));
-                    c.solve_equations();
-                    c.put_in_zeros();
-                    c.show(goal)
-                })?;
-                let y = c.block(&implies(&other, goal), |c, _| c.show(goal))?;
-                c.splits -= 1;
-                c.logic(&[&x, &y], goal)
-            });
-            if done.is_ok() {
-                return done;
-            }
+        Ok(cases)
+    }
+
+    /// The case to distinguish for a letter whose sign is open: whether it is 0, or at least 0.
+    fn case_of_letter(&mut self, e: Expr) -> Option<Prop> {
+        let signs = self.signs_of(&e);
+        if is_settled(signs) {
+            return None;
         }
-        Err(Fail::NotShown(crate::claim::print::prop(goal)))
+        let natural = matches!(&e.kind, ExprKind::Name(n) if self.naturals.contains(n));
+        if natural || signs.within(Signs::NOT_NEGATIVE) {
+            return Some(compare(e, Relation::Equal, numeral(0)));
+        }
+        match e.kind {
+            ExprKind::SumOver(..) => None,
+            _ => Some(compare(e, Relation::GreaterEqual, numeral(0))),
+        }
     }
 
     /// Puts in 0 for each letter of which a fact says that its square is not positive.

@@ -2,9 +2,9 @@
 
 use super::facts::{is_settled, minus, opposite, sign_of};
 use super::letters::{as_power, natural, product, whole_power};
-use super::products::{Kind, Known, combination, completed_squares, contradiction, discriminant_forms, halves};
+use super::products::{Kind, Known, combination, contradiction};
 use super::{Fail, Prover, implies};
-use crate::algebra::{Monomial, Polynomial};
+use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
@@ -14,19 +14,58 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 use std::collections::BTreeSet;
 
-/// The most columns of a linear program, by level.
-const COLUMNS: [usize; 3] = [80, 300, 600];
-
-/// Of how many letters the squares of all sums and differences are tried from the second level on.
-const FEW_LETTERS: usize = 4;
-
 impl Prover {
-    /// Shows a single comparison.
+    /// Shows a single comparison, by the methods in the order of their cost.
     pub(crate) fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
             return Err(Fail::No("a single comparison is needed"));
         };
+        let relation = *relation;
+        if let Ok(label) = self.at_once(goal, a, relation, b) {
+            return Ok(label);
+        }
+        // With little effort: no cases, and small programs only.
+        let quiet = self.splits >= 8;
+        if let Ok(label) = self.by_linear_programs(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.by_numbers_and_powers(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if relation == Relation::Equal
+            && let Ok(label) = self.by_both_orders(goal, a, b)
+        {
+            return Ok(label);
+        }
+        if relation == Relation::NotEqual {
+            if !quiet && let Ok(label) = self.attempt(|c| c.by_divisibility(goal, a, b)) {
+                return Ok(label);
+            }
+            for side in [Relation::Greater, Relation::Less] {
+                let stronger = compare(a.clone(), side, b.clone());
+                if let Ok(label) = self.quietly(&stronger) {
+                    return self.logic(&[&label], goal);
+                }
+            }
+        }
+        let not_shown = || Fail::NotShown(crate::claim::print::prop(goal));
+        if quiet {
+            return Err(not_shown());
+        }
+        if let Ok(label) = self.by_known_inequalities(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if self.saturate()
+            && let Ok(label) = self.quietly(goal)
+        {
+            return Ok(label);
+        }
+        Err(not_shown())
+    }
+
+    /// A comparison that the kernel sees, once its letters are known.
+    fn at_once(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         self.define(a);
         self.define(b);
         if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
@@ -41,37 +80,44 @@ impl Prover {
         if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
             return Ok(label);
         }
-        if *relation == Relation::Equal
-            && let Ok(label) = self.emit(Rule::Power, goal.clone())
-        {
-            return Ok(label);
+        if relation != Relation::Equal {
+            return Err(Fail::No("an equation"));
         }
-        // With little effort: no cases, and small programs only.
+        self.emit(Rule::Power, goal.clone())
+    }
+
+    /// A comparison from linear programs over more and more products, for the goal or against its opposite.
+    fn by_linear_programs(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let quiet = self.splits >= 8;
         let top = if self.splits >= 9 { 1 } else { 2 };
         for level in 0..=top {
             // What roots are about, few linear programs see.
             if level == 2
                 && !quiet
-                && let Ok(label) = self.by_roots(goal, a, *relation, b)
+                && let Ok(label) = self.by_roots(goal, a, relation, b)
             {
                 return Ok(label);
             }
             if let Ok(label) = self.attempt(|c| c.by_products(goal, level)) {
                 return Ok(label);
             }
-            if *relation != Relation::Equal
+            if relation != Relation::Equal
                 && let Ok(label) = self.attempt(|c| c.by_contradiction(goal, level))
             {
                 return Ok(label);
             }
         }
+        Err(Fail::No("a combination"))
+    }
+
+    /// A comparison of numbers by arithmetic, of logarithms by their arguments, of powers by their bases.
+    fn by_numbers_and_powers(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         if self.speaks_of_numbers(goal)
             && let Ok(label) = self.emit(Rule::Evaluate, goal.clone())
         {
             return Ok(label);
         }
-        if let Ok(label) = self.attempt(|c| c.of_logarithms(goal, a, *relation, b)) {
+        if let Ok(label) = self.attempt(|c| c.of_logarithms(goal, a, relation, b)) {
             return Ok(label);
         }
         if !matches!(relation, Relation::Equal | Relation::NotEqual)
@@ -79,63 +125,46 @@ impl Prover {
         {
             return Ok(label);
         }
-        if let Ok(label) = self.attempt(|c| c.by_bases(goal, a, *relation, b)) {
-            return Ok(label);
-        }
+        self.attempt(|c| c.by_bases(goal, a, relation, b))
+    }
+
+    /// An equation from its two inequalities.
+    fn by_both_orders(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         let splits = self.splits;
-        if *relation == Relation::Equal && self.splits < 8 {
-            let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|r| compare(a.clone(), r, b.clone()));
-            let both = self.attempt(|c| {
-                c.splits = 8;
-                let x = c.show(&halves[0])?;
-                let y = c.show(&halves[1])?;
-                c.logic(&[&x, &y], goal)
-            });
-            if both.is_ok() {
-                self.splits = splits;
-                return both;
-            }
+        if splits >= 8 {
+            return Err(Fail::No("effort left"));
         }
-        if *relation == Relation::NotEqual {
-            if !quiet && let Ok(label) = self.attempt(|c| c.by_divisibility(goal, a, b)) {
-                return Ok(label);
-            }
-            for side in [Relation::Greater, Relation::Less] {
-                let stronger = compare(a.clone(), side, b.clone());
-                if let Ok(label) = self.quietly(&stronger) {
-                    return self.logic(&[&label], goal);
-                }
-            }
+        let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|r| compare(a.clone(), r, b.clone()));
+        let both = self.attempt(|c| {
+            c.splits = 8;
+            let x = c.show(&halves[0])?;
+            let y = c.show(&halves[1])?;
+            c.logic(&[&x, &y], goal)
+        });
+        if both.is_ok() {
+            self.splits = splits;
         }
-        if !quiet
-            && let Ok(label) = self.attempt(|c| {
-                c.means(goal)?;
-                c.quietly(goal)
-            })
-        {
+        both
+    }
+
+    /// A comparison from inequalities between means, tangents, sums or slopes.
+    fn by_known_inequalities(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if let Ok(label) = self.attempt(|c| {
+            c.means(goal)?;
+            c.quietly(goal)
+        }) {
             return Ok(label);
         }
-        if !quiet && let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, *relation, b)) {
+        if let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, relation, b)) {
             return Ok(label);
         }
-        if !quiet && let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
+        if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }
-        if !quiet && let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
+        if let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
             return Ok(label);
         }
-        if !quiet && let Ok(label) = self.attempt(|c| c.by_slope(goal, a, *relation, b)) {
-            return Ok(label);
-        }
-        if quiet {
-            return Err(Fail::NotShown(crate::claim::print::prop(goal)));
-        }
-        if self.saturate()
-            && let Ok(label) = self.quietly(goal)
-        {
-            return Ok(label);
-        }
-        Err(Fail::NotShown(crate::claim::print::prop(goal)))
+        self.attempt(|c| c.by_slope(goal, a, relation, b))
     }
 
     /// A comparison in which roots stand.
@@ -180,145 +209,6 @@ impl Prover {
             }
             _ => {}
         }
-    }
-
-    /// The columns of a linear program: what is known, and products of it.
-    fn columns(&mut self, wanted: &[Polynomial], level: usize) -> Vec<Known> {
-        let all = self.all_known(wanted);
-        // What shares letters with what is wanted, or with what shares letters with it.
-        let mut near: BTreeSet<u32> = wanted.iter().flat_map(Polynomial::variables).collect();
-        for _ in 0..3 {
-            for k in &all {
-                let letters = k.poly.variables();
-                if letters.iter().any(|v| near.contains(v)) && near.len() + letters.len() < 14 {
-                    near.extend(letters);
-                }
-            }
-        }
-        let base: Vec<Known> = all
-            .into_iter()
-            .filter(|k| {
-                wanted.is_empty() || k.poly.is_constant() || k.poly.variables().iter().all(|v| near.contains(v))
-            })
-            .take(26)
-            .collect();
-        let mut out = base.clone();
-        let one = Known {
-            poly: Polynomial::one(),
-            kind: Kind::Strict,
-            facts: Vec::new(),
-            factors: vec![numeral(1)],
-            order: 0,
-        };
-        out.push(one);
-        let degree = wanted.iter().chain(base.iter().map(|k| &k.poly)).map(Polynomial::degree).max().unwrap_or(0);
-        let most = if level > 1 { 24 } else { 14 };
-        let mut roots: Vec<Polynomial> = wanted.iter().flat_map(|p| halves(p, most)).collect();
-        let equal = wanted.iter().filter_map(|p| made_homogeneous(p, &base));
-        roots.extend(equal.flat_map(|p| halves(&p, most)).filter(|m| !roots.contains(m)).collect::<Vec<_>>());
-        let mut squares: Vec<Polynomial> = wanted.iter().flat_map(completed_squares).collect();
-        squares.extend(self.squares_written.iter().filter(|p| p.variables().iter().all(|v| near.contains(v))).cloned());
-        squares.extend(roots.iter().filter(|m| !m.is_constant()).cloned());
-        squares.extend(near.iter().map(|v| Polynomial::variable(*v)));
-        if level > 0 {
-            squares.extend(wanted.iter().flat_map(discriminant_forms));
-            let zeros = base.iter().filter(|k| k.kind == Kind::Zero);
-            squares.extend(zeros.flat_map(|k| discriminant_forms(&k.poly)).take(FEW_LETTERS));
-        }
-        out.extend(squares.iter().map(|m| self.squared(m)));
-        if level == 0 {
-            return out;
-        }
-        let (zeros, signed): (Vec<Known>, Vec<Known>) = base.iter().cloned().partition(|k| k.kind == Kind::Zero);
-        // Facts times facts.
-        let mut pairs = Vec::new();
-        for (i, x) in signed.iter().enumerate() {
-            pairs.extend(
-                signed.iter().skip(i).filter(|y| level > 1 || x.order + y.order < 3).filter_map(|y| x.times(y)),
-            );
-        }
-        // Equations times monomials.
-        let mut monomials: Vec<Polynomial> = near.iter().map(|v| Polynomial::variable(*v)).collect();
-        if level > 1 || zeros.len() <= 2 {
-            let firsts = monomials.clone();
-            for (i, x) in firsts.iter().enumerate() {
-                monomials.extend(firsts.iter().skip(i).map(|y| x.mul(y)));
-            }
-        }
-        for z in &zeros {
-            for m in &monomials {
-                let multiplier = self.free(m);
-                if z.poly.degree() + m.degree() <= degree.max(3) + 1 {
-                    out.extend(z.times(&multiplier));
-                }
-            }
-        }
-        if roots.is_empty() || level > 1 {
-            roots.extend(near.iter().map(|v| Polynomial::variable(*v)));
-            roots.push(Polynomial::one());
-        }
-        roots.dedup();
-        if near.len() <= FEW_LETTERS {
-            let letters = near.iter().map(|v| Polynomial::variable(*v));
-            roots.extend(letters.filter(|x| !roots.contains(x)).collect::<Vec<_>>());
-        }
-        let mut squares = Vec::new();
-        for (i, x) in roots.iter().enumerate() {
-            for y in roots.iter().skip(i + 1) {
-                squares.push(x.add(y));
-                squares.push(x.sub(y));
-            }
-        }
-        out.extend(pairs.iter().cloned());
-        let squares: Vec<Known> = squares.iter().map(|s| self.squared(s)).collect();
-        out.extend(squares.iter().cloned());
-        if level > 1 {
-            for x in &signed {
-                out.extend(
-                    pairs.iter().filter(|p| p.poly.degree() + x.poly.degree() <= degree + 1).filter_map(|p| x.times(p)),
-                );
-            }
-            // Two letters times the square of a difference of letters, as in an energy in the frame of the masses.
-            let letters: Vec<Polynomial> = near.iter().map(|v| Polynomial::variable(*v)).collect();
-            let differences = letters
-                .iter()
-                .enumerate()
-                .flat_map(|(i, x)| letters.iter().skip(i + 1).map(move |y| x.sub(y)).collect::<Vec<_>>());
-            let differences: Vec<Known> = differences.map(|d| self.squared(&d)).collect();
-            for pair in pairs.iter().filter(|p| p.poly.term_count() == 1 && p.poly.degree() + 2 == degree) {
-                let apart = |s: &&Known| s.poly.variables().iter().all(|v| !pair.poly.contains(*v));
-                out.extend(differences.iter().filter(apart).filter_map(|s| pair.times(s)));
-            }
-            for x in signed.iter().take(8) {
-                out.extend(
-                    squares
-                        .iter()
-                        .filter(|s| x.poly.degree() + s.poly.degree() <= degree + 1)
-                        .filter_map(|s| x.times(s)),
-                );
-            }
-        }
-        let mut seen = Vec::new();
-        out.retain(|k| {
-            let new = !seen.contains(&(k.poly.clone(), k.kind));
-            if new {
-                seen.push((k.poly.clone(), k.kind));
-            }
-            new
-        });
-        out.truncate(COLUMNS[level.min(2)]);
-        out
-    }
-
-    /// The square of a polynomial.
-    fn squared(&self, p: &Polynomial) -> Known {
-        let factors = vec![whole_power(self.letters.written(p), 2)];
-        Known { poly: p.mul(p), kind: Kind::Weak, facts: Vec::new(), factors, order: 0 }
-    }
-
-    /// A multiplier of any sign, for equations.
-    fn free(&self, p: &Polynomial) -> Known {
-        Known { poly: p.clone(), kind: Kind::Zero, facts: Vec::new(), factors: vec![self.letters.written(p)], order: 0 }
     }
 
     fn terms(columns: &[Known], weights: &[(usize, Rational)], times: &[Expr], negative: bool) -> Vec<Term> {
@@ -470,33 +360,6 @@ impl Prover {
             _ => Err(Fail::No("powers with one exponent")),
         }
     }
-}
-
-/// A polynomial in which every term has the same degree in the letters of a form h, where an equation among the facts says
-/// that h is a number other than 0: terms of a lower degree are multiplied by h over that number. From c² + s² = 1 one has
-/// A² + B² − (A·c + B·s)² = (A·s − B·c)². `None` where nothing changes.
-fn made_homogeneous(p: &Polynomial, facts: &[Known]) -> Option<Polynomial> {
-    let mut out = p.clone();
-    for fact in facts.iter().filter(|k| k.kind == Kind::Zero) {
-        let c = -fact.poly.constant_term();
-        let form = fact.poly.add(&Polynomial::constant(c.clone()));
-        let letters = form.variables();
-        let degree_of = |m: &Monomial| m.powers().iter().filter(|p| letters.contains(&p.0)).map(|p| p.1).sum::<u32>();
-        let (degree, most) = (form.degree(), out.terms().map(|(m, _)| degree_of(m)).max()?);
-        if c == 0 || degree == 0 || most > 8 || form.terms().any(|(m, _)| degree_of(m) != degree) {
-            continue;
-        }
-        let unit = form.scale(&(Rational::ONE / c));
-        let mut sum = Polynomial::zero();
-        for (m, coefficient) in out.terms() {
-            let missing = most - degree_of(m);
-            let term = Polynomial::term(m.clone(), coefficient.clone());
-            let factor = if missing % degree == 0 { unit.pow(missing / degree).ok()? } else { Polynomial::one() };
-            sum = sum.add(&term.try_mul(&factor).ok()?);
-        }
-        out = sum;
-    }
-    (out != *p && out.term_count() <= 120).then_some(out)
 }
 
 fn is_one(e: &Expr) -> bool {

@@ -10,6 +10,7 @@
 
 mod absolute;
 mod cases;
+mod columns;
 mod comparison;
 mod compound;
 mod divisibility;

@@ -124,96 +124,101 @@ impl Prover {
     /// What a letter says of itself; whether an equation was put in.
     fn learn(&mut self, e: &Expr) -> Result<bool, Fail> {
         match &e.kind {
-            ExprKind::Power(base, exponent) => {
-                let Some(q) = self.read(exponent, false).filter(|r| r.factors.is_empty()) else {
-                    return Ok(false);
-                };
-                let (Ok(n), Ok(d)) =
-                    (i64::try_from(q.number.numerator_ref()), i64::try_from(q.number.denominator_ref()))
-                else {
-                    return Ok(false);
-                };
-                let n = if q.number < 0 { -n } else { n };
-                if !(2..=8).contains(&d) {
-                    return Ok(false);
-                }
-                let base = (**base).clone();
-                self.define(e);
-                self.enrich(&[&base]);
-                let known = compare(whole_power(e.clone(), d), Relation::Equal, whole_power(base, n));
-                if self.emit(Rule::Power, known.clone()).is_err() {
-                    if n != 1 {
-                        return Err(Fail::No("a power of a root"));
-                    }
-                    self.attempt(|c| c.root_of_sum(e, d, &known))?;
-                }
-                self.roots_together(e, d);
-                Ok(false)
-            }
+            ExprKind::Power(base, exponent) => self.learn_power(e, base, exponent),
             ExprKind::Apply(name, at) if name.text == "exp" && at.len() == 1 => {
                 let exponent = at[0].clone();
                 self.exponential(e, &exponent).map(|()| false)
             }
-            ExprKind::Apply(name, at) if at.len() == 1 => {
-                let sequence = self.checker.statement().sequences.iter().find(|s| s.name == name.text).cloned();
-                let Some(u) = sequence else { return Ok(false) };
-                let index = self.letters.polynomial(&at[0]).ok_or(Fail::No("an index"))?;
-                let right = if index.is_zero() {
-                    u.initial.clone()
-                } else if index.constant_term() >= 1 {
-                    let before = self.letters.written(&index.sub(&Polynomial::one()));
-                    let mut map = crate::kernel::statement::Substitution::default();
-                    map.replace(&u.index, &before);
-                    map.expr(&u.step).map_err(Fail::from)?
-                } else {
-                    return Ok(false);
-                };
-                self.unfolded(e, &right)
-            }
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
-                let is_sum = matches!(e.kind, ExprKind::SumOver(..));
-                let (Some(from), Some(to)) = (self.letters.polynomial(&index.from), self.letters.polynomial(&index.to))
-                else {
-                    return Ok(false);
-                };
-                let length = to.sub(&from).add(&Polynomial::one());
-                let at = |e: &Expr| -> Result<Expr, Fail> {
-                    let mut map = crate::kernel::statement::Substitution::default();
-                    map.replace(&index.name.text, e);
-                    map.expr(body).map_err(Fail::from)
-                };
-                let right = if length.is_zero() {
-                    numeral(u32::from(!is_sum))
-                } else if to.constant_term() >= 1 && length.as_constant().is_none_or(|l| l > 0 && l < 12) {
-                    let shorter =
-                        Index { to: Box::new(self.letters.written(&to.sub(&Polynomial::one()))), ..index.clone() };
-                    let last = at(&index.to)?;
-                    if is_sum {
-                        let rest = expr(ExprKind::SumOver(shorter, body.clone()));
-                        expr(ExprKind::Sum(vec![(Sign::Plus, rest), (Sign::Plus, last)]))
-                    } else {
-                        let rest = expr(ExprKind::ProductOver(shorter, body.clone()));
-                        expr(ExprKind::Product(vec![(Factor::Times, rest), (Factor::Times, last)]))
-                    }
-                } else if length.as_constant().is_some_and(|l| l > 0 && l < 12) {
-                    let next = self.letters.written(&from.add(&Polynomial::one()));
-                    let later = Index { from: Box::new(next), ..index.clone() };
-                    let first = at(&index.from)?;
-                    if is_sum {
-                        let rest = expr(ExprKind::SumOver(later, body.clone()));
-                        expr(ExprKind::Sum(vec![(Sign::Plus, first), (Sign::Plus, rest)]))
-                    } else {
-                        let rest = expr(ExprKind::ProductOver(later, body.clone()));
-                        expr(ExprKind::Product(vec![(Factor::Times, first), (Factor::Times, rest)]))
-                    }
-                } else {
-                    return Ok(false);
-                };
-                self.define(&right);
-                self.unfolded(e, &right)
-            }
+            ExprKind::Apply(name, at) if at.len() == 1 => self.learn_member(e, name, &at[0]),
+            ExprKind::SumOver(index, body) => self.learn_over(e, true, index, body),
+            ExprKind::ProductOver(index, body) => self.learn_over(e, false, index, body),
             _ => Ok(false),
         }
+    }
+
+    /// Of a root: its power that is free of roots.
+    fn learn_power(&mut self, e: &Expr, base: &Expr, exponent: &Expr) -> Result<bool, Fail> {
+        let Some(q) = self.read(exponent, false).filter(|r| r.factors.is_empty()) else {
+            return Ok(false);
+        };
+        let (Ok(n), Ok(d)) = (i64::try_from(q.number.numerator_ref()), i64::try_from(q.number.denominator_ref()))
+        else {
+            return Ok(false);
+        };
+        let n = if q.number < 0 { -n } else { n };
+        if !(2..=8).contains(&d) {
+            return Ok(false);
+        }
+        let base = base.clone();
+        self.define(e);
+        self.enrich(&[&base]);
+        let known = compare(whole_power(e.clone(), d), Relation::Equal, whole_power(base, n));
+        if self.emit(Rule::Power, known.clone()).is_err() {
+            if n != 1 {
+                return Err(Fail::No("a power of a root"));
+            }
+            self.attempt(|c| c.root_of_sum(e, d, &known))?;
+        }
+        self.roots_together(e, d);
+        Ok(false)
+    }
+
+    /// Of a member of a sequence: what it is by the member before.
+    fn learn_member(&mut self, e: &Expr, name: &Name, at: &Expr) -> Result<bool, Fail> {
+        let sequence = self.checker.statement().sequences.iter().find(|s| s.name == name.text).cloned();
+        let Some(u) = sequence else { return Ok(false) };
+        let index = self.letters.polynomial(at).ok_or(Fail::No("an index"))?;
+        let right = if index.is_zero() {
+            u.initial.clone()
+        } else if index.constant_term() >= 1 {
+            let before = self.letters.written(&index.sub(&Polynomial::one()));
+            let mut map = crate::kernel::statement::Substitution::default();
+            map.replace(&u.index, &before);
+            map.expr(&u.step).map_err(Fail::from)?
+        } else {
+            return Ok(false);
+        };
+        self.unfolded(e, &right)
+    }
+
+    /// Of a sum or product over an index: what it is by one that is shorter.
+    fn learn_over(&mut self, e: &Expr, is_sum: bool, index: &Index, body: &Expr) -> Result<bool, Fail> {
+        let (Some(from), Some(to)) = (self.letters.polynomial(&index.from), self.letters.polynomial(&index.to)) else {
+            return Ok(false);
+        };
+        let length = to.sub(&from).add(&Polynomial::one());
+        let at = |e: &Expr| -> Result<Expr, Fail> {
+            let mut map = crate::kernel::statement::Substitution::default();
+            map.replace(&index.name.text, e);
+            map.expr(body).map_err(Fail::from)
+        };
+        let over = |index: Index| {
+            let body = Box::new(body.clone());
+            expr(if is_sum { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) })
+        };
+        let joined = |a: Expr, b: Expr| {
+            expr(if is_sum {
+                ExprKind::Sum(vec![(Sign::Plus, a), (Sign::Plus, b)])
+            } else {
+                ExprKind::Product(vec![(Factor::Times, a), (Factor::Times, b)])
+            })
+        };
+        let right = if length.is_zero() {
+            numeral(u32::from(!is_sum))
+        } else if to.constant_term() >= 1 && length.as_constant().is_none_or(|l| l > 0 && l < 12) {
+            let shorter = Index { to: Box::new(self.letters.written(&to.sub(&Polynomial::one()))), ..index.clone() };
+            let last = at(&index.to)?;
+            joined(over(shorter), last)
+        } else if length.as_constant().is_some_and(|l| l > 0 && l < 12) {
+            let next = self.letters.written(&from.add(&Polynomial::one()));
+            let later = Index { from: Box::new(next), ..index.clone() };
+            let first = at(&index.from)?;
+            joined(first, over(later))
+        } else {
+            return Ok(false);
+        };
+        self.define(&right);
+        self.unfolded(e, &right)
     }
 
     fn unfolded(&mut self, e: &Expr, right: &Expr) -> Result<bool, Fail> {

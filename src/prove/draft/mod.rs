@@ -8,8 +8,10 @@
 //! that hold from some step on. `marks` says from where each of them is known, and `elaborate` writes it out.
 
 mod analysis;
+mod derivative;
 mod logic;
 pub(crate) mod marks;
+mod matrix;
 mod order;
 mod step;
 pub(crate) mod translate;

@@ -5,16 +5,19 @@
 //! the kernel's rules are smaller) with the facts that it rests on written out. The kernel says which those are. Steps
 //! that the goal does not rest on are still there.
 
+mod equations;
 mod limit;
+mod logic;
 mod otherwise;
 
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{compare, name, names_in_prop, numeral};
+use crate::kernel::statement::names_in_prop;
 use crate::kernel::{Accepted, Checker, Reason, Refusal, key};
 use crate::prove::brief::looked_at;
 use crate::prove::draft;
+use equations::{Equation, Kind};
 use std::collections::{BTreeSet, HashMap};
 
 /// Where an elaboration got stuck.
@@ -53,24 +56,6 @@ struct Block {
     goal: Prop,
     facts: usize,
     equations: Vec<Equation>,
-}
-
-/// An equation that the draft put in from where it was introduced on.
-#[derive(Clone, PartialEq)]
-struct Equation {
-    label: Label,
-    kind: Kind,
-}
-
-/// What an equation does.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    /// A power that others are written by gets a name: it is not looked into.
-    Named,
-    /// A power is written by others.
-    Written,
-    /// A variable or another atom is replaced.
-    Replaced,
 }
 
 struct Elaborator {
@@ -179,27 +164,6 @@ impl Elaborator {
         self.facts.iter().filter(|f| speaks(&f.prop)).map(|f| f.label.clone()).collect()
     }
 
-    /// The equations that a step is tried with, one list after the other.
-    fn lists(&self, rule: &Rule) -> Vec<Vec<Label>> {
-        let of = |kinds: &[Kind]| {
-            let kept = self.equations.iter().filter(|e| kinds.contains(&e.kind));
-            kept.map(|e| e.label.clone()).collect::<Vec<Label>>()
-        };
-        let all = of(&[Kind::Named, Kind::Written, Kind::Replaced]);
-        let mut lists = match rule {
-            // The draft saw the bases of powers here.
-            Rule::Power => vec![of(&[Kind::Written]), of(&[Kind::Written, Kind::Replaced]), all, Vec::new()],
-            _ => vec![all, of(&[Kind::Written, Kind::Replaced]), Vec::new()],
-        };
-        let mut seen: Vec<Vec<Label>> = Vec::new();
-        lists.retain(|list| {
-            let new = !seen.contains(list);
-            seen.push(list.clone());
-            new
-        });
-        lists
-    }
-
     /// Adds a step that the kernel accepts; returns its label.
     fn emit(&mut self, old: &str, rule: Rule, prop: &Prop) -> Result<Label, Stuck> {
         self.in_time()?;
@@ -293,18 +257,48 @@ impl Elaborator {
             _ => {}
         }
         let prop = step.prop.as_ref().ok_or_else(|| Stuck::Malformed(step.label.clone()))?;
-        let rule = match step.rule {
-            draft::Rule::Power => {
-                // A power that others are written by.
-                if let PropKind::Compare(sides, _) = &prop.kind
-                    && let [a, b] = sides.as_slice()
-                    && key::expr(a) == key::expr(b)
-                {
-                    return self.named(&step.label, a);
-                }
-                Rule::Power
+        if let PropKind::Compare(sides, _) = &prop.kind
+            && step.rule == draft::Rule::Power
+            && let [a, b] = sides.as_slice()
+            && key::expr(a) == key::expr(b)
+        {
+            // A power that others are written by.
+            return self.named(&step.label, a);
+        }
+        if matches!(step.rule, draft::Rule::Limit | draft::Rule::Squeeze) {
+            let label =
+                if step.rule == draft::Rule::Limit { self.limit(step, prop) } else { self.squeeze(step, prop) }?;
+            self.labels.insert(step.label.clone(), label);
+            return Ok(());
+        }
+        let Some(rule) = self.rule(step, prop)? else { return Ok(()) };
+        let rule = self.short(rule, prop);
+        let label = match self.emit(&step.label, rule.clone(), prop) {
+            Err(stuck) => self.otherwise(step, rule, prop).ok_or(stuck)?,
+            Ok(label) => label,
+        };
+        self.labels.insert(step.label.clone(), label.clone());
+        match step.rule {
+            draft::Rule::Suppose => {
+                self.labels.insert(format!("{}s", step.label), format!("{label}s"));
             }
-            draft::Rule::Logarithm => Rule::Power,
+            draft::Rule::Let => {
+                for place in 1..=self.facts.len() {
+                    self.labels.insert(format!("{}d{place}", step.label), format!("{label}d{place}"));
+                }
+            }
+            // From here on the draft wrote the power as the other side.
+            draft::Rule::Power => self.put_in(label, Kind::Written),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The kernel's rule for a step of the draft; none for steps that become no step or several.
+    fn rule(&mut self, step: &draft::Step, prop: &Prop) -> Result<Option<Rule>, Stuck> {
+        let cited = step.from.first().map(String::as_str).unwrap_or_default();
+        Ok(Some(match step.rule {
+            draft::Rule::Power | draft::Rule::Logarithm => Rule::Power,
             draft::Rule::Unfold => Rule::Unfold,
             draft::Rule::Sign => Rule::Combination { times: None, terms: Vec::new() },
             draft::Rule::Combination => {
@@ -334,34 +328,10 @@ impl Elaborator {
             draft::Rule::Extremum => Rule::Extremum { from: self.domain_facts() },
             draft::Rule::Monotone => Rule::Monotone { from: self.label(cited)? },
             draft::Rule::Mean => Rule::Mean { with: step.with.clone() },
-            draft::Rule::Limit | draft::Rule::Squeeze => {
-                let label =
-                    if step.rule == draft::Rule::Limit { self.limit(step, prop) } else { self.squeeze(step, prop) }?;
-                self.labels.insert(step.label.clone(), label);
-                return Ok(());
+            draft::Rule::Limit | draft::Rule::Squeeze | draft::Rule::Note | draft::Rule::Replace | draft::Rule::End => {
+                return Ok(None);
             }
-            draft::Rule::Note | draft::Rule::Replace | draft::Rule::End => return Ok(()),
-        };
-        let rule = self.short(rule, prop);
-        let label = match self.emit(&step.label, rule.clone(), prop) {
-            Err(stuck) => self.otherwise(step, rule, prop).ok_or(stuck)?,
-            Ok(label) => label,
-        };
-        self.labels.insert(step.label.clone(), label.clone());
-        match step.rule {
-            draft::Rule::Suppose => {
-                self.labels.insert(format!("{}s", step.label), format!("{label}s"));
-            }
-            draft::Rule::Let => {
-                for place in 1..=self.facts.len() {
-                    self.labels.insert(format!("{}d{place}", step.label), format!("{label}d{place}"));
-                }
-            }
-            // From here on the draft wrote the power as the other side.
-            draft::Rule::Power => self.put_in(label, Kind::Written),
-            _ => {}
-        }
-        Ok(())
+        }))
     }
 
     /// A name that is not in use anywhere: the stem and a number.
@@ -369,49 +339,6 @@ impl Elaborator {
         let fresh = (1..).map(|k| format!("{stem}{k}")).find(|n| !self.names.contains(n)).unwrap_or_default();
         self.names.insert(fresh.clone());
         fresh
-    }
-
-    /// Gives a power a name and shows its sign, so that it is not looked into from here on.
-    fn named(&mut self, old: &str, power: &Expr) -> Result<(), Stuck> {
-        let new = name(&self.fresh_name("r"));
-        let label = self.emit(old, Rule::Name, &compare(power.clone(), Relation::Equal, new.clone()))?;
-        let minus_one = crate::kernel::statement::expr(ExprKind::Negate(Box::new(numeral(1))));
-        let terms = vec![
-            Term { facts: vec![label.clone()], factor: minus_one },
-            Term { facts: Vec::new(), factor: power.clone() },
-        ];
-        for relation in [Relation::Greater, Relation::GreaterEqual, Relation::NotEqual] {
-            let rule = Rule::Combination { times: None, terms: terms.clone() };
-            if self.emit(old, rule, &compare(new.clone(), relation, numeral(0))).is_ok() {
-                break;
-            }
-        }
-        self.put_in(label, Kind::Named);
-        Ok(())
-    }
-
-    /// Puts an equation in from here on. A variable that is replaced again is replaced by its last value.
-    fn put_in(&mut self, label: Label, kind: Kind) {
-        let left = |p: Option<Prop>| match p.map(|p| p.kind) {
-            Some(PropKind::Compare(sides, _)) => sides.first().map(key::expr),
-            _ => None,
-        };
-        let Some(prop) = self.prop_of(&label) else { return };
-        let same = left(Some(prop.clone()));
-        let before = self.equations.clone();
-        self.equations
-            .retain(|e| left(self.facts.iter().rev().find(|f| f.label == e.label).map(|f| f.prop.clone())) != same);
-        let using = self.using();
-        if self.checker.can_be_put_in(&prop, &using) {
-            self.equations.push(Equation { label, kind });
-        } else {
-            self.equations = before;
-        }
-    }
-
-    /// The equations that are put in.
-    fn using(&self) -> Vec<Label> {
-        self.equations.iter().map(|e| e.label.clone()).collect()
     }
 
     /// All facts, for rules whose premises are found by what they say; [`Elaborator::short`] leaves those it needs.
@@ -453,111 +380,6 @@ impl Elaborator {
             size /= 2;
         }
         with_from(kept)
-    }
-
-    /// The facts that a step of logic of the draft looked up.
-    fn premises(&self, step: &draft::Step, goal: &Prop) -> Result<Vec<Label>, Stuck> {
-        let missing = || Stuck::Malformed(step.label.clone());
-        let cited: Vec<Label> = step.from.iter().map(|f| self.label(f)).collect::<Result<_, _>>()?;
-        let implies = |p: &Prop, q: &Prop| Prop {
-            kind: PropKind::Implies(Box::new(p.clone()), Box::new(q.clone())),
-            span: Span::default(),
-        };
-        let needed: Vec<Prop> = match step.rule {
-            draft::Rule::All => parts(goal),
-            draft::Rule::Either => match &goal.kind {
-                PropKind::Or(list) => list.iter().find(|p| self.find(p).is_some()).cloned().into_iter().collect(),
-                _ => return Err(missing()),
-            },
-            draft::Rule::Cases => match cited.first().and_then(|label| self.prop_of(label)).map(|p| p.kind) {
-                Some(PropKind::Or(list)) => list.iter().map(|case| implies(case, goal)).collect(),
-                _ => return Err(missing()),
-            },
-            draft::Rule::Apply => match cited.first().and_then(|label| self.prop_of(label)).map(|p| p.kind) {
-                Some(PropKind::Implies(p, _)) => vec![*p],
-                Some(PropKind::Equivalent(list)) => {
-                    list.into_iter().find(|p| self.find(p).is_some()).into_iter().collect()
-                }
-                _ => return Err(missing()),
-            },
-            draft::Rule::Equivalent => match &goal.kind {
-                PropKind::Equivalent(list) => list
-                    .windows(2)
-                    .flat_map(|pair| match pair {
-                        [p, q] => vec![implies(p, q), implies(q, p)],
-                        _ => Vec::new(),
-                    })
-                    .collect(),
-                _ => return Err(missing()),
-            },
-            _ => Vec::new(),
-        };
-        let mut from = cited;
-        for prop in needed {
-            from.push(self.find(&prop).ok_or_else(missing)?);
-        }
-        Ok(from)
-    }
-
-    /// The comparison of numbers that a fact comes to, which is false.
-    fn absurd(&mut self, step: &draft::Step) -> Result<Rule, Stuck> {
-        let missing = || Stuck::Malformed(step.label.clone());
-        let label = self.label(step.from.first().map(String::as_str).unwrap_or_default())?;
-        let fact = self.prop_of(&label).ok_or_else(missing)?;
-        let PropKind::Compare(_, relations) = &fact.kind else { return Err(missing()) };
-        let using = self.using();
-        let Ok(Some(number)) = self.checker.constant(&fact, &using) else { return Err(missing()) };
-        use crate::kernel::statement::{compare, expr, numeral};
-        let digits = |n: num_bigint::BigInt| expr(ExprKind::Number(n.to_string()));
-        let size = num_traits::Signed::abs(&number);
-        let mut value = digits(size.numer().clone());
-        if !size.is_integer() {
-            value = expr(ExprKind::Product(vec![(Factor::Times, value), (Factor::Over, digits(size.denom().clone()))]));
-        }
-        if num_traits::Signed::is_negative(&number) {
-            value = expr(ExprKind::Negate(Box::new(value)));
-        }
-        let false_one = compare(value, relations[0], numeral(0));
-        let terms = vec![Term { facts: vec![label], factor: numeral(1) }];
-        let shown = self.emit(&step.label, Rule::Combination { times: None, terms }, &false_one)?;
-        Ok(Rule::Logic { from: vec![shown] })
-    }
-
-    fn induction(&mut self, step: &draft::Step, prop: &Prop) -> Result<Rule, Stuck> {
-        let missing = || Stuck::Malformed(step.label.clone());
-        let PropKind::ForAll(bindings, body) = &prop.kind else { return Err(missing()) };
-        let [binding] = bindings.as_slice() else { return Err(missing()) };
-        let [(variable, None)] = binding.names.as_slice() else { return Err(missing()) };
-        use crate::kernel::statement::{Substitution, expr, name, numeral};
-        let first = match binding.constraints.as_slice() {
-            [Constraint::Relation(_, bound)] => bound.clone(),
-            _ => numeral(0),
-        };
-        let next = expr(ExprKind::Sum(vec![(Sign::Plus, name(&variable.text)), (Sign::Plus, numeral(1))]));
-        let at = |value: &Expr| {
-            let mut map = Substitution::default();
-            map.replace(&variable.text, value);
-            map.prop(body).map_err(|_| missing())
-        };
-        let advance = Prop { kind: PropKind::Implies(body.clone(), Box::new(at(&next)?)), span: prop.span };
-        let advance = Prop { kind: PropKind::ForAll(bindings.clone(), Box::new(advance)), span: prop.span };
-        Ok(Rule::Induction {
-            base: self.find(&at(&first)?).ok_or_else(missing)?,
-            advance: self.find(&advance).ok_or_else(missing)?,
-        })
-    }
-}
-
-/// The parts of a conjunction or chain.
-fn parts(p: &Prop) -> Vec<Prop> {
-    match &p.kind {
-        PropKind::And(list) => list.clone(),
-        PropKind::Compare(sides, relations) => sides
-            .windows(2)
-            .zip(relations)
-            .map(|(pair, r)| Prop { kind: PropKind::Compare(pair.to_vec(), vec![*r]), span: p.span })
-            .collect(),
-        _ => Vec::new(),
     }
 }
 
