@@ -304,7 +304,7 @@ fn what_is_said_in_several_ways_is_one_statement() {
 #[test]
 fn a_name_that_an_angle_needs_is_not_taken() {
     let said = fault("claim c \"t\"\ngiven x, cos_x real\nprove sin(x) = cos_x\n");
-    assert!(said.contains("cos_x stands for this here"), "{said}");
+    assert!(said.contains("cos_x is reserved for an angle of this claim"), "{said}");
 }
 
 #[test]
@@ -322,19 +322,19 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("max(x) = 1", "max takes 2 to 8 arguments"),
         ("arcsin(x) = y", "name the angle, `given theta in [0, pi]`"),
         ("sec(x) = y", "write 1/cos(x)"),
-        ("sin(x) = x", "x is an angle, and stands outside sin, cos and tan here"),
-        ("sin(x*y) = y", "this is no angle (an angle is a sum of variables and pi"),
-        ("sin(n) = y", "n is no angle: it counts"),
-        ("sum(i = 0..n, cos(i)) = y", "i is no angle: it counts"),
-        ("sin(pi/7) = y", "cosines and sines are known of the multiples of pi/120"),
-        ("pi > x", "pi stands alone here"),
+        ("sin(x) = x", "x is an angle; use it only inside sin, cos or tan"),
+        ("sin(x*y) = y", "this is not an angle (an angle is a sum of variables and pi"),
+        ("sin(n) = y", "n cannot be an angle: it is a natural number"),
+        ("sum(i = 0..n, cos(i)) = y", "i cannot be an angle: it is a natural number"),
+        ("sin(pi/7) = y", "the cosine and sine of this multiple of pi are not known (use a multiple of pi/120"),
+        ("pi > x", "pi cannot be used as a number here"),
         ("sin(25*x) = y", "multiple of an angle"),
         ("cos(x/25) = y", "parts of an angle"),
         ("x + cos_x = sin(x)", "nothing declares the name cos_x"),
-        ("exists t in (0, 1): sin(t) = y", "this cannot be said of an angle"),
-        ("derivative(sin(x)^n, x) = y", "this is not derived by an angle"),
-        ("maximum of cos(t) over t real only at t = 0 is 1", "an extremum over all angles has no only place"),
-        ("maximum of cos(t) over t in [0, pi] at t = 2*pi is 1", "this is no place of an extremum"),
+        ("exists t in (0, 1): sin(t) = y", "an angle cannot be used here"),
+        ("derivative(sin(x)^n, x) = y", "this cannot be differentiated with respect to an angle"),
+        ("maximum of cos(t) over t real only at t = 0 is 1", "an extremum over all angles has more than one place"),
+        ("maximum of cos(t) over t in [0, pi] at t = 2*pi is 1", "this cannot be the place of an extremum"),
         ("log(x) = y", "the natural logarithm is written ln(x)"),
         ("floor(1/x) = n", "a floor is taken of what has a value everywhere"),
         ("integral(x) = y", "there are no integrals"),

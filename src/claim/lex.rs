@@ -8,7 +8,7 @@
 //! Limits: [`NUMERAL_LIMIT`], [`NAME_LIMIT`], [`TOKENS_LIMIT`], [`FILE_LIMIT`].
 
 use super::diagnostic::{Diagnostic, Fault};
-use super::syntax::{GREEK, Span};
+use super::syntax::Span;
 
 /// The largest claim file in bytes.
 pub(crate) const FILE_LIMIT: usize = 1 << 20;
@@ -66,6 +66,42 @@ const UNICODE: &[(char, &str)] = &[
     ('…', ".."),
 ];
 
+/// Greek letters: a name may hold them by their names or as signs, which are the same. Those are left out
+/// that look like a Latin letter, and Σ and Π, which stand for sums and products in print.
+pub(crate) const GREEK: &[(&str, char)] = &[
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("pi", 'π'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("upsilon", 'υ'),
+    ("phi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Theta", 'Θ'),
+    ("Lambda", 'Λ'),
+    ("Xi", 'Ξ'),
+    ("Phi", 'Φ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+];
+
 /// Sums and products as they are printed; without an index these letters are no names.
 const OVER: &[(&str, &str)] = &[("Σ(", "sum"), ("Π(", "product")];
 
@@ -107,33 +143,11 @@ pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
             at += sign.len() - 1;
             Kind::Word((*word).to_string())
         } else if c.is_alphabetic() || c == '_' {
-            let rest = &source[at..];
-            let mut end = 0;
-            for (i, d) in rest.char_indices() {
-                let dash =
-                    d == '-' && i > 0 && dashed(&out) && rest[i + 1..].starts_with(|n: char| n.is_alphanumeric());
-                if raised(d).is_none() && (d.is_alphanumeric() || d == '_' || dash || d == '\'') {
-                    end = i + d.len_utf8();
-                } else {
-                    break;
-                }
-            }
-            at += end;
-            if rest[..end].chars().count() > NAME_LIMIT {
-                let fault = Fault::Limit { name: "characters in a name", allowed: NAME_LIMIT };
-                faults.push(Diagnostic::new(fault, Span { start, end: at }));
-                continue;
-            }
-            match word(&rest[..end]) {
-                Ok(word) => Kind::Word(word),
-                Err(message) => {
-                    let help = "a name holds Latin letters, digits and Greek letters, begins with a letter, and may \
-                                have `_` between them and `'` at its end; powers are written x^2 or x², indices x1 or x₁";
-                    let fault = Fault::Other { message, help: Some(help.to_string()) };
-                    faults.push(Diagnostic::new(fault, Span { start, end: at }));
-                    // Read on as if it were right: one mistake, one message.
-                    Kind::Word(rest[..end].to_string())
-                }
+            let length = name_length(&source[at..], &out);
+            at += length;
+            match name(&source[start..at], Span { start, end: at }, &mut faults) {
+                Some(name) => Kind::Word(name),
+                None => continue,
             }
         } else if let Some((length, power)) = power(&source[at..]) {
             at += length;
@@ -143,18 +157,8 @@ pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
             }
             Kind::Raised(power)
         } else if c.is_ascii_digit() {
-            let length = numeral(&source[at..]);
-            at += length;
-            let text = &source[start..at];
-            let exponent = text.split_once(['e', 'E']).map_or("0", |p| p.1).trim_start_matches(['+', '-']);
-            let exponent: usize = exponent.parse().unwrap_or(usize::MAX);
-            if length > NUMERAL_LIMIT || exponent > NUMERAL_LIMIT {
-                let fault = Fault::Limit { name: "digits of a numeral", allowed: NUMERAL_LIMIT };
-                faults.push(Diagnostic::new(fault, Span { start, end: at }));
-                Kind::Number("1".to_string())
-            } else {
-                Kind::Number(text.to_string())
-            }
+            at += numeral(&source[at..]);
+            Kind::Number(number(&source[start..at], Span { start, end: at }, &mut faults))
         } else if c == '"' {
             let rest = &source[at + 1..];
             let end = rest.find(['"', '\n']).unwrap_or(rest.len());
@@ -185,6 +189,48 @@ pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
     let end = Span { start: source.len(), end: source.len() };
     out.push(Token { kind: Kind::End, span: end, first_on_line: true });
     (out, faults)
+}
+
+/// The length of the name at the beginning. It may hold dashes between letters where [`dashed`] says so.
+fn name_length(rest: &str, before: &[Token]) -> usize {
+    let mut end = 0;
+    for (i, d) in rest.char_indices() {
+        let dash = d == '-' && i > 0 && dashed(before) && rest[i + 1..].starts_with(|n: char| n.is_alphanumeric());
+        if raised(d).is_none() && (d.is_alphanumeric() || d == '_' || dash || d == '\'') {
+            end = i + d.len_utf8();
+        } else {
+            break;
+        }
+    }
+    end
+}
+
+/// A name in ASCII; `None` if it is too long.
+fn name(text: &str, span: Span, faults: &mut Vec<Diagnostic>) -> Option<String> {
+    if text.chars().count() > NAME_LIMIT {
+        faults.push(Diagnostic::new(Fault::Limit { name: "characters in a name", allowed: NAME_LIMIT }, span));
+        return None;
+    }
+    Some(word(text).unwrap_or_else(|message| {
+        let help = "a name holds Latin letters, digits and Greek letters, begins with a letter, and may \
+                    have `_` between them and `'` at its end; powers are written x^2 or x², indices x1 or x₁";
+        let fault = Fault::Other { message, help: Some(help.to_string()) };
+        faults.push(Diagnostic::new(fault, span));
+        // Read on as if it were right: one mistake, one message.
+        text.to_string()
+    }))
+}
+
+/// A numeral as written; 1 where it is too long.
+fn number(text: &str, span: Span, faults: &mut Vec<Diagnostic>) -> String {
+    let exponent = text.split_once(['e', 'E']).map_or("0", |p| p.1).trim_start_matches(['+', '-']);
+    let exponent: usize = exponent.parse().unwrap_or(usize::MAX);
+    if text.len() > NUMERAL_LIMIT || exponent > NUMERAL_LIMIT {
+        let fault = Fault::Limit { name: "digits of a numeral", allowed: NUMERAL_LIMIT };
+        faults.push(Diagnostic::new(fault, span));
+        return "1".to_string();
+    }
+    text.to_string()
 }
 
 /// A word in ASCII; digits below the line are its index. Signs that print as something else than a part of a name are

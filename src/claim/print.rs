@@ -3,6 +3,8 @@
 //! Contract: [`expr`] and [`prop`] print with the fewest parentheses such that the parser rebuilds
 //! the same tree; Unicode and LaTeX are for reading, and no two trees print alike there either.
 
+mod name;
+
 use super::syntax::*;
 
 /// How to write.
@@ -227,62 +229,6 @@ impl Style {
         }
     }
 
-    /// A name: `mu`, `v_mu`, `m1`.
-    pub fn name(self, name: &str) -> String {
-        if self == Style::Text {
-            return name.to_string();
-        }
-        if let Some(printed) = self.of_an_angle(name) {
-            return printed;
-        }
-        if let Some((head, tail)) = name.split_once('_') {
-            return match self {
-                Style::Latex => {
-                    let (head, tail) = (self.name(head), self.name(tail));
-                    if head.contains('_') { format!("{{{head}}}_{{{tail}}}") } else { format!("{head}_{{{tail}}}") }
-                }
-                // No other name of the claim prints alike: the reader refuses both `v2` and `v_2`.
-                _ if is_number(tail) && !head.ends_with(is_digit) => format!("{}{}", self.name(head), lowered(tail)),
-                _ => format!("{}_{}", self.name(head), self.name(tail)),
-            };
-        }
-        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let digits = &name[letters.len()..];
-        if letters.is_empty() {
-            // What follows `_` in `v_2`.
-            return digits.to_string();
-        }
-        let primes = letters.trim_end_matches('\'');
-        let marks = &letters[primes.len()..];
-        let head = match (GREEK.iter().find(|g| g.0 == primes), self) {
-            (Some((name, _)), Style::Latex) => format!("\\{name}"),
-            (Some((_, sign)), _) => sign.to_string(),
-            _ => primes.to_string(),
-        };
-        match self {
-            Style::Latex if digits.is_empty() => format!("{head}{marks}"),
-            Style::Latex => format!("{head}{marks}_{{{digits}}}"),
-            _ => format!("{head}{marks}{}", lowered(digits)),
-        }
-    }
-
-    /// What [`super::trigonometry`] names: `cos_theta` as cos(θ), `sin_theta_over_2` as sin(θ/2).
-    fn of_an_angle(self, name: &str) -> Option<String> {
-        let (function, angle) = name.split_once('_').filter(|(head, _)| matches!(*head, "cos" | "sin"))?;
-        let (angle, part) = match angle.split_once("_over_").filter(|(_, over)| is_number(over)) {
-            Some((angle, over)) => (angle, format!("/{over}")),
-            None => (angle, String::new()),
-        };
-        if !angle.starts_with(char::is_alphabetic) {
-            return None;
-        }
-        let angle = self.name(angle);
-        Some(match self {
-            Style::Latex => format!("\\{function}({angle}{part})"),
-            _ => format!("{function}({angle}{part})"),
-        })
-    }
-
     /// The sign of a relation.
     pub fn relation(self, relation: Relation) -> &'static str {
         match (self, relation) {
@@ -467,19 +413,6 @@ impl Style {
             },
         }
     }
-}
-
-fn is_digit(c: char) -> bool {
-    c.is_ascii_digit()
-}
-
-fn is_number(text: &str) -> bool {
-    !text.is_empty() && text.chars().all(is_digit)
-}
-
-/// Digits below the line.
-fn lowered(digits: &str) -> String {
-    digits.chars().filter_map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect()
 }
 
 #[cfg(test)]

@@ -109,42 +109,6 @@ pub enum ExprKind {
     Matrix(Vec<Vec<Expr>>),
 }
 
-/// Greek letters: a name may hold them by their names or as signs, which are the same. Those are left out
-/// that look like a Latin letter, and Σ and Π, which stand for sums and products in print.
-pub(crate) const GREEK: &[(&str, char)] = &[
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("pi", 'π'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Xi", 'Ξ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-];
-
 /// The functions that the language knows, with the number of their arguments.
 pub const FUNCTIONS: &[(&str, usize)] = &[
     ("sqrt", 1),
@@ -506,15 +470,4 @@ pub enum Method {
         /// Upper bound.
         upper: Expr,
     },
-}
-
-/// A complaint about a place in the text, found after parsing.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Diagnose {
-    /// What is wrong.
-    pub message: String,
-    /// What would be right, if known.
-    pub help: Option<String>,
-    /// Where.
-    pub span: Span,
 }

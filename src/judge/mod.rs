@@ -145,7 +145,7 @@ pub fn outcome_of(catalogue: &Catalogue, name: &str, limits: &Limits) -> Result<
 
 fn unknown(name: &str) -> Fault {
     let message = format!("no claim is called {name}");
-    Fault::Text(crate::claim::syntax::Diagnose { message, help: None, span: Span::default() })
+    Fault::Text(crate::refute::outcome::Diagnose { message, help: None, span: Span::default() })
 }
 
 /// The fault of a claim that makes no sense, at its place.

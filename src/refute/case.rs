@@ -7,11 +7,11 @@ use super::Moment;
 use super::catalogue::Limits;
 use super::expand::{Limit, Statement};
 use super::goal::{self, Goal};
-use super::outcome::{Outcome, Point, Verdict, Witness, limit_reached};
+use super::outcome::{Diagnose, Outcome, Point, Verdict, Witness, limit_reached};
 use super::search::{Plan, Search};
 use super::shape;
 use super::{counterexample, dependence, faults, sample};
-use crate::claim::syntax::{Claim, Diagnose};
+use crate::claim::syntax::Claim;
 use std::time::Duration;
 
 /// How many expressions are evaluated before a proof is sought: most false claims fail within them, and a true one waits

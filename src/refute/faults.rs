@@ -3,6 +3,7 @@
 //! Contract: an argument without a fault may still lead nowhere; one with a fault makes no sense, and nothing is sought.
 
 use super::expand::{Statement, names_in};
+use super::outcome::Diagnose;
 use crate::claim::diagnostic::nearest;
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;

@@ -1,6 +1,6 @@
 //! What an audit says of one claim: the verdict with its evidence, never a bare flag.
 
-use crate::claim::syntax::{Diagnose, Expectation};
+use crate::claim::syntax::{Expectation, Span};
 
 /// The three verdicts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -113,4 +113,15 @@ pub enum Fault {
     },
     /// Something in the text makes no sense: a label nobody declared, a method out of place.
     Text(Diagnose),
+}
+
+/// A fault at a place of the claim, found after it was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnose {
+    /// What is wrong.
+    pub message: String,
+    /// What would be right, if known.
+    pub help: Option<String>,
+    /// Where.
+    pub span: Span,
 }

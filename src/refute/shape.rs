@@ -1,5 +1,6 @@
 //! The sizes of matrices: whether each stands where a matrix of that size may stand.
 
+use super::outcome::Diagnose;
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
 
