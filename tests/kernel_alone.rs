@@ -84,7 +84,7 @@ fn the_kernel_alone_accepts_an_identity_and_rejects_what_is_none() {
 
 #[test]
 fn the_kernel_imports_nothing_else() {
-    let own = ["fraction", "sign", "statement", "term", "PropKind", "ExprKind"];
+    let own = ["fraction", "known", "scope", "statement", "substitution", "term", "PropKind", "ExprKind"];
     imports_nothing_else("src/kernel", &own);
 }
 

@@ -13,9 +13,9 @@ use crate::claim::definedness::number;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::kernel::key;
-use crate::kernel::statement::{
-    Statement, Substitution, apply, compare, expr, name, names_in, names_in_prop, numeral, prop, sum,
-};
+use crate::kernel::names::{names_in, names_in_prop};
+use crate::kernel::statement::{Statement, apply, compare, expr, name, numeral, prop, sum};
+use crate::kernel::substitution::Substitution;
 use crate::prove;
 use crate::refute::catalogue::Limits;
 use crate::refute::literal::{is_zero, literal};

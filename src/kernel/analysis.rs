@@ -1,11 +1,12 @@
 //! Limits, and the two analytic lemmas.
 
 use super::fraction::Fraction;
+use super::known::Known;
 use super::order::Signs;
-use super::sign::Known;
+use super::scope::Variable;
 use super::statement::{apply, compare, name, numeral, one_minus, power, product, prop, sum};
 use super::term::Atom;
-use super::{Checker, Reason, Refusal, Variable, key, rejected};
+use super::{Checker, Reason, Refusal, key, rejected};
 use crate::claim::syntax::*;
 
 /// What an acceptance says where it rests on rule `mean`.
@@ -206,7 +207,7 @@ impl Checker {
             if !unbounded || (binding.natural && !natural) {
                 return rejected(Reason::NotUnbounded);
             }
-            let at = |e: &Expr| super::renamed(e, &limit.variable.text, &variable.text);
+            let at = |e: &Expr| super::tree::renamed(e, &limit.variable.text, &variable.text);
             let (a, f) = (at(&other.of)?, at(&limit.of)?);
             let comparison =
                 if below { compare(a, Relation::LessEqual, f) } else { compare(f, Relation::LessEqual, a) };

@@ -1,10 +1,13 @@
 //! The rules about comparisons: combinations, powers, sums and products, whole numbers.
 
 use super::fraction::{Fraction, Poly};
+use super::known::Known;
+use super::names::names_in_prop;
 use super::order::Signs;
-use super::sign::{Known, single};
-use super::statement::{Substitution, compare, constraints, expr, name, names_in_prop, numeral, product, sum};
+use super::statement::{compare, constraints, expr, name, numeral, product, sum};
+use super::substitution::Substitution;
 use super::term::{Atom, Value};
+use super::tree::single;
 use super::{Checker, Reason, Refusal, key, rejected};
 use crate::certificate::Term;
 use crate::claim::syntax::*;
@@ -397,7 +400,7 @@ impl Checker {
                 return rejected(Reason::NotTermwise);
             }
         }
-        let renamed = |index: &Index, e: &Expr| super::renamed(e, &index.name.text, &variable.text);
+        let renamed = |index: &Index, e: &Expr| super::tree::renamed(e, &index.name.text, &variable.text);
         let expected = compare(renamed(i, f)?, relation, renamed(j, g)?);
         let expected = Prop { kind: PropKind::ForAll(bindings.clone(), Box::new(expected)), span: fact.span };
         if key::prop(&expected) != key::prop(&fact) {

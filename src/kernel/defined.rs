@@ -5,11 +5,12 @@
 //! edge of what has a value, the kernel asks for more.
 
 use super::fraction::Fraction;
+use super::known::Known;
 use super::order::Signs;
-use super::sign::Known;
 use super::statement::{constraints, domain, name};
 use super::term::Atom;
-use super::{Checker, Reason, Refusal, parts, rejected};
+use super::tree::parts;
+use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::definedness::{Exponent, Need, exponent, is_whole, needs};
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;
@@ -183,7 +184,7 @@ impl Checker {
     /// for all values within it is left out: it would be read later, where the variable is something else.
     fn learn_at(&mut self, binding: &Binding, variable: &str, body: &Prop, known: &mut Known) -> Result<(), Refusal> {
         for fact in constraints(binding, &name(variable)) {
-            let (a, relation, b) = super::sign::single(&fact)?;
+            let (a, relation, b) = super::tree::single(&fact)?;
             let difference = self.fraction(a)?.minus(&self.fraction(b)?, &self.work)?;
             if !self.signs_of(&difference, known)?.within(Signs::of(relation)) {
                 return Ok(());
@@ -269,7 +270,7 @@ impl Checker {
                 }
                 checker.declare_binding(binding)?;
                 for fact in domain(binding) {
-                    let (a, _, b) = super::sign::single(&fact)?;
+                    let (a, _, b) = super::tree::single(&fact)?;
                     checker.defined(a, known)?;
                     checker.defined(b, known)?;
                     checker.learn(&fact, known)?;

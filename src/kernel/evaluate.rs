@@ -4,24 +4,20 @@
 //! hold, which give names and members numbers. Values are exact or enclosed ([`super::enclosure`]); what enclosures do not decide
 //! is not shown.
 
-use super::enclosure::{Enclosure, ROOT_LIMIT};
+use super::enclosure::Enclosure;
 use super::fraction::Work;
+use super::names::free_names;
 use super::order::Signs;
-use super::statement::{Statement, names_in};
+use super::statement::Statement;
 use super::term::{FUNCTIONS, numeral};
+use super::value::{Value, all, determinant, real_power, transposed};
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::definedness::{Exponent, exponent, is_whole};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// A number or a matrix.
-enum Value {
-    Number(Enclosure),
-    Matrix(Vec<Vec<Enclosure>>),
-}
 
 /// What names stand for.
 struct Point<'a> {
@@ -374,148 +370,4 @@ fn ranges(bindings: &[Binding]) -> Fallible<Vec<(&str, &Expr, &Expr)>> {
         }
     }
     Ok(out)
-}
-
-/// Whether all are true.
-fn all(truths: &[Option<bool>]) -> Option<bool> {
-    if truths.contains(&Some(false)) {
-        return Some(false);
-    }
-    if truths.contains(&None) { None } else { Some(true) }
-}
-
-/// b^E for b > 0, or b ≥ 0 and a positive number E.
-fn real_power(b: &Enclosure, e: &Enclosure, work: &Work) -> Fallible<Enclosure> {
-    if let Some(q) = e.number()
-        && let Some(k) = q.denom().to_u32().filter(|k| *k <= ROOT_LIMIT)
-    {
-        let root = if k == 1 { b.clone() } else { b.root(k, work)? };
-        let power = root.power(&q.numer().abs(), work)?;
-        return if q.is_negative() { power.inverse(work) } else { Ok(power) };
-    }
-    if b.number().is_some_and(|q| q.is_zero()) {
-        return Ok(b.clone());
-    }
-    b.ln(work)?.times(e, work)?.exp(work)
-}
-
-fn transposed(rows: &[Vec<Enclosure>]) -> Vec<Vec<Enclosure>> {
-    let width = rows.first().map_or(0, Vec::len);
-    (0..width).map(|j| rows.iter().filter_map(|row| row.get(j).cloned()).collect()).collect()
-}
-
-/// The determinant, by the first row, of a square matrix of at most five rows.
-fn determinant(rows: &[Vec<Enclosure>], work: &Work) -> Fallible<Enclosure> {
-    if rows.len() > 5 || rows.iter().any(|row| row.len() != rows.len()) {
-        return rejected(Reason::MatrixSizes);
-    }
-    let Some((first, others)) = rows.split_first() else { return Ok(Enclosure::exact(BigRational::one())) };
-    let mut sum = Enclosure::exact(BigRational::zero());
-    for (j, x) in first.iter().enumerate() {
-        let without = |row: &Vec<Enclosure>| (0..).zip(row).filter(|(i, _)| *i != j).map(|(_, y)| y.clone()).collect();
-        let minor = determinant(&others.iter().map(without).collect::<Vec<_>>(), work)?;
-        let part = x.times(&minor, work)?;
-        sum = if j % 2 == 0 { sum.plus(&part, work)? } else { sum.minus(&part, work)? };
-    }
-    Ok(sum)
-}
-
-impl Value {
-    fn each(&self, change: &dyn Fn(&Enclosure) -> Fallible<Enclosure>) -> Fallible<Value> {
-        Ok(match self {
-            Value::Number(x) => Value::Number(change(x)?),
-            Value::Matrix(rows) => Value::Matrix(
-                rows.iter().map(|row| row.iter().map(change).collect()).collect::<Fallible<Vec<Vec<_>>>>()?,
-            ),
-        })
-    }
-
-    fn plus(&self, other: &Value, work: &Work) -> Fallible<Value> {
-        match (self, other) {
-            (Value::Number(a), Value::Number(b)) => Ok(Value::Number(a.plus(b, work)?)),
-            (Value::Matrix(a), Value::Matrix(b)) if sizes(a) == sizes(b) => {
-                let row = |(r, s): (&Vec<Enclosure>, &Vec<Enclosure>)| {
-                    r.iter().zip(s).map(|(x, y)| x.plus(y, work)).collect()
-                };
-                Ok(Value::Matrix(a.iter().zip(b).map(row).collect::<Fallible<_>>()?))
-            }
-            _ => rejected(Reason::MatrixSizes),
-        }
-    }
-
-    fn times(&self, other: &Value, work: &Work) -> Fallible<Value> {
-        match (self, other) {
-            (Value::Number(a), other) => other.each(&|x| a.times(x, work)),
-            (_, Value::Number(b)) => self.each(&|x| x.times(b, work)),
-            (Value::Matrix(a), Value::Matrix(b)) => {
-                if a.first().map(Vec::len) != Some(b.len()) {
-                    return rejected(Reason::MatrixSizes);
-                }
-                let columns = transposed(b);
-                let cell = |row: &Vec<Enclosure>, column: &Vec<Enclosure>| {
-                    let zero = Enclosure::exact(BigRational::zero());
-                    row.iter().zip(column).try_fold(zero, |sum, (x, y)| sum.plus(&x.times(y, work)?, work))
-                };
-                let row = |row: &Vec<Enclosure>| columns.iter().map(|column| cell(row, column)).collect();
-                Ok(Value::Matrix(a.iter().map(row).collect::<Fallible<_>>()?))
-            }
-        }
-    }
-
-    /// Whether a comparison holds; matrices of one size are equal or not.
-    fn compared(&self, relation: Relation, other: &Value, work: &Work) -> Fallible<Option<bool>> {
-        match (self, other) {
-            (Value::Number(a), Value::Number(b)) => compared(a, relation, b, work),
-            (Value::Matrix(a), Value::Matrix(b)) if sizes(a) == sizes(b) => {
-                let entries = a.iter().flatten().zip(b.iter().flatten());
-                let same = entries.map(|(x, y)| compared(x, Relation::Equal, y, work)).collect::<Fallible<Vec<_>>>()?;
-                match relation {
-                    Relation::Equal => Ok(all(&same)),
-                    Relation::NotEqual => Ok(all(&same).map(|t| !t)),
-                    _ => rejected(Reason::MatrixSizes),
-                }
-            }
-            _ => rejected(Reason::MatrixSizes),
-        }
-    }
-}
-
-fn sizes(rows: &[Vec<Enclosure>]) -> Vec<usize> {
-    rows.iter().map(Vec::len).collect()
-}
-
-fn compared(a: &Enclosure, relation: Relation, b: &Enclosure, work: &Work) -> Fallible<Option<bool>> {
-    let (signs, wanted) = (a.minus(b, work)?.signs(), Signs::of(relation));
-    Ok(if signs.within(wanted) {
-        Some(true)
-    } else if signs.within(wanted.others()) {
-        Some(false)
-    } else {
-        None
-    })
-}
-
-/// The names that occur free in a proposition.
-fn free_names(p: &Prop, out: &mut BTreeSet<String>) {
-    match &p.kind {
-        PropKind::Compare(sides, _) => sides.iter().for_each(|e| names_in(e, out)),
-        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
-            list.iter().for_each(|p| free_names(p, out))
-        }
-        PropKind::Not(inner) => free_names(inner, out),
-        PropKind::Implies(a, b) => [a, b].into_iter().for_each(|p| free_names(p, out)),
-        PropKind::Exists(bindings, body) | PropKind::ForAll(bindings, body) => {
-            let mut inside = BTreeSet::new();
-            free_names(body, &mut inside);
-            for binding in bindings {
-                super::statement::domain(binding).iter().for_each(|p| free_names(p, &mut inside));
-            }
-            bindings.iter().flat_map(|b| &b.names).for_each(|n| {
-                inside.remove(&n.0.text);
-            });
-            out.extend(inside);
-        }
-        // Not evaluated.
-        PropKind::Extremum(_) | PropKind::Limit(_) => {}
-    }
 }

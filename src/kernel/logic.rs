@@ -10,8 +10,8 @@
 //! every fact has a value at every point that the hypotheses allow, so in each state the facts say which comparisons
 //! have values there.
 
+use super::known::Known;
 use super::order::Signs;
-use super::sign::Known;
 use super::statement::compare;
 use super::term::Value;
 use super::{Checker, Reason, Refusal, key, rejected};

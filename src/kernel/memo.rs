@@ -4,9 +4,9 @@
 //! equations that are put in. So entries are kept while the names that were in scope stay, for a few lists of equations;
 //! nothing is kept of what was read under a bound index or a name that a step declares for itself.
 
-use super::Variable;
 use super::fraction::Fraction;
-use super::sign::{Equation, Lesson};
+use super::known::{Equation, Lesson};
+use super::scope::Variable;
 use crate::claim::syntax::{Expr, Prop};
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;

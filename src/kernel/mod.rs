@@ -1,24 +1,24 @@
-//! The kernel: certificates checked step by step, each from its own text and the facts that it cites.
+//! The kernel: checks a certificate step by step, each step from its own text and the facts that it cites.
 //!
 //! Contract: [`check`] returns [`Verdict::Accepted`] only if the claim's goal holds, with a value for every expression
-//! in it, at every point that its hypotheses allow. The prover is not asked.
+//! in it, at every point that its hypotheses allow. The kernel trusts nothing that the search reports.
 //!
-//! **What a fact is.** At every point that satisfies the hypotheses and the suppositions of the open blocks, each fact
-//! is true and has a value (`logic` says when a proposition has one). A rule adds a fact only if that stays so. Above
-//! each rule stands why. A block ends by turning its conclusion into an implication or a statement `for all`, and all
-//! else in it is forgotten.
+//! **What a fact is.** A fact is true and has a value at every point that satisfies the hypotheses and the suppositions of the
+//! open blocks (`logic` defines when a proposition has a value). A rule adds a fact only if it keeps this invariant; the comment
+//! above each rule proves it. The end of a block turns its conclusion into an implication or a statement `for all`, and
+//! removes all other facts of the block.
 //!
-//! **No hidden state.** Besides the facts the kernel keeps the names in scope. What signs a step may use it reads from
-//! the facts under `by`, which equations it puts in from those under `using`. No step changes what a later one means.
+//! **No hidden state.** Besides the facts the kernel keeps the names in scope. A step gets signs from the facts under `by` and
+//! equations to put in from the facts under `using`, and from nothing else. No step changes the meaning of a later one.
 //!
-//! **What is assumed.** The field and order of the reals; exp and its inverse ln on positive numbers, with
-//! b^E = exp(E·ln b); derivatives of these; induction; two inequalities, the weighted mean of two values
-//! and exp above its tangent (`analysis`); and the mean value theorem (`slope`). An acceptance says whether it rests on
-//! these three.
+//! **What is assumed.** The axioms of the ordered field of reals; exp and its inverse ln on positive numbers, with
+//! b^E = exp(E·ln b); their derivatives; induction. Three theorems of analysis as well: the inequality of the weighted means of
+//! two values, exp above its tangent (`analysis`), and the mean value theorem (`slope`). [`Accepted::rests_on`] names those
+//! of the three that a proof uses.
 //!
-//! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. Nothing is searched.
+//! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. It searches nothing.
 //!
-//! Work, depth and size have limits. Reaching one is no rejection but [`Verdict::Declined`].
+//! Work, depth and size have limits. A certificate that reaches one is not rejected: the verdict is [`Verdict::Declined`].
 
 pub mod analysis;
 mod arithmetic;
@@ -27,10 +27,13 @@ mod derivative;
 pub(crate) mod enclosure;
 mod evaluate;
 pub mod fraction;
+mod hypotheses;
 pub mod key;
+mod known;
 mod logic;
 mod matrix;
 mod memo;
+pub mod names;
 pub(crate) mod order;
 mod over;
 mod poly;
@@ -39,11 +42,15 @@ mod quantifier;
 mod reason;
 pub mod refutation;
 mod replace;
+mod scope;
 mod sign;
 pub(crate) mod slope;
 pub mod statement;
+pub mod substitution;
 mod term;
 pub mod text;
+mod tree;
+mod value;
 pub(crate) mod view;
 pub(crate) mod words;
 
@@ -52,12 +59,14 @@ pub use reason::Reason;
 pub use term::numeral;
 
 use crate::certificate::{Certificate, Label, Rule, Show, Step};
-use crate::claim::syntax::{Binding, Claim, Expr, ExprKind, Prop, PropKind};
+use crate::claim::syntax::{Claim, Expr, Prop};
 use fraction::Work;
-use sign::Known;
-use statement::{Statement, Substitution, names_in};
+use known::Known;
+use scope::Variable;
+use statement::Statement;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
+use substitution::Substitution;
 use term::Atom;
 
 /// The most steps of a certificate.
@@ -65,12 +74,12 @@ pub(crate) const STEPS_LIMIT: usize = 50_000;
 /// The most names that a statement declares, and that are in scope at once.
 pub(crate) const NAMES_LIMIT: usize = 1_000;
 
-/// Why a step was not taken.
+/// Why a step was refused.
 #[derive(Clone, Debug)]
 pub enum Refusal {
-    /// It is not justified.
+    /// The step is not justified.
     Rejected(Reason),
-    /// A limit was reached, by name.
+    /// The named limit was reached.
     Limit(&'static str),
 }
 
@@ -78,7 +87,7 @@ fn rejected<T>(reason: Reason) -> Result<T, Refusal> {
     Err(Refusal::Rejected(reason))
 }
 
-/// A claim that was shown. Only the kernel makes one.
+/// A proved claim. Only the kernel makes one.
 #[derive(Clone, Debug)]
 pub struct Accepted {
     statement: Statement,
@@ -97,42 +106,42 @@ impl Accepted {
         &self.statement
     }
 
-    /// The cited claims and analytic lemmas that it rests on, those of cited claims included.
+    /// The cited claims and theorems of analysis that the proof uses, those of the cited claims included.
     pub fn rests_on(&self) -> &BTreeSet<String> {
         &self.rests_on
     }
 
-    /// The hypotheses that it rests on although no step cites them: by which members of sequences have values, and
-    /// domains of families that are put for those of cited claims.
+    /// The hypotheses that the proof uses although no step cites them. They are those by which members of sequences have values,
+    /// and the domains of families that replace families of cited claims.
     pub fn assumed(&self) -> &BTreeSet<Label> {
         &self.assumed
     }
 }
 
-/// What the kernel says of a certificate.
+/// The kernel's verdict on a certificate.
 #[derive(Clone, Debug)]
 pub enum Verdict {
-    /// The claim is shown.
+    /// The certificate proves the claim.
     Accepted(Box<Accepted>),
-    /// The claim is false, at the point of the certificate.
+    /// The certificate refutes the claim: it is false at the given point.
     Refuted,
-    /// It is not, by this certificate.
+    /// The certificate does neither.
     Rejected {
-        /// The first bad step, by label; empty for the statement and the end.
+        /// The label of the first wrong step; empty for the statement and the end.
         step: Label,
-        /// Its rule.
+        /// The rule of this step.
         rule: &'static str,
         /// What is wrong.
         reason: Reason,
     },
     /// A limit was reached.
     Declined {
-        /// Its name.
+        /// The name of the limit.
         limit: &'static str,
     },
 }
 
-/// Checks a certificate of a claim; `cited` holds what was accepted of the claims under `using`.
+/// Checks a certificate of a claim. `cited` holds the accepted claims among those under `using`.
 pub fn check(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> Verdict {
     let verdict = |step: &str, rule, refusal| match refusal {
         Refusal::Rejected(reason) => Verdict::Rejected { step: step.to_string(), rule, reason },
@@ -165,34 +174,25 @@ pub fn check(claim: &Claim, certificate: &Certificate, cited: &[&Accepted]) -> V
     }
 }
 
-/// What a step rests on besides the facts that its rule cites.
+/// The facts that a step needs besides those that its rule cites.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Used {
-    /// Of the facts under `by`.
+    /// Those of the facts under `by`.
     pub by: Vec<Label>,
-    /// Of the equations under `using`.
+    /// Those of the equations under `using`.
     pub using: Vec<Label>,
 }
 
-/// A name in scope.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Variable {
-    name: String,
-    natural: bool,
-    /// What it stands for in fractions: itself, or a bound index.
-    atom: Atom,
-}
-
-/// Something known.
+/// A fact with its label.
 #[derive(Clone, Debug)]
 struct Fact {
     label: Label,
     prop: Rc<Prop>,
-    /// The length of what it says, which whoever cites it reads.
+    /// The length of its text: the work of a step that cites it.
     size: usize,
 }
 
-/// A block that is open, with how much is kept at its end.
+/// An open block, with the number of facts and names that remain after its end.
 #[derive(Clone, Debug)]
 struct Block {
     label: Label,
@@ -203,8 +203,8 @@ struct Block {
 
 /// The state of a check.
 ///
-/// Whoever holds one can read its facts and take steps. Nobody outside the kernel can make a fact, a fresh budget or
-/// an acceptance. This claim is false; its goal is no fact, and `finish` says so:
+/// A caller can read its facts and take steps. No code outside the kernel can make a fact, reset the budget of work or make an
+/// [`Accepted`]. This claim is false; its goal is not a fact, and `finish` returns an error:
 ///
 /// ```
 /// use carom::{claim::parse::parse, kernel::Checker};
@@ -214,7 +214,7 @@ struct Block {
 /// assert!(checker.finish().is_err());
 /// ```
 ///
-/// The goal cannot be slipped in among the facts, from outside, nor a new budget:
+/// Code outside the kernel cannot add the goal to the facts, nor reset the budget:
 ///
 /// ```compile_fail,E0616
 /// use carom::{claim::syntax::Prop, kernel::Checker};
@@ -237,7 +237,7 @@ struct Block {
 /// }
 /// ```
 ///
-/// And an acceptance is not made by hand:
+/// Nor can it make an acceptance:
 ///
 /// ```compile_fail,E0451
 /// use carom::kernel::{Accepted, statement::Statement};
@@ -250,20 +250,20 @@ pub struct Checker {
     statement: Rc<Statement>,
     cited: Rc<Vec<Accepted>>,
     rests_on: BTreeSet<String>,
-    /// What is used and not cited.
+    /// The hypotheses that are used without being cited ([`Accepted::assumed`]).
     assumed: BTreeSet<Label>,
     facts: Vec<Fact>,
-    /// The facts by label.
+    /// The places of the facts by label.
     labels: HashMap<Label, usize>,
     blocks: Vec<Block>,
     scope: Vec<Variable>,
     atoms: Vec<Atom>,
     atom_index: BTreeMap<Atom, usize>,
-    /// How many indices of sums and products are in scope.
+    /// The number of indices of sums and products in scope.
     binders: usize,
-    /// The equations put in while an expression of a step is read; empty between.
-    put_in: Rc<Vec<sign::Equation>>,
-    /// Which of them were.
+    /// The equations put in while an expression of a step is read; empty otherwise.
+    put_in: Rc<Vec<known::Equation>>,
+    /// The places of those that were put in.
     were_put_in: BTreeSet<usize>,
     memo: memo::Memo,
     steps: usize,
@@ -274,7 +274,7 @@ impl Checker {
     /// The state before the first step: the domains and hypotheses are the facts `h1`, `h2`, …
     ///
     /// # Errors
-    /// The statement makes no sense to the kernel, or is beyond a limit.
+    /// The kernel cannot read the statement, or it exceeds a limit.
     pub fn new(claim: &Claim, cited: &[&Accepted]) -> Result<Checker, Refusal> {
         let statement = Statement::of(claim)?;
         if statement.bindings.iter().map(|b| b.names.len()).sum::<usize>() + statement.sequences.len() > NAMES_LIMIT {
@@ -305,62 +305,12 @@ impl Checker {
         Ok(checker)
     }
 
-    /// Declares what the claim declares, and takes its domains and hypotheses as facts. A hypothesis is understood to
-    /// say of its own expressions that they have values.
-    fn hypotheses(&mut self) -> Result<(), Refusal> {
-        let statement = self.statement.clone();
-        for binding in &statement.bindings {
-            self.declare_binding(binding)?;
-        }
-        // A sequence speaks of what the claim declares, never of a variable that a block introduces later, nor of a
-        // sequence that is defined after it; and of itself only by the member before.
-        for (place, u) in statement.sequences.iter().enumerate() {
-            let mut names = BTreeSet::new();
-            names_in(&u.step, &mut names);
-            names.remove(&u.index);
-            names_in(&u.initial, &mut names);
-            let known = |n: &String| self.is_declared(n) || term::FUNCTIONS.contains(&n.as_str());
-            if let Some(free) = names.iter().find(|n| !known(n)) {
-                return rejected(Reason::Undeclared(free.clone()));
-            }
-            let later = statement.sequences.iter().skip(place + 1).any(|v| names.contains(&v.name));
-            let mut first = BTreeSet::new();
-            names_in(&u.initial, &mut first);
-            if later || first.contains(&u.name) || !statement::steps_once(&u.step, &u.name, &u.index) {
-                return rejected(Reason::Sequence(u.name.clone()));
-            }
-        }
-        self.moving_variables_are_free()?;
-        let domains = statement.bindings.iter().flat_map(quantifier::domains);
-        for prop in domains.chain(statement.assumptions.iter().cloned()) {
-            let label = format!("h{}", self.facts.len() + 1);
-            self.know(&label, prop)?;
-        }
-        // Every member has a value, so that a member is one wherever its index is a natural number.
-        let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
-        for u in &statement.sequences {
-            let mut known = self.known(&all, &[])?;
-            let of_member = |refusal: Refusal| match refusal {
-                Refusal::Rejected(because) => Refusal::Rejected(Reason::Member(u.name.clone(), Box::new(because))),
-                limit => limit,
-            };
-            self.defined(&u.initial, &mut known).map_err(of_member)?;
-            self.binders += 1;
-            let bound = self.binders;
-            let result = self.under(&u.index, bound, |checker| checker.defined(&u.step, &mut known));
-            self.binders -= 1;
-            result.map_err(of_member)?;
-            self.assumed.extend(cited(known.used().0, &all));
-        }
-        Ok(())
-    }
-
-    /// The statement that is to be shown.
+    /// The statement to prove.
     pub fn statement(&self) -> &Statement {
         &self.statement
     }
 
-    /// What a claim says that was accepted and is cited under `using`.
+    /// The statement of an accepted claim that is cited under `using`.
     pub(crate) fn cited_statement(&self, name: &str) -> Option<&Statement> {
         self.cited.iter().map(|accepted| &accepted.statement).find(|statement| statement.name == name)
     }
@@ -370,7 +320,8 @@ impl Checker {
         self.facts.iter().map(|fact| (fact.label.as_str(), &*fact.prop))
     }
 
-    /// Whether a proposition is an equation that can be put in after these: its left side is an atom, a power or an exponential.
+    /// Whether a proposition is an equation that can be put in after the equations `after`: its left side is an atom, a power or
+    /// an exponential.
     pub(crate) fn can_be_put_in(&mut self, p: &Prop, after: &[Label]) -> bool {
         self.known(&[], after).is_ok_and(|known| self.equation(p, &known).is_ok())
     }
@@ -381,12 +332,12 @@ impl Checker {
     /// A side cannot be read, or an equation cannot be put in.
     pub fn constant(&mut self, p: &Prop, using: &[Label]) -> Result<Option<num_rational::BigRational>, Refusal> {
         let known = self.known(&[], using)?;
-        let (a, _, b) = sign::single(p)?;
+        let (a, _, b) = tree::single(p)?;
         let difference = self.fraction_with(a, &known)?.minus(&self.fraction_with(b, &known)?, &self.work)?;
         Ok(difference.as_number().cloned())
     }
 
-    /// Takes one step, or says why not; then no fact is added and no block opened or closed.
+    /// Takes one step. A refused step adds no fact and opens or closes no block.
     ///
     /// # Errors
     /// The step is not justified, or a limit was reached.
@@ -410,8 +361,8 @@ impl Checker {
         result
     }
 
-    /// Which facts under `by` and which equations under `using` a step that is justified rests on. Nothing is added:
-    /// for whoever writes a certificate and wants its citations short.
+    /// The facts under `by` and the equations under `using` that a justified step needs. The state stays as it is. The search
+    /// uses this to write short citations.
     ///
     /// # Errors
     /// The step is not justified, or a limit was reached.
@@ -430,7 +381,7 @@ impl Checker {
         Ok(Used { by: cited(by, &show.by).collect(), using: cited(using, &show.using).collect() })
     }
 
-    /// Whether the rule of a step justifies it; what it knew is returned.
+    /// Checks that the rule of a step justifies it. Returns what was known from the cited facts, and which of it was used.
     fn justified(&mut self, show: &Show) -> Result<Known, Refusal> {
         let goal = &show.prop;
         let mut known = self.known(&show.by, &show.using)?;
@@ -462,6 +413,7 @@ impl Checker {
         Ok(known)
     }
 
+    /// Takes a step that shows something: adds its fact, or opens its block.
     fn show(&mut self, show: &Show) -> Result<(), Refusal> {
         self.justified(show)?;
         match &show.rule {
@@ -470,10 +422,10 @@ impl Checker {
         }
     }
 
-    /// Whether the goal is shown.
+    /// Ends the check.
     ///
     /// # Errors
-    /// It is not.
+    /// A block is open, or the last fact is not the goal.
     pub fn finish(self) -> Result<Accepted, Refusal> {
         if !self.blocks.is_empty() {
             return rejected(Reason::OpenBlock);
@@ -488,6 +440,7 @@ impl Checker {
         }
     }
 
+    /// Refuses a label that is in use.
     fn fresh_label(&self, label: &str) -> Result<(), Refusal> {
         if self.labels.contains_key(label) || self.blocks.iter().any(|b| b.label == label) {
             return rejected(Reason::LabelInUse(label.to_string()));
@@ -516,48 +469,12 @@ impl Checker {
         Ok(())
     }
 
+    /// Removes the facts and names beyond these numbers.
     fn forget(&mut self, facts: usize, scope: usize) {
         for fact in self.facts.drain(facts..) {
             self.labels.remove(&fact.label);
         }
         self.scope.truncate(scope);
-    }
-
-    fn declare_binding(&mut self, binding: &Binding) -> Result<(), Refusal> {
-        for (name, index) in &binding.names {
-            if index.is_none() {
-                self.declare(&name.text, binding.natural, Atom::Variable(name.text.clone()))?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Brings a name into scope, which must be new.
-    fn declare(&mut self, name: &str, natural: bool, atom: Atom) -> Result<(), Refusal> {
-        if self.is_declared(name) {
-            return rejected(Reason::NameInUse(name.to_string()));
-        }
-        self.scope.push(Variable { name: name.to_string(), natural, atom });
-        if self.scope.len() > NAMES_LIMIT { Err(Refusal::Limit("names")) } else { Ok(()) }
-    }
-
-    fn is_declared(&self, name: &str) -> bool {
-        self.scope.iter().any(|v| v.name == name) || self.is_member(name)
-    }
-
-    /// Whether a name is that of a family or sequence.
-    fn is_member(&self, name: &str) -> bool {
-        self.family(name).is_some() || self.is_sequence(name)
-    }
-
-    fn is_sequence(&self, name: &str) -> bool {
-        self.statement.sequences.iter().any(|s| s.name == name)
-    }
-
-    /// The declaration of a family. Families are declared by the claim only, never in a block.
-    fn family(&self, name: &str) -> Option<&Binding> {
-        let is_family = |b: &&Binding| b.names.iter().any(|n| n.1.is_some() && n.0.text == name);
-        self.statement.bindings.iter().find(is_family)
     }
 }
 
@@ -566,7 +483,7 @@ fn cited(places: BTreeSet<usize>, labels: &[Label]) -> impl Iterator<Item = Labe
     places.into_iter().filter_map(|place| labels.get(place).cloned())
 }
 
-/// A walk over the trees of a step that ends at the limits of depth and size; after it recursion is safe.
+/// Checks that the trees of a step are within the limits of depth and size. After it, recursion over them is safe.
 fn well_formed(show: &Show) -> Result<(), Refusal> {
     let walk = Substitution::default();
     walk.prop(&show.prop)?;
@@ -579,38 +496,4 @@ fn well_formed(show: &Show) -> Result<(), Refusal> {
         walk.expr(e)?;
     }
     Ok(())
-}
-
-/// An expression with one name in place of another. The new name must not occur yet: it would be taken for the old one.
-fn renamed(e: &Expr, old: &str, new: &str) -> Result<Expr, Refusal> {
-    let mut names = BTreeSet::new();
-    names_in(e, &mut names);
-    if old != new && names.contains(new) {
-        return rejected(Reason::NameInUse(new.to_string()));
-    }
-    let mut map = Substitution::default();
-    map.replace(old, &statement::name(new));
-    map.expr(e)
-}
-
-/// The parts of an expression.
-fn parts(e: &Expr) -> Vec<&Expr> {
-    match &e.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) => Vec::new(),
-        ExprKind::Apply(_, arguments) => arguments.iter().collect(),
-        ExprKind::Negate(a) | ExprKind::Derivative(a, _) => vec![a],
-        ExprKind::Sum(list) => list.iter().map(|(_, e)| e).collect(),
-        ExprKind::Product(list) => list.iter().map(|(_, e)| e).collect(),
-        ExprKind::Power(a, b) => vec![a, b],
-        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => vec![&index.from, &index.to, body],
-        ExprKind::Matrix(rows) => rows.iter().flatten().collect(),
-    }
-}
-
-/// Whether a proposition is a conjunction, whose parts are facts where it is one.
-fn conjuncts(p: &Prop) -> Vec<&Prop> {
-    match &p.kind {
-        PropKind::And(list) => list.iter().flat_map(conjuncts).collect(),
-        _ => vec![p],
-    }
 }

@@ -7,7 +7,7 @@
 //! whole numbers stay whole: b may be 0 there.
 
 use super::fraction::{Fraction, Monomial, Poly};
-use super::sign::Written;
+use super::known::Written;
 use super::term::Atom;
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::syntax::*;

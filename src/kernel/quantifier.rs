@@ -1,12 +1,13 @@
 //! Blocks, instances of statements for all values, induction, existence and extrema.
 
 use super::analysis::at_the_point;
+use super::known::Known;
+use super::names::{names_in, names_in_prop};
 use super::order::Signs;
-use super::sign::{Known, single};
-use super::statement::{
-    Substitution, compare, constraints, domain, expr, name, names_in, names_in_prop, numeral, prop,
-};
-use super::{Block, Checker, Reason, Refusal, conjuncts, key, rejected};
+use super::statement::{compare, constraints, domain, expr, name, numeral, prop};
+use super::substitution::Substitution;
+use super::tree::{conjuncts, single};
+use super::{Block, Checker, Reason, Refusal, key, rejected};
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;
 

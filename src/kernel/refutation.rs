@@ -4,11 +4,12 @@
 //! the kernel checks a certificate of the claim that is returned.
 
 use super::analysis::at_the_point;
+use super::names::names_in_prop;
 use super::order::Signs;
-use super::statement::{
-    Sequence, Statement, Substitution, compare, constraints, domain, names_in_prop, numeral, prop, sum,
-};
-use super::{Reason, Refusal, parts, rejected};
+use super::statement::{Sequence, Statement, compare, constraints, domain, numeral, prop, sum};
+use super::substitution::Substitution;
+use super::tree::parts;
+use super::{Reason, Refusal, rejected};
 use crate::certificate::Refutes;
 use crate::claim::definedness::{Need, needs};
 use crate::claim::syntax::*;
@@ -57,35 +58,7 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
     let mut equations = Vec::new();
     let mut given = HashSet::new();
     for (place, value) in point {
-        let natural = match &place.kind {
-            ExprKind::Name(text) => {
-                let found = plain.iter().find(|b| b.names.iter().any(|n| n.0.text == *text));
-                found.ok_or_else(|| no_place(place))?.natural
-            }
-            ExprKind::Apply(family, arguments) => {
-                let found = families.iter().find(|b| b.names.iter().any(|n| n.0 == *family));
-                let (Some(found), [index]) = (found, arguments.as_slice()) else { return Err(no_place(place)) };
-                if !is_natural(index) {
-                    return Err(no_place(place));
-                }
-                // What is supposed of the family is not shown of the member: it has to be so.
-                if !constraints(found, value).iter().all(is_true) {
-                    return Err(no_place(place));
-                }
-                // A member outside its range would be supposed to be there.
-                let inside = found.indices.as_ref().is_none_or(|(from, to)| {
-                    match (whole(from, point), whole(index, point), whole(to, point)) {
-                        (Some(from), Some(index), Some(to)) => from <= index && index <= to,
-                        _ => false,
-                    }
-                });
-                if !inside {
-                    return Err(no_place(place));
-                }
-                found.natural
-            }
-            _ => return Err(no_place(place)),
-        };
+        let natural = is_natural_place(place, value, &plain, &families, point)?;
         let plain = matches!(place.kind, ExprKind::Name(_));
         let is_number = match natural {
             true => is_natural(value),
@@ -131,6 +104,48 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
         proof: Proof::default(),
         expect: Expectation::Proved,
         ..claim.clone()
+    })
+}
+
+/// Whether the variable or member at a place of the point is a natural number.
+///
+/// # Errors
+/// The place is no variable and no member of a family, or the member may not have this value.
+fn is_natural_place(
+    place: &Expr,
+    value: &Expr,
+    plain: &[Binding],
+    families: &[Binding],
+    point: &[(Expr, Expr)],
+) -> Result<bool, Refusal> {
+    Ok(match &place.kind {
+        ExprKind::Name(text) => {
+            let found = plain.iter().find(|b| b.names.iter().any(|n| n.0.text == *text));
+            found.ok_or_else(|| no_place(place))?.natural
+        }
+        ExprKind::Apply(family, arguments) => {
+            let found = families.iter().find(|b| b.names.iter().any(|n| n.0 == *family));
+            let (Some(found), [index]) = (found, arguments.as_slice()) else { return Err(no_place(place)) };
+            if !is_natural(index) {
+                return Err(no_place(place));
+            }
+            // What is supposed of the family is not shown of the member: it has to be so.
+            if !constraints(found, value).iter().all(is_true) {
+                return Err(no_place(place));
+            }
+            // A member outside its range would be supposed to be there.
+            let inside = found.indices.as_ref().is_none_or(|(from, to)| {
+                match (whole(from, point), whole(index, point), whole(to, point)) {
+                    (Some(from), Some(index), Some(to)) => from <= index && index <= to,
+                    _ => false,
+                }
+            });
+            if !inside {
+                return Err(no_place(place));
+            }
+            found.natural
+        }
+        _ => return Err(no_place(place)),
     })
 }
 

@@ -1,8 +1,8 @@
 //! Atoms of a fraction: where they occur, and others put in their places.
 
 use super::fraction::Fraction;
-use super::sign::Equation;
-use super::statement::DEPTH_LIMIT;
+use super::known::Equation;
+use super::substitution::DEPTH_LIMIT;
 use super::term::{Atom, Over};
 use super::{Checker, Refusal};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,8 +1,11 @@
 //! Rule `slope`: the mean value theorem.
 
+use super::known::Known;
+use super::names::names_in;
 use super::order::Signs;
-use super::sign::{Known, single};
-use super::statement::{Substitution, compare, domain, names_in, sum};
+use super::statement::{compare, domain, sum};
+use super::substitution::Substitution;
+use super::tree::single;
 use super::{Checker, Reason, Refusal, key, rejected};
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;

@@ -6,9 +6,9 @@
 //! Matrices, powers, sums over an index, derivatives and replacements have files of their own.
 
 use super::fraction::{Fraction, Poly};
+use super::known::{Equation, Known, Written};
 use super::matrix::{each, sizes};
-use super::sign::{Equation, Known, Written};
-use super::statement::{DEPTH_LIMIT, NODES_LIMIT};
+use super::substitution::{DEPTH_LIMIT, NODES_LIMIT};
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;

@@ -4,8 +4,8 @@
 //! Contract: nothing here adds a fact or changes what a step means; a view is made from a state and forgotten.
 
 use super::fraction::{Fraction, Poly};
+use super::known::Known;
 use super::order::Signs;
-use super::sign::Known;
 use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};

@@ -4,8 +4,9 @@
 //! Nothing here justifies a step.
 
 use super::fraction::{Fraction, Poly};
+use super::known::Known;
 use super::order::Signs;
-use super::sign::{Found, Known, NESTING};
+use super::sign::{Found, NESTING};
 use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};

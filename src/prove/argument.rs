@@ -4,7 +4,8 @@ use super::draft::Rule;
 use super::goal::exprs_in;
 use super::{Certifier, Fail};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{Substitution, domain, name, one_minus, power, prop};
+use crate::kernel::statement::{domain, name, one_minus, power, prop};
+use crate::kernel::substitution::Substitution;
 use crate::kernel::text;
 use std::collections::BTreeSet;
 

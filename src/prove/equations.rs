@@ -190,7 +190,7 @@ impl Certifier {
         let mut list = self.facts();
         list.retain(|(_, fact)| {
             let mut names = BTreeSet::new();
-            crate::kernel::statement::names_in_prop(fact, &mut names);
+            crate::kernel::names::names_in_prop(fact, &mut names);
             matches!(fact.kind, PropKind::Compare(..)) && (variable.is_empty() || names.contains(variable))
         });
         list

@@ -8,9 +8,8 @@ use super::{Certifier, Fail};
 use crate::certificate::Term;
 use crate::claim::syntax::*;
 use crate::kernel::analysis::{at_the_point, weighted_mean};
-use crate::kernel::statement::{
-    Substitution, compare, domain, expr, name, numeral, one_minus, power, product, prop, sum,
-};
+use crate::kernel::statement::{compare, domain, expr, name, numeral, one_minus, power, product, prop, sum};
+use crate::kernel::substitution::Substitution;
 
 impl Certifier {
     pub(super) fn induction(&mut self, goal: &Prop, variable: &Name, steps: &Proof) -> Result<(), Fail> {

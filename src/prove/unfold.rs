@@ -45,7 +45,7 @@ impl Certifier {
 
     /// An atom as what it unfolds to, where its index has a positive constant part.
     fn unfolding(&mut self, atom: usize) -> Result<Option<(Expr, Expr)>, Fail> {
-        use crate::kernel::statement::Substitution;
+        use crate::kernel::substitution::Substitution;
         let constant =
             |p: &Poly| p.terms().find(|t| t.0.is_empty()).map_or(BigRational::from_integer(0.into()), |t| t.1.clone());
         let zero = BigRational::from_integer(0.into());

@@ -222,7 +222,7 @@ impl Prover {
     /// Cases by the order of two variables, and of a natural number and a small numeral.
     fn orders(&mut self, goal: &Prop) -> Vec<Prop> {
         let mut names = BTreeSet::new();
-        crate::kernel::statement::names_in_prop(goal, &mut names);
+        crate::kernel::names::names_in_prop(goal, &mut names);
         let variable = |n: &String| crate::kernel::statement::name(n);
         let naturals: Vec<String> = names.iter().filter(|n| self.naturals.contains(n)).cloned().collect();
         let mut out = Vec::new();

@@ -183,7 +183,7 @@ impl Prover {
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
     fn speaks_of_numbers(&self, p: &Prop) -> bool {
         let mut names = BTreeSet::new();
-        crate::kernel::statement::names_in_prop(p, &mut names);
+        crate::kernel::names::names_in_prop(p, &mut names);
         let sequences = &self.checker.statement().sequences;
         names.iter().all(|n| FUNCTIONS.iter().any(|f| f.0 == n) || sequences.iter().any(|s| s.name == *n))
     }

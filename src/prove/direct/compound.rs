@@ -6,7 +6,8 @@ use super::limits::{natural_binding, over};
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{Substitution, apply, compare, name, numeral, power, prop, sum};
+use crate::kernel::statement::{apply, compare, name, numeral, power, prop, sum};
+use crate::kernel::substitution::Substitution;
 
 /// A power base^exponent whose limit is exp(a).
 struct Compound {

@@ -4,7 +4,8 @@ use super::values::at_next;
 use super::{Fail, Prover, implies, put};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{name, names_in_prop, numeral, prop};
+use crate::kernel::names::names_in_prop;
+use crate::kernel::statement::{name, numeral, prop};
 use std::collections::BTreeSet;
 
 impl Prover {
@@ -132,7 +133,7 @@ fn is_bound_within(p: &Prop, variable: &str) -> bool {
 fn within(e: &Expr, variable: &str) -> bool {
     let holds = |e: &Expr| {
         let mut names = BTreeSet::new();
-        crate::kernel::statement::names_in(e, &mut names);
+        crate::kernel::names::names_in(e, &mut names);
         names.contains(variable)
     };
     match &e.kind {

@@ -6,8 +6,10 @@ use super::{Fail, Prover, implies};
 use crate::algebra::Moment;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
+use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{Substitution, compare, expr, name, names_in, numeral, prop};
+use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
 use std::collections::BTreeSet;
 
 /// How often the sign of a derivative is shown by that of the next.

@@ -8,7 +8,8 @@ use crate::certificate::Label;
 use crate::claim::syntax::*;
 use crate::claim::walk::{parts, parts_mut};
 use crate::kernel::key;
-use crate::kernel::statement::{Substitution, compare, name, power, prop, sum};
+use crate::kernel::statement::{compare, name, power, prop, sum};
+use crate::kernel::substitution::Substitution;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
@@ -107,7 +108,7 @@ impl Prover {
         let poly = self.letters.polynomial(body).filter(|p| p.degree_in(i) as usize <= DEGREE)?;
         let nowhere_else = poly.variables().into_iter().filter(|v| *v != i).all(|v| {
             let mut names = std::collections::BTreeSet::new();
-            self.letters.expr(v).inspect(|e| crate::kernel::statement::names_in(e, &mut names));
+            self.letters.expr(v).inspect(|e| crate::kernel::names::names_in(e, &mut names));
             !names.contains(index)
         });
         let place = self.letters.of(n);

@@ -172,7 +172,7 @@ impl Prover {
             u.initial.clone()
         } else if index.constant_term() >= 1 {
             let before = self.letters.written(&index.sub(&Polynomial::one()));
-            let mut map = crate::kernel::statement::Substitution::default();
+            let mut map = crate::kernel::substitution::Substitution::default();
             map.replace(&u.index, &before);
             map.expr(&u.step).map_err(Fail::from)?
         } else {
@@ -188,7 +188,7 @@ impl Prover {
         };
         let length = to.sub(&from).add(&Polynomial::one());
         let at = |e: &Expr| -> Result<Expr, Fail> {
-            let mut map = crate::kernel::statement::Substitution::default();
+            let mut map = crate::kernel::substitution::Substitution::default();
             map.replace(&index.name.text, e);
             map.expr(body).map_err(Fail::from)
         };
@@ -340,7 +340,7 @@ impl Prover {
                 (Factor::Over, slope_expr.clone()),
             ]));
             let mut names = std::collections::BTreeSet::new();
-            crate::kernel::statement::names_in(&value, &mut names);
+            crate::kernel::names::names_in(&value, &mut names);
             if names.contains(name) {
                 continue;
             }

@@ -6,10 +6,10 @@ use super::{Draft, Failure, Power, Replaced, rejected};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::{at_the_point, weighted_mean};
 use crate::kernel::fraction::Fraction;
+use crate::kernel::names::{names_in_binding, names_in_prop};
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{
-    Substitution, compare, domain, expr, names_in_binding, names_in_prop, numeral, one_minus, power, product, prop, sum,
-};
+use crate::kernel::statement::{compare, domain, expr, numeral, one_minus, power, product, prop, sum};
+use crate::kernel::substitution::Substitution;
 use crate::kernel::text;
 use std::collections::BTreeSet;
 
@@ -285,8 +285,8 @@ impl Draft {
         }
         self.need(&compare(at.expr(&e.of)?, Relation::Equal, e.value.clone()))?;
         let mut free = BTreeSet::new();
-        crate::kernel::statement::names_in(&e.value, &mut free);
-        e.at.iter().for_each(|a| crate::kernel::statement::names_in(&a.1, &mut free));
+        crate::kernel::names::names_in(&e.value, &mut free);
+        e.at.iter().for_each(|a| crate::kernel::names::names_in(&a.1, &mut free));
         if names.iter().any(|n| free.contains(*n)) {
             return rejected("the value and the point stand outside the scope of the variables");
         }
@@ -306,9 +306,9 @@ impl Draft {
     fn unbounded(&self, variable: &str) -> Result<(), Failure> {
         for u in &self.statement.sequences {
             let mut names = BTreeSet::new();
-            crate::kernel::statement::names_in(&u.step, &mut names);
+            crate::kernel::names::names_in(&u.step, &mut names);
             names.remove(&u.index);
-            crate::kernel::statement::names_in(&u.initial, &mut names);
+            crate::kernel::names::names_in(&u.initial, &mut names);
             if names.contains(variable) {
                 return rejected(&format!("the sequence {} depends on {variable}", u.name));
             }

@@ -5,8 +5,10 @@ use super::translate::{Atom, Value};
 use super::{Block, Draft, Failure, rejected};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::Fraction;
+use crate::kernel::names::names_in_prop;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{Substitution, compare, constraints, domain, expr, name, names_in_prop, numeral, prop};
+use crate::kernel::statement::{compare, constraints, domain, expr, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
 use crate::kernel::{Accepted, text};
 use std::collections::BTreeSet;
 
@@ -72,7 +74,7 @@ impl Draft {
                 // Numbers, or matrices of one size, which have no order.
                 let mut sizes = BTreeSet::new();
                 for e in sides {
-                    sizes.insert(match self.value(e, crate::kernel::statement::DEPTH_LIMIT)? {
+                    sizes.insert(match self.value(e, crate::kernel::substitution::DEPTH_LIMIT)? {
                         Value::Scalar(_) => Vec::new(),
                         Value::Matrix(rows) => rows.iter().map(Vec::len).collect(),
                     });

@@ -219,16 +219,16 @@ impl Draft {
         // a sequence that is defined after it; and of itself only by the member before.
         for (place, u) in statement.sequences.iter().enumerate() {
             let mut names = BTreeSet::new();
-            statement::names_in(&u.step, &mut names);
+            crate::kernel::names::names_in(&u.step, &mut names);
             names.remove(&u.index);
-            statement::names_in(&u.initial, &mut names);
+            crate::kernel::names::names_in(&u.initial, &mut names);
             let known = |n: &String| checker.is_declared(n) || translate::FUNCTIONS.contains(&n.as_str());
             if let Some(free) = names.iter().find(|n| !known(n)) {
                 return rejected(&format!("{free} in the sequence {} is not declared", u.name));
             }
             let later = statement.sequences.iter().skip(place + 1).any(|v| names.contains(&v.name));
             let mut first = BTreeSet::new();
-            statement::names_in(&u.initial, &mut first);
+            crate::kernel::names::names_in(&u.initial, &mut first);
             if later || first.contains(&u.name) || !statement::steps_once(&u.step, &u.name, &u.index) {
                 return rejected(&format!("the sequence {} is not defined by the member before", u.name));
             }
@@ -367,7 +367,7 @@ impl Draft {
             return rejected("a field is missing, or is not one of this rule");
         }
         // A walk that ends at the limits of depth and size; after it recursion is safe.
-        let walk = statement::Substitution::default();
+        let walk = crate::kernel::substitution::Substitution::default();
         step.prop.as_ref().map_or(Ok(()), |p| walk.prop(p).map(|_| ()))?;
         let terms = step.terms.iter().map(|t| &t.factor);
         for e in step.with.iter().map(|w| &w.1).chain(&step.times).chain(terms) {

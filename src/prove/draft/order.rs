@@ -275,9 +275,9 @@ impl Draft {
         let prop = Self::shown(step)?;
         if let PropKind::Compare(sides, relations) = &prop.kind
             && let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice())
-            && let Value::Matrix(x) = self.value(a, crate::kernel::statement::DEPTH_LIMIT)?
+            && let Value::Matrix(x) = self.value(a, crate::kernel::substitution::DEPTH_LIMIT)?
         {
-            let Value::Matrix(y) = self.value(b, crate::kernel::statement::DEPTH_LIMIT)? else {
+            let Value::Matrix(y) = self.value(b, crate::kernel::substitution::DEPTH_LIMIT)? else {
                 return rejected("a matrix is compared with a number");
             };
             if x.len() != y.len() || x.iter().zip(&y).any(|(r, s)| r.len() != s.len()) {

@@ -11,7 +11,7 @@ use crate::claim::definedness::{self, Exponent};
 use crate::claim::syntax::*;
 use crate::kernel::fraction::{Fraction, Poly};
 use crate::kernel::order::Signs;
-use crate::kernel::statement::DEPTH_LIMIT;
+use crate::kernel::substitution::DEPTH_LIMIT;
 use crate::kernel::{numeral, text};
 use num_rational::BigRational;
 use num_traits::{One, Zero};

@@ -7,8 +7,10 @@
 use super::{Elaborator, Fact, Stuck};
 use crate::certificate::{Label, Rule, Show};
 use crate::claim::syntax::*;
+use crate::kernel::names::{names_in, names_in_prop};
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{Substitution, compare, name, names_in, names_in_prop, numeral, prop};
+use crate::kernel::statement::{compare, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
 use crate::kernel::{Reason, Refusal, key};
 use crate::prove::draft;
 use std::collections::{BTreeSet, HashMap};

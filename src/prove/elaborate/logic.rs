@@ -3,7 +3,8 @@
 use super::{Elaborator, Stuck};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{Substitution, compare, expr, name, numeral};
+use crate::kernel::statement::{compare, expr, name, numeral};
+use crate::kernel::substitution::Substitution;
 use crate::prove::draft;
 
 impl Elaborator {

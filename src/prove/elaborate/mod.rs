@@ -13,7 +13,7 @@ mod otherwise;
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::names_in_prop;
+use crate::kernel::names::names_in_prop;
 use crate::kernel::{Accepted, Checker, Reason, Refusal, key};
 use crate::prove::brief::looked_at;
 use crate::prove::draft;
@@ -389,6 +389,6 @@ fn is_equation(p: &Prop) -> bool {
 
 fn mentions(p: &Prop, name: &str) -> bool {
     let mut names = std::collections::BTreeSet::new();
-    crate::kernel::statement::names_in_prop(p, &mut names);
+    crate::kernel::names::names_in_prop(p, &mut names);
     names.contains(name)
 }

@@ -186,7 +186,7 @@ impl Writer<'_> {
         for binding in &extremum.over {
             self.domain(binding, &at_point, given)?;
         }
-        let mut values = crate::kernel::statement::Substitution::default();
+        let mut values = crate::kernel::substitution::Substitution::default();
         extremum.at.iter().for_each(|(n, value)| values.replace(&n.text, value));
         let of = values.expr(&extremum.of).map_err(Open::Refused)?;
         self.comparison(&compare(of, Relation::Equal, extremum.value.clone()), given)
