@@ -1,8 +1,8 @@
 //! Expressions and propositions at exact points.
 //!
 //! Contract: a value is exact, or an interval that contains it; a truth value is given only when it is
-//! certain. *Undefined* means that the expression has no value at the point; *unknown* that intervals
-//! do not decide. Neither is ever taken for false.
+//! certain. *Undefined* means that the expression has no value at the point. *Unknown* means that intervals
+//! do not decide. Neither counts as false.
 
 use super::expand::Sequence;
 use super::number::{
@@ -34,7 +34,7 @@ pub struct Assignment {
     pub indices: HashMap<String, Rational>,
     /// Variables and families that are natural numbers by their declaration.
     pub naturals: Rc<HashSet<String>>,
-    /// Families: the values that members take in turn.
+    /// Families: values for their members, repeated cyclically.
     pub families: HashMap<String, Vec<Rational>>,
     /// Families that are geometric: the ratio of a member to the one before it; the first of the
     /// family's values is member 0.
@@ -49,7 +49,7 @@ pub struct Assignment {
     pub members: Members,
     /// Index ranges of families: first and last.
     pub ranges: HashMap<String, (Expr, Expr)>,
-    /// The members that were looked up.
+    /// The members that were evaluated.
     pub seen: RefCell<BTreeMap<(String, i64), Rational>>,
     /// How many expressions may still be evaluated, here and in copies of the point.
     pub steps: Rc<Cell<u32>>,
@@ -412,7 +412,7 @@ impl Assignment {
                 for part in list {
                     match self.truth(part) {
                         Ok(truth) => holds |= truth,
-                        // Whether a part without a value spoils the others is a matter of taste: nothing rests on it.
+                        // Whether a part without a value makes the whole undefined is a convention; no verdict depends on it.
                         Err(missing) => unknown = Some(missing),
                     }
                 }

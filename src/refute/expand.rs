@@ -1,4 +1,4 @@
-//! Definitions put in place: a claim without `let`, and substitution that captures nothing.
+//! Expands definitions: a claim without `let`, and substitution that avoids capture of bound names.
 //!
 //! Contract: [`Statement::of`] yields the claim's hypotheses, goal and argument with every `let`
 //! expanded, so that later floors meet variables, families and sequences only. [`Substitution`]
@@ -41,7 +41,7 @@ impl Sequence {
         names
     }
 
-    /// Whether the step speaks of the sequence by the member before only, u(k).
+    /// Whether the step mentions the sequence only by the member before, u(k).
     pub(crate) fn steps_once(&self) -> bool {
         fn fine(e: &Expr, name: &str, index: &str) -> bool {
             if let ExprKind::Apply(function, arguments) = &e.kind
@@ -57,7 +57,7 @@ impl Sequence {
     }
 }
 
-/// A claim with its definitions put in place.
+/// A claim with its definitions expanded.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// The claim's name.
@@ -74,7 +74,7 @@ pub struct Statement {
     pub proof: Proof,
     /// Claims it may cite.
     pub using: Vec<String>,
-    /// A point at which the hypotheses hold, as the author says.
+    /// The author's point that satisfies the hypotheses (`sample`).
     pub sample: Vec<(String, Expr)>,
 }
 
@@ -98,7 +98,7 @@ pub struct Substitution {
 type Result<T> = std::result::Result<T, Limit>;
 
 impl Statement {
-    /// Whether anything is supposed.
+    /// Whether there are hypotheses.
     pub(crate) fn has_hypotheses(&self) -> bool {
         !self.bindings.is_empty() || !self.assumptions.is_empty()
     }
@@ -159,7 +159,7 @@ impl Substitution {
         self.map.insert(name.to_string(), Replacement::Family(other.to_string()));
     }
 
-    /// Puts a definition in place of a name or of its applications.
+    /// Replaces a name, or its applications, by its definition.
     pub fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
         names_in(&value, &mut self.mentioned);
         self.map.insert(name.to_string(), Replacement::Definition(parameters, value));
@@ -179,7 +179,7 @@ impl Substitution {
             inner.map.remove(&name.text);
             if self.mentioned.contains(&name.text) && !inner.map.is_empty() {
                 self.fresh += 1;
-                // No name that anybody can write has an apostrophe before its end.
+                // No written name has an apostrophe before its end.
                 let fresh = format!("{}'{}", name.text, self.fresh);
                 let value = Expr { kind: ExprKind::Name(fresh.clone()), span: name.span };
                 inner.fresh = self.fresh;
@@ -258,9 +258,9 @@ impl Substitution {
         Ok(Expr { kind, span: expr.span })
     }
 
-    /// The variable that moves in a derivative or a limit: it stays a name, and a renaming is followed. What is put
-    /// in for other names must not move with it, and no other name may become it: that would be another derivative.
-    /// The text of a `let` is what the claim says, and may contain the variable.
+    /// The variable of a derivative or a limit. It must stay a name, perhaps a renamed one. Values substituted for other
+    /// names must not depend on it, and no other name may become it: that would change the derivative. The value of a
+    /// `let` belongs to the claim and may contain the variable.
     fn moving(&self, variable: &Name, body: &Expr) -> Result<Name> {
         const MOVES: Limit = Limit("a value put in for what a derivative or a limit holds fast");
         let renamed = match self.map.get(&variable.text) {
@@ -269,7 +269,7 @@ impl Substitution {
             None => None,
         };
         let text = renamed.as_ref().unwrap_or(&variable.text);
-        // A sequence in the body may be made of what the variable would become, unless that is a name of our own.
+        // A sequence in the body may depend on the variable's new name, unless that is a fresh name.
         if renamed.as_ref().is_some_and(|name| !name.trim_end_matches('\'').contains('\'')) && has_member(body) {
             return Err(MOVES);
         }
@@ -279,7 +279,7 @@ impl Substitution {
         for name in &names {
             let moves = match self.map.get(name) {
                 None => name == text,
-                // A sequence may be made of the variable.
+                // A sequence may depend on the variable.
                 Some(Replacement::Family(_)) => true,
                 Some(Replacement::Definition(..)) if renamed.is_none() => false,
                 Some(Replacement::Value(value) | Replacement::Definition(_, value)) => {
@@ -501,7 +501,7 @@ impl Substitution {
     }
 }
 
-/// Whether a member of a family or sequence occurs: of what it is made is not seen in it.
+/// Whether a member of a family or sequence occurs, whose definition the expression does not show.
 fn has_member(expr: &Expr) -> bool {
     let mut found = matches!(&expr.kind, ExprKind::Apply(name, _) if !FUNCTIONS.iter().any(|f| f.0 == name.text));
     parts(expr, &mut |part| found |= has_member(part));

@@ -11,7 +11,7 @@
 //! pole. A coefficient is a polynomial in ln n, which grows slower than every power of n: times a positive power of t it
 //! vanishes. Where a sign, or the limit itself, would depend on ln n, there is no answer.
 //!
-//! Coefficients are enclosures; one that cannot be told from 0 is not taken for 0, and leads nothing.
+//! Coefficients are enclosures. One that contains 0 is not taken for 0, and cannot be a leading coefficient.
 //!
 //! Cost: a fixed number of coefficients (`TERMS`).
 
@@ -35,15 +35,15 @@ const WHOLE: i64 = 60;
 /// The highest degree of a sum in closed form.
 const DEGREE: usize = 8;
 
-/// A power of t below which everything vanishes that falls exponentially.
+/// The order in t given to terms that decrease exponentially.
 const VANISHED: i64 = 1_000_000;
 
-/// What an expression tends to.
+/// The limit of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Tends {
     /// To this value.
     To(Number),
-    /// Beyond every bound.
+    /// It grows beyond every bound.
     Infinitely,
 }
 
@@ -57,13 +57,13 @@ struct Series {
     terms: Vec<Coefficient>,
 }
 
-/// What an expression tends to as its variable grows, the other variables at the values of a point.
+/// The limit of an expression as its variable grows, with the other variables at the values of a point.
 pub(crate) fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
     let mut point = point.clone();
     point.values.remove(&limit.variable.text);
     let at = At { point: &point, variable: &limit.variable.text };
     let Some(series) = at.series(&limit.of) else {
-        // What grows like an exponential has a reciprocal that tends to 0.
+        // The reciprocal of an exponentially growing expression tends to 0.
         let reciprocal = at.product(&[(Factor::Over, limit.of.clone())])?;
         return (reciprocal.order > 0).then_some(Tends::Infinitely);
     };
@@ -211,7 +211,7 @@ fn composed(coefficients: &[Rational], u: &Series) -> Option<Series> {
     Some(sum)
 }
 
-/// Coefficients from the first, each by what the last is multiplied with.
+/// The coefficients 1, next(1), next(1)·next(2), …: each is the one before times the next factor.
 fn coefficients(next: impl Fn(i64) -> Rational) -> Vec<Rational> {
     let mut list = vec![Rational::ONE];
     for k in 1..i64::try_from(TERMS).unwrap_or(1) {
@@ -509,7 +509,7 @@ fn degree_in(e: &Expr, index: &str) -> Option<usize> {
     }
 }
 
-/// The slope of a linear form with numerals in the index.
+/// The slope of an expression that is linear in the index, with numerals as coefficients.
 fn slope_in(e: &Expr, index: &str) -> Option<Expr> {
     match &e.kind {
         ExprKind::Name(n) if n == index => Some(numeral(1)),

@@ -1,9 +1,9 @@
-//! Claims at exact points: where the hypotheses hold, and where the goal then fails.
+//! Claims at exact points: points that satisfy the hypotheses, and points at which the goal then fails.
 //!
 //! A claim is expanded ([`expand`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
 //! points are tried ([`search`], [`evaluate`]), members of families by their recurrences (`recurrence`); limits are found at a point
-//! (`limit`). `case` says what came of it.
-//! Proofs are found in [`crate::prove`].
+//! (`limit`). `case` runs these for one claim.
+//! [`crate::prove`] finds proofs.
 pub(crate) mod case;
 pub mod catalogue;
 pub mod evaluate;

@@ -1,4 +1,4 @@
-//! Comparisons: by signs, by linear programs over products of what is known, from powers, by cases.
+//! Comparisons: by signs, by linear programs over products of facts, from powers, by cases.
 
 use super::facts::{is_settled, minus, opposite, sign_of};
 use super::letters::{as_power, natural, product, whole_power};
@@ -14,14 +14,14 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 use std::collections::BTreeSet;
 
-/// The most columns of a linear program, by level.
+/// Largest number of columns of a linear program, for each level of effort.
 const COLUMNS: [usize; 3] = [80, 300, 600];
 
-/// Of how many letters the squares of all sums and differences are tried from the second level on.
+/// From the second level of effort on, the squares of all sums and differences of at most this many letters are tried.
 const FEW_LETTERS: usize = 4;
 
 impl Prover {
-    /// Shows a single comparison.
+    /// Proves a single comparison.
     pub(crate) fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
@@ -50,7 +50,7 @@ impl Prover {
         let quiet = self.splits >= 8;
         let top = if self.splits >= 9 { 1 } else { 2 };
         for level in 0..=top {
-            // What roots are about, few linear programs see.
+            // Linear programs seldom decide comparisons about roots.
             if level == 2
                 && !quiet
                 && let Ok(label) = self.by_roots(goal, a, *relation, b)
@@ -138,7 +138,7 @@ impl Prover {
         Err(Fail::NotShown(crate::claim::print::prop(goal)))
     }
 
-    /// A comparison in which roots stand.
+    /// Proves a comparison that contains roots.
     fn by_roots(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         if relation == Relation::NotEqual || self.roots_in(&minus(a, b)).is_empty() {
             return Err(Fail::No("a root"));
@@ -159,7 +159,7 @@ impl Prover {
         names.iter().all(|n| FUNCTIONS.iter().any(|f| f.0 == n) || sequences.iter().any(|s| s.name == *n))
     }
 
-    /// Notes the bases of even powers as they are written: what is squared is lost where it is multiplied out.
+    /// Records the bases of even powers as they are written, because multiplying out hides what was squared.
     pub(crate) fn note_squares(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Negate(a) => self.note_squares(a),
@@ -182,10 +182,10 @@ impl Prover {
         }
     }
 
-    /// The columns of a linear program: what is known, and products of it.
+    /// The columns of a linear program: the facts, and products of facts.
     fn columns(&mut self, wanted: &[Polynomial], level: usize) -> Vec<Known> {
         let all = self.all_known(wanted);
-        // What shares letters with what is wanted, or with what shares letters with it.
+        // Facts that share letters with the goal, and facts that share letters with these.
         let mut near: BTreeSet<u32> = wanted.iter().flat_map(Polynomial::variables).collect();
         for _ in 0..3 {
             for k in &all {
@@ -336,7 +336,7 @@ impl Prover {
         weights.iter().filter_map(term).collect()
     }
 
-    /// The goal as a sum of products of what is known.
+    /// Proves the goal as a sum of products of facts.
     pub(crate) fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let (a, b, relation) = (&sides[0], &sides[1], relations[0]);
@@ -398,8 +398,8 @@ impl Prover {
         self.combination(goal.clone(), terms)
     }
 
-    /// An equation p = 0 from p·h = 0, where h is not 0: the quotient of something that is 0 by p in a variable of which p is
-    /// a linear form. Whether there is a remainder, the kernel tells: letters such as roots of numbers have powers.
+    /// Proves an equation p = 0 from p·h = 0 and h != 0, for p linear in some variable. It divides an expression known to
+    /// be 0 by p; the quotient is h. The kernel decides whether the division is exact, since it knows the powers of roots.
     fn by_cofactor(&mut self, goal: &Prop, p: &Polynomial, zero: &Known, rest: &[Expr]) -> Result<Label, Fail> {
         for v in p.variables() {
             let parts = p.coefficients_in(v);
@@ -443,7 +443,7 @@ impl Prover {
         self.logic(&[&block], goal)
     }
 
-    /// Shows anything where facts contradict each other.
+    /// Proves any goal from facts that contradict each other.
     pub(crate) fn absurd(&mut self, level: usize, goal: &Prop, about: Option<&Prop>) -> Result<Label, Fail> {
         let mut wanted = Vec::new();
         if let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = about
@@ -460,7 +460,7 @@ impl Prover {
         self.logic(&[&shown], goal)
     }
 
-    /// A comparison of powers with one exponent from that of their bases.
+    /// Proves a comparison of two powers with the same exponent from the comparison of their bases.
     fn by_bases(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         match (as_power(a), as_power(b)) {
             (Some((x, p)), Some((y, q))) if p == q => {
@@ -472,9 +472,9 @@ impl Prover {
     }
 }
 
-/// A polynomial in which every term has the same degree in the letters of a form h, where an equation among the facts says
-/// that h is a number other than 0: terms of a lower degree are multiplied by h over that number. From c² + s² = 1 one has
-/// A² + B² − (A·c + B·s)² = (A·s − B·c)². `None` where nothing changes.
+/// Makes a polynomial homogeneous. If a fact says h = k for a homogeneous polynomial h and a number k other than 0, terms of
+/// lower degree in the letters of h are multiplied by h/k. For example, with c² + s² = 1 the polynomial
+/// A² + B² − (A·c + B·s)² becomes (A·s − B·c)². Returns `None` if nothing changes.
 fn made_homogeneous(p: &Polynomial, facts: &[Known]) -> Option<Polynomial> {
     let mut out = p.clone();
     for fact in facts.iter().filter(|k| k.kind == Kind::Zero) {

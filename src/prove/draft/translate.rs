@@ -379,7 +379,7 @@ impl Draft {
         Ok(out)
     }
 
-    /// What a sequence gives at the next index has a value whatever the index and the member before it are.
+    /// Checks that the step of a sequence has a value for every index and every previous member.
     pub(super) fn step_has_a_value(&mut self, index: &str, step: &Expr) -> Result<(), Failure> {
         self.binders += 1;
         let result = self.under(index, Atom::Bound(self.binders), step, DEPTH_LIMIT);
@@ -534,8 +534,8 @@ impl Draft {
         Ok(Fraction::sum(&terms, &self.work)?)
     }
 
-    /// Why derivatives cannot be taken now: an atom is replaced by what equals it only where a
-    /// hypothesis holds, so that it no longer shows what depends on what.
+    /// Why derivatives cannot be taken now: an atom is replaced by an expression that equals it only under a
+    /// hypothesis, which hides the dependence on the variable.
     fn dependence(&self) -> Option<String> {
         let always = |place: usize, value: &Fraction| {
             let log = |f: &Fraction| match f.factors.iter().next() {

@@ -1,9 +1,9 @@
 //! Drafts written as certificates: the last stage of the search.
 //!
 //! Contract: [`elaborate`] returns a certificate that the kernel accepted step by step, or says at which step of the
-//! draft it got stuck. Nothing is searched: each step of a draft becomes one step of the certificate (two or three where
-//! the kernel's rules are smaller) with the facts that it rests on written out. The kernel says which those are. Steps
-//! that the goal does not rest on are still there.
+//! draft it got stuck. There is no search: each step of a draft becomes one step of the certificate, or two or three where
+//! the kernel's rules are smaller. Each step cites the facts that the kernel needs for it. Steps that the goal does not
+//! need are kept.
 
 mod limit;
 mod otherwise;
@@ -20,7 +20,7 @@ use std::collections::{BTreeSet, HashMap};
 /// Where an elaboration got stuck.
 #[derive(Clone, Debug)]
 pub enum Stuck {
-    /// The kernel refuses the step that a step of the draft became.
+    /// The kernel rejects the step made from a step of the draft.
     Refused {
         /// Its label in the draft.
         step: Label,
@@ -29,13 +29,13 @@ pub enum Stuck {
         /// What the kernel says.
         refusal: Box<Refusal>,
     },
-    /// The draft is not well formed: a fact that is not there, a step without its proposition.
+    /// The draft is malformed: it cites an unknown fact, or a step has no proposition.
     Malformed(Label),
-    /// The kernel refuses the statement.
+    /// The kernel rejects the statement.
     Statement(Refusal),
-    /// The kernel refuses the end.
+    /// The kernel rejects the end of the certificate.
     Unfinished(Refusal),
-    /// The time for the claim is over.
+    /// The time limit was reached.
     Time,
 }
 
@@ -55,21 +55,21 @@ struct Block {
     equations: Vec<Equation>,
 }
 
-/// An equation that the draft put in from where it was introduced on.
+/// An equation that the draft substitutes in all steps after it.
 #[derive(Clone, PartialEq)]
 struct Equation {
     label: Label,
     kind: Kind,
 }
 
-/// What an equation does.
+/// The purpose of a substituted equation.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
-    /// A power that others are written by gets a name: it is not looked into.
+    /// It names a generator, so that the kernel treats this power as one letter.
     Named,
-    /// A power is written by others.
+    /// It writes a power in generators.
     Written,
-    /// A variable or another atom is replaced.
+    /// It replaces a variable or another atom.
     Replaced,
 }
 
@@ -92,7 +92,7 @@ struct Elaborator {
     deadline: Option<Moment>,
 }
 
-/// The certificate that the steps of a draft become; `cited` holds what was accepted of the claims under `using`.
+/// Writes the steps of a draft as a certificate; `cited` holds the accepted claims under `using`.
 ///
 /// # Errors
 /// Where it got stuck.
@@ -140,7 +140,7 @@ pub(crate) fn elaborate(
 }
 
 impl Elaborator {
-    /// A draft has no facts about families among the hypotheses; all others are found by what they say.
+    /// Matches the draft's hypotheses with the kernel's by their text; the draft has no facts about families.
     fn hypotheses(&mut self, claim: &Claim) -> Result<(), Stuck> {
         let statement = crate::kernel::statement::Statement::of(claim).map_err(Stuck::Statement)?;
         let domains = statement.bindings.iter().flat_map(crate::kernel::statement::domain);
@@ -179,7 +179,7 @@ impl Elaborator {
         self.facts.iter().filter(|f| speaks(&f.prop)).map(|f| f.label.clone()).collect()
     }
 
-    /// The equations that a step is tried with, one list after the other.
+    /// The lists of equations with which a step is tried, in this order.
     fn lists(&self, rule: &Rule) -> Vec<Vec<Label>> {
         let of = |kinds: &[Kind]| {
             let kept = self.equations.iter().filter(|e| kinds.contains(&e.kind));
@@ -238,7 +238,7 @@ impl Elaborator {
         Ok(label)
     }
 
-    /// Takes over the facts that the kernel has and this list does not.
+    /// Adds the kernel's new facts to the list.
     fn take_in(&mut self) {
         let new = self.checker.facts().skip(self.facts.len());
         let new: Vec<Fact> =
@@ -283,7 +283,7 @@ impl Elaborator {
         }
         let cited = step.from.first().map(String::as_str).unwrap_or_default();
         match step.rule {
-            // What a fact says of signs is read wherever the fact is cited.
+            // The kernel reads the sign of a fact wherever the fact is cited, so this needs no step.
             draft::Rule::Note => return Ok(()),
             draft::Rule::Replace => {
                 let label = self.label(cited)?;
@@ -295,7 +295,7 @@ impl Elaborator {
         let prop = step.prop.as_ref().ok_or_else(|| Stuck::Malformed(step.label.clone()))?;
         let rule = match step.rule {
             draft::Rule::Power => {
-                // A power that others are written by.
+                // A generator.
                 if let PropKind::Compare(sides, _) = &prop.kind
                     && let [a, b] = sides.as_slice()
                     && key::expr(a) == key::expr(b)
@@ -357,7 +357,7 @@ impl Elaborator {
                     self.labels.insert(format!("{}d{place}", step.label), format!("{label}d{place}"));
                 }
             }
-            // From here on the draft wrote the power as the other side.
+            // From here on the draft replaced the power by the other side.
             draft::Rule::Power => self.put_in(label, Kind::Written),
             _ => {}
         }
@@ -371,7 +371,7 @@ impl Elaborator {
         fresh
     }
 
-    /// Gives a power a name and shows its sign, so that it is not looked into from here on.
+    /// Names a power and proves its sign, so that the kernel treats it as one letter from here on.
     fn named(&mut self, old: &str, power: &Expr) -> Result<(), Stuck> {
         let new = name(&self.fresh_name("r"));
         let label = self.emit(old, Rule::Name, &compare(power.clone(), Relation::Equal, new.clone()))?;
@@ -390,7 +390,7 @@ impl Elaborator {
         Ok(())
     }
 
-    /// Puts an equation in from here on. A variable that is replaced again is replaced by its last value.
+    /// Substitutes an equation in all later steps. If a variable is replaced again, its last value counts.
     fn put_in(&mut self, label: Label, kind: Kind) {
         let left = |p: Option<Prop>| match p.map(|p| p.kind) {
             Some(PropKind::Compare(sides, _)) => sides.first().map(key::expr),
@@ -414,12 +414,12 @@ impl Elaborator {
         self.equations.iter().map(|e| e.label.clone()).collect()
     }
 
-    /// All facts, for rules whose premises are found by what they say; [`Elaborator::short`] leaves those it needs.
+    /// All facts, for rules that find their premises by text; [`Elaborator::short`] keeps those that the rule needs.
     fn domain_facts(&self) -> Vec<Label> {
         self.facts.iter().map(|f| f.label.clone()).collect()
     }
 
-    /// The rule without the facts under `from` that it does not need, tried one half after the other.
+    /// The rule without unneeded facts under `from`; it tries to drop one half after the other.
     fn short(&mut self, rule: Rule, prop: &Prop) -> Rule {
         let all = match &rule {
             Rule::Instance { from, .. } | Rule::Witness { from, .. } | Rule::Extremum { from } => from.clone(),
@@ -455,7 +455,7 @@ impl Elaborator {
         with_from(kept)
     }
 
-    /// The facts that a step of logic of the draft looked up.
+    /// The facts that a logical step of the draft used.
     fn premises(&self, step: &draft::Step, goal: &Prop) -> Result<Vec<Label>, Stuck> {
         let missing = || Stuck::Malformed(step.label.clone());
         let cited: Vec<Label> = step.from.iter().map(|f| self.label(f)).collect::<Result<_, _>>()?;
@@ -499,7 +499,7 @@ impl Elaborator {
         Ok(from)
     }
 
-    /// The comparison of numbers that a fact comes to, which is false.
+    /// The false comparison of numbers to which a fact simplifies.
     fn absurd(&mut self, step: &draft::Step) -> Result<Rule, Stuck> {
         let missing = || Stuck::Malformed(step.label.clone());
         let label = self.label(step.from.first().map(String::as_str).unwrap_or_default())?;
