@@ -127,8 +127,8 @@ pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
             match word(&rest[..end]) {
                 Ok(word) => Kind::Word(word),
                 Err(message) => {
-                    let help = "a name holds Latin letters, digits and Greek letters, begins with a letter, and may \
-                                have `_` between them and `'` at its end; powers are written x^2 or x², indices x1 or x₁";
+                    let help = "a name begins with a Latin or Greek letter; letters, digits and single `_` may follow, and \
+                                `'` at the end; powers are written x^2 or x², indices x1 or x₁";
                     let fault = Fault::Other { message, help: Some(help.to_string()) };
                     faults.push(Diagnostic::new(fault, Span { start, end: at }));
                     // Read on as if it were right: one mistake, one message.
@@ -193,21 +193,21 @@ fn word(text: &str) -> Result<String, String> {
     let mut out = String::new();
     let mut before = ' ';
     for c in text.chars() {
-        // In print x₁2 is no name: it is x₁ times 2, or an index of which nobody can tell where it ends.
+        // In print x₁2 could be x₁ times 2, or one name whose index is 12.
         let is_mixed = |a: char, b: char| a.is_ascii_digit() && lowered(b).is_some();
         if is_mixed(before, c) || is_mixed(c, before) {
-            return Err(format!("the name {text} has digits on the line and below it, one after the other"));
+            return Err(format!("the name {text} mixes digits on the line with subscript digits"));
         }
         match GREEK.iter().find(|g| g.1 == c) {
             Some((name, _)) => out.push_str(name),
             None if c.is_ascii() => out.push(c),
             None if lowered(c).is_some() => out.extend(lowered(c)),
-            None => return Err(format!("the name {text} holds the sign {c:?}")),
+            None => return Err(format!("the name {text} contains the character {c:?}")),
         }
         before = c;
     }
     if out.split('_').any(str::is_empty) {
-        return Err(format!("the name {text} has a `_` that stands between nothing"));
+        return Err(format!("the name {text} begins or ends with `_`, or has two in a row"));
     }
     // Names with more behind an apostrophe are those that the prover makes.
     if out.trim_end_matches('\'').contains('\'') {
