@@ -720,7 +720,7 @@ def judged(carom, claims):
         report = json.loads(out.stdout or '{"claims": [], "errors": []}')
         verdicts = {int(c["id"][1:]): (c["verdict"], c["witness"], c["unused"]) for c in report["claims"]}
         for error in report["errors"]:
-            if "cannot all hold" in error["message"]:
+            if "contradict each other" in error["message"]:
                 verdicts[int(error["claim"][1:])] = ("contradictory", None, [])
         if len(verdicts) < len(claims):
             missing = next(claim for i, claim in enumerate(claims) if i not in verdicts)

@@ -47,7 +47,7 @@ fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     let printed = out(&plain);
     assert_eq!(plain.status.code(), Some(1), "{printed}");
     assert!(printed.contains("undecided       root") && printed.contains("proved          halves"), "{printed}");
-    assert!(printed.contains("not shown: limit of"), "{printed}");
+    assert!(printed.contains("could not prove: limit of"), "{printed}");
     for debug in ["Rejected(", "Declined(", "Some("] {
         assert!(!printed.contains(debug), "{printed}");
     }
@@ -100,12 +100,12 @@ fn a_damaged_certificate_is_rejected_with_its_first_bad_step() {
     let (_, good) = embedded::certificates().into_iter().find(|c| c.0 == "eq13").unwrap();
     for (from, to, code, said) in [
         ("(1 + e1)^2*(1 + e2)^2*m1", "(1 + e1)^2*(1 + e2)*m1", 1, "rejected  eq13"),
-        ("sha256 0", "sha256 1", 1, "the digest is that of another statement"),
+        ("sha256 0", "sha256 1", 1, "the digest belongs to another statement"),
         ("claim eq13", "claim eq14", 1, "rejected  eq14"),
         ("claim eq13", "claim nobody", 1, "there is no claim of this name"),
         ("\nqed", "", 2, "qed"),
         ("1 combination", "1 guess", 2, "eq13.cert:4: there is no rule called `guess`"),
-        ("carom-certificate 2", "carom-certificate 1", 2, "eq13.cert:1: a certificate of format 1"),
+        ("carom-certificate 2", "carom-certificate 1", 2, "eq13.cert:1: this certificate has format 1"),
     ] {
         let damaged = good.replacen(from, to, 1);
         assert_ne!(damaged, good, "{from}");
@@ -152,7 +152,8 @@ fn certificates_of_ones_own_claims_are_written_and_checked() {
     for arguments in [["check", text(&cert)], ["audit", text(&claims)]] {
         let output = carom(&arguments);
         assert_eq!(output.status.code(), Some(2), "{}", out(&output));
-        for part in ["half.cert:1: a certificate of format 1", "reads format 2", "`carom audit --certificates DIR`"] {
+        for part in ["half.cert:1: this certificate has format 1", "reads format 2", "`carom audit --certificates DIR`"]
+        {
             assert!(err(&output).contains(part), "{}", err(&output));
         }
     }

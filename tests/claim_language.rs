@@ -133,14 +133,14 @@ fn faults_are_said_where_they_are() {
         (&with("given x > 1\nprove x = x"), "3:7 the name x is declared twice"),
         (&with("given e in [0, 1\nprove x = x"), "4:1 expected `]` or `)` to close the interval, found `prove`"),
         (&with("prov x = y"), "3:1 expected `;`, a clause or the end, found `prov`"),
-        (&with("prove x(y) = y"), "3:7 x is no function (write x*(…) for a product)"),
+        (&with("prove x(y) = y"), "3:7 x is a variable, not a function (for a product write x*(…))"),
         (
             &with("prove sqrt = y"),
             "3:7 nothing declares the name sqrt (declare it, for instance `given sqrt > 0` or `given sqrt real`)",
         ),
         (
             "claim c \"t\ngiven x > 0\nprove x = x",
-            "1:9 this text has no closing quotation mark (texts stand on one line, between \"…\")",
+            "1:9 this text has no closing quotation mark (write the text on one line, between \"…\")",
         ),
     ];
     for (source, expected) in cases {
@@ -172,10 +172,10 @@ fn indices_and_powers_are_read_as_they_are_printed() {
     assert!(parse(&with("prove m₁² <= x⁻¹")).is_ok());
     for (rest, said) in [
         ("prove m₁² + z₂ = x", "3:13 nothing declares the name z2"),
-        ("prove x²^3 = x", "3:9 a power above the line is followed by another sign of its kind"),
-        ("prove x²! = x", "3:9 a power above the line is followed by another sign of its kind"),
-        ("prove √x² = x", "3:9 what is under the root is not clear"),
-        ("prove x₁2 = x", "3:7 the name x₁2 has digits on the line and below it"),
+        ("prove x²^3 = x", "3:9 a raised exponent is followed by another exponent"),
+        ("prove x²! = x", "3:9 a raised exponent is followed by another exponent"),
+        ("prove √x² = x", "3:9 it is not clear how far the root reaches"),
+        ("prove x₁2 = x", "3:7 the name x₁2 mixes digits on the line with subscript digits"),
         ("prove ² = x", "3:7 expected an expression, found the power 2"),
         ("prove m_1 = x", "3:7 "),
         ("prove x⁻ = x", "3:8 "),
@@ -313,14 +313,14 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         |rest: &str| fault(&format!("claim c \"t\"\ngiven x, y > 0;  n natural\nlet f(t) = [t, 1]\nprove {rest}\n"));
     for (rest, said) in [
         ("[x, y; y, x]^n = [1, 0; 0, 1]", "the exponent of a matrix is a whole numeral"),
-        ("inverse([x, y]) = x", "an inverse belongs to a square matrix"),
-        ("trace(x) = x", "a trace belongs to a matrix whose entries are written (write the matrix as [a, b; c, d]"),
-        ("trace(f(x)) = x", "a trace belongs to a matrix whose entries are written"),
+        ("inverse([x, y]) = x", "an inverse needs a square matrix"),
+        ("trace(x) = x", "a trace needs a matrix whose entries are written out (write the matrix as [a, b; c, d]"),
+        ("trace(f(x)) = x", "a trace needs a matrix whose entries are written out"),
         ("|x = y", "expected `|` to close the absolute value"),
-        ("n!! = 1", "n!! is not there (write (n!)! or a product)"),
+        ("n!! = 1", "there is no n!! (write (n!)! or a product)"),
         ("binomial(n) = 1", "binomial takes 2 arguments"),
         ("max(x) = 1", "max takes 2 to 8 arguments"),
-        ("arcsin(x) = y", "name the angle, `given theta in [0, pi]`"),
+        ("arcsin(x) = y", "declare the angle, `given theta in [0, pi]`"),
         ("sec(x) = y", "write 1/cos(x)"),
         ("sin(x) = x", "x is an angle; use it only inside sin, cos or tan"),
         ("sin(x*y) = y", "this is not an angle (an angle is a sum of variables and pi"),
@@ -339,12 +339,15 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("floor(1/x) = n", "a floor is taken of what has a value everywhere"),
         ("integral(x) = y", "there are no integrals"),
         ("x = y + O(x)", "there is no O(…)"),
-        ("limit of x as x -> 0 is 0", "x is declared, and goes to a point here"),
-        ("limit of t as t natural -> 0 is 0", "t is declared, and goes to a point here"),
-        ("limit of t as t -> t + 1 is 0", "t stands in the point, and has another meaning"),
-        ("limit of sum(i = 1..3, i*t) as t -> i is 0", "i stands in the point, and has another meaning"),
+        ("limit of x as x -> 0 is 0", "x is already declared, so it cannot be the variable"),
+        ("limit of t as t natural -> 0 is 0", "t is already declared, so it cannot be the variable"),
+        ("limit of t as t -> t + 1 is 0", "t means one thing in the point and another"),
+        ("limit of sum(i = 1..3, i*t) as t -> i is 0", "i means one thing in the point and another"),
         ("limit of t as t -> 0 from left is 0", "expected `above` or `below`"),
-        ("limit of n as n -> infinity is infinity", "n is declared, and the limit is infinite here"),
+        (
+            "limit of n as n -> infinity is infinity",
+            "n is already declared, so it cannot be the variable of an infinite limit",
+        ),
         ("for all k integer: k^2 >= k", "an `integer` is declared under `given` only"),
     ] {
         assert!(with(rest).contains(said), "{rest}: {}", with(rest));
@@ -432,9 +435,9 @@ fn a_claim_takes_from_the_preamble_what_it_speaks_of_and_no_more() {
     assert_eq!(of("given x real\nprove x*v > x")[..2], ["given v real", "assume v > 3"]);
     assert_eq!(of("prove for all v > 0: v > 0"), ["prove for all v > 0: v > 0"], "bound there, not free");
     let said = fault(&format!("{preamble}claim c \"t\"\ngiven v > 0\nprove v > 0\n"));
-    assert!(said.contains("6:7 the preamble declares v already"), "{said}");
+    assert!(said.contains("6:7 the preamble already declares v"), "{said}");
     assert!(fault("given x > 0\nlet x = 1\nclaim c \"t\"\nprove 1 = 1\n").contains("2:5 the name x is declared twice"));
-    assert!(fault("given m_1 > 0\nclaim c \"t\"\ngiven m1 > 0\nprove 1 = 1\n").contains("the same in print"));
+    assert!(fault("given m_1 > 0\nclaim c \"t\"\ngiven m1 > 0\nprove 1 = 1\n").contains("look the same in print"));
 }
 
 #[test]
@@ -444,6 +447,6 @@ fn a_sample_gives_numbers_to_variables() {
     let sample: Vec<String> =
         claims[0].sample.iter().map(|(n, e)| format!("{} = {}", n.text, print::expr(e))).collect();
     assert_eq!(sample, ["x = sqrt(2)", "k_up = 0", "k_down = 2"]);
-    assert!(fault("claim c \"t\"\ngiven x, y real\nsample x = y\nprove x = x\n").contains("speaks of y"));
+    assert!(fault("claim c \"t\"\ngiven x, y real\nsample x = y\nprove x = x\n").contains("mentions y"));
     assert!(fault("claim c \"t\"\ngiven x real\nsample y = 1\nprove x = x\n").contains("nothing declares the name y"));
 }

@@ -150,8 +150,8 @@ fn measured_bounces_give_e_or_the_readings_that_exclude_each_other() {
     );
     for (file, sign) in [
         ("", "no heading"),
-        ("width\n1\n", "no column is called height"),
-        ("height,time\n1,2\n", "keep one of the two columns"),
+        ("width\n1\n", "expected a column height"),
+        ("height,time\n1,2\n", "keep only one of the two columns"),
         ("height\n1\n", "2 readings of a run are needed"),
         ("height\n1\n-1\n", "must be above 0"),
         ("height\n1\n0.5 ± 0.6\n", "must be above 0"),
@@ -192,7 +192,7 @@ fn a_drop_is_the_chain_in_the_frame_that_falls_with_the_upper_balls() {
         ("[drop]\nmasses = [3, 1]\nrestitution = [1, 1]\n", "1 coefficients of restitution are needed"),
         ("[drop]\nmasses = [3, 1]\nrestitution = 1\nfloor = 2\n", "from 0 to 1"),
         ("[drop]\nmasses = [3, 1]\nrestitution = 1\nhight = 2\n", "did you mean height?"),
-        ("units = { mass = \"5\" }\n[drop]\nmasses = [3, 1]\nrestitution = 1\n", "is no unit"),
+        ("units = { mass = \"5\" }\n[drop]\nmasses = [3, 1]\nrestitution = 1\n", "is not a unit"),
     ] {
         std::fs::write(&path, slip).expect("written");
         let out = carom(&["eval", &path]);
@@ -325,7 +325,7 @@ fn pictures_have_the_title_the_limits_and_the_own_points_that_are_asked_for() {
     let pdf = drawn(&["velocities", &scene("three-balls-measured")], "pdf");
     assert!(pdf.starts_with("%PDF-1.4") && pdf.contains("/ToUnicode"));
     for (more, sign) in [
-        (&["eta-x", "--ylim", "1,0"][..], "from a smaller to a greater"),
+        (&["eta-x", "--ylim", "1,0"][..], "write the smaller number first"),
         (&["eta-x", "--ylim", "1"], "write two numbers"),
         (&["eta-x", "--xlim", "0,1"], "begins above 0"),
         (&["eta-x", "--mark", "1e9,0.5"], "outside of the picture"),

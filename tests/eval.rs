@@ -245,12 +245,12 @@ fn given_masses_are_asked_about_themselves() {
     assert!(shown.contains("threshold[1]") && shown.contains("helps[2]"), "{shown}");
     let best = carom(&[&BETWEEN[..], &["9/10", "--masses", "5,2", "--want", "best-n"]].concat());
     assert_eq!((best.status.code(), best.stdout.len()), (Some(2), 0));
-    assert!(text(&best.stderr).contains("best-n: this is about inserted bodies of optimal mass"));
+    assert!(text(&best.stderr).contains("best-n: this needs inserted bodies of optimal mass"));
     let scene =
         "want = [\"helps\"]\n[chain]\nfirst = 3\nlast = 1\ninserted = [2]\nrestitution = 1\nvelocities = [2, 1, 0]\n";
     let moving = with_input(&["eval", "-"], scene);
     assert_eq!(moving.status.code(), Some(2));
-    assert!(text(&moving.stderr).contains("helps: this is defined for a first body"), "{}", text(&moving.stderr));
+    assert!(text(&moving.stderr).contains("helps: the first body must move forward"), "{}", text(&moving.stderr));
 }
 
 #[test]
@@ -335,7 +335,7 @@ fn bad_input_says_what_where_and_what_would_be_right() {
         ("digits = 100000000\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 3, &["limit reached"]),
         ("[chain]\nfirst = 2\nlast = 1\ninserted = 1000000000000000000000000000000\nrestitution = 1\n", 2, &["-:"]),
         ("[chain\n", 2, &["TOML"]),
-        ("want = []\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 2, &["-:1:8", "name at least one of eta"]),
+        ("want = []\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 2, &["-:1:8", "give at least one of eta"]),
         ("digits = 0\n[chain]\nfirst = 2\nlast = 1\nrestitution = 1\n", 2, &["-:1:10", "digits must be at least 1"]),
     ];
     for (scene, code, words) in cases {
@@ -362,15 +362,15 @@ fn flags_are_checked_as_well() {
         (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "x"], 2, "natural number"),
         (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "0", "--want", "threshold"], 2, "n >= 1"),
         (&["--m1", "1", "--m2", "1", "-e", "1", "-n", "99999999999999999999999999"], 3, "limit reached"),
-        (&["--m1", "2", "--m2", "1", "-e", "1,1/2", "-n", "1", "--want", "helps"], 2, "one coefficient"),
+        (&["--m1", "2", "--m2", "1", "-e", "1,1/2", "-n", "1", "--want", "helps"], 2, "the same coefficient"),
         (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "2000000", "--want", "masses"], 3, "listed bodies"),
         (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--digits", "100000000"], 3, "limit reached"),
         (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--digits", "0"], 2, "--digits 0"),
-        (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--want", ""], 2, "--want: name at least one of eta"),
+        (&["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--want", ""], 2, "--want: give at least one of eta"),
         (
             &["--m1", "2", "--m2", "1", "-e", "1", "-n", "1", "--want", "velocities", "--speed", "-3"],
             2,
-            "velocities: this is defined for a first body that moves forward",
+            "velocities: the first body must move forward",
         ),
         (&["--batch", "/dev/null", "--format", "json"], 2, "--format json"),
         (&["--batch", "/dev/null", "--explain"], 2, "--explain"),

@@ -290,7 +290,7 @@ fn what_no_picture_can_show_is_refused_with_what_to_write() {
     for (words, sign) in [
         (vec!["threshold", "--ratio", "1,1.00000001"], "write a wider range"),
         (vec!["threshold", "--ratio", "1,1.000001"], "draw one curve or a wider range"),
-        (vec!["eta-x", "--ratio", "1e-300,1e-299", "-e", "0", "-n", "0"], "print them with `carom table`"),
+        (vec!["eta-x", "--ratio", "1e-300,1e-299", "-e", "0", "-n", "0"], "print the values with `carom table`"),
         (vec!["eta-n", "-e", &long], "e takes 92 characters, and a picture has room for 40"),
     ] {
         let (code, message) = plot(&words, &file);

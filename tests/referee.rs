@@ -236,18 +236,21 @@ fn the_answers_it_writes_are_those_it_accepts() {
 fn bad_results_are_errors_with_line_and_column() {
     for (results, sign) in [
         ("", "no heading; write for instance: scene,velocities"),
-        ("name,velocities\n", "the columns scene and velocities are needed; there are name, velocities"),
+        ("name,velocities\n", "the columns scene and velocities are required; the columns are name, velocities"),
         (
             "scene,velocities\ntwo-equal-halb,1 2\n",
             "-:2: column 1 (scene): no scene is called two-equal-halb; did you mean two-equal-half?",
         ),
-        ("scene,velocities\ntwo-equal-half,1\n", "-:2: column 2 (velocities): 1 numbers where the scene has 2 bodies"),
+        (
+            "scene,velocities\ntwo-equal-half,1\n",
+            "-:2: column 2 (velocities): expected 2 numbers, one for each body, found 1",
+        ),
         ("scene,velocities\ntwo-equal-half,1 x\n", "-:2: column 2 (velocities): \"x\""),
         ("scene,velocities\ntwo-equal-half,\"1, 2\"\n", "-:2: column 2 (velocities): \"1,\""),
-        ("scene,velocities,count\ntwo-equal-half,1 2,1.5\n", "-:2: column 3 (count): \"1.5\" is no whole number"),
-        ("scene,velocities,collisions\ntwo-equal-half,1 2,12\n", "-:2: column 3 (collisions): \"12\" is no pair"),
+        ("scene,velocities,count\ntwo-equal-half,1 2,1.5\n", "-:2: column 3 (count): \"1.5\" is not a whole number"),
+        ("scene,velocities,collisions\ntwo-equal-half,1 2,12\n", "-:2: column 3 (collisions): \"12\" is not a pair"),
         ("scene,velocities,collisions\ntwo-equal-half,1 2,1-3\n", "neighbours collide"),
-        ("scene,velocities\ntwo-stop,0 1\n\ntwo-stop,0 1\n", "-:4: column 1 (scene): two-stop has a result already"),
+        ("scene,velocities\ntwo-stop,0 1\n\ntwo-stop,0 1\n", "-:4: column 1 (scene): two-stop already has a result"),
         ("scene,velocities\ntwo-stop\n", "line 2: 1 fields where the heading has 2"),
     ] {
         let out = carom(&["referee", "-"], results);

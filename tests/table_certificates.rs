@@ -451,7 +451,7 @@ fn the_command_tells_tables_from_claims_by_what_they_hold() {
     assert!(said(&both).ends_with("accepted  eq13\n1 of 1 certificates accepted\n"), "{}", said(&both));
 
     for (from, to, code, why) in [
-        ("\"printed\":\"0.298", "\"printed\":\"0.398", 1, "row 3, ratio 10, e 9/10, n 0: 0."),
+        ("\"printed\":\"0.298", "\"printed\":\"0.398", 1, "row 3, ratio 10, e 9/10, n 0: the file has 0.398"),
         ("\"rows\":6", "\"rows\":7", 1, "head: the axes make 6 rows, not 7"),
         ("\"significant\":6", "\"significant\":999999", 3, "head: limit reached: digits of a table"),
         ("{\"certificate\"", "{\"certificates\"", 1, "head: "),

@@ -255,12 +255,12 @@ fn bad_tables_are_refused_with_what_would_be_right() {
         (&["--ratio", "1", "-e", "1", "-n", "1", "--want", "threshold"], "does not depend on e"),
         (&["--ratio", "0,1", "-e", "1", "-n", "1"], "above 0"),
         (&["--ratio", "1", "-e", "0:2:0.5", "-n", "1"], "from 0 to 1"),
-        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "integers"),
+        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "whole numbers"),
         (&["--ratio", "1", "-n", "0", "--want", "threshold"], "at least 1"),
         (&["--ratio", "1:2", "-e", "1", "-n", "1"], "three parts"),
         (&["--ratio", "1", "-e", "1", "-n", "1", "--resume", "--output", "x.txt"], "--format csv"),
         (&["--ratio", "1", "-e", "1", "-n", "1", "--digits", "0"], "digit"),
-        (&["--ratio", "2,10", "-e", "0.9", "--want", "best-n", "--extra", "2"], "no further digits"),
+        (&["--ratio", "2,10", "-e", "0.9", "--want", "best-n", "--extra", "2"], "no more digits"),
         (&["--ratio", "2,1,4/2", "-e", "1", "-n", "1"], "4/2 is given twice"),
         (&["--check", "/no/such.csv"], "cannot read"),
         (&[], "--ratio"),
@@ -279,7 +279,7 @@ fn bad_tables_are_refused_with_what_would_be_right() {
         (&["--ratio", "-1:1:1", "-e", "1", "-n", "1"], "error: --ratio: a ratio of masses is above 0, not -1"),
         (&["--ratio", "1", "-e", "-0.5", "-n", "1"], "error: -e: a restitution e lies from 0 to 1, not -1/2"),
         (&["--ratio", "1", "-e", "1", "-n", "-3"], "error: -n: a number n of inserted bodies is at least 0"),
-        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "error: -n: n counts bodies"),
+        (&["--ratio", "1", "-e", "1", "-n", "1/2"], "error: -n: n is a number of bodies"),
         (&["--ratio", "1", "-e", "1", "-n", "1", "--want", "best-n"], "error: -n: best-n does not depend on n"),
     ] {
         let out = carom(&[&["table"], arguments].concat());
@@ -308,7 +308,7 @@ fn limits_are_told_from_bad_input() {
             "line 2: limit reached: digits of a numeral",
         ),
         ("ratio,n,threshold\n64,0,0.5\n", 2, "n >= 1"),
-        ("ratio,n,threshold\n64,1/2,0.5\n", 2, "n counts bodies"),
+        ("ratio,n,threshold\n64,1/2,0.5\n", 2, "n is a number of bodies"),
     ] {
         let (found, _, said) = checked(content, &[]);
         assert_eq!(found, Some(code), "{said}");
@@ -335,11 +335,11 @@ fn somebodys_table_is_judged_cell_by_cell() {
     let (code, shown, _) = checked(content, &[]);
     assert_eq!(code, Some(1));
     for sign in [
-        "not rounded as asked: it is the value rounded down",
+        "not rounded as requested: it is the value rounded down",
         "wrong from significant digit 3 on",
         "not a number",
         "0.1927",
-        "5 cells: 2 right, 1 not rounded as asked, 1 wrong; 1 unreadable; 1 empty",
+        "5 cells: 2 right, 1 rounded otherwise, 1 wrong; 1 unreadable; 1 empty",
     ] {
         assert!(shown.contains(sign), "{sign}: {shown}");
     }
@@ -359,7 +359,7 @@ fn somebodys_table_is_judged_cell_by_cell() {
     assert_eq!(code, Some(0), "{shown}");
     let (code, shown, _) = checked("ratio\te\tn\teta\tbest-n\n64\t0.9\t2\t19.27%\t80%\n64\t0.9\t2\t0,19\t5\n", &[]);
     assert_eq!(code, Some(1), "{shown}");
-    assert!(shown.contains("4 cells: 1 right, 0 not rounded as asked, 0 wrong; 3 unreadable"), "{shown}");
+    assert!(shown.contains("4 cells: 1 right, 0 rounded otherwise, 0 wrong; 3 unreadable"), "{shown}");
     let (code, shown, _) = checked("ratio,e,best-n\n64,0.9,6\n", &["--format", "json"]);
     assert_eq!(code, Some(1));
     let value: serde_json::Value = serde_json::from_str(&shown).expect("JSON");
@@ -424,7 +424,7 @@ fn a_table_for_a_spreadsheet_has_no_date_in_it_and_is_found_right() {
     assert!(report.contains(",'=1+1,"), "a formula stays a text: {report}");
     let resumed =
         carom(&["table", "--ratio", "2", "-e", "1", "-n", "1", "--format", "spreadsheet", "--resume", "-o", "t.csv"]);
-    assert!(text(&resumed.stderr).contains("--resume goes on with CSV"), "{}", text(&resumed.stderr));
+    assert!(text(&resumed.stderr).contains("--resume works with CSV only"), "{}", text(&resumed.stderr));
 }
 
 #[test]
@@ -434,7 +434,7 @@ fn tables_that_cannot_be_checked_say_why() {
         ("ratio,e,n\n1,1,1\n", "no column to check"),
         ("ratio,n,eta\n1,1,1\n", "no column e"),
         ("ratio,e,n,eta\n1,2,1,1\n", "line 2"),
-        ("ratio,e,n,eta\nx,1,1,1\n", "\"x\" is no number"),
+        ("ratio,e,n,eta\nx,1,1,1\n", "\"x\" is not a number"),
         ("m1,m2,e,n,eta\n1,0,1,1,1\n", "m2 is 0"),
         ("ratio,e,n,eta\n1,1,1\n", "3 fields"),
         ("ratio,e,n,eta\n", "no cell"),
@@ -575,7 +575,7 @@ fn what_an_earlier_run_left_is_gone_on_with_only_where_every_row_fits() {
     for (table, cells) in pairs {
         let out = resumed(table, cells);
         assert_eq!(out.status.code(), Some(2), "{table}{cells}");
-        assert!(text(&out.stderr).contains("begun with other settings"), "{}", text(&out.stderr));
+        assert!(text(&out.stderr).contains("written with other settings"), "{}", text(&out.stderr));
         assert!(!path.exists() && !certificate.exists());
         let left = [&partial, &grown].map(|path| std::fs::read_to_string(path).expect("there"));
         assert!(left == [table.clone(), cells.clone()], "nothing of it is touched");
@@ -826,13 +826,13 @@ fn what_is_missing_doubled_or_strange_is_no_table() {
     let fewer = shortened[head].replacen(',', "", 1).to_owned();
     shortened[head] = &fewer;
     refused(&with(1, "shortened", joined(&shortened)), "row 46 of the table");
-    refused(&with(1, "more", format!("{second}{}\n", lines[head])), "more than its rows");
+    refused(&with(1, "more", format!("{second}{}\n", lines[head])), "unexpected line after the last row");
     refused(&with(1, "cut", second[..second.len() - 3].to_owned()), "row 90 of the table");
-    refused(&with(1, "ended", joined(&lines[..lines.len() - 1])), "the file ends before it");
+    refused(&with(1, "ended", joined(&lines[..lines.len() - 1])), "the file ends before this row");
     refused(&with(1, "moved", second.replace("shard: 2/4, rows 46 to 90", "shard: 2/4, rows 45 to 90")), "no part");
     refused(&with(1, "rounded", second.replace("6 significant", "7 significant")), "digits, rounding or version");
     refused(&with(1, "axes", second.replace("0,0.50,1/3,1", "0,0.5,1/3,1")), "different tables");
-    refused(&with(1, "nothing", String::new()), "no part of a table");
+    refused(&with(1, "nothing", String::new()), "not a part of a table");
     let named = lines.iter().find(|l| l.starts_with("# table: ")).expect("it is bound");
     refused(&with(1, "bound twice", format!("{named}\n{second}")), "two lines begin with `# table:`");
     let shard = lines.iter().find(|l| l.starts_with("# shard: ")).expect("it is bound");
@@ -851,10 +851,10 @@ fn what_is_missing_doubled_or_strange_is_no_table() {
         assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo is there").success());
         refused(&[pipe.display().to_string()], "not a regular file");
     }
-    refused(&with(1, "none", "ratio,e,n,eta\n1,1,1,1\n".to_owned()), "no part of a table");
+    refused(&with(1, "none", "ratio,e,n,eta\n1,1,1,1\n".to_owned()), "not a part of a table");
     let mut mixed = tables.clone();
     mixed[3].clone_from(&certificates[3]);
-    refused(&mixed, "merge them apart");
+    refused(&mixed, "merge them separately");
     let (others, _) = shards(folder.path(), 5);
     refused(&[&tables[..3], &others[3..4]].concat(), "different partitions");
     let damaged = std::fs::read_to_string(&certificates[2]).expect("there").replacen("\"row\":100,", "\"row\":101,", 1);
@@ -864,9 +864,9 @@ fn what_is_missing_doubled_or_strange_is_no_table() {
     files[2] = path_of.display().to_string();
     refused(&files, "row 101 of the table");
     for (arguments, sign) in [
-        (&["--shard", "5/4"][..], "from 1 to the second"),
-        (&["--shard", "0/4"], "from 1 to the second"),
-        (&["--shard", "1"], "i/n"),
+        (&["--shard", "5/4"][..], "I must lie from 1 to N"),
+        (&["--shard", "0/4"], "I must lie from 1 to N"),
+        (&["--shard", "1"], "I/N"),
         (&["--shard", "1/2", "--format", "json"], "--format csv"),
         (&["--shard", "1/2", "--check", "x.csv"], "--check"),
         (&["--merge", "x.csv"], "--merge"),

@@ -146,7 +146,7 @@ class Chain:
         if n is not None and masses is not None and count_of(n, "n") != len(masses):
             raise ValueError(f"n and masses: {n} bodies and {len(masses)} masses do not agree; give one of them")
         if speed is not None and velocities is not None:
-            raise ValueError("speed and velocities exclude each other")
+            raise ValueError("speed and velocities cannot be combined")
         common = isinstance(e, str) or not hasattr(e, "__iter__")
         ends = (text_of(m1, "m1"), text_of(m2, "m2"))
         self._arguments: Tuple[Any, ...] = (

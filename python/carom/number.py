@@ -46,7 +46,7 @@ def text_of(value: Any, name: str) -> str:
     if type(value) is int and -_SHORT < value < _SHORT:
         return str(value)
     if isinstance(value, bool):
-        raise WrongType(f"{name}: {value} is no number")
+        raise WrongType(f"{name}: {value} is not a number")
     value = _foreign(value)
     if isinstance(value, tuple) and len(value) == 2:
         return f"[{text_of(value[0], name)}, {text_of(value[1], name)}]"
@@ -57,7 +57,7 @@ def text_of(value: Any, name: str) -> str:
         return f"{parts[0]}/{parts[1]}" if parts[1] != 1 else str(parts[0])
     if isinstance(value, decimal.Decimal):
         if not value.is_finite():
-            raise ValueError(f"{name}: {value} is no number; a finite one is expected")
+            raise ValueError(f"{name}: {value} is not a number; a finite one is expected")
         return str(value)
     if isinstance(value, numbers.Real):
         meant = Fraction(repr(float(value))) if math.isfinite(value) else None
@@ -66,7 +66,7 @@ def text_of(value: Any, name: str) -> str:
     try:
         return str(operator.index(value))
     except TypeError:
-        raise WrongType(f"{name}: {value!r} is no number; give an int, a str or a Fraction") from None
+        raise WrongType(f"{name}: {value!r} is not a number; give an int, a str or a Fraction") from None
 
 
 def count_of(value: Any, name: str) -> int:

@@ -277,7 +277,7 @@ def check_table(table: Any, *, rounding: str = "nearest") -> List[CheckedCell]:
             if quantity != "best-n":
                 count = _exact(fields.get("n", ""), line)
                 if count.denominator != 1 or count < 0:
-                    raise ValueError(f"line {line}: n counts bodies, {count} does not")
+                    raise ValueError(f"line {line}: n is a number of bodies, not {count}")
                 n = count_of(int(count), "n")
             e = fields.get("e") if quantity != "threshold" else None
             if quantity != "threshold" and not e:
@@ -317,7 +317,7 @@ def _exact(text: str, line: int) -> Fraction:
     try:
         return Fraction(text)
     except (ValueError, ZeroDivisionError):
-        raise ValueError(f"line {line}: {text!r} is no number") from None
+        raise ValueError(f"line {line}: {text!r} is not a number") from None
 
 
 def export(claims: Text, language: str) -> str:

@@ -141,7 +141,7 @@ impl Chain {
         }
         let direction = ROUNDINGS.iter().find(|(name, _)| *name == rounding).map(|(_, direction)| *direction);
         let rounding = direction.ok_or_else(|| {
-            Refusal::Input(format!("rounding: {rounding:?} is no direction; write nearest, up, down, zero or away"))
+            Refusal::Input(format!("rounding: {rounding:?} is unknown; write nearest, up, down, zero or away"))
         })?;
         let scene =
             Scene { want: vec![quantity], digits: Digits::Significant(digits), rounding, inputs: self.inputs.clone() };

@@ -85,10 +85,10 @@ pub fn repair(
                 (Some(parts), String::new())
             }
             Err(NoRepair::NotRefuted(verdict)) => {
-                (None, format!("{id} is {}: only a refuted claim is repaired", verdict.name()))
+                (None, format!("{id} is {}; only a refuted claim can be repaired", verdict.name()))
             }
             Err(NoRepair::NoneOf(tried)) => {
-                (None, format!("{id} is refuted, and none of {tried} hypotheses was shown to be enough"))
+                (None, format!("{id} is refuted, and none of the {tried} hypotheses tried makes it provable"))
             }
         })
     })

@@ -57,7 +57,7 @@ impl From<carom::Error> for Refusal {
 pub fn rounding(name: &str) -> Result<carom::number::decimal::Rounding, Refusal> {
     let found = ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, direction)| *direction);
     found.ok_or_else(|| {
-        Refusal::Input(format!("rounding: {name:?} is no direction; write nearest, up, down, zero or away"))
+        Refusal::Input(format!("rounding: {name:?} is unknown; write nearest, up, down, zero or away"))
     })
 }
 
@@ -93,7 +93,7 @@ pub fn replay(
     detached(py, || {
         let until = until.map(|until| rational("until", &until)).transpose()?;
         if until.as_ref().is_some_and(|time| *time < 0u32) {
-            return Err(Refusal::Input("until is negative; the scene begins at time 0".to_owned()));
+            return Err(Refusal::Input("until must not be negative; the scene begins at time 0".to_owned()));
         }
         let options = Options {
             until,
@@ -194,7 +194,7 @@ fn look((title, across, upright, points, _): &Looks) -> Result<Look, Refusal> {
         let float = |text: &str| Ok::<_, Refusal>(f64::rounding_from(&rational(name, text)?, RoundingMode::Nearest).0);
         let ends = (float(from)?, float(to)?);
         if ends.0 >= ends.1 {
-            return Err(Refusal::Input(format!("{name}: an axis goes from a smaller to a greater number")));
+            return Err(Refusal::Input(format!("{name}: write the smaller number first")));
         }
         Ok(Some(ends))
     };

@@ -68,7 +68,7 @@ def test_a_file_is_read_as_the_command_reads_it(tmp_path):
         ({"heights": [1, "-1"]}, "reading 2: .*above 0"),
         ({"heights": [1, 0.5]}, "float"),
         ({"heights": [1, "1/2"], "within": "x"}, "within x"),
-        ({"measured": "a,b\n1,2\n"}, "no column is called height"),
+        ({"measured": "a,b\n1,2\n"}, "expected a column height"),
     ],
 )
 def test_bad_measurements_are_refused(arguments, message):

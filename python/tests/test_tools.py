@@ -213,7 +213,7 @@ def test_tables_are_checked_cell_by_cell(tmp_path):
         ([{"eta": 1, "e": 1, "n": 0}], "a column ratio"),
         ([{"eta": 1, "ratio": "x", "e": 1, "n": 0}], "ratio"),
         ([{"eta": 1, "ratio": 1, "e": 2, "n": 0}], "line 1: a coefficient of restitution"),
-        ([{"eta": 1, "ratio": 1, "e": 1, "n": "1/2"}], "n counts bodies"),
+        ([{"eta": 1, "ratio": 1, "e": 1, "n": "1/2"}], "n is a number of bodies"),
     ):
         with pytest.raises(ValueError, match=sign):
             carom.check_table(rows)

@@ -1,4 +1,4 @@
-//! What the last step of a certificate rests on: one walk backwards over what the steps cite.
+//! The facts and steps that the last step of a certificate needs, found by one walk backwards over the citations.
 
 use super::{Certificate, Label, Step};
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ pub struct Needed {
     pub facts: BTreeSet<Label>,
 }
 
-/// What the last step rests on, itself included.
+/// The facts and steps that the last step needs, itself included.
 ///
 /// A step cites only facts before it. What a block shows is known by the label of its first step, from its `end` on.
 pub fn needed(certificate: &Certificate) -> Needed {

@@ -80,7 +80,7 @@ pub enum Rule {
     Suppose,
     /// Opens a block that shows a statement for all values.
     Let,
-    /// What follows from facts by the connectives and the order of the reals.
+    /// A consequence of facts by the connectives and the order of the reals.
     Logic {
         /// The facts.
         from: Vec<Label>,
@@ -165,7 +165,7 @@ pub enum Rule {
         /// Lower bound for all values, upper bound, and the limits of both.
         from: Vec<Label>,
     },
-    /// What is true at a point, by arithmetic.
+    /// A statement that arithmetic decides at a point.
     Evaluate,
     /// `A >= B + 1` from `A > B` for whole numbers.
     Integer {

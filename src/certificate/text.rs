@@ -37,7 +37,9 @@ pub enum Fault {
     Expected(&'static str),
     /// A rule that does not exist.
     UnknownRule(String),
-    /// A field that the rule does not read, or that stands twice.
+    /// A first line that does not say that this is a certificate.
+    NotCertificate,
+    /// A field that the rule does not read, or that is given twice.
     Field(&'static str),
     /// A field that the rule needs.
     Missing(&'static str),
@@ -61,12 +63,15 @@ impl std::fmt::Display for Fault {
             Fault::LineLimit => write!(f, "limit reached: a line has at most {LINE_LIMIT} bytes"),
             Fault::Version(version) => write!(
                 f,
-                "a certificate of format {version}, and this program reads format {VERSION}; make it anew with \
+                "this certificate has format {version}, but this program reads format {VERSION}; make it again with \
                  `carom audit --certificates DIR`"
             ),
+            Fault::NotCertificate => {
+                write!(f, "this is not a certificate: its first line must be `carom-certificate {VERSION}`")
+            }
             Fault::Expected(what) => write!(f, "expected {what}"),
             Fault::UnknownRule(rule) => write!(f, "there is no rule called `{rule}`"),
-            Fault::Field(field) => write!(f, "the field `{field}` is not one of this rule, or stands twice"),
+            Fault::Field(field) => write!(f, "the field `{field}` does not belong to this rule, or is given twice"),
             Fault::Missing(field) => write!(f, "this rule needs the field `{field}`"),
             Fault::Unreadable(message) | Fault::ReaderLimit(message) => write!(f, "{message}"),
         }
@@ -185,7 +190,7 @@ pub fn read(source: &str) -> Result<Certificate, Malformed> {
         }
         None => Err(at(1, Fault::Expected(prefix))),
     };
-    let version = header("carom-certificate ")?;
+    let version = header("carom-certificate ").map_err(|_| at(1, Fault::NotCertificate))?;
     if version != VERSION.to_string() {
         return Err(at(1, Fault::Version(version.chars().take(20).collect())));
     }
@@ -214,7 +219,7 @@ pub fn read(source: &str) -> Result<Certificate, Malformed> {
             let line = draft.line;
             steps.push(Step::Show(Box::new(finished(draft).map_err(|fault| at(line, fault))?)));
         }
-        // In front of the first step stands what is refuted.
+        // The refuted statement comes before the first step.
         if steps.is_empty() && open.is_none() && !text.contains(": ") {
             let read = |text| read_expr(text).map_err(|fault| at(place, fault));
             match (&mut refutes, text.strip_prefix("at "), text.strip_prefix("undefined ")) {

@@ -133,29 +133,26 @@ impl fmt::Display for ChainError {
             Self::MayNotCollide { collision } => {
                 write!(
                     f,
-                    "collision {collision} does not take place for all values of the measured inputs: narrow them"
+                    "for some values of the measured inputs, collision {collision} does not take place: give narrower ranges"
                 )
             }
             Self::UnequalRestitutions { quantity } => {
-                write!(f, "{quantity} is defined for one coefficient of restitution at all collisions")
+                write!(f, "{quantity} needs the same coefficient of restitution at all collisions")
             }
             Self::NotAtRest => {
-                write!(
-                    f,
-                    "this is defined for a first body that moves forward, its velocity above 0, and others that are at rest"
-                )
+                write!(f, "the first body must move forward (velocity above 0), and all others must be at rest")
             }
             Self::Measured { quantity } => {
                 write!(f, "{quantity} is not computed for measured inputs: give exact masses and coefficients")
             }
             Self::NeedsGivenMasses => {
-                write!(f, "velocities for all bodies go with a list of inserted masses; optimal masses start from rest")
-            }
-            Self::NeedsOptimalMasses => {
                 write!(
                     f,
-                    "this is about inserted bodies of optimal mass, but the inserted masses are given: leave them out"
+                    "velocities of all bodies need a list of inserted masses; bodies of optimal mass start at rest"
                 )
+            }
+            Self::NeedsOptimalMasses => {
+                write!(f, "this needs inserted bodies of optimal mass: leave the list of inserted masses out")
             }
             Self::Missing { quantity, input } => write!(f, "{quantity} needs {input}"),
             Self::Number(error) => write!(f, "{error}"),

@@ -80,7 +80,7 @@ pub fn threshold(r: &Positive, n: u64) -> Result<Real, NumberError> {
 fn defined(n: u64) -> Result<(), NumberError> {
     if n == 0 {
         return Err(NumberError::Undefined {
-            what: "L_n is defined for n >= 1: it asks whether the n-th body helps".to_owned(),
+            what: "L_n is defined for n >= 1: it is the least restitution with which the n-th body helps".to_owned(),
         });
     }
     Ok(())

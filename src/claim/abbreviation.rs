@@ -1,4 +1,4 @@
-//! Abbreviations, written out where a claim is read.
+//! Abbreviations, expanded when a claim is read.
 //!
 //! Contract: after [`write_out`] no abbreviation is left in a claim, so that search, kernel, evaluator and exports see
 //! the words of [`FUNCTIONS`] only; the digest of a certificate covers the written form. A name that the claim declares
@@ -48,6 +48,11 @@ const POWER_LIMIT: i128 = 100;
 /// How many arguments the abbreviation of this name takes: the least and the largest number.
 pub(crate) fn arguments(name: &str) -> Option<(usize, usize)> {
     ABBREVIATIONS.iter().find(|a| a.0 == name).map(|a| (a.1, a.2))
+}
+
+/// The names of all abbreviations.
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+    ABBREVIATIONS.iter().map(|a| a.0)
 }
 
 /// Whether there is an abbreviation of this name.
@@ -247,9 +252,9 @@ impl Writer<'_> {
 
     fn unfit(&mut self, what: &str, unfit: Unfit, span: Span) {
         match unfit {
-            Unfit::NotSquare => self.fault(&format!("{what} belongs to a square matrix"), "", span),
+            Unfit::NotSquare => self.fault(&format!("{what} needs a square matrix"), "", span),
             Unfit::NotWritten => self.fault(
-                &format!("{what} belongs to a matrix whose entries are written"),
+                &format!("{what} needs a matrix whose entries are written out"),
                 "write the matrix as [a, b; c, d], or name it: `let M = [a, b; c, d]`",
                 span,
             ),

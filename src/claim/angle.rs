@@ -1,4 +1,4 @@
-//! Angles: what stands under sin, cos and tan, and the bounds of an angle.
+//! Angles: the arguments of sin, cos and tan, and the bounds of an angle.
 //!
 //! Contract: an [`Angle`] is a sum of variables and of π with rational coefficients. [`Bounds::conditions`] says the same
 //! of cosine and sine as the bounds say of the angle: a point of the circle fulfils them if and only if it belongs to an
@@ -61,7 +61,7 @@ impl Linear {
 }
 
 /// The sum of numbers, variables and π with rational coefficients that an expression is; `None` if it is no such sum.
-/// `definitions` has what names without parameters stand for; `is_pi` says whether `pi` is the number π.
+/// `definitions` has the values of names without parameters; `is_pi` says whether `pi` is the number π.
 pub(super) fn linear(e: &Expr, definitions: &BTreeMap<String, Linear>, is_pi: bool) -> Option<Linear> {
     if let Some((top, bottom)) = number(e) {
         return Some(Linear::number(BigRational::new(BigInt::from(top), BigInt::from(bottom))));

@@ -1,4 +1,4 @@
-//! Names: everything used is declared, once, and used as what it is.
+//! Names: each is declared exactly once, and used according to its declaration.
 
 use super::definedness::is_natural;
 use super::diagnostic::{Diagnostic, Fault, nearest};
@@ -7,7 +7,10 @@ use super::syntax::*;
 use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What a name stands for.
+/// Functions that [`super::trigonometry`] and [`super::floor`] write out.
+const WRITTEN_OUT: [&str; 5] = ["sin", "cos", "tan", "floor", "ceil"];
+
+/// The kind of a declared name.
 #[derive(Clone, Copy, PartialEq)]
 enum Role {
     /// A variable or a definition without parameters.
@@ -127,7 +130,7 @@ impl Names<'_> {
             walk::names_in(value, &mut inside);
             let is_number = |n: &str| n == PI || FUNCTIONS.iter().any(|f| f.0 == n);
             if let Some(other) = inside.iter().find(|n| !is_number(n)) {
-                let message = format!("the value of {} in the sample speaks of {other}", name.text);
+                let message = format!("the sample value of {} mentions {other}", name.text);
                 let help = Some("give a number, such as 3/5 or sqrt(2)".to_string());
                 self.faults.push(Diagnostic::new(Fault::Other { message, help }, value.span));
             }
@@ -138,7 +141,7 @@ impl Names<'_> {
     /// same name, so that text can be put in place of a name without a change of meaning.
     fn declare(&mut self, name: &Name, role: Role) {
         if FUNCTIONS.iter().any(|f| f.0 == name.text) {
-            let message = format!("{} is a function of the language", name.text);
+            let message = format!("{} is a built-in function", name.text);
             let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
             self.faults.push(Diagnostic::new(fault, name.span));
         } else if self.roles.contains_key(&name.text) {
@@ -197,13 +200,13 @@ impl Names<'_> {
         is_natural(e, &|name| self.natural.contains(name))
     }
 
-    /// A range makes natural numbers of what lies in it, so that it must not begin below 0: one who writes -2..2 means
-    /// -2 as well.
+    /// A range contains natural numbers only, so it must not begin below 0: the author of -2..2 means -2 too.
     fn begins_at_0(&mut self, what: &str, from: &Expr) {
         if !self.is_natural(from) {
             let from_text = super::print::expr(from);
             let message = format!("the range of {what} must begin at a natural number, but {from_text} may be below 0");
-            let help = "begin at 0, 1, n or a sum of such; `k natural >= n - 1 and <= m` says the rest".to_string();
+            let help =
+                "begin the range at 0, 1, n or a sum of these; or write `k natural >= n - 1 and <= m`".to_string();
             self.faults.push(Diagnostic::new(Fault::Other { message, help: Some(help) }, from.span));
         }
     }
@@ -211,14 +214,22 @@ impl Names<'_> {
     fn used(&mut self, name: &str, role: Role, span: Span) {
         match self.roles.get(name) {
             None => {
-                let nearest = nearest(name, self.roles.keys().map(String::as_str));
-                let fault = Fault::Undeclared { name: name.to_string(), nearest };
+                let mut known: Vec<&str> = self.roles.keys().map(String::as_str).collect();
+                if role != Role::Value {
+                    FUNCTIONS.iter().for_each(|f| known.push(f.0));
+                    super::abbreviation::names().for_each(|f| known.push(f));
+                    WRITTEN_OUT.iter().for_each(|f| known.push(f));
+                }
+                let nearest = nearest(name, known);
+                let fault = Fault::Undeclared { name: name.to_string(), nearest, applied: role != Role::Value };
                 self.faults.push(Diagnostic::new(fault, span));
             }
             Some(declared) if *declared == role => {}
             Some(declared) => {
                 let (message, help) = match (declared, role) {
-                    (Role::Value, _) => (format!("{name} is no function"), format!("write {name}*(…) for a product")),
+                    (Role::Value, _) => {
+                        (format!("{name} is a variable, not a function"), format!("for a product write {name}*(…)"))
+                    }
                     (Role::Function(1), Role::Value) => {
                         (format!("{name} needs an index or argument"), format!("write {name}(k)"))
                     }

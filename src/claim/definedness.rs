@@ -1,8 +1,8 @@
 //! When an expression has a value: the one list of conditions, made from how the expression is written.
 //!
 //! Contract: a node of an expression has a value at a point if and only if its parts have values there and every
-//! [`Need`] of [`needs`] holds. Prover, kernel, evaluator and both exports ask this module; none asks what an exponent
-//! comes to after simplification, so that two of them cannot answer differently.
+//! [`Need`] of [`needs`] holds. Prover, kernel, evaluator and both exports use this module. None of them simplifies an
+//! exponent first, so that all give the same answer.
 //!
 //! A power b^E by its exponent, see [`Exponent`]:
 //!
@@ -29,7 +29,7 @@ pub enum Exponent {
     Real,
 }
 
-/// What has to hold for a node of an expression to have a value, once its parts have theirs.
+/// A condition under which a node of an expression has a value, if its parts have values.
 #[derive(Clone, Debug)]
 pub enum Need {
     /// A divisor, or the base of a power to a negative number.

@@ -1,7 +1,7 @@
-//! What is wrong in a claim file, and how it is said.
+//! Errors in claim files, and their messages.
 //!
-//! A [`Fault`] is made where it is understood; [`Diagnostic::render`] turns it into words with file,
-//! line, column, the source line and a caret. Nothing else in the crate words these faults.
+//! The code that detects an error makes a [`Fault`]. [`Diagnostic::render`] turns it into a message with file, line, column,
+//! the source line and a caret. Only this file words these messages.
 
 use super::syntax::Span;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
@@ -27,7 +27,7 @@ pub enum Fault {
         /// A hint.
         help: Option<String>,
     },
-    /// A sign that the language does not have.
+    /// A character that the language does not have.
     Stray(char),
     /// A text without its closing quotation mark.
     OpenText,
@@ -42,8 +42,10 @@ pub enum Fault {
     Undeclared {
         /// The name.
         name: String,
-        /// The nearest declared name.
+        /// The nearest name that is known there.
         nearest: Option<String>,
+        /// Whether it is applied to arguments, as in `f(x)`.
+        applied: bool,
     },
     /// A name declared twice.
     Twice(String),
@@ -60,7 +62,7 @@ pub enum Fault {
     NotText,
     /// A claim that cites itself through others.
     Circular(Vec<String>),
-    /// Anything else that makes no sense, in words.
+    /// Any other fault, in words.
     Other {
         /// What is wrong.
         message: String,
@@ -79,7 +81,7 @@ impl Diagnostic {
     pub fn message(&self) -> String {
         match &self.fault {
             Fault::Expected { expected, found, .. } => format!("expected {expected}, found {found}"),
-            Fault::Stray(c) => format!("the sign {c:?} is not part of the language"),
+            Fault::Stray(c) => format!("the character {c:?} is not part of the language"),
             Fault::OpenText => "this text has no closing quotation mark".to_string(),
             Fault::Limit { name, allowed } => format!("limit reached: at most {allowed} {name}"),
             Fault::Undeclared { name, .. } => format!("nothing declares the name {name}"),
@@ -92,23 +94,37 @@ impl Diagnostic {
         }
     }
 
-    /// Whether it is a limit of this program, and the input may be right.
+    /// Whether it is a limit of this program; the input may still be correct.
     pub fn is_limit(&self) -> bool {
         matches!(self.fault, Fault::Limit { .. })
     }
 
-    /// What would be right, where there is something to say.
+    /// What to write instead, if there is a suggestion.
     pub fn help(&self) -> Option<String> {
         match &self.fault {
             Fault::Expected { help, .. } | Fault::Other { help, .. } => help.clone(),
-            Fault::Undeclared { name, nearest } => Some(match nearest.as_ref().filter(|_| instead(name).is_none()) {
-                Some(nearest) => format!("did you mean {nearest}?"),
-                None if instead(name).is_some() => instead(name).unwrap_or_default().to_string(),
-                None => format!("declare it, for instance `given {name} > 0` or `given {name} real`"),
-            }),
+            Fault::Undeclared { name, nearest, applied } => {
+                Some(match nearest.as_ref().filter(|_| instead(name).is_none()) {
+                    Some(nearest) => format!("did you mean {nearest}?"),
+                    None if instead(name).is_some() => instead(name).unwrap_or_default().to_string(),
+                    None if *applied => {
+                        format!(
+                            "there is no such function; define it, as in `let {name}(x) = x^2`, or for a product write {name}*(…)"
+                        )
+                    }
+                    None => format!("declare it, for instance `given {name} > 0` or `given {name} real`"),
+                })
+            }
             Fault::Empty => Some("a claim begins with: claim NAME \"Title\"".to_string()),
             Fault::Missing { .. } => Some("add a line such as: prove a = b".to_string()),
-            Fault::OpenText => Some("texts stand on one line, between \"…\"".to_string()),
+            Fault::Stray(c) => match c {
+                '.' => Some("write a digit before the decimal point, as in 0.5; a range is 1..n".to_string()),
+                '\\' => Some("LaTeX is not read: write sqrt(x), a/b, x^2, <=".to_string()),
+                '&' => Some("write `and`".to_string()),
+                '{' | '}' => Some("group with parentheses: (…)".to_string()),
+                _ => None,
+            },
+            Fault::OpenText => Some("write the text on one line, between \"…\"".to_string()),
             Fault::NotText => Some("save the file as UTF-8".to_string()),
             _ => None,
         }
@@ -127,7 +143,7 @@ impl Diagnostic {
     pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
         let start = floor_boundary(source, self.span.start);
         let end = floor_boundary(source, self.span.end.max(start));
-        // One long line would flood the terminal: show a window of it.
+        // Of a very long line show only a part.
         let line_start = source[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = source[start..].find('\n').map_or(source.len(), |i| start + i);
         let (line, column) = self.place(source);
@@ -164,16 +180,17 @@ fn floor_boundary(text: &str, mut at: usize) -> usize {
     at
 }
 
-/// What to write instead of a word that other languages have and this one has not.
+/// What to write instead of a word that other languages have and this one does not.
 fn instead(name: &str) -> Option<&'static str> {
-    const ARC: &str = "name the angle, `given theta in [0, pi]`, and say what its cosine, sine or tangent is";
-    const COMPLEX: &str = "there are no complex numbers; name the real and the imaginary part: `given x, y real`";
+    const ARC: &str =
+        "declare the angle, `given theta in [0, pi]`, and assume the value of its cosine, sine or tangent";
+    const COMPLEX: &str = "there are no complex numbers; declare the real and the imaginary part: `given x, y real`";
     Some(match name {
         "cot" => "write cos(x)/sin(x)",
         "sec" => "write 1/cos(x)",
         "csc" => "write 1/sin(x)",
         "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" => ARC,
-        "log" => "the natural logarithm is written ln(x); to another base b it is ln(x)/ln(b)",
+        "log" => "write the natural logarithm as ln(x), the logarithm to base b as ln(x)/ln(b)",
         "lg" | "log10" => "write ln(x)/ln(10)",
         "log2" | "lb" => "write ln(x)/ln(2)",
         "coth" => "write 1/tanh(x)",
@@ -182,11 +199,11 @@ fn instead(name: &str) -> Option<&'static str> {
         "arsinh" | "asinh" => "write ln(x + sqrt(x^2 + 1))",
         "artanh" | "atanh" => "write ln((1 + x)/(1 - x))/2",
         "sgn" | "sign" => "write x/|x| where x != 0",
-        "mod" => "name the quotient and the rest: `given q natural; r in 0..6` and `assume n = 7*q + r`",
+        "mod" => "declare the quotient and the remainder: `given q natural; r in 0..6` and `assume n = 7*q + r`",
         "integral" | "int" => {
-            "there are no integrals; state an antiderivative F by derivative(F, x) = f, and speak of F(b) - F(a)"
+            "there are no integrals; assume derivative(F, x) = f for an antiderivative F, and write F(b) - F(a)"
         }
-        "O" | "o" => "there is no O(…); state a bound with its constant, such as |f - g| <= C*h^2 for h in (0, 1)",
+        "O" | "o" => "there is no O(…); state a bound with a constant, such as |f - g| <= C*h^2 for h in (0, 1)",
         "Re" | "Im" | "conj" => COMPLEX,
         "tr" => "write trace(M)",
         "inv" => "write inverse(M)",
@@ -195,7 +212,7 @@ fn instead(name: &str) -> Option<&'static str> {
     })
 }
 
-/// The candidate nearest to a word, if it is near enough to be a slip of the pen.
+/// The candidate nearest to a word, if it is near enough to be a typing error.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let limit = if word.chars().count() <= 3 { 1 } else { 2 };
     candidates

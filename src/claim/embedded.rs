@@ -1,6 +1,6 @@
 //! The claim files that come with the program.
 //!
-//! A claim stands in the file of its name, so that one claim and what it cites are found without
+//! A claim is in the file of its name, so that one claim and those it cites are found without
 //! reading the rest.
 
 use super::diagnostic::Diagnostic;

@@ -1,4 +1,4 @@
-//! floor and ceil, written out where a claim is read.
+//! floor and ceil, expanded when a claim is read.
 //!
 //! Contract: after [`write_out`] no floor is left. `floor(x)` becomes an integer k, written out as the difference of two natural
 //! numbers, with the hypothesis k ≤ x < k + 1; `ceil(x)` becomes `-floor(-x)`. The claim says the same, since there is exactly
@@ -29,13 +29,13 @@ struct Writer<'a> {
     own: BTreeSet<String>,
     /// Every name that occurs.
     names: BTreeSet<String>,
-    /// The names that stand for something inside of quantifiers, sums and definitions.
+    /// The names bound by quantifiers, sums and definitions.
     bound: BTreeSet<String>,
     /// Definitions that may have no value; those with parameters, families and sequences are taken to be such.
     partial: BTreeSet<String>,
-    /// What was written out, with its name.
+    /// The expanded floors, with their names.
     floors: Vec<(Expr, Name)>,
-    /// What has to be declared before what is being written.
+    /// Declarations to insert before the current item.
     open: Vec<Item>,
     faults: &'a mut Vec<Diagnostic>,
 }
@@ -105,13 +105,13 @@ impl Writer<'_> {
         let mut inside = BTreeSet::new();
         walk::names_in(&of, &mut inside);
         if let Some(bound) = inside.intersection(&self.bound).next() {
-            let help = "declare the floor as a number of its own: `k integer` and `k <= x < k + 1`";
-            self.fault(&format!("this floor moves with {bound}"), help, span);
+            let help = "declare the floor as a variable: `k integer` and `k <= x < k + 1`";
+            self.fault(&format!("this floor depends on the bound variable {bound}"), help, span);
             return of;
         }
         if !self.has_a_value(&of) {
             let help = "give the quotient or root a name: `given q real` with `assume q*m = a`, and write floor(q)";
-            self.fault("a floor is taken of what has a value everywhere", help, span);
+            self.fault("the argument of a floor must have a value everywhere", help, span);
             return of;
         }
         if self.floors.len() >= FLOORS_LIMIT {
@@ -183,10 +183,10 @@ mod tests {
             let source = format!("claim c \"t\"\ngiven x real; n natural\nlet w = 1/x\nprove {goal}\n");
             parse(&source).expect_err("refused")[0].message()
         };
-        assert_eq!(fault("sum(i = 0..n, floor(x*i)) = x"), "this floor moves with i");
-        assert_eq!(fault("for all t real: floor(t) <= t"), "this floor moves with t");
-        assert_eq!(fault("floor(1/x) = x"), "a floor is taken of what has a value everywhere");
-        assert_eq!(fault("floor(sqrt(x)) = x"), "a floor is taken of what has a value everywhere");
-        assert_eq!(fault("floor(w) = x"), "a floor is taken of what has a value everywhere");
+        assert_eq!(fault("sum(i = 0..n, floor(x*i)) = x"), "this floor depends on the bound variable i");
+        assert_eq!(fault("for all t real: floor(t) <= t"), "this floor depends on the bound variable t");
+        assert_eq!(fault("floor(1/x) = x"), "the argument of a floor must have a value everywhere");
+        assert_eq!(fault("floor(sqrt(x)) = x"), "the argument of a floor must have a value everywhere");
+        assert_eq!(fault("floor(w) = x"), "the argument of a floor must have a value everywhere");
     }
 }

@@ -239,21 +239,21 @@ fn word(text: &str) -> Result<String, String> {
     let mut out = String::new();
     let mut before = ' ';
     for c in text.chars() {
-        // In print x₁2 is no name: it is x₁ times 2, or an index of which nobody can tell where it ends.
+        // In print x₁2 could be x₁ times 2, or one name whose index is 12.
         let is_mixed = |a: char, b: char| a.is_ascii_digit() && lowered(b).is_some();
         if is_mixed(before, c) || is_mixed(c, before) {
-            return Err(format!("the name {text} has digits on the line and below it, one after the other"));
+            return Err(format!("the name {text} mixes digits on the line with subscript digits"));
         }
         match GREEK.iter().find(|g| g.1 == c) {
             Some((name, _)) => out.push_str(name),
             None if c.is_ascii() => out.push(c),
             None if lowered(c).is_some() => out.extend(lowered(c)),
-            None => return Err(format!("the name {text} holds the sign {c:?}")),
+            None => return Err(format!("the name {text} contains the character {c:?}")),
         }
         before = c;
     }
     if out.split('_').any(str::is_empty) {
-        return Err(format!("the name {text} has a `_` that stands between nothing"));
+        return Err(format!("the name {text} begins or ends with `_`, or has two in a row"));
     }
     // Names with more behind an apostrophe are those that the prover makes.
     if out.trim_end_matches('\'').contains('\'') {

@@ -1,9 +1,9 @@
-//! What the claims of a file, or of a folder, share.
+//! The preamble: declarations that the claims of a file, or of a folder, share.
 //!
 //! A file may begin with clauses before its first claim; the file [`FILE`] of a folder says them for all claim files
-//! beside it. Contract: a claim takes from the preamble what it speaks of, and what that speaks of in turn: the
-//! declarations of names that are free in it, and every hypothesis about such a name. What is left out speaks of other
-//! variables only. A name of the preamble has one meaning in all claims: none may declare it anew.
+//! beside it. Contract: a claim takes from the preamble the declarations of its free names and every hypothesis about such
+//! a name, and in turn the declarations that these mention. What is left out mentions other variables only. A name of the
+//! preamble has one meaning in all claims: none may declare it again.
 
 use super::check;
 use super::diagnostic::{Diagnostic, Fault};
@@ -29,13 +29,13 @@ pub struct Preamble {
     pub items: Vec<Item>,
     /// The names that it declares.
     pub names: BTreeSet<String>,
-    /// Its names by what they look like in print.
+    /// Its names, by their printed form.
     pub printed: BTreeMap<String, String>,
     /// Whether the file has a clause before its first claim.
     pub is_said: bool,
 }
 
-/// A declaration or hypothesis, with the names that it declares and those that it speaks of.
+/// A declaration or hypothesis, with the names that it declares and those that it mentions.
 struct Shared<'a> {
     item: &'a Item,
     declares: BTreeSet<&'a str>,
@@ -43,7 +43,7 @@ struct Shared<'a> {
 }
 
 impl Preamble {
-    /// Puts before a claim's own declarations what it takes from the preamble.
+    /// Inserts the needed items of the preamble before a claim's own declarations.
     pub(crate) fn put_before(&self, claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
         let or = |own: &mut Option<String>, shared: &Option<String>| {
             if own.is_none() {
@@ -55,7 +55,7 @@ impl Preamble {
         or(&mut claim.section, &self.section);
         claim.reading = claim.reading.or(self.reading);
         for name in claim.items.iter().flat_map(declared).filter(|n| self.names.contains(&n.text)) {
-            let message = format!("the preamble declares {} already", name.text);
+            let message = format!("the preamble already declares {}", name.text);
             let help = Some("give it another name here, or take it out of the preamble".to_string());
             faults.push(Diagnostic::new(Fault::Other { message, help }, name.span));
         }
@@ -80,12 +80,12 @@ impl Preamble {
 }
 
 impl Preamble {
-    /// The items; a hypothesis speaks of what the definitions are made of that stand in it.
+    /// The items. A hypothesis mentions all names that occur in the definitions it uses.
     fn shared(&self) -> Vec<Shared<'_>> {
         let mut list: Vec<Shared> = self.items.iter().map(Shared::of).collect();
         for place in 0..list.len() {
             let mut speaks_of = list[place].speaks_of.clone();
-            // A definition speaks of what stands before it, so that one pass from the end follows them all.
+            // A definition mentions earlier names only, so one pass from the end follows them all.
             for before in list[..place].iter().rev() {
                 let is_definition = matches!(before.item, Item::Let { .. } | Item::Define { .. });
                 if is_definition && before.declares.iter().any(|name| speaks_of.contains(*name)) {

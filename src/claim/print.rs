@@ -180,7 +180,7 @@ impl Style {
         out
     }
 
-    /// Factors side by side; before a digit stands a point, since 2 3 is not 23.
+    /// Factors side by side, with a point before a digit, since 2 3 is not 23.
     fn latex_factors(self, list: &[&Expr]) -> String {
         let mut out = String::new();
         for e in list {
@@ -480,13 +480,13 @@ mod tests {
             faults.iter().map(|f| f.message()).collect::<Vec<_>>().join("; ")
         };
         for (names, wanted) in [
-            ("x₁2", "the name x₁2 has digits on the line and below it, one after the other"),
-            ("é", "the name é holds the sign 'é'"),
-            ("Σ", "the name Σ holds the sign 'Σ'"),
-            ("x_", "the name x_ has a `_` that stands between nothing"),
-            ("_x", "the name _x has a `_` that stands between nothing"),
+            ("x₁2", "the name x₁2 mixes digits on the line with subscript digits"),
+            ("é", "the name é contains the character 'é'"),
+            ("Σ", "the name Σ contains the character 'Σ'"),
+            ("x_", "the name x_ begins or ends with `_`, or has two in a row"),
+            ("_x", "the name _x begins or ends with `_`, or has two in a row"),
             ("μ, mu", "the name mu is declared twice"),
-            ("m1, m_1", "the names m1 and m_1 are the same in print"),
+            ("m1, m_1", "the names m1 and m_1 look the same in print"),
         ] {
             assert_eq!(said(names), wanted);
         }

@@ -155,7 +155,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// What holds of b and a where this holds of a and b.
+    /// The relation of b to a if this is the relation of a to b.
     pub fn turned(self) -> Relation {
         match self {
             Relation::Less => Relation::Greater,
@@ -166,7 +166,7 @@ impl Relation {
         }
     }
 
-    /// What holds of two numbers where this does not.
+    /// The negated relation.
     pub fn negated(self) -> Relation {
         match self {
             Relation::Equal => Relation::NotEqual,
@@ -220,7 +220,7 @@ pub struct Extremum {
     pub maximum: bool,
     /// The word `only`: the point is the only one where the extremum is attained.
     pub unique: bool,
-    /// What is made extreme.
+    /// The expression whose extremum is stated.
     pub of: Expr,
     /// The variables and their domains (`over`).
     pub over: Vec<Binding>,
@@ -248,7 +248,7 @@ pub struct Binding {
     pub names: Vec<(Name, Option<Name>)>,
     /// Whether the values are naturals (0, 1, 2, …) or reals.
     pub natural: bool,
-    /// Constraints on each name, all to hold.
+    /// Constraints on each name; all of them apply.
     pub constraints: Vec<Constraint>,
     /// The indices for which a family is defined; `None` means every natural number.
     pub indices: Option<(Expr, Expr)>,
@@ -317,7 +317,7 @@ pub enum Item {
 pub enum Reading {
     /// As the source prints it, a misprint included.
     Printed,
-    /// Damaged text mended by algebra, or legible as it stands.
+    /// Damaged text restored by algebra, or still legible.
     Restored,
     /// Exactly as the text was extracted.
     Extracted,
@@ -328,7 +328,7 @@ pub enum Reading {
 /// The verdict that the author expects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Expectation {
-    /// `expect proved` (also when nothing is said).
+    /// `expect proved`; the default.
     #[default]
     Proved,
     /// `expect refuted`
@@ -362,7 +362,7 @@ pub struct Claim {
     pub using: Vec<Name>,
     /// Declarations in order, those taken from a preamble first.
     pub items: Vec<Item>,
-    /// `sample x = 3, y = sqrt(2)`: a point at which the hypotheses hold, as the author says.
+    /// `sample x = 3, y = sqrt(2)`: the author's point that satisfies the hypotheses.
     pub sample: Vec<(Name, Expr)>,
     /// `prove P`
     pub goal: Prop,
@@ -416,7 +416,7 @@ pub enum Step {
     },
 }
 
-/// How a goal is to be shown. Guidance only: whatever it says is checked.
+/// How to prove a goal. It only guides the search; the kernel checks everything.
 #[derive(Clone, Debug)]
 pub enum Method {
     /// `by algebra`, `by algebra from a, b`: the automatic methods, only with the named facts if any.

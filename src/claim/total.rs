@@ -1,7 +1,7 @@
-//! Expressions that have a value wherever the hypotheses hold, seen by how they are written.
+//! Expressions that, by their form, have a value wherever the hypotheses hold.
 //!
-//! Where a word is written out as others, something of it may fall away, and what falls away takes its conditions with it.
-//! What asks here first keeps them.
+//! Expanding an abbreviation may drop a part of it, and with the part the conditions under which it has a value. Code that
+//! asks this module first keeps these conditions.
 
 use super::definedness::{needs, number};
 use super::syntax::*;

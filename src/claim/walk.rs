@@ -153,7 +153,7 @@ fn of_proof(proof: &mut Proof, visit: &mut dyn FnMut(&mut Expr)) {
     }
 }
 
-/// The same of what a method is told; the steps of an induction are none of it.
+/// The same for the arguments of a method, but not for the steps of an induction.
 pub(crate) fn of_method(method: &mut Method, visit: &mut dyn FnMut(&mut Expr)) {
     match method {
         Method::Power { exponent, .. } => visit(exponent),
@@ -275,7 +275,7 @@ pub(crate) fn depth(expr: &Expr) -> usize {
     deepest + 1
 }
 
-/// Puts values in place of names. Whoever calls sees to it that no index of the expression has a name that stands in a value.
+/// Substitutes values for names. The caller makes sure that no index of the expression has a name that occurs in a value.
 pub(crate) fn substitute(e: &mut Expr, values: &BTreeMap<&str, &Expr>) {
     if let ExprKind::Name(name) = &e.kind
         && let Some(value) = values.get(name.as_str())

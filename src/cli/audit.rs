@@ -18,30 +18,30 @@ use crate::report::{self, Audit, Entry, Problem, counted};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Claims ready to be judged, with the texts that errors point into.
+/// Claims ready to be judged, with the source texts for error messages.
 pub(super) struct Loaded {
     /// The claims.
     pub catalogue: Catalogue,
-    /// How many of the catalogue's claims were asked for; those behind them are cited ones of the built-in catalogue.
+    /// Number of requested claims in the catalogue. The claims after them are cited ones of the built-in catalogue.
     own: usize,
     origin: Vec<usize>,
     sources: Vec<Source>,
-    /// What could not be read, or cites what could not be read.
+    /// Files and claims that could not be read, and claims that cite these.
     broken: Vec<Broken>,
-    /// The certificates that come with the program, and those that lie beside the claims.
+    /// The built-in certificates, and those in the folders of the claims.
     hand: AtHand,
 }
 
-/// Loads the built-in catalogue or the given files; with `only`, no more of the catalogue than needed.
+/// Loads the built-in catalogue or the given files; with `only`, just the part of the catalogue that is needed.
 ///
 /// # Errors
-/// Something could not be read.
+/// A file or claim could not be read.
 pub(crate) fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     let loaded = readable(paths, only)?;
     if loaded.broken.is_empty() { Ok(loaded) } else { Err(load::together(&loaded.broken)) }
 }
 
-/// The same, without what could not be read.
+/// The same, but leaves out what could not be read.
 ///
 /// # Errors
 /// Nothing could be read.
@@ -85,7 +85,7 @@ fn readable(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     Ok(Loaded { catalogue, own, origin, sources, broken, hand: AtHand::default() })
 }
 
-/// Claims, and what they cite of the built-in catalogue: those that none of them is called like.
+/// Adds the claims of the built-in catalogue that these claims cite and do not define themselves.
 pub(crate) fn cited_too(mut claims: Vec<Claim>) -> Vec<Claim> {
     let missing = |claims: &[Claim]| -> Vec<String> {
         let cited = claims.iter().flat_map(|c| c.using.iter().map(|n| n.text.clone()));
@@ -100,7 +100,7 @@ pub(crate) fn cited_too(mut claims: Vec<Claim>) -> Vec<Claim> {
     claims
 }
 
-/// Takes claims that cite what is not there, or themselves, out of those that are judged.
+/// Removes claims that cite an unknown claim, or themselves, and records their errors.
 fn set_aside(files: &mut Files, list: &[(String, Diagnostic)]) {
     let gone: Vec<String> = files.broken.iter().flat_map(|b| b.claims.iter().cloned()).collect();
     for (name, fault) in list {
@@ -110,7 +110,7 @@ fn set_aside(files: &mut Files, list: &[(String, Diagnostic)]) {
         let fault = match lost {
             Some(cited) => {
                 let message = format!("{}, which {name} cites, could not be read", cited.text);
-                let help = Some("mend what is said about it".to_string());
+                let help = Some("correct that claim first".to_string());
                 Diagnostic::new(diagnostic::Fault::Other { message, help }, cited.span)
             }
             None => fault.clone(),
@@ -129,12 +129,12 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
         .filter(|n| !names.contains(&n.as_str()))
         .map(|n| match nearest(n, names.iter().copied()) {
             Some(near) => format!("error: no claim is called {n}; did you mean {near}?"),
-            // Every word after --only is taken for a name, a path as well.
+            // Every word after --only counts as a name, even a path.
             None if n.contains('/') || n.ends_with(".claim") || Path::new(n).exists() => format!(
                 "error: no claim is called {n}; it looks like a path: write paths before --only, \
                  as in `carom audit {n} --only ID`"
             ),
-            None => format!("error: no claim is called {n}; `carom audit` lists the names"),
+            None => format!("error: no claim is called {n}; `carom list` prints the names"),
         })
         .collect();
     Exit::usage(missing.join("\n"))
@@ -156,10 +156,10 @@ impl Loaded {
         found
     }
 
-    /// The same with the certificates at hand: those that come with the program, and those that lie beside the claims.
+    /// Adds the stored certificates: the built-in ones, and those in the folders of the claims.
     ///
     /// # Errors
-    /// One of them is of another format, unless `replaced` says that new ones are made.
+    /// A certificate has another format version, unless `replaced` says that new ones will be made.
     pub(crate) fn with_certificates(mut self, replaced: bool) -> Result<Loaded, Exit> {
         self.hand = AtHand::embedded();
         let parents = self.sources.iter().map(|s| match Path::new(&s.path).parent() {
@@ -173,7 +173,7 @@ impl Loaded {
             files.retain(|path| path.extension().is_some_and(|e| e == "cert"));
             files.sort();
             for file in files {
-                // What cannot be read, or is no certificate, decides nothing.
+                // A file that cannot be read, or is not a certificate, is ignored.
                 let text = load::bounded(&file, FILE_LIMIT).ok().and_then(|bytes| String::from_utf8(bytes).ok());
                 let Some(text) = text else { continue };
                 match version_of(&text).filter(|version| *version != VERSION.to_string()) {
@@ -189,7 +189,7 @@ impl Loaded {
         Ok(self)
     }
 
-    /// The failure of a claim that makes no sense, at its place.
+    /// The error of a claim that cannot be judged, with its place.
     pub(super) fn failure(&self, name: &str, fault: Fault) -> Exit {
         let Some(claim) = self.catalogue.get(name) else {
             return Exit::usage(format!("error: no claim is called {name}"));
@@ -212,7 +212,7 @@ pub(super) fn run(
     let loaded = match readable(paths, only).and_then(|loaded| loaded.with_certificates(replaced)) {
         Ok(loaded) => loaded,
         Err(exit) => {
-            // A machine that reads only the report must not take silence for success.
+            // A program that reads only the report must not mistake an empty one for success.
             if let Format::Junit = format {
                 let problems = vec![problem("claims", &exit)];
                 write(&Audit { entries: Vec::new(), problems, judged: 0 }, format, output)?;
@@ -221,7 +221,7 @@ pub(super) fn run(
         }
     };
     let (audit, messages) = judge_all(&loaded, only, settings);
-    // From the first file on, all are written.
+    // From here on Ctrl-C takes effect only after the last file is written.
     let interrupt = Interrupt::listen();
     if let Some(folder) = certificates {
         write_certificates(&audit.entries, folder)?;
@@ -243,7 +243,7 @@ pub(super) fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit>
     if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
 }
 
-/// The audit, and what to print of the claims that could not be judged.
+/// The audit, and the error messages of claims that could not be judged.
 fn judge_all(loaded: &Loaded, only: &[String], settings: &Settings) -> (Audit, Vec<String>) {
     let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
     for broken in &loaded.broken {
@@ -264,7 +264,7 @@ fn judge_all(loaded: &Loaded, only: &[String], settings: &Settings) -> (Audit, V
     (Audit { entries, problems, judged: found.judged }, messages)
 }
 
-/// The exit code: 0 all as expected, 3 where only limits stand in the way, else 1.
+/// The exit code: 0 if all verdicts are as expected, 3 if only limits prevented that, else 1.
 pub(super) fn code(audit: &Audit) -> u8 {
     let unexpected: Vec<&Entry> = audit.entries.iter().filter(|e| !e.as_expected()).collect();
     let limit = |e: &&Entry| e.outcome.verdict == Verdict::Undecided && e.outcome.limit.is_some();
@@ -275,7 +275,7 @@ pub(super) fn code(audit: &Audit) -> u8 {
     }
 }
 
-/// Writes the certificate of each proved claim, and says which claims have a proof that the kernel does not check.
+/// Writes the certificates, and names the claims whose proofs the kernel does not accept.
 fn write_certificates(entries: &[Entry], folder: &Path) -> Result<(), Exit> {
     std::fs::create_dir_all(folder)
         .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
@@ -289,13 +289,13 @@ fn write_certificates(entries: &[Entry], folder: &Path) -> Result<(), Exit> {
     let mut message = format!("{} in {}", counted(written, "certificate"), folder.display());
     let missing: Vec<&str> = entries.iter().filter(|e| e.found).map(|e| e.claim.name.text.as_str()).collect();
     if !missing.is_empty() {
-        message += &format!("; found by the search, not accepted by the kernel: {}", missing.join(", "));
+        message += &format!("; proofs found that the kernel does not accept: {}", missing.join(", "));
     }
     terminal::note(&message);
     Ok(())
 }
 
-/// A failure as a report shows it; the message for the terminal may have colours.
+/// A failure for a report, without the colours of the message for the terminal.
 fn problem(name: &str, exit: &Exit) -> Problem {
     Problem { name: name.to_string(), message: anstream::adapter::strip_str(&exit.message).to_string() }
 }

@@ -13,16 +13,16 @@ use crate::report::visible_lines;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// A certificate with where it comes from.
+/// A certificate and its origin.
 struct Found {
     origin: String,
     certificate: Certificate,
 }
 
-/// What one certificate came to.
+/// The result of one certificate.
 enum Outcome {
     Accepted(Box<Accepted>),
-    /// The claim is false: what was shown of it at a point.
+    /// The claim is refuted, with the statement that was checked at a point.
     Refuted(String),
     Rejected(String),
     Declined(&'static str),
@@ -41,7 +41,7 @@ pub(super) fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) 
     Ok(code)
 }
 
-/// Takes what is to be said.
+/// Receives the text to print.
 type Say<'a> = &'a mut dyn FnMut(&str) -> Result<(), Exit>;
 
 fn check(paths: &[PathBuf], claims: &[PathBuf], quiet: bool, say: Say<'_>) -> Result<u8, Exit> {
@@ -52,7 +52,7 @@ fn check(paths: &[PathBuf], claims: &[PathBuf], quiet: bool, say: Say<'_>) -> Re
         return Ok(of_tables);
     }
     let of_claims = check_claims(&others, claims, quiet, say)?;
-    // A rejection says more than a limit.
+    // A rejection is more important than a limit.
     Ok(if of_tables == 1 || of_claims == 1 { 1 } else { of_tables.max(of_claims) })
 }
 
@@ -209,13 +209,13 @@ fn parsed(origin: &str, text: &str) -> Result<Certificate, Exit> {
     read(text).map_err(|malformed| unreadable(origin, &malformed))
 }
 
-/// The end of the program where a certificate cannot be read.
+/// The error of a certificate that cannot be read.
 pub(super) fn unreadable(origin: &str, malformed: &Malformed) -> Exit {
     let Malformed { line, fault } = malformed;
     Exit::faults(&[format!("error: {origin}:{line}: {fault}")], fault.is_limit())
 }
 
-const OTHER_DIGEST: &str = "the digest is that of another statement";
+const OTHER_DIGEST: &str = "the digest belongs to another statement";
 
 /// The statement that a certificate of a refutation shows, if the digest is its.
 fn refuted(claim: &Claim, certificate: &Certificate) -> Option<String> {

@@ -31,7 +31,7 @@ pub(super) struct EvalFlags {
     /// Mass of the last body
     #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
     m2: Option<String>,
-    /// Coefficient of restitution, or one for each collision: 9/10,4/5; threshold and masses do not need it
+    /// Coefficient of restitution, or one for each collision: 9/10,4/5. threshold and masses do not need it
     #[arg(short = 'e', long = "restitution", value_name = "E[,E…]", allow_hyphen_values = true)]
     e: Vec<String>,
     /// Number of inserted bodies, 0 for none; best-n does not need it
@@ -64,12 +64,12 @@ pub(super) struct EvalFlags {
     /// Write the answers to a file, - for standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// List what was computed, what was skipped, and the level that settled each answer
+    /// Also list the quantities computed and skipped, and the arithmetic that settled each answer
     #[arg(long)]
     explain: bool,
-    /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each; a field
-    /// that nothing asks for may be empty. A line that is no chain is named and answered by empty cells, the others are
-    /// answered all the same, and the exit code is 2
+    /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each. A field
+    /// that no wanted quantity needs may be empty. A bad line gives an error message, empty cells and exit code 2; the
+    /// other lines are still answered
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed",
         "explain"])]
     batch: Option<PathBuf>,
@@ -98,19 +98,19 @@ pub(super) fn run(flags: &EvalFlags) -> Result<u8, Exit> {
     Ok(0)
 }
 
-/// The failure of a quantity, with the exit code that it deserves.
+/// The failure of a quantity, with its exit code.
 fn failure(place: &str, error: &ChainError) -> Exit {
     let limit = matches!(error, ChainError::Number(NumberError::LimitReached { .. }));
     Exit { code: if limit { 3 } else { 2 }, message: format!("error: {place}: {error}") }
 }
 
-/// What a sheet or a picture of a scene is called: its file's name.
+/// The default title of a worksheet or picture of a scene, from the file's name.
 pub(crate) fn scene_title(path: &Path) -> String {
     let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().replace(['-', '_'], " "));
     if stem.trim().is_empty() { "scene".to_owned() } else { stem }
 }
 
-/// Answers for balls that are dropped together.
+/// Computes the answers for balls that are dropped together.
 fn dropped(flags: &EvalFlags, about: &About, drop: &Drop, digits: u64) -> Result<u8, Exit> {
     let refused = [
         ("--want", !flags.want.is_empty()),
@@ -120,7 +120,7 @@ fn dropped(flags: &EvalFlags, about: &About, drop: &Drop, digits: u64) -> Result
     ];
     if let Some((flag, _)) = refused.iter().find(|(_, given)| *given) {
         return Err(Exit::usage(format!(
-            "error: {flag}: a scene with [drop] answers one question, how high the balls rise"
+            "error: {flag} does not apply to a scene with [drop], which has one answer: how high the balls rise"
         )));
     }
     let digits = match flags.digits {
@@ -136,13 +136,13 @@ fn dropped(flags: &EvalFlags, about: &About, drop: &Drop, digits: u64) -> Result
     Ok(0)
 }
 
-/// Reads a scene file, of a chain or of balls that are dropped, with what it says of itself.
+/// Reads a scene file, of a chain or of dropped balls, with its title, text and units.
 pub(super) fn described(path: &Path) -> Result<(About, read::Subject), Exit> {
     let text = text_of(path)?;
     read::described(&text).map_err(|fault| shown(&fault, path, &text))
 }
 
-/// A fault of a scene file, with its place.
+/// The message of an error in a scene file, with its place.
 fn shown(SceneFault { diagnostic, limit }: &SceneFault, path: &Path, text: &str) -> Exit {
     Exit {
         code: if *limit { 3 } else { 2 },
@@ -167,7 +167,7 @@ fn from_file(flags: &EvalFlags, path: &Path) -> Result<(About, read::Subject), E
     ];
     if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
         return Err(Exit::usage(format!(
-            "error: {name} and a scene file: the file describes the whole chain; leave {name} out"
+            "error: {name} cannot be combined with a scene file, which describes the whole chain; leave {name} out"
         )));
     }
     let text = text_of(path)?;
@@ -201,14 +201,17 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
             if let Some(count) = count
                 && count != list.len() as u64
             {
-                return Err(Exit::usage(format!("error: -n {count} does not fit {} masses", list.len())));
+                let given = list.len();
+                return Err(Exit::usage(format!(
+                    "error: -n {count} contradicts --masses, which lists {given}; leave -n out"
+                )));
             }
             Some(Inserted::Given(list))
         }
     };
     let start = match &flags.speed {
         None => Start::unit(),
-        Some(speed) => Start::Speed(parse(speed).map_err(|e| bad("--speed", &RangeError::Numeral(e)))?),
+        Some(speed) => Start::Speed(parse(speed).map_err(|e| bad("--speed", speed, &RangeError::Numeral(e)))?),
     };
     let inputs = Inputs::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
     let want = joined(&flags.want).as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
@@ -229,12 +232,12 @@ fn coefficients(text: &str) -> Result<Coefficients, Exit> {
     match elements(text).as_slice() {
         [one] => Ok(Coefficients::Same(coefficient("-e", one)?)),
         list => {
-            // `0,9` is a list of two, and was hardly meant as one.
+            // `0,9` is a list of two numbers, but probably means 0.9.
             let whole = |text: &&str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
             let hint = |exit: Exit| match list {
                 [a, b] if whole(a) && whole(b) => Exit {
                     message: format!(
-                        "{}; if one number is meant, write it with a decimal point: {a}.{b}",
+                        "{}; if you mean one number, write it with a decimal point: {a}.{b}",
                         exit.message
                     ),
                     ..exit
@@ -256,7 +259,7 @@ fn wants(text: &str) -> Result<Vec<Quantity>, Exit> {
         .collect::<Result<Vec<_>, _>>()?;
     if list.is_empty() {
         let names: Vec<&str> = Quantity::names().collect();
-        return Err(Exit::usage(format!("error: --want: name at least one of {}", names.join(", "))));
+        return Err(Exit::usage(format!("error: --want: give at least one of {}", names.join(", "))));
     }
     Ok(list)
 }
@@ -269,31 +272,37 @@ fn digits(flags: &EvalFlags) -> Result<Digits, Exit> {
     }
 }
 
+/// Characters of a number that an error repeats.
+const SHOWN: usize = 40;
+
 fn rounding(flags: &EvalFlags) -> Rounding {
     flags.round.map_or(Rounding::Nearest, Round::rounding)
 }
 
-fn bad(flag: &str, error: &RangeError) -> Exit {
+/// The error of a number in a flag, with the beginning of what was typed.
+fn bad(flag: &str, text: &str, error: &RangeError) -> Exit {
+    let shown: String = if text.is_empty() { "\"\"".to_owned() } else { text.chars().take(SHOWN).collect() };
+    let rest = if text.chars().count() > SHOWN { "…" } else { "" };
     let limit = matches!(
         error,
         RangeError::Numeral(NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })
     );
-    Exit { code: if limit { 3 } else { 2 }, message: format!("error: {flag}: {error}") }
+    Exit { code: if limit { 3 } else { 2 }, message: format!("error: {flag} {shown}{rest}: {error}") }
 }
 
 fn mass(flag: &str, text: &str) -> Result<Range<Positive>, Exit> {
-    Range::read(text).map_err(|e| bad(flag, &e))?.map(Positive::new).map_err(|e| failure(flag, &e))
+    Range::read(text).map_err(|e| bad(flag, text, &e))?.map(Positive::new).map_err(|e| failure(flag, &e))
 }
 
 fn coefficient(flag: &str, text: &str) -> Result<Range<Restitution>, Exit> {
-    Range::read(text).map_err(|e| bad(flag, &e))?.map(Restitution::new).map_err(|e| failure(flag, &e))
+    Range::read(text).map_err(|e| bad(flag, text, &e))?.map(Restitution::new).map_err(|e| failure(flag, &e))
 }
 
 fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
     let number = match parse(text) {
         Ok(number) if number >= 0 && (&number).is_integer() => number,
         Err(e @ (NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })) => {
-            return Err(bad(flag, &RangeError::Numeral(e)));
+            return Err(bad(flag, text, &RangeError::Numeral(e)));
         }
         _ => return Err(Exit::usage(format!("error: {flag}: expected a natural number, found {text:?}"))),
     };

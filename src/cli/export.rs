@@ -26,7 +26,7 @@ impl Language {
         }
     }
 
-    /// Why a claim cannot be said in it.
+    /// Why the language cannot state a claim.
     fn refusal(self, claim: &Claim) -> Option<Unsupported> {
         match self {
             Language::Coq => coq::statement(claim).err(),
@@ -80,7 +80,7 @@ pub(crate) fn names_after_from(ids: &[String], from: &[PathBuf]) -> Result<(), E
     )))
 }
 
-/// Of each claim, whether it can be said in these languages, and why not.
+/// For each claim, whether these languages can state it, or why not.
 fn list(claims: &[&Claim], languages: &[Language]) -> String {
     let mut out = String::new();
     for claim in claims {
@@ -96,7 +96,7 @@ fn list(claims: &[&Claim], languages: &[Language]) -> String {
     out
 }
 
-/// The error for named claims that cannot be said.
+/// The error for named claims that the language cannot state.
 fn refused(language: Language, refusals: &[(&Claim, Unsupported)]) -> Exit {
     let mut lines = Vec::new();
     for (claim, refusal) in refusals {
@@ -110,7 +110,7 @@ fn refused(language: Language, refusals: &[(&Claim, Unsupported)]) -> Exit {
     Exit::faults(&lines, refusals.iter().all(|(_, refusal)| refusal.limit))
 }
 
-/// What the claims are in another language; those that cannot be said go to the refusals.
+/// The claims in another language; those that it cannot state go to the refusals.
 fn said<'a, T>(
     claims: &[&'a Claim],
     refusals: &mut Vec<(&'a Claim, Unsupported)>,

@@ -36,7 +36,7 @@ struct PlotWords {
 /// A table from its words.
 ///
 /// # Errors
-/// Words that `carom table` does not take or that a report decides itself, such as `--format`; a limit.
+/// Flags that `carom table` does not know, flags that a report sets itself, such as `--format`, or a limit.
 pub(super) fn table(text: &str) -> Result<Table, Exit> {
     let within = |exit: Exit| Exit { message: format!("{}\n  in --table '{text}'", exit.message), ..exit };
     let words = words(text).map_err(within)?;
@@ -56,7 +56,7 @@ pub(super) fn table(text: &str) -> Result<Table, Exit> {
 /// A picture from its words; `place` is its number, from 0.
 ///
 /// # Errors
-/// Words that `carom plot` does not take or that a report decides itself, such as `--output`; a limit.
+/// Flags that `carom plot` does not know, flags that a report sets itself, such as `--output`, or a limit.
 #[cfg(feature = "plot")]
 pub(super) fn plot(place: usize, text: &str) -> Result<crate::report::handout::numbers::Plot, Exit> {
     use crate::report::handout::numbers::Plot;
@@ -84,7 +84,7 @@ pub(super) fn plot(place: usize, text: &str) -> Result<crate::report::handout::n
 }
 
 fn refused(error: &clap::Error) -> Exit {
-    // The first paragraph says what is wrong; the usage below it names no command that exists.
+    // Only the first paragraph of clap's message is kept: its usage line names a command that does not exist.
     let text = error.to_string();
     Exit::usage(text.split("\n\n").next().unwrap_or_default().trim_end())
 }

@@ -8,13 +8,13 @@ use crate::claim::format::format;
 use crate::claim::parse::text_of;
 use std::path::PathBuf;
 
-/// Runs the command: nothing is written unless every file parses.
+/// Runs the command. It writes nothing unless it can read every file.
 pub(super) fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     let mut changed = Vec::new();
     let (mut messages, mut only_limits) = (Vec::new(), true);
     let paths = files(paths)?;
     if !check && paths.len() > 1 && paths.iter().any(|path| is_standard_input(path)) {
-        return Err(Exit::usage("error: - formats standard input to standard output; name no other file with it"));
+        return Err(Exit::usage("error: - reads standard input and cannot be combined with files"));
     }
     for path in paths {
         let bytes = read(&path)?;
@@ -34,7 +34,7 @@ pub(super) fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     if !messages.is_empty() {
         return Err(Exit::faults(&messages, only_limits));
     }
-    // From the first file on, all are written.
+    // From here on Ctrl-C takes effect only after the last file is written.
     let interrupt = Interrupt::listen();
     for (path, formatted) in &changed {
         print(&format!("{} {}\n", if check { "not formatted:" } else { "formatted" }, path.display()))?;

@@ -1,23 +1,23 @@
-//! The form in which a command writes: the one asked for, or the one that the file's name stands for.
+//! The form in which a command writes: from `--format`, or from the name of the output file.
 //!
-//! Contract: `--format` decides; without it the ending of the `--output` file does; without that, text. An ending that
-//! stands for a form which the command does not write is an error, so that no `.svg` holds a table.
+//! Contract: `--format` decides; without it the ending of the `--output` file; without that the form is text. The ending
+//! of a form that the command does not write is an error, so that no `.svg` file holds a table.
 
 use super::Exit;
 use std::path::Path;
 
-/// Endings of file names that say what a file holds.
+/// Endings of file names that stand for a form.
 const KNOWN: [&str; 12] = ["txt", "csv", "json", "md", "markdown", "tex", "xml", "html", "htm", "svg", "png", "pdf"];
 
 /// The forms of a command.
 pub(super) trait Form: Copy + 'static {
-    /// The form where nothing else is said.
+    /// The form without flag and ending.
     const DEFAULT: Self;
     /// The endings that stand for its other forms, in small letters.
     const ENDINGS: &'static [(&'static str, Self)];
 }
 
-/// The place that a flag names; `None` is standard output, which is also called `-`.
+/// The file that a flag names; `None` for standard output, which is also written `-`.
 pub(super) fn place(output: Option<&Path>) -> Option<&Path> {
     output.filter(|path| path.as_os_str() != "-")
 }
@@ -41,7 +41,7 @@ pub(super) fn form<F: Form>(format: Option<F>, output: Option<&Path>) -> Result<
     let endings: Vec<String> = F::ENDINGS.iter().map(|(end, _)| format!(".{end}")).collect();
     let shown = output.map_or(String::new(), |path| path.display().to_string());
     Err(Exit::usage(format!(
-        "error: --output {shown}: this command writes no .{end} file; it writes {} and text (.txt)",
+        "error: --output {shown}: this command writes no .{end} file; use {} or .txt",
         endings.join(", ")
     )))
 }

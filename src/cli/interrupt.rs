@@ -20,7 +20,7 @@ const ASKED: u8 = 2;
 
 static STATE: AtomicU8 = AtomicU8::new(AT_ONCE);
 
-/// Where that cannot be had, Ctrl-C ends the program as it would without.
+/// If no handler can be installed, Ctrl-C ends the program at once.
 fn handle() {
     static HANDLED: Once = Once::new();
     HANDLED.call_once(|| {
@@ -36,7 +36,7 @@ fn handle() {
     });
 }
 
-/// An end that was asked for; `what` says what is left behind.
+/// The exit after Ctrl-C; `what` describes what was written.
 pub(super) fn interrupted(what: &str) -> Exit {
     Exit { code: INTERRUPTED, message: format!("interrupted: {what}") }
 }

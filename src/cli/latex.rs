@@ -40,8 +40,8 @@ pub(super) fn pdf(files: &[&(String, Vec<u8>)], interrupt: Interrupt) -> Result<
     let Some(program) = PROGRAMS.into_iter().find(|p| is_installed(p, folder.path())) else {
         return Err(Exit::usage(
             "error: --pdf needs pdflatex or lualatex, and neither is on the PATH; install one (Debian and Ubuntu: \
-             apt install texlive-latex-recommended); everything else was written: index.html prints well, and report.tex \
-             compiles elsewhere",
+             apt install texlive-latex-recommended); everything else was written: you can print index.html, or compile report.tex \
+             elsewhere",
         ));
     };
     let mut before = None;
@@ -98,7 +98,7 @@ fn pass(program: &str, folder: &Path, interrupt: Interrupt) -> Result<(), Exit> 
     Err(Exit::usage(format!(
         "error: {program} cannot compile report.tex: {}\n  the packages amsmath, booktabs, hyperref and longtable are needed \
          (Debian and Ubuntu: apt install texlive-latex-recommended); everything else was written",
-        fault.unwrap_or("it says nothing more")
+        fault.unwrap_or("it printed no reason")
     )))
 }
 

@@ -33,7 +33,7 @@ pub(super) fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Exit> {
     Ok(out)
 }
 
-/// Whether nothing seen so far is this file or folder. Standard input and pipes have no name but their own.
+/// Whether this file or folder was not seen before. Standard input and pipes are compared by name only.
 fn fresh(path: &Path, seen: &mut BTreeSet<PathBuf>) -> Result<bool, Exit> {
     let canonical = match std::fs::canonicalize(path) {
         Ok(canonical) => canonical,
@@ -48,12 +48,12 @@ fn claim_as_path(path: &Path) -> Option<Exit> {
     let name = path.to_str()?;
     embedded::files().iter().any(|f| embedded::stem(f.path) == name).then(|| {
         Exit::usage(format!(
-            "error: there is no file {name}; the claim {name} of the built-in catalogue is --only {name}"
+            "error: there is no file {name}; for the claim {name} of the built-in catalogue write --only {name}"
         ))
     })
 }
 
-/// Whether a path stands for standard input.
+/// Whether a path means standard input.
 pub(crate) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
@@ -119,7 +119,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, Exit> {
     Ok(bytes)
 }
 
-/// A file's text; what is not UTF-8 is replaced, for messages only.
+/// A file's text for messages; bytes that are not UTF-8 are replaced.
 pub(super) struct Source {
     /// The path as given.
     pub path: String,
@@ -127,7 +127,7 @@ pub(super) struct Source {
     pub text: String,
 }
 
-/// What files hold.
+/// The contents of claim files.
 #[derive(Default)]
 pub(super) struct Files {
     /// The claims.
@@ -213,7 +213,7 @@ fn parse_all(bytes: &[u8], folder: &Preamble) -> Result<Vec<Claim>, Vec<Diagnost
     parse_under(text_of(bytes)?, folder).map(|file| file.0)
 }
 
-/// The preamble in a file, an empty one where there is no file; the error is the first fault of it.
+/// The preamble in a file, or an empty one if the file does not exist. The error is its first fault.
 fn shared(path: &Path) -> Result<Preamble, String> {
     if !path.exists() {
         return Ok(Preamble::default());
@@ -253,7 +253,7 @@ fn twice(files: &Files) -> Vec<(usize, Exit)> {
         let there = &sources[origin[*before]];
         let span = claims[*before].name.span;
         let (line, column) = Diagnostic::new(Fault::Empty, span).place(&there.text);
-        let message = format!("another claim is called {name} already");
+        let message = format!("another claim is already called {name}");
         let help = Some(format!("the first stands at {}:{line}:{column}; give one of them another name", there.path));
         let fault = Diagnostic::new(Fault::Other { message, help }, claim.name.span);
         out.push((place, Exit::usage(fault.render(&here.path, &here.text, colour()))));

@@ -1,6 +1,6 @@
 //! The command line: one file for each subcommand.
 //!
-//! The exit codes stand in `EXIT_CODES`.
+//! `EXIT_CODES` lists the exit codes.
 
 mod audit;
 mod check;
@@ -58,7 +58,7 @@ struct Arguments {
     terminal: terminal::Flags,
 }
 
-/// What the exit code says, and how to read on.
+/// The exit codes, and how to page through long output.
 const EXIT_CODES: &str = "\
 Exit codes:
     0  all as expected
@@ -67,15 +67,14 @@ Exit codes:
     3  a stated limit was reached
   130  interrupted by Ctrl-C
 
-There is no pager: what is printed is the same on a screen and in a pipe.
-To read page by page: carom audit --color always | less -R";
+To page through long output: carom audit --color always | less -R";
 
 /// The subcommands.
 #[derive(Subcommand)]
 enum Command {
-    /// Judge claims: proved, refuted with an exact counterexample, or undecided with the reason
+    /// Judge claims: prove each, refute it with an exact counterexample, or say why it stays undecided
     Audit {
-        /// Claim files and folders; the built-in catalogue if none is given
+        /// Claim files and folders [default: the built-in catalogue]
         paths: Vec<PathBuf>,
         /// Judge only these claims
         #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
@@ -86,36 +85,36 @@ enum Command {
         /// Write the report to a file, - for standard output
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
-        /// Write the certificate of each proved claim into this folder; in the folder of the claims, or in
-        /// `certificates` there, the next audit finds them and has nothing to search
+        /// Write the certificate of each proved or refuted claim into this folder. The next audit reads those in the folder of
+        /// the claims, and in its subfolder `certificates`, and then need not search
         #[arg(long, value_name = "DIR")]
         certificates: Option<PathBuf>,
-        /// Search every proof anew, even where a certificate is at hand
+        /// Search for every proof again, even if a stored certificate exists
         #[arg(long)]
         anew: bool,
-        /// Changes nothing: a proof always counts only where the kernel accepts a certificate of it
+        /// Accepted, and without effect: the kernel always checks the certificate of a proof
         #[arg(long, hide = true)]
         checked: bool,
         #[command(flatten)]
         limits: LimitFlags,
     },
-    /// Check certificates again, of claims and of tables, with the small kernel, which trusts nothing of the prover
+    /// Check stored certificates of claims and of tables, with two small checkers that use no code of the search
     Check {
-        /// Certificates of claims, folders of them, and what `carom table --certificate FILE` writes, told apart by what
-        /// they hold; those of the built-in catalogue if none is given
+        /// Certificates of claims (files or folders) and of tables (the FILE of `carom table --certificate FILE`)
+        /// [default: the certificates of the built-in catalogue]
         paths: Vec<PathBuf>,
-        /// Claim files and folders that the certificates are of; the built-in catalogue if none is given
+        /// Claim files and folders with the statements that the certificates prove [default: the built-in catalogue]
         #[arg(long, value_name = "PATH", num_args = 1..)]
         claims: Vec<PathBuf>,
         /// Write the report to a file, - for standard output
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
-    /// Print the whole argument of one claim
+    /// Print the proof, the refutation, or what was tried, for one claim
     Explain {
         /// The claim's name
         id: String,
-        /// Claim files and folders; the built-in catalogue if none is given
+        /// Claim files and folders [default: the built-in catalogue]
         paths: Vec<PathBuf>,
         /// The form of the argument [default: by the ending of --output (.md, .tex), else text]
         #[arg(long, value_enum)]
@@ -126,17 +125,18 @@ enum Command {
         #[command(flatten)]
         limits: LimitFlags,
     },
-    /// Find the hypothesis that a refuted claim lacks, and prove the claim with it
+    /// Find a hypothesis that a refuted claim lacks, and prove the claim with it
     #[command(
-        after_help = "Tried are the signs of the factors of left side - right side, what the goal needs for its value, bounds on one variable,
-the order of two, and a least natural number. `holds exactly where H` means that goal <=> H is proved; `holds where H` that
-the goal is proved with H among the hypotheses. Exit code 1: the claim is not refuted, or no such hypothesis is shown to
-be enough."
+        after_help = "It tries the signs of the factors of left side - right side, the conditions under which both sides have \
+                      values, bounds on one variable, the order of two variables, and a least natural number.\n\n\
+                      `holds where H` means: the goal is proved with the hypothesis H added. `holds exactly where H` means: \
+                      goal <=> H is proved. The exit code is 1 if the claim is not refuted, or if the goal is not proved with \
+                      any of these hypotheses."
     )]
     Repair {
         /// The claim's name
         id: String,
-        /// Claim files and folders; the built-in catalogue if none is given
+        /// Claim files and folders [default: the built-in catalogue]
         paths: Vec<PathBuf>,
         /// Write the certificate of the repaired claim into this folder
         #[arg(long, value_name = "DIR")]
@@ -151,18 +151,18 @@ be enough."
     Eval(Box<eval::EvalFlags>),
     /// Print statements: name, hypotheses and goal, without judging them
     Print {
-        /// Names of the built-in catalogue, claim files and folders; the whole catalogue if none is given
+        /// Names of claims of the built-in catalogue, claim files and folders [default: the built-in catalogue]
         claims: Vec<String>,
-        /// How to write them [default: by the ending of --output (.tex), else text]
+        /// The form of the statements [default: by the ending of --output (.tex), else text]
         #[arg(long, value_enum)]
         format: Option<PrintFormat>,
         /// Write them to a file, - for standard output
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
-    /// List claims: name, number and title, and the verdict that the file expects
+    /// List claims: name, number, title and the verdict that the file expects
     List {
-        /// Claim files and folders; the built-in catalogue if none is given
+        /// Claim files and folders [default: the built-in catalogue]
         paths: Vec<PathBuf>,
         /// The form of the list [default: by the ending of --output (.json), else text]
         #[arg(long, value_enum)]
@@ -171,59 +171,59 @@ be enough."
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
-    /// Print a table of certified numbers, or check somebody's
+    /// Print a table of certified numbers, or check somebody else's table
     Table(table::Flags),
-    /// Make a worksheet of a scene and its answer key: text, PDF, HTML, LaTeX or Markdown
+    /// Make a worksheet and its answer key from a scene file: text, PDF, HTML, LaTeX or Markdown
     Worksheet(worksheet::Flags),
     /// Find the coefficient of restitution from measured heights or times of bounces
     Restitution(restitution::Flags),
-    /// Judge a simulator of collisions by exact reference scenes: right, or wrong from which digit on
+    /// Compare a collision simulator's results with exact reference scenes, digit by digit
     Referee(referee::Flags),
-    /// Write an audit as a folder to hand in: HTML that needs nothing else, Markdown, LaTeX or PDF, certificates, Coq
+    /// Write an audit as a folder to hand in: a self-contained HTML page, Markdown, LaTeX or PDF, certificates, Coq
     /// proofs, certified tables and pictures
     Report(report::Flags),
-    /// Draw a picture as SVG or PNG
+    /// Draw a picture as SVG, PNG or PDF
     #[cfg(feature = "plot")]
     Plot(plot::Flags),
     /// Try claims at random exact points that satisfy their hypotheses
     #[cfg(feature = "proptest")]
     Test(properties::Flags),
-    /// Print statements for other provers: for Coq, or for SMT solvers
+    /// Print statements for Coq or for SMT solvers, or write Coq proofs
     Export {
-        /// The language; with --list it may be left out
+        /// The language of the other prover; --list does not need it
         #[arg(value_enum, required_unless_present = "list")]
         language: Option<Language>,
-        /// The claims; all that can be said in the language if none is given
+        /// Names of claims [default: all claims that the language can state]
         ids: Vec<String>,
-        /// Claim files and folders; the built-in catalogue if none is given
+        /// Claim files and folders [default: the built-in catalogue]
         #[arg(long, value_name = "PATH", num_args = 1..)]
         from: Vec<PathBuf>,
-        /// For Coq: theorems, each with the place of its proof in a folder of --proofs, instead of definitions; claims
+        /// For Coq: print theorems instead of definitions. Each names its proof in the folder that --proofs writes. Claims
         /// without a proof are left out
         #[arg(long)]
         theorems: bool,
-        /// For Coq: write a folder that stands alone, with a proof of each claim, made from its certificate, the library
-        /// that the proofs rest on, and a script `check` that has Coq verify them; the folder is --output DIR, or --out DIR
+        /// For Coq: write a self-contained folder (--output DIR). It holds a proof of each claim, made from its certificate,
+        /// the library that the proofs import, and a script `check` that runs Coq on them
         #[arg(long, requires = "output", conflicts_with = "theorems")]
         proofs: bool,
-        /// Say of each claim whether it can be exported, and why not
+        /// List the claims, and for each whether it can be exported, or why not
         #[arg(long, conflicts_with_all = ["theorems", "proofs"])]
         list: bool,
-        /// Write to a file, - for standard output; with --proofs the folder, which has to be new or empty
+        /// Write to a file, - for standard output; with --proofs, a folder that is new or empty
         #[arg(short, long, value_name = "FILE", visible_alias = "out")]
         output: Option<PathBuf>,
         #[command(flatten)]
         limits: LimitFlags,
     },
-    /// Begin a paper of your own: a folder with a preamble, a claim and a README
+    /// Start a paper of your own: make a folder with a preamble, an example claim and a README
     New {
-        /// The folder to make; if it is there, it must be empty
+        /// The folder to make; an existing one must be empty
         dir: PathBuf,
         /// The title of the paper
         #[arg(long, default_value = "My paper")]
         title: String,
     },
-    /// Rewrite claim files in the one style
+    /// Format claim files
     Fmt {
         /// Claim files and folders; - formats standard input to standard output
         #[arg(required = true)]
@@ -234,7 +234,7 @@ be enough."
     },
     /// Replay collisions on a line exactly, one by one
     Replay(Box<replay::ReplayArguments>),
-    /// Print a completion script, which knows the names of the catalogue's claims and of the quantities
+    /// Print a shell completion script; it also completes names of claims and quantities
     Completions {
         /// The shell
         shell: clap_complete::Shell,
@@ -242,12 +242,12 @@ be enough."
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
-    /// Print a manual page, or write all of them into a folder
+    /// Print a manual page, or write all manual pages into a folder
     Man {
-        /// The subcommand; the program itself if none is given
+        /// A subcommand [default: the page of the program]
         #[arg(conflicts_with = "output")]
         topic: Option<String>,
-        /// Write the page of the program and one of each subcommand into this folder
+        /// Write the page of the program and of each subcommand into this folder
         #[arg(short, long, value_name = "DIR")]
         output: Option<PathBuf>,
     },
@@ -279,8 +279,8 @@ enum ValueFormat {
 enum Language {
     /// Coq, over its real numbers
     Coq,
-    /// SMT-LIB 2 in the logic QF_NRA: the negation, to be found unsatisfiable; several claims are one script, with a
-    /// reset between them
+    /// SMT-LIB 2 in the logic QF_NRA: the negation of the claim, so `unsat` means that the claim is true. Several claims
+    /// become one script, with a reset between them
     Smt2,
 }
 
@@ -297,23 +297,23 @@ enum ExplainFormat {
 enum PrintFormat {
     /// The claim language
     Text,
-    /// Signs such as ≤ and ·
+    /// The claim language with mathematical signs such as ≤ and ·
     Unicode,
-    /// For a document with amsmath
+    /// LaTeX with amsmath
     Latex,
 }
 
 /// Flags that raise or lower the limits.
 #[derive(clap::Args)]
 struct LimitFlags {
-    /// Accepted, and without effect: what these flags limited is no longer there
+    /// Accepted, and without effect: the limits that these flags set no longer exist
     #[arg(long = "max-degree", value_name = "N", hide = true, alias = "max-terms", aliases = ["max-bits", "max-digits"])]
     #[arg(action = clap::ArgAction::Append)]
     _former: Vec<u64>,
-    /// The most steps of the search for each claim
+    /// Largest number of search steps for each claim
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
-    /// The most seconds of work for each claim, on one core
+    /// Largest number of seconds for each claim, on one core
     #[arg(long, value_name = "SECONDS", default_value_t = 10)]
     time: u64,
 }
@@ -341,7 +341,7 @@ impl Exit {
     }
 }
 
-/// Expressions nest up to a limit; a stack of so many bytes holds the deepest with room to spare.
+/// Bytes of stack for the worker thread: more than enough for the deepest nesting of expressions that is allowed.
 const STACK: usize = 64 << 20;
 
 /// Runs the program.
@@ -423,7 +423,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
     }
 }
 
-/// What there is help on besides the subcommands.
+/// Topics of help that are not subcommands.
 const TOPICS: [&str; 2] = ["language", "scene"];
 
 /// The error for help, or a manual page, on something that is neither a subcommand nor one of `more`.
@@ -432,9 +432,9 @@ fn no_topic(command: &clap::Command, name: &str, more: &[&str]) -> Exit {
         command.get_subcommands().map(clap::Command::get_name).chain(more.iter().copied()).collect();
     let near = match crate::claim::diagnostic::nearest(name, topics.iter().copied()) {
         Some(near) => format!("did you mean {near}?"),
-        None => format!("topics are {}", topics.join(", ")),
+        None => format!("the topics are {}", topics.join(", ")),
     };
-    Exit::usage(format!("error: there is no help on {name}; {near}"))
+    Exit::usage(format!("error: there is no help topic called {name}; {near}"))
 }
 
 fn help(topic: Option<&str>) -> Result<u8, Exit> {

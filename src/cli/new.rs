@@ -11,11 +11,11 @@ const FIRST: &str = "half.claim";
 pub(super) fn run(dir: &Path, title: &str) -> Result<u8, Exit> {
     let failed = |e: std::io::Error| Exit::usage(format!("error: cannot make the folder {}: {e}", dir.display()));
     if title.contains(['"', '\n', '\r']) {
-        return Err(Exit::usage("error: a title stands on one line and holds no quotation marks"));
+        return Err(Exit::usage("error: a title must be one line without quotation marks"));
     }
     std::fs::create_dir_all(dir).map_err(failed)?;
     if std::fs::read_dir(dir).map_err(failed)?.next().is_some() {
-        return Err(Exit::usage(format!("error: {} is not empty; name a new folder", dir.display())));
+        return Err(Exit::usage(format!("error: {} is not empty; give a new folder", dir.display())));
     }
     for (name, text) in [
         (preamble::FILE, preamble_text(title)),

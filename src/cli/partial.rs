@@ -84,7 +84,7 @@ impl Partial {
         let other = |what: String| {
             let path = path.display();
             let message = format!(
-                "error: {path} was begun with other settings{what}; remove it, or leave out --resume to begin anew"
+                "error: {path} was written with other settings{what}; remove it, or leave out --resume to start again"
             );
             Exit::usage(message)
         };
@@ -108,7 +108,10 @@ impl Partial {
                 return Ok(lines);
             }
             if !fits(lines, &line) {
-                return Err(other(format!(", or changed: line {} below its head is no such row", lines + 1)));
+                return Err(other(format!(
+                    ", or changed: line {} below its head is not a row of this table",
+                    lines + 1
+                )));
             }
             lines += 1;
         }

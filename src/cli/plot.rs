@@ -31,7 +31,7 @@ use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 use std::path::PathBuf;
 
-/// The arguments that say what is drawn.
+/// The flags for the contents of a picture.
 #[derive(clap::Args)]
 pub(super) struct Contents {
     /// What to draw
@@ -39,33 +39,32 @@ pub(super) struct Contents {
     picture: Picture,
     /// A scene file, for the picture of velocities
     scene: Option<PathBuf>,
-    /// The mass ratio m1/m2 (eta-n) [default: 100], or the range of ratios FROM,TO (the others) [default: 1/1000,1000]
+    /// For eta-n: the mass ratio m1/m2 [default: 100]. For the other curves: the range FROM,TO [default: 1/1000,1000]
     #[arg(long, value_name = "R[,R]", allow_hyphen_values = true)]
     ratio: Vec<String>,
-    /// The restitution (eta-x) [default: 0.9], or several (eta-n) [default: 0.5,0.8,0.9,0.95,1]
+    /// Coefficient of restitution for eta-x [default: 0.9], or several for eta-n [default: 0.5,0.8,0.9,0.95,1]
     #[arg(short, long = "restitution", value_name = "GRID", allow_hyphen_values = true)]
     e: Vec<String>,
-    /// The numbers of inserted bodies (eta-x [default: 0,1,2,5,10], threshold [default: 1,2,3,5,10]), or the greatest one
-    /// (eta-n) [default: twice the best one, at least 8]
+    /// Numbers of inserted bodies for eta-x [default: 0,1,2,5,10] and threshold [default: 1,2,3,5,10], or the greatest one
+    /// for eta-n [default: twice the best one, at least 8]
     #[arg(short, long = "inserted", value_name = "GRID", allow_hyphen_values = true)]
     n: Vec<String>,
-    /// The title, in place of the picture's own
+    /// The title [default: a description of the picture]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// The ends of the horizontal axis; what lies beyond is cut off. For ratios --ratio does the same
+    /// The ends of the horizontal axis; curves are cut off beyond it. If it shows ratios, --ratio does the same
     #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
     xlim: Option<String>,
-    /// The ends of the vertical axis; what lies beyond is cut off
+    /// The ends of the vertical axis; curves are cut off beyond it
     #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
     ylim: Option<String>,
-    /// Mark a measurement of your own: X,Y, each perhaps with its uncertainty, as in "10.6 ± 0.1,0.74 ± 0.02"; may be
-    /// given several times
+    /// Mark a measured point, with or without uncertainties, as in "10.6 ± 0.1,0.74 ± 0.02"; may be repeated
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     mark: Vec<String>,
-    /// Mark the point of every curve at this ratio, or number, and write its value into the legend
+    /// Mark every curve at this mass ratio (eta-n: number of bodies), and print its value in the legend
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Option<String>,
-    /// No colours: curves differ in their dashes, areas in their brightness
+    /// Draw without colours: curves differ in their dashes, areas in their brightness
     #[arg(long)]
     grey: bool,
 }
@@ -75,10 +74,10 @@ pub(super) struct Contents {
 pub(super) struct Flags {
     #[command(flatten)]
     contents: Contents,
-    /// The file to write: .svg, .png or .pdf; - writes SVG to standard output; may be given several times
+    /// The file to write: .svg, .png or .pdf; - writes SVG to standard output; may be repeated
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
-    /// Pixels of a PNG for each point of the page, which has 690 by 440 points, and more for long labels
+    /// Pixels of a PNG for each point; a picture is 690 by 440 points, or larger for long labels
     #[arg(long, value_name = "S", default_value_t = 2.0, allow_hyphen_values = true)]
     scale: f32,
 }
@@ -92,7 +91,7 @@ enum Picture {
     EtaN,
     /// L_n against the mass ratio, for several n
     Threshold,
-    /// The map of restitution and mass ratio, coloured by n*
+    /// A map over restitution and mass ratio, coloured by n*
     Map,
     /// The velocities of a scene's bodies
     Velocities,
@@ -119,7 +118,7 @@ fn failure(of: &str, error: &ChainError) -> Exit {
     Exit { code: if limit { 3 } else { 2 }, message: format!("error: {of}: {error}") }
 }
 
-/// The error of a picture that cannot show what is asked for.
+/// The error of a picture that cannot be drawn.
 fn unclear(error: &Unclear) -> Exit {
     match error {
         Unclear::Chain(error) => failure("the picture", error),
@@ -149,7 +148,7 @@ impl Contents {
     fn range(&self) -> Result<(Positive, Positive), Exit> {
         let text = joined(&self.ratio).unwrap_or_else(|| "1/1000,1000".to_owned());
         let text = text.as_str();
-        // A grid has no number twice, but here neither of them is to be left out.
+        // A grid rejects repeated numbers, but its advice to leave one out would be wrong for a range.
         if let Some((from, to)) = text.split_once(',')
             && let (Ok(from), Ok(to)) = (rational::parse(from.trim()), rational::parse(to.trim()))
             && from == to
@@ -168,7 +167,7 @@ impl Contents {
                 if large(to)
                     || large(&Positive::new(Rational::from(1u32)).map_err(|e| failure("--ratio", &e))?.over(from))
                 {
-                    return Err(Exit::usage("error: --ratio: a picture reaches from 1e-300 to 1e300 at most"));
+                    return Err(Exit::usage("error: --ratio: give ratios between 1e-300 and 1e300"));
                 }
                 if to.value() / from.value() < Rational::from_signeds(1_000_001, 1_000_000) {
                     return Err(Exit::usage(
@@ -186,7 +185,7 @@ impl Contents {
         list.iter()
             .map(|n| u64::try_from(n).ok().filter(|n| *n >= least))
             .collect::<Option<_>>()
-            .ok_or_else(|| Exit::usage(format!("error: -n counts bodies: whole numbers from {least} on")))
+            .ok_or_else(|| Exit::usage(format!("error: -n: give whole numbers of bodies, at least {least}")))
     }
 
     fn restitutions(&self, default: &str) -> Result<Vec<Restitution>, Exit> {
@@ -258,9 +257,7 @@ impl Contents {
             let float = |x: Rational| f64::rounding_from(&x, RoundingMode::Nearest).0;
             let ends = (float(number(from)?), float(number(to)?));
             if ends.0 >= ends.1 {
-                return Err(Exit::usage(format!(
-                    "error: {flag} {text}: an axis goes from a smaller to a greater number; write the smaller one first"
-                )));
+                return Err(Exit::usage(format!("error: {flag} {text}: write the smaller number first")));
             }
             Ok(Some(ends))
         };

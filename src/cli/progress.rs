@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// How long nothing is shown.
+/// How long to wait before progress is shown.
 const QUIET: Duration = Duration::from_millis(500);
 /// How often the bar is drawn.
 const TICK: Duration = Duration::from_millis(100);
@@ -104,7 +104,7 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if let Some((sender, thread)) = self.thread.take() {
             drop(sender);
-            // A drawing thread that failed leaves nothing behind that matters.
+            // If the drawing thread failed, only the display is lost.
             let _ = thread.join();
         }
     }

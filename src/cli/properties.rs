@@ -22,21 +22,21 @@ const MAX_CASES: u32 = 100_000_000;
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Flags {
-    /// Claim files and folders, - for standard input; the built-in catalogue if none is given
+    /// Claim files and folders, - for standard input [default: the built-in catalogue]
     paths: Vec<PathBuf>,
     /// Random points for each claim
     #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_CASES)))]
     cases: u32,
-    /// The seed of the random numbers; a new one if none is given, and printed always
+    /// The seed of the random numbers; it is always printed [default: a new one for each run]
     #[arg(long, value_name = "S")]
     seed: Option<u64>,
     /// Try only these claims
     #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
     only: Vec<String>,
-    /// The most seconds of work for each claim, on one core
+    /// Largest number of seconds for each claim, on one core
     #[arg(long, value_name = "SECONDS", default_value_t = 10)]
     time: u64,
-    /// Save each counterexample here as a claim file: the statement, with the values of its variables as hypotheses
+    /// Save each counterexample in this folder as a claim file: the statement, with the variables' values as hypotheses
     #[arg(long, value_name = "FOLDER")]
     save: Option<PathBuf>,
     /// The form of the report [default: by the ending of --output (.json), else text]
@@ -47,17 +47,17 @@ pub(super) struct Flags {
     output: Option<PathBuf>,
 }
 
-/// A claim with what became of it.
+/// A claim with its outcome.
 struct Row<'a> {
     claim: &'a Claim,
     outcome: Outcome,
     saved: Option<String>,
-    /// The line that gives the same again.
+    /// The command that repeats the run for this claim.
     again: String,
 }
 
 impl Row<'_> {
-    /// The catalogue expects a counterexample exactly where it expects the claim to be refuted.
+    /// A counterexample is expected if and only if the claim file expects a refutation.
     fn as_expected(&self) -> bool {
         match self.outcome {
             Outcome::Failed(_) => self.claim.expect == Expectation::Refuted,
@@ -72,12 +72,12 @@ impl Row<'_> {
     }
 }
 
-/// Runs the command: exit 1 if an outcome is not as expected, 3 if a claim that was asked for could not be tried.
+/// Runs the command. The exit code is 1 if an outcome is not as expected, 3 if a requested claim could not be tried.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     let loaded = load(&flags.paths, &flags.only)?;
     let format = form(flags.format, flags.output.as_deref())?;
     if let Some(folder) = flags.save.as_ref().filter(|f| !f.is_dir()) {
-        return Err(Exit::usage(format!("error: {} is no folder", folder.display())));
+        return Err(Exit::usage(format!("error: {} is not a folder", folder.display())));
     }
     // The hasher of the standard library starts from numbers of the operating system.
     let seed = flags.seed.unwrap_or_else(|| RandomState::new().hash_one("seed"));
@@ -113,7 +113,7 @@ fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Ve
             None => return Err(Exit { code: 101, message: format!("{name}: the program failed; please report this") }),
         }
     }
-    // All are tried before the first is written.
+    // No file is written before all claims are tried.
     if let Some(folder) = &flags.save {
         for row in &mut rows {
             if let Outcome::Failed(failure) = &row.outcome {
@@ -126,7 +126,7 @@ fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Ve
     Ok(rows)
 }
 
-/// What became of each claim, in their order; each is tried by one thread. `None` where a thread failed.
+/// The outcome of each claim, in their order. One thread tries one claim at a time; `None` if it failed.
 fn on_all_cores(claims: &[&Claim], settings: &Settings, progress: &Progress) -> Vec<Option<Outcome>> {
     let (next, done) = (AtomicUsize::new(0), AtomicU64::new(0));
     let found: Vec<Mutex<Option<Outcome>>> = claims.iter().map(|_| Mutex::new(None)).collect();
@@ -147,7 +147,7 @@ fn on_all_cores(claims: &[&Claim], settings: &Settings, progress: &Progress) -> 
     std::thread::scope(|scope| {
         let others = std::thread::available_parallelism().map_or(1, usize::from).min(claims.len()).saturating_sub(1);
         for _ in 0..others {
-            // Where there is no thread the work is done here.
+            // If no thread can be made, this one does the work.
             let _ = std::thread::Builder::new().stack_size(super::STACK).spawn_scoped(scope, work);
         }
         work();
@@ -155,13 +155,13 @@ fn on_all_cores(claims: &[&Claim], settings: &Settings, progress: &Progress) -> 
     found.into_iter().map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
 }
 
-/// The line that gives the same again.
+/// The command that repeats the run for one claim.
 fn again(flags: &Flags, settings: &Settings, name: &str) -> String {
     let paths: String = flags.paths.iter().map(|path| format!(" {}", quoted(&path.display().to_string()))).collect();
     format!("carom test{paths} --only {name} --seed {} --cases {}", settings.seed, settings.cases)
 }
 
-/// A word as a shell reads it.
+/// A word, quoted for a shell if necessary.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+".contains(c);
     if word.chars().all(plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
@@ -225,7 +225,7 @@ fn lines(row: &Row) -> String {
         Outcome::Held { open: 0, late: false, .. } => {}
         Outcome::Held { points, open, late } => {
             let late = if *late { "; limit reached: time (--time raises it)" } else { "" };
-            more(&format!("at {}; {open} more leave it open{late}", counted(*points as usize, "point")));
+            more(&format!("at {}; {open} more could not be decided{late}", counted(*points as usize, "point")));
         }
         Outcome::Untested(reason) => more(reason),
         Outcome::Fault(_) => {}
@@ -240,20 +240,20 @@ fn lines(row: &Row) -> String {
                     more(&format!("  {}: left side {left}, right side {right}", broken.statement));
                 }
             }
-            more(&format!("found at point {found} and made as simple as it could be"));
+            more(&format!("found at random point {found}, then simplified"));
         }
     }
     if let Some(path) = &row.saved {
         more(&format!("saved in {path}"));
     }
     match (row.as_expected(), row.claim.expect) {
-        (true, Expectation::Refuted) if !row.is_untested() => more("as expected: its file says that it is false"),
-        (false, Expectation::Refuted) => more("not as expected: its file says that it is false, and it held"),
-        (false, _) => more("not as expected: this claim is false"),
+        (true, Expectation::Refuted) if !row.is_untested() => more("as expected: its file expects a counterexample"),
+        (false, Expectation::Refuted) => more("not as expected: its file expects a counterexample, and none was found"),
+        (false, _) => more("not as expected: its file expects the claim to hold"),
         _ => {}
     }
     if !row.as_expected() {
-        more(&format!("again: {}", row.again));
+        more(&format!("to repeat: {}", row.again));
     }
     out
 }

@@ -1,4 +1,4 @@
-//! `carom referee`: somebody's simulator beside exact collisions.
+//! `carom referee`: compares the results of a simulator with exact collisions.
 
 use super::form::form;
 use super::{Exit, ValueFormat, deliver, load};
@@ -15,24 +15,24 @@ const MAX_BYTES: usize = 64 << 20;
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Flags {
-    /// The results as CSV, - for standard input: columns `scene` and `velocities`; and, where your simulator knows them,
-    /// `positions`, `collisions` (1-2 2-3 …, 0 is the left wall), `times` and `count`. Numbers in a field stand apart by
-    /// spaces
+    /// Your simulator's results as CSV, - for standard input. Required columns: `scene` and `velocities`; optional ones:
+    /// `positions`, `collisions` (1-2 2-3 …, 0 is the left wall), `times` and `count`. Separate the numbers of one field
+    /// by spaces
     #[arg(required_unless_present_any = ["scenes", "answers"])]
     results: Option<PathBuf>,
-    /// Write the scenes as JSON: masses, positions, velocities and restitutions, with what is right at the end
+    /// Write the scenes as JSON: masses, positions, velocities and restitutions, with the exact final state
     #[arg(long, conflicts_with_all = ["results", "answers", "format"])]
     scenes: bool,
-    /// Write the right answers as the CSV that the referee reads
+    /// Write the exact answers as CSV, in the form in which `carom referee` reads results
     #[arg(long, conflicts_with_all = ["results", "format"])]
     answers: bool,
-    /// Only these scenes, or all of these groups
+    /// Only these scenes, or all scenes of these groups
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
     only: Vec<String>,
-    /// A number is right if it differs by less than so many digits of the scene's largest
+    /// A number is right if its error is below 10^-D times the scene's largest velocity or position, or its duration
     #[arg(long, value_name = "D", default_value_t = 9, value_parser = clap::value_parser!(u64).range(1..=MAX_DIGITS))]
     digits: u64,
-    /// The form of the judgement [default: by the ending of --output (.json), else text]
+    /// The form of the report [default: by the ending of --output (.json), else text]
     #[arg(long, value_enum)]
     format: Option<ValueFormat>,
     /// Write to a file, - for standard output
@@ -40,9 +40,9 @@ pub(super) struct Flags {
     output: Option<PathBuf>,
 }
 
-/// Runs the command: 0 where every scene is right, 1 where one is wrong or missing.
+/// Runs the command. The exit code is 0 if every scene is right, 1 if one is wrong or missing.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
-    // A fault of the program's own file, which the tests exclude.
+    // An error in the program's own list of scenes; the tests rule it out.
     let broken = |fault: String| Exit { code: 101, message: format!("{fault}; please report this") };
     let all = settings().map_err(broken)?;
     let chosen: Vec<Scene> = chosen(&all, &flags.only)?.into_iter().cloned().collect();

@@ -29,18 +29,18 @@ pub(super) fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &L
             Ok((words(&entry, &repair), 0))
         }
         Err(NoRepair::NotRefuted(verdict)) => {
-            Ok((format!("{id} is {}: only a refuted claim is repaired\n", verdict.name()), 1))
+            Ok((format!("{id} is {}; only a refuted claim can be repaired\n", verdict.name()), 1))
         }
         Err(NoRepair::NoneOf(tried)) => Ok((
             format!(
-                "{id} is refuted, and none of {tried} hypotheses was shown to be enough; add one and audit it again\n"
+                "{id} is refuted, and none of the {tried} hypotheses tried makes it provable; add a hypothesis and audit it again\n"
             ),
             1,
         )),
     }
 }
 
-/// A repair in words: the hypothesis, what was shown, and the claim in the claim language.
+/// A repair as text: the hypothesis, what was proved, and the claim in the claim language.
 fn words(entry: &Entry, repair: &Repair) -> String {
     let name = &entry.claim.name.text;
     let hypothesis = print::prop(&repair.hypothesis);
@@ -48,7 +48,7 @@ fn words(entry: &Entry, repair: &Repair) -> String {
     let mut out = format!("{name} {holds} {hypothesis}\n");
     if let Some(witness) = entry.outcome.witness.as_ref().filter(|w| !w.point.values.is_empty()) {
         let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
-        out += &format!("without it, it fails at {}\n", at.join(", "));
+        out += &format!("without H, it fails at {}\n", at.join(", "));
     }
     out += "proved: the kernel accepted a certificate of this claim\n\n";
     out + &statements::one(&repair.claim, PrintFormat::Text)

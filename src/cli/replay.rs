@@ -22,7 +22,7 @@ pub(super) enum ReplayFormat {
     Csv,
     /// A space–time diagram, time upward
     Svg,
-    /// An animated page in one file, which needs nothing else
+    /// An animated, self-contained HTML page
     Html,
 }
 
@@ -34,28 +34,28 @@ pub(super) struct ReplayArguments {
     /// The form of the report [default: by the ending of --output (.json, .csv, .svg, .html), else text]
     #[arg(long, value_enum)]
     format: Option<ReplayFormat>,
-    /// Stop before the first collision later than this time
+    /// Stop at this time
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<String>,
-    /// The most collisions
+    /// Stop after this many collisions
     #[arg(long, value_name = "N", default_value_t = crate::chain::replay::MAX_EVENTS)]
     max_events: u64,
     /// How many collisions to list [default: 40 in text, 2000 in pictures, 10000 elsewhere]
     #[arg(long, value_name = "N")]
     list: Option<usize>,
-    /// Write all numbers exactly, however long; final values of an enclosed run are evaluated exactly
+    /// Write all numbers exactly, however long they are, including the final values of a run with enclosures
     #[arg(long, conflicts_with = "digits")]
     exact: bool,
     /// Print decimals with D correct significant digits
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u64).range(1..=100_000))]
     digits: Option<u64>,
-    /// Numbers of more bits are enclosed from then on
+    /// Replace exact numbers by enclosures once a number has more than this many bits
     #[arg(long, value_name = "BITS", default_value_t = crate::chain::replay::EXACT_BITS)]
     exact_bits: u64,
     /// Try all orders of an ambiguous contact
     #[arg(long)]
     orders: bool,
-    /// Go on from an inelastic collapse: its bodies touch, with one velocity [default: the replay ends there]
+    /// Continue after an inelastic collapse, with its bodies in contact at one velocity [default: the replay ends there]
     #[arg(long)]
     through_collapse: bool,
     /// Write the report to a file, - for standard output
@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
     });
     let until = until.transpose()?;
     if until.as_ref().is_some_and(|t| *t < 0) {
-        return Err(Exit::usage("error: --until is negative; the scene begins at time 0"));
+        return Err(Exit::usage("error: --until must not be negative; the scene begins at time 0"));
     }
     let text = source(&arguments.scene)?;
     let scene = read(&text).map_err(|e| {
@@ -101,7 +101,10 @@ pub(super) fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
     let progress = Progress::alone("replaying");
     let outcome = replay(&scene.line, &options).map_err(|e| Exit {
         code: 101,
-        message: format!("the ledger of {} does not balance (collision {:?}); please report this", e.law, e.collision),
+        message: format!(
+            "internal error: {} is not conserved (collision {:?}); please report this",
+            e.law, e.collision
+        ),
     })?;
     progress.finish();
     let numbers = match (arguments.digits, format) {

@@ -9,35 +9,35 @@ use std::path::{Path, PathBuf};
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Flags {
-    /// Claim files and folders; the built-in catalogue if none is given
+    /// Claim files and folders [default: the built-in catalogue]
     paths: Vec<PathBuf>,
-    /// The folder to write to
+    /// The folder to write
     #[arg(short, long = "output", value_name = "DIR", visible_alias = "out")]
     out: PathBuf,
     /// The title
     #[arg(long)]
     title: Option<String>,
-    /// Add a table: the words that follow `carom table`, as in --table '--ratio 1,2,10 -e 0.9 -n 1:3:1'
-    #[arg(long, value_name = "WORDS", allow_hyphen_values = true)]
+    /// Add a table: the flags of `carom table` in quotation marks, as in --table '--ratio 1,2,10 -e 0.9 -n 1:3:1'
+    #[arg(long, value_name = "FLAGS", allow_hyphen_values = true)]
     table: Vec<String>,
-    /// Add a picture: the words that follow `carom plot`, as in --plot 'eta-n --ratio 100'
+    /// Add a picture: the arguments of `carom plot` in quotation marks, as in --plot 'eta-n --ratio 100'
     #[cfg(feature = "plot")]
-    #[arg(long, value_name = "WORDS")]
+    #[arg(long, value_name = "ARGUMENTS")]
     plot: Vec<String>,
-    /// Make a proof for Coq from each certificate, run Coq on them where it is installed, and say beside each verdict
-    /// whether Coq accepts it; for the whole catalogue that takes minutes
+    /// Translate each certificate into a Coq proof, run Coq on it if Coq is installed, and print beside each verdict
+    /// whether Coq accepts the proof. The built-in catalogue takes minutes
     #[arg(long)]
     coq: bool,
-    /// Also make report.pdf, with an installed LaTeX
+    /// Also make report.pdf; this needs pdflatex or lualatex
     #[arg(long)]
     pdf: bool,
     #[command(flatten)]
     limits: super::LimitFlags,
 }
 
-/// Runs the command: everything is judged and computed first, so that nothing is written where that fails. The PDF comes
-/// last, so that the rest is there where LaTeX is not. Ctrl-C ends the work at once before anything is written, and
-/// after all of it once something is.
+/// Runs the command. It judges and computes everything first, so that nothing is written if that fails. The PDF comes last,
+/// because LaTeX may not be installed. Ctrl-C ends the program at once while it computes, and after the last file while it
+/// writes.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     at_once()?;
     let handout = made(flags)?;
@@ -75,11 +75,11 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
 /// The report.
 fn made(flags: &Flags) -> Result<Handout, Exit> {
     let catalogue = flags.paths.is_empty();
-    // What is asked for in words is read before anything is judged: a slip there costs no time.
+    // The flags of tables and pictures are read before the claims are judged, so that an error in them costs no time.
     let defaults = |list: &[&str]| if catalogue { list.iter().map(ToString::to_string).collect() } else { Vec::new() };
     let tables: Vec<String> = [defaults(&figures::TABLES), flags.table.clone()].concat();
     let tables = tables.iter().map(|words| figures::table(words)).collect::<Result<_, _>>()?;
-    // A table listens while it is made.
+    // Computing a table handles Ctrl-C in its own way.
     at_once()?;
     #[cfg(feature = "plot")]
     let plots = {
@@ -111,7 +111,7 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     Ok(Handout { audit, title, evidence, coq, coq_ran, catalogue, tables, plots })
 }
 
-/// Says what an earlier report left in the folder: `carom check` would read its certificates, and a reader its pictures.
+/// Notes files that an earlier report left in the folder, because `carom check` would read its certificates too.
 fn strangers(out: &Path, files: &[(String, Vec<u8>)]) {
     let mut strange = Vec::new();
     for (folder, end) in [("certificates", ".cert"), ("tables", ""), ("plots", "")] {
@@ -123,6 +123,6 @@ fn strangers(out: &Path, files: &[(String, Vec<u8>)]) {
     strange.sort();
     if !strange.is_empty() {
         let (out, strange) = (out.display(), strange.join(", "));
-        terminal::note(&format!("note: {out} holds files that are not of this report: {strange}"));
+        terminal::note(&format!("note: {out} contains files that do not belong to this report: {strange}"));
     }
 }

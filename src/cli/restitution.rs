@@ -13,10 +13,10 @@ const MAX_BYTES: usize = 16 << 20;
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Flags {
-    /// A CSV file, or - for standard input. One column `height` or `time` has the readings of one ball, bounce after bounce;
-    /// a column `run` tells several balls or tries apart. Two columns `drop` and `bounce` have one bounce a row
+    /// A CSV file, - for standard input. Either one column `height` or `time` with successive bounces of a ball, and
+    /// perhaps a column `run` that numbers the balls or tries; or two columns `drop` and `bounce`, one bounce a row
     file: PathBuf,
-    /// The uncertainty of readings that have none of their own: 0.01, or 2 %
+    /// The uncertainty of readings that the file gives without one: 0.01, or 2 %
     #[arg(long, value_name = "U")]
     within: Option<String>,
     /// Significant digits of the bounds

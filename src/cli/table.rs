@@ -28,35 +28,34 @@ pub(super) struct Flags {
     /// The form of the table [default: by the ending of --output (.csv, .json, .md, .tex), else text]
     #[arg(long, value_enum)]
     format: Option<Form>,
-    /// Write the table to a file, - for standard output; with CSV, what an interrupted run leaves is FILE.partial
+    /// Write the table to a file, - for standard output. An interrupted run with CSV leaves its rows in FILE.partial
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Print a cross table: this axis runs across, another one down. A table that is too wide for a page is cut into
-    /// several, and a third axis makes a table for each of its values
+    /// Print a cross table: the columns are the values of this axis, the rows those of another. A table too wide for a page
+    /// is split; a third axis makes one table for each of its values
     #[arg(long, value_enum, value_name = "AXIS", conflicts_with_all = ["certificate", "resume", "shard", "merge", "check", "extra"])]
     across: Option<Axis>,
-    /// In a cross table, write a short fraction p/q where the value is rational
+    /// In a cross table, write rational values as short fractions p/q
     #[arg(long, requires = "across")]
     fractions: bool,
-    /// Leave the column of exact values out
+    /// Leave out the column of exact values
     #[arg(long, conflicts_with_all = ["resume", "shard", "merge", "check", "across"])]
     no_exact: bool,
-    /// Store the exact enclosure of every cell in a file, one JSON object a line
+    /// Write the exact enclosure of every cell to a file, one JSON object a line; `carom check FILE` checks it
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
     certificate: Option<PathBuf>,
-    /// Go on with FILE.partial
+    /// Continue an interrupted run from FILE.partial
     #[arg(long, requires = "output", conflicts_with = "check")]
     resume: bool,
-    /// Only the I-th of N parts of the rows, as CSV, for many machines; --merge puts the parts together
+    /// Compute only the I-th of N parts of the rows, as CSV, to split a long table across machines; --merge joins the parts
     #[arg(long, value_name = "I/N", conflicts_with = "check")]
     shard: Option<String>,
-    /// Put the parts of one table, or of its certificate, together; exit 2 if a row is missing, duplicated or from another
-    /// table
+    /// Join the parts of one table, or of its certificate; exit 2 if a row is missing, duplicated or from another table
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["ratio", "e", "n", "want", "digits", "places",
         "round", "extra", "format", "certificate", "resume", "check", "shard"])]
     merge: Vec<PathBuf>,
-    /// Compare somebody's table (CSV, - for standard input), cell by cell, with the certified values; exit 1 if a cell is
-    /// wrong
+    /// Compare every cell of somebody else's table (CSV, - for standard input) with the certified value; exit 1 if a cell
+    /// is wrong
     #[arg(long, value_name = "FILE.csv")]
     check: Option<PathBuf>,
 }
@@ -116,7 +115,7 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
         return Err(Exit { code: 3, message });
     }
     if flags.resume && form != Form::Csv {
-        return Err(Exit::usage("error: --resume goes on with CSV: add --format csv"));
+        return Err(Exit::usage("error: --resume works with CSV only: add --format csv"));
     }
     let job = Job::new(&plan, flags)?;
     let mut head = Head::of(&plan);
@@ -143,7 +142,7 @@ impl<'a> Job<'a> {
         let Some(text) = &flags.shard else { return Ok(Job { plan, rows: 0..plan.rows(), binding: None }) };
         let shard = Shard::parse(text).map_err(|e| Exit::usage(format!("error: --shard {text}: {e}")))?;
         if flags.form()? != Form::Csv {
-            return Err(Exit::usage("error: --shard makes CSV, which can be merged: add --format csv"));
+            return Err(Exit::usage("error: --shard writes CSV only: add --format csv"));
         }
         let given = &flags.contents;
         let (ratio, e, n) = (joined(&given.ratio), joined(&given.e), joined(&given.n));
@@ -223,7 +222,7 @@ fn rounding_name(rounding: Rounding) -> &'static str {
     }
 }
 
-/// Writes to a file, which is complete or as it was.
+/// Writes to a file. At the end it is either complete or unchanged.
 fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
     let csv = flags.form()? == Form::Csv;
     let grows = |path: &Path| csv && partial::can_grow(path);
@@ -238,7 +237,7 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
     if flags.resume
         && let Some((path, ..)) = targets.iter().find(|(path, ..)| !grows(path))
     {
-        return Err(Exit::usage(format!("error: {} is no regular file, it cannot be resumed", path.display())));
+        return Err(Exit::usage(format!("error: {} is not a regular file, so it cannot be resumed", path.display())));
     }
     let mut from = if flags.resume { job.rows.end - job.rows.start } else { 0 };
     let mut open = Vec::new();
@@ -256,7 +255,7 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
         }
         open.push(Target::Grows(partial));
     }
-    // Nothing is cut off before all that is kept has been read.
+    // Every file is read completely before one is truncated.
     for (target, (.., head)) in open.iter_mut().zip(&targets) {
         if let Target::Grows(partial) = target {
             partial.keep(head, from)?;
@@ -277,7 +276,10 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
             for target in certificate.into_iter().chain([out]) {
                 if let Target::Grows(partial) = target {
                     let left = partial.leave()?;
-                    ended.message = format!("interrupted after {rows} rows; --resume goes on with {}", left.display());
+                    ended.message = format!(
+                        "interrupted after {rows} rows; to continue from {}, run the same command with --resume",
+                        left.display()
+                    );
                 }
             }
             Err(ended)
@@ -287,10 +289,10 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
     }
 }
 
-/// Refuses a certificate that would take the place of the table, or of the file in which it grows, and the other way round.
+/// Rejects a table and a certificate that would overwrite each other, or each other's `.partial` file.
 fn apart(output: &Path, certificate: Option<&Path>) -> Result<(), Exit> {
     let Some(certificate) = certificate else { return Ok(()) };
-    // What is no regular file, such as /dev/null, is not replaced.
+    // A special file, such as /dev/null, is not replaced.
     if std::fs::metadata(output).is_ok_and(|m| !m.is_file()) {
         return Ok(());
     }

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// How the certificate of a table begins; no other certificate does.
 const BEGIN: &[u8] = b"{";
 
-/// The certificate of a table: a file, or what stands at the beginning of a pipe that was opened.
+/// The certificate of a table: a file, or an opened pipe with the bytes read from it so far.
 pub(super) struct Table {
     path: PathBuf,
     opened: Option<Box<dyn Read>>,
@@ -29,7 +29,7 @@ pub(super) enum Other {
     Text(PathBuf, Vec<u8>),
 }
 
-/// What are certificates of tables, and what is not. Standard input is `-`; a pipe is opened only once.
+/// Separates certificates of tables from other files. Standard input is `-`; a pipe is opened only once.
 pub(crate) fn told_apart(paths: &[PathBuf]) -> Result<(Vec<Table>, Vec<Other>), Exit> {
     let mut tables = Vec::new();
     let mut others = Vec::new();
@@ -148,7 +148,7 @@ fn check(path: &Path, opened: Option<Box<dyn Read>>) -> Result<Result<AcceptedTa
     let mut checker = match head {
         Ok(checker) => checker,
         Err(_) if is_part(&bytes) => {
-            let what = "this is a part of a table: put the parts together first, with carom table --merge";
+            let what = "this is a part of a table: join the parts first, with `carom table --merge`";
             return stopped("head", Failure::Rejected(what.to_owned()));
         }
         Err(failure) => return stopped("head", failure),

@@ -1,4 +1,4 @@
-//! `carom table --check`: somebody's table beside the certified values.
+//! `carom table --check`: compares somebody else's table with the certified values.
 
 use super::output::Output;
 use super::progress::Progress;
@@ -68,7 +68,7 @@ pub(super) fn run(
     }
     flush(&mut out)?;
     if form != Form::Text || output.is_some() {
-        // The last line of a report for machines must stay machine-readable.
+        // Machine-readable output must not end with a line of prose.
         let _ = writeln!(anstream::stderr(), "{summary}");
     }
     if tally.judged() == 0 {

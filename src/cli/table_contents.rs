@@ -1,4 +1,4 @@
-//! What a table holds, as `carom table` and `carom report --table` are told it.
+//! The flags for the contents of a table, shared by `carom table` and `carom report --table`.
 
 use super::Exit;
 use super::table::exit;
@@ -6,7 +6,7 @@ use crate::number::decimal::{Digits, Rounding};
 use crate::table::grid::{Grid, GridError};
 use crate::table::{Plan, Printing, Quantity};
 
-/// The arguments that say what a table holds.
+/// The flags for the contents of a table.
 #[derive(clap::Args)]
 pub(super) struct Contents {
     /// Mass ratios m1/m2: `1,2,10`, `1:10:0.5` (start:stop:step) or `1:1000:x10` (start:stop:xFACTOR)
@@ -30,7 +30,7 @@ pub(super) struct Contents {
     /// The direction of rounding
     #[arg(long, value_enum, default_value = "nearest")]
     pub round: Round,
-    /// Show so many further digits beside the value, with a bound
+    /// Also print K more digits of each value, with a bound on what is cut off
     #[arg(long, value_name = "K", default_value_t = 0)]
     extra: u64,
 }
@@ -44,7 +44,7 @@ impl Contents {
         let ratio = grid("--ratio", joined(&self.ratio).as_deref())?;
         let e = grid("-e", joined(&self.e).as_deref())?;
         let n = grid("-n", joined(&self.n).as_deref())?;
-        let Some(ratio) = ratio else { return Err(Exit::usage("error: give a grid of mass ratios: --ratio GRID")) };
+        let Some(ratio) = ratio else { return Err(Exit::usage("error: give mass ratios, such as --ratio 1,2,10")) };
         let quantity = match self.want {
             Want::Eta => Quantity::Eta,
             Want::Threshold => Quantity::Threshold,
@@ -59,11 +59,11 @@ impl Contents {
 /// The quantities.
 #[derive(Clone, Copy, clap::ValueEnum)]
 pub(super) enum Want {
-    /// The share of the energy handed on, (25)
+    /// The share of the first body's kinetic energy that reaches the last body, equation (25)
     Eta,
-    /// The least restitution with which the n-th body helps, (19)
+    /// L_n: the least restitution with which the n-th inserted body helps, equation (19)
     Threshold,
-    /// The best number of inserted bodies
+    /// n*: the best number of inserted bodies
     BestN,
 }
 
@@ -96,7 +96,7 @@ impl Round {
     }
 }
 
-/// The values of a flag that may be repeated, or hold several with commas between: both are the same list.
+/// The values of a flag as one list: it may be repeated, or hold several values with commas.
 pub(super) fn joined(values: &[String]) -> Option<String> {
     if values.is_empty() { None } else { Some(values.join(",")) }
 }

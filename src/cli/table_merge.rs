@@ -132,9 +132,9 @@ impl<'a> Part<'a> {
             if !rows.has(row, &line) {
                 let whole = line.ends_with(b"\n");
                 let found = match (line.is_empty(), whole) {
-                    (true, _) => "the file ends before it".to_owned(),
-                    (_, false) => "the file ends inside of it".to_owned(),
-                    _ => format!("there stands {}", visible(String::from_utf8_lossy(&line).trim_end())),
+                    (true, _) => "the file ends before this row".to_owned(),
+                    (_, false) => "the file ends inside this row".to_owned(),
+                    _ => format!("the line is {}", visible(String::from_utf8_lossy(&line).trim_end())),
                 };
                 let what = format!("row {} of the table, {}, is missing: {found}", row + 1, self.plan.in_words(row));
                 return Err(Stop::Part(fault(self.path, &what)));
@@ -146,12 +146,13 @@ impl<'a> Part<'a> {
         if line.is_empty() {
             return Ok(());
         }
-        let what = format!("there is more than its rows: {}", visible(String::from_utf8_lossy(&line).trim_end()));
+        let what =
+            format!("unexpected line after the last row: {}", visible(String::from_utf8_lossy(&line).trim_end()));
         Err(Stop::Part(fault(self.path, &what)))
     }
 }
 
-const NO_SHARD: &str = "this is no part of a table; carom table --shard I/N makes parts";
+const NO_SHARD: &str = "this is not a part of a table; `carom table --shard I/N` writes parts";
 
 /// The head of the whole certificate, and what binds this part of it.
 fn unbind(text: &str) -> Option<(String, Option<String>, Option<String>)> {
@@ -169,7 +170,7 @@ fn agree(parts: &[Part<'_>]) -> Result<(), Exit> {
         let other =
             |what: &str| Exit::usage(format!("error: {} and {} are {what}", first.path.display(), part.path.display()));
         if part.form != first.form {
-            return Err(other(&format!("{} and {}: merge them apart", first.form.name(), part.form.name())));
+            return Err(other(&format!("{} and {}: merge them separately", first.form.name(), part.form.name())));
         }
         if part.binding.table != first.binding.table {
             let (a, b) = (&first.binding.table, &part.binding.table);

@@ -7,7 +7,7 @@
 use crate::table::Plan;
 use serde_json::Value;
 
-/// What a file holds.
+/// The contents of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// The table itself.
@@ -39,7 +39,7 @@ impl<'a> Rows<'a> {
         Rows { plan, form, commas: head.lines().last().unwrap_or_default().matches(',').count() }
     }
 
-    /// What stands before the value of a row.
+    /// The columns before the value of a row.
     fn begin(&self, row: u64) -> String {
         match self.form {
             Form::Csv => format!("{},", self.plan.labels(row).join(",")),

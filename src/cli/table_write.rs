@@ -163,7 +163,7 @@ enum Cut {
     Failed(TableError),
 }
 
-/// What is to be done next.
+/// The next piece of work.
 struct Next {
     row: u64,
     number: u64,
@@ -232,7 +232,7 @@ impl<'a> Desk<'a> {
         })
     }
 
-    /// Writes a piece; says how the work ended where it ends.
+    /// Writes a piece. If the work ends here, returns how it ended.
     fn put(
         &self,
         mut piece: Piece,
@@ -345,7 +345,7 @@ impl<'a> Desk<'a> {
     }
 }
 
-/// Stops the others where a thread breaks down, since its piece will never be written.
+/// Stops the other threads if one fails, since its piece will never be written.
 struct Leaving<'a>(&'a Desk<'a>);
 
 impl Drop for Leaving<'_> {

@@ -1,4 +1,4 @@
-//! What a user wants to see on a terminal: colours, progress and notes.
+//! The flags of all commands: colours, and whether progress and notes are printed.
 
 use super::output::message;
 use clap::ValueEnum;
@@ -24,13 +24,13 @@ pub(super) struct Flags {
     /// When to use colours
     #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", help_heading = "Everywhere")]
     color: Color,
-    /// Print no progress and no notes; of an audit or a test only what is not as expected, of a check no statements
+    /// Print no progress and no notes. `audit` and `test` print only unexpected results, `check` prints no statements
     #[arg(short, long, global = true, help_heading = "Everywhere")]
     quiet: bool,
 }
 
 impl Flags {
-    /// Holds from now on.
+    /// Applies the flags to everything printed from now on.
     pub(super) fn apply(&self) {
         match self.color {
             Color::Auto => anstream::ColorChoice::Auto,
@@ -42,7 +42,7 @@ impl Flags {
     }
 }
 
-/// Whether no more is to be said than is needed.
+/// Whether `--quiet` was given.
 pub(super) fn quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
 }
@@ -52,10 +52,10 @@ pub(super) fn colour() -> bool {
     anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never
 }
 
-/// Something worth knowing that is no error.
+/// Prints a note on standard error, unless `--quiet` was given.
 pub(super) fn note(text: &str) {
     if !quiet() {
-        // What cannot be said does no harm.
+        // A note that cannot be printed is not an error.
         let _ = writeln!(anstream::stderr(), "{}", message(text, colour()));
     }
 }

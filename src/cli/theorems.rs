@@ -32,7 +32,7 @@ fn asked(ids: &[String], from: &[PathBuf], limits: &Limits) -> Result<Folder, Ex
     folder(&loaded.catalogue, &entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))
 }
 
-/// Writes the folder: everything is judged and made first, so that nothing is written where that fails.
+/// Writes the folder. It judges and computes everything first, so that nothing is written if that fails.
 pub(super) fn run(
     language: Option<Language>,
     ids: &[String],
@@ -80,14 +80,13 @@ pub(super) fn page(
     let made = asked(ids, from, limits)?;
     if made.theorems() == 0 {
         return Err(Exit::usage(
-            "error: --theorems: there is no proof of any of these claims; without --theorems their statements are printed, \
-             to be proved",
+            "error: --theorems: none of these claims has a proof; leave --theorems out to print the statements",
         ));
     }
     Ok(made.page())
 }
 
-/// A folder that holds something is left alone.
+/// A folder that is not empty is never changed.
 fn is_free(out: &Path) -> Result<(), Exit> {
     let here = out.display();
     match std::fs::read_dir(out).map(Iterator::count) {
@@ -97,7 +96,7 @@ fn is_free(out: &Path) -> Result<(), Exit> {
         Err(_) if out.as_os_str() == "-" => {
             Err(Exit::usage("error: --proofs writes a folder, which cannot go to standard output"))
         }
-        Err(e) if out.exists() => Err(Exit::usage(format!("error: {here} is no folder that can be read: {e}"))),
+        Err(e) if out.exists() => Err(Exit::usage(format!("error: {here} cannot be read as a folder: {e}"))),
         _ => Ok(()),
     }
 }
@@ -125,7 +124,9 @@ pub(crate) fn of_audit(audit: &Audit, limits: &Limits) -> Result<Folder, String>
 /// The evidence where Coq is run on the folder of an audit; `None` where Coq is not installed.
 pub(super) fn ran(audit: &Audit, made: &Folder) -> Result<Option<BTreeMap<String, Evidence>>, Exit> {
     if !is_installed() {
-        terminal::note("note: coqc is not installed, so Coq is not run: `bash coq/check` in the folder runs it");
+        terminal::note(
+            "note: coqc is not installed, so the proofs were not checked by Coq; `bash coq/check` in the folder checks them later",
+        );
         return Ok(None);
     }
     let place = tempfile::tempdir().map_err(|e| Exit::usage(format!("error: cannot make a folder for Coq: {e}")))?;
@@ -133,7 +134,7 @@ pub(super) fn ran(audit: &Audit, made: &Folder) -> Result<Option<BTreeMap<String
     let cannot = |e: std::io::Error| Exit::usage(format!("error: cannot run {CHECK} of the Coq proofs: {e}"));
     let output = Command::new("bash").arg(place.path().join(CHECK)).stdin(Stdio::null()).output().map_err(cannot)?;
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    // What is wrong with all of it stands on standard error.
+    // An error that concerns the whole folder is on standard error.
     let wrong =
         String::from_utf8_lossy(&output.stderr).lines().find_map(|l| l.strip_prefix("error: ")).map(str::to_string);
     let refused = |module: &str, theorem: &str| {
@@ -147,7 +148,7 @@ pub(super) fn ran(audit: &Audit, made: &Folder) -> Result<Option<BTreeMap<String
             .iter()
             .find_map(|from| line(from))
             .or_else(|| wrong.clone())
-            .or_else(|| (!known).then(|| "Coq said nothing of it".to_string()))
+            .or_else(|| (!known).then(|| "Coq printed no result".to_string()))
     };
     Ok(Some(evidence::ran(audit, made, &refused)))
 }

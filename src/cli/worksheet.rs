@@ -15,19 +15,19 @@ use std::path::PathBuf;
 pub(super) struct Flags {
     /// A scene file (see `carom help scene`), - for standard input; its `want` is not used
     scene: PathBuf,
-    /// Which sheets
+    /// Which sheets to write
     #[arg(long, value_enum, default_value = "both")]
     sheet: Which,
-    /// Make so many versions with other simple masses: A, B, C and so on
+    /// Make N versions (A, B, C, …) of the sheet, each with other simple masses
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=i64::from(MAX_VERSIONS)))]
     versions: Option<u8>,
-    /// The seed of the versions: the same seed gives the same masses
+    /// Seed of the random masses of --versions; the same seed gives the same masses
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "versions")]
     seed: u64,
-    /// The title; without it that of the scene, or the file's name
+    /// The title [default: the title in the scene file, else the file's name]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// Name the standard that the sheet serves; without a text NGSS HS-PS2-2
+    /// Print the educational standard that the sheet serves [default without TEXT: NGSS HS-PS2-2]
     #[arg(long, value_name = "TEXT", num_args = 0..=1, default_missing_value = STANDARD)]
     standard: Option<String>,
     /// Significant digits
@@ -36,13 +36,13 @@ pub(super) struct Flags {
     /// Digits after the point, instead of significant ones
     #[arg(long, value_name = "P")]
     places: Option<u64>,
-    /// Write short fractions as p/q where a value is rational
+    /// Write rational values as short fractions p/q
     #[arg(long)]
     exact: bool,
     /// The form [default: by the ending of --output (.pdf, .html, .tex, .md), else text]
     #[arg(long, value_enum)]
     format: Option<Form>,
-    /// The paper of LaTeX, HTML and PDF
+    /// The paper size of LaTeX, HTML and PDF
     #[arg(long, value_enum, default_value = "a4")]
     paper: Paper,
     /// Write to a file, - for standard output

@@ -1,5 +1,5 @@
-//! A proof in words: sentences with formulas in them, formulas on lines of their own, and what is shown under a
-//! supposition. How it looks is decided where it is written.
+//! A proof in words: sentences that contain formulas, formulas on lines of their own, and nested parts under a supposition.
+//! The writers of text, HTML and LaTeX decide the layout.
 
 use crate::certificate::Label;
 use crate::claim::syntax::{Expr, Prop};
@@ -13,7 +13,7 @@ pub enum Piece {
     Expr(Expr),
     /// A proposition.
     Prop(Prop),
-    /// A fact: its number, where it stands on a line of its own, else what it says.
+    /// A cited fact: its number if it has a line of its own, else its text.
     Fact(Label, Prop),
     /// The number of a formula.
     Number(usize),
@@ -33,7 +33,7 @@ pub enum Block {
         /// Its number, if something refers to it.
         number: Option<usize>,
     },
-    /// What is shown under a supposition or for a new variable.
+    /// The part of a proof under a supposition or for a new variable.
     Inner(Vec<Block>),
 }
 

@@ -8,7 +8,7 @@ use crate::kernel::view::View;
 use crate::kernel::{Accepted, Checker, Refusal, Used};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A step with what the kernel says of it.
+/// A step with the kernel's answers about it.
 pub(super) struct Seen {
     /// The step.
     pub show: Show,
@@ -16,9 +16,9 @@ pub(super) struct Seen {
     pub used: Used,
     /// Of a comparison without summands: the difference of its sides.
     pub difference: Option<View>,
-    /// Of an equation whose sides agree once written out: what they come to.
+    /// The common value of both sides, for an equation proved by expanding.
     pub common: Option<View>,
-    /// Of a combination: its summands that stand alone.
+    /// The summands of a combination that cite no fact.
     pub terms: Vec<Option<View>>,
     /// Of a comparison without summands: the products that show the signs of comparisons that it rests on.
     pub products: Vec<(Label, View)>,
@@ -40,7 +40,7 @@ pub(super) struct Followed {
     pub seen: Vec<Seen>,
     /// How they nest.
     pub nodes: Vec<Node>,
-    /// What each fact says.
+    /// The proposition of each fact.
     pub facts: BTreeMap<Label, Prop>,
     /// The facts that a rule is applied to, or that are put in or multiplied.
     pub cited: BTreeSet<Label>,
@@ -144,7 +144,7 @@ fn known(checker: &mut Checker, show: &Show, used: &Used, facts: &BTreeMap<Label
         .collect()
 }
 
-/// An expression as the kernel reads it, with equations put in or without, as its signs are among those that are shown.
+/// An expression as the kernel reads it, with or without substituted equations, whichever has the proved signs.
 fn read(checker: &mut Checker, e: &Expr, show: &Show, shown: Signs) -> Option<View> {
     let with = checker.view(e, show, true).ok()?;
     if with.signs().within(shown) {

@@ -4,7 +4,7 @@ use super::document::{Block, Document, Piece};
 use crate::report::markup::escape;
 use crate::report::mathml;
 
-/// The proof as paragraphs; what is shown under a supposition stands in a `div` of the class `inner`.
+/// The proof as paragraphs; parts under a supposition are in a `div` of the class `inner`.
 #[must_use]
 pub(crate) fn html(document: &Document) -> String {
     let mut out = String::new();

@@ -1,8 +1,8 @@
 //! A certificate as a proof in words.
 //!
 //! Contract: [`proof`] follows a certificate step by step with the kernel, and says of each step that a reader needs what
-//! is shown, from which facts and why. What is said of signs is what the kernel answered; nothing is searched for.
-//! Steps that a reader takes by himself are left out: a part of a conjunction, a case that repeats what is known.
+//! is proved, from which facts and why. Statements about signs are the kernel's answers; there is no search.
+//! Obvious steps are left out: a part of a conjunction, a case that repeats a known fact.
 
 pub(crate) mod document;
 mod follow;
@@ -20,7 +20,7 @@ use crate::claim::syntax::Claim;
 use crate::kernel::{Accepted, Refusal};
 pub use document::Document;
 
-/// The proof of a claim that a certificate gives; `cited` holds what was accepted of the claims that it cites.
+/// The proof in a certificate of a claim; `cited` holds the accepted claims that it cites.
 ///
 /// # Errors
 /// The kernel does not take a step.

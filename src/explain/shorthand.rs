@@ -1,12 +1,12 @@
 //! Expressions as the statement writes them: with the claim's own definitions and with the names that the proof gives.
 //!
-//! Contract: a proposition and its shorthand say the same. A definition without parameters stands for its value, one
-//! with parameters for whatever has its form.
+//! Contract: a proposition and its shorthand mean the same. A definition without parameters replaces its value, one
+//! with parameters replaces every expression of its form.
 
 use crate::claim::syntax::*;
 use crate::kernel::statement::{Statement, expr, name};
 
-/// What is written for something longer.
+/// A name written for a longer expression.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shorthand {
     /// The definitions of the claim, each with the earlier ones put in.

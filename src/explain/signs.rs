@@ -15,7 +15,7 @@ use num_traits::One;
 
 /// A polynomial of more letters is written as the difference that it comes from.
 const LONG: usize = 30;
-/// What both sides come to is shown up to so many letters.
+/// The common value of both sides is printed if it has at most this many characters.
 const COMMON: usize = 60;
 
 impl Words<'_> {
@@ -36,11 +36,11 @@ impl Words<'_> {
         }
         let product = self.short.expr(&shown.expr());
         let whole = self.short.expr(&difference(a, b));
-        let mut lead = vec![say("The difference of the sides has a sign that its factors show")];
+        let mut lead = vec![say("The factors of the difference of the sides determine its sign")];
         if !put_in.is_empty() {
             lead.push(say(", with "));
             lead.extend(self.cited_all(&put_in));
-            lead.push(say(" put in"));
+            lead.push(say(" substituted"));
         }
         lead.push(say(":"));
         let reasons = self.reasons(&shown, relation, &seen.used.by, Some(&show.label));
@@ -75,23 +75,19 @@ impl Words<'_> {
         }
     }
 
-    /// Both sides are the same when they are written out.
+    /// Both sides are equal when they are expanded.
     fn agree(&self, seen: &Seen, (a, b): (&Expr, &Expr), put_in: &[Label], out: &mut Vec<Block>) {
         let show = &seen.show;
         let mut lead = Vec::new();
         if put_in.is_empty() {
             let named = self.short.given() > 0;
-            lead.push(say(if named {
-                "Written by these names, both sides agree:"
-            } else {
-                "Written out, both sides agree:"
-            }));
+            lead.push(say(if named { "In these names, both sides agree:" } else { "Written out, both sides agree:" }));
         } else {
             lead.push(say("With "));
             lead.extend(self.cited_all(put_in));
-            lead.push(say(" put in, both sides agree:"));
+            lead.push(say(" substituted, both sides agree:"));
         }
-        // What both sides come to, where that is short and neither of them.
+        // The common value of both sides, if it is short and differs from both.
         let common = seen.common.as_ref().map(|view| self.short.expr(&view.expr()));
         let text = |e: &Expr| Style::Text.expr(e);
         let (left, right) = (self.short.expr(a), self.short.expr(b));
@@ -128,7 +124,7 @@ impl Words<'_> {
         if !put_in.is_empty() {
             lead.push(say(", with "));
             lead.extend(self.cited_all(&put_in));
-            lead.push(say(" put in"));
+            lead.push(say(" substituted"));
         }
         let since = self.since(&seen.used.by);
         if !since.is_empty() {
@@ -184,7 +180,7 @@ impl Words<'_> {
         out
     }
 
-    /// Why a product has its sign: `(x − y)^2 ≥ 0 as a square; … > 0 by (3); the other factors …`
+    /// The reasons for the sign of a product: `(x − y)^2 ≥ 0 as a square; … > 0 by (3); the other factors …`
     pub(super) fn reasons(&self, view: &View, relation: Relation, by: &[Label], own: Option<&Label>) -> Vec<Piece> {
         let mut out = Vec::new();
         let mut since: Vec<Label> = view.factors.iter().flat_map(|part| part.by.clone()).collect();
@@ -242,7 +238,7 @@ impl Words<'_> {
     }
 }
 
-/// An even power as it stands in a product, above or below the line.
+/// An even power in a product, in the numerator or in the denominator.
 fn squared(part: &Part) -> Expr {
     let power = expr(ExprKind::Number(part.power.unsigned_abs().to_string()));
     expr(ExprKind::Power(Box::new(part.of.clone()), Box::new(power)))

@@ -3,12 +3,12 @@
 use super::document::{Block, Document, Piece};
 use crate::claim::print::Style;
 
-/// How far a formula stands to the right of the sentences, and what is shown under a supposition of what is around it.
+/// The indentation of a formula against the sentences, and of a part under a supposition against the text around it.
 const STEP: usize = 4;
-/// The least room for a line, however deep it stands.
+/// The least width of a line, however deep it is nested.
 const LEAST: usize = 40;
 
-/// The proof behind a margin, each line at most so wide where a space allows it.
+/// The proof with a left margin, each line at most this wide if a space allows it.
 #[must_use]
 pub fn text(document: &Document, margin: usize, width: usize) -> String {
     let mut out = String::new();
@@ -24,7 +24,7 @@ pub(crate) fn paragraph(text: &str, first: usize, rest: usize, width: usize) -> 
     out
 }
 
-/// The proof as lines without ends, each with how deep it stands: 0 for the main line of thought.
+/// The proof as lines, each with its depth of nesting; 0 is the main argument.
 #[must_use]
 pub fn lines(document: &Document) -> Vec<(usize, String)> {
     let text = text(document, 0, usize::MAX);
@@ -60,7 +60,7 @@ fn sentence(pieces: &[Piece]) -> String {
         .collect()
 }
 
-/// Text broken at spaces; a word that is wider than a line stands on one of its own.
+/// Text broken at spaces; a word that is wider than a line gets a line of its own.
 fn wrapped(text: &str, first: usize, rest: usize, width: usize, out: &mut String) {
     let start = text.len() - text.trim_start().len();
     let mut line = " ".repeat(first) + &text[..start];

@@ -1,4 +1,4 @@
-//! What is said of each rule, and which steps are worth a sentence.
+//! The words for each rule, and the choice of steps that deserve a sentence.
 
 mod ahead;
 mod citation;
@@ -14,24 +14,24 @@ use crate::claim::syntax::*;
 use crate::kernel::statement::{compare, name, numeral};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A supposition of at most so many letters stands in its sentence.
+/// A supposition of at most this many characters is written inside its sentence.
 const SENTENCE: usize = 48;
 
 /// The sentences of a proof.
 pub(super) struct Words<'a> {
     pub(super) followed: &'a Followed,
     pub(super) short: Shorthand,
-    /// What the hypotheses are called.
+    /// The names of the hypotheses.
     hypotheses: BTreeMap<Label, String>,
-    /// Facts that are false, since what is supposed cannot be.
+    /// False facts, which follow from contradictory suppositions.
     absurd: BTreeSet<Label>,
-    /// Equations that only give names, or write something by them.
+    /// Equations that only introduce names, or rewrite something with these names.
     naming: BTreeSet<Label>,
-    /// Comparisons that a product shows, and that serve for a sign only: the product is put in where the sign is needed.
+    /// Comparisons proved by a product and used only for a sign: the product is stated where the sign is needed.
     pub(super) products: BTreeSet<Label>,
-    /// Facts that another says as well, which is cited for them.
+    /// Facts that repeat another one, which is cited instead.
     same: BTreeMap<Label, Label>,
-    /// What is supposed, from the outside to the inside.
+    /// The open suppositions, from the outermost to the innermost.
     open: Vec<Prop>,
     /// The suppositions that are the second direction of an equivalence.
     converse: BTreeSet<Label>,
@@ -81,7 +81,7 @@ impl<'a> Words<'a> {
         let mut out = Vec::new();
         self.nodes(&followed.nodes, &mut out);
         let closing = match followed.seen.last().map(|seen| &seen.show.rule) {
-            Some(Rule::Logic { .. }) => "With this, every part of the claim is shown.",
+            Some(Rule::Logic { .. }) => "This proves every part of the claim.",
             _ => "This is the claim.",
         };
         out.push(Block::Sentence(vec![say(closing)]));
@@ -106,7 +106,7 @@ impl<'a> Words<'a> {
         self.short.back_to(given);
     }
 
-    /// Steps in a row that give names, with what they say of the names; how many they are.
+    /// Words for consecutive steps that introduce names, with facts about the names. Returns the number of these steps.
     fn names(&mut self, nodes: &[Node], out: &mut Vec<Block>) -> usize {
         let (mut given, mut positive, mut written) = (Vec::new(), Vec::new(), Vec::new());
         let mut count = 0;
@@ -170,7 +170,7 @@ impl<'a> Words<'a> {
         let mut blocks = Vec::new();
         let is_absurd = self.absurd.contains(conclusion);
         if let PropKind::Implies(condition, _) = &show.prop.kind {
-            // What is supposed already needs no case, and what contradicts it makes none.
+            // A condition that is already supposed needs no case, and one that contradicts a supposition makes none.
             let text = print::prop(condition);
             if self.open.iter().any(|p| print::prop(p) == text) {
                 return self.nodes(inner, out);
@@ -228,7 +228,7 @@ impl<'a> Words<'a> {
         out.push(Block::Formula { label: Some(label.to_string()), prop, number: None });
     }
 
-    /// Whether a block says nothing that a reader does not see by himself.
+    /// Whether a block is obvious to a reader.
     fn is_plain(&self, inner: &[Node]) -> bool {
         inner.iter().all(|node| match node {
             Node::Step(place) => matches!(self.followed.seen[*place].show.rule, Rule::Logic { .. }),
@@ -236,7 +236,7 @@ impl<'a> Words<'a> {
         })
     }
 
-    /// A formula that is shown, behind a word.
+    /// A proved formula with words before it.
     pub(super) fn hence(&self, lead: &str, prop: &Prop, label: Option<&Label>, out: &mut Vec<Block>) {
         self.formula(vec![say(lead)], prop, label, out);
     }
@@ -273,18 +273,23 @@ impl<'a> Words<'a> {
                 lead
             }
             Rule::Induction { base, advance } => {
-                vec![fact(base), say(" is the beginning of an induction, and "), fact(advance), say(" its step. Hence")]
+                vec![
+                    fact(base),
+                    say(" is the base case of an induction, and "),
+                    fact(advance),
+                    say(" is its step. Hence"),
+                ]
             }
             Rule::Witness { with, .. } => {
                 let mut lead = vec![say("Such values exist:")];
                 self.values(with, &mut lead);
-                lead.push(say(" all that is asked for holds. Hence"));
+                lead.push(say(", all conditions are satisfied. Hence"));
                 lead
             }
             Rule::Extremum { from } => return self.extremum(prop, from, label, out),
             Rule::Monotone { from } => self.raised(prop, from),
             Rule::Unfold => vec![say("By definition,")],
-            Rule::Termwise { from } => vec![say("Taking "), fact(from), say(" together for all indices,")],
+            Rule::Termwise { from } => vec![say("Combining "), fact(from), say(" for all indices,")],
             Rule::Mean { with } => {
                 let mut lead = vec![say("The weighted inequality between geometric and arithmetic mean says,")];
                 self.values(with, &mut lead);
@@ -298,10 +303,13 @@ impl<'a> Words<'a> {
                 lead
             }
             Rule::Slope { source, with, .. } => {
-                let mut lead =
-                    vec![say("The mean value theorem uses the sign of the derivative, "), fact(source), say(".")];
+                let mut lead = vec![
+                    say("The mean value theorem applies, with the sign of the derivative from "),
+                    fact(source),
+                    say("."),
+                ];
                 if !with.is_empty() {
-                    lead.push(say(" Taken"));
+                    lead.push(say(" Applied"));
                     self.values(with, &mut lead);
                     lead.push(say(", it gives"));
                 }
@@ -358,8 +366,8 @@ impl<'a> Words<'a> {
     fn extremum(&self, prop: &Prop, from: &[Label], label: Option<&Label>, out: &mut Vec<Block>) {
         let only = matches!(&prop.kind, PropKind::Extremum(x) if x.unique) && from.len() > 1;
         let lead = match only {
-            true => "No other value is better, and at the stated point alone it is reached. Hence",
-            false => "No other value is better, and at the stated point it is reached. Hence",
+            true => "No value is better, and this one is attained only at the stated point. Hence",
+            false => "No value is better, and this one is attained at the stated point. Hence",
         };
         self.formula(vec![say(lead)], prop, label, out);
     }
@@ -371,14 +379,14 @@ impl<'a> Words<'a> {
         }
         let kind = |label: &Label| facts.get(label).map(|p| &p.kind);
         let by_cases = from.iter().any(|l| matches!(kind(l), Some(PropKind::Or(_))));
-        // A part of what is known, or parts put together, are seen without a word.
+        // A part of a fact, or parts joined together, need no words.
         let single = from.len() == 1 && !matches!(kind(&from[0]), Some(PropKind::Implies(..)));
         if single || matches!(show.prop.kind, PropKind::And(_)) && !by_cases {
             return;
         }
         let lead = match &show.prop.kind {
             _ if by_cases => vec![say("This covers all cases, so")],
-            PropKind::Equivalent(_) => vec![say("Both directions together say")],
+            PropKind::Equivalent(_) => vec![say("Both directions together prove")],
             _ => {
                 let mut lead = vec![say("By ")];
                 lead.extend(self.cited_all(from));
@@ -390,7 +398,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// Whether two propositions are an equation and that it does not hold.
+/// Whether two propositions are an equation and its negation.
 fn contradict(p: &Prop, q: &Prop) -> bool {
     let (Some((a, r, b)), Some((c, s, d))) = (sides(p), sides(q)) else { return false };
     a == c && b == d && matches!((r, s), (Relation::Equal, Relation::NotEqual) | (Relation::NotEqual, Relation::Equal))

@@ -64,7 +64,7 @@ impl Statement {
 /// The statement of a claim.
 ///
 /// # Errors
-/// The construct that cannot be said, with its place.
+/// The construct that the language cannot express, with its place.
 pub fn statement(claim: &Claim) -> Result<Statement> {
     let expanded = expand::Statement::of(claim).map_err(|limit| Unsupported::limit(limit.0, claim.name.span))?;
     let mut printer = printer(claim, &expanded)?;
@@ -116,7 +116,7 @@ fn printer(claim: &Claim, expanded: &expand::Statement) -> Result<Printer> {
     Ok(printer)
 }
 
-/// What comes before the goal: variables, definitions and hypotheses as the claim has them.
+/// The text before the goal: variables, definitions and hypotheses in the order of the claim.
 fn declared(printer: &mut Printer, claim: &Claim, expanded: &expand::Statement) -> Result<Vec<String>> {
     let mut assumptions = expanded.assumptions.iter();
     let mut out = Vec::new();

@@ -1,4 +1,4 @@
-//! Certificates at hand, by the digest of what they show.
+//! Stored certificates, by the digest of their statement.
 //!
 //! Nothing is believed of them: the kernel checks each from nothing, and one that is wrong costs only the time of that.
 
@@ -51,7 +51,7 @@ impl AtHand {
         })
     }
 
-    /// The first that the kernel accepts as a refutation of this claim, and whose digest is that of what it shows.
+    /// The first stored certificate that the kernel accepts as a refutation of this claim, with the digest of its statement.
     pub fn refuting(&self, claim: &Claim) -> Option<Certificate> {
         self.refutations.get(&claim.name.text)?.iter().find_map(|text| {
             let certificate = read(text).ok()?;

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -> (Vec<String>, Vec<String>) {
     let statement = shown.statement();
     let cited = needed(certificate).facts;
-    // Where nothing is to be shown the goal is a hypothesis, which no step cites.
+    // If the certificate has no steps, the goal is a hypothesis that no step cites.
     let goal = text::prop(&statement.goal);
     let is_goal = |prop: &Prop| certificate.steps.is_empty() && text::prop(prop) == goal;
     let (mut used, mut unused) = (Vec::new(), Vec::new());

@@ -27,16 +27,17 @@ use crate::refute::catalogue::{Catalogue, Limits};
 use crate::refute::outcome::{Fault, Outcome, Point, Verdict};
 use hand::AtHand;
 
-/// Which part of the time goes to showing that a point exists, or a contradiction, where none was found for the hypotheses.
+/// The part of the time limit for proving that some point satisfies the hypotheses, or that they contradict each other, if the
+/// search found no point.
 const CONTRADICTION: u32 = 5;
 
-/// A claim and what the audit says of it.
+/// A claim and its result in the audit.
 pub struct Entry {
     /// The claim.
     pub claim: Claim,
     /// The outcome.
     pub outcome: Outcome,
-    /// Whether a proof was found that the kernel does not accept as it was written.
+    /// Whether the search found a proof, but the kernel does not accept its certificate.
     pub found: bool,
     /// What the kernel accepted: of a refuted claim, that it is false at the witness.
     pub proof: Option<Proof>,
@@ -153,7 +154,7 @@ pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
     match fault {
         Fault::Contradictory { hypotheses } => Diagnostic::new(
             diagnostic::Fault::Other {
-                message: format!("the hypotheses of {} cannot all hold: {hypotheses}", claim.name.text),
+                message: format!("the hypotheses of {} contradict each other: {hypotheses}", claim.name.text),
                 help: Some("no values satisfy these hypotheses; remove or weaken one".to_string()),
             },
             claim.name.span,
@@ -237,7 +238,7 @@ pub(crate) fn contradiction(claim: &Claim) -> Fault {
 struct Decided {
     outcome: Outcome,
     held: Option<(Certificate, Accepted)>,
-    /// Whether a proof was found that the kernel does not accept as it was written.
+    /// Whether the search found a proof, but the kernel does not accept its certificate.
     found: bool,
 }
 
@@ -281,7 +282,7 @@ fn searched(
     }
     let found = matches!(fail, Fail::Unwritten(_));
     let reason = match rests_on(claim, cited) {
-        _ if found => format!("the search found a proof, but no certificate that the kernel accepts: {fail}"),
+        _ if found => format!("the search found a proof, but the kernel accepts no certificate of it: {fail}"),
         Some(reason) => reason,
         None => fail.to_string(),
     };

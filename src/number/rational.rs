@@ -64,25 +64,28 @@ pub enum NumeralError {
 impl fmt::Display for NumeralError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::MissingDigits { at } => write!(f, "a number needs digits at character {}", at + 1),
-            Self::Unexpected { found: ',', .. } => write!(f, "a number has a decimal point, not a comma: write 1.5"),
+            Self::MissingDigits { at: 0 } => write!(f, "expected a number, found nothing"),
+            Self::MissingDigits { at } => write!(f, "expected a digit at character {}", at + 1),
+            Self::Unexpected { found: ',', .. } => write!(f, "write a decimal point, not a comma: 1.5"),
             Self::Unexpected { at, found } => {
                 let hint = match found {
-                    ' ' if *at > 0 => "; write it without a unit and without spaces",
+                    '.' if *at < 2 => "; write a digit before the decimal point, as in 0.7",
+                    '%' => "; write 90 % as 0.9",
+                    ' ' | '_' if *at > 0 => "; write it without a unit and without spaces",
                     found if *at > 0 && found.is_alphabetic() => "; write it without a unit",
                     _ => "",
                 };
                 write!(f, "expected a number, found {found:?} at character {}{hint}", at + 1)
             }
             Self::Uncertainty { at } => {
-                write!(f, "uncertainty in parentheses at character {}: write the exact number that is meant", at + 1)
+                write!(f, "found an uncertainty in parentheses at character {}: write an exact number", at + 1)
             }
             Self::ZeroDenominator { at } => write!(f, "the denominator at character {} is zero", at + 1),
             Self::TooManyDigits { allowed, needed } => {
-                write!(f, "a number of {needed} digits; {allowed} are allowed")
+                write!(f, "the number has {needed} digits; at most {allowed} are allowed")
             }
             Self::ExponentTooLarge { at, allowed } => {
-                write!(f, "the exponent at character {} is larger than {allowed}", at + 1)
+                write!(f, "the exponent at character {} is too large; at most {allowed} is allowed", at + 1)
             }
         }
     }

@@ -192,8 +192,8 @@ pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Ou
     match (points, open, late) {
         (0, _, true) => Outcome::Untested(limit_reached("time")),
         (0, 0, _) if contradictory(claim, &limits) => Outcome::Fault(contradiction(claim)),
-        (0, 0, _) => Outcome::Untested("no point was found at which all the hypotheses hold".to_owned()),
-        (0, _, _) => Outcome::Untested(format!("none of {open} points decides it")),
+        (0, 0, _) => Outcome::Untested("no point was found that satisfies all hypotheses".to_owned()),
+        (0, _, _) => Outcome::Untested(format!("no comparison could be decided at {open} points")),
         _ => Outcome::Held { points, open, late },
     }
 }

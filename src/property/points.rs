@@ -122,7 +122,7 @@ impl Strategy for Law {
         // The bias is far below what a test could notice.
         let mut below = |bound: u64| runner.rng().next_u64() % bound.max(1);
         let found = trial.random(&mut below).and_then(|choice| values(&mut trial, &choice).map(|v| (choice, v)));
-        let now = found.ok_or("no point was found at which all the hypotheses hold")?;
+        let now = found.ok_or("no point was found that satisfies all hypotheses")?;
         Ok(Points { trial: RefCell::new(trial), failed: now.clone(), now, simpler: VecDeque::new() })
     }
 }

@@ -127,7 +127,9 @@ impl Certifier {
     }
 
     pub(super) fn witness(&mut self, goal: &Prop, values: &[(Name, Expr)]) -> Result<(), Fail> {
-        let PropKind::Exists(bindings, body) = &goal.kind else { return Err(Fail::No("a witness is for `exists`")) };
+        let PropKind::Exists(bindings, body) = &goal.kind else {
+            return Err(Fail::No("a witness proves `exists` only"));
+        };
         let mut map = Substitution::default();
         values.iter().for_each(|(n, e)| map.replace(&n.text, e));
         for fact in bindings.iter().flat_map(domain).chain([(**body).clone()]) {

@@ -1,8 +1,8 @@
-//! A certificate made short: no step that its goal does not rest on, and no citation that a step can do without.
+//! Shortens a certificate: drops steps that the goal does not need, and citations that a step does not need.
 //!
-//! Contract: what comes out is a certificate of the same statement, its labels 1, 2, 3, … in order. The search cites
-//! whatever the kernel looked at. Here the steps that nothing rests on go first, since each question to the kernel costs a
-//! check of the step; then each citation of those that stay is spared where it can be.
+//! Contract: the result is a certificate of the same statement, with the labels 1, 2, 3, … in order. The search cites
+//! everything that the kernel looked at. Unused steps go first, because testing a citation costs one check of its step.
+//! Then each citation of the remaining steps is dropped if the kernel still accepts the step.
 
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Show, Step, needed};
@@ -10,10 +10,10 @@ use crate::claim::syntax::Claim;
 use crate::kernel::{Accepted, Checker, Refusal};
 use std::collections::{BTreeSet, HashMap};
 
-/// The certificate, made short. What is not done at the deadline stays as it is.
+/// The shortened certificate. At the deadline the rest stays as it is.
 ///
 /// # Errors
-/// The kernel refuses a step: it was not a certificate of this claim.
+/// The kernel rejects a step: this was not a certificate of the claim.
 pub(crate) fn brief(
     claim: &Claim,
     certificate: Certificate,
@@ -45,8 +45,8 @@ pub(crate) fn looked_at(checker: &mut Checker, show: Show) -> Result<Show, Refus
     Ok(if checker.used(&shorter).is_ok() { shorter } else { show })
 }
 
-/// Drops each citation that the step can do without, hypotheses first, and first those that no step has needed so far: what
-/// stands only here may fall with all it rests on.
+/// Drops each citation that the step does not need. Citations that no other step needs are tried first, because the steps
+/// behind them can then be dropped too.
 fn spare(checker: &mut Checker, show: &mut Show, needed: &BTreeSet<Label>) {
     let mut tried: Vec<Label> = show.by.iter().chain(&show.using).cloned().collect();
     tried.sort_by_key(|label| (!label.starts_with('h'), needed.contains(label)));

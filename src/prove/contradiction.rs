@@ -1,4 +1,4 @@
-//! Goals shown by what contradicts their opposites, and by chains of comparisons.
+//! Goals proved by contradiction, and by chains of comparisons.
 
 use super::draft::{Rule, negation};
 use super::write::negated;
@@ -54,7 +54,7 @@ impl Certifier {
         self.combination(compare(numeral(0), relation, numeral(0)), None, terms)
     }
 
-    /// Conclusions of implications and equivalences whose premises are seen at once.
+    /// Adds the conclusions of implications and equivalences whose premises are immediate.
     pub(super) fn saturate(&mut self) -> Result<bool, Fail> {
         let mut changed = false;
         let list = self.facts();
@@ -100,7 +100,7 @@ impl Certifier {
         Ok(changed)
     }
 
-    /// A chain of facts with the very same expressions in between, as a sum.
+    /// Proves a comparison as the sum of a chain of facts in which each right side is the next left side.
     pub(super) fn transitive(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<(), Fail> {
         let (from, to) = match relation {
             Relation::Greater | Relation::GreaterEqual => (a, b),
@@ -186,7 +186,7 @@ impl Certifier {
             if relations.len() != 1 {
                 continue;
             }
-            // What is said to vanish may be seen not to.
+            // An expression that a fact says to be 0 may have a known sign other than 0.
             if relations[0] == Relation::Equal
                 && let Ok((difference, _)) = self.checker.difference(fact)
             {

@@ -1,4 +1,4 @@
-//! Why no certificate was found, as values; worded here and nowhere else.
+//! Why no certificate was found, as values. Only this file words these reasons.
 
 use super::draft::Failure;
 use super::elaborate::Stuck;
@@ -15,32 +15,32 @@ pub enum Fail {
     Limit(&'static str),
     /// A limit of the kernel was reached.
     KernelLimit(&'static str),
-    /// The kernel does not take a step of this rule.
+    /// The kernel rejects a step of this rule.
     Step {
         /// The rule.
         rule: &'static str,
         /// Why.
         reason: String,
     },
-    /// The kernel's arithmetic does not follow an expression.
+    /// The kernel's arithmetic cannot read an expression.
     Value(String),
-    /// A comparison that no step shows.
+    /// A comparison that no step proves.
     NotShown(String),
-    /// A fact or a cited claim that is not there, by name.
+    /// The name of a fact or a cited claim that does not exist.
     NoFact(String),
     /// A claim that is cited and was not proved.
     NoProofOf(String),
-    /// No step for this, in words.
+    /// What no method handles, or what a method lacks, in words.
     No(&'static str),
-    /// A step of a draft that does not say what it needs, by label.
+    /// The label of a draft's step that lacks a field.
     Malformed(String),
-    /// It stopped within a part of the argument.
+    /// The failure of a part of the argument.
     Within(String, Box<Fail>),
-    /// A goal that was not shown, and why.
+    /// A goal that was not proved, and why.
     Goal(String, Box<Fail>),
-    /// All was shown, and what was written of it is not accepted.
+    /// The draft is complete, but the kernel rejects the certificate written from it.
     Unwritten(Box<Fail>),
-    /// What was found is not accepted when it is checked from nothing: the rule and the reason.
+    /// The kernel rejects the whole certificate: the first rejected step, its rule and the reason.
     Whole {
         /// The step, by label.
         step: String,
@@ -61,12 +61,12 @@ impl Fail {
         }
     }
 
-    /// The same, within a part of the argument.
+    /// The same failure, with the part of the argument in which it happened.
     pub fn within(self, part: &str) -> Fail {
         Fail::Within(part.to_string(), Box::new(self))
     }
 
-    /// The same, with the goal where it does not name what was not shown.
+    /// The same failure, with the goal added unless the failure names a proposition.
     pub(crate) fn of_goal(self, goal: &Prop) -> Fail {
         match self.limit() {
             None if !self.names_what() => Fail::Goal(prop(goal), Box::new(self)),
@@ -74,7 +74,7 @@ impl Fail {
         }
     }
 
-    /// Whether it says which proposition was not shown.
+    /// Whether it names the proposition that was not proved.
     fn names_what(&self) -> bool {
         match self {
             Fail::NotShown(_) => true,
@@ -83,7 +83,7 @@ impl Fail {
         }
     }
 
-    /// Why a step of a rule was not taken.
+    /// Why the draft did not take a step of a rule.
     pub fn step(rule: &'static str, failure: Failure) -> Fail {
         match failure {
             Failure::Rejected(reason) => Fail::Step { rule, reason },
@@ -91,7 +91,7 @@ impl Fail {
         }
     }
 
-    /// Why a whole certificate is not accepted.
+    /// Why the kernel does not accept a whole certificate.
     pub fn whole(verdict: Verdict) -> Fail {
         match verdict {
             Verdict::Accepted(_) | Verdict::Refuted => Fail::No("a certificate"),
@@ -105,18 +105,22 @@ impl fmt::Display for Fail {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Fail::Limit(name) => f.write_str(&limit_reached(name)),
-            Fail::KernelLimit(name) => write!(f, "limit reached: {name}, a limit of the kernel that no flag raises"),
-            Fail::Step { rule, reason } => write!(f, "no step of rule `{rule}` ({reason})"),
+            Fail::KernelLimit(name) => {
+                write!(f, "limit reached: {name} (a fixed limit of the kernel; no flag raises it)")
+            }
+            Fail::Step { rule, reason } => write!(f, "rule `{rule}` does not apply: {reason}"),
             Fail::Value(reason) => f.write_str(reason),
-            Fail::NotShown(prop) => write!(f, "not shown: {prop}"),
+            Fail::NotShown(prop) => write!(f, "could not prove: {prop}"),
             Fail::NoFact(name) => write!(f, "no fact is called {name}"),
             Fail::NoProofOf(name) => write!(f, "{name} is not proved"),
-            Fail::No(what) => write!(f, "no step for {what}"),
-            Fail::Malformed(step) => write!(f, "the step {step} of the draft does not say what it needs"),
+            Fail::No(what) => write!(f, "no method applies ({what})"),
+            Fail::Malformed(step) => write!(f, "step {step} of the draft lacks a field that its rule needs"),
             Fail::Within(part, inner) => write!(f, "{part}: {inner}"),
-            Fail::Goal(goal, inner) => write!(f, "not shown: {goal} ({inner})"),
+            Fail::Goal(goal, inner) => write!(f, "could not prove: {goal} ({inner})"),
             Fail::Unwritten(inner) => inner.fmt(f),
-            Fail::Whole { step, rule, reason } => write!(f, "what was written is rejected at {rule} {step}: {reason}"),
+            Fail::Whole { step, rule, reason } => {
+                write!(f, "the kernel rejects the certificate found, at step {step} ({rule}): {reason}")
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What a goal needs, by its form: its parts, then the facts at hand.
+//! Proves a goal by its form: first its parts, then the known facts.
 
 use super::draft::{Rule, negation};
 use super::{Certifier, Fail};
@@ -6,7 +6,7 @@ use crate::claim::syntax::*;
 use crate::kernel::statement::{compare, prop};
 
 impl Certifier {
-    /// Shows a goal without an argument.
+    /// Proves a goal without an argument.
     pub(super) fn show(&mut self, goal: &Prop) -> Result<(), Fail> {
         self.tick()?;
         if self.checker.knows(goal) {

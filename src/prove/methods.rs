@@ -257,7 +257,7 @@ impl Certifier {
     }
 
     pub(super) fn squeeze(&mut self, goal: &Prop, lower: Expr, upper: Expr) -> Result<(), Fail> {
-        let PropKind::Limit(limit) = &goal.kind else { return Err(Fail::No("`squeeze` is for limits")) };
+        let PropKind::Limit(limit) = &goal.kind else { return Err(Fail::No("`squeeze` proves limits only")) };
         for bound in [&lower, &upper] {
             let same = Limit { of: bound.clone(), ..(**limit).clone() };
             self.show(&prop(PropKind::Limit(Box::new(same))))?;

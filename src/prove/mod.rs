@@ -1,13 +1,12 @@
-//! The search for proofs: steps of a draft, written as a certificate that the kernel accepts.
+//! The search for proofs: it makes the steps of a draft, and writes them as a certificate that the kernel accepts.
 //!
 //! Contract: [`certificate()`] returns a certificate that the kernel accepted, or says where it got stuck. Nothing here is
-//! trusted: a wrong step is rejected by the kernel, and `carom check` reads the text and checks it from nothing.
+//! trusted: the kernel rejects a wrong step, and `carom check` checks the certificate again from its text.
 //!
-//! Method: the claim's own argument is followed, and where it leads nowhere the goal is shown without it. What is shown
-//! becomes steps of a draft (`draft`), which keeps what is known so far. Signs come from the engine's factorisation and
-//! certificates of positivity, as explicit identities. Then the steps that the goal rests on are written as a certificate
-//! (`elaborate`), each with all that it cites. Where that fails, a second search is tried that needs no argument (`direct`).
-//! What either found is made short (`brief`).
+//! Method: the search follows the claim's own argument. If the argument fails, it tries the automatic methods. Proved
+//! facts become steps of a draft (`draft`). Signs come from factorisations and certificates of positivity, as explicit
+//! identities. The steps that the goal needs are then written as a certificate (`elaborate`), each with its citations.
+//! If all this fails, a second search works without the argument (`direct`). `brief` shortens what either of them found.
 
 mod argument;
 mod brief;
@@ -41,10 +40,10 @@ pub use fail::Fail;
 use goal::exprs_in;
 use std::rc::Rc;
 
-/// How many steps of the search ([`Limits::steps`]) a step of a draft counts for.
+/// How many search steps ([`Limits::steps`]) one step of a draft counts as.
 const STEPS_OF_A_TRY: usize = 20;
 
-/// A certificate of a claim; `cited` holds what was accepted of the claims it cites.
+/// A certificate of a claim; `cited` holds the accepted claims that it cites.
 ///
 /// # Errors
 /// Those of `by_search`.
@@ -52,11 +51,10 @@ pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Resul
     at_once(claim, cited, limits).or_else(|_| by_search(claim, cited, limits))
 }
 
-/// A certificate of a claim that [`at_once`] does not see.
+/// A certificate of a claim that [`at_once`] cannot prove.
 ///
 /// # Errors
-/// The first thing that could not be shown in the kernel's rules; [`Fail::Unwritten`] where all was, and the kernel does
-/// not accept what was written.
+/// The first thing that could not be proved; [`Fail::Unwritten`] if everything was, but the kernel rejects the certificate.
 pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let begin = Moment::now();
     by_draft(claim, cited, limits).or_else(|first| {
@@ -66,8 +64,8 @@ pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> 
     })
 }
 
-/// What the kernel says of a certificate, made short in a time of its own. What counts is what is written: the text is read
-/// back and checked from nothing.
+/// Shortens a certificate, with a time limit of its own, and has the kernel check it. The text counts: it is read back and
+/// checked from the beginning.
 fn accepted(
     claim: &Claim,
     found: Certificate,
@@ -84,11 +82,11 @@ fn accepted(
     }
 }
 
-/// A certificate for comparisons that the kernel sees when it multiplies out: identities, and signs that the hypotheses tell.
-/// No claim with an argument of its own is taken: its proof is to be that argument.
+/// Proves comparisons that the kernel sees by multiplying out: identities, and signs that follow from the hypotheses.
+/// A claim with an argument of its own is left to that argument.
 ///
 /// # Errors
-/// The kernel does not see it.
+/// The kernel does not see the comparison.
 pub(crate) fn at_once(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     if !claim.proof.steps.is_empty() || claim.proof.close.is_some() {
         return Err(Fail::No("a comparison without an argument"));
@@ -135,7 +133,7 @@ fn parts(p: &Prop) -> Vec<Prop> {
     }
 }
 
-/// The claim's argument as a draft, and that as a certificate.
+/// Follows the claim's argument in a draft, and writes the draft as a certificate.
 fn by_draft(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let statement = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
     let deadline = Moment::now().checked_add(limits.time);
@@ -198,7 +196,7 @@ impl Certifier {
         let deadline = Moment::now().checked_add(limits.time);
         let fewer: Vec<Step> =
             (0..).zip(&steps).filter(|(k, _)| needed.contains(&Source::Step(*k))).map(|s| s.1.clone()).collect();
-        // The marks only propose: where fewer steps do not make a certificate, all may.
+        // The marks only propose which steps to keep: if these do not make a certificate, all steps may.
         let written = match elaborate::elaborate(claim, &fewer, cited, deadline) {
             Ok(written) => written,
             Err(_) => elaborate::elaborate(claim, &steps, cited, deadline)?,
@@ -235,7 +233,7 @@ pub struct Certifier {
     within_powers: bool,
 }
 
-/// What a failed attempt goes back to.
+/// The state to restore after a failed attempt.
 struct Mark {
     checker: Draft,
     steps: usize,
@@ -256,7 +254,7 @@ impl Certifier {
         Ok(())
     }
 
-    /// Takes a step, if the kernel does; returns its label.
+    /// Adds a step if the draft accepts it; returns its label.
     fn step(&mut self, mut step: Step) -> Result<String, Fail> {
         self.tick()?;
         if step.rule != Rule::End {
@@ -301,7 +299,7 @@ impl Certifier {
         })
     }
 
-    /// Runs something; if it fails everything is as before.
+    /// Runs a part of the search; if it fails, restores the state before it.
     fn attempt<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
         let mark = Mark {
             checker: self.checker.clone(),
@@ -377,7 +375,7 @@ impl Certifier {
         Ok(())
     }
 
-    /// Uses a fact: its parts, the signs and values it gives.
+    /// Uses a fact: adds its parts, and the signs and values that follow from it.
     fn suppose(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
         let mut exprs = Vec::new();
         exprs_in(fact, &mut exprs);
@@ -413,7 +411,7 @@ impl Certifier {
         }
     }
 
-    /// The facts known now, by label: steps taken while they are walked through add others.
+    /// The labels of the facts known now. It is a copy, because steps taken during a walk add more facts.
     fn facts(&self) -> Vec<(String, Rc<Prop>)> {
         self.checker.facts().iter().map(|f| (f.label().to_string(), f.prop().clone())).collect()
     }

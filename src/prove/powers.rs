@@ -1,4 +1,4 @@
-//! Which powers the others are written in: for each base, exponents that generate all others.
+//! For each base, generators: powers such that all other powers of the base are products of these with whole exponents.
 
 use super::draft::Rule;
 use super::write::{multiplied, negated, quotient};
@@ -14,7 +14,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
-/// A power that others are written in.
+/// A generator: a power in which others are written.
 #[derive(Clone, Debug)]
 pub(super) struct Generator {
     base: Poly,
@@ -128,8 +128,8 @@ impl Certifier {
         Ok(())
     }
 
-    /// Sees to it that the generators of a base suffice for these exponents; says whether some were given
-    /// up for finer ones.
+    /// Extends the generators of a base until they suffice for these exponents. Returns whether generators were replaced
+    /// by finer ones.
     fn generate(&mut self, base: &Poly, exponents: &[Fraction]) -> Result<bool, Fail> {
         if exponents.iter().all(|e| self.written(base, e).is_ok()) {
             return Ok(false);
@@ -182,13 +182,13 @@ impl Certifier {
             let label = self.take(Rule::Logarithm, &[], Some(prop))?;
             self.take(Rule::Replace, &[label], None)?;
             self.introduced.clear();
-            // What is known of the variable is written down again in what it is now written in.
+            // Facts about the variable are noted again, in the new generators.
             if let Some(Atom::Variable(variable)) = base.single_atom().and_then(|a| self.checker.atom(a)).cloned() {
                 self.note_again(&variable);
             }
         }
         if !dropped.is_empty() {
-            // What was written in generators that are given up is written in the new ones.
+            // Powers written in replaced generators are written in the new ones.
             self.introduced.clear();
             for old in &dropped {
                 self.exponentials.retain(|x| x.1 != old.expr);

@@ -1,4 +1,4 @@
-//! Comparisons: the hints by which the kernel sees the sign of a difference.
+//! Comparisons: hints that let the kernel see the sign of a difference.
 
 use super::draft::Rule;
 use super::polynomials::{factored, from_algebra, to_algebra};
@@ -27,7 +27,7 @@ impl Certifier {
         let (difference, _) = match self.checker.difference(&prop) {
             Ok(found) => found,
             Err(crate::prove::draft::Failure::Rejected(reason)) => {
-                // A value may hang on a sign that has to be shown first.
+                // Whether it has a value may depend on a sign that must be proved first.
                 self.define(&[a, b])?;
                 if self.take(Rule::Sign, &[], Some(prop.clone())).is_ok() {
                     return Ok(());
@@ -58,7 +58,7 @@ impl Certifier {
         Err(Fail::NotShown(crate::claim::print::prop(&prop)))
     }
 
-    /// Shows what these expressions need to have a value: divisors, bases, arguments of logarithms.
+    /// Proves the conditions under which these expressions have values: on divisors, bases and arguments of logarithms.
     pub fn define(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
         let mut list = Vec::new();
         exprs.iter().for_each(|e| needs(e, &mut list));
@@ -82,7 +82,7 @@ impl Certifier {
         self.prepare(exprs)
     }
 
-    /// Seeks the sign of a polynomial and has the kernel note it.
+    /// Finds the sign of a polynomial and notes it in the draft.
     pub fn settle(&mut self, poly: &Poly, depth: usize) -> Result<(), Fail> {
         let known = self.checker.poly_signs(poly).map_err(Fail::from)?;
         if known.within(Signs::POSITIVE) || known.within(Signs::of(Relation::Less)) || known.within(Signs::ZERO) {
@@ -162,7 +162,7 @@ impl Certifier {
     }
 }
 
-/// What an expression needs to have a value, innermost first.
+/// The conditions under which an expression has a value, innermost first.
 fn needs(e: &Expr, out: &mut Vec<(Expr, Relation)>) {
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) => {}
@@ -201,8 +201,8 @@ fn needs(e: &Expr, out: &mut Vec<(Expr, Relation)>) {
     }
 }
 
-/// Whether the polynomial is seen to be positive, and negative, where the constraints hold with room
-/// to spare: a hint which search is in vain, in floating point.
+/// Whether the polynomial takes positive values, and negative values, at sampled points that satisfy the constraints
+/// strictly. It works in floating point and is only a hint which searches are futile.
 fn guess_signs(p: &Polynomial, constraints: &[Constraint]) -> (bool, bool) {
     use malachite::base::num::conversion::traits::RoundingFrom;
     use malachite::base::rounding_modes::RoundingMode;

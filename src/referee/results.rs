@@ -41,7 +41,7 @@ impl fmt::Display for ResultsError {
             }
             Self::Table(error) => write!(f, "{error}"),
             Self::Columns(names) => {
-                write!(f, "the columns scene and velocities are needed; there are {}", names.join(", "))
+                write!(f, "the columns scene and velocities are required; the columns are {}", names.join(", "))
             }
             Self::Field { column, name, what, .. } => write!(f, "column {column} ({name}): {what}"),
         }
@@ -67,7 +67,7 @@ impl ResultsError {
 pub fn unknown<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     match nearest(name, known) {
         Some(near) => format!("no scene is called {name}; did you mean {near}?"),
-        None => format!("no scene is called {name}; `carom referee --scenes` writes all of them"),
+        None => format!("no scene is called {name}; `carom referee --scenes` lists all scenes"),
     }
 }
 
@@ -107,7 +107,9 @@ impl Field<'_> {
     fn numbers(&self, needed: Option<usize>) -> Result<Vec<Given>, ResultsError> {
         let list = self.list(number)?;
         match needed.filter(|needed| !list.is_empty() && list.len() != *needed) {
-            Some(needed) => Err(self.wrong(format!("{} numbers where the scene has {needed} bodies", list.len()))),
+            Some(needed) => {
+                Err(self.wrong(format!("expected {needed} numbers, one for each body, found {}", list.len())))
+            }
             None => Ok(list),
         }
     }
@@ -129,7 +131,9 @@ fn number(text: &str) -> Result<Given, Wrong> {
 fn pair(text: &str, bodies: usize) -> Result<usize, Wrong> {
     let place = |part: &str| part.parse::<usize>().ok();
     let pair = text.split_once(['-', '–']).and_then(|(a, b)| place(a).zip(place(b)));
-    let Some((a, b)) = pair else { return Err(wrong(format!("{text:?} is no pair; write for instance 1-2"))) };
+    let Some((a, b)) = pair else {
+        return Err(wrong(format!("{text:?} is not a pair of bodies; write for instance 1-2")));
+    };
     if a.abs_diff(b) != 1 || a.max(b) > bodies + 1 {
         let last = bodies + 1;
         return Err(wrong(format!(
@@ -165,7 +169,7 @@ pub fn read(bytes: &[u8], scenes: &[Scene]) -> Result<BTreeMap<String, Answer>, 
         let scene = scene.ok_or_else(|| head.wrong(unknown(head.text, known())))?;
         let answer = answer(&field, velocities, further, scene.bodies.len())?;
         if found.insert(scene.name.clone(), answer).is_some() {
-            return Err(head.wrong(format!("{} has a result already", scene.name)));
+            return Err(head.wrong(format!("{} already has a result", scene.name)));
         }
     }
     Ok(found)
@@ -182,7 +186,7 @@ fn answer<'a>(
     let count = count
         .map(field)
         .filter(|field| !field.text.is_empty())
-        .map(|field| field.text.parse().map_err(|_| field.wrong(format!("{:?} is no whole number", field.text))));
+        .map(|field| field.text.parse().map_err(|_| field.wrong(format!("{:?} is not a whole number", field.text))));
     Ok(Answer {
         velocities: field(velocities).numbers(Some(bodies))?,
         positions: numbers(positions, Some(bodies))?,

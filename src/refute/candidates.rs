@@ -1,14 +1,14 @@
-//! Values that a claim itself suggests, for where the usual ones say nothing.
+//! Values to try for the variables of a claim, read off the claim itself. They are used after the usual values.
 //!
-//! Its numerals with their neighbours, what lies between two of them, Pythagorean ratios for sums of two squares, large
-//! and negative values; for a single variable a fine grid.
+//! They are its numerals and their neighbours, numbers between two numerals, Pythagorean ratios for sums of two squares,
+//! large and negative values, and for a single variable a fine grid.
 
 use super::expand::Statement;
 use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
 
-/// Natural numbers beyond the usual ones.
+/// Natural numbers that the usual list leaves out.
 const NATURALS: &[u32] =
     &[8, 9, 10, 11, 12, 13, 14, 15, 16, 20, 24, 25, 32, 50, 64, 100, 128, 200, 256, 400, 500, 700, 1000];
 
@@ -63,7 +63,7 @@ pub(super) fn suggested(statement: &Statement, goal: &Prop) -> [Vec<Rational>; 2
     [distinct(reals), distinct(naturals)]
 }
 
-/// The list without what it holds already.
+/// The list without repetitions.
 fn distinct(list: Vec<Rational>) -> Vec<Rational> {
     let mut seen = std::collections::BTreeSet::new();
     list.into_iter().filter(|q| seen.insert(q.clone())).collect()

@@ -1,4 +1,4 @@
-//! One claim as a search for points sees it: its hypotheses, a point at which they hold, a counterexample.
+//! The search for points of one claim: a point that satisfies its hypotheses, and a counterexample.
 //!
 //! Contract: a sample satisfies every hypothesis exactly. A counterexample is one of [`super::counterexample`]. It is sought twice: at
 //! few points, before a proof is sought, and at all of them, where none was found.
@@ -14,27 +14,28 @@ use super::{counterexample, dependence, faults, sample};
 use crate::claim::syntax::Claim;
 use std::time::Duration;
 
-/// How many expressions are evaluated before a proof is sought: most false claims fail within them, and a true one waits
-/// for a few milliseconds.
+/// Number of expressions evaluated before a proof is tried. Most false claims fail within this number, and a true claim
+/// loses only a few milliseconds.
 pub(crate) const FIRST: u64 = 20_000;
 
-const NO_POINT: &str = "no point was found at which all the hypotheses hold";
+const NO_POINT: &str = "no point was found that satisfies all hypotheses";
 
-/// A claim with its hypotheses taken in.
+/// A claim whose hypotheses have been read.
 pub(crate) struct Case {
     plan: Plan,
     statement: Statement,
     sample: Option<Point>,
-    /// The points and the goal, once a counterexample is sought; none where a point says nothing of what moves.
+    /// The points and the goal, once the search for a counterexample has begun. `None` if values at a point cannot decide
+    /// the goal, because a variable of a derivative or limit moves.
     aim: Option<Option<(Search, Goal)>>,
-    /// At how many points the goal was seen to hold.
+    /// Number of points at which the goal was true.
     held: usize,
     started: Moment,
     time: Duration,
 }
 
 impl Case {
-    /// Reads the hypotheses and seeks a point at which they hold.
+    /// Reads the hypotheses and looks for a point that satisfies them.
     ///
     /// # Errors
     /// A limit, by name.
@@ -49,7 +50,7 @@ impl Case {
         Ok(Case { plan, statement, sample, aim: None, held: 0, started, time: limits.time })
     }
 
-    /// Whether something is supposed and no point was found at which it holds.
+    /// Whether there are hypotheses and no point was found that satisfies them.
     pub(crate) fn has_no_point(&self) -> bool {
         self.statement.has_hypotheses() && self.sample.is_none()
     }
@@ -59,7 +60,7 @@ impl Case {
         !self.statement.bindings.is_empty()
     }
 
-    /// Notes a point at which the hypotheses were shown to hold.
+    /// Records a point that satisfies the hypotheses.
     pub(crate) fn found_a_point(&mut self, point: Option<Point>) {
         self.sample = point;
     }
@@ -74,13 +75,13 @@ impl Case {
         said.into_iter().try_for_each(shape::check)
     }
 
-    /// Why no proof is sought, if there is a reason: the goal may be read in two ways.
+    /// Why no proof is tried, if there is a reason: the goal is ambiguous.
     pub(crate) fn ambiguous(&self) -> Option<String> {
         let variable = dependence::tied_derivative(&self.statement)?;
         Some(format!("a derivative by {variable}, which a hypothesis ties to other variables, may be read in two ways"))
     }
 
-    /// What is said of a claim whose proof is accepted: that its hypotheses can hold has to be known as well.
+    /// The outcome of a claim whose proof is accepted. It also needs a point that satisfies the hypotheses.
     pub(crate) fn proved(self) -> Outcome {
         let mut outcome = undecided(&self.statement.name, None, self.limit());
         if self.has_no_point() {
@@ -92,7 +93,7 @@ impl Case {
         outcome
     }
 
-    /// What is said of a claim that is neither shown nor refuted.
+    /// The outcome of a claim that is neither proved nor refuted.
     pub(crate) fn undecided(self, reason: String, limit: Option<&'static str>) -> Outcome {
         let late = limit.is_none() && self.started.elapsed() > self.time;
         let reason = if late { format!("{reason}; {}", limit_reached("time")) } else { reason };
@@ -100,7 +101,7 @@ impl Case {
         Outcome { sample: self.sample, points: self.held, ..undecided(&self.statement.name, Some(reason), limit) }
     }
 
-    /// A counterexample among the points that are tried with so many expressions evaluated, or among all.
+    /// A counterexample among the points that can be tried with this number of evaluated expressions, or among all points.
     pub(crate) fn counterexample(&mut self, most: Option<u64>) -> Option<Outcome> {
         if self.has_no_point() {
             return None;
@@ -128,19 +129,19 @@ impl Case {
         witness
     }
 
-    /// The limit that stood in the way of a point.
+    /// The limit that ended the search for a point.
     fn limit(&self) -> Option<&'static str> {
-        // A search for points ends there without a word.
+        // The search for points stops there without an error.
         (self.started.elapsed() > self.time).then_some("time")
     }
 
-    /// The time that is left for the claim.
+    /// The time left for the claim.
     pub(crate) fn time_left(&self) -> Duration {
         self.time.saturating_sub(self.started.elapsed())
     }
 }
 
-/// A claim that is beyond a limit before anything is sought.
+/// The outcome of a claim that exceeds a limit before any search.
 pub(crate) fn beyond(claim: &Claim, limit: &'static str) -> Outcome {
     undecided(&claim.name.text, Some(limit_reached(limit)), Some(limit))
 }

@@ -1,4 +1,4 @@
-//! A set of claims, those that are cited before those that cite them.
+//! A set of claims, ordered so that every claim comes after those that it cites.
 
 use crate::claim::diagnostic::{self, Diagnostic};
 use crate::claim::syntax::*;
@@ -8,7 +8,7 @@ use std::time::Duration;
 /// Bounds on the work for one claim; each is reported by name when it is reached.
 #[derive(Clone, Debug)]
 pub struct Limits {
-    /// The most steps of the search (`steps`).
+    /// Largest number of search steps (`steps`).
     pub steps: usize,
     /// The longest time for one claim (`time`).
     pub time: Duration,

@@ -1,7 +1,7 @@
 //! Numbers in closed form: sums of rationals times powers of primes, exponentials and logarithms.
 //!
-//! Contract: a form has the value of the number that it was made for, so two numbers with one form are equal, which no
-//! enclosure can tell. Two forms may differ and be equal all the same. Where a form would be long there is none.
+//! Contract: a form has the value of the number that it was made for, so two numbers with the same form are equal. An
+//! enclosure could not show that. Numbers with different forms may still be equal. Numbers with long forms have none.
 
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Floor, Pow};
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// The most terms of a form.
 const TERMS: usize = 12;
 
-/// Factors up to this one are looked for.
+/// Prime factors up to this one are found.
 const TRIAL: u64 = 1_000;
 
 /// The largest whole exponent.
@@ -43,7 +43,7 @@ impl Closed {
         Closed::term(Product::new(), q.clone())
     }
 
-    /// The rational number that it is, by its form.
+    /// The rational number, if the form is one.
     pub fn as_rational(&self) -> Option<Rational> {
         match self.0.iter().next() {
             None => Some(Rational::ZERO),

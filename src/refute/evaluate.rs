@@ -34,7 +34,7 @@ pub struct Assignment {
     pub indices: HashMap<String, Rational>,
     /// Variables and families that are natural numbers by their declaration.
     pub naturals: Rc<HashSet<String>>,
-    /// Families: the values that members take in turn.
+    /// Families: values for their members, repeated cyclically.
     pub families: HashMap<String, Vec<Rational>>,
     /// Families that are geometric: the ratio of a member to the one before it; the first of the
     /// family's values is member 0.
@@ -49,7 +49,7 @@ pub struct Assignment {
     pub members: Members,
     /// Index ranges of families: first and last.
     pub ranges: HashMap<String, (Expr, Expr)>,
-    /// The members that were looked up.
+    /// The members that were evaluated.
     pub seen: RefCell<BTreeMap<(String, i64), Rational>>,
     /// How many expressions may still be evaluated, here and in copies of the point.
     pub steps: Rc<Cell<u32>>,

@@ -35,7 +35,7 @@ impl Sequence {
         names
     }
 
-    /// Whether the step speaks of the sequence by the member before only, u(k).
+    /// Whether the step mentions the sequence only by the member before, u(k).
     pub(crate) fn steps_once(&self) -> bool {
         fn fine(e: &Expr, name: &str, index: &str) -> bool {
             if let ExprKind::Apply(function, arguments) = &e.kind
@@ -51,7 +51,7 @@ impl Sequence {
     }
 }
 
-/// A claim with its definitions put in place.
+/// A claim with its definitions expanded.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// The claim's name.
@@ -68,14 +68,14 @@ pub struct Statement {
     pub proof: Proof,
     /// Claims it may cite.
     pub using: Vec<String>,
-    /// A point at which the hypotheses hold, as the author says.
+    /// The author's point that satisfies the hypotheses (`sample`).
     pub sample: Vec<(String, Expr)>,
 }
 
 type Result<T> = std::result::Result<T, Limit>;
 
 impl Statement {
-    /// Whether anything is supposed.
+    /// Whether there are hypotheses.
     pub(crate) fn has_hypotheses(&self) -> bool {
         !self.bindings.is_empty() || !self.assumptions.is_empty()
     }

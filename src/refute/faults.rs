@@ -1,6 +1,7 @@
-//! Faults of a claim's argument: labels, cited claims and variables that are not there, and methods out of place.
+//! Faults of a claim's argument: unknown labels, cited claims and variables, and methods that do not fit the goal.
 //!
-//! Contract: an argument without a fault may still lead nowhere; one with a fault makes no sense, and nothing is sought.
+//! Contract: an argument without a fault may still fail to prove the claim. An argument with a fault is an error in the
+//! claim file, and no search begins.
 
 use super::expand::{Statement, names_in};
 use super::outcome::Diagnose;
@@ -72,7 +73,7 @@ impl Scope<'_> {
             Method::Instance { claim, with } => self.instance(claim, with),
             Method::Witness(values) => witness(goal, values),
             Method::Squeeze { .. } if !matches!(goal.kind, PropKind::Limit(_)) => {
-                fault(goal.span, "`squeeze` is for limits")
+                fault(goal.span, "`squeeze` proves limits only")
             }
             Method::Squeeze { .. } | Method::Mean { .. } | Method::Hoelder { .. } => Ok(()),
         }
@@ -94,7 +95,7 @@ impl Scope<'_> {
     fn comparison(&self, label: &Name) -> Result {
         match &self.fact(label)?.kind {
             PropKind::Compare(_, relations) if relations.len() == 1 && relations[0] != Relation::NotEqual => Ok(()),
-            _ => fault(label.span, "a comparison of two sides is needed here"),
+            _ => fault(label.span, "this method needs a comparison of two sides"),
         }
     }
 
@@ -103,20 +104,21 @@ impl Scope<'_> {
             Some(Prop { kind: PropKind::ForAll(bindings, _), .. }) => bindings.iter().collect(),
             Some(_) => Vec::new(),
             None if !self.statement.using.contains(&claim.text) => {
-                let message = format!("no claim or fact called {} is cited here", claim.text);
-                let help = Some("name the claim under `using`".to_string());
+                let message = format!("{} is neither a method, nor a fact, nor a cited claim", claim.text);
+                let help =
+                    Some("to cite a claim, name it under `using`; `carom help language` lists the methods".to_string());
                 return Err(Diagnose { message, help, span: claim.span });
             }
             None => match self.cited.iter().find(|c| c.name.text == claim.text) {
                 Some(cited) => cited.items.iter().flat_map(declared).collect(),
-                // It is at fault itself.
+                // The cited claim has a fault of its own.
                 None => return Ok(()),
             },
         };
         let names: Vec<&(Name, Option<Name>)> = bindings.iter().flat_map(|b| &b.names).collect();
         for (place, (name, value)) in with.iter().enumerate() {
             if with.iter().take(place).any(|w| w.0.text == name.text) {
-                return fault(name.span, "one value for each variable");
+                return fault(name.span, "give one value for each variable");
             }
             match names.iter().find(|n| n.0.text == name.text) {
                 None => {
@@ -143,7 +145,7 @@ fn declared(item: &Item) -> &[Binding] {
 }
 
 fn witness(goal: &Prop, values: &[(Name, Expr)]) -> Result {
-    let PropKind::Exists(bindings, _) = &goal.kind else { return fault(goal.span, "a witness is for `exists`") };
+    let PropKind::Exists(bindings, _) = &goal.kind else { return fault(goal.span, "a witness proves `exists` only") };
     let names: Vec<&(Name, Option<Name>)> = bindings.iter().flat_map(|b| &b.names).collect();
     for (place, (name, _)) in values.iter().enumerate() {
         let twice = values.iter().take(place).any(|v| v.0.text == name.text);
@@ -160,14 +162,14 @@ fn witness(goal: &Prop, values: &[(Name, Expr)]) -> Result {
     Ok(())
 }
 
-/// What a proposition may not say, wherever in it: an extremum over natural numbers, a limit that depends on what grows.
+/// Rejects an extremum over natural numbers, and a limit whose value depends on its variable, anywhere in a proposition.
 fn goals(prop: &Prop) -> Result {
     match &prop.kind {
         PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().try_for_each(goals),
         PropKind::Not(p) | PropKind::ForAll(_, p) | PropKind::Exists(_, p) => goals(p),
         PropKind::Implies(p, q) => goals(p).and_then(|()| goals(q)),
         PropKind::Extremum(extremum) => match extremum.over.iter().find(|b| b.natural) {
-            Some(binding) => fault(binding.span, "extrema are taken over real variables"),
+            Some(binding) => fault(binding.span, "the variables of an extremum must be real"),
             None => Ok(()),
         },
         PropKind::Limit(limit) => {
@@ -202,14 +204,14 @@ mod tests {
             ("given x > 0\nassume small: x < 1\nprove x < 2 by algebra from smal", "no fact is called smal"),
             ("given x > 0\nassume other: x != 1\nprove x^2 != 1 by power of other to 2", "a comparison of two sides"),
             ("given x > 0\nprove x + 1 > 1 by induction on x", "induction needs a natural variable"),
-            ("given x > 0\nprove x > 0 by eq99 with x = 1", "no claim or fact called eq99"),
-            ("given x > 0\nprove x > 0 by witness y = 1", "a witness is for `exists`"),
+            ("given x > 0\nprove x > 0 by eq99 with x = 1", "eq99 is neither a method, nor a fact"),
+            ("given x > 0\nprove x > 0 by witness y = 1", "a witness proves `exists` only"),
             ("given x > 0\nprove exists y > 0: y = x by witness z = x", "gives each variable of `exists` one value"),
-            ("given x > 0\nprove x > 0 by squeeze between 0 and 1", "`squeeze` is for limits"),
+            ("given x > 0\nprove x > 0 by squeeze between 0 and 1", "`squeeze` proves limits only"),
             ("given n natural\nprove limit of n/(n + 1) as n -> infinity is n", "must not depend on the variable"),
             (
                 "given x real\nprove maximum of -n^2 over n natural at n = 0 is 0",
-                "extrema are taken over real variables",
+                "the variables of an extremum must be real",
             ),
             (
                 "given x real\nassume every: for all t > 0: x < t\nprove x < 2 by every with s = 2",
@@ -217,7 +219,7 @@ mod tests {
             ),
             (
                 "given x real\nassume every: for all t > 0: x < t\nprove x < 2 by every with t = 2, t = 3",
-                "one value for each variable",
+                "give one value for each variable",
             ),
         ] {
             let fault = fault_of(text).unwrap_or_else(|| panic!("no fault in {text}"));

@@ -38,7 +38,7 @@ const DEGREE: usize = 8;
 pub(crate) enum Tends {
     /// To this value.
     To(Number),
-    /// Beyond every bound.
+    /// It grows beyond every bound.
     Infinitely,
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
     point.values.remove(&limit.variable.text);
     let at = At { point: &point, variable: &limit.variable.text };
     let Some(series) = at.series(&limit.of) else {
-        // What grows like an exponential has a reciprocal that tends to 0.
+        // The reciprocal of an exponentially growing expression tends to 0.
         let reciprocal = at.product(&[(Factor::Over, limit.of.clone())])?;
         return (reciprocal.order > 0).then_some(Tends::Infinitely);
     };
@@ -302,7 +302,7 @@ fn degree_in(e: &Expr, index: &str) -> Option<usize> {
     }
 }
 
-/// The slope of a linear form with numerals in the index.
+/// The slope of an expression that is linear in the index, with numerals as coefficients.
 fn slope_in(e: &Expr, index: &str) -> Option<Expr> {
     match &e.kind {
         ExprKind::Name(n) if n == index => Some(numeral(1)),

@@ -1,4 +1,4 @@
-//! Claims at exact points: where the hypotheses hold, and where the goal then fails.
+//! Claims at exact points: points that satisfy the hypotheses, and points at which the goal then fails.
 //!
 //! A claim is expanded ([`expand`], [`substitution`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
 //! points are tried ([`search`]). At each the hypotheses and the goal are evaluated ([`goal`], [`evaluate`], `truth`):

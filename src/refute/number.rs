@@ -38,9 +38,9 @@ pub enum Number {
 /// Why there is no value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Missing {
-    /// There is none at this point; the text says where.
+    /// The expression has no value at this point; the text says where.
     Undefined(String),
-    /// It is not found by these means.
+    /// This module cannot compute it.
     Unknown,
 }
 
@@ -93,7 +93,7 @@ impl Number {
         }
     }
 
-    /// p/q, or a decimal enough to tell the number from its neighbours.
+    /// The number as p/q, or as a decimal.
     pub fn text(&self) -> String {
         match self {
             Number::Exact(q) => q.to_string(),
@@ -148,7 +148,7 @@ pub(super) fn exact(q: Rational) -> Number {
     }
 }
 
-/// The number, unless its ends are too long, which rounding does not mend for the very large and the very small.
+/// The number, unless its ends are too long. Rounding cannot shorten very large and very small ends.
 pub(super) fn of_some_size(x: Number) -> Result<Number> {
     let (low, high) = x.ends();
     if low.significant_bits().max(high.significant_bits()) > 2 * EXACT_BITS { Err(Missing::Unknown) } else { Ok(x) }

@@ -1,13 +1,13 @@
-//! What an audit says of one claim: the verdict with its evidence, never a bare flag.
+//! The result of an audit for one claim: the verdict with its evidence.
 
 use crate::claim::syntax::{Expectation, Span};
 
 /// The three verdicts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// Shown for every value that the hypotheses allow.
+    /// Proved for all values that satisfy the hypotheses.
     Proved,
-    /// False at an exact point where every hypothesis holds.
+    /// False at an exact point that satisfies every hypothesis.
     Refuted,
     /// Neither; [`Outcome::reason`] says what was tried or which limit was reached.
     Undecided,
@@ -64,7 +64,7 @@ pub struct Broken {
     pub right: String,
 }
 
-/// What is said of a limit that was reached, with the flag that raises it.
+/// The message for a limit that was reached, with the flag that raises it.
 pub(crate) fn limit_reached(name: &str) -> String {
     let flag = match name {
         "steps" => " (--max-steps raises it)",
@@ -74,7 +74,7 @@ pub(crate) fn limit_reached(name: &str) -> String {
     format!("limit reached: {name}{flag}")
 }
 
-/// What the audit says of one claim.
+/// The result of the audit for one claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
     /// The claim's name.
@@ -88,7 +88,7 @@ pub struct Outcome {
     /// The hypotheses that the argument used, as text; hypotheses that only make expressions
     /// defined are included.
     pub used: Vec<String>,
-    /// The hypotheses that are stated and that the argument never used.
+    /// The stated hypotheses that the argument did not use.
     pub unused: Vec<String>,
     /// A point where all hypotheses hold; `None` when the claim has none or none was needed.
     pub sample: Option<Point>,
@@ -96,22 +96,21 @@ pub struct Outcome {
     pub witness: Option<Witness>,
     /// Why it is undecided: what was tried, what is missing, or the limit reached.
     pub reason: Option<String>,
-    /// The limit that stood in the way, if one did.
+    /// The limit that was reached, if one was.
     pub limit: Option<&'static str>,
-    /// At how many points that satisfy the hypotheses an undecided claim was seen to hold, while a counterexample was
-    /// sought.
+    /// For an undecided claim: the number of points, tried for a counterexample, at which the claim was true.
     pub points: usize,
 }
 
 /// A claim that cannot be judged because it makes no sense; the audit of its file fails (exit 2).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// The hypotheses can never hold at once.
+    /// No values satisfy all hypotheses.
     Contradictory {
-        /// Which of them clash, as text.
+        /// The contradictory hypotheses, as text.
         hypotheses: String,
     },
-    /// Something in the text makes no sense: a label nobody declared, a method out of place.
+    /// An error in the text, such as an undeclared label or a method that does not fit.
     Text(Diagnose),
 }
 

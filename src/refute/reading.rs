@@ -1,7 +1,7 @@
 //! Expressions of a claim as the kernel reads them: fractions in atoms, by their form alone.
 //!
-//! Contract: wherever an expression has a value, what is read has the same. Nothing is decided by it: points are evaluated
-//! in the claim's own words.
+//! Contract: wherever an expression has a value, the fraction has the same value. It decides nothing: points are evaluated
+//! with the claim's own expressions.
 
 use super::expand::Statement;
 use crate::algebra::{Monomial, Polynomial};
@@ -57,7 +57,7 @@ impl Reading {
         }
     }
 
-    /// The expression in other words: with derivatives carried out.
+    /// The same expression with derivatives carried out.
     pub fn plain(&mut self, e: &Expr) -> Option<Expr> {
         let f = self.fraction(e)?;
         Some(self.checker.fraction_words(&f))
@@ -71,12 +71,12 @@ impl Reading {
         Some((to_algebra(&above)?, to_algebra(&below)?))
     }
 
-    /// What the letter of a polynomial stands for.
+    /// The expression of a polynomial's variable.
     pub fn letter(&self, letter: u32) -> Expr {
         self.checker.atom_words(letter as usize)
     }
 
-    /// A polynomial in words.
+    /// A polynomial as an expression.
     pub fn words(&self, p: &Polynomial) -> Expr {
         let terms = p.terms().map(|(monomial, c)| {
             let mut list = vec![(Factor::Times, super::literal::literal(c))];

@@ -1,4 +1,4 @@
-//! Families that recurrences among the hypotheses determine: members are computed, so that the hypotheses hold by construction.
+//! Families determined by recurrences among the hypotheses: their members are computed, so these hypotheses always hold.
 //!
 //! A hypothesis `for all k natural: F(k + d) = step` is a recurrence of order d where the step is made of members F(k), …,
 //! F(k + d − 1), members of other such families before k + d, the index and numbers by sums, products and whole powers,
@@ -17,12 +17,12 @@ use std::rc::Rc;
 /// The highest order.
 const ORDER: usize = 4;
 
-/// How a family goes on.
+/// The recurrence of a family.
 #[derive(Clone, Debug)]
 pub struct Recurrence {
-    /// How many members come first.
+    /// Number of initial members.
     pub order: usize,
-    /// The first members of which a hypothesis tells the value, by their index.
+    /// The initial members whose values a hypothesis gives, by their index.
     pub first: BTreeMap<usize, Expr>,
     index: String,
     step: Expr,
@@ -39,7 +39,7 @@ pub(crate) fn recurrences(families: &[String], hypotheses: &[Prop]) -> (BTreeMap
         }
     }
     several.iter().for_each(|family| drop(found.remove(family)));
-    // A step may speak of families that have recurrences, too.
+    // A step may mention other families that have recurrences.
     loop {
         let fits = |r: &Recurrence| is_step(&r.step, &r.index, r.order, families, &|f| found.contains_key(f));
         let Some(open) = found.iter().find(|(_, r)| !fits(&r.0)).map(|(family, _)| family.clone()) else { break };
@@ -138,10 +138,10 @@ fn is_step(e: &Expr, index: &str, order: usize, families: &[String], recurrent: 
 pub(crate) type Members = Rc<RefCell<BTreeMap<String, Vec<Rational>>>>;
 
 impl Assignment {
-    /// The members at a point that come first: those that hypotheses tell, else those of the list in turn.
+    /// The initial members at a point: given by hypotheses, otherwise taken from the list in turn.
     ///
     /// # Errors
-    /// A hypothesis tells no rational number.
+    /// The value given by a hypothesis is not rational.
     pub(super) fn begin(&mut self, family: &str, list: &[Rational]) -> Result<(), Missing> {
         let Some(recurrence) = self.recurrences.get(family) else { return Err(Missing::Unknown) };
         let mut first = Vec::new();

@@ -15,10 +15,10 @@ use crate::scene::quantity::Quantity;
 use serde_json::{Map, Value as Json, json};
 use std::fmt::Write;
 
-/// What was wanted and what came out.
+/// The wanted quantities with their values.
 type Found<'a> = Vec<(Quantity, &'a Value, Level)>;
 
-/// Computes what a scene wants, in its order; the first failure with its quantity.
+/// Computes the quantities that a scene wants, in its order. The error is the first failure, with its quantity.
 fn all<'a>(scene: &Scene, answers: &'a Answers<'_>) -> Result<Found<'a>, (Quantity, ChainError)> {
     scene
         .want
@@ -69,7 +69,7 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
         match value {
             _ if OF_BODIES.contains(&quantity) => {
                 if explain {
-                    line(&mut out, name, &format!("settled at level {level}"));
+                    line(&mut out, name, &format!("arithmetic: {level}"));
                 }
                 continue;
             }
@@ -103,7 +103,7 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
                 };
                 line(&mut out, name, &range);
                 if is_tie(least) && least == greatest {
-                    line(&mut out, "", "one body fewer transfers exactly as much");
+                    line(&mut out, "", "tie: one body fewer transfers exactly as much");
                 }
             }
             Value::Recollides(answer) => {
@@ -112,7 +112,7 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
             Value::Prepared(_) => {}
         }
         if explain {
-            line(&mut out, "", &format!("settled at level {level}"));
+            line(&mut out, "", &format!("arithmetic: {level}"));
         }
     }
     if let Some(warning) = warning(answers, scene) {
@@ -127,7 +127,7 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
     Ok(out)
 }
 
-/// What is known of each body, in the columns of one table.
+/// The known values of each body, as columns of one table.
 const OF_BODIES: [Quantity; 2] = [Quantity::Masses, Quantity::Velocities];
 
 /// The table of the bodies, counted from 1 and named as the paper does: m₁, then the inserted μ₁, …, μₙ, then m₂.
@@ -176,7 +176,7 @@ fn decimal(number: &Number) -> String {
     number.decimal.clone().or_else(|| measured(number)).unwrap_or_else(|| format!("from {lower} to {upper}"))
 }
 
-/// The exact form, where it says more than the decimal; long ones fill no screen.
+/// The exact form, if it says more than the decimal and is short enough.
 fn exactly(number: &Number) -> Option<String> {
     match (&number.exact, &number.radical) {
         (Some(exact), _) => Some(exact.to_string()).filter(|exact| number.decimal.as_ref() != Some(exact)),
@@ -200,7 +200,7 @@ fn number_lines(out: &mut String, name: &str, number: &Number) {
     }
 }
 
-/// A range as its centre and its reach, with as many digits as are known.
+/// A range as its centre ± its half-width, with as many digits as are certain.
 fn measured(number: &Number) -> Option<String> {
     if number.decimal.is_some() {
         return None;

@@ -35,8 +35,8 @@ pub fn text(entry: &Entry, width: usize) -> String {
     out
 }
 
-/// What follows the statement: where it fails, why it is undecided and what would help, what was used, a point where
-/// the hypotheses hold, and the notes; each with its title.
+/// The paragraphs after the statement, each with its title: where it fails, why it is undecided and what would help, the
+/// hypotheses used, a point that satisfies the hypotheses, and the notes.
 pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
     let (claim, outcome) = (&entry.claim, &entry.outcome);
     let mut out = Vec::new();
@@ -44,7 +44,7 @@ pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
         let mut lines = vec![at(&witness.point)];
         lines.extend(witness.broken.iter().map(fails));
         if entry.proof.is_none() {
-            lines.push("This was evaluated, not certified.".to_string());
+            lines.push("Both sides were evaluated exactly; there is no certificate.".to_string());
         }
         out.push(("It fails at", lines));
     }
@@ -66,7 +66,7 @@ fn at(point: &Point) -> String {
     point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect::<Vec<_>>().join(", ")
 }
 
-/// What fails at a point, with both sides where it has them.
+/// What fails at a point, with the values of both sides if it has two.
 fn fails(broken: &Broken) -> String {
     match broken.right.as_str() {
         "" => broken.statement.clone(),
@@ -74,7 +74,7 @@ fn fails(broken: &Broken) -> String {
     }
 }
 
-/// What was tried on a claim that is undecided.
+/// What was tried for an undecided claim.
 fn tried(entry: &Entry) -> Vec<String> {
     if entry.found || entry.outcome.limit.is_some() {
         return Vec::new();
@@ -82,22 +82,22 @@ fn tried(entry: &Entry) -> Vec<String> {
     let guided = !entry.claim.proof.steps.is_empty() || entry.claim.proof.close.is_some();
     let mut out = Vec::new();
     if guided {
-        out.push("The claim's own argument, and the automatic methods without it.".to_string());
+        out.push("The claim's own argument was tried, and the automatic methods without it.".to_string());
     }
     out.push(
-        "The difference of the sides was factored, the sign of each factor was sought from the hypotheses, and sums of \
+        "The difference of the sides was factored, and the hypotheses were searched for the sign of each factor. Sums of \
          squares and of products of the hypotheses were tried."
             .to_string(),
     );
     out.push(match entry.outcome.points {
         0 => "No point was found at which both sides could be compared.".to_string(),
-        1 => "No counterexample was found: the claim holds at the one point that was tried.".to_string(),
-        n => format!("No counterexample was found: the claim holds at all {n} points that were tried."),
+        1 => "No counterexample was found: the claim is true at the one point tried.".to_string(),
+        n => format!("No counterexample was found: the claim is true at all {n} points tried."),
     });
     out
 }
 
-/// Which step of the claim's own would help.
+/// Steps that the author could add to an undecided claim.
 fn help(entry: &Entry) -> Vec<String> {
     if entry.found || entry.outcome.limit.is_some() {
         return Vec::new();
@@ -109,7 +109,7 @@ fn help(entry: &Entry) -> Vec<String> {
         _ => Vec::new(),
     });
     if let Some((name, _)) = naturals.into_iter().find(|(_, index)| index.is_none()) {
-        out.push(format!("An induction: write `by induction on {}` behind the claim.", name.text));
+        out.push(format!("Try an induction: write `by induction on {}` after the goal.", name.text));
     }
     if let PropKind::Compare(sides, relations) = &claim.goal.kind
         && let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice())
@@ -120,17 +120,17 @@ fn help(entry: &Entry) -> Vec<String> {
             _ => Style::Text.expr(e),
         };
         out.push(format!(
-            "A product or a sum of terms whose signs are plain: write `have split: {} - {} = …`.",
+            "Write the difference as a product or sum of terms of obvious sign: `have split: {} - {} = …`.",
             Style::Text.expr(a),
             minus(b)
         ));
     }
-    out.push("A `have` for each step that you would write on paper, or a `case` for each case.".to_string());
+    out.push("Add a `have` for each step that you would write on paper, and a `case` for each case.".to_string());
     out
 }
 
-/// The proof in words as lines, each with how deep it stands; of a claim that is refuted, where it fails and what fails
-/// there, behind the word for it; of one that is undecided, the reason.
+/// The proof in words as lines, each with its depth of indentation. For a refuted claim: the point and what fails there, each
+/// with the kind of line. For an undecided claim: the reason.
 pub fn lines(entry: &Entry) -> Vec<(usize, &'static str, String)> {
     match &entry.explained {
         Some(document) => explain::text::lines(document).into_iter().map(|(depth, text)| (depth, "", text)).collect(),
@@ -175,7 +175,7 @@ pub(crate) fn statement_latex(claim: &Claim) -> String {
     out
 }
 
-/// Hypotheses and goal as LaTeX, each with the word for what it is: given, let, define, assume, prove.
+/// Hypotheses and goal as LaTeX, each with its keyword: given, let, define, assume, prove.
 pub(crate) fn clauses_latex(claim: &Claim) -> String {
     let mut out = String::new();
     let mut before = "";

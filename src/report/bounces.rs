@@ -44,7 +44,7 @@ pub fn text(found: &Measurements, estimate: &Estimate, digits: u64) -> Result<St
             out.push_str(&format!("no e fits {count}\n"));
             out.push_str(&format!("{}: e is at least {low}\n", found.named(lower.from)));
             out.push_str(&format!("{}: e is at most {high}\n", found.named(upper.from)));
-            out.push_str("a reading is wrong, an uncertainty is too small, or e was not the same each time\n");
+            out.push_str("a reading is wrong, an uncertainty is too small, or e differed between the bounces\n");
         }
     }
     Ok(out)

@@ -13,7 +13,7 @@ use crate::table::grid::decimal_or_fraction;
 pub fn head(quantities: impl Iterator<Item = Quantity>, rounding: Rounding) -> Head {
     let mut facts: Vec<(&'static str, String)> =
         quantities.map(|quantity| ("formula", quantity.formula().to_owned())).collect();
-    facts.push(("rounding", format!("to as many places as are written, {}", rounding.rule())));
+    facts.push(("rounding", format!("to as many decimal places as each cell has, {}", rounding.rule())));
     facts.push(("program", format!("carom {}", env!("CARGO_PKG_VERSION"))));
     let numbers = [("line", "\\mathrm{line}"), ("ratio", "m_1/m_2"), ("e", "e"), ("n", "n")];
     let mut columns: Vec<Column> = numbers.iter().map(|(name, latex)| Column::number(name, latex)).collect();
@@ -43,7 +43,7 @@ pub fn entries(cell: &Judged) -> Vec<Entry> {
     ]
 }
 
-/// What is said of a cell.
+/// The judgement of a cell, in words.
 #[must_use]
 pub fn judgement(cell: &Judged) -> String {
     cell.agreement.as_ref().map_or_else(|| "empty".to_owned(), Agreement::text)
@@ -53,7 +53,7 @@ pub fn judgement(cell: &Judged) -> String {
 #[must_use]
 pub fn summary(tally: &Tally) -> String {
     let mut out = format!(
-        "{}: {} right, {} not rounded as asked, {} wrong",
+        "{}: {} right, {} rounded otherwise, {} wrong",
         counted(tally.judged(), "cell"),
         tally.right,
         tally.rounded,

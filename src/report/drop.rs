@@ -43,7 +43,7 @@ fn shown((lo, hi): &(Rational, Rational), digits: u64) -> Result<String, ChainEr
 }
 
 /// What goes with a rise after which the balls may meet again.
-const AGAIN: &str = "another ball may reach the highest one again and change this; the rise is that after one pass";
+const AGAIN: &str = "this is the rise after one pass; another ball may hit the highest one again and change it";
 
 /// The answers as text.
 ///
@@ -65,7 +65,7 @@ pub(crate) fn text(drop: &Drop, about: &About, digits: u64) -> Result<String, Ch
         let cells: Vec<String> = row.iter().zip(widths).map(|(cell, width)| padded(cell, width, true)).collect();
         out.push_str(&format!("{}\n", cells.join("  ")));
     }
-    out.push_str("v is the speed at the floor; velocities upwards are positive\n");
+    out.push_str("v is the speed at which the balls reach the floor; upward velocities are positive\n");
     out.push_str(&format!("the highest ball rises to {} times the height of its fall\n", shown(&found.rise, digits)?));
     if let (Some(height), Some(fall)) = (&found.height, drop.height()) {
         let unit = about.height.as_deref().map_or(String::new(), |unit| format!(" {unit}"));

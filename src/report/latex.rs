@@ -1,6 +1,6 @@
 //! Text in LaTeX.
 
-/// Text that LaTeX shows as it stands, whatever the fonts: letters of other scripts than Latin and Greek, for which
+/// Text that LaTeX shows unchanged, whatever the fonts: letters of other scripts than Latin and Greek, for which
 /// pdflatex has none, are named by their numbers.
 pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -39,7 +39,7 @@ pub(crate) fn code(text: &str) -> String {
     format!("\\texttt{{{}}}", text.split(' ').map(word).collect::<Vec<_>>().join(" "))
 }
 
-/// What has no sign in the fonts that LaTeX takes when nothing else is said.
+/// Characters that the default fonts of LaTeX do not have.
 const SIGNS: [(char, &str); 29] = [
     ('≤', "\\le"),
     ('≥', "\\ge"),

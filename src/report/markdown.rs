@@ -61,7 +61,7 @@ fn row(out: &mut String, entry: &Entry) {
     ));
 }
 
-/// Text that Markdown shows as it stands.
+/// Text that Markdown shows unchanged.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,6 +1,6 @@
 //! Text in HTML, MathML and SVG.
 
-/// Text inside an element or an attribute, whatever it holds.
+/// Escapes text for an element or an attribute.
 pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

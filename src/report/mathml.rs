@@ -159,7 +159,7 @@ fn expr(e: &Expr) -> String {
     }
 }
 
-/// An exponent: a quotient stands on one line, since a fraction would tear the line above it apart.
+/// An exponent. A quotient is written on one line, because a fraction would push the lines apart.
 fn raised(e: &Expr) -> String {
     match &e.kind {
         ExprKind::Product(list) => match list.as_slice() {

@@ -34,7 +34,7 @@ use std::borrow::Cow;
 
 /// A claim, or a file of claims, that could not be judged.
 pub struct Problem {
-    /// The claim, or `claims` where it concerns none in particular.
+    /// The claim, or `claims` if it concerns no single claim.
     pub name: String,
     /// What is wrong, with its place; several lines.
     pub message: String,
@@ -42,7 +42,7 @@ pub struct Problem {
 
 /// An audit.
 pub struct Audit {
-    /// What was judged, in the order of the catalogue.
+    /// The judged claims, in the order of the catalogue.
     pub entries: Vec<Entry>,
     /// What could not be judged.
     pub problems: Vec<Problem>,
@@ -158,7 +158,7 @@ pub fn reading(claim: &Claim) -> Option<&'static str> {
     })
 }
 
-/// The equation number for a program: a JSON number where it is a plain one, else the text that the source prints.
+/// The equation number for a program: a JSON number if possible, else the text in the source.
 pub fn number(claim: &Claim) -> Value {
     let Some(text) = &claim.number else { return Value::Null };
     match text.parse::<u32>() {

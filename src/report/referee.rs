@@ -80,7 +80,7 @@ fn exactly(x: Rational) -> Known {
     Known { value: Value::Exact(x.clone()), lo: x.clone(), hi: x }
 }
 
-/// A decimal of which every digit is right, and the exact number where it is rational and not too long.
+/// A decimal with correct digits only, and the exact number if it is rational and not too long.
 fn number(known: &Known) -> Json {
     let exact = known.value.rational().map(ToString::to_string).filter(|text| text.len() <= LONGEST);
     json!({ "decimal": decimal(&known.value, SHOWN), "exact": exact })
@@ -119,7 +119,7 @@ fn apart(one: &Rational, other: &Rational) -> (String, String) {
     (4..SHOWN).map(with).find(|(one, other)| one != other).unwrap_or_else(|| with(SHOWN))
 }
 
-/// A number with as many digits as show where it is wrong.
+/// A number with enough digits to show where it is wrong.
 fn shown(given: &Given, digit: Option<u64>) -> String {
     match given {
         Given::Number(x) => rounded(x, digit.unwrap_or(3).saturating_add(2).min(SHOWN)),

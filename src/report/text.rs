@@ -12,12 +12,12 @@ const BOLD: &str = "\x1b[1m";
 const DIM: &str = "\x1b[2m";
 const PLAIN: &str = "\x1b[0m";
 
-/// The report with colours; who writes it to something else than a terminal strips them.
+/// The report with colours; a caller that does not write to a terminal strips them.
 pub fn report(audit: &Audit) -> String {
     shown(audit, |_| true)
 }
 
-/// The same with those claims only whose verdict is not the expected one.
+/// The same, with only the claims whose verdict is not the expected one.
 pub fn unexpected(audit: &Audit) -> String {
     shown(audit, |entry| !entry.as_expected())
 }
@@ -84,7 +84,7 @@ fn one(out: &mut String, entry: &Entry) {
             if broken.right.is_empty() {
                 out.push_str(&format!("                    {}\n", broken.statement));
             } else {
-                // With one comparison the goal above says which; with several each must be named.
+                // A single broken comparison is the goal printed above; several are named.
                 let which = if witness.broken.len() > 1 { format!("{}: ", broken.statement) } else { String::new() };
                 out.push_str(&format!(
                     "                    {which}left side {}, right side {}\n",
@@ -99,7 +99,7 @@ fn one(out: &mut String, entry: &Entry) {
     if let Some(reason) = &outcome.reason {
         out.push_str(&format!("                  {reason}\n"));
         if outcome.verdict == Verdict::Undecided {
-            let hint = format!("what was tried and what would help: carom explain {} FILE", claim.name.text);
+            let hint = format!("to see what was tried and what would help: carom explain {} FILE", claim.name.text);
             out.push_str(&format!("                  {hint}\n"));
         }
     }

@@ -27,7 +27,7 @@ pub(super) fn known(table: &DeTable<'_>, known: &[&str], place: &str) -> Result<
     let name = key.get_ref().as_ref();
     let help = match nearest(name, known.iter().copied()) {
         Some(near) => format!("did you mean {near}?"),
-        None => format!("known keys here are {}", known.join(", ")),
+        None => format!("the keys here are {}", known.join(", ")),
     };
     Err(UnknownKey { message: format!("unknown key {name} in {place}"), help, span: key.span() })
 }

@@ -19,7 +19,7 @@ pub enum Quantity {
     Velocities,
     /// That of the last body alone.
     LastVelocity,
-    /// The best number of inserted bodies.
+    /// n*: the best number of inserted bodies.
     BestN,
     /// The transfer matrix of each collision.
     Matrix,
@@ -115,14 +115,14 @@ impl Quantity {
     /// The quantity of a name.
     ///
     /// # Errors
-    /// The message: what is wrong and what would be right.
+    /// The message: what is wrong, and what to write instead.
     pub fn of_name(name: &str) -> Result<Quantity, String> {
         let found = Self::ALL.into_iter().find(|q| *q != Self::Pass && q.name() == name);
         found.ok_or_else(|| match nearest(name, Self::names()) {
             Some(near) => format!("no quantity is called {name:?}; did you mean {near:?}?"),
             None => {
                 let names: Vec<&str> = Self::names().collect();
-                format!("no quantity is called {name:?}; there are {}", names.join(", "))
+                format!("no quantity is called {name:?}; the quantities are {}", names.join(", "))
             }
         })
     }

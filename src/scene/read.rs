@@ -106,7 +106,7 @@ fn about(table: &DeTable<'_>) -> Result<About, SceneFault> {
     let text = |table: &DeTable<'_>, key: &str| -> Result<Option<String>, SceneFault> {
         let Some(value) = find(table, key) else { return Ok(None) };
         let Some(text) = value.get_ref().as_str() else {
-            return Err(fault(value.span(), format!("{key} must be a text"), Some(format!("write {key} = \"…\""))));
+            return Err(fault(value.span(), format!("{key} must be a string"), Some(format!("write {key} = \"…\""))));
         };
         Ok(Some(text.trim().to_owned()).filter(|text| !text.is_empty()))
     };
@@ -122,7 +122,7 @@ fn about(table: &DeTable<'_>) -> Result<About, SceneFault> {
         if let (Some(unit), Some(value)) = (place.as_deref(), find(units, key))
             && !is_unit(unit)
         {
-            let message = format!("{unit:?} is no unit");
+            let message = format!("{unit:?} is not a unit");
             return Err(fault(value.span(), message, Some("write a unit such as kg, g, m/s or cm".to_owned())));
         }
     }
@@ -188,10 +188,10 @@ pub fn scene(text: &str) -> Result<Scene, SceneFault> {
     let table = document.get_ref();
     about(table)?;
     if let Some(drop) = find(table, "drop") {
-        let help = "`carom eval`, `carom worksheet` and `carom plot velocities` read it; a chain has a table [chain]";
+        let help = "describe the chain in a table [chain]; `carom eval`, `carom worksheet` and `carom plot velocities` accept [drop]";
         return Err(fault(
             drop.span(),
-            "this scene has balls that are dropped, and is no chain",
+            "this command needs a chain, and this scene has dropped balls",
             Some(help.to_owned()),
         ));
     }
@@ -200,8 +200,8 @@ pub fn scene(text: &str) -> Result<Scene, SceneFault> {
 
 fn chain_scene(table: &DeTable<'_>) -> Result<Scene, SceneFault> {
     if let Some(body) = find(table, "body") {
-        let help = "`carom replay` reads it; a chain has a table [chain]".to_owned();
-        return Err(fault(body.span(), "this scene has bodies on a line, and is no chain", Some(help)));
+        let help = "describe the chain in a table [chain]; `carom replay` accepts [[body]]".to_owned();
+        return Err(fault(body.span(), "this command needs a chain, and this scene has bodies on a line", Some(help)));
     }
     known_keys(table, &SCENE_KEYS, "the scene")?;
     let want = match find(table, "want") {
@@ -209,8 +209,8 @@ fn chain_scene(table: &DeTable<'_>) -> Result<Scene, SceneFault> {
         Some(value) => {
             let want = list(value, "want", quantity)?;
             if want.is_empty() {
-                let help = format!("name at least one of {}", Quantity::names().collect::<Vec<_>>().join(", "));
-                return Err(fault(value.span(), "want asks for nothing", Some(help)));
+                let help = format!("give at least one of {}", Quantity::names().collect::<Vec<_>>().join(", "));
+                return Err(fault(value.span(), "want is empty", Some(help)));
             }
             want
         }
@@ -219,7 +219,7 @@ fn chain_scene(table: &DeTable<'_>) -> Result<Scene, SceneFault> {
         (Some(_), Some(places)) => {
             return Err(fault(
                 places.span(),
-                "digits and places exclude each other",
+                "digits and places cannot be combined",
                 Some("keep one of them".to_owned()),
             ));
         }
@@ -233,7 +233,7 @@ fn chain_scene(table: &DeTable<'_>) -> Result<Scene, SceneFault> {
     let rounding = find(table, "rounding").map(direction).transpose()?.unwrap_or_default();
     let Some(chain) = find(table, "chain") else {
         let help = "add [chain] with first, last, inserted and restitution".to_owned();
-        return Err(fault(0..0, "the scene has no table [chain]", Some(help)));
+        return Err(fault(0..0, "this scene has no table [chain]", Some(help)));
     };
     Ok(Scene { want, digits, rounding, inputs: inputs(chain)? })
 }
@@ -277,7 +277,7 @@ fn inputs(value: &Value<'_>) -> Result<Inputs, SceneFault> {
         (Some(_), Some(velocities)) => {
             return Err(fault(
                 velocities.span(),
-                "speed and velocities exclude each other",
+                "speed and velocities cannot be combined",
                 Some("keep one of them".to_owned()),
             ));
         }
@@ -333,12 +333,12 @@ fn numeral<'a>(value: &'a Value<'_>) -> Result<&'a str, SceneFault> {
         DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str()),
         DeValue::Integer(_) => Err(fault(value.span(), "write the integer in base ten", None)),
         DeValue::Float(float) => {
-            let help = format!("write the number that is meant as a string, \"{}\"", float.as_str());
-            Err(fault(value.span(), "a TOML float is not exact", Some(help)))
+            let help = format!("write the number as a string: \"{}\"", float.as_str());
+            Err(fault(value.span(), "a TOML number with a point or exponent is not exact", Some(help)))
         }
         other => Err(fault(
             value.span(),
-            format!("a number was expected, not a {}", other.type_str()),
+            format!("expected a number, found a value of type {}", other.type_str()),
             Some("write an integer or a string such as \"9/10\"".to_owned()),
         )),
     }
@@ -375,7 +375,7 @@ fn quantity(value: &Value<'_>) -> Result<Quantity, SceneFault> {
     let Some(name) = value.get_ref().as_str() else {
         return Err(fault(
             value.span(),
-            "the name of a quantity was expected",
+            "expected the name of a quantity",
             Some("write it as a string, \"eta\"".to_owned()),
         ));
     };
@@ -405,6 +405,6 @@ pub fn elements(text: &str) -> Vec<&str> {
 fn direction(value: &Value<'_>) -> Result<Rounding, SceneFault> {
     let name = value.get_ref().as_str().unwrap_or("");
     ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, r)| *r).ok_or_else(|| {
-        fault(value.span(), "no such direction of rounding", Some("write nearest, up, down, zero or away".to_owned()))
+        fault(value.span(), "unknown direction of rounding", Some("write nearest, up, down, zero or away".to_owned()))
     })
 }

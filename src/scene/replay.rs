@@ -74,13 +74,19 @@ pub fn read(text: &str) -> Result<Scene, SceneError> {
     let whole = 0..text.len().min(1);
     let table = Table { text, table: root.get_ref(), span: whole.clone() };
     if let Some(chain) = table.get("chain") {
-        let help = "`carom eval` and `carom worksheet` read it; here bodies stand in [[body]]".to_string();
-        return Err(fault(chain.span(), "this scene is a chain".to_string(), Some(help)));
+        let help =
+            "`carom eval` and `carom worksheet` accept a chain; for a replay, describe each body in a table [[body]]"
+                .to_string();
+        return Err(fault(
+            chain.span(),
+            "a replay needs bodies on a line, and this scene has a chain".to_string(),
+            Some(help),
+        ));
     }
     table.only(&["title", "restitution", "body", "wall"], "the scene")?;
     let title = table.get("title").map(|v| match v.get_ref() {
         DeValue::String(s) => Ok(s.to_string()),
-        _ => Err(fault(v.span(), "the title is not a text".to_string(), Some("write title = \"…\"".to_string()))),
+        _ => Err(fault(v.span(), "title must be a string".to_string(), Some("write title = \"…\"".to_string()))),
     });
     let title = title.transpose()?;
     let (bodies, spans) = bodies(&table)?;
@@ -95,19 +101,20 @@ pub fn read(text: &str) -> Result<Scene, SceneError> {
         };
         let (span, help) = match &e {
             LineError::Empty | LineError::TooMany { .. } => (of(0), None),
-            LineError::Mass { body } => (of(*body), Some("masses are positive".to_string())),
-            LineError::Length { body } => (of(*body), Some("a point has length 0".to_string())),
+            LineError::Mass { body } => (of(*body), Some("a mass must be above 0".to_string())),
+            LineError::Length { body } => (of(*body), Some("write 0 for a point-like body".to_string())),
             LineError::Order { body, .. } => {
-                let help = "bodies stand from left to right, between the walls; they may touch".to_string();
+                let help = "list the bodies from left to right, between the walls; they may touch".to_string();
                 (of(*body), Some(help))
             }
             LineError::Restitution { left } => {
                 let span = if *left == 0 || *left == bodies.len() { wall_span.clone() } else { pair_span.clone() };
-                (span, Some("restitution lies between 0 and 1, both included".to_string()))
+                (span, Some("a coefficient of restitution lies between 0 and 1, both included".to_string()))
             }
-            LineError::Pairs { .. } => {
-                (pair_span.clone(), Some("give one for all, or one for each neighbouring pair".to_string()))
-            }
+            LineError::Pairs { .. } => (
+                pair_span.clone(),
+                Some("give one number for all pairs, or a list with one for each pair of neighbours".to_string()),
+            ),
         };
         fault(span, e.to_string(), help)
     })?;
@@ -129,7 +136,11 @@ impl<'a> Table<'a> {
     fn of(value: &'a Spanned<DeValue<'a>>, text: &'a str, what: &str) -> Result<Table<'a>, SceneError> {
         match value.get_ref() {
             DeValue::Table(table) => Ok(Table { text, table, span: value.span() }),
-            other => Err(fault(value.span(), format!("{what} is a table, not a {}", other.type_str()), None)),
+            other => Err(fault(
+                value.span(),
+                format!("{what} must be a table, not a value of type {}", other.type_str()),
+                None,
+            )),
         }
     }
 
@@ -171,14 +182,14 @@ fn number(value: &Spanned<DeValue>, key: &str, text: &str) -> Result<Rational, S
         DeValue::Float(_) => {
             let written = text.get(span.clone()).unwrap_or("").replace('_', "");
             let help = match rational::parse(&written) {
-                Ok(_) => format!("write {key} = \"{written}\": a string is read exactly as it stands"),
+                Ok(_) => format!("write {key} = \"{written}\": a string is read exactly"),
                 Err(_) => "write the exact number as a string".to_string(),
             };
-            Err(fault(span, format!("{key} is a TOML float, which is not exact"), Some(help)))
+            Err(fault(span, format!("{key} is a TOML number with a point or exponent, which is not exact"), Some(help)))
         }
         other => {
             let help = Some(format!("write {key} = \"1/3\" or {key} = 2"));
-            Err(fault(span, format!("{key} is a number, not a {}", other.type_str()), help))
+            Err(fault(span, format!("{key} must be a number, not a value of type {}", other.type_str()), help))
         }
     }
 }
@@ -195,12 +206,12 @@ fn numbers(value: &Spanned<DeValue>, key: &str, text: &str) -> Result<(bool, Vec
 }
 
 fn bodies(root: &Table) -> Result<(Vec<Body>, Vec<Range<usize>>), SceneError> {
-    let help = || Some("a body begins with a line [[body]], its mass, position and velocity below".to_string());
+    let help = || Some("write [[body]] on a line of its own, and below it mass, position and velocity".to_string());
     let Some(value) = root.get("body") else {
         return Err(fault(root.span.clone(), "there is no body in this scene".to_string(), help()));
     };
     let DeValue::Array(list) = value.get_ref() else {
-        return Err(fault(value.span(), "bodies are a list of tables".to_string(), help()));
+        return Err(fault(value.span(), "body must be a list of tables".to_string(), help()));
     };
     let (mut bodies, mut spans) = (Vec::with_capacity(list.len()), Vec::with_capacity(list.len()));
     for value in list {
@@ -246,7 +257,7 @@ fn walls(root: &Table) -> Result<Walls, SceneError> {
     let (left, right) = (place("left")?, place("right")?);
     if left.is_none() && right.is_none() {
         let help = Some("add left = \"…\" or right = \"…\"".to_string());
-        return Err(fault(value.span(), "the wall stands nowhere".to_string(), help));
+        return Err(fault(value.span(), "the wall has no position".to_string(), help));
     }
     let Some(given) = table.get("restitution") else {
         let help = Some("add restitution = \"1\" for elastic walls".to_string());
@@ -258,7 +269,7 @@ fn walls(root: &Table) -> Result<Walls, SceneError> {
         (true, [one, two]) if left.is_some() && right.is_some() => (one.clone(), two.clone()),
         _ => {
             let help = Some("give one number, or [left, right] where there are two walls".to_string());
-            return Err(fault(given.span(), format!("{} restitutions of walls", all.len()), help));
+            return Err(fault(given.span(), format!("the wall has {} coefficients of restitution", all.len()), help));
         }
     };
     let wall = |position: Option<Rational>, restitution| position.map(|position| Wall { position, restitution });

@@ -67,9 +67,13 @@ impl fmt::Display for MeasurementError {
         match self {
             Self::Table(ForeignError::Empty) => write!(f, "the file has no heading; write for instance: height"),
             Self::Table(error) => write!(f, "{error}"),
-            Self::BothKinds => write!(f, "the file has heights and times; keep one of the two columns"),
+            Self::BothKinds => write!(f, "the file has heights and times; keep only one of the two columns"),
             Self::NoColumn(names) => {
-                write!(f, "no column is called height, time, or drop and bounce; there are {}", names.join(", "))
+                write!(
+                    f,
+                    "expected a column height, a column time, or two columns drop and bounce; the columns are {}",
+                    names.join(", ")
+                )
             }
             Self::Within { text, reason } => {
                 write!(f, "within {text}: {reason}; write for instance 0.01 or \"2 %\"")

@@ -33,7 +33,9 @@ impl Agreement {
     pub fn text(&self) -> String {
         match self {
             Self::Right => "right".to_owned(),
-            Self::Rounded(direction) => format!("not rounded as asked: it is the value rounded {}", direction.rule()),
+            Self::Rounded(direction) => {
+                format!("not rounded as requested: it is the value rounded {}", direction.rule())
+            }
             Self::Wrong(Some(digit)) => format!("wrong from significant digit {digit} on"),
             Self::Wrong(None) => "wrong".to_owned(),
             Self::Unreadable(error) => format!("not a number: {error}"),
@@ -135,10 +137,10 @@ mod tests {
         }
         // A tie goes to the even digit, exactly.
         assert_eq!(said("0.2", "1/4"), "right");
-        assert_eq!(said("0.3", "1/4"), "not rounded as asked: it is the value rounded up");
-        assert_eq!(said("0.666", "2/3"), "not rounded as asked: it is the value rounded down");
+        assert_eq!(said("0.3", "1/4"), "not rounded as requested: it is the value rounded up");
+        assert_eq!(said("0.666", "2/3"), "not rounded as requested: it is the value rounded down");
         assert_eq!(said("0.100", "0.09996"), "right");
-        assert_eq!(said("0.0999", "0.09996"), "not rounded as asked: it is the value rounded down");
+        assert_eq!(said("0.0999", "0.09996"), "not rounded as requested: it is the value rounded down");
     }
 
     #[test]
@@ -162,7 +164,7 @@ mod tests {
     #[test]
     fn the_first_wrong_digit_is_found() {
         assert_eq!(said("0.4454", "4/9"), "wrong from significant digit 3 on");
-        assert_eq!(said("0.5", "4/9"), "not rounded as asked: it is the value rounded up");
+        assert_eq!(said("0.5", "4/9"), "not rounded as requested: it is the value rounded up");
         assert_eq!(said("0.6", "4/9"), "wrong from significant digit 1 on");
         assert_eq!(said("0.00123", "0.00124"), "wrong from significant digit 3 on");
         assert_eq!(said("1.23e-3", "0.00124"), "wrong from significant digit 3 on");

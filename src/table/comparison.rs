@@ -161,12 +161,12 @@ impl Places {
             })
             .collect();
         if values.is_empty() {
-            return Err("no column to check: name one of them eta, threshold or best-n".to_owned());
+            return Err("there is no column to check: name a column eta, threshold or best-n".to_owned());
         }
         let [ratio_name, e_name, n_name] = given.names;
         let from = |role: Role, name: &str, grid: &Option<Grid>| -> Result<From, String> {
             match (table.column(role), grid) {
-                (Some(_), Some(_)) => Err(format!("{name} is given twice: in the table it is a column")),
+                (Some(_), Some(_)) => Err(format!("{name} is given twice: the table has a column for it")),
                 (Some(column), None) => Ok(From::Column(column)),
                 (None, Some(grid)) if grid.len() == 1 => Ok(grid.value(0).map_or(From::Nowhere, From::Fixed)),
                 (None, Some(_)) => Err(format!("{name} takes one value, for all rows of the table")),
@@ -250,7 +250,7 @@ fn number(from: &From, row: &Fields) -> Result<Option<Rational>, Failure> {
         let text = row.fields.get(column).map_or("", String::as_str);
         rational::parse(&completed(text)).map_err(|e| match beyond_limits(&e) {
             Some(limit) => Failure::Limit(limit.to_string()),
-            None => Failure::Input(format!("{text:?} is no number: {e}")),
+            None => Failure::Input(format!("{text:?} is not a number: {e}")),
         })
     };
     Ok(match from {
@@ -258,7 +258,7 @@ fn number(from: &From, row: &Fields) -> Result<Option<Rational>, Failure> {
         From::Quotient(first, last) => {
             let last = at(*last)?;
             if last == 0u32 {
-                return Err(Failure::Input("m2 is 0; a mass is above 0".to_owned()));
+                return Err(Failure::Input("m2 is 0; a mass must be above 0".to_owned()));
             }
             Some(at(*first)? / last)
         }
@@ -284,7 +284,7 @@ fn cell(
                 let what = format!("limit reached: inserted bodies: {MAX_INSERTED} allowed, {n} asked for");
                 return Err(Failure::Limit(what));
             }
-            Err(_) => return Err(input(&format!("n counts bodies, {n} does not"))),
+            Err(_) => return Err(input(&format!("n is a number of bodies, not {n}"))),
         },
         _ => None,
     };

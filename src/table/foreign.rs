@@ -100,7 +100,7 @@ pub enum ForeignError {
 impl fmt::Display for ForeignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Read(error) => write!(f, "cannot be read: {error}"),
+            Self::Read(error) => write!(f, "cannot read it: {error}"),
             Self::Long { line } => write!(f, "line {line}: limit reached: bytes of a line: {MAX_LINE} allowed"),
             Self::NotText { line } => write!(f, "line {line}: this is not UTF-8 text"),
             Self::Open { line } => write!(f, "line {line}: a quotation mark is not closed"),

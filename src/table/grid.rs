@@ -95,17 +95,24 @@ impl fmt::Display for GridError {
         match self {
             Self::Numeral { part, error } => match beyond_limits(error) {
                 Some(limit) => write!(f, "{limit}"),
-                None => write!(f, "{part:?} is no number: {error}"),
+                None => write!(f, "{part:?} is not a number: {error}"),
             },
             Self::Missing => write!(f, "a number is missing; write a,b,c or start:stop:step or start:stop:xFACTOR"),
-            Self::Shape => write!(f, "a run has three parts: start:stop:step or start:stop:xFACTOR"),
-            Self::Mixed => write!(f, "commas and colons cannot be mixed; write a list or one run"),
-            Self::Twice { part } => write!(f, "{part} is given twice; leave one of them out"),
-            Self::Still => write!(f, "the run stands still; write a step other than 0 or a factor other than 1"),
-            Self::Away => {
-                write!(f, "the steps never reach the stop; turn the sign of the step, or invert the factor")
+            Self::Shape => write!(f, "a progression has three parts: start:stop:step or start:stop:xFACTOR"),
+            Self::Mixed => {
+                write!(f, "commas and colons cannot be mixed; write a list a,b,c or one progression start:stop:step")
             }
-            Self::NotPositive => write!(f, "a geometric run needs a positive start, stop and factor"),
+            Self::Twice { part } => write!(f, "{part} is given twice; leave one of them out"),
+            Self::Still => {
+                write!(f, "a step of 0 or a factor of 1 never leaves the start; give another step or factor")
+            }
+            Self::Away => {
+                write!(
+                    f,
+                    "the steps lead away from the stop and never reach the stop; write the step with the other sign, or 1/factor"
+                )
+            }
+            Self::NotPositive => write!(f, "a geometric progression needs a positive start, stop and factor"),
             Self::Limit { limit, allowed } => write!(f, "limit reached: {limit}: {allowed} allowed"),
         }
     }
@@ -390,8 +397,8 @@ mod tests {
         assert!(fault("1:2").contains("three parts"));
         assert!(fault("1:2:3:4").contains("three parts"));
         assert!(fault("1,2:3:1").contains("mixed"));
-        assert!(fault("1:2:0").contains("stands still"));
-        assert!(fault("1:2:x1").contains("stands still"));
+        assert!(fault("1:2:0").contains("never leaves the start"));
+        assert!(fault("1:2:x1").contains("never leaves the start"));
         assert!(fault("1:2:-1").contains("never reach the stop"));
         assert!(fault("1:2:x1/2").contains("never reach the stop"));
         assert!(fault("0:2:x2").contains("positive"));

@@ -41,7 +41,7 @@ pub enum Quantity {
     Eta,
     /// The least restitution with which the `n`-th inserted body helps, `L_n`, (19).
     Threshold,
-    /// The best number of inserted bodies, `n*`.
+    /// n*: the best number of inserted bodies, `n*`.
     BestN,
 }
 
@@ -149,14 +149,16 @@ pub enum TableError {
 impl fmt::Display for TableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Lacks(quantity, axis) => write!(f, "{} depends on {axis}: give a grid for it", quantity.name()),
+            Self::Lacks(quantity, axis) => {
+                write!(f, "{} depends on {axis}: give at least one value of {axis}", quantity.name())
+            }
             Self::Independent(quantity, axis) => {
-                write!(f, "{} does not depend on {axis}: leave it out", quantity.name())
+                write!(f, "{} does not depend on {axis}: leave {axis} out", quantity.name())
             }
             Self::Range { axis, value, wanted } => write!(f, "{axis} {wanted}, not {value}"),
-            Self::NotIntegral => write!(f, "n counts bodies: its values are integers"),
+            Self::NotIntegral => write!(f, "n is a number of bodies: give whole numbers"),
             Self::Whole(quantity) => {
-                write!(f, "{} is a whole number, it has no further digits: leave them out", quantity.name())
+                write!(f, "{} is a whole number and has no more digits: leave them out", quantity.name())
             }
             Self::Digits(error) => write!(f, "{error}"),
             Self::TooManyRows => write!(f, "limit reached: rows of a table: {} allowed", u64::MAX),

@@ -33,8 +33,8 @@ pub enum ShardError {
 impl fmt::Display for ShardError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Shape => write!(f, "write i/n, such as 3/8 for the third of eight parts"),
-            Self::Range => write!(f, "the first number runs from 1 to the second"),
+            Self::Shape => write!(f, "write I/N, such as 3/8 for the third of eight parts"),
+            Self::Range => write!(f, "in I/N, I must lie from 1 to N"),
         }
     }
 }

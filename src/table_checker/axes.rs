@@ -71,7 +71,7 @@ impl Axis {
             Values::Steps(_, step, _) => Some(&self.value + step),
             Values::Factors(_, factor, _) => Some(&self.value * factor),
         };
-        let Some(next) = next else { return rejected("an axis has no such value") };
+        let Some(next) = next else { return rejected("the row's value is not on the axis") };
         if next.numer().bits() + next.denom().bits() > AXIS_BITS {
             return declined("bits of a value of an axis");
         }

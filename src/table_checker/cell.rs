@@ -54,7 +54,7 @@ pub(super) fn enclosed_cell(
     work: &Work,
 ) -> Result<(), Failure> {
     if row.exact.is_some() {
-        return rejected("the value is no short fraction");
+        return rejected("the exact value is not a short fraction");
     }
     let mut bits = first_bits(cell, enclosure)?;
     let own = loop {
@@ -80,7 +80,7 @@ pub(super) fn enclosed_cell(
         }
     }
     if lower != upper {
-        return rejected(&format!("the digits do not follow from the enclosure: {lower} or {upper}"));
+        return rejected(&format!("the enclosure does not determine the digits: {lower} or {upper}"));
     }
     same(row, &lower)
 }
@@ -101,7 +101,11 @@ fn first_bits(cell: &Cell, enclosure: &Interval) -> Result<u64, Failure> {
 
 /// What is printed is what it should be, to the letter.
 fn same(row: &Row<'_>, wanted: &str) -> Result<(), Failure> {
-    if row.printed == wanted { Ok(()) } else { rejected(&format!("{} is printed, {wanted} is right", row.printed)) }
+    if row.printed == wanted {
+        Ok(())
+    } else {
+        rejected(&format!("the file has {}, the right value is {wanted}", row.printed))
+    }
 }
 
 /// The best number of inserted bodies: how many `n >= 1` have `L_n <= e`. `L_n` rises with `n` (claim b-grow), so `n*` of
@@ -111,7 +115,7 @@ fn same(row: &Row<'_>, wanted: &str) -> Result<(), Failure> {
 /// counted; for equal masses `L_n = 1 = e`, so that no number is better than another.
 pub(super) fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational, work: &Work) -> Result<(), Failure> {
     if row.lower.is_some() || row.upper.is_some() {
-        return rejected("a number of bodies has no enclosure");
+        return rejected("a number of bodies must not have an enclosure");
     }
     let (printed, exact, tie) = if e.is_one() {
         (if ratio.is_one() { "any" } else { "infinite" }, None, false)
@@ -121,7 +125,7 @@ pub(super) fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational, work
             return declined("bits of a number of bodies");
         }
         let Some(count) = row.printed.parse::<BigUint>().ok().filter(|count| count.to_string() == row.printed) else {
-            return rejected("the best number is a number in digits");
+            return rejected("the best number must be in decimal digits");
         };
         if count.bits() > value::COUNT_BITS {
             return declined("bits of a number of bodies");
@@ -138,10 +142,10 @@ pub(super) fn best_cell(row: &Row<'_>, ratio: BigRational, e: &BigRational, work
         (row.printed, Some(row.printed), at == Ordering::Equal)
     };
     if row.exact != exact {
-        return rejected("the exact value is the number, where there is one");
+        return rejected("the exact value must be the number itself");
     }
     if row.tie != Some(tie) {
-        return rejected(if tie { "one body fewer does as well: a tie" } else { "there is no tie" });
+        return rejected(if tie { "this is a tie: one body fewer does as well" } else { "this is not a tie" });
     }
     same(row, printed)
 }

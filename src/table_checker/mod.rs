@@ -83,17 +83,17 @@ impl Checker {
         let axes = Axes::of(&head)?;
         let wanted = remarks(&head)?;
         if head.remarks.iter().filter(|(name, _)| name == "further").count() > 1 {
-            return rejected("the head has two remarks `further`");
+            return rejected("the head has two remarks called `further`");
         }
         let mut given = head.remarks.iter().filter(|(name, _)| name != "further");
         for (name, text) in &wanted {
             match given.next() {
                 Some((found, said)) if found == name && said == text => {}
-                _ => return rejected(&format!("the head does not say {name:?}: {text:?}")),
+                _ => return rejected(&format!("the head lacks the remark {name:?}: {text:?}")),
             }
         }
         if !given.map(|(name, _)| name.as_str()).eq(["program"]) {
-            return rejected("the head ends with the program's name");
+            return rejected("the last remark of the head must name the program");
         }
         Ok(Checker { head, axes, next: 0, work })
     }
@@ -107,12 +107,12 @@ impl Checker {
     /// Checks the next row.
     pub fn row(&mut self, line: &str) -> Result<(), Failure> {
         if self.next >= self.head.rows {
-            return rejected(&format!("the table has {} rows, and here is another", self.head.rows));
+            return rejected(&format!("the table has {} rows, and the file has more", self.head.rows));
         }
         self.work.read(line.len());
         let row = text::row(line)?;
         if row.row != self.next {
-            return rejected(&format!("row {} stands where row {} belongs", row.row, self.next));
+            return rejected(&format!("found row {}, expected row {}", row.row, self.next));
         }
         self.axes.matches(&row)?;
         let ratio = self.axes.ratio()?;
@@ -130,10 +130,10 @@ impl Checker {
 
     fn real(&self, row: &Row<'_>, cell: &Cell) -> Result<(), Failure> {
         let (Some(digits), Some(rounding)) = (self.head.digits, self.head.rounding) else {
-            return rejected("the head says neither digits nor rounding");
+            return rejected("the head must give digits and rounding");
         };
         if row.tie.is_some() {
-            return rejected("ties are of numbers of bodies");
+            return rejected("only a number of bodies can be a tie");
         }
         let (Some(lower), Some(upper)) = (&row.lower, &row.upper) else { return rejected("the enclosure is missing") };
         let enclosure = Interval { lo: lower.clone(), hi: upper.clone() };

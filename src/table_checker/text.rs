@@ -91,11 +91,7 @@ impl<'a> Cursor<'a> {
     }
 
     fn word(&mut self, word: &str) -> Read<()> {
-        if self.found(word) {
-            Ok(())
-        } else {
-            rejected(&format!("{word} is missing where the line says {}", self.near()))
-        }
+        if self.found(word) { Ok(()) } else { rejected(&format!("expected {word}, found {}", self.near())) }
     }
 
     fn near(&self) -> String {
@@ -110,7 +106,7 @@ impl<'a> Cursor<'a> {
                 self.rest = rest;
                 Ok(text)
             }
-            _ => rejected(&format!("a text without escapes and control characters is expected at {}", self.near())),
+            _ => rejected(&format!("expected a text without escapes and control characters at {}", self.near())),
         }
     }
 
@@ -141,14 +137,18 @@ impl<'a> Cursor<'a> {
         let negative = self.found("-");
         let size = i64::try_from(self.natural()?).or_else(|_| declined("exponents of dyadic numbers"))?;
         if negative && size == 0 {
-            return rejected("-0 is written 0");
+            return rejected("write 0, not -0");
         }
         self.word("}")?;
         Ok(Some(Dyadic::new(mantissa, if negative { -size } else { size })))
     }
 
     fn end(&self) -> Read<()> {
-        if self.rest.is_empty() { Ok(()) } else { rejected(&format!("the line goes on with {}", self.near())) }
+        if self.rest.is_empty() {
+            Ok(())
+        } else {
+            rejected(&format!("expected the end of the line, found {}", self.near()))
+        }
     }
 }
 
@@ -160,7 +160,7 @@ fn natural(digits: &str) -> Read<BigUint> {
     let plain = digits.bytes().all(|b| b.is_ascii_digit()) && (digits == "0" || !digits.starts_with('0'));
     match digits.parse::<BigUint>() {
         Ok(number) if plain => Ok(number),
-        _ => rejected(&format!("{digits:?} is no number in digits")),
+        _ => rejected(&format!("{digits:?} is not a number in decimal digits")),
     }
 }
 
@@ -209,7 +209,7 @@ pub(crate) fn head(line: &str, work: &Work) -> Read<Head> {
         "eta" => Quantity::Eta,
         "threshold" => Quantity::Threshold,
         "best-n" => Quantity::BestN,
-        other => return rejected(&format!("there is no quantity {other}")),
+        other => return rejected(&format!("unknown quantity {other}")),
     };
     at.word(",\"head\":{")?;
     let mut remarks = Vec::new();
@@ -241,7 +241,7 @@ pub(crate) fn head(line: &str, work: &Work) -> Read<Head> {
         Some("down") => Some(Rounding::Down),
         Some("zero") => Some(Rounding::Zero),
         Some("away") => Some(Rounding::Away),
-        Some(other) => return rejected(&format!("there is no rounding {other}")),
+        Some(other) => return rejected(&format!("unknown rounding {other}")),
     };
     at.word(",\"rows\":")?;
     let rows = at.count()?;

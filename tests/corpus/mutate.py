@@ -81,7 +81,7 @@ def judged(carom, list_of_claims):
     report = json.loads(run.stdout)
     verdicts = {c["id"]: (c["verdict"], c["witness"]) for c in report["claims"]}
     for error in report["errors"]:
-        if "cannot all hold" in error["message"]:
+        if "contradict each other" in error["message"]:
             verdicts[error["claim"]] = ("contradictory", None)
     return verdicts
 

@@ -236,7 +236,7 @@ test("tables are shown and saved, and a wrong grid is one error", async () => {
     const [latex] = await Promise.all([page.waitForEvent("download"), page.click('[data-form="latex"]')]);
     assert.match(readFileSync(await latex.path(), "utf8"), /\\begin\{tabular\}|\\begin\{table\}/);
     await page.fill("#t-e", "0.5:1");
-    await shows(page, "#t-e-error", "a run has three parts");
+    await shows(page, "#t-e-error", "a progression has three parts");
     assert.equal(await page.isDisabled('[data-form="csv"]'), true);
     await page.fill("#t-e", "1");
     await page.fill("#t-ratio", "1:100000:1");

@@ -65,7 +65,7 @@ pub const MAX_VALUE_BITS: u64 = 1 << 24;
 /// What a replay may do.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The most collisions; an instant that has begun is finished.
+    /// Stop after this many collisions; an instant that has begun is finished.
     pub max_events: u64,
     /// Stop before the first collision later than this.
     pub until: Option<Rational>,

@@ -61,13 +61,15 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Numeral(error @ NumeralError::Uncertainty { .. }) => {
-                write!(f, "{error}, or an uncertainty as in 57.1 ± 0.1")
+                write!(f, "{error}, or an uncertainty such as 57.1 ± 0.1")
             }
             Self::Numeral(error) => write!(f, "{error}"),
-            Self::Brackets => write!(f, "a range is written [lower, upper]"),
+            Self::Brackets => write!(f, "write a range as [lower, upper]"),
             Self::Reversed => write!(f, "the lower end of a range is above its upper end"),
-            Self::NegativeUncertainty => write!(f, "an uncertainty must not be below 0"),
-            Self::Parentheses => write!(f, "an uncertainty of the last digits is written 57.1(1), which is 57.1 ± 0.1"),
+            Self::NegativeUncertainty => write!(f, "an uncertainty must not be negative"),
+            Self::Parentheses => {
+                write!(f, "write an uncertainty of the last digits as 57.1(1), which means 57.1 ± 0.1")
+            }
         }
     }
 }

@@ -69,7 +69,11 @@ impl Parser {
         if self.is_word("claim") || self.is_word("text") {
             return Ok(());
         }
-        Err(self.other("a text stands above a claim", Some("a remark on a claim is its `note`"), token.span))
+        Err(self.other(
+            "a text must be followed by a claim",
+            Some("write a remark on a claim as a `note` in it"),
+            token.span,
+        ))
     }
 
     fn end_of_clause(&mut self) -> Parsed<()> {
@@ -183,15 +187,19 @@ impl Parser {
             }
             "prove" => {
                 if *proved {
-                    return Err(self.other("a claim has one `prove` clause", Some("write a second claim"), token.span));
+                    return Err(self.other(
+                        "a claim has only one `prove` clause",
+                        Some("write a second claim"),
+                        token.span,
+                    ));
                 }
                 *proved = true;
                 claim.goal = self.prop()?;
                 claim.proof = self.proof()?;
             }
             _ => {
-                let help = Some("it stands in the preamble, before the first claim of a file");
-                return Err(self.other(&format!("`{word}` is no clause of a claim"), help, token.span));
+                let help = Some("write it in the preamble, before the first claim of the file");
+                return Err(self.other(&format!("`{word}` is not a clause of a claim"), help, token.span));
             }
         }
         self.end_of_clause()

@@ -95,7 +95,7 @@ impl Parser {
         if self.at_power() {
             let help = "write parentheses, as in (x^2)^3, or one exponent, as in x^(2^3)";
             let span = self.span();
-            return Err(self.other("a power above the line is followed by another sign of its kind", Some(help), span));
+            return Err(self.other("a raised exponent is followed by another exponent", Some(help), span));
         }
         let kind = ExprKind::Power(Box::new(base), Box::new(exponent));
         Ok(Expr { kind, span: self.since(start) })
@@ -115,7 +115,7 @@ impl Parser {
             let sign = self.advance().span;
             signs += 1;
             if signs > 1 {
-                return Err(self.other("n!! is not there", Some("write (n!)! or a product"), sign));
+                return Err(self.other("there is no n!!", Some("write (n!)! or a product"), sign));
             }
             let name = Name { text: "factorial".to_string(), span: sign };
             out = Expr { kind: ExprKind::Apply(name, vec![out]), span: self.since(start) };
@@ -149,7 +149,7 @@ impl Parser {
                 if self.at_power() {
                     let help = "write parentheses, as in √(x^2) or (√x)^2";
                     let span = self.span();
-                    return Err(self.other("what is under the root is not clear", Some(help), span));
+                    return Err(self.other("it is not clear how far the root reaches", Some(help), span));
                 }
                 let name = Name { text: "sqrt".to_string(), span };
                 Ok(Expr { kind: ExprKind::Apply(name, vec![of]), span: self.since(start) })

@@ -1,4 +1,4 @@
-//! `given`: declarations, relations between variables, whole numbers that may be negative, and what a limit declares.
+//! `given`: declarations, relations between variables, integers, and the variables of limits.
 
 use super::super::walk;
 use super::*;
@@ -55,7 +55,7 @@ impl Parser {
             list if list.iter().all(|r| matches!(r, Relation::Greater | Relation::GreaterEqual)) => Ok(true),
             _ => {
                 let span = self.span();
-                Err(self.other("these signs of comparison make no chain", Some(CHAIN), span))
+                Err(self.other("these comparison signs do not form a chain", Some(CHAIN), span))
             }
         }
     }
@@ -102,8 +102,12 @@ impl Parser {
     /// said of k is a hypothesis. Every integer is such a difference, so that the claim says the same.
     fn integers(&mut self, binding: Binding, span: Span, out: &mut Vec<Item>) -> Parsed<()> {
         if binding.natural || binding.indices.is_some() || binding.names.iter().any(|n| n.1.is_some()) {
-            let help = "an integer is written `k integer`, perhaps with bounds: `k integer >= -3 and <= 3`";
-            return Err(self.other("a family, a range or a natural number is no `integer`", Some(help), span));
+            let help = "write `k integer`, or with bounds `k integer >= -3 and <= 3`";
+            return Err(self.other(
+                "`integer` cannot be combined with a family, a range or `natural`",
+                Some(help),
+                span,
+            ));
         }
         for (name, _) in &binding.names {
             let part = |end: &str| Name { text: format!("{}_{end}", name.text), span: name.span };
@@ -160,9 +164,9 @@ impl Parser {
     }
 }
 
-/// What to write instead of conditions that stand side by side.
-pub(super) const CHAIN: &str = "write `and` between two conditions, as in `x > 0 and != 1`; a chain such as \
-                                `0 < a < b` has its signs in one direction";
+/// What to write instead of two conditions without `and`.
+pub(super) const CHAIN: &str = "write `and` between two conditions, as in `x > 0 and != 1`; the signs of a chain \
+                                such as `0 < a < b` point in one direction";
 
 /// Adds a declaration to the `given` before it, if there is one.
 fn declare(binding: Binding, out: &mut Vec<Item>) {

@@ -1,6 +1,6 @@
 //! Limits: at infinity, at a point, from one side, and those that are infinite.
 //!
-//! A limit at infinity with a number as its value is a statement of the language; the others are written out as such:
+//! A limit at infinity with a number as its value is a statement of the language; the others are expanded:
 //!
 //! | written | stands for |
 //! |---|---|
@@ -15,7 +15,7 @@ use super::*;
 /// The most nodes of a function, times those of the point that is put into it.
 pub(crate) const NODES_LIMIT: usize = 100_000;
 
-/// What a limit is said to be.
+/// The stated value of a limit.
 enum Target {
     Number(Expr),
     /// Beyond all bounds, upwards or downwards.
@@ -41,8 +41,9 @@ impl Parser {
         let mut conditions = Vec::new();
         if !self.word("infinity") {
             if is_declared || domain_said.is_some() {
-                let message = format!("{} is declared, and goes to a point here", variable.text);
-                let help = "the variable of a limit at a point is declared by the limit alone, as a real number";
+                let message =
+                    format!("{} is already declared, so it cannot be the variable of this limit", variable.text);
+                let help = "use a new name: the limit itself declares its variable";
                 return Err(self.other(
                     &message,
                     Some(help),
@@ -68,8 +69,9 @@ impl Parser {
         let target = match self.word("infinity") {
             // What is greater than some number has the domain of the variable, which only the limit can say here.
             true if is_declared => {
-                let message = format!("{} is declared, and the limit is infinite here", variable.text);
-                let help = "the variable of such a limit is declared by the limit alone: `as n natural -> infinity`";
+                let message =
+                    format!("{} is already declared, so it cannot be the variable of an infinite limit", variable.text);
+                let help = "use a new name, declared by the limit: `as n natural -> infinity`";
                 return Err(self.other(&message, Some(help), variable.span));
             }
             true => Target::Infinite { up: !minus },
@@ -99,7 +101,7 @@ impl Parser {
         walk::names_in(&point, &mut inside);
         bound.insert(variable.text.clone());
         if let Some(name) = bound.intersection(&inside).next() {
-            let message = format!("{name} stands in the point, and has another meaning in the limit");
+            let message = format!("{name} means one thing in the point and another inside the limit");
             return Err(self.other(&message, Some("give one of them another name"), point.span));
         }
         if walk::nodes_in(&of).saturating_mul(walk::nodes_in(&point)) > NODES_LIMIT {
@@ -126,7 +128,7 @@ impl Parser {
     }
 }
 
-/// What is said of a function whose variable grows.
+/// The statement about a function whose variable grows.
 fn says(of: Expr, variable: &Name, natural: bool, target: &Target, span: Span) -> Vec<Prop> {
     let at = |kind: ExprKind| Expr { kind, span };
     let prop = |kind: PropKind| Prop { kind, span };

@@ -1,7 +1,7 @@
 //! From text to syntax trees.
 //!
 //! Contract: [`parse`] returns every claim of a file, or every fault that it found, never both, and
-//! never panics. After a fault it goes on at the next clause, so that one run reports several.
+//! never panics. After a fault it continues at the next clause, so that one run reports several.
 //! Nesting is limited by [`MAX_DEPTH`]; time is linear in the number of tokens but for parentheses
 //! that may open a proposition or an expression, which are decided by one look ahead.
 
@@ -13,7 +13,7 @@ mod limit;
 mod proof;
 mod proposition;
 
-use super::diagnostic::{Diagnostic, Fault};
+use super::diagnostic::{Diagnostic, Fault, nearest};
 use super::lex::{FILE_LIMIT, Kind, Token, tokens};
 use super::preamble::Preamble;
 use super::print::Style;
@@ -29,6 +29,12 @@ pub(super) const CLAUSES: &[&str] = &[
 
 /// Words that begin a clause of a preamble.
 const PREAMBLE: &[&str] = &["paper", "source", "section", "reading", "given", "let", "define", "assume"];
+
+/// Words by which other languages add a condition.
+const CONDITIONS: &[&str] = &["if", "when", "where", "whenever", "provided", "unless"];
+
+/// What is expected after the names of a declaration.
+const DOMAIN: &str = "a domain: `real`, `natural`, `integer`, `> 0`, `in [0, 1]` or `in 1..n`";
 
 /// Words that cannot be names of variables.
 const RESERVED: &[&str] = &[
@@ -83,7 +89,7 @@ pub fn parse(source: &str) -> Result<Vec<Claim>, Vec<Diagnostic>> {
 
 /// The claims of a source text under the preamble of its folder, and the preamble that the file leaves to others.
 ///
-/// A claim as it is returned has what it takes from the preambles, and every abbreviation is written out.
+/// A returned claim contains the declarations that it takes from the preambles, and all abbreviations are expanded.
 pub(crate) fn parse_under(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
     let mut faults = Vec::new();
     let (mut claims, preamble) = clauses(source, folder)?;
@@ -192,17 +198,17 @@ struct Parser {
     tokens: Vec<Token>,
     at: usize,
     depth: usize,
-    /// The names of the claim so far, by what they look like in print.
+    /// The names of the claim so far, by their printed form.
     printed: BTreeMap<String, String>,
-    /// What the claims of the file share.
+    /// The preamble, which the claims of the file share.
     preamble: Preamble,
-    /// What the claim, or the preamble, has declared so far.
+    /// The names that the claim, or the preamble, has declared so far.
     declared: BTreeSet<String>,
-    /// The variables of limits, and whether they are natural numbers, where it is said.
+    /// The variables of limits, and whether they are natural numbers, if the file says so.
     growing: Vec<(Name, Option<bool>)>,
     /// The word `integer` of the declaration that was just read.
     whole: Option<Span>,
-    /// Whether clauses of a file are read, not what a certificate or a tool says.
+    /// Whether the text comes from a claim file, not from a certificate or a tool.
     file: bool,
     faults: Vec<Diagnostic>,
 }
@@ -297,16 +303,36 @@ impl Parser {
     fn expected_with(&mut self, expected: &str, help: Option<String>) -> Reported {
         let help = help.or_else(|| {
             let previous = self.at.checked_sub(1).map(|i| &self.tokens[i]);
+            let is_name = |word: &str| !RESERVED.contains(&word) && !CLAUSES.contains(&word);
+            let product = |word: &str| is_name(word) && self.in_expression();
+            let next = self.peek_at(1);
             match (previous.map(|t| &t.kind), self.peek()) {
+                // The line before is complete, so the word was meant to begin a clause.
+                (_, Kind::Word(w)) if self.tokens[self.at].first_on_line && is_name(w) => {
+                    nearest(w, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?"))
+                }
+                (Some(_), Kind::Word(w)) if CONDITIONS.contains(&w.as_str()) => {
+                    Some("write a condition as a hypothesis, `assume A`, or as an implication, `A => B`".to_string())
+                }
                 (_, Kind::Sign("==")) => Some("equality is written with one sign: a = b".to_string()),
                 (_, Kind::Sign("**")) => Some("powers are written a^b".to_string()),
-                (Some(Kind::Number(n)), Kind::Word(w)) if !RESERVED.contains(&w.as_str()) => {
-                    Some(format!("write {n}*{w}"))
-                }
+                (Some(Kind::Number(n)), Kind::Word(w)) if is_name(w) => Some(format!("write {n}*{w}")),
                 (Some(Kind::Number(n)), Kind::Sign("(")) => Some(format!("write {n}*(…)")),
                 (Some(Kind::Sign(")")), Kind::Sign("(")) => Some("write (…)*(…)".to_string()),
-                (Some(Kind::Sign(")")), Kind::Word(w)) if !RESERVED.contains(&w.as_str()) => {
-                    Some(format!("write (…)*{w}"))
+                (Some(Kind::Sign(")")), Kind::Word(w)) if is_name(w) => Some(format!("write (…)*{w}")),
+                (Some(Kind::Word(a)), Kind::Word(b)) if product(a) && is_name(b) => Some(match expected {
+                    DOMAIN => format!("write a comma between names: {a}, {b}"),
+                    _ => format!("write {a}*{b} for a product"),
+                }),
+                (Some(Kind::Word(a)), Kind::Number(n)) if product(a) => {
+                    Some(format!("write {a}*{n} for a product, or {a}{n} for a name with an index"))
+                }
+                (Some(Kind::Number(a)), Kind::Sign(",")) => match next {
+                    Kind::Number(b) => Some(format!("write {a}.{b} with a decimal point")),
+                    _ => None,
+                },
+                (Some(Kind::Word(name)), _) if expected == DOMAIN && is_name(name) => {
+                    Some(format!("declare a real number as `{name} real`"))
                 }
                 _ => None,
             }
@@ -315,6 +341,20 @@ impl Parser {
         let span = self.span();
         self.faults.push(Diagnostic::new(fault, span));
         Reported
+    }
+
+    /// Whether the current clause is one of expressions, and no method has begun in it.
+    fn in_expression(&self) -> bool {
+        for token in self.tokens[..self.at].iter().rev() {
+            match &token.kind {
+                Kind::Word(word) if token.first_on_line && CLAUSES.contains(&word.as_str()) => {
+                    return ["given", "let", "define", "assume", "prove"].contains(&word.as_str());
+                }
+                Kind::Word(word) if word == "by" => return false,
+                _ => {}
+            }
+        }
+        true
     }
 
     fn other(&mut self, message: &str, help: Option<&str>, span: Span) -> Reported {
@@ -347,13 +387,13 @@ impl Parser {
                 let span = self.advance().span;
                 let first = self.printed.entry(Style::Latex.name(&text)).or_insert_with(|| text.clone());
                 if *first != text {
-                    let message = format!("the names {first} and {text} are the same in print");
+                    let message = format!("the names {first} and {text} look the same in print");
                     self.other(&message, Some("give one of them another name"), span);
                 }
                 Ok(Name { text, span })
             }
             Kind::Word(text) => {
-                let help = format!("`{text}` is a word of the language; choose another name");
+                let help = format!("`{text}` is a keyword; choose another name");
                 Err(self.expected_with(what, Some(help)))
             }
             _ => Err(self.expected(what)),

@@ -100,7 +100,7 @@ impl Parser {
     fn parenthesis_holds_prop(&self) -> bool {
         let tokens = &self.tokens[self.at..];
         let first = tokens.iter().take_while(|token| matches!(token.kind, Kind::Sign("("))).count();
-        // Of the parentheses that stand here first, so many are open; the others are inside them.
+        // The number of open ones among the leading parentheses; others are nested inside them.
         let (mut level, mut open) = (first, first);
         for token in &tokens[first..] {
             match &token.kind {
@@ -242,7 +242,7 @@ impl Parser {
                 beside = false;
             }
             if self.word("real") {
-                // The default; said for the reader.
+                // The default; the word only helps the reader.
             } else if self.word("natural") {
                 natural = true;
             } else if self.is_word("integer") {
@@ -250,7 +250,7 @@ impl Parser {
             } else if let Some(relation) = self.relation() {
                 if self.file && beside {
                     let span = self.span();
-                    return Err(self.other("two conditions stand side by side", Some(given::CHAIN), span));
+                    return Err(self.other("two conditions need `and` between them", Some(given::CHAIN), span));
                 }
                 constraints.push(Constraint::Relation(relation, self.expr()?));
             } else if self.word("in") {
@@ -261,7 +261,7 @@ impl Parser {
             any = true;
         }
         if !any {
-            return Err(self.expected("a domain: `real`, `natural`, `integer`, `> 0`, `in [0, 1]` or `in 1..n`"));
+            return Err(self.expected(super::DOMAIN));
         }
         let mut indices = None;
         if self.word("for") {
@@ -308,6 +308,13 @@ impl Parser {
             self.at = saved;
         }
         let from = self.expr()?;
+        if let ExprKind::Name(set) = &from.kind
+            && ["R", "Q", "Z", "N"].contains(&set.as_str())
+            && !matches!(self.peek(), Kind::Sign(".."))
+        {
+            let help = "write `x real`, `x integer`, `x natural`, or an interval such as `x in [0, 1]`";
+            return Err(self.expected_with("`..` between the first and the last value", Some(help.to_string())));
+        }
         self.need_sign("..", "between the first and the last value")?;
         let to = self.expr()?;
         *natural = true;

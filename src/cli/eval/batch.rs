@@ -204,10 +204,10 @@ impl Batch {
         let [m1, m2, e, n] = fields.as_slice() else {
             return Err(Exit::usage(format!("error: four fields m1,m2,e,n were expected, not {}", fields.len())));
         };
-        let number = |name: &str, text: &str| parse(text).map_err(|error| bad(name, &RangeError::Numeral(error)));
+        let number = |name: &str, text: &str| parse(text).map_err(|error| bad(name, text, &RangeError::Numeral(error)));
         let positive = |name: &str, text: &str| Positive::new(number(name, text)?).map_err(|e| failure(name, &e));
         let (first, last) = (positive("m1", m1)?, positive("m2", m2)?);
-        // A field that nothing asks for may be empty.
+        // A field that no wanted quantity needs may be empty.
         let given = |text: &&&str| !text.is_empty();
         let e = Some(e).filter(given).map(|e| Restitution::new(number("e", e)?).map_err(|error| failure("e", &error)));
         let n = Some(n).filter(given).map(|n| natural("n", n)).transpose()?;

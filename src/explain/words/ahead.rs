@@ -1,4 +1,4 @@
-//! What is known of a proof before its first sentence: what is false, what gives names, and what a supposition is for.
+//! Looks through a proof before its first sentence: false facts, steps that introduce names, purposes of suppositions.
 
 use super::Words;
 use crate::certificate::{Label, Rule};
@@ -12,7 +12,7 @@ use crate::kernel::statement::numeral;
 const LONG: usize = 30;
 
 impl Words<'_> {
-    /// Finds what is false, what gives names, which polynomials are products, and what a supposition is for.
+    /// Finds false facts, steps that introduce names, polynomials that are products, and the purpose of each supposition.
     pub(super) fn look_ahead(&mut self) {
         for seen in &self.followed.seen {
             let show = &seen.show;

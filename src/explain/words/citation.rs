@@ -1,4 +1,4 @@
-//! Facts as they are cited: by what they are called, by what they say, or by their number.
+//! Citations of facts: by their name, by their text, or by their number.
 
 use super::{Words, say};
 use crate::certificate::Label;
@@ -8,11 +8,11 @@ use crate::explain::document::Piece;
 use crate::explain::follow::{Seen, sides};
 use crate::explain::signs;
 
-/// Facts of so many letters are cited by what they say.
+/// Facts of at most this many characters are cited by their text.
 const PLAIN: usize = 14;
 
 impl Words<'_> {
-    /// A fact as it is cited.
+    /// The citation of a fact.
     pub(in crate::explain) fn cited(&self, label: &Label) -> Piece {
         let mut label = label;
         while let Some(same) = self.same.get(label) {
@@ -42,7 +42,7 @@ impl Words<'_> {
         out
     }
 
-    /// Whether a fact is so short that it is cited by what it says, like `m > 0`.
+    /// Whether a fact is short enough to be cited by its text, like `m > 0`.
     pub(in crate::explain) fn is_short(&self, label: &Label) -> bool {
         let Some((a, relation, b)) = self.followed.facts.get(label).and_then(sides) else { return false };
         relation != Relation::Equal
@@ -50,7 +50,7 @@ impl Words<'_> {
             && Style::Text.expr(&self.short.expr(a)).len() <= PLAIN
     }
 
-    /// Whether a fact only says that a name of the proof is positive, which was said with the name.
+    /// Whether a fact only says that a name of the proof is positive, which the proof states with the name.
     fn is_of_name(&self, label: &Label) -> bool {
         let sides = self.followed.facts.get(label).and_then(sides);
         matches!(sides, Some((Expr { kind: ExprKind::Name(r), .. }, _, _)) if self.short.is_given(r))

@@ -1,4 +1,4 @@
-//! What is said of a combination: facts multiplied by factors and added, a contradiction, or a product with a sign.
+//! Words for a combination: facts multiplied by factors and added, a contradiction, or a product with a sign.
 
 use super::{Words, say};
 use crate::certificate::{Label, Rule, Term};
@@ -7,7 +7,7 @@ use crate::explain::document::{Block, Piece};
 use crate::explain::follow::{Seen, difference, sides};
 use crate::kernel::statement::{expr, numeral};
 
-/// How a sentence ends that finds a contradiction.
+/// The end of a sentence that states a contradiction.
 const CONTRADICTION: &str = ", which is impossible.";
 
 impl Words<'_> {
@@ -25,7 +25,7 @@ impl Words<'_> {
             return self.by_signs(seen, out);
         }
         if facts.is_empty() {
-            // The product that shows a sign is said where it is needed.
+            // A product that shows a sign is stated where it is needed.
             if !self.products.contains(&show.label) {
                 self.by_product(seen, out);
             }
@@ -45,7 +45,7 @@ impl Words<'_> {
         self.formula(lead, &show.prop, Some(&show.label), out);
     }
 
-    /// What is supposed cannot be: some facts together say what is false.
+    /// A contradiction: some facts together imply something false.
     fn contradiction(&self, seen: &Seen, facts: &[Label], out: &mut Vec<Block>) {
         if facts.iter().any(|label| self.absurd.contains(label)) {
             return;
@@ -58,13 +58,13 @@ impl Words<'_> {
         let mut lead = Vec::new();
         if facts.len() > 1 && put_in.is_empty() {
             lead.extend(self.cited_all(facts));
-            lead.push(say(" say the opposite of each other"));
+            lead.push(say(" contradict each other"));
         } else {
             lead.push(say("But "));
             if !put_in.is_empty() {
                 lead.push(say("with "));
                 lead.extend(self.cited_all(&put_in));
-                lead.push(say(" put in, "));
+                lead.push(say(" substituted, "));
             }
             lead.extend(self.cited_all(facts));
             lead.push(say(" becomes "));
@@ -81,7 +81,7 @@ impl Words<'_> {
         if !put_in.is_empty() {
             lead.push(say(", with "));
             lead.extend(self.cited_all(put_in));
-            lead.push(say(" put in,"));
+            lead.push(say(" substituted,"));
         }
         let factor = self.short.expr(&term.factor);
         let plain = matches!(&factor.kind, ExprKind::Number(_))
@@ -121,7 +121,7 @@ impl Words<'_> {
         if !put_in.is_empty() {
             lead.push(say(", with "));
             lead.extend(self.cited_all(put_in));
-            lead.push(say(" put in"));
+            lead.push(say(" substituted"));
         }
         if !matches!(sides(&seen.show.prop), Some((_, Relation::Equal, _))) {
             let since = self.since(&seen.used.by);
@@ -143,7 +143,7 @@ impl Words<'_> {
             [(_, one)] => one.clone(),
             _ => expr(ExprKind::Sum(summed)),
         };
-        self.hence("It holds that", &show.prop, Some(&show.label), out);
+        self.hence("We have", &show.prop, Some(&show.label), out);
         let whole = self.short.expr(&difference(a, b));
         let prop = Prop {
             kind: PropKind::Compare(vec![whole, sum, numeral(0)], vec![Relation::Equal, relation]),

@@ -11,7 +11,7 @@ use crate::certificate::Certificate;
 use crate::kernel::statement::{Statement as Read, compare, numeral, prop, sum};
 use crate::kernel::{Accepted, key};
 
-/// The claim that every expression of a claim has a value; `None` where that is plain.
+/// The statement that every expression of a claim has a value; `None` if that is obvious.
 ///
 /// # Errors
 /// The claim makes no sense to the kernel.

@@ -1,4 +1,4 @@
-//! The printer of statements and proofs: what its names stand for, and how declarations and conditions are said.
+//! The printer of statements and proofs: its names, declarations and conditions.
 
 use super::super::Result;
 use super::super::kinds::{Kind, Kinds, bind, is_matrix, of_claim};
@@ -38,7 +38,7 @@ pub(super) struct Printer {
     pub(super) words: BTreeMap<String, String>,
     pub(super) definitions: Substitution,
     pub(super) positive: Positive,
-    /// What restricts variables otherwise than from below, as printed: no limit by these.
+    /// Variables with restrictions other than lower bounds, as printed; limits by these cannot be stated.
     pub(super) tied: Vec<String>,
     /// Definitions whose powers are of another kind where they are used: they are put in place.
     pub(super) in_place_only: BTreeSet<String>,

@@ -142,7 +142,7 @@ pub fn script(
     Ok(Script { text: writer.out.join("\n"), shown: fact(&last), cites: writer.cites })
 }
 
-/// The hypothesis that says a fact: two `_` side by side stand in no name of a claim.
+/// The name of the Coq hypothesis for a fact. It contains `__`, which no name of a claim does.
 fn fact(label: &str) -> String {
     format!("H__{label}")
 }
@@ -188,11 +188,11 @@ struct Writer<'a> {
     out: Vec<String>,
     depth: usize,
     counter: usize,
-    /// What was asserted, with the depth and the name.
+    /// The asserted statements, with depth and name.
     shown: Vec<(usize, String, String)>,
-    /// What names stand for, and which are positive, outside the open blocks.
+    /// The values of names, and which are positive, outside the open blocks.
     blocks: Vec<(kinds::Kinds, Positive)>,
-    /// What is being shown: it is not used on the way.
+    /// The statement being proved, which its own proof must not use.
     busy: Vec<String>,
     cites: BTreeSet<String>,
     /// The variables of the identity that is being written.
@@ -201,7 +201,7 @@ struct Writer<'a> {
     expands: bool,
 }
 
-/// What a step reads its signs from and puts in.
+/// The facts from which a step reads signs, and the equations that it substitutes.
 struct Given {
     signed: Rc<Signed>,
     using: Vec<Label>,
@@ -397,7 +397,7 @@ impl Writer<'_> {
         Ok(())
     }
 
-    /// Values for what exists.
+    /// The tactic that gives the witnesses of an `exists`.
     fn witness(&mut self, goal: &Prop, with: &[(Name, Expr)]) -> Found<String> {
         let mut out = String::new();
         if let PropKind::Exists(bindings, _) = &goal.kind {

@@ -1,7 +1,7 @@
-//! Absolute values, and so least and greatest: roots of squares, by the signs of what is squared.
+//! Absolute values, and with them `min` and `max`, as roots of squares.
 //!
-//! Method: sqrt(q^2) is q where q >= 0 and −q elsewhere. Cases of the signs of the factors of q are distinguished until that is
-//! settled, for the innermost absolute value first, and each is put in.
+//! Method: sqrt(q^2) is q if q >= 0, and −q otherwise. The search distinguishes cases by the signs of the factors of q until
+//! the sign of q is known. It starts with the innermost absolute value and replaces each by q or −q.
 
 use super::facts::{minus, opposite};
 use super::letters::{product, whole_power};
@@ -15,10 +15,10 @@ use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
 use crate::refute::literal::literal;
 
-/// How many signs are distinguished along one branch.
+/// Largest number of signs distinguished along one branch.
 const DEPTH: usize = 6;
 
-/// An absolute value: the letter sqrt(q^2), and q as a number times powers of polynomials.
+/// An absolute value: the letter for sqrt(q^2), and q as a number times powers of polynomials.
 struct Absolute {
     root: Expr,
     number: Expr,
@@ -33,7 +33,7 @@ impl Absolute {
 }
 
 impl Prover {
-    /// Shows a comparison in which absolute values stand.
+    /// Proves a comparison that contains absolute values.
     pub(crate) fn by_absolute_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.next_absolute(goal, &[]).is_none() {
             return Err(Fail::No("an absolute value"));
@@ -46,7 +46,7 @@ impl Prover {
         })
     }
 
-    /// Shows a goal where the signs of some absolute values are told; `known` holds the keys of those.
+    /// Proves a goal after the signs inside some absolute values are known; `known` holds the keys of these.
     fn in_signs(&mut self, goal: &Prop, known: &mut Vec<String>, depth: usize) -> Result<Label, Fail> {
         let Some(found) = self.next_absolute(goal, known) else { return self.show(goal) };
         let settled = |s: Signs| s.within(Signs::NOT_NEGATIVE) || s.within(Signs::of(Relation::LessEqual));

@@ -1,4 +1,4 @@
-//! Distinctions of cases, and conclusions of implications whose premises are seen.
+//! Case distinctions, and conclusions of implications whose premises are known.
 
 use super::facts::{is_settled, minus, opposite};
 use super::products::Kind;
@@ -11,7 +11,7 @@ use crate::kernel::statement::{compare, numeral};
 use std::collections::BTreeSet;
 
 impl Prover {
-    /// Conclusions of implications and equivalences whose premises are seen; whether there were any.
+    /// Adds the conclusions of implications and equivalences whose premises are known. Returns whether there were any.
     pub(crate) fn saturate(&mut self) -> bool {
         let list: Vec<(Label, Prop)> = self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
         let mut changed = false;
@@ -150,7 +150,7 @@ impl Prover {
         }
     }
 
-    /// Puts in 0 for each letter of which a fact says that its square is not positive.
+    /// Substitutes 0 for each letter whose square is not positive according to a fact.
     fn put_in_zeros(&mut self) {
         let list: Vec<(Label, Prop)> = self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect();
         for (label, fact) in list {
@@ -171,7 +171,7 @@ impl Prover {
         }
     }
 
-    /// Shows a comparison for each order of three variables, where these may change places.
+    /// Proves a comparison that is symmetric in three variables, by cases of their order.
     pub(crate) fn by_order_of_three(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("three variables that may change places");
         let PropKind::Compare(sides, _) = &goal.kind else { return Err(no()) };
@@ -210,7 +210,7 @@ impl Prover {
         })
     }
 
-    /// Shows a goal where each of these holds or does not.
+    /// Proves a goal by cases: each of these propositions is true or false.
     fn in_cases(&mut self, goal: &Prop, cases: &[Prop]) -> Result<Label, Fail> {
         let Some((case, rest)) = cases.split_first() else { return self.show(goal) };
         let other = opposite(case).ok_or(Fail::No("an opposite"))?;

@@ -1,4 +1,4 @@
-//! Comparisons: by signs, by linear programs over products of what is known, from powers, by cases.
+//! Comparisons: by signs, by linear programs over products of facts, from powers, by cases.
 
 use super::facts::{is_settled, minus, opposite, sign_of};
 use super::letters::{as_power, natural, product, whole_power};
@@ -91,7 +91,7 @@ impl Prover {
         let quiet = self.splits >= 8;
         let top = if self.splits >= 9 { 1 } else { 2 };
         for level in 0..=top {
-            // What roots are about, few linear programs see.
+            // Linear programs seldom decide comparisons about roots.
             if level == 2
                 && !quiet
                 && let Ok(label) = self.by_roots(goal, a, relation, b)
@@ -167,7 +167,7 @@ impl Prover {
         self.attempt(|c| c.by_slope(goal, a, relation, b))
     }
 
-    /// A comparison in which roots stand.
+    /// Proves a comparison that contains roots.
     fn by_roots(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         if relation == Relation::NotEqual || self.roots_in(&minus(a, b)).is_empty() {
             return Err(Fail::No("a root"));
@@ -188,7 +188,7 @@ impl Prover {
         names.iter().all(|n| FUNCTIONS.iter().any(|f| f.0 == n) || sequences.iter().any(|s| s.name == *n))
     }
 
-    /// Notes the bases of even powers as they are written: what is squared is lost where it is multiplied out.
+    /// Records the bases of even powers as they are written, because multiplying out hides what was squared.
     pub(crate) fn note_squares(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Negate(a) => self.note_squares(a),
@@ -226,7 +226,7 @@ impl Prover {
         weights.iter().filter_map(term).collect()
     }
 
-    /// The goal as a sum of products of what is known.
+    /// Proves the goal as a sum of products of facts.
     pub(crate) fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
         let (a, b, relation) = (&sides[0], &sides[1], relations[0]);
@@ -288,8 +288,8 @@ impl Prover {
         self.combination(goal.clone(), terms)
     }
 
-    /// An equation p = 0 from p·h = 0, where h is not 0: the quotient of something that is 0 by p in a variable of which p is
-    /// a linear form. Whether there is a remainder, the kernel tells: letters such as roots of numbers have powers.
+    /// Proves an equation p = 0 from p·h = 0 and h != 0, for p linear in some variable. It divides an expression known to
+    /// be 0 by p; the quotient is h. The kernel decides whether the division is exact, since it knows the powers of roots.
     fn by_cofactor(&mut self, goal: &Prop, p: &Polynomial, zero: &Known, rest: &[Expr]) -> Result<Label, Fail> {
         for v in p.variables() {
             let parts = p.coefficients_in(v);
@@ -333,7 +333,7 @@ impl Prover {
         self.logic(&[&block], goal)
     }
 
-    /// Shows anything where facts contradict each other.
+    /// Proves any goal from facts that contradict each other.
     pub(crate) fn absurd(&mut self, level: usize, goal: &Prop, about: Option<&Prop>) -> Result<Label, Fail> {
         let mut wanted = Vec::new();
         if let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = about
@@ -350,7 +350,7 @@ impl Prover {
         self.logic(&[&shown], goal)
     }
 
-    /// A comparison of powers with one exponent from that of their bases.
+    /// Proves a comparison of two powers with the same exponent from the comparison of their bases.
     fn by_bases(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         match (as_power(a), as_power(b)) {
             (Some((x, p)), Some((y, q))) if p == q => {

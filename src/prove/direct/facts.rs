@@ -1,4 +1,4 @@
-//! What is known, as polynomials over letters.
+//! Facts as polynomials in letters.
 
 use super::letters::{as_power, number, product, whole_power};
 use super::products::{Kind, Known};
@@ -29,7 +29,7 @@ pub(crate) struct Factored {
     pub poly: Polynomial,
     /// What it is raised to.
     pub power: i64,
-    /// The signs that the polynomial may have, as far as they were asked for.
+    /// The signs that the polynomial may have, if they were asked for.
     pub signs: Signs,
 }
 
@@ -54,7 +54,7 @@ fn power_of(base: &Rational, k: i64) -> Rational {
 }
 
 impl Prover {
-    /// An expression as the kernel reads it with the equations put in, and with the signs that it sees if wanted.
+    /// An expression as the kernel reads it after substituting the equations; on request with the signs that the kernel sees.
     pub(crate) fn read(&mut self, e: &Expr, signs: bool) -> Option<Reading> {
         self.read_by(e, signs, &[])
     }
@@ -156,7 +156,7 @@ impl Prover {
         Some(Known { poly, kind, facts: vec![label.to_string()], factors: vec![factor], order: 1 })
     }
 
-    /// Everything that is known of signs, as polynomials; those of letters among them.
+    /// All known signs, of facts and of letters, as polynomials.
     pub(crate) fn all_known(&mut self, extra: &[Polynomial]) -> Vec<Known> {
         let list: Vec<(Label, Prop)> = self
             .checker
@@ -200,7 +200,7 @@ impl Prover {
         out
     }
 
-    /// Uses a fact: its parts, and what follows from it at once.
+    /// Uses a fact: adds its parts and its immediate consequences.
     pub(crate) fn take_in(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
         match &fact.kind {
             PropKind::Compare(sides, relations) if relations.len() == 1 => {
@@ -239,7 +239,7 @@ impl Prover {
         Ok(())
     }
 
-    /// What follows from a comparison at once: of whole numbers, of powers.
+    /// Adds immediate consequences of a comparison of whole numbers or of powers.
     fn consequences(&mut self, label: &str, fact: &Prop) {
         let PropKind::Compare(sides, relations) = &fact.kind else { return };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return };
@@ -299,7 +299,7 @@ pub(crate) fn sign_of(q: &Rational) -> Signs {
     }
 }
 
-/// What holds where a proposition does not.
+/// The negation of a proposition.
 pub(crate) fn opposite(p: &Prop) -> Option<Prop> {
     use crate::kernel::statement::prop;
     Some(match &p.kind {

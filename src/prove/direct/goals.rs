@@ -1,4 +1,4 @@
-//! Goals taken apart by their connectives.
+//! Goals, split at their connectives.
 
 use super::facts::opposite;
 use super::letters::product;
@@ -12,11 +12,11 @@ use crate::refute::literal::{is_zero, literal};
 use crate::refute::sample::example;
 use malachite::Rational;
 
-/// The numbers that are tried where something holds for all that is greater.
+/// The numbers tried as N in statements of the kind "for all n >= N".
 const FAR_ENOUGH: [i32; 4] = [1, 2, 10, 100];
 
 impl Prover {
-    /// Shows a goal; returns the label of the fact that says it.
+    /// Proves a goal and returns the label of the fact.
     pub(crate) fn show(&mut self, goal: &Prop) -> Result<Label, Fail> {
         self.tick()?;
         if let Some(label) = self.known(goal) {
@@ -30,7 +30,7 @@ impl Prover {
             PropKind::Compare(sides, relations) => {
                 let pairs = sides.windows(2).zip(relations);
                 let parts: Vec<Prop> = pairs.map(|(p, r)| compare(p[0].clone(), *r, p[1].clone())).collect();
-                // Bounds on both sides may carry each other through an induction.
+                // Two bounds may need each other in the step of an induction.
                 self.by_induction(goal).or_else(|_| self.show_all(goal, &parts))
             }
             PropKind::And(parts) => self.show_all(goal, parts),
@@ -78,7 +78,7 @@ impl Prover {
         }
     }
 
-    /// `exists` by these values.
+    /// Proves `exists` with these values.
     fn by_values(
         &mut self,
         goal: &Prop,
@@ -99,8 +99,7 @@ impl Prover {
         self.emit(Rule::Witness { with, from }, goal.clone())
     }
 
-    /// `exists` of one variable, where something holds for all values of others: what holds from some number on is not
-    /// seen at a point.
+    /// Proves `exists N: for all n …`. Trying values of n cannot find such an N, so a few values of N are tried.
     fn far_enough(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let mut last = Err(Fail::No("a witness"));
         if let [Binding { names, .. }] = bindings
@@ -117,7 +116,7 @@ impl Prover {
         last
     }
 
-    /// By cases or by induction. Within an induction cases come first: its step has the hypothesis at hand.
+    /// Proves a goal by cases or by induction. Inside an induction cases come first, since its hypothesis is available.
     fn without_products(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.splits < 3
             && let Ok(label) = self.by_absolute_values(goal)
@@ -154,7 +153,7 @@ impl Prover {
                 return self.logic(&[&label], goal);
             }
         }
-        // One part is denied and the others are shown: the first part, then the last.
+        // Suppose that one part is false and prove the others: first for the first part, then for the last.
         let (first, last) = (0, parts.len().saturating_sub(1));
         let mut shown = Err(Fail::No("an empty disjunction"));
         for place in [first, last] {
@@ -178,8 +177,8 @@ impl Prover {
         shown
     }
 
-    /// `exists` of one variable, by the solutions of its equation f = 0 where f or t·f is a polynomial of degree 1 or 2 in it:
-    /// its coefficients are found from its values at 1, −1 and 2. Whether it is one, the kernel tells.
+    /// Proves `exists t` by solving its equation f = 0 if f or t·f is a polynomial of degree 1 or 2 in t. The coefficients come
+    /// from the values at 1, −1 and 2. The kernel decides whether it is such a polynomial.
     fn by_solutions(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a witness");
         let [Binding { names, .. }] = bindings else { return Err(no()) };
@@ -228,7 +227,7 @@ impl Prover {
         Err(no())
     }
 
-    /// An expression in fewer words.
+    /// A shorter form of an expression.
     fn simplified(&mut self, e: &Expr) -> Option<Expr> {
         self.define(e);
         let reading = self.read(e, false)?;
@@ -262,7 +261,7 @@ impl Prover {
         self.emit(Rule::Extremum { from }, goal.clone())
     }
 
-    /// A fact for all values, with a value put in for its one variable.
+    /// An instance of a `for all` fact with one variable.
     pub(crate) fn instance(&mut self, source: &str, value: &Expr) -> Result<Label, Fail> {
         let Some(Prop { kind: PropKind::ForAll(bindings, body), .. }) = self.fact(source) else {
             return Err(Fail::No("a fact for all values"));

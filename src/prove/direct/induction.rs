@@ -1,4 +1,4 @@
-//! Induction, tried by itself.
+//! Induction that the claim's own argument does not mention.
 
 use super::values::at_next;
 use super::{Fail, Prover, implies, put};
@@ -9,7 +9,7 @@ use crate::kernel::statement::{name, numeral, prop};
 use std::collections::BTreeSet;
 
 impl Prover {
-    /// Shows a goal by induction on one of its natural numbers.
+    /// Proves a goal by induction on one of its natural variables.
     pub(crate) fn by_induction(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.inductions >= 2 || self.splits > 0 {
             return Err(Fail::No("induction"));
@@ -19,7 +19,7 @@ impl Prover {
         let candidates: Vec<String> =
             self.naturals.iter().rev().filter(|n| names.contains(*n) && is_bound_within(goal, n)).cloned().collect();
         for variable in candidates {
-            // Without cases first: most steps need none, and where two neighbours are needed cases of one lead nowhere.
+            // Without cases first: most steps need none, and cases do not help if the step needs two previous members.
             let done = [3, 0].into_iter().find_map(|splits| {
                 self.attempt(|c| {
                     c.inductions += 1;
@@ -31,7 +31,7 @@ impl Prover {
                         Err(first) if !c.looks_back() => return Err(first),
                         Err(_) => prop(PropKind::And(vec![body.clone(), at_next(&body, &fresh)?])),
                     };
-                    // Where members are told by the two before, two neighbours are shown together.
+                    // If a member depends on the two before it, the statement for n and n + 1 is proved together.
                     let every = c.induction(&fresh, base, &both, splits)?;
                     let pair = c.closed(&every, &variable)?;
                     c.logic(&[&pair], goal)
@@ -45,18 +45,18 @@ impl Prover {
         Err(Fail::No("induction"))
     }
 
-    /// The statement for all natural numbers, for the variable that it is about.
+    /// An instance of a statement for all natural numbers, at its own variable.
     fn closed(&mut self, every: &str, variable: &str) -> Result<Label, Fail> {
         self.inductions -= 1;
         self.instance(every, &name(variable))
     }
 
-    /// Whether a fact for all numbers, or a sequence, relates members.
+    /// Whether a `for all` fact, or the definition of a sequence, relates members to each other.
     fn looks_back(&self) -> bool {
         self.checker.facts().any(|(_, p)| matches!(p.kind, PropKind::ForAll(..)))
     }
 
-    /// Shows a statement for all natural numbers by induction. Its step may distinguish cases where `splits` is less than 3.
+    /// Proves a statement for all natural numbers by induction. The step may distinguish cases if `splits` is less than 3.
     pub(crate) fn all_by_induction(&mut self, goal: &Prop, splits: usize) -> Result<Label, Fail> {
         let PropKind::ForAll(bindings, body) = &goal.kind else { return Err(Fail::No("a statement for all values")) };
         let ([binding], true) = (bindings.as_slice(), self.inductions < 2 && self.splits == 0) else {
@@ -78,7 +78,7 @@ impl Prover {
         })
     }
 
-    /// The numeral that a natural number is at least.
+    /// The largest known numeral that is a lower bound of a natural variable.
     fn least(&self, variable: &str) -> Option<u32> {
         let is_variable = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == variable);
         let bounds = self.checker.facts().filter_map(|(_, p)| {
@@ -123,7 +123,7 @@ impl Prover {
     }
 }
 
-/// Whether induction on a name may help: it stands in an exponent, at the end of a sum or product, or in a member.
+/// Whether induction on a variable may help: it occurs in an exponent, as the end of a sum or product, or in an index.
 fn is_bound_within(p: &Prop, variable: &str) -> bool {
     let mut sides = Vec::new();
     super::goals::sides_in(p, &mut sides);

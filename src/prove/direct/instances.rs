@@ -1,4 +1,4 @@
-//! Facts for all natural numbers, with the indices put in that occur.
+//! Instances of `for all` facts at the indices that occur.
 
 use super::Prover;
 use crate::algebra::Polynomial;
@@ -10,8 +10,8 @@ use std::collections::BTreeSet;
 type Member = (String, Polynomial);
 
 impl Prover {
-    /// Puts the indices that occur in these expressions, and in what follows, into the facts for all numbers that relate
-    /// members; whether something new is known.
+    /// Adds instances of the `for all` facts that relate members, at the indices in these expressions and in what follows
+    /// from them. Returns whether there is a new fact.
     pub(crate) fn instantiate(&mut self, exprs: &[&Expr]) -> bool {
         let facts: Vec<(Label, Name, Vec<Member>)> = self
             .checker
@@ -45,7 +45,7 @@ impl Prover {
             members_in(e, &mut members);
             open.extend(members.into_iter().filter_map(|(f, e)| Some((f, self.letters.polynomial(&e)?))));
         }
-        // Members at numerals lead back to the first ones.
+        // From members at numerals go back to the first members.
         for round in 0..12 {
             let mut next = Vec::new();
             for (label, variable, members) in &facts {
@@ -90,7 +90,7 @@ impl Prover {
 }
 
 impl Prover {
-    /// Puts in the equations of a fact whose left sides are members.
+    /// Substitutes the equations of a fact whose left sides are members.
     fn put_in_parts(&mut self, label: &str) {
         let Some(fact) = self.fact(label) else { return };
         let parts = match &fact.kind {

@@ -1,4 +1,4 @@
-//! Limits that no rule gives at once: squeezed between bounds that fall like 1/(n + 1), or as a geometric sequence does.
+//! Limits that no single rule proves: by a squeeze between bounds that fall like 1/(n + 1) or like a geometric sequence.
 
 use super::letters::{natural, product, whole_power};
 use super::values::at_next;
@@ -22,14 +22,14 @@ pub(super) fn over(a: Expr, b: Expr) -> Expr {
     expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]))
 }
 
-/// Whether a name stands in an expression.
+/// Whether a name occurs in an expression.
 pub(super) fn holds(e: &Expr, variable: &str) -> bool {
     let mut names = BTreeSet::new();
     names_in(e, &mut names);
     names.contains(variable)
 }
 
-/// The largest degree of what stands before a power in a limit.
+/// The largest degree of the factor of a power in a limit.
 const SLOPE_DEGREE: u32 = 4;
 
 /// A geometric part of an expression: constant + slope·ratio^n, where the slope is a polynomial of this degree in n.
@@ -83,7 +83,8 @@ impl Prover {
         done.map_err(|_| first)
     }
 
-    /// Shows that the leading coefficient of the divisor is not 0, multiplied out as the kernel does; whether that was new.
+    /// Proves that the leading coefficient of the divisor, multiplied out as the kernel does, is not 0. Returns whether that
+    /// is a new fact.
     fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
         let variable = self.letters.of(&name(&l.variable.text));
         let Some(reading) = self.read(&l.of, false) else { return false };
@@ -124,7 +125,7 @@ impl Prover {
         let falling = |k: u32| over(numeral(k), next.clone());
         let minus = |k: u32| expr(ExprKind::Sum(vec![(Sign::Plus, l.value.clone()), (Sign::Minus, falling(k))]));
         let above = |k: u32| plus(&l.value, falling(k));
-        // Where a first value and the limit tell all: value + (first − value)·g(n).
+        // Bounds that follow from the first value and the limit: value + (first − value)·g(n).
         for closed in self.closed_forms(l) {
             if let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[], 1)) {
                 return Ok(label);
@@ -146,7 +147,7 @@ impl Prover {
         Err(Fail::No("a squeeze"))
     }
 
-    /// The limit of what stands there with its sums in closed form.
+    /// Proves the limit after replacing sums by closed forms.
     fn by_closed_sums(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let (closed, facts) = self.with_closed_sums(&l.of, &l.variable.text)?;
         self.between(goal, l, (&closed, &closed), &facts, 1)

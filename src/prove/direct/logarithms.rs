@@ -21,7 +21,7 @@ impl Prover {
         self.attempt(|c| c.by_logarithm(&goal, e, exponent)).map(|_| ())
     }
 
-    /// exp(x) > 1 from x > 0: otherwise ln of it, which is x, is at most 0.
+    /// exp(x) > 1 from x > 0: otherwise x = ln(exp(x)) would be at most 0.
     fn by_logarithm(&mut self, goal: &Prop, e: &Expr, exponent: &Expr) -> Result<Label, Fail> {
         let other = super::facts::opposite(goal).ok_or(Fail::No("an opposite"))?;
         let block = self.block(&super::implies(&other, goal), |c, _| {
@@ -48,7 +48,7 @@ impl Prover {
         self.logic(&[&block], goal)
     }
 
-    /// Orders numbers whose logarithms some fact is about: where the opposite held, so would that of the logarithms.
+    /// Orders two numbers by a fact about their logarithms: the opposite order would contradict that fact.
     pub(crate) fn by_order_of_logarithms(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("logarithms in order");
         let log = |e: &Expr| apply("ln", e.clone());

@@ -1,12 +1,12 @@
-//! A second search, which speaks to the kernel itself: for what the draft does not reach.
+//! A second search, for claims that the draft cannot prove. It asks the kernel directly about every step.
 //!
-//! Contract: [`prove`] returns a certificate that the kernel accepted, or says what it could not show. Nothing here is
+//! Contract: [`prove`] returns a certificate that the kernel accepted, or says what it could not prove. Nothing here is
 //! trusted.
 //!
-//! Method: a goal is taken apart by its connectives down to comparisons. Roots, powers, sums and members are letters;
-//! what is known of them becomes polynomials that are 0, positive or not negative. A linear program finds products
-//! of these that add up to the goal, or to a contradiction with its opposite (`products`). Where that fails, cases are
-//! distinguished and induction is tried.
+//! Method: a goal is split at its connectives into comparisons. Every root, power, sum and member of a sequence is
+//! treated as a variable, called a *letter*. Each fact becomes a polynomial in the letters that is 0, positive or not
+//! negative. A linear program finds products of these polynomials that add up to the goal, or to a contradiction with
+//! the goal's opposite (`products`). If that fails, the search distinguishes cases and tries induction.
 
 mod absolute;
 mod cases;
@@ -45,16 +45,17 @@ use crate::refute::catalogue::Limits;
 use letters::Letters;
 use std::collections::{BTreeSet, HashMap};
 
-/// How many steps are tried for one claim.
+/// Largest number of steps tried for one claim.
 const TRIES: usize = 2_000;
 
-/// How large all linear programs of one claim are together: columns times entries.
+/// Largest total size of all linear programs for one claim. The size of one is its number of columns times the
+/// number of nonzero entries (see `spend`).
 const PROGRAMS: usize = 5_000_000;
 
-/// A certificate of a claim, found without its argument.
+/// Proves a claim without using the argument in its file.
 ///
 /// # Errors
-/// What could not be shown.
+/// What could not be proved.
 pub(super) fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     let checker = Checker::new(claim, cited).map_err(Fail::from)?;
     let statement = checker.statement().clone();
@@ -107,36 +108,37 @@ pub(super) struct Prover {
     steps: Vec<Step>,
     counter: usize,
     letters: Letters,
-    /// The differences of facts as they were read, by label and how many equations were put in.
+    /// For each fact, the difference of its sides as a polynomial. The key is the fact's label and the list of
+    /// equations substituted when it was read.
     readings: HashMap<(Label, Vec<Label>), Option<facts::Reading>>,
-    /// The facts by what they say.
+    /// The text of each fact, by its label; `known` compares these texts.
     keys: HashMap<Label, String>,
-    /// The equations that are put in.
+    /// Labels of the equations that the kernel substitutes in every step.
     equations: Vec<Label>,
-    /// Names of natural numbers.
+    /// The variables that are natural numbers.
     naturals: Vec<String>,
     /// Names in use.
     names: BTreeSet<String>,
-    /// The letters of which facts were made, by what they stand for.
+    /// Expressions of letters for which `values` has already added facts.
     enriched: BTreeSet<String>,
-    /// Those of which none could be made, under the suppositions that are open.
+    /// Expressions of letters for which no fact could be added in the open blocks.
     failed: BTreeSet<String>,
-    /// Bases of even powers, as they were written.
+    /// The bases of even powers in goals and facts, before multiplying out.
     squares_written: Vec<crate::algebra::Polynomial>,
-    /// Roots of numbers that facts were made of.
+    /// Roots of numbers for which facts were added.
     roots: Vec<Expr>,
     deadline: Option<Moment>,
     tries: usize,
     most_tries: usize,
-    /// The size of all linear programs so far.
+    /// Total size of the linear programs so far, limited by [`PROGRAMS`].
     spent: usize,
-    /// How many distinctions of cases are open.
+    /// Number of nested case distinctions.
     splits: usize,
-    /// How many inductions are open.
+    /// Number of nested inductions.
     inductions: usize,
-    /// How many comparisons were tried by the sign of a derivative.
+    /// Number of comparisons tried by the sign of a derivative.
     slopes: usize,
-    /// How many of these are open.
+    /// Number of such attempts that are nested now.
     slopes_open: usize,
 }
 
@@ -149,7 +151,7 @@ impl Prover {
         if self.tries > self.most_tries { Err(Fail::Limit("tries")) } else { Ok(()) }
     }
 
-    /// Takes a step with no more citations than the kernel asks for, if the kernel takes it; returns its label.
+    /// Adds a step if the kernel accepts it, citing only what the kernel looks at. Returns the label of the new fact.
     fn emit(&mut self, rule: Rule, shown: Prop) -> Result<Label, Fail> {
         self.tick()?;
         let by = self.signs();
@@ -168,7 +170,7 @@ impl Prover {
         Ok(label)
     }
 
-    /// Counts a linear program with these columns.
+    /// Adds the size of a linear program with these columns to the total.
     fn spend(&mut self, columns: &[products::Known]) -> Result<(), Fail> {
         self.spent += columns.len() * columns.iter().map(|c| c.poly.term_count()).sum::<usize>();
         if self.spent > PROGRAMS { Err(Fail::Limit("linear programs")) } else { Ok(()) }
@@ -182,7 +184,7 @@ impl Prover {
         self.emit(Rule::Logic { from: from.iter().map(|l| (*l).to_string()).collect() }, shown.clone())
     }
 
-    /// Runs something; if it fails everything is as before.
+    /// Runs a part of the search; if it fails, restores the state before it.
     fn attempt<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
         let checker = self.checker.clone();
         let (steps, equations, naturals) = (self.steps.len(), self.equations.clone(), self.naturals.clone());
@@ -201,7 +203,7 @@ impl Prover {
         result
     }
 
-    /// Shows an implication or a statement for all values in a block.
+    /// Proves an implication or a `for all` statement in a block.
     fn block(&mut self, goal: &Prop, run: impl FnOnce(&mut Self, &str) -> Result<Label, Fail>) -> Result<Label, Fail> {
         if let Some(label) = self.known(goal) {
             return Ok(label);
@@ -238,7 +240,7 @@ impl Prover {
         Ok(block)
     }
 
-    /// The fact that says this.
+    /// The label of the fact with the same text, if there is one.
     fn known(&mut self, wanted: &Prop) -> Option<Label> {
         let wanted = key::prop(wanted);
         let facts: Vec<&str> = self.checker.facts().map(|f| f.0).collect();
@@ -255,8 +257,8 @@ impl Prover {
         found.or(new)
     }
 
-    /// The facts whose signs a step may use. A fact for all values with a sum in it is of use at its instances only: the
-    /// kernel puts it under every sum, where its index may be in use.
+    /// The facts whose signs a step may use. A `for all` fact that contains a sum is left out, because the kernel applies
+    /// such a fact inside every sum, where its index may be in use. Only its instances are useful.
     fn signs(&self) -> Vec<Label> {
         let speaks = |p: &Prop| match &p.kind {
             PropKind::Compare(..) | PropKind::And(_) => true,
@@ -278,7 +280,7 @@ impl Prover {
     }
 }
 
-/// Whether a sum or product over an index stands in a proposition.
+/// Whether a proposition contains a sum or product over an index.
 fn has_an_index(p: &Prop) -> bool {
     let mut found = BTreeSet::new();
     let mut sides = Vec::new();
@@ -292,7 +294,7 @@ fn implies(p: &Prop, q: &Prop) -> Prop {
     prop(PropKind::Implies(Box::new(p.clone()), Box::new(q.clone())))
 }
 
-/// A proposition with a value for a name.
+/// Substitutes a value for a name in a proposition.
 fn put(p: &Prop, name: &str, value: &Expr) -> Result<Prop, Fail> {
     let mut map = Substitution::default();
     map.replace(name, value);

@@ -1,4 +1,4 @@
-//! Linear programs over products of facts: nonnegative weights by which known polynomials add up to a wanted one.
+//! Linear programs over products of facts: nonnegative weights with which known polynomials add up to a wanted one.
 
 use crate::algebra::simplex::{Column, SimplexLimits, solve};
 use crate::algebra::{Monomial, Polynomial};
@@ -8,22 +8,22 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// Something that is known not to be negative, positive, or 0.
+/// A polynomial known to be 0, not negative, or positive.
 #[derive(Clone, Debug)]
 pub(crate) struct Known {
     /// The polynomial.
     pub poly: Polynomial,
-    /// Which of the three.
+    /// Its known sign.
     pub kind: Kind,
-    /// The facts whose differences, times the expressions, are the polynomial.
+    /// Facts whose differences, multiplied together and by `factors`, give the polynomial.
     pub facts: Vec<Label>,
-    /// What these are multiplied by.
+    /// Expressions that multiply the differences.
     pub factors: Vec<Expr>,
-    /// How many facts it is the product of; squares and letters count as none.
+    /// Number of facts in the product; squares and letters do not count.
     pub order: usize,
 }
 
-/// What is known of a polynomial.
+/// The known sign of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// It is 0.
@@ -35,7 +35,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// What is known of a product.
+    /// The known sign of a product.
     pub(crate) fn times(self, other: Kind) -> Kind {
         match (self, other) {
             (Kind::Zero, _) | (_, Kind::Zero) => Kind::Zero,
@@ -46,7 +46,7 @@ impl Kind {
 }
 
 impl Known {
-    /// The product of two; `None` where it is too large.
+    /// The product of two; `None` if it has too many terms or too high a degree.
     pub(crate) fn times(&self, other: &Known) -> Option<Known> {
         let poly = self.poly.try_mul(&other.poly).ok()?;
         if poly.term_count() > 80 || poly.degree() > 12 {
@@ -62,11 +62,11 @@ impl Known {
     }
 }
 
-/// What a linear program may cost.
+/// Limits on the work of one linear program.
 const LIMITS: SimplexLimits = SimplexLimits { pivots: 250, work: 400_000 };
 
-/// Weights λ with Σ λ·column = wanted, λ ≥ 0 but for columns that are 0. With `strict`, some column that is positive has
-/// a positive weight.
+/// Weights λ with Σ λ·column = wanted. A column known to be 0 may have a weight of any sign; all other weights are
+/// at least 0. With `strict`, some column known to be positive has a positive weight.
 pub(super) fn combination(wanted: &Polynomial, columns: &[Known], strict: bool) -> Option<Vec<(usize, Rational)>> {
     let mut rows: BTreeMap<Monomial, usize> = BTreeMap::new();
     let mut signed: Vec<(usize, bool)> = Vec::new();
@@ -101,9 +101,9 @@ pub(super) fn combination(wanted: &Polynomial, columns: &[Known], strict: bool) 
     Some(weighted.map(|((place, flip), weight)| (*place, if *flip { -weight } else { weight })).collect())
 }
 
-/// Weights by which columns add up to 0, a positive one among them.
+/// Weights with which columns add up to 0, so that some positive column has a positive weight.
 pub(crate) fn contradiction(columns: &[Known]) -> Option<Vec<(usize, Rational)>> {
-    // One more row, and an unknown that only it has, make the weights of positive columns add up to 1.
+    // One more row, with an unknown of its own, makes the weights of positive columns add up to 1.
     let unit = u32::MAX;
     let one = Polynomial::variable(unit);
     let mut list: Vec<Known> = columns.to_vec();

@@ -1,7 +1,7 @@
-//! Radicals: the root of a product as the product of the roots, and comparisons in which powers of roots are put in.
+//! Roots: the root of a product as the product of the roots, and comparisons simplified by r^d = p.
 //!
-//! Method: with r^d = p for each root r, a polynomial in the roots is divided by r^d − p, for one root after the other. An
-//! identity leaves nothing. Of an inequality a simpler one is left.
+//! Method: each root r satisfies r^d = p, so a polynomial in the roots is divided by r^d − p, one root after the other. An
+//! identity leaves the remainder 0; an inequality leaves a simpler one.
 
 use super::facts::minus;
 use super::letters::{product, whole_power};

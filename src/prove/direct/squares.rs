@@ -1,4 +1,4 @@
-//! Comparisons of one root, or of one product of roots, with the rest, by their squares.
+//! Comparisons with one root, or one product of roots: isolate it, then square both sides.
 
 use super::facts::{Reading, is_settled, minus, opposite, sign_of};
 use super::letters::{product, whole_power};
@@ -50,7 +50,7 @@ impl Open {
     }
 }
 
-/// What a factor is to 0, if its product with something of these signs is to be so.
+/// The relation of a factor to 0, given the relation of its product with something of these signs.
 pub(crate) fn own_relation(rest: Signs, relation: Relation) -> Option<Relation> {
     let all = [Relation::Less, Relation::LessEqual, Relation::Greater, Relation::GreaterEqual];
     all.into_iter().find(|r| is_settled(rest) && rest.times(Signs::of(*r)) == Signs::of(relation))

@@ -1,4 +1,4 @@
-//! exp above its tangent, tried for the exponentials and logarithms in a goal.
+//! The inequality 1 + x <= exp(x), tried for the exponentials and logarithms in a goal.
 
 use super::facts::opposite;
 use super::letters::product;
@@ -11,11 +11,11 @@ use crate::kernel::statement::{compare, expr, numeral};
 use crate::refute::literal::literal;
 use malachite::Rational;
 
-/// At how many exponents the tangent is taken for one goal.
+/// Largest number of exponents at which the tangent is taken for one goal.
 const TANGENTS: usize = 16;
 
 impl Prover {
-    /// A comparison by tangents; an equation by what they say where its sides differ.
+    /// Proves a comparison by tangents, and an equation by contradiction: its sides would differ.
     pub(crate) fn by_tangents(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let exponents = self.exponents(goal);
         if exponents.is_empty() {
@@ -34,7 +34,7 @@ impl Prover {
         self.logic(&[&block], goal)
     }
 
-    /// Notes 1 + x <= exp(x) for these exponents x.
+    /// Adds the fact 1 + x <= exp(x) for each of these exponents x.
     fn tangents(&mut self, exponents: &[Expr]) -> Result<(), Fail> {
         let mut any = false;
         for x in exponents {

@@ -1,5 +1,5 @@
-//! What expressions need to have a value, and what is known of their letters: roots by their powers, members of
-//! sequences, sums and products by what they unfold to.
+//! Conditions under which expressions have values, and facts about letters: powers of roots, and the definitions of members
+//! of sequences, of sums and of products.
 
 use super::letters::{natural, whole_power};
 use super::{Fail, Prover, put};
@@ -12,7 +12,7 @@ use crate::kernel::statement::{compare, expr, numeral};
 use malachite::Rational;
 
 impl Prover {
-    /// Shows what an expression needs to have a value, as far as the kernel does not see it.
+    /// Proves the conditions under which an expression has a value, if the kernel does not see them itself.
     pub(crate) fn define(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Number(_) | ExprKind::Name(_) => {}
@@ -76,7 +76,7 @@ impl Prover {
         }
     }
 
-    /// Shows something with little effort.
+    /// Proves a proposition with little effort: without cases, and with small linear programs only.
     pub(crate) fn quietly(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let splits = std::mem::replace(&mut self.splits, 9);
         let shown = self.attempt(|c| c.show(goal));
@@ -84,7 +84,7 @@ impl Prover {
         shown
     }
 
-    /// Makes facts of the letters in these expressions.
+    /// Adds facts about the letters in these expressions.
     pub(crate) fn enrich(&mut self, exprs: &[&Expr]) {
         for _ in 0..12 {
             let mut polys = Vec::new();
@@ -121,7 +121,7 @@ impl Prover {
         }
     }
 
-    /// What a letter says of itself; whether an equation was put in.
+    /// Adds the facts that hold for a letter by its form. Returns whether an equation was substituted.
     fn learn(&mut self, e: &Expr) -> Result<bool, Fail> {
         match &e.kind {
             ExprKind::Power(base, exponent) => self.learn_power(e, base, exponent),
@@ -297,7 +297,7 @@ impl Prover {
         self.roots.push(e.clone());
     }
 
-    /// Puts an equation in from here on, where the kernel can.
+    /// Substitutes an equation in all later steps, if the kernel can.
     pub(crate) fn put_in(&mut self, label: &str) {
         let Some(fact) = self.fact(label) else { return };
         let equations = self.equations.clone();

@@ -1,17 +1,17 @@
-//! Marks: from where each thing that a step consults is known, so that what a proof needs is one walk backwards.
+//! Marks: where each consulted fact comes from. With them one walk backwards finds all that a proof needs.
 //!
-//! Nothing is accepted because of a mark. A mark too few shows where the certificate without a step that seems not
-//! needed is rejected; a mark too many leaves in a step, or calls a hypothesis used, that could be spared.
+//! Nothing is accepted because of a mark. If a mark is missing, a needed step is dropped and the kernel rejects the
+//! certificate. A superfluous mark keeps an unneeded step, or reports an unneeded hypothesis as used.
 
 use std::collections::BTreeSet;
 
-/// From where something is known.
+/// The source of a fact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Source {
     /// A domain or hypothesis of the claim: the fact `h1` is 0, `h2` is 1, …
     Hypothesis(usize),
-    /// What a binding of the claim, by its place, says of the kind of its names: that they are natural, or the domain
-    /// of a family's members.
+    /// The kind of the names in the claim's binding at this place: that they are natural, or the domain of a family's
+    /// members.
     Binding(usize),
     /// A step of the certificate, by its place among those that were taken.
     Step(usize),
@@ -45,9 +45,9 @@ impl Sources {
     }
 }
 
-/// All that is needed for what the goal comes from: `trail` holds what each step used, in order.
+/// All sources that the goal needs, directly or indirectly; `trail` holds what each step used, in order.
 ///
-/// A step uses only what is known before it, so that one walk from the last step to the first finds all.
+/// A step uses only earlier facts, so one walk from the last step to the first finds them all.
 pub(crate) fn needed(trail: &[Sources], goal: Source) -> BTreeSet<Source> {
     let mut needed = BTreeSet::from([goal]);
     for (place, used) in trail.iter().enumerate().rev() {

@@ -1,11 +1,10 @@
-//! The working memory of the search for a certificate: what is known so far, as steps that a certificate may become.
+//! The working memory of the search: the facts known so far, as steps from which a certificate can be written.
 //!
-//! Nothing here is trusted. A draft says which steps seem right, so that the search can go on from them; whether they
-//! are, the kernel says, after `elaborate` has written them as a certificate. A fault here costs a proof, and never
-//! makes one.
+//! Nothing here is trusted. A draft says which steps seem right, so that the search can build on them. The kernel decides
+//! after `elaborate` has written them as a certificate. A bug here can lose a proof, but cannot make a false one.
 //!
-//! A draft keeps more than a certificate may rest on: a table of signs, powers that were introduced and replacements
-//! that hold from some step on. `marks` says from where each of them is known, and `elaborate` writes it out.
+//! A draft keeps more than a certificate can cite: a table of signs, introduced powers, and replacements valid from some
+//! step on. `marks` records where each of them comes from, and `elaborate` writes it out.
 
 mod analysis;
 mod derivative;
@@ -364,7 +363,7 @@ impl Draft {
             || (!step.terms.is_empty() && !combination)
             || step.label.is_empty() == label
         {
-            return rejected("a field is missing, or is not one of this rule");
+            return rejected("a field is missing, or does not belong to this rule");
         }
         // A walk that ends at the limits of depth and size; after it recursion is safe.
         let walk = crate::kernel::substitution::Substitution::default();

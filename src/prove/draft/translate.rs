@@ -344,7 +344,7 @@ impl Draft {
         Ok(out)
     }
 
-    /// What a sequence gives at the next index has a value whatever the index and the member before it are.
+    /// Checks that the step of a sequence has a value for every index and every previous member.
     pub(super) fn step_has_a_value(&mut self, index: &str, step: &Expr) -> Result<(), Failure> {
         self.binders += 1;
         let result = self.under(index, Atom::Bound(self.binders), step, DEPTH_LIMIT);

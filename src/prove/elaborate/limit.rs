@@ -1,8 +1,7 @@
-//! Limits: what a draft knows of the claim's own variable, a certificate needs for every large value of another.
+//! Limits: the draft has facts about the claim's own variable; a certificate needs them for every large value of a new one.
 //!
-//! Contract: [`Elaborator::for_every`] shows a proposition for all values of a new variable, by the steps of the draft so far with
-//! the old variable renamed. A step that does not go through is left out; whether the others suffice is for the kernel
-//! to say.
+//! Contract: [`Elaborator::for_every`] proves a proposition for all values of a new variable. It repeats the steps of the
+//! draft with the old variable renamed, and leaves out steps that fail. The kernel decides whether the others suffice.
 
 use super::{Elaborator, Fact, Stuck};
 use crate::certificate::{Label, Rule, Show};
@@ -15,7 +14,7 @@ use crate::kernel::{Reason, Refusal, key};
 use crate::prove::draft;
 use std::collections::{BTreeSet, HashMap};
 
-/// How many parts of an expression are shown to have a sign before its limit is given up.
+/// Largest number of parts of an expression whose signs are proved before its limit is given up.
 const PARTS: usize = 20;
 
 /// A variable under another name.
@@ -28,8 +27,8 @@ struct Renaming<'a> {
 }
 
 impl Elaborator {
-    /// Rule `limit`; where that does not do, the limit of the expression with its powers written by others, which is
-    /// equal to it for every large value.
+    /// Rule `limit`. If it fails, the limit of an expression that equals this one for every large value, with its powers
+    /// written in generators.
     pub(super) fn limit(&mut self, step: &draft::Step, goal: &Prop) -> Result<Label, Stuck> {
         let PropKind::Limit(limit) = &goal.kind else { return Err(Stuck::Malformed(step.label.clone())) };
         let stuck = match self.limit_by_degrees(&step.label, limit) {
@@ -45,7 +44,7 @@ impl Elaborator {
         self.between(&step.label, goal, limit, [other.clone(), other], limits)
     }
 
-    /// Rule `limit`. A part of the expression whose sign is not known for every large value is shown to have it first.
+    /// Rule `limit`. First proves the signs, for every large value, of those parts of the expression that need it.
     fn limit_by_degrees(&mut self, step: &str, limit: &Limit) -> Result<Label, Stuck> {
         let goal = &prop(PropKind::Limit(Box::new(limit.clone())));
         let least = self.least(&limit.variable.text);
@@ -74,7 +73,7 @@ impl Elaborator {
         self.emit(step, rule, goal)
     }
 
-    /// Rule `squeeze`: both bounds are shown for all values first.
+    /// Rule `squeeze`. Both bounds are proved for all values first.
     pub(super) fn squeeze(&mut self, step: &draft::Step, goal: &Prop) -> Result<Label, Stuck> {
         let missing = || Stuck::Malformed(step.label.clone());
         let PropKind::Limit(limit) = &goal.kind else { return Err(missing()) };
@@ -102,7 +101,7 @@ impl Elaborator {
         self.emit(step, Rule::Squeeze { from: vec![lower, upper, lower_limit, upper_limit] }, goal)
     }
 
-    /// Whether the signs of all facts show a comparison.
+    /// Whether a comparison follows from the signs of all facts.
     fn has_sign(&mut self, p: &Prop) -> bool {
         let show = Show {
             label: "x".to_string(),
@@ -152,7 +151,7 @@ impl Elaborator {
         Ok(label)
     }
 
-    /// The hypotheses about a variable, and the steps of the draft that speak of it, with the variable renamed.
+    /// The hypotheses and the steps of the draft that mention a variable, with the variable renamed.
     fn again(&mut self, renaming: &Renaming) {
         for (old, label) in &renaming.labels {
             let Some(hypothesis) = old.starts_with('h').then(|| self.prop_of(label)).flatten() else { continue };
@@ -187,7 +186,7 @@ impl Elaborator {
         self.opened = opened;
     }
 
-    /// Whether a step speaks of the variable, or rests on one that does.
+    /// Whether a step mentions the variable, or cites a step that does.
     fn speaks(&self, step: &draft::Step, renaming: &Renaming) -> bool {
         let mut names = BTreeSet::new();
         step.prop.iter().for_each(|p| names_in_prop(p, &mut names));
@@ -201,7 +200,7 @@ impl Elaborator {
                 .any(|old| self.labels.get(old) != renaming.labels.get(old))
     }
 
-    /// A step, or all of a block; nothing is left of it if it does not go through.
+    /// Repeats a step, or a whole block; leaves no trace if it fails.
     fn all_again(&mut self, steps: &[&draft::Step], renaming: &Renaming) -> Result<(), Stuck> {
         let renamed: Vec<draft::Step> = steps.iter().map(|s| self.renamed(s, renaming)).collect::<Result<_, _>>()?;
         let checker = self.checker.clone();
@@ -247,7 +246,7 @@ impl Elaborator {
         Ok(out)
     }
 
-    /// From which numeral on a variable is known to range.
+    /// The numeral from which a variable ranges.
     fn least(&self, variable: &str) -> Option<Expr> {
         let bounds = self.facts.iter().filter_map(|fact: &Fact| match &fact.prop.kind {
             PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
@@ -264,7 +263,7 @@ impl Elaborator {
             value(&a.0).total_cmp(&value(&b.0))
         });
         let (text, bound, relation) = greatest?;
-        // From the next whole number on, where the bound itself is left out.
+        // A strict bound starts the range at the next whole number.
         Some(match (relation, text.parse::<u64>()) {
             (Relation::Greater, Ok(k)) => crate::kernel::statement::expr(ExprKind::Number((k + 1).to_string())),
             _ => bound,

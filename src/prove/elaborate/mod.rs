@@ -1,9 +1,9 @@
 //! Drafts written as certificates: the last stage of the search.
 //!
 //! Contract: [`elaborate`] returns a certificate that the kernel accepted step by step, or says at which step of the
-//! draft it got stuck. Nothing is searched: each step of a draft becomes one step of the certificate (two or three where
-//! the kernel's rules are smaller) with the facts that it rests on written out. The kernel says which those are. Steps
-//! that the goal does not rest on are still there.
+//! draft it got stuck. There is no search: each step of a draft becomes one step of the certificate, or two or three where
+//! the kernel's rules are smaller. Each step cites the facts that the kernel needs for it. Steps that the goal does not
+//! need are kept.
 
 mod equations;
 mod limit;
@@ -23,7 +23,7 @@ use std::collections::{BTreeSet, HashMap};
 /// Where an elaboration got stuck.
 #[derive(Clone, Debug)]
 pub enum Stuck {
-    /// The kernel refuses the step that a step of the draft became.
+    /// The kernel rejects the step made from a step of the draft.
     Refused {
         /// Its label in the draft.
         step: Label,
@@ -32,13 +32,13 @@ pub enum Stuck {
         /// What the kernel says.
         refusal: Box<Refusal>,
     },
-    /// The draft is not well formed: a fact that is not there, a step without its proposition.
+    /// The draft is malformed: it cites an unknown fact, or a step has no proposition.
     Malformed(Label),
-    /// The kernel refuses the statement.
+    /// The kernel rejects the statement.
     Statement(Refusal),
-    /// The kernel refuses the end.
+    /// The kernel rejects the end of the certificate.
     Unfinished(Refusal),
-    /// The time for the claim is over.
+    /// The time limit was reached.
     Time,
 }
 
@@ -77,7 +77,7 @@ struct Elaborator {
     deadline: Option<Moment>,
 }
 
-/// The certificate that the steps of a draft become; `cited` holds what was accepted of the claims under `using`.
+/// Writes the steps of a draft as a certificate; `cited` holds the accepted claims under `using`.
 ///
 /// # Errors
 /// Where it got stuck.
@@ -125,7 +125,7 @@ pub(crate) fn elaborate(
 }
 
 impl Elaborator {
-    /// A draft has no facts about families among the hypotheses; all others are found by what they say.
+    /// Matches the draft's hypotheses with the kernel's by their text; the draft has no facts about families.
     fn hypotheses(&mut self, claim: &Claim) -> Result<(), Stuck> {
         let statement = crate::kernel::statement::Statement::of(claim).map_err(Stuck::Statement)?;
         let domains = statement.bindings.iter().flat_map(crate::kernel::statement::domain);
@@ -202,7 +202,7 @@ impl Elaborator {
         Ok(label)
     }
 
-    /// Takes over the facts that the kernel has and this list does not.
+    /// Adds the kernel's new facts to the list.
     fn take_in(&mut self) {
         let new = self.checker.facts().skip(self.facts.len());
         let new: Vec<Fact> =
@@ -247,7 +247,7 @@ impl Elaborator {
         }
         let cited = step.from.first().map(String::as_str).unwrap_or_default();
         match step.rule {
-            // What a fact says of signs is read wherever the fact is cited.
+            // The kernel reads the sign of a fact wherever the fact is cited, so this needs no step.
             draft::Rule::Note => return Ok(()),
             draft::Rule::Replace => {
                 let label = self.label(cited)?;
@@ -346,7 +346,7 @@ impl Elaborator {
         self.facts.iter().map(|f| f.label.clone()).collect()
     }
 
-    /// The rule without the facts under `from` that it does not need, tried one half after the other.
+    /// The rule without unneeded facts under `from`; it tries to drop one half after the other.
     fn short(&mut self, rule: Rule, prop: &Prop) -> Rule {
         let all = match &rule {
             Rule::Instance { from, .. } | Rule::Witness { from, .. } | Rule::Extremum { from } => from.clone(),

@@ -1,4 +1,4 @@
-//! Other ways to what a step of a draft shows, where it does not become one step.
+//! Other ways to prove what a step of a draft shows, if it does not become a step of the certificate directly.
 
 use super::{Elaborator, Kind, is_equation};
 use crate::certificate::{Label, Rule};
@@ -9,8 +9,8 @@ use crate::prove::draft::{self, negation};
 use std::collections::{BTreeSet, HashMap};
 
 impl Elaborator {
-    /// What a step of the draft shows by signs or by a combination: an equation of powers or logarithms, or anything where
-    /// facts contradict each other.
+    /// Proves what a step of the draft shows by signs or by a combination, either as an equation of powers or logarithms, or
+    /// from facts that contradict each other.
     pub(super) fn otherwise(&mut self, step: &draft::Step, rule: Rule, goal: &Prop) -> Option<Label> {
         if !matches!(step.rule, draft::Rule::Sign | draft::Rule::Combination) {
             return None;
@@ -45,7 +45,7 @@ impl Elaborator {
         if self.equations.len() == before { None } else { self.emit(step, rule, goal).ok() }
     }
 
-    /// Shows anything from a comparison whose negation the signs of all facts show.
+    /// Proves any proposition from a fact whose negation follows from the signs of all facts.
     fn contradiction(&mut self, step: &str, goal: &Prop) -> Option<Label> {
         for fact in self.facts.clone().into_iter().rev() {
             let PropKind::Compare(..) = &fact.prop.kind else { continue };

@@ -15,7 +15,7 @@ use crate::report::table::Entry as Cell;
 use crate::report::table::latex::PAGE;
 use crate::report::{Entry, reading, summary};
 
-/// What the document needs; formulas are set by [`explain::latex::MACROS`].
+/// The preamble of the document; formulas use [`explain::latex::MACROS`].
 const PREAMBLE: &str = r"\documentclass[a4paper,10pt]{article}
 \usepackage{iftex}
 \ifpdftex\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\pdfsuppressptexinfo=-1 \pdftrailerid{}\fi
@@ -179,7 +179,7 @@ fn table(out: &mut String, handout: &Handout, place: usize, table: &Table) {
         body.push_str(&row(cells.iter().map(cell).collect()));
     }
     let columns = format!("{{@{{}}{columns}@{{}}}}");
-    // A short table stands in one piece.
+    // A short table is not split across pages.
     out.push_str(&match table.rows.len() {
         0..=PAGE => format!(
             "{{\\centering\\small\\begin{{tabular}}{columns}\n\\toprule\n{heading}\\midrule\n{body}\\bottomrule\n\\end{{tabular}}\\par}}\n"

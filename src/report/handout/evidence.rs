@@ -23,13 +23,13 @@ pub(crate) struct Theorem {
     pub accepted: bool,
     /// Its statement; of a refuted claim, the negation.
     pub statement: String,
-    /// Its proof as it stands in the file, unless that is long.
+    /// Its proof in the file, unless it is long.
     pub proof: Option<String>,
 }
 
 /// Who has shown a claim, other than the search.
 pub(crate) struct Evidence {
-    /// What the kernel accepted in this run; it checks proofs only.
+    /// The proof that the kernel accepted in this run.
     pub kernel: Option<Proof>,
     /// Coq; else why there is no theorem.
     pub coq: Result<Theorem, String>,
@@ -43,7 +43,7 @@ impl Evidence {
         self.kernel.is_none() && self.coq.is_err()
     }
 
-    /// What stands beside the verdict: a few words each, and whether they are good news.
+    /// Short remarks beside the verdict, and whether each is good news.
     #[must_use]
     pub(crate) fn marks(&self, verdict: Verdict) -> Vec<(&'static str, bool)> {
         match (verdict, &self.coq) {
@@ -112,7 +112,7 @@ pub(crate) fn ran(
     audit.entries.iter().map(one).collect()
 }
 
-/// The file, its module and the theorem that says of a claim what the verdict says.
+/// The file, its module and the theorem that states the verdict of a claim.
 fn theorem<'a>(entry: &Entry, made: &'a Folder) -> Result<(&'a File, &'a str, &'a str), String> {
     let file = made.files.iter().find(|file| file.claim == entry.claim.name.text).ok_or("it has no file for Coq")?;
     match (&file.module, file.theorems.first()) {

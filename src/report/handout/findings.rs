@@ -1,4 +1,4 @@
-//! What a reader of the paper should know first: hidden hypotheses, damaged lines, what is false.
+//! Findings for a reader of the paper: hidden hypotheses, damaged lines, false statements.
 
 use crate::claim::syntax::Reading;
 use crate::refute::outcome::{Point, Verdict};

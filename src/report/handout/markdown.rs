@@ -67,7 +67,7 @@ fn findings(out: &mut String, handout: &Handout) {
 }
 
 fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
-    // Two levels further down than where the claim stands alone; within a block of code nothing begins with `#`.
+    // Headings are two levels deeper than in the Markdown of a single claim; no line in a block of code begins with `#`.
     for line in argument::markdown(entry).lines() {
         let deeper = if line.starts_with("# ") || line.starts_with("## ") { "##" } else { "" };
         out.push_str(&format!("{}{deeper}{line}\n", if deeper.is_empty() { "" } else { "\n" }));

@@ -1,8 +1,8 @@
 //! An audit as a folder to hand in: a page, Markdown, LaTeX, certificates, Coq proofs, certified tables and pictures.
 //!
-//! Contract: [`Handout::files`] is all that stands in the folder, the same on every machine and at every time. Links
-//! lead to files of the folder or to places of their own page, never elsewhere, and what stands in a claim file is
-//! escaped in each form. Who vouches for a verdict is said beside it ([`evidence`]).
+//! Contract: [`Handout::files`] returns all files of the folder, the same on every machine and at every time. Links go to
+//! files of the folder or to places on the same page, never elsewhere. Text from claim files is escaped in each form.
+//! Beside each verdict stands the checker that accepted it ([`evidence`]).
 
 mod document;
 pub(crate) mod evidence;
@@ -17,7 +17,7 @@ use evidence::Evidence;
 use numbers::{Plot, Table};
 use std::collections::BTreeMap;
 
-/// What a folder is made of.
+/// The contents of a report's folder.
 pub(crate) struct Handout {
     /// The audit.
     pub audit: Audit,
@@ -25,7 +25,7 @@ pub(crate) struct Handout {
     pub title: String,
     /// Who else has shown each claim.
     pub evidence: BTreeMap<String, Evidence>,
-    /// The proofs for Coq that were made from the certificates, as files; none where there is no theorem.
+    /// The Coq proofs made from the certificates, as files; none if there is no theorem.
     pub coq: Vec<(String, String)>,
     /// Whether Coq was run on them while the report was made.
     pub coq_ran: bool,
@@ -51,7 +51,7 @@ pub(crate) struct Counts {
 }
 
 impl Handout {
-    /// The files of the folder with their paths in it, which hold `/` between names.
+    /// The files of the folder, with their paths in it, separated by `/`.
     #[must_use]
     pub(crate) fn files(&self) -> Vec<(String, Vec<u8>)> {
         let mut out = vec![
@@ -114,7 +114,7 @@ impl Handout {
                 }
             ),
             match counts.coq {
-                0 => "No verdict has a theorem in Coq that was checked.".to_string(),
+                0 => "Coq checked none of the verdicts.".to_string(),
                 some if self.coq_ran => format!(
                     "Coq accepted theorems for {some} of the {} in this run.",
                     counted(self.audit.entries.len(), "verdict")
@@ -124,7 +124,7 @@ impl Handout {
                     counted(self.audit.entries.len(), "verdict")
                 ),
             },
-            format!("{} {has} {rests} on the evaluation of a witness alone.", counts.alone),
+            format!("{} {has} {rests} only on the evaluation of a witness.", counts.alone),
         ]
     }
 
@@ -143,7 +143,7 @@ impl Handout {
             ));
         }
         if !self.tables.is_empty() {
-            out.push(("carom check tables/*.jsonl".to_string(), "the kernel, on every cell of the tables"));
+            out.push(("carom check tables/*.jsonl".to_string(), "the checker of tables, on every cell"));
         }
         if !self.coq.is_empty() {
             out.push((
@@ -186,7 +186,7 @@ fn address(path: &str) -> String {
     path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
-/// What is said of a table: whence its numbers are, and who checked them. Names of claims stand between backquotes.
+/// The provenance of a table: where its numbers come from, and which checker accepted them. Names of claims are in backquotes.
 fn provenance(handout: &Handout, table: &Table) -> Vec<String> {
     let mut out = vec![format!("{}; {}", table.fact("formula"), named(handout, table.claims()))];
     let rounding = table.fact("rounding");
@@ -194,9 +194,11 @@ fn provenance(handout: &Handout, table: &Table) -> Vec<String> {
         out.push(format!("Rounding: {rounding}"));
     }
     out.push(match table.checked() {
-        Ok([]) => "Every cell accepted by the kernel".to_string(),
-        Ok(claims) => format!("Every cell accepted by the kernel; it rests on {}", named(handout, claims)),
-        Err(reason) => format!("Not checked by the kernel: {reason}"),
+        Ok([]) => "Every cell accepted by the checker of tables".to_string(),
+        Ok(claims) => {
+            format!("Every cell accepted by the checker of tables; the formula rests on {}", named(handout, claims))
+        }
+        Err(reason) => format!("Not accepted by the checker of tables: {reason}"),
     });
     out
 }

@@ -75,11 +75,11 @@ pub(crate) struct Plot {
     pub command: String,
     /// Its caption: the quantity in words.
     pub title: String,
-    /// What it shows, for readers who cannot see it.
+    /// A description for readers who cannot see the picture.
     pub description: String,
     /// The claims of the catalogue that the drawn formulas are of.
     pub claims: &'static [&'static str],
-    /// As SVG to stand in a page; its identifiers begin with [`Plot::prefix`].
+    /// As SVG inside a page; its identifiers begin with [`Plot::prefix`].
     pub inline: String,
     /// As an SVG file.
     pub svg: String,
@@ -88,14 +88,14 @@ pub(crate) struct Plot {
 }
 
 impl Plot {
-    /// How the identifiers of the picture with this number begin in a page; no claim's name holds a point.
+    /// The prefix of the identifiers of the picture with this number. It contains a point, which no claim's name does.
     #[must_use]
     pub(crate) fn prefix(place: usize) -> String {
         format!("plot.{}.", place + 1)
     }
 }
 
-/// What is said of tables and pictures.
+/// The note on tables and pictures.
 pub(crate) const WHAT_IS_CERTAIN: &str = "The tables are certified: every digit printed is right, and a certificate lies beside \
                                    each. In the pictures the points of a curve are computed to 64 bits and then drawn; \
                                    what lies between two points is drawn, not certified.";

@@ -28,7 +28,7 @@ pub(crate) enum PngError {
 impl fmt::Display for PngError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Small { scale } => write!(f, "scale {scale}: a picture has at least one pixel, write for instance 2"),
+            Self::Small { scale } => write!(f, "{scale} is not a usable scale; write for instance 2"),
             Self::Size { needed } => {
                 write!(f, "limit reached: pixels of a side: {MAX_PIXELS} allowed, {needed} asked for")
             }

@@ -45,7 +45,7 @@ impl fmt::Display for Unclear {
             Self::Tiny => {
                 write!(
                     f,
-                    "every value is below 1e-290, and nothing would be seen; print them with `carom table` or `carom eval`"
+                    "every value is below 1e-290, so the picture would be empty; print the values with `carom table` or `carom eval`"
                 )
             }
             Self::Same => write!(
@@ -55,12 +55,11 @@ impl fmt::Display for Unclear {
             Self::Outside => {
                 write!(f, "a value is beyond 1e300 and cannot be drawn; print the values with `carom eval`")
             }
-            Self::Limits => write!(
-                f,
-                "an axis goes from a smaller to a greater number, and a logarithmic one begins above 0; write for instance 0.1,1"
-            ),
-            Self::Beyond => write!(f, "an own point lies outside of the picture; widen --xlim, --ylim or --ratio"),
-            Self::Axis(label) => write!(f, "fewer than two numbers fit beside the axis {label}; draw a wider range"),
+            Self::Limits => {
+                write!(f, "write the smaller end of an axis first, as in 0.1,1; a logarithmic axis begins above 0")
+            }
+            Self::Beyond => write!(f, "a point of --mark lies outside of the picture; widen --xlim, --ylim or --ratio"),
+            Self::Axis(label) => write!(f, "fewer than two numbers fit at the axis {label}; draw a wider range"),
             Self::Long { name, characters } => {
                 write!(
                     f,

@@ -11,13 +11,13 @@ use crate::number::decimal::{Decimal, Digits, Rounding, outward};
 use crate::number::interval::Interval;
 use malachite::Rational;
 
-/// What a report is made from.
+/// The input of a report.
 pub struct Replay<'a> {
     /// The title of the scene.
     pub title: Option<&'a str>,
     /// The line.
     pub line: &'a Line,
-    /// What the replay found.
+    /// The result of the replay.
     pub outcome: &'a Outcome,
     /// How numbers are written.
     pub numbers: Numbers,
@@ -28,9 +28,9 @@ pub struct Replay<'a> {
 pub enum Numbers {
     /// As `p/q`, or in a quadratic field; enclosed ones as decimals.
     Exact,
-    /// As decimals of so many significant digits, all right.
+    /// As decimals with this many significant digits, correctly rounded.
     Decimal(u64),
-    /// Exact where that takes at most so many characters, else as decimals with so many digits.
+    /// Exact if that takes at most this many characters (first number), else as decimals with this many digits (second).
     Short(usize, u64),
 }
 
@@ -58,10 +58,10 @@ impl Numbers {
     }
 }
 
-/// Digits of numbers that are enclosed, where none were asked for.
+/// Default digits of enclosed numbers.
 pub const DEFAULT_DIGITS: u64 = 15;
 
-/// The number rounded to as many digits as are certain, at most so many; an enclosure where none is.
+/// The number rounded to as many certain digits as there are, at most this many; an enclosure if no digit is certain.
 #[must_use]
 pub fn decimal(value: &Value, digits: u64) -> String {
     let round = |x: &Rational, d| Decimal::of_rational(x, Digits::Significant(d), Rounding::Nearest).ok();
@@ -85,7 +85,7 @@ pub fn decimal(value: &Value, digits: u64) -> String {
     }
 }
 
-/// The point as people call it: a number, or a wall.
+/// The name of a point in reports: the number of a body, or a wall.
 #[must_use]
 pub fn name(line: &Line, point: usize) -> String {
     if point == 0 {
@@ -97,25 +97,25 @@ pub fn name(line: &Line, point: usize) -> String {
     }
 }
 
-/// How many collisions there were, and how often infinitely many.
+/// The number of collisions, and how often there were infinitely many.
 #[must_use]
 pub fn counted(outcome: &Outcome) -> String {
     let plural = if outcome.count == 1 { "" } else { "s" };
     let besides = match outcome.joins {
         0 => String::new(),
-        1 => ", besides infinitely many".to_string(),
-        often => format!(", besides {often} times infinitely many"),
+        1 => ", and infinitely many more".to_string(),
+        often => format!(", and {often} times infinitely many more"),
     };
     format!("{} collision{plural}{besides}", outcome.count)
 }
 
-/// The points as people call them.
+/// The names of a group of points.
 #[must_use]
 pub fn group(line: &Line, (first, last): (usize, usize)) -> String {
     format!("{} to {}", name(line, first), name(line, last))
 }
 
-/// The pair as people call it.
+/// The names of a pair of points.
 #[must_use]
 pub fn pair(line: &Line, left: usize) -> String {
     format!("{}–{}", name(line, left), name(line, left + 1))

@@ -17,12 +17,12 @@ pub fn report(replay: &Replay) -> String {
     collisions(replay, &mut out);
     let _ = writeln!(out, "{}", verdict(replay));
     if o.simultaneous > 0 {
-        let _ = writeln!(out, "Instants with collisions of several separate pairs: {}", o.simultaneous);
+        let _ = writeln!(out, "Times at which several separate pairs collide at once: {}", o.simultaneous);
     }
     if let Some(part) = o.enclosed {
         let _ = writeln!(
             out,
-            "Exact for the first {} collisions, then enclosed with {} bits: count and order are certain.",
+            "Exact numbers for the first {} collisions, then enclosures of {} bits. The count and the order of collisions are certain.",
             part.after, part.bits
         );
     }
@@ -42,7 +42,7 @@ pub fn report(replay: &Replay) -> String {
     let _ = writeln!(out, "Momentum  {} before, {} after", n(&o.momentum.0), n(&o.momentum.1));
     if let Some((_, largest)) = o.growth.last() {
         let bits = crate::report::counted(usize::try_from(*largest).unwrap_or(usize::MAX), "bit");
-        let _ = writeln!(out, "Largest numerator or denominator of an exact state: {bits}");
+        let _ = writeln!(out, "Largest numerator or denominator of an exact number: {bits}");
     }
     out
 }
@@ -93,7 +93,7 @@ fn collisions(replay: &Replay, out: &mut String) {
     out.push('\n');
     for j in &o.joined {
         if let Cause::Collapse(found) = &j.cause {
-            let _ = writeln!(out, "{}\n  the replay goes on from there\n", collapse(replay, found, j.after));
+            let _ = writeln!(out, "{}\n  the replay continues from there\n", collapse(replay, found, j.after));
         }
     }
 }
@@ -109,8 +109,8 @@ fn table(rows: &[Vec<String>], out: &mut String) {
     }
 }
 
-/// What a row of bodies that came together means.
-pub(super) const JOINED: &str = "∞: infinitely many collisions. Then the bodies touch and have one velocity, exactly: their momentum over their mass, or 0 at a wall.";
+/// The legend for rows of bodies that came together.
+pub(super) const JOINED: &str = "∞: infinitely many collisions. Afterwards the bodies touch and share one exact velocity: their total momentum over their total mass, or 0 at a wall.";
 
 /// How the replay ended.
 pub(super) fn verdict(replay: &Replay) -> String {
@@ -119,18 +119,20 @@ pub(super) fn verdict(replay: &Replay) -> String {
         Status::Complete => format!("complete: {}", counted(o)),
         Status::Collapse(found) => {
             let text = collapse(replay, found, o.count);
-            format!("{text}\n  the replay ends here; --through-collapse goes on: the bodies touch, with one velocity")
+            format!(
+                "{text}\n  the replay ends here; --through-collapse continues, with the bodies in contact at one velocity"
+            )
         }
         Status::Ambiguous(found) => ambiguous(replay, found),
         Status::Limit(Limit::Events { allowed }) => {
-            format!("limit reached: {allowed} collisions allowed and another is due (--max-events raises it)")
+            format!("limit reached: {allowed} collisions, and another one follows (--max-events raises the limit)")
         }
         Status::Limit(Limit::Values { allowed, needed }) => format!(
-            "limit reached: {} collisions, all that there are; exact final values would need about {needed} bits, {allowed} allowed, so they are enclosed",
+            "limit reached: all {} collisions were found, but exact final values would need about {needed} bits, and {allowed} are allowed; enclosures are printed instead",
             o.count
         ),
         Status::Limit(Limit::Precision { bits }) => format!(
-            "limit reached: after {} collisions, enclosures of {bits} bits leave open what comes next (--exact-bits keeps the run exact for longer)",
+            "limit reached: after {} collisions, enclosures of {bits} bits do not decide which collision is next (--exact-bits keeps the run exact for longer)",
             o.count
         ),
     }
@@ -144,7 +146,7 @@ fn collapse(replay: &Replay, found: &Collapse, after: u64) -> String {
     };
     let turn: Vec<String> = found.pattern.iter().map(|p| pair(replay.line, *p)).collect();
     let mut text = format!(
-        "collapse: infinitely many collisions before the time {}\n  after {} collisions, {} in turn, for ever (proved)\n  {} come together at {} with velocity {}\n",
+        "collapse: infinitely many collisions before the time {}\n  after {} collisions, the pairs {} collide in turn, for ever (proved)\n  {} come together at {} with velocity {}\n",
         n(&found.time),
         after,
         turn.join(", "),
@@ -156,30 +158,30 @@ fn collapse(replay: &Replay, found: &Collapse, after: u64) -> String {
         Some((trace, determinant)) => {
             let _ = write!(
                 text,
-                "  over one round speeds are multiplied by a matrix of trace {trace}, determinant {determinant}, larger eigenvalue {}",
+                "  each round multiplies the relative speeds by a matrix of trace {trace}, determinant {determinant}, larger eigenvalue {}",
                 n(&found.factor)
             );
         }
         None => {
             let rounds = if found.rounds == 1 { "one round".to_string() } else { format!("{} rounds", found.rounds) };
-            let _ = write!(text, "  over {rounds} speeds shrink by a factor near {}", n(&found.factor));
+            let _ = write!(text, "  over {rounds} the relative speeds shrink by a factor near {}", n(&found.factor));
         }
     }
-    text.push_str(if found.critical { ", a double one: times converge like 1/n" } else { "" });
+    text.push_str(if found.critical { ", a double eigenvalue: the times converge like 1/n" } else { "" });
     text
 }
 
 fn ambiguous(replay: &Replay, found: &Contact) -> String {
     let pairs: Vec<String> = found.pairs.iter().map(|p| pair(replay.line, *p)).collect();
     let mut text = format!(
-        "ambiguous: after {}, {} touch at time {} and {} approach at once: no law gives the order of their collisions",
+        "ambiguous: after {}, {} touch at time {}, and {} would collide at the same time: mechanics does not determine their order",
         counted(replay.outcome),
         group(replay.line, found.bodies),
         replay.numbers.rational(&found.time),
         pairs.join(", "),
     );
     match &found.outcomes {
-        None => text.push_str("\n  --orders shows what each order leads to"),
+        None => text.push_str("\n  --orders tries each order"),
         Some(all) => {
             for one in &all.outcomes {
                 let order: Vec<String> = one.order.iter().map(|p| pair(replay.line, *p)).collect();
@@ -190,7 +192,7 @@ fn ambiguous(replay: &Replay, found: &Contact) -> String {
                 text.push_str("\n  all orders lead to the same velocities");
             }
             if all.cut {
-                text.push_str("\n  limit reached: some orders were not followed to their end");
+                text.push_str("\n  limit reached: some orders were not replayed to the end");
             }
         }
     }

@@ -29,7 +29,7 @@ pub enum Form {
     Text,
     /// Comma-separated values after comment lines.
     Csv,
-    /// CSV that Excel and LibreOffice open: no comment lines, no fraction that becomes a date.
+    /// CSV for Excel and LibreOffice: no comment lines, and no fractions that they would read as dates.
     Spreadsheet,
     /// The same with semicolons and decimal commas.
     SpreadsheetComma,

@@ -1,4 +1,4 @@
-//! The claims of an audit as theorems for Coq, in a folder that stands alone.
+//! The claims of an audit as theorems for Coq, in a self-contained folder.
 //!
 //! Contract: each file of the folder states a claim as `carom export coq` does and proves it from its certificate, or
 //! says why it does not. What is believed of them is for Coq to say: the folder's `check` compiles them, holds each theorem
@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) struct Theorem {
     /// Its name.
     pub name: String,
-    /// What it says, in the words of `statements.v`.
+    /// Its statement, as in `statements.v`.
     pub says: String,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct File {
     pub text: String,
     /// What it proves.
     pub theorems: Vec<Theorem>,
-    /// What it states without a proof, by name, and why.
+    /// The claims that it states without a proof, by name, and why.
     pub open: Vec<(String, String)>,
     /// The files that it needs.
     pub needs: BTreeSet<String>,
@@ -56,7 +56,7 @@ pub(crate) struct Clash {
 impl std::fmt::Display for Clash {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Clash { claims: (a, b), file } = self;
-        write!(f, "{a} and {b} would both be {file}.v for Coq: rename one, or export them apart")
+        write!(f, "{a} and {b} would both become {file}.v for Coq: rename one, or export them separately")
     }
 }
 
@@ -68,7 +68,7 @@ pub(crate) struct Folder {
     statements: Vec<Statement>,
 }
 
-/// What is known of the claims while files are made.
+/// The state of the claims while the files are made.
 struct Maker<'a> {
     catalogue: &'a Catalogue,
     limits: &'a Limits,
@@ -118,7 +118,7 @@ impl Maker<'_> {
         let stated = match coq::statement(claim) {
             Ok(stated) => stated,
             Err(refusal) => {
-                file.open.push((coq::identifier(&file.claim), format!("Coq cannot say it: {}", refusal.reason)));
+                file.open.push((coq::identifier(&file.claim), format!("Coq cannot state it: {}", refusal.reason)));
                 return (file, None);
             }
         };
@@ -154,12 +154,12 @@ impl Maker<'_> {
         (file, Some(stated))
     }
 
-    /// What was accepted of the claims that a claim cites.
+    /// The accepted claims that a claim cites.
     fn cited(&self, claim: &Claim) -> Vec<&Accepted> {
         claim.using.iter().filter_map(|name| self.accepted.get(&name.text)).collect()
     }
 
-    /// The theorem that says what the verdict says.
+    /// The theorem that states the verdict.
     fn first(&mut self, entry: &Entry, stated: &Statement) -> Result<Made, String> {
         let claim = &entry.claim;
         match (entry.outcome.verdict, &entry.proof) {
@@ -170,7 +170,7 @@ impl Maker<'_> {
                     self.accepted.insert(claim.name.text.clone(), *shown);
                 }
                 if claim.expect == Expectation::Refuted {
-                    return Err("it is proved, and its file expects it to be refuted".to_string());
+                    return Err("it is proved, but its file expects it to be refuted".to_string());
                 }
                 let cited = self.cited(claim);
                 let made = proof::script(claim, &certificate, &cited, &|name| self.catalogue.get(name).cloned());
@@ -182,7 +182,7 @@ impl Maker<'_> {
                 Ok(Made::new(&stated.name, &stated.full, &script, made.cites, format!("statements.{}", stated.name)))
             }
             (Verdict::Refuted, proof) => {
-                let witness = entry.outcome.witness.as_ref().ok_or("it has no witness")?;
+                let witness = entry.outcome.witness.as_ref().ok_or("its counterexample is not certified")?;
                 let point = point(witness)?;
                 let certificate = match refuted::is_computed(claim, &point).map_err(|open| why(&open))? {
                     true => None,
@@ -238,7 +238,7 @@ impl Made {
     }
 }
 
-/// What a file begins with: of the library no more than its proofs need, since that is loaded for each file.
+/// The beginning of a file: it imports only the part of the library that its proofs need, because Coq loads it for each file.
 fn head(bodies: &str, needs: &BTreeSet<String>) -> String {
     let mut text = "From Carom Require Import vocabulary rules".to_string();
     for (module, words) in [("values", &["  valued "][..]), ("points", &["evaluated", "computed", "premises_at"])] {
@@ -254,7 +254,7 @@ fn head(bodies: &str, needs: &BTreeSet<String>) -> String {
 /// Why there is no proof for Coq.
 fn why(open: &proof::Open) -> String {
     match open {
-        proof::Open::Unsupported(refusal) => format!("Coq cannot say a step: {}", refusal.reason),
+        proof::Open::Unsupported(refusal) => format!("Coq cannot state a step: {}", refusal.reason),
         proof::Open::Refused(kernel::Refusal::Rejected(reason)) => reason.to_string(),
         proof::Open::Refused(kernel::Refusal::Limit(limit)) => limit_reached(limit),
         proof::Open::Untranslated(step, what) => format!("step {step} of its certificate is not translated: {what}"),

@@ -7,7 +7,7 @@ use crate::scene::read::Subject as Scene;
 use crate::scene::{About, versions};
 use crate::table::worksheet::Worksheet;
 
-/// The standard that a sheet names where none is given.
+/// The standard that a sheet names by default.
 pub const STANDARD: &str =
     "NGSS HS-PS2-2, the total momentum of a system of objects is conserved when there is no net force on the system";
 /// The most versions: a letter each.
@@ -32,7 +32,7 @@ pub struct Wanted<'a> {
     pub style: Style,
 }
 
-/// What one version is of.
+/// The scene of one version.
 struct Version {
     worksheet: Worksheet,
     drop: Option<Drop>,

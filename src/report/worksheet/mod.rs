@@ -1,6 +1,6 @@
 //! Worksheets: blank for the pupils, filled in for the teacher.
 //!
-//! A sheet says in words how the bodies stand and move, asks for predictions, then for the numbers of each collision, and
+//! A sheet describes how the bodies stand and move, asks for predictions, then for the numbers of each collision, and
 //! then for a comparison. A blank sheet gives the masses, the coefficients of restitution and the velocities before the first
 //! collision of each body; everything else is to be found. [`sheet`] puts it together; [`text`], [`latex`] and [`html`]
 //! write it, and [`pages`] lays it out.
@@ -33,12 +33,12 @@ pub struct Style {
     pub exact: bool,
 }
 
-/// What a sheet is of.
+/// The subject of a sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
     /// The collisions.
     pub worksheet: &'a Worksheet,
-    /// What the scene says of itself.
+    /// Title, text and units of the scene.
     pub about: &'a About,
     /// The balls, where they are dropped.
     pub drop: Option<&'a Drop>,
@@ -55,7 +55,7 @@ pub struct Subject<'a> {
 pub struct Sheet {
     /// Its title.
     pub title: String,
-    /// What stands at the foot of each page.
+    /// The footer of each page.
     pub foot: String,
     /// Its parts in order.
     pub parts: Vec<Part>,
@@ -121,7 +121,7 @@ pub enum Cell {
     Nothing,
 }
 
-/// The longest fraction that stands in a cell, in characters.
+/// The longest fraction in a cell, in characters.
 const MAX_FRACTION: usize = 15;
 
 /// A sheet; `filled` is the answer key.
@@ -161,7 +161,7 @@ pub fn sheet(subject: &Subject<'_>, style: Style, filled: bool) -> Result<Sheet,
     Ok(Sheet { title, foot, parts })
 }
 
-/// What is to be done, or how the answers are rounded.
+/// The instructions, or on the answer key how the answers are rounded.
 fn compute(subject: &Subject<'_>, style: Style, filled: bool) -> String {
     let way = if subject.drop.is_some() { "upwards" } else { "to the right" };
     let about = format!(
@@ -232,7 +232,7 @@ fn table(c: &Collision, place: usize, units: &Units, style: Style, filled: bool)
     })
 }
 
-/// What is given, as it was given where that is short.
+/// A given number, as it was written if that is short.
 fn written(entry: &Entry, style: Style) -> Result<String, NumberError> {
     if let Entry::Number(x) = entry
         && let Some(text) = x.as_rational().map(decimal_or_fraction).filter(|text| text.len() <= MAX_FRACTION)
@@ -242,7 +242,7 @@ fn written(entry: &Entry, style: Style) -> Result<String, NumberError> {
     number(entry, style)
 }
 
-/// An answer: a fraction where that is asked for, a decimal, or a centre with its reach.
+/// An answer: a fraction if wanted, a decimal, or a centre ± its half-width.
 fn number(entry: &Entry, style: Style) -> Result<String, NumberError> {
     let x = match entry {
         Entry::Number(x) => x,

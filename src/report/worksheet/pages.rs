@@ -121,7 +121,7 @@ impl Flow<'_> {
 
     fn paragraph(&mut self, text: &str, size: f32, indent: f32) {
         for line in self.lines(text, size, indent) {
-            // A paragraph longer than a page goes on.
+            // A paragraph longer than a page continues on the next page.
             self.make_room(size * LEADING);
             self.y += size * LEADING;
             self.text((MARGIN + indent, self.y - 0.3 * size), &line, size, Anchor::Start);

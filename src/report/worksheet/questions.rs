@@ -139,7 +139,7 @@ fn sum(entry: &Entry, style: Style) -> Option<String> {
     }
 }
 
-/// What is found by adding up, and how it compares with the predictions.
+/// The questions after the computation: sums, and a comparison with the predictions.
 pub(super) fn comparison(
     subject: &Subject<'_>,
     units: &Units,

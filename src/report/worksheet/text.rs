@@ -5,7 +5,7 @@ use crate::report::{markdown, padded};
 
 /// The width of a text for a terminal.
 const WIDTH: usize = 78;
-/// What is filled in by hand.
+/// A blank to fill in by hand.
 const BLANK: &str = "_______";
 
 /// The sheet as text.

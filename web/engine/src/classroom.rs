@@ -91,7 +91,7 @@ fn counted(request: &Request, field: &'static str, most: u64) -> Result<u64, Fau
 fn about(request: &Request) -> Result<About, Fault> {
     let text = |field| Ok::<_, Fault>(Some(request.text(field)?.to_owned()).filter(|text| !text.is_empty()));
     let unit = |field| match text(field)? {
-        Some(unit) if !read::is_unit(&unit) => Err(Fault::at(field, format!("{unit:?} is no unit"))),
+        Some(unit) if !read::is_unit(&unit) => Err(Fault::at(field, format!("{unit:?} is not a unit"))),
         unit => Ok(unit),
     };
     Ok(About {

@@ -51,7 +51,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
         ..Options::default()
     };
     let outcome = replay::replay(&line, &options)
-        .map_err(|fault| Fault::new(format!("the ledger of {} does not balance; please report this", fault.law)))?;
+        .map_err(|fault| Fault::new(format!("internal error: {} is not conserved; please report this", fault.law)))?;
     let title = middle.as_ref().map(|named| format!("The middle of the measured values: {named}"));
     let replay =
         Replay { title: title.as_deref(), line: &line, outcome: &outcome, numbers: Numbers::Short(SHORT.0, SHORT.1) };
@@ -209,7 +209,7 @@ fn end(status: &Status) -> String {
         Status::Limit(Limit::Events { allowed }) => format!("limit reached: {allowed} collisions, and more are due"),
         Status::Limit(_) => "limit reached: the numbers have become too long".to_owned(),
         Status::Ambiguous(found) => format!(
-            "the bodies {} to {} touch and several of their pairs approach at one instant; no law gives the order of these collisions, and the replay ends there",
+            "the bodies {} to {} touch, and several pairs of them would collide at the same time. Mechanics does not determine the order of these collisions, so the replay ends there",
             found.bodies.0, found.bodies.1
         ),
     }
@@ -308,7 +308,7 @@ mod tests {
     fn bodies_that_stick_are_played_to_the_end() {
         let found = replay("1", "0", "3");
         assert_eq!(found["end"], "no further collision follows");
-        assert_eq!(found["total"], "1 collision, besides 3 times infinitely many");
+        assert_eq!(found["total"], "1 collision, and 3 times infinitely many more");
         assert_eq!(found["again"], true);
         let events = found["events"].as_array().expect("a list");
         assert_eq!(events.len(), 4);

@@ -10,15 +10,15 @@ use super::*;
 pub(super) enum Side {
     /// An expression, with the equations put in.
     Expr(Expr),
-    /// A fraction as it stands.
+    /// An unchanged fraction.
     Value(Fraction),
     /// A fraction into which the equations are put.
     Plain(Fraction),
-    /// A polynomial as it stands.
+    /// An unchanged polynomial.
     Poly(Poly),
     /// A number.
     Number(BigRational),
-    /// A number that is left as it is.
+    /// An unchanged number.
     Whole(String),
     /// A number with its value and the proof that it has it.
     Known(String, Fraction, String),

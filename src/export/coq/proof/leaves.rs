@@ -1,4 +1,4 @@
-//! Leaves of an expression: what a name, function, power, sum or derivative comes to, and the proof of it.
+//! Leaves of an expression: the value of a name, function, power, sum or derivative, and the proof of it.
 
 use super::arithmetic::equation_by;
 use super::identity::{Side, Valued};

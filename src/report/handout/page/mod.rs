@@ -91,8 +91,8 @@ fn overview(out: &mut String, handout: &Handout) {
     let vouched: Vec<String> = handout.vouched().iter().map(|s| escape(s)).collect();
     out.push_str(&format!("<p>{}</p>\n", vouched.join(" ")));
     out.push_str(&wide("Verdicts by section"));
-    out.push_str("<table><caption>Verdicts by section; how many the kernel has checked, how many stand in the Coq files, how many \
-         nobody but the prover has shown</caption><thead><tr>");
+    out.push_str("<table><caption>Verdicts by section. Kernel: checked by the kernel. Coq: proved in the Coq files. Prover alone: \
+         found by the search, and checked by neither</caption><thead><tr>");
     for title in ["Section", "Proved", "Refuted", "Undecided", "Kernel", "Coq", "Prover alone"] {
         out.push_str(&format!("<th scope=\"col\">{title}</th>"));
     }
