@@ -81,14 +81,17 @@ impl Prover {
         let shown = self.emit(Rule::Power, equal.clone()).or_else(|_| {
             // (root − q)·(root + q) = 0, of which the first factor is positive where q is negative.
             let apart = compare(minus(&found.root, &found.inside()), Relation::Greater, numeral(0));
-            let below = match found.factors.as_slice() {
-                [(factor, 1)] => self.known(&compare(factor.clone(), Relation::Less, numeral(0))),
-                _ => None,
-            };
-            if let Some(label) = below {
+            let negative =
+                found.factors.iter().enumerate().filter(|(_, (_, k))| *k == 1).find_map(|(place, (f, _))| {
+                    Some((place, self.known(&compare(f.clone(), Relation::Less, numeral(0)))?))
+                });
+            if let Some((place, label)) = negative {
+                let others = found.factors.iter().enumerate().filter(|(i, _)| *i != place);
+                let powers = others.map(|(_, (f, k))| whole_power(f.clone(), *k));
                 let number = expr(ExprKind::Negate(Box::new(found.number.clone())));
+                let factor = product(std::iter::once(number).chain(powers).collect());
                 let root = Term { facts: Vec::new(), factor: found.root.clone() };
-                let _ = self.combination(apart, vec![Term { facts: vec![label], factor: number }, root]);
+                let _ = self.combination(apart, vec![Term { facts: vec![label], factor }, root]);
             }
             self.quietly(&equal)
         })?;

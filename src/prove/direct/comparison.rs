@@ -158,6 +158,20 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, relation, b)) {
             return Ok(label);
         }
+        // The same with variables written by others, as c = 1/(a·b) where a·b·c = 1.
+        if let Ok(label) = self.attempt(|c| {
+            let before = c.equations.len();
+            c.solve_equations();
+            if c.equations.len() == before {
+                return Err(Fail::No("an equation to solve"));
+            }
+            c.by_means_of_many(goal, a, relation, b)
+        }) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_quadratic(goal, a, relation, b)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }

@@ -178,7 +178,7 @@ impl Prover {
     }
 
     /// Proves `exists t` by solving its equation f = 0 if f or t·f is a polynomial of degree 1 or 2 in t. The coefficients come
-    /// from the values at 1, −1 and 2. The kernel decides whether it is such a polynomial.
+    /// from the values at 1, −1 and 2; the value at 3 tells whether it is such a polynomial.
     fn by_solutions(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a witness");
         let [Binding { names, .. }] = bindings else { return Err(no()) };
@@ -191,19 +191,23 @@ impl Prover {
         let plus = |list: Vec<Expr>| expr(ExprKind::Sum(list.into_iter().map(|e| (Sign::Plus, e)).collect()));
         for times in [false, true] {
             let mut values = Vec::new();
-            for k in [1, -1, 2] {
+            for k in [1, -1, 2, 3] {
                 let mut map = Substitution::default();
                 map.replace(&variable.text, &number(k, 1));
                 let value = map.expr(&difference).map_err(Fail::from)?;
                 values.extend(self.simplified(&if times { scaled(k, 1, &value) } else { value }));
             }
-            let [at_1, at_minus_1, at_2] = values.as_slice() else { continue };
+            let [at_1, at_minus_1, at_2, at_3] = values.as_slice() else { continue };
             // g(t) = c2·t² + 2·half·t + c0: g(1) − g(−1) = 4·half, g(1) + g(−1) = 2·(c2 + c0), g(2) = 4·c2 + 4·half + c0.
             let half = plus(vec![scaled(1, 4, at_1), scaled(-1, 4, at_minus_1)]);
             let sum = plus(vec![scaled(1, 2, at_1), scaled(1, 2, at_minus_1)]);
             let c2 = plus(vec![scaled(1, 3, at_2), scaled(-4, 3, &half), scaled(-1, 3, &sum)]);
             let [Some(half), Some(c2), Some(sum)] = [half, c2, sum].map(|e| self.simplified(&e)) else { continue };
             let Some(c0) = self.simplified(&plus(vec![sum, scaled(-1, 1, &c2)])) else { continue };
+            let there = plus(vec![scaled(9, 1, &c2), scaled(6, 1, &half), c0.clone(), scaled(-1, 1, at_3)]);
+            if !self.simplified(&there).is_some_and(|e| is_zero(&e)) {
+                continue;
+            }
             let over =
                 |e: Expr, by: &Expr| expr(ExprKind::Product(vec![(Factor::Times, e), (Factor::Over, by.clone())]));
             let mut found = Vec::new();
@@ -228,7 +232,7 @@ impl Prover {
     }
 
     /// A shorter form of an expression.
-    fn simplified(&mut self, e: &Expr) -> Option<Expr> {
+    pub(crate) fn simplified(&mut self, e: &Expr) -> Option<Expr> {
         self.define(e);
         let reading = self.read(e, false)?;
         let mut factors = Vec::new();

@@ -61,16 +61,19 @@ impl Prover {
     /// Shows a limit.
     pub(crate) fn limit(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         self.define(&l.value);
-        let from = vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(1))];
+        let from = |least: u32| vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(least))];
         let first = match self.emit(Rule::Limit { with: Vec::new() }, goal.clone()) {
             Ok(label) => return Ok(label),
             Err(first) => first,
         };
-        if let Ok(label) = self.emit(Rule::Limit { with: from.clone() }, goal.clone()) {
-            return Ok(label);
+        // From 1 on 1/x has a value, from 4 on 1/(1 − 1/x) as well.
+        for least in [1, 4] {
+            if let Ok(label) = self.emit(Rule::Limit { with: from(least) }, goal.clone()) {
+                return Ok(label);
+            }
         }
         if self.lead_is_not_zero(l)
-            && let Ok(label) = self.emit(Rule::Limit { with: from }, goal.clone())
+            && let Ok(label) = self.emit(Rule::Limit { with: from(1) }, goal.clone())
         {
             return Ok(label);
         }
@@ -119,6 +122,9 @@ impl Prover {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_absolute_value(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_exponential(goal, l)) {
             return Ok(label);
         }
         let next = plus(&n, numeral(1));
@@ -367,6 +373,21 @@ impl Prover {
         facts: &[Label],
         least: u32,
     ) -> Result<Label, Fail> {
+        // A closed form is shown by induction; other bounds are shown at once or not at all.
+        let effort = if lower == upper { 0 } else { 2 };
+        self.between_by(goal, l, (lower, upper), facts, least, effort)
+    }
+
+    /// The same, with this number of cases as already distinguished.
+    pub(crate) fn between_by(
+        &mut self,
+        goal: &Prop,
+        l: &Limit,
+        (lower, upper): (&Expr, &Expr),
+        facts: &[Label],
+        least: u32,
+        effort: usize,
+    ) -> Result<Label, Fail> {
         let mut from = Vec::new();
         let k = self.fresh("k");
         let mut map = Substitution::default();
@@ -381,8 +402,6 @@ impl Prover {
         for (a, b) in [(lower, &l.of), (&l.of, upper)] {
             let body = compare(at(a)?, Relation::LessEqual, at(b)?);
             let every = prop(PropKind::ForAll(vec![binding.clone()], Box::new(body.clone())));
-            // A closed form is shown by induction; other bounds are shown at once or not at all.
-            let effort = if lower == upper { 0 } else { 2 };
             let splits = std::mem::replace(&mut self.splits, effort);
             let shown = if facts.is_empty() {
                 self.show(&every)

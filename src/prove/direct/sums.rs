@@ -169,7 +169,7 @@ fn sums_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
 }
 
 /// Puts a value in the place of an expression.
-fn replace(e: &mut Expr, old: &Expr, value: &Expr) {
+pub(super) fn replace(e: &mut Expr, old: &Expr, value: &Expr) {
     if key::expr(e) == key::expr(old) {
         *e = value.clone();
     } else {
