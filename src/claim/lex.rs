@@ -212,8 +212,8 @@ fn name(text: &str, span: Span, faults: &mut Vec<Diagnostic>) -> Option<String> 
         return None;
     }
     Some(word(text).unwrap_or_else(|message| {
-        let help = "a name holds Latin letters, digits and Greek letters, begins with a letter, and may \
-                    have `_` between them and `'` at its end; powers are written x^2 or x², indices x1 or x₁";
+        let help = "a name begins with a Latin or Greek letter; letters, digits and single `_` may follow, and \
+                    `'` at the end; powers are written x^2 or x², indices x1 or x₁";
         let fault = Fault::Other { message, help: Some(help.to_string()) };
         faults.push(Diagnostic::new(fault, span));
         // Read on as if it were right: one mistake, one message.

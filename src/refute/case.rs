@@ -78,7 +78,9 @@ impl Case {
     /// Why no proof is tried, if there is a reason: the goal is ambiguous.
     pub(crate) fn ambiguous(&self) -> Option<String> {
         let variable = dependence::tied_derivative(&self.statement)?;
-        Some(format!("a derivative by {variable}, which a hypothesis ties to other variables, may be read in two ways"))
+        Some(format!(
+            "a derivative by {variable} is ambiguous, because a hypothesis ties {variable} to other variables"
+        ))
     }
 
     /// The outcome of a claim whose proof is accepted. It also needs a point that satisfies the hypotheses.

@@ -88,12 +88,15 @@ impl Prover {
                 continue;
             };
             let mut facts = vec![fact];
-            let line = whole.put(&l.of, &whole.line());
-            let mut bounds = vec![l.value.clone(), self.simplified(&line).unwrap_or(line)];
-            if let Ok(fact) = self.attempt(|c| c.block(&every(&below), |c, _| c.below_hyperbola(&here, &below))) {
-                facts.push(fact);
-                let hyperbola = whole.put(&l.of, &whole.hyperbola());
-                bounds.push(self.simplified(&hyperbola).unwrap_or(hyperbola));
+            let mut bounds = vec![l.value.clone(), whole.put(&l.of, &whole.line())];
+            let less = compare(here.divisor(), Relation::Greater, numeral(0));
+            let hyperbola = self.attempt(|c| {
+                let less = c.block(&every(&less), |c, _| c.without_cases(&less))?;
+                Ok([less.clone(), c.block(&every(&below), |c, _| c.below_hyperbola(&here, &below))?])
+            });
+            if let Ok(shown) = hyperbola {
+                facts.extend(shown);
+                bounds.push(whole.put(&l.of, &whole.hyperbola()));
             }
             for (i, a) in bounds.iter().enumerate().rev() {
                 for b in &bounds[..i] {
@@ -106,6 +109,14 @@ impl Prover {
             }
         }
         Err(no())
+    }
+
+    /// Shows a comparison with known inequalities, but without cases.
+    fn without_cases(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let splits = std::mem::replace(&mut self.splits, 3);
+        let shown = self.show(goal);
+        self.splits = splits;
+        shown
     }
 
     /// 1 + u <= y.

@@ -232,7 +232,7 @@ impl Prover {
     }
 
     /// A shorter form of an expression.
-    pub(crate) fn simplified(&mut self, e: &Expr) -> Option<Expr> {
+    fn simplified(&mut self, e: &Expr) -> Option<Expr> {
         self.define(e);
         let reading = self.read(e, false)?;
         let mut factors = Vec::new();
