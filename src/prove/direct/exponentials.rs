@@ -76,6 +76,10 @@ impl Prover {
     pub(crate) fn by_exponential(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let no = || Fail::No("an exponential with the variable that grows in its exponent");
         let whole = exponential_in(&l.of, &l.variable.text).ok_or_else(no)?;
+        // With several the bounds lie too far apart.
+        if exponential_in(&whole.put(&l.of, &numeral(1)), &l.variable.text).is_some() {
+            return Err(no());
+        }
         let k = self.fresh("k");
         let here = whole.at(&l.variable.text, &name(&k))?;
         // From 4 on the exponent is often below 1.
