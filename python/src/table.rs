@@ -47,7 +47,8 @@ fn planned(
 ) -> Result<(table::Plan, Vec<Grid>), Refusal> {
     let names = || Quantity::ALL.map(Quantity::name).join(", ");
     let quantity = Quantity::ALL.into_iter().find(|q| q.name() == want);
-    let quantity = quantity.ok_or_else(|| Refusal::at("want", format!("{want:?} is not a table; write {}", names())))?;
+    let quantity =
+        quantity.ok_or_else(|| Refusal::at("want", format!("{want:?} is not a table; write {}", names())))?;
     let ratio = grid("ratio", ratio)?;
     let e = e.map(|text| grid("e", text)).transpose()?;
     let n = n.map(|text| grid("n", text)).transpose()?;

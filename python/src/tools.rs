@@ -56,9 +56,7 @@ impl From<carom::Error> for Refusal {
 /// A direction of rounding by its name.
 pub fn rounding(name: &str) -> Result<carom::number::decimal::Rounding, Refusal> {
     let found = ROUNDINGS.iter().find(|(known, _)| *known == name).map(|(_, direction)| *direction);
-    found.ok_or_else(|| {
-        Refusal::Input(format!("rounding: {name:?} is unknown; write nearest, up, down, zero or away"))
-    })
+    found.ok_or_else(|| Refusal::Input(format!("rounding: {name:?} is unknown; write nearest, up, down, zero or away")))
 }
 
 fn rational(name: &str, text: &str) -> Result<Rational, Refusal> {
