@@ -33,7 +33,7 @@ const STATES = [
   ["why, refuted", "#m1=2&e=1%2F2&n=2", async (page) => { await answered(page); await page.click("#again .why"); await shows(page, "#why-body .badge", "refuted"); }],
   ["many digits", "#digits=300", async (page) => answered(page)],
   ["table", "#room=table", async (page) => shows(page, "#table-note", "rows")],
-  ["wrong grid", "#room=table", async (page) => { await shows(page, "#table-note", "rows"); await page.fill("#t-e", "0.5:1"); await shows(page, "#t-e-error", "run"); }],
+  ["wrong grid", "#room=table", async (page) => { await shows(page, "#table-note", "rows"); await page.fill("#t-e", "0.5:1"); await shows(page, "#t-e-error", "progression"); }],
   ["classroom", "#room=classroom", async (page) => { await shows(page, "#sheets h3", "answer key"); await shows(page, "#checked-summary", "cells:"); await shows(page, "#bounced", "e = "); await page.click("#guide summary"); await shows(page, "#guide-text h3", "The classroom"); }],
   ["classroom, wrong input", "#room=classroom&w.masses=2&p.table=eta&b.readings=1%0Ax", async (page) => { await shows(page, "#sheet-form .error", "two masses"); await shows(page, "#check-form .error", "no column"); await shows(page, "#bounce-form .error", "expected"); }],
   ["classroom, contradiction", "#room=classroom&b.kind=pairs&b.readings=1.00%3B+0.64%0A1.00%3B+0.49&w.kind=drop&w.versions=2", async (page) => { await shows(page, "#bounced .said", "no e fits"); await shows(page, "#sheets .foot", "version B"); }],
