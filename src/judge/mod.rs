@@ -31,6 +31,9 @@ use hand::AtHand;
 /// search found no point.
 const CONTRADICTION: u32 = 5;
 
+/// The part of the time limit for showing that a counterexample exists, before a proof is sought.
+const EARLY: u32 = 20;
+
 /// A claim and its result in the audit.
 pub struct Entry {
     /// The claim.
@@ -246,6 +249,12 @@ impl Decided {
     fn without_proof(outcome: Outcome) -> Decided {
         Decided { outcome, held: None, found: false }
     }
+
+    /// Refuted by this certificate.
+    fn refuted(claim: &Claim, case: Case, certificate: &Certificate) -> Decided {
+        let undecided = case.undecided(String::new(), None);
+        Decided::without_proof(refuted::outcome(undecided, claim, certificate))
+    }
 }
 
 /// Multiplies out, then seeks a counterexample at few points, then a proof, then a counterexample at all points.
@@ -267,6 +276,12 @@ fn searched(
     if let Some(refuted) = case.counterexample(Some(FIRST)) {
         return Ok(Decided::without_proof(refuted));
     }
+    // Where evaluation found no point for the hypotheses it finds no counterexample either: it is shown to exist, or not.
+    if case.has_shown_point()
+        && let Some(certificate) = refuted_by_proof(claim, &case, limits, EARLY)
+    {
+        return Ok(Decided::refuted(claim, case, &certificate));
+    }
     let fail = match prove::by_search(claim, accepted, &Limits { time: case.time_left(), ..limits.clone() }) {
         Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
         Err(fail) => fail,
@@ -275,10 +290,9 @@ fn searched(
         return Ok(Decided::without_proof(refuted));
     }
     if !case.has_no_point()
-        && let Some(certificate) = refuted_by_proof(claim, &case, limits)
+        && let Some(certificate) = refuted_by_proof(claim, &case, limits, CONTRADICTION)
     {
-        let undecided = case.undecided(String::new(), None);
-        return Ok(Decided::without_proof(refuted::outcome(undecided, claim, &certificate)));
+        return Ok(Decided::refuted(claim, case, &certificate));
     }
     let found = matches!(fail, Fail::Unwritten(_));
     let reason = match rests_on(claim, cited) {
@@ -290,8 +304,9 @@ fn searched(
 }
 
 /// A refutation by the search for proofs: at a point with roots as coordinates, or of a goal `exists` that fails for all values.
-fn refuted_by_proof(claim: &Claim, case: &Case, limits: &Limits) -> Option<Certificate> {
-    let limits = Limits { time: case.time_left().min(limits.time / CONTRADICTION), ..limits.clone() };
+/// It takes this part of the time limit at most.
+fn refuted_by_proof(claim: &Claim, case: &Case, limits: &Limits, part: u32) -> Option<Certificate> {
+    let limits = Limits { time: case.time_left().min(limits.time / part), ..limits.clone() };
     let point = match &claim.goal.kind {
         claim::PropKind::Exists(..) if !case.has_variables() => Point { values: Vec::new() },
         claim::PropKind::Compare(..) => satisfiable::counterexample(claim, &limits)?,

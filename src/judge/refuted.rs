@@ -150,7 +150,7 @@ impl Refuter<'_> {
         let mut shown = Vec::new();
         for atom in atoms {
             // Behind a premise that is false a part may have no value.
-            shown.extend(self.atom(attempt, &atom));
+            shown.extend(self.atom(attempt, &atom, part));
         }
         if let Some(label) = shown.iter().find(|label| attempt.shows(label, part)) {
             return Some(label.clone());
@@ -158,8 +158,8 @@ impl Refuter<'_> {
         attempt.logic(part, shown)
     }
 
-    /// Shows a comparison or limit, or that it is false.
-    fn atom(&self, attempt: &mut Attempt, atom: &Prop) -> Option<Label> {
+    /// Shows a comparison or limit that stands in this part of the goal, or that it is false.
+    fn atom(&self, attempt: &mut Attempt, atom: &Prop, part: &Prop) -> Option<Label> {
         let denied = match &atom.kind {
             PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
                 ([a, b], [relation]) => compare(a.clone(), relation.negated(), b.clone()),
@@ -167,7 +167,12 @@ impl Refuter<'_> {
             },
             _ => prop(PropKind::Not(Box::new(atom.clone()))),
         };
-        let both = [&denied, atom];
+        // A search for what the part does not ask for has no end but its limit.
+        let sides = match &part.kind {
+            PropKind::Compare(..) | PropKind::Limit(_) => vec![atom],
+            PropKind::Not(p) if matches!(p.kind, PropKind::Compare(..) | PropKind::Limit(_)) => vec![&denied],
+            _ => vec![&denied, atom],
+        };
         let by_rule = |attempt: &mut Attempt, p: &Prop| match &atom.kind {
             PropKind::Limit(_) => attempt.step(Rule::Limit { with: Vec::new() }, p, true, false).or_else(|| {
                 let from = Name { text: "from".to_string(), span: Span::default() };
@@ -178,9 +183,7 @@ impl Refuter<'_> {
                 .or_else(|| attempt.step(Rule::Combination { times: None, terms: Vec::new() }, p, true, true))
                 .or_else(|| attempt.with_derivatives(p)),
         };
-        both.into_iter()
-            .find_map(|p| by_rule(attempt, p))
-            .or_else(|| both.into_iter().find_map(|p| self.searched(attempt, p)))
+        sides.iter().find_map(|p| by_rule(attempt, p)).or_else(|| sides.iter().find_map(|p| self.searched(attempt, p)))
     }
 
     /// Shows a proposition by the search for proofs, as a claim of its own.

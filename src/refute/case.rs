@@ -25,6 +25,8 @@ pub(crate) struct Case {
     plan: Plan,
     statement: Statement,
     sample: Option<Point>,
+    /// Whether the sample was shown to exist, because none was found by evaluation.
+    is_shown: bool,
     /// The points and the goal, once the search for a counterexample has begun. `None` if values at a point cannot decide
     /// the goal, because a variable of a derivative or limit moves.
     aim: Option<Option<(Search, Goal)>>,
@@ -47,7 +49,7 @@ impl Case {
         // No deadline where the clock does not reach that far.
         let deadline = started.checked_add(limits.time);
         let sample = if has_hypotheses { sample::sample(&mut plan, &statement, deadline) } else { None };
-        Ok(Case { plan, statement, sample, aim: None, held: 0, started, time: limits.time })
+        Ok(Case { plan, statement, sample, is_shown: false, aim: None, held: 0, started, time: limits.time })
     }
 
     /// Whether there are hypotheses and no point was found that satisfies them.
@@ -60,9 +62,15 @@ impl Case {
         !self.statement.bindings.is_empty()
     }
 
-    /// Records a point that satisfies the hypotheses.
+    /// Records a point at which the hypotheses were shown to hold.
     pub(crate) fn found_a_point(&mut self, point: Option<Point>) {
+        self.is_shown = point.is_some();
         self.sample = point;
+    }
+
+    /// Whether the hypotheses were shown to hold at a point that evaluation did not find: mostly its coordinates are roots.
+    pub(crate) fn has_shown_point(&self) -> bool {
+        self.is_shown
     }
 
     /// The first fault of the claim's argument, which may cite these claims.
