@@ -210,7 +210,7 @@ def test_numbers_go_in_exactly():
         (lambda: carom.eta(10, 1, e=1, n=1, masses=[1, 2]), "do not agree"),
         (lambda: carom.eta("[2, 1]", 1, e=1), "above its upper end"),
         (lambda: carom.threshold(10, 1, n=0), "n >= 1"),
-        (lambda: carom.Chain(10, 1, e=1, speed=1, velocities=[1, 0]), "exclude"),
+        (lambda: carom.Chain(10, 1, e=1, speed=1, velocities=[1, 0]), "cannot be combined"),
         (lambda: carom.Chain(10, 1, e=1, masses=[], velocities=[1]), "velocities"),
         (lambda: carom.eta(10, 1, e="9/10", n=7).digits(0), "no significant digit"),
         (lambda: carom.eta(10, 1, e="9/10", n=7).digits(5, rounding="sideways"), "sideways"),

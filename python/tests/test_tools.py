@@ -166,7 +166,7 @@ def test_a_refuted_claim_is_repaired():
     assert (found.hypothesis, found.exact) == ("x != 0", False) and "x != 0" in carom.check(
         found.claim, found.certificate
     )
-    with pytest.raises(ValueError, match="is proved: only a refuted claim"):
+    with pytest.raises(ValueError, match="is proved; only a refuted claim"):
         carom.repair("mine", CLAIM)
     with pytest.raises(ValueError, match="no claim is called"):
         carom.repair("eq99")

@@ -10,7 +10,7 @@
 //! | `max(a, b)` | `(a + b + sqrt((a - b)^2))/2` | a and b have one |
 //! | `min(a, b)` | `(a + b - sqrt((a - b)^2))/2` | a and b have one |
 //! | `n!`, `factorial(n)` | `product(i = 1..n, i)` | n is a natural number |
-//! | `binomial(n, k)` | `product(i = 1..k, (n - k + i)/i)` | k is a natural number |
+//! | `binomial(n, k)` | `product(i = 1..k, (n + 1 - i)/i)` | k is a natural number |
 //! | `trace(M)` | the sum of the diagonal | its entries have one |
 //! | `inverse(M)` | cofactors over `det(M)` | det(M) ≠ 0 |
 //! | `M^3`, `M^0`, `M^-2` | `M*M*M`, the unit matrix, `inverse(M)*inverse(M)` | as these |
@@ -217,7 +217,9 @@ impl Writer<'_> {
                 let (k, n) = (arguments.pop()?, arguments.pop()?);
                 let index = self.index(&[&n, &k], span);
                 let i = at(span, ExprKind::Name(index.text.clone()));
-                let top = ExprKind::Sum(vec![(Sign::Plus, n), (Sign::Minus, k.clone()), (Sign::Plus, i.clone())]);
+                // No factor speaks of k, so that binomial(n, k + 1) is binomial(n, k) times one factor.
+                let one = numeral(span, 1);
+                let top = ExprKind::Sum(vec![(Sign::Plus, n), (Sign::Plus, one), (Sign::Minus, i.clone())]);
                 let body = ExprKind::Product(vec![(Factor::Times, at(span, top)), (Factor::Over, i)]);
                 let index = Index { name: index, from: Box::new(numeral(span, 1)), to: Box::new(k) };
                 Some(ExprKind::ProductOver(index, Box::new(at(span, body))))

@@ -64,7 +64,7 @@ pub(super) fn follow(claim: &Claim, certificate: &Certificate, cited: &[&Accepte
                 let (difference, terms) = views(&mut checker, show);
                 let agrees = difference.as_ref().is_some_and(|d| d.factors.is_empty()) && terms.is_empty();
                 let common = sides(&show.prop).filter(|_| agrees);
-                let common = common.and_then(|(a, _, _)| checker.view(a, show, true).ok());
+                let common = common.and_then(|(a, _, _)| checker.view_in_whole_numbers(a, show, true).ok());
                 let known = if terms.is_empty() { known(&mut checker, show, &used, &facts) } else { Vec::new() };
                 let products = products(&mut checker, show, &used, &seen);
                 checker.step(step)?;
@@ -103,7 +103,9 @@ fn views(checker: &mut Checker, show: &Show) -> (Option<View>, Vec<Option<View>>
         return (None, Vec::new());
     };
     let difference = read(checker, &difference(a, b), show, Signs::of(relation));
-    let alone = terms.iter().map(|t| if t.facts.is_empty() { checker.view(&t.factor, show, true).ok() } else { None });
+    let alone = terms
+        .iter()
+        .map(|t| if t.facts.is_empty() { checker.view_in_whole_numbers(&t.factor, show, true).ok() } else { None });
     (difference, alone.collect())
 }
 
@@ -121,7 +123,7 @@ fn products(checker: &mut Checker, show: &Show, used: &Used, seen: &[Seen]) -> V
         let Rule::Combination { terms, .. } = &earlier.show.rule else { continue };
         if let [term] = terms.as_slice()
             && term.facts.is_empty()
-            && let Ok(view) = checker.view(&term.factor, &with_signs(show, &earlier.show), true)
+            && let Ok(view) = checker.view_in_whole_numbers(&term.factor, &with_signs(show, &earlier.show), true)
         {
             out.push((earlier.show.label.clone(), view));
         }
@@ -138,7 +140,7 @@ fn known(checker: &mut Checker, show: &Show, used: &Used, facts: &BTreeMap<Label
     compared
         .flat_map(|(label, (a, _, b))| {
             let e = difference(a, b);
-            [true, false].map(|put_in| Some((label.clone(), checker.view(&e, show, put_in).ok()?)))
+            [true, false].map(|put_in| Some((label.clone(), checker.view_in_whole_numbers(&e, show, put_in).ok()?)))
         })
         .flatten()
         .collect()
@@ -146,11 +148,11 @@ fn known(checker: &mut Checker, show: &Show, used: &Used, facts: &BTreeMap<Label
 
 /// An expression as the kernel reads it, with or without substituted equations, whichever has the proved signs.
 fn read(checker: &mut Checker, e: &Expr, show: &Show, shown: Signs) -> Option<View> {
-    let with = checker.view(e, show, true).ok()?;
+    let with = checker.view_in_whole_numbers(e, show, true).ok()?;
     if with.signs().within(shown) {
         return Some(with);
     }
-    let plain = checker.view(e, show, false).ok().filter(|plain| plain.signs().within(shown));
+    let plain = checker.view_in_whole_numbers(e, show, false).ok().filter(|plain| plain.signs().within(shown));
     Some(plain.unwrap_or(with))
 }
 

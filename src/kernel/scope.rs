@@ -28,6 +28,9 @@ impl Checker {
         if self.is_declared(name) {
             return rejected(Reason::NameInUse(name.to_string()));
         }
+        // Variables come before what is made of them, in the order in which they are declared. How a difference is written,
+        // x - y or -(y - x), then does not depend on what was asked before.
+        self.intern(atom.clone());
         self.scope.push(Variable { name: name.to_string(), natural, atom });
         if self.scope.len() > NAMES_LIMIT { Err(Refusal::Limit("names")) } else { Ok(()) }
     }

@@ -11,6 +11,7 @@ use super::term::Atom;
 use super::{Checker, Refusal};
 use crate::certificate::{Label, Show};
 use crate::claim::syntax::{Expr, ExprKind, Factor, Index, Name, Sign, Span};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -42,34 +43,76 @@ impl Checker {
     /// # Errors
     /// The expression is no number, or a limit was reached.
     pub fn view(&mut self, e: &Expr, show: &Show, put_in: bool) -> Result<View, Refusal> {
+        self.viewed(e, show, put_in, &|_| BigRational::one())
+    }
+
+    /// The same for readers: the coefficients of each factor are whole numbers without a common divisor, and no more of them
+    /// are negative than positive.
+    ///
+    /// # Errors
+    /// As [`Checker::view`].
+    pub fn view_in_whole_numbers(&mut self, e: &Expr, show: &Show, put_in: bool) -> Result<View, Refusal> {
+        self.viewed(e, show, put_in, &to_whole_numbers)
+    }
+
+    /// A view whose factors are multiplied by these numbers, its number divided by them.
+    fn viewed(
+        &mut self,
+        e: &Expr,
+        show: &Show,
+        put_in: bool,
+        scale: &dyn Fn(&Poly) -> BigRational,
+    ) -> Result<View, Refusal> {
         let spent = self.work.clone();
-        let result = self.viewed(e, show, put_in);
+        let result = self.viewed_within_limits(e, show, put_in, scale);
         self.work = spent;
         result
     }
 
-    fn viewed(&mut self, e: &Expr, show: &Show, put_in: bool) -> Result<View, Refusal> {
+    fn viewed_within_limits(
+        &mut self,
+        e: &Expr,
+        show: &Show,
+        put_in: bool,
+        scale: &dyn Fn(&Poly) -> BigRational,
+    ) -> Result<View, Refusal> {
         let known = self.known(&show.by, &show.using)?;
         let f = if put_in { self.fraction_with(e, &known)? } else { self.fraction(e)? };
-        let mut factors = Vec::new();
+        let mut view = View { number: f.coefficient.clone(), factors: Vec::new() };
         for (poly, power) in &f.factors {
-            factors.push(self.part(poly, *power, &known, &show.by)?);
+            let scale = scale(poly);
+            for _ in 0..power.unsigned_abs() {
+                if *power > 0 { view.number /= &scale } else { view.number *= &scale }
+            }
+            view.factors.push(self.part(poly, *power, &scale, &known, &show.by)?);
         }
-        Ok(View { number: f.coefficient, factors })
+        Ok(view)
     }
 
-    fn part(&mut self, poly: &Poly, power: i64, known: &Known, by: &[Label]) -> Result<Part, Refusal> {
+    fn part(
+        &mut self,
+        poly: &Poly,
+        power: i64,
+        scale: &BigRational,
+        known: &Known,
+        by: &[Label],
+    ) -> Result<Part, Refusal> {
         known.forget_used();
-        let signs = self.signs_of(&Fraction::of(poly), known)?;
+        let signs = self.signs_of(&Fraction::of(poly), known)?.times(Signs::of_number(scale));
         let places = known.used().0;
         let labels = places.iter().filter_map(|place| by.get(*place).cloned()).collect();
-        Ok(Part { of: self.poly_expr(poly), power, signs, by: labels })
+        Ok(Part { of: self.scaled_expr(poly, scale), power, signs, by: labels })
     }
 
-    /// A polynomial as an expression, what is added before what is subtracted.
     fn poly_expr(&self, poly: &Poly) -> Expr {
+        self.scaled_expr(poly, &BigRational::one())
+    }
+
+    /// A polynomial times a number as an expression, what is added before what is subtracted.
+    fn scaled_expr(&self, poly: &Poly, scale: &BigRational) -> Expr {
         let mut terms: Vec<(Sign, Expr)> = Vec::new();
         for (monomial, c) in poly.terms() {
+            let c = c * scale;
             let sign = if c.is_negative() { Sign::Minus } else { Sign::Plus };
             let powers = monomial.iter().map(|(atom, k)| (self.atom_expr(*atom), i64::from(*k))).collect();
             terms.push((sign, quotient(&c.abs(), powers)));
@@ -183,4 +226,20 @@ fn quotient(number: &BigRational, powers: Vec<(Expr, i64)>) -> Expr {
         [(_, one)] => one.clone(),
         _ => expr(ExprKind::Product(list)),
     }
+}
+
+/// What makes the coefficients of a polynomial whole numbers without a common divisor, of which at least as many are positive
+/// as negative.
+fn to_whole_numbers(poly: &Poly) -> BigRational {
+    // With p/q = a/b in lowest terms, the least common multiple of a and b is a·q, and their greatest common divisor a/p.
+    let multiple = |a: BigInt, b: &BigInt| &a * BigRational::new(a.clone(), b.clone()).denom();
+    let divisor = |a: BigInt, b: &BigInt| &a / BigRational::new(a.clone(), b.clone()).numer();
+    let below = poly.terms().fold(BigInt::one(), |l, (_, c)| multiple(l, c.denom()));
+    let above = poly.terms().fold(None, |g, (_, c)| {
+        let c = (c * &below).to_integer();
+        Some(g.map_or_else(|| c.abs(), |g| divisor(g, &c).abs()))
+    });
+    let negative = poly.terms().filter(|(_, c)| c.is_negative()).count();
+    let sign = if 2 * negative > poly.terms().count() { -BigInt::one() } else { BigInt::one() };
+    BigRational::new(sign * below, above.unwrap_or_else(BigInt::one))
 }

@@ -4,7 +4,7 @@
 //! the sign of q is known. It starts with the innermost absolute value and replaces each by q or −q.
 
 use super::facts::{minus, opposite};
-use super::letters::{product, whole_power};
+use super::letters::{as_power, natural, product, whole_power};
 use super::values::root_of;
 use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
@@ -44,6 +44,14 @@ impl Prover {
             c.splits = splits;
             shown
         })
+    }
+
+    /// Proves a comparison in which absolute values are written. Cases cost less here than products of facts.
+    pub(crate) fn by_written_absolute_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        if self.splits >= 3 || !(has_absolute(a) || has_absolute(b)) {
+            return Err(Fail::No("an absolute value"));
+        }
+        self.by_absolute_values(goal)
     }
 
     /// Proves a goal after the signs inside some absolute values are known; `known` holds the keys of these.
@@ -120,7 +128,7 @@ impl Prover {
         for v in poly.variables() {
             let Some(e) = self.letters.expr(v).cloned() else { continue };
             let ExprKind::Power(base, _) = &e.kind else { continue };
-            let Some(half) = super::letters::as_power(&e).and_then(|(_, k)| self.read(&k, false)) else { continue };
+            let Some(half) = as_power(&e).and_then(|(_, k)| self.read(&k, false)) else { continue };
             if !half.factors.is_empty() || half.number != malachite::Rational::from_unsigneds(1u32, 2) {
                 continue;
             }
@@ -140,4 +148,12 @@ impl Prover {
         }
         None
     }
+}
+
+/// Whether a square root of a square is part of an expression.
+fn has_absolute(e: &Expr) -> bool {
+    let is_square = |e: &Expr| as_power(e).is_some_and(|(_, k)| natural(&k) == Some(2));
+    let mut found = as_power(e).is_some_and(|(base, exponent)| natural(&exponent).is_none() && is_square(&base));
+    crate::refute::expand::parts(e, &mut |part| found = found || has_absolute(part));
+    found
 }

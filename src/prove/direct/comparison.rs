@@ -25,6 +25,9 @@ impl Prover {
         if let Ok(label) = self.at_once(goal, a, relation, b) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_written_absolute_values(goal, a, b) {
+            return Ok(label);
+        }
         // With little effort: no cases, and small programs only.
         let quiet = self.splits >= 8;
         if let Ok(label) = self.by_linear_programs(goal, a, relation, b) {

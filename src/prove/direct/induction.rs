@@ -4,8 +4,9 @@ use super::values::at_next;
 use super::{Fail, Prover, implies, put};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
+use crate::kernel::key;
 use crate::kernel::names::names_in_prop;
-use crate::kernel::statement::{name, numeral, prop};
+use crate::kernel::statement::{compare, name, numeral, prop};
 use std::collections::BTreeSet;
 
 impl Prover {
@@ -41,8 +42,34 @@ impl Prover {
             if let Some(label) = done {
                 return Ok(label);
             }
+            if let Ok(label) = self.attempt(|c| c.with_products_within_one(goal, &variable)) {
+                return Ok(label);
+            }
         }
         Err(Fail::No("induction"))
+    }
+
+    /// By induction together with 0 <= P and P <= 1 for each product P that ends at the variable: what is shown of products of
+    /// factors from 0 to 1 mostly needs it.
+    fn with_products_within_one(&mut self, goal: &Prop, variable: &str) -> Result<Label, Fail> {
+        let mut sides = Vec::new();
+        super::goals::sides_in(goal, &mut sides);
+        let mut products = Vec::new();
+        sides.iter().for_each(|e| products_to(e, variable, &mut products));
+        if products.is_empty() {
+            return Err(Fail::No("a product"));
+        }
+        let within = |e: &Expr| {
+            [(Relation::GreaterEqual, 0), (Relation::LessEqual, 1)].map(|(r, k)| compare(e.clone(), r, numeral(k)))
+        };
+        let parts = products.iter().flat_map(within).chain([goal.clone()]).collect();
+        self.inductions += 1;
+        let base = self.least(variable);
+        let fresh = self.fresh("k");
+        let body = put(&prop(PropKind::And(parts)), variable, &name(&fresh))?;
+        let every = self.induction(&fresh, base, &body, 3)?;
+        let all = self.closed(&every, variable)?;
+        self.logic(&[&all], goal)
     }
 
     /// An instance of a statement for all natural numbers, at its own variable.
@@ -121,6 +148,17 @@ impl Prover {
         })?;
         self.emit(Rule::Induction { base: start, advance }, every(body.clone()))
     }
+}
+
+/// The products over an index that end at a variable, each once.
+fn products_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
+    if let ExprKind::ProductOver(index, _) = &e.kind
+        && matches!(&index.to.kind, ExprKind::Name(n) if n == variable)
+        && !out.iter().any(|p| key::expr(p) == key::expr(e))
+    {
+        out.push(e.clone());
+    }
+    crate::refute::expand::parts(e, &mut |part| products_to(part, variable, out));
 }
 
 /// Whether induction on a variable may help: it occurs in an exponent, as the end of a sum or product, or in an index.

@@ -42,6 +42,7 @@ fn roots_are_known_by_their_powers_and_bounds() {
 fn absolute_values_are_told_by_signs() {
     all_are_shown(&[
         "given x, y real\nprove |x + y| <= |x| + |y|",
+        "given x, y real\nprove ||x| - |y|| <= |x - y|",
         "given a, b real\nprove |a - b| = max(a, b) - min(a, b)",
         "given x real;  r in (0, 1)\nprove |r*x| <= |x|",
     ]);
@@ -52,6 +53,16 @@ fn induction_needs_no_hint() {
     all_are_shown(&[
         "given n natural >= 1\nprove sum(i = 1..n, i^2) = n*(n + 1)*(2*n + 1)/6",
         "given n natural\nprove 2^n >= n + 1",
+    ]);
+}
+
+#[test]
+fn products_are_continued_whatever_the_sign_of_their_members() {
+    all_are_shown(&[
+        // Which of n - i and i - n the kernel writes may not depend on what it read before.
+        "given k natural;  n, X real\nassume product(i = 1..k, n - i) = X\nprove product(i = 1..k + 1, n - i) = X*(n - 1 - k)",
+        "given n, k natural\nprove binomial(n + 1, k + 1) = binomial(n, k) + binomial(n, k + 1)",
+        "given n natural;  u(k) in [0, 1]\nprove product(i = 1..n, 1 - u(i)) >= 1 - sum(i = 1..n, u(i))",
     ]);
 }
 

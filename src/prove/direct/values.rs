@@ -8,7 +8,7 @@ use crate::certificate::{Label, Rule};
 use crate::claim::definedness::{Need, needs};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, numeral};
+use crate::kernel::statement::{compare, expr, numeral, prop};
 use malachite::Rational;
 
 impl Prover {
@@ -215,10 +215,46 @@ impl Prover {
             let first = at(&index.from)?;
             joined(first, over(later))
         } else {
+            if !is_sum {
+                let _ = self.attempt(|c| c.positive_product(e, index, body));
+            }
             return Ok(false);
         };
         self.define(&right);
-        self.unfolded(e, &right)
+        let shown = self.unfolded(e, &right);
+        self.instantiate(&[&right]);
+        shown
+    }
+
+    /// A product of numbers that are positive by their form, such as n!, is positive: by induction on its end. With it one may
+    /// divide by it.
+    fn positive_product(&mut self, e: &Expr, index: &Index, body: &Expr) -> Result<(), Fail> {
+        let positive = |e: Expr| compare(e, Relation::Greater, numeral(0));
+        let plain = self.letters.polynomial(body).zip(self.letters.polynomial(&index.from)).is_some_and(|(p, from)| {
+            let own = |v: u32| matches!(self.letters.expr(v), Some(Expr { kind: ExprKind::Name(n), .. }) if *n == index.name.text);
+            !p.is_zero()
+                && p.terms().all(|(_, c)| *c > 0)
+                && p.variables().into_iter().all(own)
+                && from.as_constant().is_some_and(|c| c >= 1)
+        });
+        if !plain || self.known(&positive(e.clone())).is_some() {
+            return Err(Fail::No("a product of positive numbers"));
+        }
+        let fresh = self.fresh("k");
+        let to = Box::new(crate::kernel::statement::name(&fresh));
+        let product = expr(ExprKind::ProductOver(Index { to, ..index.clone() }, Box::new(body.clone())));
+        let binding = Binding {
+            names: vec![(Name { text: fresh, span: Span::default() }, None)],
+            natural: true,
+            constraints: Vec::new(),
+            indices: None,
+            span: Span::default(),
+        };
+        let every = prop(PropKind::ForAll(vec![binding], Box::new(positive(product))));
+        let (splits, inductions) = (std::mem::take(&mut self.splits), std::mem::take(&mut self.inductions));
+        let shown = self.all_by_induction(&every, 3);
+        (self.splits, self.inductions) = (splits, inductions);
+        self.instance(&shown?, &index.to).map(|_| ())
     }
 
     fn unfolded(&mut self, e: &Expr, right: &Expr) -> Result<bool, Fail> {
