@@ -294,6 +294,16 @@ fn what_is_said_in_several_ways_is_one_statement() {
             "given x real\nprove (exists x_from > 0: for all x_later >= x_from: -x_later < 0) and \
              limit of 1/-x as x -> infinity is 0",
         ),
+        (
+            "given x > 0;  n natural\nlet M = [2/x, 1; 0, x]\nprove det(M^n) = 2^n and M^(n + 1) = M*M^n",
+            "given x > 0;  n natural\nlet M = [2/x, 1; 0, x]\ngiven M_11(i), M_12(i), M_21(i), M_22(i) real\n\
+             assume M_11(0) = 1\nassume for all i natural: M_11(i + 1) = (2/x)*M_11(i) + M_21(i)\n\
+             assume M_12(0) = 0\nassume for all i natural: M_12(i + 1) = (2/x)*M_12(i) + M_22(i)\n\
+             assume M_21(0) = 0\nassume for all i natural: M_21(i + 1) = x*M_21(i)\n\
+             assume M_22(0) = 1\nassume for all i natural: M_22(i + 1) = x*M_22(i)\n\
+             prove det([M_11(n), M_12(n); M_21(n), M_22(n)]) = 2^n and \
+             [M_11(n + 1), M_12(n + 1); M_21(n + 1), M_22(n + 1)] = M*[M_11(n), M_12(n); M_21(n), M_22(n)]",
+        ),
         ("prove minimum of t^2 over t real is 0", "prove (for all t real: t^2 >= 0) and (exists t real: t^2 = 0)"),
     ] {
         let [short, long] = [short, long].map(|rest| lines(&format!("claim c \"t\"\n{rest}\n")));
@@ -312,7 +322,13 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
     let with =
         |rest: &str| fault(&format!("claim c \"t\"\ngiven x, y > 0;  n natural\nlet f(t) = [t, 1]\nprove {rest}\n"));
     for (rest, said) in [
-        ("[x, y; y, x]^n = [1, 0; 0, 1]", "the exponent of a matrix is a whole numeral"),
+        ("[x, y; y, x]^101 = [1, 0; 0, 1]", "a numeral as the exponent of a matrix is a whole number from -100 to 100"),
+        ("[x, y]^n = [1, 0]", "a power needs a square matrix"),
+        (
+            "[1/(x - y), 0; 0, 1]^n = [1, 0; 0, 1]",
+            "must have values everywhere (declare the names in its divisors positive",
+        ),
+        ("sum(i = 0..n, det([1, i; 0, 1]^n)) = 1", "a matrix to a variable power depends on the bound variable i"),
         ("inverse([x, y]) = x", "an inverse needs a square matrix"),
         ("trace(x) = x", "a trace needs a matrix whose entries are written out (write the matrix as [a, b; c, d]"),
         ("trace(f(x)) = x", "a trace needs a matrix whose entries are written out"),
@@ -336,7 +352,7 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("maximum of cos(t) over t real only at t = 0 is 1", "an extremum over all angles has more than one place"),
         ("maximum of cos(t) over t in [0, pi] at t = 2*pi is 1", "this cannot be the place of an extremum"),
         ("log(x) = y", "write the natural logarithm as ln(x)"),
-        ("floor(1/x) = n", "the argument of a floor must have a value everywhere"),
+        ("floor(1/(x - y)) = n", "the argument of a floor must have a value everywhere"),
         ("integral(x) = y", "there are no integrals"),
         ("x = y + O(x)", "there is no O(…)"),
         ("limit of x as x -> 0 is 0", "x is already declared, so it cannot be the variable"),

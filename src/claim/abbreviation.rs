@@ -14,14 +14,17 @@
 //! | `trace(M)` | the sum of the diagonal | its entries have one |
 //! | `inverse(M)` | cofactors over `det(M)` | det(M) ≠ 0 |
 //! | `M^3`, `M^0`, `M^-2` | `M*M*M`, the unit matrix, `inverse(M)*inverse(M)` | as these |
+//! | `M^n` | members of families, see `matrix_power` | n is a natural number |
 //!
 //! A matrix is one whose entries are written: `[a, b; c, d]`, a `let` of one, or sums and products of such.
 
 use super::definedness::number;
 use super::diagnostic::{Diagnostic, Fault};
 use super::matrix::{Matrices, Unfit, apply, at, numeral};
+use super::matrix_power::Powers;
 use super::preamble::declared;
 use super::syntax::*;
+use super::total::Values;
 use super::walk;
 use std::collections::BTreeSet;
 
@@ -69,18 +72,24 @@ pub(crate) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
         own.insert(name.to_string());
     });
     names.extend(own.iter().cloned());
-    let mut writer = Writer { names, own, matrices: Matrices::default(), nodes: 0, full: false, faults };
-    let mut items = std::mem::take(&mut claim.items);
-    for item in &mut items {
-        walk::of_item(item, &mut |e| writer.top(e));
-        if let Item::Let { name, parameters, value } = item
+    let bound = walk::bound_in(claim);
+    let powers = Powers { bound, values: Values::default(), known: Vec::new(), open: Vec::new() };
+    let mut writer = Writer { names, own, matrices: Matrices::default(), powers, nodes: 0, full: false, faults };
+    let mut items = Vec::new();
+    for mut item in std::mem::take(&mut claim.items) {
+        walk::of_item(&mut item, &mut |e| writer.top(e));
+        if let Item::Let { name, parameters, value } = &item
             && parameters.is_empty()
             && let Some(rows) = writer.matrices.entries(value)
         {
             writer.matrices.0.insert(name.text.clone(), rows);
         }
+        writer.powers.values.learn(&item);
+        items.append(&mut writer.powers.open);
+        items.push(item);
     }
     walk::expressions(claim, &mut |e| writer.top(e));
+    items.append(&mut writer.powers.open);
     sampled(claim, &items);
     claim.items = items;
 }
@@ -116,12 +125,14 @@ fn sampled(claim: &mut Claim, items: &[Item]) {
     }
 }
 
-struct Writer<'a> {
+/// Writes out abbreviations, item by item.
+pub(super) struct Writer<'a> {
     /// Every name that occurs in the claim.
-    names: BTreeSet<String>,
+    pub(super) names: BTreeSet<String>,
     /// Those that it declares.
     own: BTreeSet<String>,
-    matrices: Matrices,
+    pub(super) matrices: Matrices,
+    pub(super) powers: Powers,
     nodes: usize,
     full: bool,
     faults: &'a mut Vec<Diagnostic>,
@@ -137,7 +148,7 @@ impl Writer<'_> {
         }
     }
 
-    fn limit(&mut self, name: &'static str, allowed: usize, span: Span) {
+    pub(super) fn limit(&mut self, name: &'static str, allowed: usize, span: Span) {
         if !self.full {
             self.full = true;
             self.faults.push(Diagnostic::new(Fault::Limit { name, allowed }, span));
@@ -145,7 +156,7 @@ impl Writer<'_> {
     }
 
     /// Whether there is room for so many nodes more.
-    fn room(&mut self, more: usize, span: Span) -> bool {
+    pub(super) fn room(&mut self, more: usize, span: Span) -> bool {
         self.nodes = self.nodes.saturating_add(more);
         if self.nodes > NODES_LIMIT {
             self.limit("nodes of abbreviations written out", NODES_LIMIT, span);
@@ -172,11 +183,16 @@ impl Writer<'_> {
             ExprKind::Power(base, exponent) if self.matrices.entries(base).is_some() => {
                 let exponent = match number(exponent) {
                     Some((k, 1)) if (-POWER_LIMIT..=POWER_LIMIT).contains(&k) => k as i64,
-                    _ => {
-                        let message = "the exponent of a matrix is a whole numeral, at most 100";
-                        let help = "for M^n write the entries of M^n with `let`, and show M*(its form at n) = (its form \
-                                    at n + 1); or `define` its entries as sequences";
-                        return self.fault(message, help, span);
+                    Some(_) => {
+                        let message = "a numeral as the exponent of a matrix is a whole number from -100 to 100";
+                        return self.fault(message, "use a natural variable: M^n", span);
+                    }
+                    None => {
+                        let (base, exponent) = (base.as_ref().clone(), exponent.as_ref().clone());
+                        if let Some(kind) = self.variable_power(&base, &exponent, span) {
+                            e.kind = kind;
+                        }
+                        return;
                     }
                 };
                 let size = walk::nodes_in(base).saturating_mul(exponent.unsigned_abs() as usize + 1);
@@ -243,7 +259,7 @@ impl Writer<'_> {
     }
 
     /// A fresh name for a bound index: it occurs nowhere in the claim, nor bound in these parts.
-    fn index(&self, parts: &[&Expr], span: Span) -> Name {
+    pub(super) fn index(&self, parts: &[&Expr], span: Span) -> Name {
         let mut inside = BTreeSet::new();
         parts.iter().for_each(|part| walk::names_in(part, &mut inside));
         let is_free = |name: &String| !self.names.contains(name) && !inside.contains(name);
@@ -252,7 +268,7 @@ impl Writer<'_> {
         Name { text, span }
     }
 
-    fn unfit(&mut self, what: &str, unfit: Unfit, span: Span) {
+    pub(super) fn unfit(&mut self, what: &str, unfit: Unfit, span: Span) {
         match unfit {
             Unfit::NotSquare => self.fault(&format!("{what} needs a square matrix"), "", span),
             Unfit::NotWritten => self.fault(
@@ -263,7 +279,7 @@ impl Writer<'_> {
         }
     }
 
-    fn fault(&mut self, message: &str, help: &str, span: Span) {
+    pub(super) fn fault(&mut self, message: &str, help: &str, span: Span) {
         let help = (!help.is_empty()).then(|| help.to_string());
         self.faults.push(Diagnostic::new(Fault::Other { message: message.to_string(), help }, span));
     }

@@ -7,9 +7,9 @@
 
 use super::diagnostic::{Diagnostic, Fault};
 use super::matrix::{at, numeral};
-use super::preamble::{applied, declared};
+use super::preamble::declared;
 use super::syntax::*;
-use super::total;
+use super::total::Values;
 use super::walk;
 use std::collections::BTreeSet;
 
@@ -31,8 +31,8 @@ struct Writer<'a> {
     names: BTreeSet<String>,
     /// The names bound by quantifiers, sums and definitions.
     bound: BTreeSet<String>,
-    /// Definitions that may have no value; those with parameters, families and sequences are taken to be such.
-    partial: BTreeSet<String>,
+    /// What the items so far tell of names.
+    values: Values,
     /// The expanded floors, with their names.
     floors: Vec<(Expr, Name)>,
     /// Declarations to insert before the current item.
@@ -43,32 +43,18 @@ struct Writer<'a> {
 /// Writes out every floor of a claim.
 pub(crate) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
     let mut names = BTreeSet::new();
-    let mut bound = BTreeSet::new();
-    walk::expressions(claim, &mut |e| {
-        walk::names_in(e, &mut names);
-        walk::indices(e, &mut bound);
-    });
+    walk::expressions(claim, &mut |e| walk::names_in(e, &mut names));
     if !WORDS.iter().any(|word| names.contains(*word)) {
         return;
     }
     let own: BTreeSet<String> = claim.items.iter().flat_map(declared).map(|n| n.text.clone()).collect();
-    walk::bound_names(claim, &mut |name| {
-        // The names under `given` are bound for the whole claim.
-        if !own.contains(name) {
-            bound.insert(name.to_string());
-        }
-    });
+    let bound = walk::bound_in(claim);
     names.extend(own.iter().chain(&bound).cloned());
     let mut writer =
-        Writer { own, names, bound, partial: BTreeSet::new(), floors: Vec::new(), open: Vec::new(), faults };
+        Writer { own, names, bound, values: Values::default(), floors: Vec::new(), open: Vec::new(), faults };
     for mut item in std::mem::take(&mut claim.items) {
         walk::of_item(&mut item, &mut |e| writer.expr(e));
-        writer.partial.extend(applied(&item).into_iter().map(|n| n.text.clone()));
-        if let Item::Let { name, value, .. } = &item
-            && !writer.has_a_value(value)
-        {
-            writer.partial.insert(name.text.clone());
-        }
+        writer.values.learn(&item);
         claim.items.append(&mut writer.open);
         claim.items.push(item);
     }
@@ -109,7 +95,7 @@ impl Writer<'_> {
             self.fault(&format!("this floor depends on the bound variable {bound}"), help, span);
             return of;
         }
-        if !self.has_a_value(&of) {
+        if !self.values.exist_for(&of) {
             let help = "give the quotient or root a name: `given q real` with `assume q*m = a`, and write floor(q)";
             self.fault("the argument of a floor must have a value everywhere", help, span);
             return of;
@@ -144,11 +130,6 @@ impl Writer<'_> {
         let out = name(&floor);
         self.floors.push((of, floor));
         out
-    }
-
-    /// Whether an expression has a value everywhere.
-    fn has_a_value(&self, e: &Expr) -> bool {
-        total::has_a_value(e, &|name| !self.partial.contains(name))
     }
 }
 

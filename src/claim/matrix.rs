@@ -4,7 +4,7 @@ use super::syntax::*;
 use std::collections::BTreeMap;
 
 /// The rows of a matrix.
-pub(super) type Rows = Vec<Vec<Expr>>;
+pub(crate) type Rows = Vec<Vec<Expr>>;
 
 /// Why a matrix cannot be written out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,11 +32,11 @@ pub(super) fn apply(span: Span, function: &str, argument: Expr) -> Expr {
 
 /// Definitions of matrices by their names, with their entries.
 #[derive(Debug, Default)]
-pub(super) struct Matrices(pub BTreeMap<String, Rows>);
+pub(crate) struct Matrices(pub(super) BTreeMap<String, Rows>);
 
 impl Matrices {
     /// The entries of an expression that is a matrix by how it is written; `None` for a number.
-    pub(super) fn entries(&self, e: &Expr) -> Option<Rows> {
+    pub(crate) fn entries(&self, e: &Expr) -> Option<Rows> {
         let each = |rows: Rows, f: &dyn Fn(Expr) -> Expr| -> Rows {
             rows.into_iter().map(|row| row.into_iter().map(f).collect()).collect()
         };
@@ -87,7 +87,8 @@ impl Matrices {
         }
     }
 
-    fn square(&self, e: &Expr) -> Result<Rows, Unfit> {
+    /// The entries of a square matrix.
+    pub(super) fn square(&self, e: &Expr) -> Result<Rows, Unfit> {
         let rows = self.entries(e).ok_or(Unfit::NotWritten)?;
         let (height, width) = size(&rows);
         if height == width && height > 0 { Ok(rows) } else { Err(Unfit::NotSquare) }

@@ -171,6 +171,22 @@ pub(crate) fn of_method(method: &mut Method, visit: &mut dyn FnMut(&mut Expr)) {
     }
 }
 
+/// The names that stand for several values in one claim, and are not declared for the whole of it: indices, what quantifiers
+/// and extrema bind, parameters of definitions.
+pub(crate) fn bound_in(claim: &mut Claim) -> BTreeSet<String> {
+    let own: BTreeSet<String> =
+        claim.items.iter().flat_map(super::preamble::declared).map(|n| n.text.clone()).collect();
+    let mut bound = BTreeSet::new();
+    expressions(claim, &mut |e| indices(e, &mut bound));
+    bound_names(claim, &mut |name| {
+        // The names under `given` are bound for the whole claim.
+        if !own.contains(name) {
+            bound.insert(name.to_string());
+        }
+    });
+    bound
+}
+
 /// Calls `visit` with every name that quantifiers, extrema and `obtain` bind, and with the parameters and indices of
 /// definitions and families.
 pub(crate) fn bound_names(claim: &Claim, visit: &mut dyn FnMut(&str)) {

@@ -23,6 +23,8 @@ use crate::refute::outcome::{Broken, Outcome, Point, Verdict, Witness};
 
 /// How many expressions are tried for one without value, each at several indices.
 const TRIES: usize = 400;
+/// The part of the time limit for a hypothesis about all members of a family.
+const FOR_ALL: u32 = 20;
 /// The first indices at which a member of a sum is tried.
 const INDICES: u32 = 12;
 /// Values for a member of a family that the witness does not name.
@@ -143,7 +145,8 @@ impl Refuter<'_> {
             return Some(label);
         }
         if let PropKind::ForAll(..) = &part.kind {
-            return self.searched(attempt, part);
+            // Mostly a few members do not tell of all.
+            return self.searched(attempt, part, FOR_ALL);
         }
         let mut atoms = Vec::new();
         atoms_of(part, &mut atoms);
@@ -183,16 +186,21 @@ impl Refuter<'_> {
                 .or_else(|| attempt.step(Rule::Combination { times: None, terms: Vec::new() }, p, true, true))
                 .or_else(|| attempt.with_derivatives(p)),
         };
-        sides.iter().find_map(|p| by_rule(attempt, p)).or_else(|| sides.iter().find_map(|p| self.searched(attempt, p)))
+        sides
+            .iter()
+            .find_map(|p| by_rule(attempt, p))
+            .or_else(|| sides.iter().find_map(|p| self.searched(attempt, p, 1)))
     }
 
     /// Shows a proposition by the search for proofs, as a claim of its own.
-    fn searched(&self, attempt: &mut Attempt, p: &Prop) -> Option<Label> {
+    /// It takes this part of the time limit at most.
+    fn searched(&self, attempt: &mut Attempt, p: &Prop, part: u32) -> Option<Label> {
         if self.is_late() {
             return None;
         }
         let own = Claim { goal: p.clone(), ..attempt.claim.clone() };
-        let (found, _) = prove::certificate(&own, &[], self.limits).ok()?;
+        let limits = Limits { time: self.limits.time / part, ..self.limits.clone() };
+        let (found, _) = prove::certificate(&own, &[], &limits).ok()?;
         // Its labels are new here.
         let run = attempt.steps.len();
         let fresh = |label: &str| if label.starts_with('h') { label.to_string() } else { format!("r{run}x{label}") };

@@ -283,6 +283,8 @@ def value(e, env):
     if op == "several":
         return SEVERAL[e[1]](*(value(x, env) for x in e[2]))
     a, b = value(e[1], env), value(e[2], env)
+    if isinstance(a, list) and op == "^":
+        return matrix_power(a, b)
     if isinstance(a, list) or isinstance(b, list):
         return matrices(op, a, b)
     if op == "/":
@@ -300,6 +302,24 @@ def matrices(op, a, b):
     if op == "*":
         return [[sum(x * b[k][j] for k, x in enumerate(row)) for j in range(len(b[0]))] for row in a]
     return [[x + y if op == "+" else x - y for x, y in zip(r, s)] for r, s in zip(a, b)]
+
+
+def matrix_power(a, k):
+    if k != int(k):
+        raise Undefined
+    factor, out = a if k >= 0 else inverse(a), [[mpf(i == j) for j in range(len(a))] for i in range(len(a))]
+    for _ in range(abs(int(k))):
+        out = matrices("*", out, factor)
+    return out
+
+
+def inverse(rows):
+    d = determinant(rows)
+    if d == 0:
+        raise Undefined
+    minor = lambda i, j: [[x for c, x in enumerate(row) if c != j] for r, row in enumerate(rows) if r != i]
+    n = range(len(rows))
+    return [[(-1) ** (i + j) * determinant(minor(i, j)) / d for i in n] for j in n]
 
 
 def power(a, b):
@@ -329,6 +349,14 @@ def call(name, argument, env):
         raise Undefined
     if name == "det":
         return determinant(v)
+    if name == "inverse":
+        return inverse(v)
+    if name == "trace":
+        return sum(v[i][i] for i in range(len(v)))
+    if name == "transpose":
+        return [list(column) for column in zip(*v)]
+    if name == "factorial" and (v < 0 or v != int(v)):
+        raise Undefined
     if name in FUNCTIONS:
         return FUNCTIONS[name](v)
     return env[name](int(v))

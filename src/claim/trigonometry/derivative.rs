@@ -14,10 +14,10 @@ impl Writer<'_> {
     pub(super) fn with_the_value_of(&self, derivative: Expr, function: &Expr) -> Expr {
         let plain = |name: &str| !self.applied.contains(name) && !self.values.contains_key(name);
         let named = |name: &str| match self.values.get(name) {
-            Some(value) => total::has_a_value(value, &plain),
+            Some(value) => total::has_a_value(value, &plain, &|_| false),
             None => plain(name),
         };
-        if total::has_a_value(function, &named) {
+        if total::has_a_value(function, &named, &|_| false) {
             return derivative;
         }
         let span = derivative.span;

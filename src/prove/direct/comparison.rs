@@ -25,6 +25,11 @@ impl Prover {
         if let Ok(label) = self.at_once(goal, a, relation, b) {
             return Ok(label);
         }
+        if relation == Relation::Equal
+            && let Ok(label) = self.by_recurrence(goal)
+        {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_written_absolute_values(goal, a, b) {
             return Ok(label);
         }

@@ -23,17 +23,26 @@ impl Prover {
             return Ok(label);
         }
         match &goal.kind {
-            PropKind::Compare(_, relations) if relations.len() == 1 => match self.attempt(|c| c.comparison(goal)) {
-                Ok(label) => Ok(label),
-                Err(first) => self.without_products(goal).map_err(|_| first),
-            },
+            PropKind::Compare(sides, relations) if relations.len() == 1 => {
+                if let Some(entries) = entries_of(sides, relations[0]) {
+                    return self.attempt(|c| c.by_entries(goal, entries));
+                }
+                match self.attempt(|c| c.comparison(goal)) {
+                    Ok(label) => Ok(label),
+                    Err(first) => self.without_products(goal).map_err(|_| first),
+                }
+            }
             PropKind::Compare(sides, relations) => {
                 let pairs = sides.windows(2).zip(relations);
                 let parts: Vec<Prop> = pairs.map(|(p, r)| compare(p[0].clone(), *r, p[1].clone())).collect();
                 // Two bounds may need each other in the step of an induction.
                 self.by_induction(goal).or_else(|_| self.show_all(goal, &parts))
             }
-            PropKind::And(parts) => self.show_all(goal, parts),
+            PropKind::And(parts) => match self.attempt(|c| c.show_all(goal, parts)) {
+                Ok(label) => Ok(label),
+                // In the step of an induction they may need each other.
+                Err(first) => self.by_induction(goal).map_err(|_| first),
+            },
             PropKind::Or(parts) => self.show_or(goal, parts),
             PropKind::Not(inner) => {
                 let p = opposite(inner).ok_or(Fail::No("a negation that is not followed"))?;
@@ -134,6 +143,29 @@ impl Prover {
             return Ok(label);
         }
         if self.inductions > 0 { self.by_induction(goal) } else { Err(Fail::No("cases")) }
+    }
+
+    /// Proves an equation of matrices by those of its entries.
+    fn by_entries(&mut self, goal: &Prop, entries: Vec<Prop>) -> Result<Label, Fail> {
+        if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
+            return Ok(label);
+        }
+        let all = match entries.as_slice() {
+            [only] => self.show(only)?,
+            _ => {
+                // The entries of a power need each other, so the induction for all of them comes first.
+                let together = prop(PropKind::And(entries.clone()));
+                self.by_induction(&together).or_else(|_| self.show_all(&together, &entries))?
+            }
+        };
+        for entry in &entries {
+            let label = match self.known(entry) {
+                Some(label) => label,
+                None => self.logic(&[&all], entry)?,
+            };
+            self.put_in(&label);
+        }
+        self.combination(goal.clone(), Vec::new())
     }
 
     fn show_all(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {
@@ -301,4 +333,15 @@ pub(crate) fn sides_in(p: &Prop, out: &mut Vec<Expr>) {
         }
         _ => {}
     }
+}
+
+/// The equations of the entries of two matrices that are written out.
+fn entries_of(sides: &[Expr], relation: Relation) -> Option<Vec<Prop>> {
+    let [a, b] = sides else { return None };
+    let matrices = crate::claim::matrix::Matrices::default();
+    let (a, b) = (matrices.entries(a)?, matrices.entries(b)?);
+    let same = a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| a.len() == b.len());
+    let pairs = a.into_iter().flatten().zip(b.into_iter().flatten());
+    let entries: Vec<Prop> = pairs.map(|(a, b)| compare(a, Relation::Equal, b)).collect();
+    (relation == Relation::Equal && same && !entries.is_empty()).then_some(entries)
 }

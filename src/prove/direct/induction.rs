@@ -15,38 +15,59 @@ impl Prover {
         if self.inductions >= 2 || self.splits > 0 {
             return Err(Fail::No("induction"));
         }
-        let mut names = BTreeSet::new();
-        names_in_prop(goal, &mut names);
-        let candidates: Vec<String> =
-            self.naturals.iter().rev().filter(|n| names.contains(*n) && is_bound_within(goal, n)).cloned().collect();
-        for variable in candidates {
-            // Without cases first: most steps need none, and cases do not help if the step needs two previous members.
-            let done = [3, 0].into_iter().find_map(|splits| {
-                self.attempt(|c| {
-                    c.inductions += 1;
-                    let base = c.least(&variable);
-                    let fresh = c.fresh("k");
-                    let body = put(goal, &variable, &name(&fresh))?;
-                    let both = match c.attempt(|c| c.induction(&fresh, base, &body, splits)) {
-                        Ok(every) => return c.closed(&every, &variable),
-                        Err(first) if !c.looks_back() => return Err(first),
-                        Err(_) => prop(PropKind::And(vec![body.clone(), at_next(&body, &fresh)?])),
-                    };
-                    // If a member depends on the two before it, the statement for n and n + 1 is proved together.
-                    let every = c.induction(&fresh, base, &both, splits)?;
-                    let pair = c.closed(&every, &variable)?;
-                    c.logic(&[&pair], goal)
-                })
-                .ok()
-            });
-            if let Some(label) = done {
-                return Ok(label);
+        let candidates = self.candidates(goal);
+        // Without cases first: most steps need none, and cases do not help if the step needs two previous members.
+        for splits in [3, 0] {
+            for together in [false, true] {
+                for variable in &candidates {
+                    if let Ok(label) = self.attempt(|c| c.induction_on(goal, variable, together, splits)) {
+                        return Ok(label);
+                    }
+                }
             }
-            if let Ok(label) = self.attempt(|c| c.with_products_within_one(goal, &variable)) {
+        }
+        for variable in &candidates {
+            if let Ok(label) = self.attempt(|c| c.with_products_within_one(goal, variable)) {
                 return Ok(label);
             }
         }
         Err(Fail::No("induction"))
+    }
+
+    /// Proves an equation about members that a `for all` fact relates to each other by induction, without cases. Linear programs
+    /// over these facts are large, and seldom show it.
+    pub(crate) fn by_recurrence(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("a recurrence");
+        if self.inductions > 0 || self.splits > 0 || !self.looks_back() {
+            return Err(no());
+        }
+        let candidates = self.candidates(goal);
+        candidates.iter().find_map(|n| self.attempt(|c| c.induction_on(goal, n, false, 3)).ok()).ok_or_else(no)
+    }
+
+    /// The natural variables on which induction may help, the last declared first.
+    fn candidates(&self, goal: &Prop) -> Vec<String> {
+        let mut names = BTreeSet::new();
+        names_in_prop(goal, &mut names);
+        self.naturals.iter().rev().filter(|n| names.contains(*n) && is_bound_within(goal, n)).cloned().collect()
+    }
+
+    /// Proves a goal by induction on a variable. If a member depends on the two before it, the statement for n and n + 1 is proved
+    /// `together`.
+    fn induction_on(&mut self, goal: &Prop, variable: &str, together: bool, splits: usize) -> Result<Label, Fail> {
+        if together && !self.looks_back() {
+            return Err(Fail::No("members that depend on those before them"));
+        }
+        self.inductions += 1;
+        let base = self.least(variable);
+        let fresh = self.fresh("k");
+        let mut body = put(goal, variable, &name(&fresh))?;
+        if together {
+            body = prop(PropKind::And(vec![body.clone(), at_next(&body, &fresh)?]));
+        }
+        let every = self.induction(&fresh, base, &body, splits)?;
+        let shown = self.closed(&every, variable)?;
+        if together { self.logic(&[&shown], goal) } else { Ok(shown) }
     }
 
     /// By induction together with 0 <= P and P <= 1 for each product P that ends at the variable: what is shown of products of
@@ -105,6 +126,23 @@ impl Prover {
         })
     }
 
+    /// Substitutes the equations that give a member at a numeral: `u(0) = 1`.
+    fn put_in_first_members(&mut self) {
+        let is_member = |e: &Expr| match &e.kind {
+            ExprKind::Apply(f, at) => {
+                at.iter().all(|e| super::letters::natural(e).is_some()) && !FUNCTIONS.iter().any(|g| g.0 == f.text)
+            }
+            _ => false,
+        };
+        let is_first = |p: &Prop| match &p.kind {
+            PropKind::Compare(sides, relations) => *relations == [Relation::Equal] && is_member(&sides[0]),
+            _ => false,
+        };
+        let first: Vec<Label> =
+            self.checker.facts().filter(|(_, p)| is_first(p)).map(|(label, _)| label.to_string()).collect();
+        first.iter().for_each(|label| self.put_in(label));
+    }
+
     /// The largest known numeral that is a lower bound of a natural variable.
     fn least(&self, variable: &str) -> Option<u32> {
         let is_variable = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == variable);
@@ -125,6 +163,7 @@ impl Prover {
         let at_base = put(body, variable, &first)?;
         let start = self.attempt(|c| {
             c.splits += 1;
+            c.put_in_first_members();
             c.show(&at_base)
         })?;
         let constraints = base.map(|k| Constraint::Relation(Relation::GreaterEqual, numeral(k)));
