@@ -3,6 +3,7 @@
 use super::identity::Side;
 use super::signs::{Environment, Tree, by_sign};
 use super::*;
+use crate::claim::matrix::Matrices;
 
 /// The equation that a hypothesis says; that of a derivative says that there is one, too.
 pub(super) fn equation_by(left: &Expr, hypothesis: &str) -> String {
@@ -80,12 +81,21 @@ impl Writer<'_> {
 
     /// An equation of matrices, entry by entry.
     fn same_entries(&mut self, a: &Expr, b: &Expr, given: &Given) -> Found<String> {
+        let matrices = Matrices::default();
+        let written: Vec<(Expr, Expr)> = match (matrices.entries(a), matrices.entries(b)) {
+            (Some(a), Some(b)) => a.into_iter().flatten().zip(b.into_iter().flatten()).collect(),
+            _ => Vec::new(),
+        };
         let (left, right) = (self.entries(a)?, self.entries(b)?);
+        let width = left.first().map_or(0, Vec::len);
         let mut rows = Vec::new();
-        for (x, y) in left.iter().zip(&right) {
+        for (i, (x, y)) in left.iter().zip(&right).enumerate() {
             let mut row = "eq_refl".to_string();
-            for (x, y) in x.iter().zip(y).rev() {
-                row = format!("(same_cons _ _ _ _ _ {} {row})", self.identity(x, y, &given.using, given)?);
+            for (j, (x, y)) in x.iter().zip(y).enumerate().rev() {
+                row = format!(
+                    "(same_cons _ _ _ _ _ {} {row})",
+                    self.same_entry((x, y), written.get(i * width + j), given)?
+                );
             }
             rows.push(row);
         }
@@ -94,6 +104,21 @@ impl Writer<'_> {
             .rev()
             .fold("eq_refl".to_string(), |rest, row| format!("(same_cons _ _ _ _ _ {row} {rest})"));
         Ok(format!("exact {rows}"))
+    }
+
+    /// An equation of two entries: an identity, or what facts say of the entries as they are `written`.
+    fn same_entry(&mut self, (x, y): (&Side, &Side), written: Option<&(Expr, Expr)>, given: &Given) -> Found<String> {
+        if let Some((a, b)) = written {
+            let (p, q) = (self.checker.read(a, &given.using)?, self.checker.read(b, &given.using)?);
+            if !self.checker.difference_of(&p, &q)?.is_zero() {
+                let text = format!("{} - {}", self.expr(a)?, self.expr(b)?);
+                let h = self.sign_of_difference(&text, (a, b), Signs::of(Relation::Equal), given)?;
+                let before = self.identity(x, &Side::Expr(a.clone()), &[], given)?;
+                let after = self.identity(&Side::Expr(b.clone()), y, &[], given)?;
+                return Ok(format!("(eq_trans {before} (eq_trans (to_eq _ _ {h}) {after}))"));
+            }
+        }
+        self.identity(x, y, &given.using, given)
     }
 
     /// What a derivative is: what it comes to by itself, then the equations, a sign or facts.

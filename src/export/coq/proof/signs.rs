@@ -139,6 +139,9 @@ impl Writer<'_> {
                 let tactic = self.positive(&base, given)?;
                 Some((Signs::POSITIVE, format!("{tactic}apply power_is_positive; pos")))
             }
+            Form::Power(base, _, true) if base.as_integer().is_some_and(|k| k != 0) => {
+                Some((Signs::NOT_ZERO, "apply of_nz, pow_nonzero; lra".to_string()))
+            }
             Form::Logarithm(inner) if wanted != Signs::ANY => {
                 let tactic = self.positive(&inner, given)?;
                 let shifted = self.checker.difference_of(&inner, &Fraction::integer(1))?;
