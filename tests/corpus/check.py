@@ -628,7 +628,8 @@ class Claim:
             else:
                 env[name] = Family(domain, env, rng) if family else draw(domain, env, rng)
         for name, text in given.items():
-            if "(" in name:
+            # Carom also names entries of powers of matrices; here they follow from the matrix.
+            if "(" in name and name.split("(")[0] in env:
                 env[name.split("(")[0]].members[int(name.split("(")[1][:-1])] = value(Parser(text).sum(), {})
         for a in self.recurrences:
             left, right = (a[2] if a[0] == "all" else a)[1::2]
