@@ -1,5 +1,4 @@
-//! Notices new and removed claim files, certificates and Coq proofs, which are embedded, and names the commit for
-//! `carom --version`.
+//! Names the commit for `carom --version`.
 //!
 //! Contract: the name depends on the sources alone, so that the same commit gives the same bytes. It is the commit that git
 //! names where the crate is a repository of its own, the one that `cargo package` wrote down, or `CAROM_COMMIT`;
@@ -14,14 +13,10 @@ const SHOWN: usize = 12;
 const SOURCES: [&str; 5] = ["build.rs", "Cargo.toml", "Cargo.lock", "src", "proofs"];
 
 fn main() {
-    for folder in ["ricardo-lee-2015", "beyond", "lemmas", "coq", "certificates"] {
-        println!("cargo:rerun-if-changed=proofs/{folder}");
-    }
     println!("cargo:rerun-if-env-changed=CAROM_COMMIT");
     let version = env!("CARGO_PKG_VERSION");
-    let has_command = std::env::var_os("CARGO_FEATURE_CLI").is_some();
     let is_release = std::env::var("PROFILE").is_ok_and(|profile| profile == "release");
-    let commit = if has_command && is_release { commit() } else { None };
+    let commit = if is_release { commit() } else { None };
     println!("cargo:rustc-env=CAROM_VERSION={}", commit.map_or(version.to_owned(), |c| format!("{version} ({c})")));
 }
 

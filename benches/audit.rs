@@ -11,7 +11,7 @@ fn audit(only: &[&str]) -> usize {
     let claims = embedded::claims(&only).expect("it parses").expect("all there");
     let names: Vec<String> = claims.iter().map(|c| c.name.text.clone()).collect();
     let catalogue = Catalogue::new(claims).expect("in order");
-    judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_, _| {}).judged
+    judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_| {}).judged
 }
 
 /// Claims by the rule that carries their argument; what a claim cites is judged with it.

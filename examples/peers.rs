@@ -106,7 +106,7 @@ fn restitution(x: Rational) -> Restitution {
 fn audit(names: &[&str], claims: Vec<carom::claim::syntax::Claim>) -> bool {
     let catalogue = Catalogue::new(claims).unwrap();
     let names: Vec<String> = names.iter().map(|name| name.to_string()).collect();
-    let found = judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_, _| {});
+    let found = judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_| {});
     found.entries.iter().all(|(_, entry)| entry.as_ref().is_ok_and(|e| e.outcome.verdict == Verdict::Proved))
 }
 
@@ -318,7 +318,7 @@ fn replays(run: &Run) {
     }
 }
 
-/// Work beyond the jobs, for the curves of `docs/growth.md`.
+/// Work beyond the jobs, for the curves of `benches/results/growth.md`.
 fn growing(run: &Run) {
     let ten = positive(Rational::from(10));
     let nine = restitution(Rational::from_unsigneds(9u32, 10));

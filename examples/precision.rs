@@ -1,4 +1,4 @@
-//! Carom's side of docs/work-precision.svg: `cargo run --release --example precision -- SECONDS`.
+//! Carom's side of benches/results/work-precision.svg: `cargo run --release --example precision -- SECONDS`.
 //!
 //! For each scene and number of digits an enclosure that is certified to have them, and the time that it takes; then the
 //! printed formula in double precision. One JSON object a line: an enclosure as its ends, `[mantissa, exponent]` in

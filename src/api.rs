@@ -92,7 +92,7 @@ pub fn audit(claims: &str) -> Result<Vec<Entry>, Error> {
     let catalogue = Catalogue::new(parse(claims)?)
         .map_err(|faults| Error::from(faults.into_iter().map(|(_, fault)| fault).collect::<Vec<_>>()))?;
     let names: Vec<String> = catalogue.claims().iter().map(|claim| claim.name.text.clone()).collect();
-    let found = judge::judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_, _| {});
+    let found = judge::judge(&catalogue, &names, &AtHand::default(), &Settings::default(), &|_| {});
     let entry = |(name, entry): (String, Result<Entry, _>)| {
         entry.map_err(|fault| match catalogue.get(&name) {
             Some(claim) => Error::from(vec![judge::diagnostic(claim, fault)]),

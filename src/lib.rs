@@ -24,43 +24,23 @@
 //! The modules are the rooms in which this is done. `docs/architecture.md` in the repository describes them; their items may
 //! change with every version, those five functions and [`Error`] only with a new major one.
 #![forbid(unsafe_code)]
-// With all features nothing is dead. A face with fewer does without what only the others need.
-#![cfg_attr(not(all(feature = "cli", feature = "plot", feature = "proptest")), allow(dead_code, unreachable_pub))]
 
-pub mod certificate;
-pub mod claim;
-pub mod kernel;
-pub mod table_checker;
-
-#[cfg(feature = "engine")]
-pub mod algebra;
-#[cfg(feature = "report")]
 mod api;
-#[cfg(feature = "engine")]
-pub mod chain;
-#[cfg(feature = "cli")]
-pub mod cli;
-pub mod explain;
-#[cfg(feature = "engine")]
-pub mod export;
-#[cfg(feature = "report")]
-pub mod judge;
-#[cfg(feature = "engine")]
-pub mod number;
-#[cfg(feature = "proptest")]
-pub mod property;
-#[cfg(feature = "engine")]
-pub mod prove;
-#[cfg(feature = "report")]
-pub mod referee;
-#[cfg(feature = "engine")]
-pub mod refute;
-#[cfg(feature = "report")]
-pub mod report;
-#[cfg(feature = "engine")]
-pub mod scene;
-#[cfg(feature = "engine")]
-pub mod table;
 
-#[cfg(feature = "report")]
 pub use api::{Error, audit, check, eval, replay, table};
+pub use carom_checker::{certificate, kernel, table_checker};
+pub use carom_documents::{export, report};
+pub use carom_exact::{algebra, number};
+pub use carom_latex as latex;
+pub use carom_physics::{chain, referee, scene, table};
+pub use carom_property as property;
+pub use carom_search::{explain, judge, prove, refute};
+
+/// The claim language: reading, checking and printing claim files, and those that come with the program.
+pub mod claim {
+    pub use carom_catalogue as embedded;
+    pub use carom_checker::claim::*;
+
+    /// The description of the language, for `carom help language`.
+    pub const LANGUAGE: &str = include_str!("../docs/language.md");
+}

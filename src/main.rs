@@ -1,6 +1,14 @@
 //! The `carom` command.
 #![forbid(unsafe_code)]
 
+mod cli;
+
+// The rooms, under the names that they have in the library.
+use carom::{
+    certificate, chain, claim, export, judge, kernel, latex, number, property, prove, referee, refute, report, scene,
+    table, table_checker,
+};
+
 fn main() -> std::process::ExitCode {
-    carom::cli::run()
+    cli::run()
 }

@@ -47,7 +47,7 @@ fn every_claim_has_the_expected_verdict_and_its_snapshot() {
         let claims = embedded::claims(&[]).expect("the catalogue parses").expect("all claims");
         let names: Vec<String> = claims.iter().map(|c| c.name.text.clone()).collect();
         let catalogue = Catalogue::new(claims).expect("names and citations are in order");
-        let found = judge(&catalogue, &names, &AtHand::embedded(), &Settings::default(), &|_, _| {});
+        let found = judge(&catalogue, &names, &AtHand::of(embedded::certificates()), &Settings::default(), &|_| {});
         let mut unexpected = Vec::new();
         for (name, entry) in &found.entries {
             let entry = entry.as_ref().expect("the claim makes sense");
@@ -118,7 +118,7 @@ fn one_claim_is_judged_without_the_others() {
     let claims = embedded::claims(&only).expect("it parses").expect("it is there");
     assert_eq!(claims.len(), 1);
     let catalogue = Catalogue::new(claims).expect("in order");
-    let found = judge(&catalogue, &only, &AtHand::default(), &Settings::default(), &|_, _| {});
+    let found = judge(&catalogue, &only, &AtHand::default(), &Settings::default(), &|_| {});
     assert_eq!(found.entries[0].1.as_ref().expect("it makes sense").outcome.verdict, Verdict::Proved);
     assert_eq!(found.judged, 1);
 }

@@ -44,7 +44,6 @@ fn versions_differ_and_their_seed_gives_them_again() {
     assert_eq!(out.status.code(), Some(2));
 }
 
-#[cfg(feature = "plot")]
 #[test]
 fn a_sheet_is_a_pdf_whose_objects_are_where_its_table_says() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -203,7 +202,7 @@ fn a_drop_is_the_chain_in_the_frame_that_falls_with_the_upper_balls() {
 
 #[test]
 fn a_cross_table_has_each_value_once_under_its_heading() {
-    let grid = ["table", "--ratio", "2,10", "-e", "0.5,0.8,1", "-n", "0:4:1", "--digits", "5"];
+    let grid = ["table", "--ratio", "2;10", "-e", "0.5,0.8,1", "-n", "0:4:1", "--digits", "5"];
     let cross = good(&[&grid[..], &["--across", "n"]].concat());
     let long = good(&[&grid[..], &["--format", "csv"]].concat());
     // Two tables, one for each ratio, with three rows and five columns of numbers.
@@ -234,7 +233,7 @@ fn a_cross_table_has_each_value_once_under_its_heading() {
         "{wide}"
     );
     assert!(wide.lines().skip(5).all(|l| l.chars().count() <= 84), "{wide}");
-    let fractions = good(&["table", "--ratio", "1,4", "-e", "0.5,1", "-n", "0,1", "--across", "e", "--fractions"]);
+    let fractions = good(&["table", "--ratio", "1;4", "-e", "0.5,1", "-n", "0,1", "--across", "e", "--fractions"]);
     assert!(fractions.contains("9/16") && fractions.contains("16/25"), "{fractions}");
     let latex = good(&[&grid[..], &["--across", "e", "--format", "latex"]].concat());
     assert_eq!(latex.matches("\\toprule").count(), 2);
@@ -251,7 +250,7 @@ fn a_cross_table_has_each_value_once_under_its_heading() {
         (&["--across", "e", "--format", "json"], "leave --across out"),
         (&["--fractions"], "--across"),
     ] {
-        let mut arguments = vec!["table", "--ratio", "2,10", "-e", "0.5"];
+        let mut arguments = vec!["table", "--ratio", "2;10", "-e", "0.5"];
         if !more.contains(&"best-n") {
             arguments.extend(["-n", "1"]);
         }
@@ -262,7 +261,6 @@ fn a_cross_table_has_each_value_once_under_its_heading() {
     }
 }
 
-#[cfg(feature = "plot")]
 #[test]
 fn pictures_have_the_title_the_limits_and_the_own_points_that_are_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -350,7 +348,6 @@ fn words(line: &str) -> Vec<String> {
         .collect()
 }
 
-#[cfg(feature = "plot")]
 #[test]
 fn every_command_of_the_page_for_teachers_runs_and_prints_what_it_shows() {
     let page = include_str!("../docs/classroom.md");

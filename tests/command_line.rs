@@ -610,3 +610,84 @@ fn a_sample_of_the_author_is_checked_exactly() {
     // A wrong point is no point: another one is sought, as without it.
     assert_eq!(of("sample E = 61, p = 12, m = 60\n").contains("1 proved"), of("").contains("1 proved"));
 }
+
+#[test]
+fn a_fault_of_one_claim_leaves_the_others_of_its_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let content = b"given x > 0\n\nclaim first \"t\"\nprove x/x = 1\n\nclaim torn \"t\"\nprove x = = 2\n\n\
+        claim lost \"t\"\nprove y = 1\n\nclaim cites \"t\"\nusing torn\nprove x + 1 > x\n\nclaim last \"t\"\nprove x + 1 = x\n";
+    let path = file(&folder, "a.claim", content).display().to_string();
+    for command in ["audit", "test"] {
+        let out = carom(&[command, &path]);
+        let (shown, said) = (text(&out.stdout), text(&out.stderr));
+        assert_eq!(out.status.code(), Some(2), "{command}: {said}");
+        assert!(shown.contains("  first  ") && shown.contains("  last  "), "{command}: {shown}");
+        assert!(!shown.contains("  torn  ") && !shown.contains("  lost  "), "{command}: {shown}");
+        for sign in ["a.claim:7", "a.claim:10", "torn, which cites cites, could not be read"] {
+            assert!(said.contains(sign), "{command}: {sign}: {said}");
+        }
+    }
+    // A fault of the preamble is one of all claims.
+    let path = file(&folder, "b.claim", b"given x >\n\nclaim first \"t\"\nprove x/x = 1\n").display().to_string();
+    let out = carom(&["audit", &path]);
+    assert_eq!((out.status.code(), text(&out.stdout)), (Some(2), String::new()));
+}
+
+#[test]
+fn junit_names_the_point_the_sides_the_file_and_the_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let content = b"claim good \"t\"\ngiven x > 0\nprove x = x\n\nclaim wrong \"t\"\ngiven x > 0\nprove x + 1 = 3*x\n";
+    let path = file(&folder, "a.claim", content).display().to_string();
+    let saved = folder.path().join("new/saved");
+    let save = saved.display().to_string();
+    for (arguments, verdict) in
+        [(&["audit", &path][..], "refuted"), (&["test", &path, "--seed", "1", "--save", &save], "counterexample")]
+    {
+        let out = carom(&[arguments, &["--format", "junit"]].concat());
+        let report = text(&out.stdout);
+        assert_eq!(out.status.code(), Some(1), "{report}{}", text(&out.stderr));
+        let failure = report.split("<failure").nth(1).expect("a failure");
+        for sign in [verdict, "fails at x = ", "left side ", "right side "] {
+            assert!(failure.contains(sign), "{sign}: {report}");
+        }
+        assert!(report.contains("failures=\"1\"") && report.contains("tests=\"2\""), "{report}");
+        let case = report.split("<testcase ").find(|case| case.starts_with("name=\"wrong t\"")).expect("a case");
+        let head = case.split('>').next().expect("its attributes");
+        assert!(head.contains("line=\"5\"") && head.contains("a.claim\""), "{head}");
+    }
+    assert!(saved.join("counterexample-wrong.claim").is_file(), "the folder is made");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_the_verdicts_that_were_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // Some claims at once, then many that take their whole time.
+    let mut content: String =
+        (0..6).map(|k| format!("claim quick{k} \"t\"\ngiven x > 0\nprove x + {k} >= x\n")).collect();
+    for k in 0..12 {
+        content += &format!(
+            "claim slow{k} \"t\"\ngiven x, y, z real\nprove (x^2 + y^4 + z^6 + {k} + 1)^30 != x*y*z + 10^40\n"
+        );
+    }
+    let path = file(&folder, "a.claim", content.as_bytes()).display().to_string();
+    let begun = ["text", "json", "junit"].map(|format| {
+        let child = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["audit", &path, "--format", format, "--time", "600", "--max-steps", "100000000"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn();
+        (format, child.expect("it starts"))
+    });
+    std::thread::sleep(std::time::Duration::from_secs(20));
+    for (format, child) in begun {
+        let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(kill.expect("kill is there").success());
+        let out = child.wait_with_output().expect("it ends");
+        let (shown, said) = (text(&out.stdout), text(&out.stderr));
+        assert_eq!(out.status.code(), Some(130), "{format}: {said}");
+        assert!(shown.contains("quick0") && !shown.contains("slow11"), "{format}: {shown}");
+        assert!(said.contains("interrupted: ") && said.contains("of 18 claims are judged"), "{format}: {said}");
+        assert_eq!(shown.contains("<error"), format == "junit", "a run that was cut short is no success: {shown}");
+    }
+}

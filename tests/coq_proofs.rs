@@ -145,7 +145,7 @@ fn changed() {
 #[test]
 fn every_rule_of_the_kernel_has_its_lemma_in_the_library() {
     let file = |path: &str| std::fs::read_to_string(format!("{ROOT}/{path}")).expect("a file");
-    let source = file("src/certificate/step.rs");
+    let source = file("src/checker/certificate/step.rs");
     let names = source
         .split_once("pub fn name(&self)")
         .and_then(|(_, after)| after.split_once("\n    }\n"))

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
 use carom::certificate::{Certificate, Rule, Show, Step};
-use carom::claim::definedness::{self, Need};
+use carom::claim::definedness::{self, Exponent, Need, TooLong};
 use carom::claim::parse::parse;
 use carom::claim::syntax::*;
 use carom::export::{self, values::Guard};
@@ -168,7 +168,7 @@ fn listed(point: &Assignment, e: &Expr) -> Option<bool> {
                 return Some(false);
             }
         }
-        let need = definedness::needs(e, &natural);
+        let need = definedness::needs(e, &natural).unwrap();
         if !need.iter().all(|need| note(holds(point, need))) {
             return Some(false);
         }
@@ -187,7 +187,7 @@ fn listed(point: &Assignment, e: &Expr) -> Option<bool> {
     }
     let mut inside = true;
     parts(e, &mut |part| inside &= note(listed(point, part)));
-    if !inside || !definedness::needs(e, &natural).iter().all(|need| note(holds(point, need))) {
+    if !inside || !definedness::needs(e, &natural).unwrap().iter().all(|need| note(holds(point, need))) {
         return Some(false);
     }
     sure.then_some(true)
@@ -298,13 +298,91 @@ fn the_kinds_of_exponents_are_those_of_the_manual() {
         let ExprKind::Power(_, e) = &sides[0].kind else { panic!("{text}") };
         definedness::exponent(e, &|name| name == "n")
     };
-    for text in ["3", "-2", "4/2", "2.0", "25e-1*2", "2^3", "n", "2*n + 1", "n - 1", "-n", "n^2", "1 - n*(n - 3)"] {
-        assert_eq!(kind(text), definedness::Exponent::Whole, "{text}");
+    let wrong = |texts: &[&str], expected: Result<Exponent, TooLong>| -> Vec<String> {
+        texts.iter().filter(|text| kind(text) != expected).map(|text| format!("{text}: {:?}", kind(text))).collect()
+    };
+    let whole = [
+        "3",
+        "-2",
+        "4/2",
+        "2.0",
+        "25e-1*2",
+        "2^3",
+        "n",
+        "2*n + 1",
+        "n - 1",
+        "-n",
+        "n^2",
+        "1 - n*(n - 3)",
+        // Beyond 128 bits.
+        "1e39",
+        "-1e39",
+        "100e-2",
+        "2.00000000000000000000000000000000000000",
+        "2*10^38/10^38",
+        "1e39/1e38",
+        "7^100/7^99",
+        "10^300 - 1/2 + 0.5",
+        "1^1e39",
+        "(-1)^1e39",
+        // Too long to be computed, and whole by its form.
+        "1e2000",
+        "2^1e9",
+        "2^1e9 + n",
+        "0*2^1e9 - 3",
+    ];
+    assert!(wrong(&whole, Ok(Exponent::Whole)).is_empty(), "{:?}", wrong(&whole, Ok(Exponent::Whole)));
+    let roots =
+        ["1/2", "0.3", "2 - 1/3", "4^(-1)", "1e-39", "0.33333333333333333333333333333333333333333", "7^99/7^100"];
+    assert!(wrong(&roots, Ok(Exponent::Root)).is_empty(), "{:?}", wrong(&roots, Ok(Exponent::Root)));
+    let others = [
+        "-1/2",
+        "-1e-39",
+        "x",
+        "1/n",
+        "n/n",
+        "2*n/2",
+        "sqrt(4)",
+        "x/x",
+        "2^n",
+        "4^(1/2)",
+        "exp(0)",
+        "1/(1 - 1)",
+        "1e39/(1e39 - 1e39)",
+        "0^(-1e39)",
+        "2^1e9*x",
+        "x/2^1e9",
+    ];
+    assert!(wrong(&others, Ok(Exponent::Real)).is_empty(), "{:?}", wrong(&others, Ok(Exponent::Real)));
+    let long = ["2*1e2000/1e2000", "3^1000/3^999", "2^1e9/2^1e9", "1/2^1e9", "2^(-1e9)"];
+    assert!(wrong(&long, Err(TooLong)).is_empty(), "{:?}", wrong(&long, Err(TooLong)));
+}
+
+/// An exponent that is too long leaves a claim undecided: it is no reason for a counterexample, nor for a proof.
+#[test]
+fn a_power_with_an_exponent_that_is_too_long_has_no_value() {
+    for (domain, e) in
+        [("x real", "x^(2*1e2000/1e2000)"), ("x < 0", "x^(3^1000/3^999)"), ("x > 0", "1/x^(3^1000/3^999)")]
+    {
+        let claim = claim(domain, e);
+        let outcome = outcome_of(&Catalogue::new(vec![claim.clone()]).unwrap(), "c", &Limits::default()).unwrap();
+        assert_eq!(outcome.verdict, Verdict::Undecided, "{e}");
+        assert!(export::conditions(&claim).is_err_and(|fault| fault.limit), "{e}");
+        let rule = Rule::Combination { times: None, terms: Vec::new() };
+        let by = vec!["h1".to_string(); usize::from(domain != "x real")];
+        let show = Show { label: "1".to_string(), rule, prop: claim.goal.clone(), by, using: Vec::new() };
+        let mut checker = kernel::Checker::new(&claim, &[]).unwrap();
+        let refusal = checker.step(&Step::Show(Box::new(show)));
+        assert!(matches!(refusal, Err(kernel::Refusal::Limit("digits of an exponent"))), "{e}: {refusal:?}");
     }
-    for text in ["1/2", "0.3", "2 - 1/3", "4^(-1)"] {
-        assert_eq!(kind(text), definedness::Exponent::Root, "{text}");
-    }
-    for text in ["-1/2", "x", "1/n", "n/n", "2*n/2", "sqrt(4)", "x/x", "2^n", "4^(1/2)", "exp(0)", "1/(1 - 1)"] {
-        assert_eq!(kind(text), definedness::Exponent::Real, "{text}");
+}
+
+/// What once was refuted is proved where the numbers are within the limit.
+#[test]
+fn an_exponent_beyond_128_bits_is_not_computed() {
+    for goal in ["(-1)^1e39 = 1", "(-1)^(1e39 + 1) = -1", "(-1)^(-1e39) = 1", "0^1e39 = 0", "x^(2*10^38/10^38) >= 0"] {
+        let claims = parse(&format!("claim c \"t\"\ngiven x real\nprove {goal}\n")).unwrap();
+        let outcome = outcome_of(&Catalogue::new(claims).unwrap(), "c", &Limits::default()).unwrap();
+        assert_eq!(outcome.verdict, Verdict::Proved, "{goal}");
     }
 }

@@ -240,10 +240,10 @@ fn given_masses_are_asked_about_themselves() {
     assert_eq!(words(&around), ["no"]);
     assert_eq!(words(&json(&ask("[0.57, 0.575]", "[2, 5]"))), ["depends"]);
     assert_eq!(words(&json(&ask("[0.7, 0.8]", "[2, 5]"))), ["yes"]);
-    let plain = carom(&[&BETWEEN[..], &["9/10", "--masses", "5,2", "--want", "threshold,helps"]].concat());
+    let plain = carom(&[&BETWEEN[..], &["9/10", "--masses", "5;2", "--want", "threshold,helps"]].concat());
     let shown = text(&plain.stdout);
     assert!(shown.contains("threshold[1]") && shown.contains("helps[2]"), "{shown}");
-    let best = carom(&[&BETWEEN[..], &["9/10", "--masses", "5,2", "--want", "best-n"]].concat());
+    let best = carom(&[&BETWEEN[..], &["9/10", "--masses", "5;2", "--want", "best-n"]].concat());
     assert_eq!((best.status.code(), best.stdout.len()), (Some(2), 0));
     assert!(text(&best.stderr).contains("best-n: this needs inserted bodies of optimal mass"));
     let scene =
@@ -411,7 +411,7 @@ fn batches_answer_line_by_line() {
     );
     let said = text(&out.stderr);
     assert_eq!((out.status.code(), said.lines().count()), (Some(2), 2), "{said}");
-    assert!(said.contains("-:3: four fields") && said.contains("-:4: m2:"), "{said}");
+    assert!(said.contains("-:3: 5 fields where the heading has 4") && said.contains("-:4: m2:"), "{said}");
     let many = with_input(&["eval", "--batch", "-"], &"x,1,1,1\n".repeat(50));
     assert_eq!((text(&many.stdout).lines().count(), text(&many.stderr).lines().count()), (51, 21));
     assert!(text(&many.stderr).ends_with("30 more lines have no answer\n"), "{}", text(&many.stderr));
@@ -444,6 +444,50 @@ fn batches_answer_line_by_line() {
     let bytes = carom(&["eval", "--batch", path.to_str().unwrap()]);
     assert_eq!((bytes.status.code(), text(&bytes.stdout).lines().count()), (Some(2), 3));
     assert!(text(&bytes.stderr).contains("bytes.csv:2: this is not UTF-8 text"), "{}", text(&bytes.stderr));
+}
+
+#[test]
+fn columns_of_a_batch_go_by_their_names() {
+    let ask = |table: &str| with_input(&["eval", "--batch", "-", "--digits", "6"], table);
+    let answered = ask("m1,m2,e,n\n10,1,9/10,7\n1,2,1/2,3\n");
+    for table in [
+        "e,m1,m2,n\n9/10,10,1,7\n1/2,1,2,3\n",
+        // R: write.csv, with and without the numbers of the rows.
+        "\"\",\"n\",\"m1\",\"m2\",\"e\"\n\"1\",7,10,1,\"9/10\"\n\"2\",3,1,2,\"1/2\"\n",
+        "\"m1\",\"m2\",\"e\",\"n\"\n10,1,\"9/10\",7\n1,2,\"1/2\",3\n",
+        // pandas: to_csv.
+        ",m2,m1,e,n\n0,1,10,9/10,7\n1,2,1,1/2,3\n",
+        // Excel with a decimal comma, a byte order mark, an empty column; and its line for other programs.
+        "\u{feff}M1;M2;E;N;\r\n10;1;9/10;7;\r\n1;2;1/2;3;\r\n",
+        "sep=;\r\nm1;m2;e;n\r\n10;1;9/10;7\r\n1;2;1/2;3\r\n",
+        // LibreOffice, all fields quoted; tabs; a class's own order and names.
+        "\"m1\"\t\"m2\"\t\"e\"\t\"n\"\n\"10\"\t\"1\"\t\"9/10\"\t\"7\"\n\"1\"\t\"2\"\t\"1/2\"\t\"3\"\n",
+        "# measured today\ninserted, restitution, m2, m1\n7, 9/10, 1, 10\n3, 1/2, 2, 1\n",
+    ] {
+        let out = ask(table);
+        assert_eq!((text(&out.stdout), text(&out.stderr)), (text(&answered.stdout), String::new()), "{table}");
+    }
+    let comma = ask("m1;m2;e;n\n10;1;0,9;7\n");
+    assert!(text(&comma.stdout).contains("\n10,1,0.9,7,0.373138,"), "{}", text(&comma.stdout));
+    // Nothing is computed from a table that is not understood.
+    for (table, says) in [
+        ("e,m1,m2\n0.9,10,1\n", "no column n, which eta needs"),
+        ("m1,e,n\n0.9,10,1\n", "no column m2, which eta needs"),
+        ("m1,m2,e,n,eta\n10,1,9/10,7,0.3\n", "column \"eta\": the columns are m1, m2, e and n"),
+        ("m1,m_2,e,n\n10,1,9/10,7\n", "column \"m_2\": the columns are m1, m2, e and n; did you mean m2?"),
+        ("m1,m2,e,n,m1\n10,1,9/10,7,10\n", "two columns mean \"m1\""),
+        ("e,m1,m2,n,restitution\n1,10,1,7,1\n", "two columns mean \"restitution\""),
+    ] {
+        let out = ask(table);
+        assert_eq!((out.status.code(), text(&out.stdout)), (Some(2), String::new()), "{table}");
+        assert!(text(&out.stderr).contains(says), "{table}: {}", text(&out.stderr));
+    }
+    // A column that nothing needs may be missing.
+    let out = with_input(&["eval", "--batch", "-", "--want", "best-n"], "e,m2,m1\n9/10,1,10\n");
+    assert!(text(&out.stdout).contains("\n10,1,9/10,,3,false"), "{}", text(&out.stdout));
+    // Fields that are no numbers stay one field.
+    let out = ask("m1,m2,e,n\n\"1,x\",1,9/10,7\n");
+    assert!(text(&out.stdout).ends_with("\n\"1,x\",1,9/10,7,,,\n"), "{}", text(&out.stdout));
 }
 
 #[test]

@@ -135,7 +135,7 @@ fn lists_have_commas_or_repeated_flags() {
         &of(&["-e", "1", "-e", "1/2", "--masses", "5", "--want", "eta", "--want", "masses"]),
     );
     both(
-        &["table", "--ratio", "2,3", "-e", "1,1/2", "-n", "1,2"],
+        &["table", "--ratio", "2;3", "-e", "1,1/2", "-n", "1,2"],
         &["table", "--ratio", "2", "--ratio", "3", "-e", "1", "-e", "1/2", "-n", "1", "-n", "2"],
     );
     both(&["plot", "eta-n", "-e", "0.5,0.9", "-o", "-"], &["plot", "eta-n", "-e", "0.5", "-e", "0.9", "-o", "-"]);
@@ -221,7 +221,7 @@ fn bad_input_gets_one_clear_error() {
     let svg = path("a.svg");
     let nowhere = path("no/such/folder/t.txt");
     let cases: Vec<(Vec<&str>, &str)> = vec![
-        (vec!["eval", "--m1", "1,5", "--m2", "1", "-e", "1", "-n", "1"], "a decimal point, not a comma"),
+        (vec!["eval", "--m1", "1,000", "--m2", "1", "-e", "1", "-n", "1"], "two readings: write 1000 or 1.000"),
         (vec!["eval", "--m1", "5 kg", "--m2", "1", "-e", "1", "-n", "1"], "without a unit"),
         (vec!["eval", "--m1", "NaN", "--m2", "1", "-e", "1", "-n", "1"], "expected a number, found 'N'"),
         (vec!["eval", "--m1", "1/0", "--m2", "1", "-e", "1", "-n", "1"], "the denominator at character 3 is zero"),
@@ -264,4 +264,69 @@ fn flags_of_former_limits_are_accepted() {
     let arguments = ["audit", "--only", "eq01", "--max-terms", "5000", "--max-degree", "100", "--max-bits", "9"];
     let out = std::process::Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("the program");
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+}
+
+#[test]
+fn a_number_means_the_same_in_every_flag_and_file() {
+    let chain = |m1: &str, e: &str| good(&["eval", "--m1", m1, "--m2", "1", "-e", e, "-n", "2"]);
+    let right = chain("1000", "0.9");
+    for e in ["0,9", ".9", "90 %", "9/10", "9\u{2044}10", "9·10^-1"] {
+        assert_eq!(chain("1000", e), right, "{e}");
+    }
+    for m1 in ["1 000", "10^3", "1e3", "1\u{202f}000", "2000/2"] {
+        assert_eq!(chain(m1, "0.9"), right, "{m1}");
+    }
+    let measured = good(&["eval", "--m1", "57.1 ± 0.571", "--m2", "1", "-e", "0.9", "-n", "2"]);
+    for m1 in ["57.1 ± 1 %", "57,1 ± 1 %", "[56.529, 57.671]", "[56,5290; 57,6710]"] {
+        assert_eq!(good(&["eval", "--m1", m1, "--m2", "1", "-e", "0.9", "-n", "2"]), measured, "{m1}");
+    }
+    // Lists and axes.
+    let list = |e: &str| good(&["eval", "--m1", "10", "--m2", "1", "-e", e, "--masses", "5"]);
+    assert_eq!(list("0,9; 0,8"), list("0.9,0.8"));
+    assert_eq!(list("90 %; 80 %"), list("0.9,0.8"));
+    let axis =
+        |e: &str| good(&["table", "--ratio", "10", "-e", e, "-n", "1", "--format", "csv"]).replace("0.90", "0.9");
+    assert_eq!(axis("0,9"), axis("0.9"));
+    assert_eq!(axis("90 %"), axis("0.9"));
+    // Files.
+    let eta = |e: &str| {
+        let scene = format!("[chain]\nfirst = \"10\"\nlast = 1\ninserted = 2\nrestitution = \"{e}\"\n");
+        text(&with_input(&["eval", "-"], &scene).stdout)
+    };
+    assert_eq!(eta("0,9"), eta("9/10"));
+    assert_eq!(eta("90 %"), eta("9/10"));
+    let line = |v: &str| {
+        let scene = format!(
+            "restitution = 1\n[[body]]\nmass = 1\nposition = 0\nvelocity = \"{v}\"\n[[body]]\nmass = 2\nposition = 1\n"
+        );
+        text(&with_input(&["replay", "-", "--until", "2,5"], &scene).stdout)
+    };
+    assert_eq!(line("0,5"), line("1/2"));
+    let heights = |table: &str| text(&with_input(&["restitution", "-", "--within", "1 %"], table).stdout);
+    assert!(heights("height\n1,20\n0,86\n").contains("consistent"));
+    assert_eq!(heights("height\n1,20\n0,86\n").replace(',', "."), heights("height\n1.20\n0.86\n").replace(',', "."));
+    let checked = with_input(&["table", "--check", "-"], "ratio;e;n;eta\n2;100 %;1;94,20 %\n");
+    assert!(text(&checked.stdout).contains("1 right"), "{}", text(&checked.stdout));
+    // Two readings are asked about.
+    for arguments in [
+        &["eval", "--m1", "1,000", "--m2", "1", "-e", "1", "-n", "1"][..],
+        &["eval", "--m1", "10", "--m2", "1", "-e", "1", "--masses", "5,2"],
+        &["table", "--ratio", "1,5", "-e", "1", "-n", "1"],
+        &["table", "--ratio", "10", "-e", "0,1", "-n", "1"],
+        &["replay", "-", "--until", "1,000"],
+    ] {
+        let out = with_input(arguments, "");
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains("two readings"), "{arguments:?}: {}", text(&out.stderr));
+    }
+}
+
+#[test]
+fn readings_without_an_uncertainty_are_asked_for_one() {
+    let table = "height\n1.20\n0.86\n0.50\n";
+    let out = with_input(&["restitution", "-"], table);
+    assert_eq!(out.status.code(), Some(1));
+    assert!(text(&out.stdout).contains("give one with --within"), "{}", text(&out.stdout));
+    let out = with_input(&["restitution", "-", "--within", "0.001"], table);
+    assert!(text(&out.stdout).contains("an uncertainty is too small"), "{}", text(&out.stdout));
 }

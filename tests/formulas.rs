@@ -183,7 +183,6 @@ fn given_masses_follow_equation_13_and_one_collision_p_loss() {
 }
 
 /// The same on random chains, those at and near a threshold among them.
-#[cfg(feature = "proptest")]
 mod random {
     use super::*;
     use carom::chain::ChainError;
@@ -198,6 +197,7 @@ mod random {
     use malachite::base::num::arithmetic::traits::Square;
     use proptest::prelude::*;
     use std::cmp::Ordering;
+    use std::rc::Rc;
 
     /// A point of a claim: variables, and families with their members.
     fn point(values: &[(&str, &Rational)], families: &[(&str, Vec<Rational>)]) -> Assignment {
@@ -255,7 +255,7 @@ mod random {
             // Collisions are counted from 0 to n.
             let n = Rational::from(e.len() - 1);
             let Statement { goal, sequences, .. } = statement("b-budget");
-            let sequences = sequences.into_iter().map(|u| (u.name.clone(), u)).collect();
+            let sequences = Rc::new(sequences.into_iter().map(|u| (u.name.clone(), Rc::new(u))).collect());
             let point = point(&[("v1", &one), ("n", &n)], &[("mu", mu.clone()), ("e", e)]);
             let point = Assignment { sequences, ..point };
             let pass = Pass::from_rest(mu.iter().map(positive).collect(), chain.restitutions().0, Rational::ONE).unwrap();

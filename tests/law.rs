@@ -1,5 +1,4 @@
 //! `carom test`: claims of the language at random exact points.
-#![cfg(feature = "proptest")]
 
 use carom::property::law::{Assurance, Failure, Outcome, Settings, law};
 use proptest::strategy::{Strategy, ValueTree};
@@ -94,7 +93,8 @@ fn bounds_that_depend_on_other_variables_and_natural_numbers_are_kept() {
     ) else {
         panic!("it holds")
     };
-    assert_eq!((points, open, late), (300, 0, false));
+    // The points that every search begins with come before the random ones.
+    assert!(points >= 300 && open == 0 && !late, "{points} {open} {late}");
     // A natural number stays natural while the point is made smaller, and a member of a family stays in its domain.
     let found = failure("given n natural >= 1;  mu(k) >= 1\nprove mu(n) < 3 or n < 2", 2);
     let values = point(&found);

@@ -9,8 +9,10 @@ use carom::chain::uncertain::meeting::{Meeting, of_given, of_optimal};
 use carom::chain::uncertain::optimum::Measured;
 use carom::chain::uncertain::{Coefficients, Range, Reals, cells};
 use carom::chain::{ChainError, Positive, Restitution, Restitutions, collision, recollision};
+use carom::number::plus_minus::plus_minus;
 use carom::number::real::Real;
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
@@ -451,4 +453,18 @@ fn long_measured_chains_are_answered() {
     let (m, list) = point(&masses, &e, &shares);
     let exact = Pass::from_rest(m, Restitutions::Each(list), Rational::ONE).unwrap().velocities_after().unwrap();
     assert!(velocities.iter().zip(&exact).all(|(x, v)| holds(x, v)));
+}
+
+proptest! {
+    #[test]
+    fn the_printed_range_holds_the_range_and_is_at_most_twice_as_wide(
+        a in -100_000i64..100_000, width in 1i64..100_000, below in 1u64..100_000, shift in -30i64..30,
+    ) {
+        let scale = Rational::from(10u32).pow(shift) / Rational::from(below);
+        let (lo, hi) = (Rational::from(a) * &scale, Rational::from(a + width) * &scale);
+        let shown = plus_minus(&lo, &hi).expect("a range");
+        let read = Range::read(&shown).expect("what is printed is read");
+        prop_assert!(*read.lo() <= lo && hi <= *read.hi(), "{shown} does not hold {lo} to {hi}");
+        prop_assert!(read.hi() - read.lo() <= (hi - lo) * Rational::from(2), "{shown} is too wide");
+    }
 }

@@ -1,6 +1,5 @@
 //! Pictures read back from their files: each label inside its page, no two over one another, two numbers on each axis, and
 //! each number where it belongs, over ordinary and extreme inputs.
-#![cfg(feature = "plot")]
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use std::collections::BTreeMap;

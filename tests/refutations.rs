@@ -267,9 +267,7 @@ fn holds(claim: &Claim, refutes: &Refutes) -> Option<bool> {
         let carom::refute::number::Number::Exact(q) = exact else { return None };
         at.values.insert(print::expr(place), q);
     }
-    for u in &statement.sequences {
-        at.sequences.insert(u.name.clone(), u.clone());
-    }
+    at.sequences = Rc::new(statement.sequences.iter().map(|u| (u.name.clone(), Rc::new(u.clone()))).collect());
     let domains = statement.bindings.iter().flat_map(carom::kernel::statement::domain);
     for known in domains.chain(statement.assumptions.iter().map(|a| a.1.clone())) {
         if at.truth(&known) == Ok(false) {

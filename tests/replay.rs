@@ -151,6 +151,41 @@ impl Naive {
         pairs.iter().for_each(|p| self.collide(*p));
     }
 
+    /// Whether the order of collisions in the cluster of touching points around a pair changes the velocities after it or
+    /// the number of collisions: every sequence is played, those of more than 60 collisions are not (`None`).
+    fn order_matters(&self, p: usize) -> Option<bool> {
+        let (mut from, mut to) = (p, p + 1);
+        while from > 0 && self.gap(from - 1) == 0 {
+            from -= 1;
+        }
+        while to < self.e.len() && self.gap(to) == 0 {
+            to += 1;
+        }
+        let (mut layer, mut ends) = (vec![self.clone()], Vec::new());
+        for count in 0..=60 {
+            let mut next: Vec<Naive> = Vec::new();
+            for state in layer {
+                let due: Vec<usize> = (from..to).filter(|p| state.v[*p] > state.v[p + 1]).collect();
+                if due.is_empty() && !ends.contains(&(count, state.v.clone())) {
+                    ends.push((count, state.v.clone()));
+                }
+                for p in due {
+                    let mut after = state.clone();
+                    after.collide(p);
+                    if next.iter().all(|known| known.v != after.v) {
+                        next.push(after);
+                    }
+                }
+            }
+            if next.is_empty() || ends.len() > 1 || next.len() > 400 {
+                let known = next.is_empty() || ends.len() > 1;
+                return known.then_some(ends.len() > 1);
+            }
+            layer = next;
+        }
+        None
+    }
+
     fn energy(&self) -> Rational {
         let all = self.m.iter().zip(&self.v).filter_map(|(m, v)| m.as_ref().map(|m| m * v * v / q(2, 1)));
         all.fold(q(0, 1), |a, b| a + b)
@@ -192,6 +227,7 @@ struct Seen {
     collisions: u64,
     simultaneous: u64,
     ambiguous: u64,
+    free: u64,
     collapsed: u64,
     inelastic: u64,
     through: u64,
@@ -279,12 +315,14 @@ fn follow(outcome: &Outcome, mut naive: Naive, no_left_wall: bool, seed: u64, se
                 naive.wait(&wait);
                 let p = c.pair - first;
                 assert!(pairs.contains(&p), "seed {seed}, collision {number}: {p} of {pairs:?}");
-                // Only pairs with restitution 0 may approach in one cluster at one instant.
+                // Several pairs may approach in one cluster at one instant only where their order does not matter.
                 for other in pairs.iter().filter(|other| **other != p) {
                     let (from, to) = (p.min(*other), p.max(*other));
                     let linked = (from + 1..to).all(|r| naive.gap(r) == 0);
                     let soft = (from..=to).all(|r| naive.e[r] == 0);
-                    assert!(!linked || soft, "seed {seed}, collision {number}: the order is open");
+                    let free = !linked || soft || naive.order_matters(p) == Some(false);
+                    assert!(free, "seed {seed}, collision {number}: the order is open");
+                    seen.free += u64::from(linked && !soft);
                 }
                 let before = [naive.v[p].clone(), naive.v[p + 1].clone()];
                 let energy = naive.energy();
@@ -365,6 +403,7 @@ fn follow(outcome: &Outcome, mut naive: Naive, no_left_wall: bool, seed: u64, se
             assert!((from..to).all(|p| naive.gap(p) == 0), "seed {seed}: not all touch");
             assert!((from..to).any(|p| naive.e[p] != 0), "seed {seed}: with restitution 0 the end is known");
             assert!(found.pairs.len() > 1 && found.pairs.iter().all(|p| pairs.contains(&(p - first))));
+            assert_ne!(naive.order_matters(found.pairs[0] - first), Some(false), "seed {seed}: every order does");
         }
         Status::Collapse(found) => {
             seen.collapsed += 1;
@@ -406,7 +445,7 @@ fn random_scenes_agree_with_a_naive_simulator_event_by_event() {
         scene_and_oracle(seed, &mut seen);
     }
     println!("{scenes} scenes: {seen:?}");
-    assert!(seen.collisions > 5000 && seen.simultaneous > 50 && seen.ambiguous > 50, "{seen:?}");
+    assert!(seen.collisions > 5000 && seen.simultaneous > 50 && seen.ambiguous > 50 && seen.free > 20, "{seen:?}");
     assert!(seen.inelastic > 50 && seen.unlike > 5 && seen.collapsed > 10 && seen.through > 10, "{seen:?}");
 }
 
@@ -637,9 +676,6 @@ fn equal_elastic_masses_exchange_velocities() {
         }
         let speeds: Vec<Rational> = (0..count).map(|_| q(random.below(41) - 20, 3)).collect();
         let outcome = run(&line(&m, &places, &speeds, &q(1, 1)));
-        if matches!(outcome.status, Status::Ambiguous(_)) {
-            continue;
-        }
         let mut sorted = speeds.clone();
         sorted.sort();
         assert_eq!(velocities(&outcome), sorted, "seed {seed}");
@@ -712,11 +748,55 @@ fn three_bodies_at_one_place_are_ambiguous_and_a_hair_off_they_are_not() {
         let one = orders.outcomes.iter().find(|o| o.order == order).expect("this order");
         assert_eq!(one.velocities, velocities(&near));
     }
-    // Equal elastic masses: ambiguous in order, not in outcome.
+    // Equal elastic masses: free in order, not in outcome.
     let equal = line(&[q(1, 1), q(1, 1), q(1, 1)], &[q(-1, 1), q(0, 1), q(1, 1)], &speeds, &q(1, 1));
     let outcome = replay(&equal, &options).expect("the ledger balances");
-    let Status::Ambiguous(found) = &outcome.status else { panic!("{:?}", outcome.status) };
-    assert_eq!(found.outcomes.as_ref().map(|o| o.outcomes.len()), Some(1));
+    assert!(matches!(outcome.status, Status::Complete), "{:?}", outcome.status);
+    assert_eq!((velocities(&outcome), outcome.count), (vec![q(-1, 1), q(0, 1), q(1, 1)], 3));
+    assert_eq!((outcome.any_order, outcome.before_any_order), (1, Some(0)));
+}
+
+#[test]
+fn an_order_that_does_not_matter_stops_no_replay() {
+    let row = |masses: &[Rational], speeds: &[Rational], e: &Rational| {
+        // Bodies of length 1, the resting ones in touch, the moving ones in touch a unit away.
+        let moving = speeds.iter().filter(|v| **v > 0).count();
+        let places: Vec<Rational> = (0..masses.len()).map(|k| q(k as i64, 1) - q(i64::from(k < moving), 1)).collect();
+        let mut all = bodies(masses, &places, speeds);
+        all.iter_mut().for_each(|body| body.length = q(1, 1));
+        run(&Line::new(&all, &vec![e.clone(); masses.len() - 1], None, None).expect("a valid line"))
+    };
+    let ones = |count: usize| vec![q(1, 1); count];
+    // The cradle: as many leave as came.
+    for (moving, resting) in [(2, 1), (2, 3), (3, 2), (4, 4), (20, 30)] {
+        let speeds: Vec<Rational> = (0..moving + resting).map(|k| q(i64::from(k < moving), 1)).collect();
+        let outcome = row(&ones(speeds.len()), &speeds, &q(1, 1));
+        assert!(matches!(outcome.status, Status::Complete), "{moving} on {resting}: {:?}", outcome.status);
+        let sorted: Vec<Rational> = speeds.iter().rev().cloned().collect();
+        assert_eq!((velocities(&outcome), outcome.count), (sorted, (moving * resting) as u64));
+    }
+    // Elastic masses whose orders agree, although they are unlike: m2(m1 + m2 + m3) = m1·m3.
+    let triple = |masses: [i32; 3], e: Rational| {
+        let masses = masses.map(Rational::from);
+        run(&line(&masses, &[q(-1, 1), q(0, 1), q(1, 1)], &[q(1, 1), q(0, 1), q(-1, 1)], &e))
+    };
+    let outcome = triple([3, 1, 2], q(1, 1));
+    assert!(matches!(outcome.status, Status::Complete), "{:?}", outcome.status);
+    assert_eq!((outcome.count, outcome.any_order), (4, 1));
+    // With another restitution, or another mass, the order matters.
+    assert!(matches!(triple([1, 1, 1], q(9, 10)).status, Status::Ambiguous(_)));
+    assert!(matches!(triple([1, 2, 1], q(1, 1)).status, Status::Ambiguous(_)));
+    // The same against a wall, where the orders agree as well.
+    let wall = Wall { position: q(2, 1), restitution: q(1, 1) };
+    let places = [q(0, 1), q(1, 1)];
+    let both = |masses: &[Rational]| {
+        let bodies = bodies(masses, &places, &[q(2, 1), q(1, 1)]);
+        run(&Line::new(&bodies, &[q(1, 1)], None, Some(&wall)).expect("a valid line"))
+    };
+    let outcome = both(&ones(2));
+    assert!(matches!(outcome.status, Status::Complete), "{:?}", outcome.status);
+    assert_eq!((velocities(&outcome), outcome.count), (vec![q(-2, 1), q(-1, 1)], 4));
+    assert!(matches!(both(&[q(2, 1), q(1, 1)]).status, Status::Ambiguous(_)));
 }
 
 #[test]
@@ -736,8 +816,8 @@ fn touching_bodies_follow_the_stated_rule() {
     assert!(matches!(cradle.status, Status::Complete));
     assert_eq!(velocities(&cradle), [q(0, 1), q(0, 1), q(1, 1)]);
     assert!(cradle.events.iter().all(|c| *exact(&c.time) == 1));
-    // Two approaching pairs in one cluster, not neighbours of each other: still ambiguous.
-    let four = line(&vec![q(1, 1); 4], &vec![q(0, 1); 4], &[q(1, 1), q(0, 1), q(1, 1), q(0, 1)], &e);
+    // Two approaching pairs in one cluster, not neighbours of each other: ambiguous as well, where it matters.
+    let four = line(&vec![q(1, 1); 4], &vec![q(0, 1); 4], &[q(4, 1), q(0, 1), q(1, 1), q(0, 1)], &q(1, 2));
     assert!(matches!(run(&four).status, Status::Ambiguous(_)));
 }
 

@@ -101,6 +101,50 @@ fn an_accepted_step_is_false_somewhere() {
     }
 }
 
+#[test]
+fn a_certificate_passes_for_a_changed_claim() {
+    if let Some(out) = python(&["tests/second_checker/readings.py"]) {
+        print!("{out}");
+    }
+}
+
+/// Writes the digest of every claim in these folders that Carom's reader gives it a statement.
+fn digests(folders: &[PathBuf]) -> String {
+    let mut out = String::new();
+    for folder in folders {
+        let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+        let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+        paths.sort();
+        for path in paths.iter().filter(|path| path.extension().is_some_and(|e| e == "claim")) {
+            let source = std::fs::read_to_string(path).expect("a claim file");
+            for claim in carom::claim::parse::parse(&source).into_iter().flatten() {
+                if let Ok(statement) = carom::kernel::statement::Statement::of(&claim) {
+                    out += &format!("{} {} {}\n", text::digest(&statement.text()), claim.name.text, path.display());
+                }
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn a_claim_is_read_in_another_way() {
+    let random = folder("written");
+    let count = std::env::var("CAROM_READINGS").unwrap_or_else(|_| "300".to_string());
+    let into = random.to_str().expect("a path");
+    if python(&["tests/second_checker/written.py", into, &count]).is_none() {
+        return;
+    }
+    let ours = ["tests/corpus", "tests/corpus/later", "tests/deceptions", "tests/truths", "proofs/published"];
+    let mut folders: Vec<PathBuf> = ours.iter().map(|place| Path::new(ROOT).join(place)).collect();
+    folders.extend([Path::new(ROOT).join("proofs/redner-2004"), random.clone()]);
+    let list = random.join("digests.txt");
+    std::fs::write(&list, digests(&folders)).expect("a file");
+    if let Some(out) = python(&["tests/second_checker/digests.py", list.to_str().expect("a path")]) {
+        print!("{out}");
+    }
+}
+
 /// Whether the kernel accepts a text as a refutation, and its digest is that of what it shows.
 fn refutes(claim: &Claim, source: &str) -> Option<()> {
     let certificate = text::read(source).ok()?;

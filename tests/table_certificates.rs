@@ -57,8 +57,8 @@ fn rows(text: &str) -> u64 {
 const TABLES: [&str; 9] = [
     "--want eta --ratio 1,2,64,1/3 -e 0,0.5,0.9 -n 0,1,5 --digits 6",
     "--want eta --ratio 1:1e6:x1000 -e 1/3,1 -n 0:2:1 --places 4 --round up",
-    "--want eta --ratio 10,4 -e 0.5:1:0.25 -n 1,30 --digits 3 --round zero",
-    "--want eta --ratio 2,3 -e 0.9 -n 1000000,1000000000 --digits 8 --round away",
+    "--want eta --ratio 10;4 -e 0.5:1:0.25 -n 1,30 --digits 3 --round zero",
+    "--want eta --ratio 2;3 -e 0.9 -n 1000000,1000000000 --digits 8 --round away",
     "--want threshold --ratio 1,2,64,1e9 -n 1:4:1 --digits 12 --round down",
     "--want threshold --ratio 1e30,1/7,1 -n 1,20,1000000000 --places 5",
     "--want threshold --ratio 4 -n 1 --digits 1",
@@ -432,7 +432,7 @@ fn the_command_tells_tables_from_claims_by_what_they_hold() {
     let folder = tempfile::tempdir().unwrap();
     // Not by name.
     let path = folder.path().join("cells.cert");
-    let text = written(&path, "--want eta --ratio 1,10 -e 0.9 -n 0:2:1");
+    let text = written(&path, "--want eta --ratio 1;10 -e 0.9 -n 0:2:1");
     let name = path.to_str().unwrap();
     let output = carom(&["check", name]);
     let printed = said(&output);

@@ -1,4 +1,4 @@
-"""The tables of docs/peers.md between its markers, and the bar chart docs/peers.svg."""
+"""The page of all tables and the bar chart in benches/results, and the short table of docs/peers.md between its markers."""
 import re
 
 import aims
@@ -18,6 +18,28 @@ CHART = [
     ("J1", "19 identities"), ("J2a", "one of 100000 cells"), ("J2b", "one of 1000000 cells"), ("J3", "L_7/100"),
     ("J3", "L_7/1000000"), ("J4", "below/6"), ("J5", "6"), ("J6", "last/10000"), ("J7", "1e9"), ("J8", "first answer"),
 ]
+# The lines of the short table: job, case, and what was measured.
+SHORT = [
+    ("J1", "19 identities", "19 identities of the catalogue"),
+    ("J2a", "one of 100000 cells", "η in one of 10⁵ scattered cells"),
+    ("J2b", "one of 1000000 cells", "η in one of 10⁶ cells of a grid"),
+    ("J3", "eta/100", "η to 100 digits"), ("J3", "eta/10000", "η to 10⁴ digits"), ("J3", "eta/1000000", "η to 10⁶ digits"),
+    ("J3", "L_7/100", "L₇ to 100 digits"), ("J3", "L_7/1000000", "L₇ to 10⁶ digits"),
+    ("J4", "equal/12", "sign of e − L₁₂, which is 0"), ("J4", "below/6", "sign of e − L₆, e 10⁻³⁰ below"),
+    ("J4", "far/12", "sign of e − L₁₂, e far off"),
+    ("J5", "2", "L₃ ≥ L₂ for all masses"), ("J5", "6", "L₇ ≥ L₆ for all masses"),
+    ("J6", "last/10000", "last velocity of 10⁴ bodies, exact"), ("J6", "all/1000", "all velocities of 1000 bodies, exact"),
+    ("J7", "1e9", "best number of bodies, near 10⁹"),
+    ("J8", "first answer", "cold process to its first answer"),
+    ("J9", "10", "one collision in a line of 10 bodies"), ("J9", "10000", "one collision in a line of 10⁴ bodies"),
+    ("J10", "one call", "η in one call from Python"), ("J10", "one of 100000 rows", "η in one of 10⁵ rows from Python"),
+]
+# The columns of the short table, by how the names of their tools begin; what no column takes goes into the last one.
+COLUMNS = [
+    ("SymPy", ("SymPy",)), ("mpmath", ("mpmath",)), ("python-flint, Arb", ("python-flint", "Arb", "FLINT")), ("MPFR", ("MPFR",)),
+    ("PARI/GP", ("PARI",)), ("Z3", ("Z3",)), ("cvc5", ("cvc5",)), ("Maxima", ("Maxima",)),
+]
+OTHERS = "C, NumPy, gmpy2, Python"
 # Okabe and Ito's colours, told apart by hatching too.
 LOOK = {PROOF: ("#009E73", ""), EXACT: ("#56B4E9", "//"), CERTIFIED: ("#0072B2", ".."), PLAIN: ("#D9D9D9", "xx")}
 
@@ -65,7 +87,7 @@ def table(job, record):
         lines.append(row(cells))
     lines += over_products(ours) if job == "J3" else []
     lines += over_least(job, cases, ours)
-    lines += ["", f"Measured {record['when']}, {beside(record)}."]
+    lines += ["", f"Measured {record['when']}, commit {record['commit']}, {beside(record)}."]
     # Of the cases that were not measured again.
     lines += [f"Of {part['when']}, {beside(part)}: {', '.join(part['cases'])}." for part in record.get("earlier", [])]
     lines.append("")
@@ -185,9 +207,67 @@ def chart(record, path):
     pyplot.close(figure)
 
 
+PAGE = """# Carom beside its peers, job by job
+
+`benches/peers/run` writes this page. [Its README](../peers/README.md) lists the method and the variants of each tool. A cell
+shows the median, ± half the spread of the rounds, and in brackets the time divided by Carom's: above 1 Carom is faster. *Exact*
+answers are right. A *proof* is a verdict with its argument, from the text of the claim. A *certified enclosure* contains the
+number. *Uncertified* numbers agree here, without a guarantee by the tool. `> 10 s` was given up.
+
+![Time of every tool, logarithmic](peers.svg)
+
+In two jobs a tool is fast only with knowledge of the problem. J5 asks PARI, SymPy and python-flint twice: to count the
+real roots, their general method, and to divide out (y − 1)² and look at the coefficients. In J4 Arb and PARI use the
+theorem that L_n is rational only if the mass ratio r is a perfect power. Without it they would not end on equality.
+
+{tables}
+"""
+
+
+def times(value):
+    """Two digits, also of what is far from 1."""
+    return f"{value:.1g}" if value < 0.1 else ratio(value) if value < 1000 else f"{float(f'{value:.2g}'):,.0f}"
+
+
+def column(name):
+    return next((title for title, begins in COLUMNS if name.startswith(begins)), OTHERS)
+
+
+def short_cell(results, case, ours, limit, with_name):
+    """The quickest of these tools, with ≈ before an answer without a guarantee."""
+    done = [result for result in results if case in result["cases"]]
+    if not done:
+        return f"> {limit:g} s" if any(case in result["timeouts"] for result in results) else ""
+    best = min(done, key=lambda result: result["cases"][case]["median"])
+    time = best["cases"][case]["median"]
+    mark = "≈ " if best["guarantee"] == PLAIN else ""
+    name = f"{best['tool'].split(',')[0]} " if with_name else ""
+    return f"{mark}{name}{duration(time)} ({times(time / ours)})"
+
+
+def short(record):
+    lines = [row(["job", "what was measured", "Carom", *(title for title, _ in COLUMNS), OTHERS, "date, commit"])]
+    lines.append(row(["---"] * (len(COLUMNS) + 5)))
+    for job, case, what in SHORT:
+        data = record["jobs"].get(job)
+        if data is None or case not in data["results"][0]["cases"]:
+            continue
+        first, *rest = data["results"]
+        ours = first["cases"][case]["median"]
+        # A case that was left as it was is as old as it says.
+        part = next((part for part in data.get("earlier", []) if case in part["cases"]), data)
+        cells = [short_cell([r for r in rest if column(r["tool"]) == title], case, ours, data["limit"], title == OTHERS)
+                 for title in [*(title for title, _ in COLUMNS), OTHERS]]
+        lines.append(row([job, what, duration(ours), *cells, f"{part['when'].split()[0]}, {part['commit']}"]))
+    return "\n".join(lines)
+
+
 def write(record, folder):
-    page = folder / "peers.md"
-    text = page.read_text() if page.exists() else "<!-- tables -->\n<!-- end of tables -->\n"
-    new = f"<!-- tables -->\n{tables(record)}\n<!-- end of tables -->"
-    page.write_text(re.sub(r"<!-- tables -->.*<!-- end of tables -->", lambda _: new, text, flags=re.S))
+    (folder / "peers.md").write_text(PAGE.format(tables=tables(record)))
     chart(record, folder / "peers.svg")
+
+
+def write_short(record, page):
+    """Replaces the table between the markers; the sentences around it are written by hand."""
+    new = f"<!-- table -->\n{short(record)}\n<!-- end of table -->"
+    page.write_text(re.sub(r"<!-- table -->.*<!-- end of table -->", lambda _: new, page.read_text(), flags=re.S))

@@ -1,4 +1,4 @@
-"""docs/work-precision.svg from its JSON: a panel for each scene, time against the digits that are right."""
+"""benches/results/work-precision.svg from its JSON: a panel for each scene, time against the digits that are right."""
 
 # Okabe and Ito's colours; certified tools have filled marks.
 LOOK = {

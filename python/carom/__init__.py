@@ -37,7 +37,7 @@ from .chain import (
     threshold,
     velocities,
 )
-from .number import Enclosure, Number, Undecided, WrongType
+from .number import Enclosure, Number, Undecided, UndecidedWarning, WrongType
 from .rows import Cells
 from .table import Table, table, table_text
 from .tools import (
@@ -103,6 +103,7 @@ __all__ = [
     "Replay",
     "Table",
     "Undecided",
+    "UndecidedWarning",
     "Witness",
     "WrongType",
     "__version__",

@@ -106,6 +106,10 @@ class Audit:
     def __len__(self) -> int:
         return len(self.claims)
 
+    def __bool__(self) -> bool:
+        """Whether every verdict is the expected one: not whether there are claims."""
+        return self.as_expected
+
     def __getitem__(self, key: Union[str, int]) -> Claim:
         if isinstance(key, int):
             return self.claims[key]
@@ -180,7 +184,10 @@ def _evidence(claim: Claim) -> List[str]:
         point = ", ".join(f"{name} = {_shown(value)}" for name, value in claim.witness.point.items())
         lines.append(f"fails at {point}" if point else "fails")
         for broken in claim.witness.broken:
-            lines.append(f"left side {_shown(broken.left)}, right side {_shown(broken.right)}")
+            if broken.right:
+                lines.append(f"left side {_shown(broken.left)}, right side {_shown(broken.right)}")
+            else:
+                lines.append(_shown(broken.statement))
     if claim.reason:
         lines.append(_shown(claim.reason))
     if not claim.as_expected:

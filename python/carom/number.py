@@ -7,8 +7,9 @@ import math
 import numbers
 import operator
 import re
+import warnings
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Union
 
 from . import _engine
 from ._engine import LimitReached
@@ -116,6 +117,20 @@ class Undecided(ValueError):
     """A comparison that the ends of enclosures leave open: neither answer would be certain."""
 
 
+class UndecidedWarning(UserWarning):
+    """An ``==`` that enclosures leave open was answered with False."""
+
+
+_SPEC = re.compile(r"(?:.?[<>^])?(?P<rest>=?[+\- ]?[z#0]*)\d*(?P<comma>[,_]?)(?P<precision>\.\d+)?(?P<type>[a-zA-Z%]?)", re.S)
+"""The specification of a format."""
+
+
+def _short(value: Any) -> str:
+    """A value in a message: not longer than a line."""
+    text = str(value)
+    return text if len(text) <= 60 else f"{text[:60]}…"
+
+
 _REFINED = (25, 60, 200, _MAX_DIGITS)
 """Digits to which both sides of an open comparison are narrowed, in turn."""
 
@@ -126,7 +141,8 @@ class Number:
     Every result has ``exact`` (a fraction, or None), ``lo`` and ``hi`` (doubles rounded outwards), ``exact_lo`` and
     ``exact_hi`` (fractions), :meth:`digits` and :meth:`narrower`. Sums, products, quotients and powers of results with
     results and exact numbers are results again, and hold every possible value. A comparison narrows both sides until
-    it is decided, and is :class:`Undecided` where that does not help; so is ``==``.
+    it is decided, and is :class:`Undecided` where that does not help. ``==`` never raises: it is True for equal fractions,
+    closed forms and objects, and False, with an :class:`UndecidedWarning`, where no number of digits tells.
 
     A rational result is a :class:`fractions.Fraction` as well.
     """
@@ -192,7 +208,7 @@ class Number:
                 return lo
             if self.measured:
                 break
-        raise Undecided(f"what is asked is open: the ends of the enclosure give {lo} and {hi}")
+        raise Undecided(f"what is asked is open: the ends of the enclosure give {_short(lo)} and {_short(hi)}")
 
     def __contains__(self, value: Exact) -> bool:
         """Whether an exact number lies between the ends."""
@@ -226,9 +242,11 @@ class Number:
         return _result("/", other, self)
 
     def __pow__(self, exponent: Any) -> Number:
-        if isinstance(exponent, bool) or not isinstance(exponent, int):
+        if isinstance(exponent, Fraction) and exponent.denominator != 1:
+            return _power_of(self, exponent)
+        if isinstance(exponent, bool) or not isinstance(exponent, (int, Fraction)):
             return NotImplemented
-        return _result("**", self, exponent)
+        return _result("**", self, int(exponent))
 
     def __rpow__(self, base: Any) -> Number:
         return NotImplemented
@@ -257,14 +275,16 @@ class Number:
         return _decided(self, other, ">=")
 
     def __eq__(self, other: object) -> bool:
-        return _decided(self, other, "==")
+        return _equal(self, other)
 
     def __ne__(self, other: object) -> bool:
-        found = _decided(self, other, "==")
+        found = _equal(self, other)
         return found if found is NotImplemented else not found
 
     def __hash__(self) -> int:
-        return object.__hash__(self)
+        # Equal numbers have one closed form, or are one object.
+        radical = None if self.measured else self.radical
+        return object.__hash__(self) if radical is None else hash(radical)
 
     def __bool__(self) -> bool:
         return not _decided(self, 0, "==")
@@ -289,7 +309,14 @@ class Number:
         return self._settled(lambda end: round(end, places))
 
     def __format__(self, spec: str) -> str:
-        return self._settled(lambda end: _formatted(end, spec)) if spec else str(self)
+        found = _SPEC.fullmatch(spec)
+        if found and not (found["rest"] or found["precision"] or found["type"]):
+            # Width and alignment alone: of what str shows.
+            return format(str(self), spec)
+        if found and not found["precision"] and found["type"] in tuple("eEfFgG%"):
+            # As a float has it: six digits.
+            spec = f"{spec[:-1]}.6{found['type']}"
+        return self._settled(lambda end: _formatted(end, spec))
 
     def to_fraction(self) -> Fraction:
         """The exact fraction; :class:`Undecided` where the number is not known to be one."""
@@ -602,16 +629,18 @@ def _floor_root(number: int, index: int) -> int:
 class Computed(Enclosure):
     """What arithmetic makes of results."""
 
-    __slots__ = ("_ends", "_left", "_operation", "_right")
+    __slots__ = ("_ends", "_left", "_measured", "_operation", "_right")
 
     def __init__(self, operation: str, left: Number, right: Number) -> None:
         self._operation, self._left, self._right = operation, left, right
+        self._measured = left.measured or right.measured
         ends = ((left.exact_lo, left.exact_hi), (right.exact_lo, right.exact_hi))
         try:
-            self._ends = _ENDS[operation](*ends)
+            found = _ENDS[operation](*ends)
         except Undecided:
             # A divisor that is not seen to be apart from 0 yet.
-            self._ends = _ENDS[operation](*(side.narrower(_MAX_DIGITS) for side in (left, right)))
+            found = _ENDS[operation](*(side.narrower(_MAX_DIGITS) for side in (left, right)))
+        self._ends = _shortened(found, _LONG) if _is_long(found) else found
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return (Computed, (self._operation, self._left, self._right))
@@ -626,20 +655,72 @@ class Computed(Enclosure):
 
     @property
     def measured(self) -> bool:
-        return self._left.measured or self._right.measured
+        return self._measured
 
     def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
         if self.measured:
             return self._ends
         for more in _REFINED:
-            sides = (side.narrower(count + more) for side in (self._left, self._right))
-            lo, hi = ends = _ENDS[self._operation](*sides)
+            lo, hi = ends = self._evaluated(count + more)
             if (hi - lo) * 10**count <= max(abs(lo), abs(hi)):
                 break
         return ends
 
+    def _evaluated(self, digits: int) -> Tuple[Fraction, Fraction]:
+        """The ends from parts with so many digits: each part once, however often it occurs, and without recursion."""
+        bits = digits * 10 // 3 + 64
+        done: Dict[int, _Ends] = {}
+        stack: List[Tuple[Number, bool]] = [(self, False)]
+        while stack:
+            part, ready = stack.pop()
+            if id(part) in done:
+                continue
+            if not isinstance(part, Computed) or part.measured:
+                done[id(part)] = part.narrower(digits)
+            elif ready:
+                sides = done[id(part._left)], done[id(part._right)]
+                done[id(part)] = _shortened(_ENDS[part._operation](*sides), bits)
+            else:
+                stack.extend(((part, True), (part._right, False), (part._left, False)))
+        return done[id(self)]
+
 
 _Ends = Tuple[Fraction, Fraction]
+
+_LONG = 4_096
+"""Bits beyond which the ends of a computed number are rounded outwards."""
+
+
+def _is_long(ends: _Ends) -> bool:
+    return any(max(end.numerator.bit_length(), end.denominator.bit_length()) > _LONG for end in ends)
+
+
+def _shortened(ends: _Ends, bits: int) -> _Ends:
+    """Ends outside of these, with so many significant bits."""
+
+    def rounded(end: Fraction, up: bool) -> Fraction:
+        places = bits - (end.numerator.bit_length() - end.denominator.bit_length())
+        scaled = end * (1 << places) if places >= 0 else end / (1 << -places)
+        whole = -(-scaled.numerator // scaled.denominator) if up else scaled.numerator // scaled.denominator
+        return Fraction(whole, 1 << places) if places >= 0 else Fraction(whole << -places)
+
+    return rounded(ends[0], False), rounded(ends[1], True)
+
+
+def _power_of(base: Number, exponent: Fraction) -> Number:
+    """A broken power of a number that is exact and not negative."""
+    exact = base.exact
+    if exact is None:
+        return NotImplemented
+    if exact < 0:
+        raise ValueError(f"{exact} to the power {exponent} is no real number")
+    if exact == 0 and exponent < 0:
+        raise ZeroDivisionError("0 to a negative power")
+    radicand, index = exact**exponent.numerator, exponent.denominator
+    roots = [_floor_root(part, index) if part else 0 for part in (radicand.numerator, radicand.denominator)]
+    root = Fraction(roots[0], roots[1])
+    return Rational(root) if root**index == radicand else Root(radicand, index)
+
 
 
 def _product(a: _Ends, b: _Ends) -> _Ends:
@@ -728,6 +809,24 @@ def _decided(left: Number, right: Any, relation: str) -> bool:
         if left.measured or other.measured:
             break
     raise Undecided(f"{left} {relation} {other} is open: their enclosures overlap")
+
+
+def _equal(left: Number, right: Any) -> bool:
+    """Whether two numbers are known to be equal; a warning where they may be and nothing tells."""
+    other = right if isinstance(right, Number) else None
+    if left is other and not left.measured:
+        return True
+    if other is not None and not (left.measured or other.measured) and left.radical is not None:
+        if left.radical == other.radical:
+            return True
+    try:
+        return _decided(left, right, "==")
+    except Undecided as error:
+        if left.measured or (other is not None and other.measured):
+            # A range is one number only by chance.
+            return False
+        warnings.warn(f"{error}; == is False", UndecidedWarning, stacklevel=3)
+        return False
 
 
 def _answer(a: _Ends, b: _Ends, relation: str) -> Optional[bool]:

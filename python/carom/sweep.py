@@ -19,6 +19,7 @@ import os
 import sys
 import tempfile
 import time
+import uuid
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
@@ -131,9 +132,10 @@ def write(job: Sweep, folder: str, part: int) -> bool:
         return False
     found = pyarrow.table(columns(job, *job.range(part)))
     found = found.replace_schema_metadata({_KEY: job.facts(part)})
-    handle, temporary = tempfile.mkstemp(prefix=".part-", suffix=".tmp", dir=folder)
-    os.close(handle)
+    temporary = Path(folder) / f".part-{uuid.uuid4().hex}.tmp"
     try:
+        # With the rights of any new file.
+        temporary.touch(exist_ok=False)
         axes = [name for name in found.column_names if name not in ("lo", "hi")]
         pyarrow.parquet.write_table(
             found, temporary, compression="zstd", use_dictionary=axes, use_byte_stream_split=["lo", "hi"]
@@ -142,7 +144,7 @@ def write(job: Sweep, folder: str, part: int) -> bool:
             os.fsync(file.fileno())
         os.replace(temporary, path)
     except BaseException:
-        os.unlink(temporary)
+        temporary.unlink(missing_ok=True)
         raise
     return True
 
@@ -160,6 +162,16 @@ def _is_there(job: Sweep, path: Path, part: int) -> bool:
     return True
 
 
+def _refuse_others(job: Sweep, folder: str) -> None:
+    """A :class:`ValueError` where a folder has a partition of another table."""
+    parts = {job.name(part): part for part in range(job.partitions)}
+    for path in sorted(Path(folder).glob("part-*.parquet")):
+        part = parts.get(path.name)
+        if part is None:
+            raise ValueError(f"{path} belongs to another table; choose another folder")
+        _is_there(job, path, part)
+
+
 def missing(job: Sweep, folder: str) -> Iterator[int]:
     """The partitions that are not there."""
     return (part for part in range(job.partitions) if not (Path(folder) / job.name(part)).exists())
@@ -173,6 +185,7 @@ def run(job: Sweep, folder: str, client: Any = None, *, ahead: int = 1_000) -> i
     do again.
     """
     Path(folder).mkdir(parents=True, exist_ok=True)
+    _refuse_others(job, folder)
     if client is None:
         return sum(write(job, folder, part) for part in missing(job, folder))
     from distributed import as_completed

@@ -24,7 +24,9 @@ class Picture(str):
         return str(self)
 
     def save(self, path: str) -> None:
-        """Writes the picture to a file."""
+        """Writes the picture to a file whose name ends in ``.svg``; ``carom plot`` writes PNG and PDF."""
+        if not str(path).lower().endswith(".svg"):
+            raise ValueError(f"{path}: a picture is SVG; write a name that ends in .svg")
         with open(path, "w", encoding="utf-8") as file:
             file.write(self)
 

@@ -9,6 +9,7 @@ use carom::chain::uncertain::{Range, RangeError};
 use carom::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
 use carom::number::decimal::Digits;
 use carom::number::rational::{self, NumeralError};
+use carom::number::typed;
 use carom::scene::answer::{Answers, Value};
 use carom::scene::quantity::{Input, Quantity};
 use carom::scene::read::ROUNDINGS;
@@ -78,7 +79,7 @@ fn coefficient(text: &str) -> Result<Range<Restitution>, Refusal> {
 }
 
 fn number(name: &str, text: &str) -> Result<Rational, Refusal> {
-    rational::parse(text).map_err(|error| numeral_fault(name, &error))
+    typed::read(text).map_err(|error| numeral_fault(name, &error))
 }
 
 #[pymethods]

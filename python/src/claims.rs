@@ -142,7 +142,7 @@ fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> R
     }
     let asked: Vec<String> = all.into_iter().filter(|name| only.is_empty() || only.contains(name)).collect();
     let settings = Settings { limits: limits.clone(), argument: true, ..Settings::default() };
-    let found = judge(&catalogue, &asked, &AtHand::embedded(), &settings, &|_, _| {});
+    let found = judge(&catalogue, &asked, &AtHand::of(embedded::certificates()), &settings, &|_| {});
     let (mut entries, mut faults, worked) = (Vec::new(), Vec::new(), found.judged);
     for (name, entry) in found.entries {
         match (entry, catalogue.get(&name)) {
@@ -163,8 +163,8 @@ fn no_match(only: &[String], names: &[&str]) -> Refusal {
     Refusal::Input(said.collect::<Vec<_>>().join("\n"))
 }
 
-fn point(point: &outcome::Point) -> Value {
-    point.values.iter().map(|(name, value)| json!([name, value])).collect()
+fn point(claim: &Claim, point: &outcome::Point) -> Value {
+    point.named(claim, Style::Text).map(|(name, value)| json!([name, value])).collect()
 }
 
 fn expected(claim: &Claim) -> &'static str {
@@ -190,14 +190,14 @@ fn described(entry: &Entry) -> Value {
         "method": outcome.method,
         "statement": entry.goal(Style::Unicode),
         "latex": entry.goal(Style::Latex),
-        "mathml": mathml::statement(&claim.goal),
-        "hypotheses": claim.items.iter().map(|item| Style::Unicode.item(item)).collect::<Vec<_>>(),
+        "mathml": mathml::statement(claim.written_goal()),
+        "hypotheses": claim.written_items().iter().map(|item| Style::Unicode.item(item)).collect::<Vec<_>>(),
         "argument": report::argument::lines(entry),
         "used": outcome.used,
         "unused": outcome.unused,
-        "sample": outcome.sample.as_ref().map(point),
+        "sample": outcome.sample.as_ref().map(|sample| point(claim, sample)),
         "witness": outcome.witness.as_ref().map(|w| json!({
-            "point": point(&w.point),
+            "point": point(claim, &w.point),
             "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
         })),
         "reason": outcome.reason,

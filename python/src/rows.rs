@@ -4,7 +4,7 @@ use crate::refusal::{Refusal, detached};
 use crate::table::by_chunks;
 use carom::chain::rows::{self, Column, Counts};
 use carom::chain::{ChainError, MAX_INSERTED};
-use carom::number::{NumberError, rational};
+use carom::number::{NumberError, typed};
 use pyo3::prelude::*;
 
 /// A column as Python hands it over.
@@ -21,7 +21,7 @@ fn numbers<const N: usize, T>(bytes: &[u8], of: fn([u8; N]) -> T) -> Vec<T> {
 }
 
 fn column(name: &str, given: Given) -> Result<Column, Refusal> {
-    let number = |text: &String| rational::parse(text).map_err(|error| Refusal::at(name, error));
+    let number = |text: &String| typed::read(text).map_err(|error| Refusal::at(name, error));
     Ok(match given {
         Given::Bytes(kind, bytes) => match kind.as_str() {
             "integers" => Column::Integers(numbers(&bytes, i64::from_ne_bytes)),

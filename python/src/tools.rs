@@ -13,7 +13,7 @@ use carom::claim::syntax::Claim;
 use carom::export::{coq, smt2};
 use carom::number::NumberError;
 use carom::number::decimal::{Decimal, Digits};
-use carom::number::rational;
+use carom::number::typed;
 use carom::referee::Reference;
 use carom::referee::judge::{MAX_DIGITS, judge as judge_scene};
 use carom::referee::results::{self, ResultsError};
@@ -60,7 +60,7 @@ pub fn rounding(name: &str) -> Result<carom::number::decimal::Rounding, Refusal>
 }
 
 fn rational(name: &str, text: &str) -> Result<Rational, Refusal> {
-    rational::parse(text).map_err(|error| Refusal::at(name, error))
+    typed::read(text).map_err(|error| Refusal::at(name, error))
 }
 
 /// A fraction, from hexadecimal digits, as a decimal with so many significant digits.

@@ -4,18 +4,20 @@ use super::check::unreadable;
 use super::interrupt::{Interrupt, interrupted};
 use super::load::{self, Broken, Files, Source};
 use super::progress::Progress;
-use super::{Exit, Format, print, terminal, write_file};
+use super::{Exit, Format, print, stream, terminal, write_file};
 use crate::certificate::VERSION;
 use crate::certificate::text::{FILE_LIMIT, Fault as Unread, Malformed, version_of};
 use crate::claim::diagnostic::{self, Diagnostic, nearest};
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::judge::hand::AtHand;
-use crate::judge::{self, Judgement, Settings, judge};
+use crate::judge::{self, Judgement, News, Settings, judge};
 use crate::refute::catalogue::Catalogue;
 use crate::refute::outcome::{Fault, Verdict};
 use crate::report::{self, Audit, Entry, Problem, counted};
+use std::cell::RefCell;
 use std::collections::BTreeSet;
+use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// Claims ready to be judged, with the source texts for error messages.
@@ -45,7 +47,7 @@ pub(crate) fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
 ///
 /// # Errors
 /// Nothing could be read.
-fn readable(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
+pub(super) fn readable(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     let mut files = if paths.is_empty() {
         let broken = |faults: Vec<Diagnostic>| {
             Exit::usage(faults.iter().map(Diagnostic::message).collect::<Vec<_>>().join("\n"))
@@ -151,9 +153,37 @@ impl Loaded {
         let all = self.claims().iter().map(|c| c.name.text.clone());
         let names: Vec<String> = all.filter(|n| only.is_empty() || only.contains(n)).collect();
         let progress = Progress::start(names.len() as u64);
-        let found = judge(&self.catalogue, &names, &self.hand, settings, &|done, name| progress.now(done as u64, name));
+        let hear = |news: News<'_>| {
+            if let News::Begun(done, name) = news {
+                progress.now(done as u64, name);
+            }
+        };
+        let found = judge(&self.catalogue, &names, &self.hand, settings, &hear);
         progress.finish();
         found
+    }
+
+    /// The certificates at hand.
+    pub(super) fn hand(&self) -> &AtHand {
+        &self.hand
+    }
+
+    /// The file and the line of a claim; of the built-in catalogue its path there.
+    pub(super) fn place(&self, name: &str) -> Option<(String, usize)> {
+        let at = self.claims().iter().position(|claim| claim.name.text == name)?;
+        let start = Diagnostic::new(diagnostic::Fault::Empty, self.claims()[at].name.span);
+        match self.origin.get(at).and_then(|source| self.sources.get(*source)) {
+            Some(source) => Some((source.path.clone(), start.place(&source.text).0)),
+            None => {
+                let file = embedded::files().into_iter().find(|file| embedded::stem(file.path) == name)?;
+                Some((file.path.to_owned(), start.place(file.text).0))
+            }
+        }
+    }
+
+    /// What could not be read: for the report, and as messages.
+    pub(super) fn unread(&self) -> Vec<(Problem, String)> {
+        self.broken.iter().map(|broken| (problem(&broken.name, &broken.exit), broken.exit.message.clone())).collect()
     }
 
     /// Adds the stored certificates: the built-in ones, and those in the folders of the claims.
@@ -161,7 +191,7 @@ impl Loaded {
     /// # Errors
     /// A certificate has another format version, unless `replaced` says that new ones will be made.
     pub(crate) fn with_certificates(mut self, replaced: bool) -> Result<Loaded, Exit> {
-        self.hand = AtHand::embedded();
+        self.hand = AtHand::of(embedded::certificates());
         let parents = self.sources.iter().map(|s| match Path::new(&s.path).parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
             _ => PathBuf::from("."),
@@ -215,19 +245,13 @@ pub(super) fn run(
             // A program that reads only the report must not mistake an empty one for success.
             if let Format::Junit = format {
                 let problems = vec![problem("claims", &exit)];
-                write(&Audit { entries: Vec::new(), problems, judged: 0 }, format, output)?;
+                write(&Audit { entries: Vec::new(), problems, judged: 0 }, format, output, &|_| None)?;
             }
             return Err(exit);
         }
     };
-    let (audit, messages) = judge_all(&loaded, only, settings);
-    // From here on Ctrl-C takes effect only after the last file is written.
-    let interrupt = Interrupt::listen();
-    if let Some(folder) = certificates {
-        write_certificates(&audit.entries, folder)?;
-    }
-    write(&audit, format, output)?;
-    if interrupt.asked() {
+    let (audit, messages) = streamed(&loaded, only, format, output, certificates, settings)?;
+    if Interrupt::listen().asked() {
         return Err(interrupted("everything is written"));
     }
     if !messages.is_empty() {
@@ -236,21 +260,59 @@ pub(super) fn run(
     Ok(code(&audit))
 }
 
+/// Judges the claims and writes the report. Text for a file or pipe on standard output is written claim by claim; on a
+/// terminal there is a bar until all are judged. Of every form, Ctrl-C leaves what was judged before it.
+fn streamed(
+    loaded: &Loaded,
+    only: &[String],
+    format: Format,
+    output: Option<&Path>,
+    certificates: Option<&Path>,
+    settings: &Settings,
+) -> Result<(Audit, Vec<String>), Exit> {
+    let place = |name: &str| loaded.place(name);
+    let piecewise = matches!(format, Format::Text) && output.is_none() && !std::io::stdout().is_terminal();
+    let pieces = RefCell::new((report::text::Pieces::new(terminal::quiet()), Ok(())));
+    let mut tell = |_: &str, result: &Result<Entry, Fault>| {
+        if let (true, Ok(entry)) = (piecewise, result) {
+            let (pieces, written) = &mut *pieces.borrow_mut();
+            let piece = pieces.entry(entry);
+            if written.is_ok() {
+                *written = print(&piece);
+            }
+        }
+    };
+    let finish = |audit: &Audit| -> Result<(), Exit> {
+        if let Some(folder) = certificates {
+            write_certificates(&audit.entries, folder)?;
+        }
+        if piecewise { print(&pieces.borrow().0.end(audit)) } else { write(audit, format, output, &place) }
+    };
+    let leave = |found: Judgement| {
+        let mut audit = audit_of(loaded, found).0;
+        let all = loaded.claims().iter().filter(|c| only.is_empty() || only.contains(&c.name.text)).count();
+        let message = format!("interrupted: {} of {} are judged", audit.entries.len(), counted(all, "claim"));
+        audit.problems.push(Problem { name: "audit".to_owned(), message: message.clone() });
+        let message = finish(&audit).map_or_else(|exit| exit.message, |()| message);
+        let _ = writeln!(anstream::stderr(), "{message}");
+    };
+    let found = stream::judged(loaded, only, settings, &mut tell, &leave);
+    let (audit, messages) = audit_of(loaded, found);
+    finish(&audit)?;
+    pieces.into_inner().1.map(|()| (audit, messages))
+}
+
 /// Judges the built-in catalogue or the given files as a whole.
 pub(super) fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
     let loaded = readable(paths, &[])?.with_certificates(settings.anew)?;
-    let (audit, messages) = judge_all(&loaded, &[], settings);
+    let (audit, messages) = audit_of(&loaded, loaded.judge(&[], settings));
     if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
 }
 
 /// The audit, and the error messages of claims that could not be judged.
-fn judge_all(loaded: &Loaded, only: &[String], settings: &Settings) -> (Audit, Vec<String>) {
-    let (mut entries, mut problems, mut messages) = (Vec::new(), Vec::new(), Vec::new());
-    for broken in &loaded.broken {
-        problems.push(problem(&broken.name, &broken.exit));
-        messages.push(broken.exit.message.clone());
-    }
-    let found = loaded.judge(only, settings);
+fn audit_of(loaded: &Loaded, found: Judgement) -> (Audit, Vec<String>) {
+    let mut entries = Vec::new();
+    let (mut problems, mut messages): (Vec<Problem>, Vec<String>) = loaded.unread().into_iter().unzip();
     for (name, entry) in found.entries {
         match entry {
             Ok(entry) => entries.push(entry),
@@ -300,14 +362,19 @@ fn problem(name: &str, exit: &Exit) -> Problem {
     Problem { name: name.to_string(), message: anstream::adapter::strip_str(&exit.message).to_string() }
 }
 
-/// Writes the report.
-fn write(audit: &Audit, format: Format, output: Option<&Path>) -> Result<(), Exit> {
+/// Writes the report; `place` tells the file and line of a claim.
+fn write(
+    audit: &Audit,
+    format: Format,
+    output: Option<&Path>,
+    place: &dyn Fn(&str) -> Option<(String, usize)>,
+) -> Result<(), Exit> {
     let text = match format {
         Format::Text if terminal::quiet() => report::text::unexpected(audit),
         Format::Text => report::text::report(audit),
         Format::Json => report::json::report(audit),
         Format::Markdown => report::markdown::report(audit),
-        Format::Junit => report::junit::report(audit),
+        Format::Junit => super::junit::report(audit, place),
     };
     match output {
         Some(path) => write_file(path, &anstream::adapter::strip_str(&text).to_string()),

@@ -1,6 +1,7 @@
 //! `carom eval`: one chain, by flags or by a scene file, or a stream of chains.
 
 mod batch;
+mod columns;
 
 use super::form::form;
 use super::progress::Progress;
@@ -10,12 +11,13 @@ use crate::chain::uncertain::{Range, RangeError};
 use crate::chain::{ChainError, Positive, Restitution};
 use crate::number::NumberError;
 use crate::number::decimal::{Digits, Rounding};
-use crate::number::rational::{NumeralError, parse};
+use crate::number::rational::NumeralError;
+use crate::number::typed::{self, Unclear};
 use crate::report::answers;
 use crate::scene::answer::Answers;
 use crate::scene::drop::Drop;
 use crate::scene::quantity::{Input, Quantity};
-use crate::scene::read::{self, DEFAULT_DIGITS, SceneFault, elements};
+use crate::scene::read::{self, DEFAULT_DIGITS, SceneFault};
 use crate::scene::{About, Coefficients, Inputs, Inserted, Scene, Start};
 use malachite::base::num::conversion::traits::IsInteger;
 use std::path::{Path, PathBuf};
@@ -25,13 +27,13 @@ use std::path::{Path, PathBuf};
 pub(super) struct EvalFlags {
     /// A scene file (see `carom help scene`), - for standard input; flags override its `digits` and `want`
     scene: Option<PathBuf>,
-    /// Mass of the first body: 10, 3/4, 0.5, 2e-3, or measured: "57.1 ± 0.1", "[57, 58]"
+    /// Mass of the first body: 10, 3/4, 0.5 or 0,5, 2e-3 or 2·10^-3, or measured: "57.1 ± 0.1", "[57, 58]"
     #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
     m1: Option<String>,
     /// Mass of the last body
     #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
     m2: Option<String>,
-    /// Coefficient of restitution, or one for each collision: 9/10,4/5. threshold and masses do not need it
+    /// Coefficient of restitution, or one for each collision: "9/10; 4/5" or 9/10,4/5. threshold and masses do not need it
     #[arg(short = 'e', long = "restitution", value_name = "E[,E…]", allow_hyphen_values = true)]
     e: Vec<String>,
     /// Number of inserted bodies, 0 for none; best-n does not need it
@@ -67,9 +69,9 @@ pub(super) struct EvalFlags {
     /// Also list the quantities computed and skipped, and the arithmetic that settled each answer
     #[arg(long)]
     explain: bool,
-    /// Read chains as CSV lines m1,m2,e,n from a file (- for standard input) and write one CSV line for each. A field
-    /// that no wanted quantity needs may be empty. A bad line gives an error message, empty cells and exit code 2; the
-    /// other lines are still answered
+    /// Read chains from a CSV file (- for standard input) with columns m1, m2, e and n in any order, and write one CSV
+    /// row for each. Without a heading, the columns are m1,m2,e,n. A field that no wanted quantity needs may be empty, and
+    /// its column missing. A bad row gives an error message, empty cells and exit code 2; the other rows are still answered
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed",
         "explain"])]
     batch: Option<PathBuf>,
@@ -197,7 +199,9 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
     let inserted = match joined(&flags.masses).as_deref() {
         None | Some("optimal") => count.map(Inserted::Optimal),
         Some(masses) => {
-            let list = elements(masses).iter().map(|m| mass("--masses", m)).collect::<Result<Vec<_>, _>>()?;
+            let fits = |m: &str| mass("--masses", m).is_ok();
+            let list = list("--masses", masses, fits)?;
+            let list = list.iter().map(|m| mass("--masses", m)).collect::<Result<Vec<_>, _>>()?;
             if let Some(count) = count
                 && count != list.len() as u64
             {
@@ -211,7 +215,7 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
     };
     let start = match &flags.speed {
         None => Start::unit(),
-        Some(speed) => Start::Speed(parse(speed).map_err(|e| bad("--speed", speed, &RangeError::Numeral(e)))?),
+        Some(speed) => Start::Speed(typed::read(speed).map_err(|e| bad("--speed", speed, &RangeError::Numeral(e)))?),
     };
     let inputs = Inputs::new(first, last, inserted, coefficients, start).map_err(|e| failure("chain", &e))?;
     let want = joined(&flags.want).as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
@@ -229,25 +233,15 @@ fn from_flags(flags: &EvalFlags) -> Result<Scene, Exit> {
 }
 
 fn coefficients(text: &str) -> Result<Coefficients, Exit> {
-    match elements(text).as_slice() {
+    match list("-e", text, |e| coefficient("-e", e).is_ok())?.as_slice() {
         [one] => Ok(Coefficients::Same(coefficient("-e", one)?)),
-        list => {
-            // `0,9` is a list of two numbers, but probably means 0.9.
-            let whole = |text: &&str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-            let hint = |exit: Exit| match list {
-                [a, b] if whole(a) && whole(b) => Exit {
-                    message: format!(
-                        "{}; if you mean one number, write it with a decimal point: {a}.{b}",
-                        exit.message
-                    ),
-                    ..exit
-                },
-                _ => exit,
-            };
-            let all = list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>();
-            Ok(Coefficients::Each(all.map_err(hint)?))
-        }
+        list => Ok(Coefficients::Each(list.iter().map(|e| coefficient("-e", e)).collect::<Result<_, _>>()?)),
     }
+}
+
+/// The elements of a list, each in the engine's spelling.
+fn list(flag: &str, text: &str, fits: impl Fn(&str) -> bool) -> Result<Vec<String>, Exit> {
+    typed::list(text, fits).map_err(|Unclear(what)| Exit::usage(format!("error: {flag}: {what}")))
 }
 
 fn wants(text: &str) -> Result<Vec<Quantity>, Exit> {
@@ -299,9 +293,13 @@ fn coefficient(flag: &str, text: &str) -> Result<Range<Restitution>, Exit> {
 }
 
 fn natural(flag: &str, text: &str) -> Result<u64, Exit> {
-    let number = match parse(text) {
+    let number = match typed::read(text) {
         Ok(number) if number >= 0 && (&number).is_integer() => number,
-        Err(e @ (NumeralError::TooManyDigits { .. } | NumeralError::ExponentTooLarge { .. })) => {
+        Err(
+            e @ (NumeralError::TooManyDigits { .. }
+            | NumeralError::ExponentTooLarge { .. }
+            | NumeralError::Unclear { .. }),
+        ) => {
             return Err(bad(flag, text, &RangeError::Numeral(e)));
         }
         _ => return Err(Exit::usage(format!("error: {flag}: expected a natural number, found {text:?}"))),

@@ -13,7 +13,6 @@ pub(super) const TABLES: [&str; 3] = [
 ];
 
 /// The pictures there.
-#[cfg(feature = "plot")]
 pub(crate) const PLOTS: [&str; 4] = ["eta-x", "eta-n", "threshold", "map"];
 
 /// The words after `carom table`.
@@ -25,7 +24,6 @@ struct TableWords {
 }
 
 /// The words after `carom plot`.
-#[cfg(feature = "plot")]
 #[derive(Parser)]
 #[command(no_binary_name = true, disable_help_flag = true)]
 struct PlotWords {
@@ -57,7 +55,6 @@ pub(super) fn table(text: &str) -> Result<Table, Exit> {
 ///
 /// # Errors
 /// Flags that `carom plot` does not know, flags that a report sets itself, such as `--output`, or a limit.
-#[cfg(feature = "plot")]
 pub(super) fn plot(place: usize, text: &str) -> Result<crate::report::handout::numbers::Plot, Exit> {
     use crate::report::handout::numbers::Plot;
     use crate::report::plot::{letters, png, svg};

@@ -1,6 +1,8 @@
 //! Claim files from the disk, with every fault reported at once.
 
 use super::Exit;
+use super::paper::{add, is_paper};
+use super::rest::{Rest, rest};
 use super::terminal::colour;
 use crate::claim::diagnostic::{Diagnostic, Fault};
 use crate::claim::embedded;
@@ -163,7 +165,7 @@ pub(super) fn together(broken: &[Broken]) -> Exit {
     Exit::faults(&messages, broken.iter().all(|b| b.exit.code == 3))
 }
 
-/// The claims of files under the preambles of their folders; a file that is broken leaves the others as they are.
+/// The claims of files under the preambles of their folders; a file or claim that is broken leaves the others as they are.
 pub(super) fn claims(files: &[PathBuf]) -> Files {
     let mut out = Files::default();
     let mut folders: BTreeMap<PathBuf, Result<Preamble, String>> = BTreeMap::new();
@@ -176,28 +178,39 @@ pub(super) fn claims(files: &[PathBuf]) -> Files {
                 continue;
             }
         };
+        if is_paper(path) {
+            add(path, &bytes, &mut out);
+            continue;
+        }
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let folder = path.with_file_name(preamble::FILE);
         let shared = folders.entry(folder.clone()).or_insert_with(|| shared(&folder));
-        let read = match shared {
-            _ if is_standard_input(path) || *path == folder => parse_all(&bytes, &Preamble::default()),
-            Ok(shared) => parse_all(&bytes, shared),
+        let none = Preamble::default();
+        let shared = match shared {
+            _ if is_standard_input(path) || *path == folder => &none,
+            Ok(shared) => shared,
             Err(message) => {
                 let exit = Exit::usage(format!("{message}\n  in the preamble of {name}"));
                 out.broken.push(Broken { name, claims: claim_names(&text), exit });
                 continue;
             }
         };
-        match read {
-            Ok(list) => {
-                out.origin.extend(std::iter::repeat_n(out.sources.len(), list.len()));
-                out.claims.extend(list);
-            }
+        let list = match parse_all(&bytes, shared) {
+            Ok(list) => list,
             Err(faults) => {
+                // A fault of one claim leaves the others of the file.
+                let rest = match text_of(&bytes) {
+                    Ok(text) => rest(text, shared, faults),
+                    Err(_) => Rest { claims: Vec::new(), lost: claim_names(&text), faults },
+                };
+                let Rest { claims, lost, faults } = rest;
                 let exit = Exit::faults(&rendered(&faults, &name, &text), faults.iter().all(Diagnostic::is_limit));
-                out.broken.push(Broken { name: name.clone(), claims: claim_names(&text), exit });
+                out.broken.push(Broken { name: name.clone(), claims: lost, exit });
+                claims
             }
-        }
+        };
+        out.origin.extend(std::iter::repeat_n(out.sources.len(), list.len()));
+        out.claims.extend(list);
         out.sources.push(Source { path: name, text });
     }
     let taken = twice(&out);

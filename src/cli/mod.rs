@@ -11,24 +11,26 @@ mod figures;
 mod fmt;
 mod form;
 mod interrupt;
+mod junit;
 mod latex;
 mod list;
 mod load;
 mod manual;
 mod new;
 mod output;
+mod paper;
 mod partial;
-#[cfg(feature = "plot")]
 mod plot;
 mod progress;
-#[cfg(feature = "proptest")]
 mod properties;
 mod referee;
 mod repair;
 mod replay;
 mod report;
+mod rest;
 mod restitution;
 mod statements;
+mod stream;
 mod table;
 mod table_certificate;
 mod table_check;
@@ -73,8 +75,12 @@ To page through long output: carom audit --color always | less -R";
 #[derive(Subcommand)]
 enum Command {
     /// Judge claims: prove each, refute it with an exact counterexample, or say why it stays undecided
+    #[command(
+        after_help = "A file that ends in .tex or .md is a paper: its displayed equations are judged, and its comments `%carom given m > 0` \
+                      hold the hypotheses. `carom help latex` describes them, `carom read FILE` shows what was read."
+    )]
     Audit {
-        /// Claim files and folders [default: the built-in catalogue]
+        /// Claim files, papers (.tex, .md) and folders [default: the built-in catalogue]
         paths: Vec<PathBuf>,
         /// Judge only these claims
         #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
@@ -97,6 +103,15 @@ enum Command {
         checked: bool,
         #[command(flatten)]
         limits: LimitFlags,
+    },
+    /// Read a paper in LaTeX or Markdown: print its equations as a claim file, with a list of what was read, what not and why, and of
+    /// the names
+    Read {
+        /// The paper, a .tex or .md file
+        path: PathBuf,
+        /// Write the claim file to a file, - for standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Check stored certificates of claims and of tables, with two small checkers that use no code of the search
     Check {
@@ -183,10 +198,8 @@ enum Command {
     /// proofs, certified tables and pictures
     Report(report::Flags),
     /// Draw a picture as SVG, PNG or PDF
-    #[cfg(feature = "plot")]
     Plot(plot::Flags),
     /// Try claims at random exact points that satisfy their hypotheses
-    #[cfg(feature = "proptest")]
     Test(properties::Flags),
     /// Print statements for Coq or for SMT solvers, or write Coq proofs
     Export {
@@ -253,7 +266,7 @@ enum Command {
     },
     /// Print help: `carom help language` describes the claim language, `carom help scene` scene files
     Help {
-        /// A subcommand, `language` or `scene`
+        /// A subcommand, `language`, `latex` or `scene`
         topic: Option<String>,
     },
 }
@@ -345,7 +358,7 @@ impl Exit {
 const STACK: usize = 64 << 20;
 
 /// Runs the program.
-pub fn run() -> ExitCode {
+pub(crate) fn run() -> ExitCode {
     let arguments = Arguments::parse();
     arguments.terminal.apply();
     let worker = std::thread::Builder::new().stack_size(STACK).spawn(move || dispatch(arguments.command));
@@ -370,6 +383,11 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             let (output, format) = (form::place(output.as_deref()), form::form(format, output.as_deref())?);
             audit::run(&paths, &only, format, output, certificates.as_deref(), &settings)
         }
+        Command::Read { path, output } => {
+            let (text, code, faults) = paper::run(&path)?;
+            deliver(output.as_deref(), &text)?;
+            if faults.is_empty() { Ok(code) } else { Err(Exit { code, message: faults.join("\n") }) }
+        }
         Command::Check { paths, claims, output } => check::run(&paths, &claims, output.as_deref()),
         Command::Explain { id, paths, format, output, limits } => {
             let text = explain::run(&id, &paths, form::form(format, output.as_deref())?, &limits.limits())?;
@@ -383,9 +401,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
         Command::Worksheet(flags) => worksheet::run(&flags),
         Command::Restitution(flags) => restitution::run(&flags),
         Command::Referee(flags) => referee::run(&flags),
-        #[cfg(feature = "plot")]
         Command::Plot(flags) => plot::run(&flags),
-        #[cfg(feature = "proptest")]
         Command::Test(flags) => properties::run(&flags),
         Command::Table(flags) => table::run(&flags),
         Command::Print { claims, format, output } => {
@@ -423,8 +439,11 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
     }
 }
 
+/// How a paper is written that `carom audit` reads, for `carom help latex`.
+const LATEX: &str = include_str!("../../docs/latex.md");
+
 /// Topics of help that are not subcommands.
-const TOPICS: [&str; 2] = ["language", "scene"];
+const TOPICS: [&str; 3] = ["language", "latex", "scene"];
 
 /// The error for help, or a manual page, on something that is neither a subcommand nor one of `more`.
 fn no_topic(command: &clap::Command, name: &str, more: &[&str]) -> Exit {
@@ -444,6 +463,7 @@ fn help(topic: Option<&str>) -> Result<u8, Exit> {
     match topic {
         None => print(&command.render_long_help().to_string())?,
         Some("language") => print(crate::claim::LANGUAGE)?,
+        Some("latex") => print(LATEX)?,
         Some("scene") => print(&eval::scene_help())?,
         Some(name) => match command.find_subcommand_mut(name) {
             Some(sub) => print(&sub.render_long_help().to_string())?,

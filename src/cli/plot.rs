@@ -12,7 +12,7 @@ use crate::chain::uncertain::Range;
 use crate::chain::{ChainError, Positive, Restitution, Restitutions, transfer};
 use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::real::Real;
-use crate::number::{NumberError, rational};
+use crate::number::{NumberError, typed};
 use crate::report::plot::axes::Chart;
 use crate::report::plot::charts::{self, CURVES};
 use crate::report::plot::look::Look;
@@ -21,8 +21,6 @@ use crate::report::plot::shape::Page;
 use crate::report::plot::unclear::Unclear;
 use crate::report::plot::{pdf, svg};
 use crate::scene::read::Subject;
-use crate::scene::read::elements;
-use crate::table::foreign::completed;
 use crate::table::grid::Grid;
 use crate::table::worksheet::Worksheet;
 use clap::ValueEnum;
@@ -139,6 +137,20 @@ fn values(flag: &str, given: Option<String>, default: &str) -> Result<Vec<Ration
     Ok(all(&found))
 }
 
+/// Two values around a semicolon, or around the only comma that stands outside of brackets.
+fn two(text: &str) -> Option<(&str, &str)> {
+    if let Some(both) = text.split_once(';') {
+        return Some(both);
+    }
+    let mut depth = 0_i32;
+    let mut commas = text.char_indices().filter(|(_, c)| {
+        depth += i32::from(*c == '[') - i32::from(*c == ']');
+        *c == ',' && depth <= 0
+    });
+    let (at, _) = commas.next()?;
+    commas.next().is_none().then(|| (&text[..at], &text[at + 1..]))
+}
+
 fn all(grid: &Grid) -> Vec<Rational> {
     (0..grid.len()).filter_map(|i| grid.value(i)).collect()
 }
@@ -146,15 +158,17 @@ fn all(grid: &Grid) -> Vec<Rational> {
 impl Contents {
     /// The ends of the range of ratios.
     fn range(&self) -> Result<(Positive, Positive), Exit> {
-        let text = joined(&self.ratio).unwrap_or_else(|| "1/1000,1000".to_owned());
+        let given = joined(&self.ratio).unwrap_or_else(|| "1/1000,1000".to_owned());
+        // Two ends need a comma between them: a single one is no decimal comma.
+        let text = if given.matches(',').count() == 1 { given.replace(',', ";") } else { given.clone() };
         let text = text.as_str();
         // A grid rejects repeated numbers, but its advice to leave one out would be wrong for a range.
-        if let Some((from, to)) = text.split_once(',')
-            && let (Ok(from), Ok(to)) = (rational::parse(from.trim()), rational::parse(to.trim()))
+        if let Some((from, to)) = text.split_once(';')
+            && let (Ok(from), Ok(to)) = (typed::read(from), typed::read(to))
             && from == to
         {
             return Err(Exit::usage(format!(
-                "error: --ratio {text}: the two ends are the same; write a range, as in 1/100,100"
+                "error: --ratio {given}: the two ends are the same; write a range, as in 1/100,100"
             )));
         }
         let list = values("--ratio", Some(text.to_owned()), "")?;
@@ -252,8 +266,8 @@ impl Contents {
         let ends = |flag: &str, text: &Option<String>| {
             let Some(text) = text else { return Ok(None) };
             let wrong = || Exit::usage(format!("error: {flag} {text}: write two numbers, as in 0,0.5"));
-            let (from, to) = text.split_once(',').ok_or_else(wrong)?;
-            let number = |text: &str| rational::parse(&completed(text.trim())).map_err(|_| wrong());
+            let (from, to) = two(text).ok_or_else(wrong)?;
+            let number = |text: &str| typed::read(text).map_err(|_| wrong());
             let float = |x: Rational| f64::rounding_from(&x, RoundingMode::Nearest).0;
             let ends = (float(number(from)?), float(number(to)?));
             if ends.0 >= ends.1 {
@@ -263,13 +277,9 @@ impl Contents {
         };
         let point = |text: &String| {
             let wrong = |e: &dyn std::fmt::Display| Exit::usage(format!("error: --mark {text}: {e}"));
-            match elements(text).as_slice() {
-                [x, y] => {
-                    let read = |part: &str| Range::read(&completed(part)).map_err(|e| wrong(&e));
-                    Ok((read(x)?, read(y)?))
-                }
-                _ => Err(wrong(&"write X,Y, as in 10.6,0.74")),
-            }
+            let (x, y) = two(text).ok_or_else(|| wrong(&"write X,Y, as in 10.6,0.74"))?;
+            let read = |part: &str| Range::read(part).map_err(|e| wrong(&e));
+            Ok((read(x)?, read(y)?))
         };
         Ok(Look {
             title: self.title.clone(),
@@ -282,7 +292,7 @@ impl Contents {
     /// Marks each curve at one place, with its certified value in the legend.
     fn mark_curves(&self, at: &str, chart: &mut Chart) -> Result<(), Exit> {
         let wrong = |e: &dyn std::fmt::Display| Exit::usage(format!("error: --at {at}: {e}"));
-        let x = rational::parse(&completed(at)).map_err(|e| wrong(&e))?;
+        let x = typed::read(at).map_err(|e| wrong(&e))?;
         let shown = |value: &Real| Decimal::of_real(value, Digits::Significant(6), Rounding::Nearest);
         let values: Vec<Result<Real, ChainError>> = match self.picture {
             Picture::EtaX => {

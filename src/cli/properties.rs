@@ -1,14 +1,15 @@
 //! `carom test`
 
-use super::audit::{Loaded, load};
-use super::form::form;
+use super::audit::{Loaded, readable};
+use super::form::{self, form};
 use super::output::write_file;
 use super::progress::Progress;
-use super::{Exit, ValueFormat, deliver, terminal};
+use super::{Exit, deliver, junit, terminal};
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::{Claim, Expectation, Item};
 use crate::property::law::{Failure, Outcome, Settings, tried};
 use crate::report::{counted, visible};
+use quick_junit::TestCaseStatus;
 use serde_json::{Value, json};
 use std::hash::{BuildHasher, RandomState};
 use std::path::PathBuf;
@@ -39,12 +40,25 @@ pub(super) struct Flags {
     /// Save each counterexample in this folder as a claim file: the statement, with the variables' values as hypotheses
     #[arg(long, value_name = "FOLDER")]
     save: Option<PathBuf>,
-    /// The form of the report [default: by the ending of --output (.json), else text]
+    /// The form of the report [default: by the ending of --output (.json, .xml), else text]
     #[arg(long, value_enum)]
-    format: Option<ValueFormat>,
+    format: Option<Form>,
     /// Write the report to a file, - for standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+/// The forms of the report.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Form {
+    Text,
+    Json,
+    Junit,
+}
+
+impl form::Form for Form {
+    const DEFAULT: Self = Self::Text;
+    const ENDINGS: &'static [(&'static str, Self)] = &[("json", Self::Json), ("xml", Self::Junit)];
 }
 
 /// A claim with its outcome.
@@ -74,20 +88,33 @@ impl Row<'_> {
 
 /// Runs the command. The exit code is 1 if an outcome is not as expected, 3 if a requested claim could not be tried.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
-    let loaded = load(&flags.paths, &flags.only)?;
+    let loaded = readable(&flags.paths, &flags.only)?;
     let format = form(flags.format, flags.output.as_deref())?;
-    if let Some(folder) = flags.save.as_ref().filter(|f| !f.is_dir()) {
-        return Err(Exit::usage(format!("error: {} is not a folder", folder.display())));
+    if let Some(folder) = &flags.save {
+        std::fs::create_dir_all(folder)
+            .map_err(|e| Exit::usage(format!("error: cannot make the folder {}: {e}", folder.display())))?;
     }
     // The hasher of the standard library starts from numbers of the operating system.
     let seed = flags.seed.unwrap_or_else(|| RandomState::new().hash_one("seed"));
     let settings = Settings { cases: flags.cases, seed, time: Duration::from_secs(flags.time) };
     let rows = rows(&loaded, flags, &settings)?;
+    let (problems, messages): (Vec<_>, Vec<_>) = loaded.unread().into_iter().unzip();
     let text = match format {
-        ValueFormat::Text => text(&rows, &settings),
-        ValueFormat::Json => json(&rows, &settings),
+        Form::Text => text(&rows, &settings),
+        Form::Json => json(&rows, &settings),
+        Form::Junit => {
+            let cases = rows.iter().map(|row| {
+                let claim = row.claim;
+                let section = claim.section.as_deref();
+                junit::case(&claim.name.text, &claim.title, section, status(row), &|name| loaded.place(name))
+            });
+            junit::suite("carom test", cases, &problems)
+        }
     };
     deliver(flags.output.as_deref(), &text)?;
+    if !messages.is_empty() {
+        return Err(Exit::usage(messages.join("\n")));
+    }
     let asked = !flags.paths.is_empty() || !flags.only.is_empty();
     Ok(match rows.iter().any(|row| !row.as_expected()) {
         true => 1,
@@ -135,7 +162,7 @@ fn on_all_cores(claims: &[&Claim], settings: &Settings, progress: &Progress) -> 
         {
             let mut before = 0;
             let outcome = tried(claim, settings, &mut |points| {
-                let points = u64::from(points);
+                let points = u64::try_from(points).unwrap_or(u64::MAX).min(u64::from(settings.cases));
                 let all = done.fetch_add(points - before, Relaxed) + points - before;
                 before = points;
                 progress.now(all, &claim.name.text);
@@ -190,6 +217,27 @@ fn as_claim(claim: &Claim, failure: &Failure, again: &str) -> String {
     )
 }
 
+/// The status of a test case: a claim that could not be tried is skipped.
+fn status(row: &Row) -> TestCaseStatus {
+    if let Outcome::Untested(reason) = &row.outcome {
+        let mut status = TestCaseStatus::skipped();
+        status.set_message(reason.as_str());
+        return status;
+    }
+    if row.as_expected() {
+        return TestCaseStatus::success();
+    }
+    let mut lines = match &row.outcome {
+        Outcome::Failed(Failure { witness, .. }) => {
+            let point: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+            junit::witness(&point, &witness.broken)
+        }
+        _ => vec!["its file expects a counterexample, and none was found".to_owned()],
+    };
+    lines.push(format!("to repeat: {}", row.again));
+    junit::failure(word(&row.outcome), &lines)
+}
+
 fn word(outcome: &Outcome) -> &'static str {
     match outcome {
         Outcome::Held { .. } => "held",
@@ -201,7 +249,8 @@ fn word(outcome: &Outcome) -> &'static str {
 fn text(rows: &[Row], settings: &Settings) -> String {
     let mut out = String::new();
     if !terminal::quiet() {
-        out += &format!("seed {}, {} for each claim\n\n", settings.seed, counted(settings.cases as usize, "point"));
+        let random = counted(settings.cases as usize, "random point");
+        out += &format!("seed {}, {random} for each claim, after the points of an audit\n\n", settings.seed);
     }
     let shown = rows.iter().filter(|row| !terminal::quiet() || !row.as_expected());
     shown.for_each(|row| out += &lines(row));
@@ -222,10 +271,10 @@ fn lines(row: &Row) -> String {
     let mut out = format!("  {:14}  {}  {}\n", word(&row.outcome), row.claim.name.text, visible(&row.claim.title));
     let mut more = |text: &str| out += &format!("{:18}{text}\n", "");
     match &row.outcome {
-        Outcome::Held { open: 0, late: false, .. } => {}
         Outcome::Held { points, open, late } => {
+            let open = if *open == 0 { String::new() } else { format!("; {open} more could not be decided") };
             let late = if *late { "; limit reached: time (--time raises it)" } else { "" };
-            more(&format!("at {}; {open} more could not be decided{late}", counted(*points as usize, "point")));
+            more(&format!("at {}{open}{late}", counted(*points, "point")));
         }
         Outcome::Untested(reason) => more(reason),
         Outcome::Fault(_) => {}
@@ -240,7 +289,7 @@ fn lines(row: &Row) -> String {
                     more(&format!("  {}: left side {left}, right side {right}", broken.statement));
                 }
             }
-            more(&format!("found at random point {found}, then simplified"));
+            more(&format!("found at point {found}, then simplified"));
         }
     }
     if let Some(path) = &row.saved {

@@ -7,6 +7,7 @@ use crate::claim::print;
 use crate::judge::repair::{NoRepair, Repair, repair};
 use crate::judge::{Entry, Settings};
 use crate::refute::catalogue::Limits;
+use crate::report::counted;
 use std::path::{Path, PathBuf};
 
 /// The text that the command prints, and its exit code: 1 if no repair is found.
@@ -29,7 +30,11 @@ pub(super) fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &L
             Ok((words(&entry, &repair), 0))
         }
         Err(NoRepair::NotRefuted(verdict)) => {
-            Ok((format!("{id} is {}; only a refuted claim can be repaired\n", verdict.name()), 1))
+            let tried = match entry.outcome.points + entry.outcome.open {
+                0 => String::new(),
+                points => format!(", and no counterexample was found at {}", counted(points, "point")),
+            };
+            Ok((format!("{id} is {}{tried}; only a refuted claim can be repaired\n", verdict.name()), 1))
         }
         Err(NoRepair::NoneOf(tried)) => Ok((
             format!(
@@ -47,7 +52,7 @@ fn words(entry: &Entry, repair: &Repair) -> String {
     let holds = if repair.exact { "holds exactly where" } else { "holds where" };
     let mut out = format!("{name} {holds} {hypothesis}\n");
     if let Some(witness) = entry.outcome.witness.as_ref().filter(|w| !w.point.values.is_empty()) {
-        let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+        let at = witness.point.in_words(&entry.claim);
         out += &format!("without H, it fails at {}\n", at.join(", "));
     }
     out += "proved: the kernel accepted a certificate of this claim\n\n";

@@ -6,7 +6,7 @@ use super::{Exit, deliver, load, terminal};
 use crate::chain::replay::{Options, Status, replay};
 use crate::claim::diagnostic::{Diagnostic, Fault};
 use crate::claim::syntax::Span;
-use crate::number::rational;
+use crate::number::typed;
 use crate::report::replay::{self as report, Numbers, Replay};
 use crate::scene::replay::{MAX_BYTES, read};
 use std::path::{Path, PathBuf};
@@ -66,7 +66,7 @@ pub(super) struct ReplayArguments {
 /// Runs the command.
 pub(super) fn run(arguments: &ReplayArguments) -> Result<u8, Exit> {
     let until = arguments.until.as_deref().map(|t| {
-        rational::parse(t).map_err(|e| Exit::usage(format!("error: --until {t}: {e}; write for instance 3/2 or 1.5")))
+        typed::read(t).map_err(|e| Exit::usage(format!("error: --until {t}: {e}; write for instance 3/2 or 1.5")))
     });
     let until = until.transpose()?;
     if until.as_ref().is_some_and(|t| *t < 0) {

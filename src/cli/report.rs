@@ -21,7 +21,6 @@ pub(super) struct Flags {
     #[arg(long, value_name = "FLAGS", allow_hyphen_values = true)]
     table: Vec<String>,
     /// Add a picture: the arguments of `carom plot` in quotation marks, as in --plot 'eta-n --ratio 100'
-    #[cfg(feature = "plot")]
     #[arg(long, value_name = "ARGUMENTS")]
     plot: Vec<String>,
     /// Translate each certificate into a Coq proof, run Coq on it if Coq is installed, and print beside each verdict
@@ -81,13 +80,8 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     let tables = tables.iter().map(|words| figures::table(words)).collect::<Result<_, _>>()?;
     // Computing a table handles Ctrl-C in its own way.
     at_once()?;
-    #[cfg(feature = "plot")]
-    let plots = {
-        let words: Vec<String> = [defaults(&figures::PLOTS), flags.plot.clone()].concat();
-        words.iter().enumerate().map(|(place, words)| figures::plot(place, words)).collect::<Result<_, _>>()?
-    };
-    #[cfg(not(feature = "plot"))]
-    let plots = Vec::new();
+    let plots: Vec<String> = [defaults(&figures::PLOTS), flags.plot.clone()].concat();
+    let plots = plots.iter().enumerate().map(|(place, words)| figures::plot(place, words)).collect::<Result<_, _>>()?;
     let settings = Settings { limits: flags.limits.limits(), argument: true, ..Settings::default() };
     let audit = audit::all(&flags.paths, &settings)?;
     let proofs = theorems::of_audit(&audit, &settings.limits);

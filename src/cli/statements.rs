@@ -1,6 +1,7 @@
 //! `carom print`
 
 use super::audit::load;
+use super::paper::is_paper;
 use super::{Exit, PrintFormat, load};
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::Claim;
@@ -14,7 +15,12 @@ pub(super) fn run(names: &[String], format: PrintFormat) -> Result<String, Exit>
         claims.extend_from_slice(load(&[], &[])?.catalogue.claims());
     }
     for name in names {
-        if name == "-" || Path::new(name).exists() || name.contains('/') || name.ends_with(".claim") {
+        if name == "-"
+            || Path::new(name).exists()
+            || name.contains('/')
+            || name.ends_with(".claim")
+            || is_paper(Path::new(name))
+        {
             claims.extend(load::claims(&load::files(&[PathBuf::from(name)])?).whole()?.claims);
         } else {
             let only = [name.clone()];

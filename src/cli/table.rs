@@ -15,6 +15,8 @@ use crate::table::grid::{Grid, Shape};
 use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
 use crate::table::{Plan, Quantity, TableError};
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
 use serde_json::json;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
@@ -27,7 +29,7 @@ pub(super) struct Flags {
     contents: Contents,
     /// The form of the table [default: by the ending of --output (.csv, .json, .md, .tex), else text]
     #[arg(long, value_enum)]
-    format: Option<Form>,
+    format: Option<Written>,
     /// Write the table to a file, - for standard output. An interrupted run with CSV leaves its rows in FILE.partial
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -60,6 +62,42 @@ pub(super) struct Flags {
     check: Option<PathBuf>,
 }
 
+/// The form of a table, as a value of `--format`.
+#[derive(Clone, Copy)]
+struct Written(Form);
+
+impl ValueEnum for Written {
+    fn value_variants<'a>() -> &'a [Self] {
+        const {
+            &[
+                Self(Form::Text),
+                Self(Form::Csv),
+                Self(Form::Spreadsheet),
+                Self(Form::SpreadsheetComma),
+                Self(Form::Json),
+                Self(Form::Markdown),
+                Self(Form::Latex),
+            ]
+        }
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self.0 {
+            Form::Text => ("text", "Aligned columns"),
+            Form::Csv => ("csv", "Comma-separated values after comment lines"),
+            Form::Spreadsheet => (
+                "spreadsheet",
+                "CSV for Excel and LibreOffice: no comment lines, and no fractions that they would read as dates",
+            ),
+            Form::SpreadsheetComma => ("spreadsheet-comma", "The same with semicolons and decimal commas"),
+            Form::Json => ("json", "One object with the rows in a list"),
+            Form::Markdown => ("markdown", "A table of Markdown"),
+            Form::Latex => ("latex", "A table for booktabs and siunitx"),
+        };
+        Some(PossibleValue::new(name).help(help))
+    }
+}
+
 impl Flags {
     /// Where the table goes; `None` is standard output.
     fn output(&self) -> Option<&Path> {
@@ -68,7 +106,7 @@ impl Flags {
 
     /// The form in which it is written.
     fn form(&self) -> Result<Form, Exit> {
-        form::form(self.format, self.output())
+        form::form(self.format.map(|written| written.0), self.output())
     }
 }
 
@@ -179,7 +217,7 @@ fn whole(path: &Path) -> Result<Target, Exit> {
 }
 
 /// The first line of a certificate: what the table says of itself in words, then all that is needed to check that the
-/// rows are those of the table, and all of them (`src/table_checker/text.rs`).
+/// rows are those of the table, and all of them (`src/checker/table_checker/text.rs`).
 fn certificate_head(plan: &Plan) -> String {
     let facts: serde_json::Map<String, serde_json::Value> =
         Head::of(plan).facts.into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();

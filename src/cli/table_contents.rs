@@ -3,8 +3,12 @@
 use super::Exit;
 use super::table::exit;
 use crate::number::decimal::{Digits, Rounding};
+use crate::number::rational;
+use crate::number::typed::{self, Unclear};
 use crate::table::grid::{Grid, GridError};
 use crate::table::{Plan, Printing, Quantity};
+use malachite::Rational;
+use malachite::base::num::conversion::traits::IsInteger;
 
 /// The flags for the contents of a table.
 #[derive(clap::Args)]
@@ -98,7 +102,7 @@ impl Round {
 
 /// The values of a flag as one list: it may be repeated, or hold several values with commas.
 pub(super) fn joined(values: &[String]) -> Option<String> {
-    if values.is_empty() { None } else { Some(values.join(",")) }
+    if values.is_empty() { None } else { Some(values.join(", ")) }
 }
 
 /// A grid of the command line.
@@ -108,7 +112,15 @@ pub(super) fn grid(flag: &str, text: Option<&str>) -> Result<Option<Grid>, Exit>
         let rest = if shown.len() < text.len() { "…" } else { "" };
         Exit { code: if e.is_limit() { 3 } else { 2 }, message: format!("error: {flag} {shown}{rest}: {e}") }
     };
-    text.map(|text| Grid::parse(text).map_err(|e| fault(text, &e))).transpose()
+    let Some(text) = text else { return Ok(None) };
+    let in_range = |x: &Rational| match flag {
+        "-n" => x.is_integer() && *x >= 0,
+        "-e" => *x >= 0 && *x <= 1,
+        _ => *x > 0,
+    };
+    let fits = |part: &str| rational::parse(part).is_ok_and(|x| in_range(&x));
+    let plain = typed::grid(text, fits).map_err(|Unclear(what)| Exit::usage(format!("error: {flag}: {what}")))?;
+    Grid::parse(&plain).map(Some).map_err(|e| fault(text, &e))
 }
 
 /// Characters of a grid that an error repeats.

@@ -4,8 +4,11 @@ use super::audit::load;
 use super::export::names_after_from;
 use super::interrupt::{Interrupt, interrupted};
 use super::{Exit, Language, print, terminal, write_file};
+use crate::certificate::Certificate;
 use crate::claim::syntax::Claim;
 use crate::judge::Settings;
+use crate::kernel::Accepted;
+use crate::prove;
 use crate::refute::catalogue::{Catalogue, Limits};
 use crate::report::handout::evidence::{self, Evidence};
 use crate::report::theorems::{Folder, folder};
@@ -29,7 +32,12 @@ fn asked(ids: &[String], from: &[PathBuf], limits: &Limits) -> Result<Folder, Ex
     for (name, entry) in loaded.judge(&names, &settings).entries {
         entries.push(entry.map_err(|fault| loaded.failure(&name, fault))?);
     }
-    folder(&loaded.catalogue, &entries, limits).map_err(|clash| Exit::usage(format!("error: {clash}")))
+    folder(&loaded.catalogue, &entries, &search(limits)).map_err(|clash| Exit::usage(format!("error: {clash}")))
+}
+
+/// What proves the theorems that an audit does not judge.
+fn search(limits: &Limits) -> impl Fn(&Claim, &[&Accepted]) -> Result<Certificate, String> {
+    |claim, cited| prove::certificate(claim, cited, limits).map(|found| found.0).map_err(|fail| fail.to_string())
 }
 
 /// Writes the folder. It judges and computes everything first, so that nothing is written if that fails.
@@ -118,7 +126,7 @@ fn is_installed() -> bool {
 pub(crate) fn of_audit(audit: &Audit, limits: &Limits) -> Result<Folder, String> {
     let claims: Vec<Claim> = audit.entries.iter().map(|e| e.claim.clone()).collect();
     let catalogue = Catalogue::new(claims).map_err(|_| "the claims are not those that were judged".to_string())?;
-    folder(&catalogue, &audit.entries, limits).map_err(|clash| clash.to_string())
+    folder(&catalogue, &audit.entries, &search(limits)).map_err(|clash| clash.to_string())
 }
 
 /// The evidence where Coq is run on the folder of an audit; `None` where Coq is not installed.

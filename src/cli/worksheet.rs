@@ -62,7 +62,6 @@ enum Form {
     /// A form to fill in on a screen, or to print
     Html,
     /// Pages to print; needs no LaTeX
-    #[cfg(feature = "plot")]
     Pdf,
 }
 
@@ -74,7 +73,6 @@ impl form::Form for Form {
         ("tex", Self::Latex),
         ("html", Self::Html),
         ("htm", Self::Html),
-        #[cfg(feature = "plot")]
         ("pdf", Self::Pdf),
     ];
 }
@@ -130,7 +128,6 @@ fn written(sheets: &[Sheet], form: Form, flags: &Flags) -> Result<u8, Exit> {
         Form::Markdown => joined(text::markdown),
         Form::Latex => latex::document(sheets, letter),
         Form::Html => html::page(sheets, letter),
-        #[cfg(feature = "plot")]
         Form::Pdf => {
             let pages = crate::report::worksheet::pages::pages(sheets, letter);
             let bytes = crate::report::plot::pdf::render(&pages);

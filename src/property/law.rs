@@ -4,7 +4,7 @@
 //! where its hypotheses hold, for tests of your own code at such points:
 //!
 //! ```
-//! use carom::property::law::{Outcome, Settings, law};
+//! use carom_property::law::{Outcome, Settings, law};
 //! use proptest::prelude::*;
 //!
 //! let claim = law("given m1, m2 > 0;  e in [0, 1]\nprove (1 + e)*m1/(m1 + m2) <= 1").expect("it parses");
@@ -19,29 +19,24 @@
 //! ```
 //!
 //! A claim that held is not proved: [`Law::assured`] proves it where it can, and tries what it cannot prove. A claim that
-//! failed is false: its hypotheses hold at the point for certain and its goal does not ([`crate::refute::trial`]).
+//! failed is false: its hypotheses hold at the point for certain and its goal does not ([`carom_search::refute::trial`]).
 
 use super::points::Values;
-use crate::algebra::Moment;
-use crate::claim::diagnostic::Diagnostic;
-use crate::claim::parse::parse;
-use crate::claim::syntax::Claim;
-use crate::judge::{contradiction, contradictory};
-use crate::refute::catalogue::Limits;
-use crate::refute::goal::Seen;
-use crate::refute::outcome::{Fault, Witness, limit_reached};
-use crate::refute::trial::{Trial, Untried};
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use carom_checker::claim::diagnostic::Diagnostic;
+use carom_checker::claim::parse::parse;
+use carom_checker::claim::syntax::Claim;
+use carom_exact::algebra::Moment;
+use carom_search::judge::{contradiction, contradictory};
+use carom_search::refute::catalogue::Limits;
+use carom_search::refute::outcome::{Fault, Witness, limit_reached};
+use carom_search::refute::points::Effort;
+use carom_search::refute::trial::{Trial, Tried, Untried};
 use std::time::Duration;
-
-/// One point in so many is a simple one, and they come first.
-const SIMPLE: u32 = 4;
 
 /// How a claim is tried.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// At how many points.
+    /// At how many random points, after those of an audit.
     pub cases: u32,
     /// The seed of the random numbers.
     pub seed: u64,
@@ -61,9 +56,9 @@ pub enum Outcome {
     /// It held at so many points, and so many others left it open.
     Held {
         /// Where it certainly holds.
-        points: u32,
+        points: usize,
         /// Where it is not decided.
-        open: u32,
+        open: usize,
         /// Whether the time ended before all points were tried.
         late: bool,
     },
@@ -81,7 +76,7 @@ pub struct Failure {
     /// The point, as small as it could be made, and what fails there.
     pub witness: Witness,
     /// The number of the point at which it failed first, from 1.
-    pub found: u32,
+    pub found: usize,
 }
 
 /// A claim as a property.
@@ -101,7 +96,6 @@ pub fn law(text: &str) -> Result<Law, Vec<Diagnostic>> {
 }
 
 /// What is known of a law.
-#[cfg(feature = "report")]
 #[derive(Clone, Debug)]
 pub enum Assurance {
     /// It holds for all values: the kernel accepted a certificate, whose SHA-256 this is.
@@ -130,17 +124,16 @@ impl Law {
     }
 
     /// Proves the law, or tries it where no proof is found. What is proved is not tried.
-    #[cfg(feature = "report")]
     #[must_use]
     pub fn assured(&self, settings: &Settings) -> Assurance {
-        use crate::judge::{self, hand::AtHand};
-        use crate::refute::catalogue::Catalogue;
-        use crate::refute::outcome::Verdict;
+        use carom_search::judge::{self, hand::AtHand};
+        use carom_search::refute::catalogue::Catalogue;
+        use carom_search::refute::outcome::Verdict;
         let names = [self.claim.name.text.clone()];
         let found = Catalogue::new(vec![self.claim.clone()]).ok().map(|catalogue| {
             let limits = Limits { time: settings.time, ..Limits::default() };
             let settings = judge::Settings { limits, ..judge::Settings::default() };
-            judge::judge(&catalogue, &names, &AtHand::default(), &settings, &|_, _| {})
+            judge::judge(&catalogue, &names, &AtHand::default(), &settings, &|_| {})
         });
         let entries = found.into_iter().flat_map(|found| found.entries);
         let entry = entries.filter_map(|(_, entry)| entry.ok()).find(|entry| entry.outcome.verdict == Verdict::Proved);
@@ -151,8 +144,9 @@ impl Law {
     }
 }
 
-/// Tries a claim; `now` hears how many points are done. The same seed gives the same points, whatever else is tried.
-pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Outcome {
+/// Tries a claim at the points of an audit, and at random points; `now` hears how many points are done. The same seed gives
+/// the same points, whatever else is tried.
+pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(usize)) -> Outcome {
     let started = Moment::now();
     let limits = Limits { time: settings.time, ..Limits::default() };
     let mut trial = match Trial::new(claim) {
@@ -165,28 +159,15 @@ pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Ou
             );
         }
     };
-    let mut random = generator(&claim.name.text, settings.seed);
-    // The bias is far below what a test could notice.
-    let mut below = |bound: u64| random.next_u64() % bound.max(1);
-    let simple = trial.simple(usize::try_from(settings.cases.div_ceil(SIMPLE)).unwrap_or(usize::MAX));
-    let mut simple = simple.into_iter();
-    let (mut points, mut open) = (0, 0);
-    for number in 1..=settings.cases {
-        now(number - 1);
-        if started.elapsed() > settings.time {
-            break;
-        }
-        let Some(choice) = simple.next().or_else(|| trial.random(&mut below)) else { continue };
-        match trial.at(&choice) {
-            Some((Seen::Holds, _)) => points += 1,
-            Some((Seen::Open, _)) => open += 1,
-            None => {}
-            Some((Seen::Fails(_), _)) => {
-                if let Some(witness) = trial.smallest(choice) {
-                    return Outcome::Failed(Failure { witness, found: number });
-                }
-            }
-        }
+    let deadline = started.checked_add(settings.time);
+    let effort = Effort { first: None, deadline, random: settings.cases, seed: settings.seed };
+    let mut number = 0;
+    let Tried { witness, held: points, open } = trial.tried(&effort, true, &mut || {
+        number += 1;
+        now(number);
+    });
+    if let Some(witness) = witness {
+        return Outcome::Failed(Failure { witness, found: number });
     }
     let late = started.elapsed() > settings.time;
     match (points, open, late) {
@@ -196,16 +177,4 @@ pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(u32)) -> Ou
         (0, _, _) => Outcome::Untested(format!("no comparison could be decided at {open} points")),
         _ => Outcome::Held { points, open, late },
     }
-}
-
-/// Random numbers of their own for each claim.
-fn generator(id: &str, seed: u64) -> TestRng {
-    // FNV-1a: any mixing will do, as long as it never changes.
-    let mix = |start: u64| id.bytes().fold(start, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
-    let words = [seed, mix(0xcbf2_9ce4_8422_2325), mix(seed), seed.rotate_left(32)];
-    let mut bytes = [0; 32];
-    for (place, byte) in words.iter().flat_map(|word| word.to_le_bytes()).enumerate() {
-        bytes[place] = byte;
-    }
-    TestRng::from_seed(RngAlgorithm::ChaCha, &bytes)
 }

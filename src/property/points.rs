@@ -4,10 +4,10 @@
 //! where they hold.
 
 use super::law::Law;
-use crate::number::rational::parse;
-use crate::refute::goal::Seen;
-use crate::refute::search::Choice;
-use crate::refute::trial::Trial;
+use carom_exact::number::rational::parse;
+use carom_search::refute::goal::Seen;
+use carom_search::refute::search::Choice;
+use carom_search::refute::trial::Trial;
 use malachite::Rational;
 use proptest::prelude::Rng;
 use proptest::strategy::{NewTree, Strategy, ValueTree};

@@ -1,8 +1,8 @@
 //! A chain as a scene file that `carom eval` reads.
 
-use crate::chain::Restitution;
-use crate::chain::uncertain::Range;
-use crate::scene::{Chain, Inserted, Start};
+use carom_physics::chain::Restitution;
+use carom_physics::chain::uncertain::Range;
+use carom_physics::scene::{Chain, Inserted, Start};
 use malachite::Rational;
 
 /// The text of the file: remarks, what is wanted, the chain.
@@ -22,8 +22,10 @@ pub fn write(chain: &Chain, remarks: &[String], want: &[&str]) -> String {
     out.push_str(&format!("last = {}\n", range(chain.last(), |m| m.value())));
     let e = |e: &Range<Restitution>| range(e, |e| e.value());
     let coefficients = match chain.coefficients() {
-        crate::scene::Coefficients::Same(one) => e(one),
-        crate::scene::Coefficients::Each(list) => format!("[{}]", list.iter().map(e).collect::<Vec<_>>().join(", ")),
+        carom_physics::scene::Coefficients::Same(one) => e(one),
+        carom_physics::scene::Coefficients::Each(list) => {
+            format!("[{}]", list.iter().map(e).collect::<Vec<_>>().join(", "))
+        }
     };
     out.push_str(&format!("restitution = {coefficients}\n"));
     match chain.start() {

@@ -1,7 +1,7 @@
 //! Strategies for proptest: random exact inputs that shrink to simple ones.
 //!
 //! ```
-//! use carom::property::strategies::{masses, restitution};
+//! use carom_property::strategies::{masses, restitution};
 //! use proptest::prelude::*;
 //!
 //! proptest!(|(m in masses(), e in restitution())| {
@@ -11,9 +11,9 @@
 //! });
 //! ```
 
-use crate::chain::uncertain::Range;
-use crate::chain::{Positive, Restitution};
-use crate::scene::{Chain, Coefficients, Inserted, Start};
+use carom_physics::chain::uncertain::Range;
+use carom_physics::chain::{Positive, Restitution};
+use carom_physics::scene::{Chain, Coefficients, Inserted, Start};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::basic::traits::One;

@@ -87,9 +87,7 @@ KINDS = ["line dropped", "lines exchanged", "rule", "label", "fact dropped", "nu
 
 
 def main(claims_folder, certificates, out, count):
-    claims, texts = {}, {}
-    for _, source in check.files([claims_folder], ".claim"):
-        claims.update({c.name: c for c in check.Parser(source).claims()})
+    claims, texts = check.Claims([claims_folder]), {}
     for file, source in check.files([certificates], ".cert"):
         texts[os.path.basename(file)[: -len(".cert")]] = source
     # The certificates themselves are accepted: what they show may be cited.

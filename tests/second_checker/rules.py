@@ -26,12 +26,12 @@ def cases(source):
 
 def verdict(claim, steps):
     try:
-        (claim,) = check.Parser(claim).claims()
+        claim = check.reading.File(claim).claim("t")
         shown, _ = check.stated(claim, steps.split("\n"))
         digest = hashlib.sha256(shown.text().encode()).hexdigest()
         _, refuted = check.check(claim, f"carom-certificate 2\nclaim t\nstatement sha256 {digest}\n{steps}qed\n", {})
-    except check.Refused as refused:
-        return str(refused)
+    except (check.Refused, check.NotCovered) as why:
+        return str(why)
     return "refuted" if refuted else "accepted"
 
 

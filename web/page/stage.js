@@ -289,6 +289,8 @@ export function show(replay) {
   data = replay;
   for (const part of ["stage", "player", "event", "views", "options"]) $(part).toggleAttribute("hidden", !replay);
   $("bars").toggleAttribute("hidden", !replay || !$("ledger").checked);
+  // Until the first replay is there, a press of a button would do nothing.
+  $("player").disabled = !replay;
   if (!replay) {
     setPlaying(false);
     return;

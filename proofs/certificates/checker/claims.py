@@ -1,4 +1,4 @@
-"""Claim files, expressions and propositions as trees: sections 2, 3 and 4 of docs/certificates.md."""
+"""Expressions, propositions and statements as trees: sections 2, 3 and 4 of docs/certificates.md."""
 import re
 
 
@@ -6,9 +6,18 @@ class Refused(Exception):
     """Why a text is malformed or a step is not taken."""
 
 
+class NotCovered(Exception):
+    """What this checker cannot read or has no room for: neither accepted nor rejected."""
+
+
 def need(holds, why):
     if not holds:
         raise Refused(why)
+
+
+def room(holds, why):
+    if not holds:
+        raise NotCovered(why)
 
 
 class Node(tuple):
@@ -29,7 +38,7 @@ def nodes(x):
 
 def N(tag, *parts):
     x = Node((tag,) + parts)
-    arithmetic = tag in EXPRESSIONS or tag in ("cmp", "bind", "limit")
+    arithmetic = tag in EXPRESSIONS or tag in ("cmp", "bind", "limit", "approach")
     for y in nodes(x):
         if y[0] != "bind" and tag != "extremum":
             need((y[0] in EXPRESSIONS) == arithmetic, "a statement where a number is needed, or a number for one")
@@ -137,6 +146,38 @@ def shaped(y, go):
     return go(y) if isinstance(y, Node) else tuple(shaped(z, go) for z in y) if isinstance(y, tuple) else y
 
 
+def taken_with(names, taken):
+    """The names that are taken where these begin, each of them for the first time."""
+    for n in names:
+        need(n not in taken and n not in FUNCTIONS, f"the name {n} is in use")
+        taken = taken | {n}
+    return taken
+
+
+def declared_with(bindings, taken, indices):
+    """The names that are taken behind bindings. A bound of a family may mention its index."""
+    for b in bindings:
+        for i in {i for _, i in b[1]}:
+            inner = taken_with([i] if i is not None and indices else [], taken)
+            for y in nodes(b):
+                bound_once(y, inner, indices)
+        taken = taken_with([n for n, _ in b[1]], taken)
+    return taken
+
+
+def bound_once(x, taken, indices=True):
+    """Whether each name that x binds is new where it begins; those of sums and products are looked at on demand."""
+    inner = taken
+    if x[0] == "over" and indices:
+        inner = taken_with([x[2]], taken)
+    elif bindings_of(x):
+        inner = declared_with(bindings_of(x), taken, indices)
+    outside = x[3:5] if x[0] == "over" else [*(e for _, e in x[5]), x[6]] if x[0] == "extremum" else ()
+    for y in nodes(x):
+        if y[0] != "bind":
+            bound_once(y, taken if any(y is z for z in outside) else inner, indices)
+
+
 def constraints(binding, value):
     """What a binding says of a value."""
     for c in binding[3]:
@@ -159,45 +200,61 @@ OTHER = {"≤": "<=", "≥": ">=", "≠": "!=", "⇒": "=>", "⇔": "<=>", "·":
 LOWERED, RAISED = (str.maketrans(signs, "0123456789") for signs in ("₀₁₂₃₄₅₆₇₈₉", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 TOKEN = re.compile(r'''(?a:(?P<skip>[ \t\r\ufeff]+|\#[^\n]*|\n)|(?P<number>\d+(\.\d+)?([eE][+-]?\d+)?)
     |(?P<word>[A-Za-z][A-Za-z0-9₀-₉]*(_[A-Za-z0-9₀-₉]+)*'*(?![\w'₀-₉]))|(?P<text>"[^"\n]*")|(?P<raised>⁻?[⁰¹²³⁴-⁹]+)
-    |(?P<sign><=>|<=|>=|!=|=>|->|\.\.|[-+*/^()\[\]{},;:=<>√]))''', re.X)
+    |(?P<sign><=>|<=|>=|!=|=>|->|\.\.|[-+*/^()\[\]{},;:=<>√|!]))''', re.X)
 MIXED = re.compile("[0-9][₀-₉]|[₀-₉][0-9]")
-DASHED = re.compile(r"(?a:(?P<word>[A-Za-z]([\w₀-₉]|-(?=[\w₀-₉]))*))")
+DASHED = re.compile(r"(?a:(?P<word>[A-Za-z]([\w₀-₉]|-(?=[\w₀-₉]))*'*))")
+PRINTED = re.compile(r"(?a:(?P<text>\w[-\w.'′*]*))")
 CLAUSES = set("claim source section number reading note using given let define assume prove expect".split())
 RESERVED = CLAUSES | set("""and or not exists for all each in is at over of as by with maximum minimum limit infinity have
     obtain case real natural sum product derivative only conclude""".split())
 FUNCTIONS = set("det transpose sqrt cbrt exp ln cosh sinh sech tanh".split())
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
+# Words that begin a clause. Those that are not in CLAUSES may also be names.
+BEGINNINGS = CLAUSES | {"paper", "text", "sample"}
 
 
 class Parser:
+    """Reads the language of the kernel. For an author's language, see author.py."""
+
+    from_author = False
+
     def __init__(self, source):
         source = source.replace("Σ(", "sum(").replace("Π(", "product(").translate(str.maketrans({**GREEK, **OTHER}))
         self.tokens, self.at_token, at, first, in_list = [], 0, 0, True, False
         while at < len(source):
-            # The names of claims, behind `claim` and in the list behind `using`, may hold dashes.
+            # The names of claims, behind `claim` and `by` and in the list behind `using`, may hold dashes.
             last = self.tokens[-1][1] if self.tokens else ""
             in_list = last == "using" or (in_list and last not in CLAUSES and self.tokens[-1][0] in ("word", "sign"))
-            dashed = last == "claim" or (in_list and last in ("using", ","))
-            found = (dashed and DASHED.match(source, at)) or TOKEN.match(source, at)
-            need(found, f"unexpected {source[at]!r}")
-            at = found.end()
-            if found.lastgroup == "number":
-                digits, _, exponent = found.group().lower().partition("e")
-                short = len(digits) <= 10_000 and abs(int(exponent or 0)) <= 10_000
-                need(short, "a numeral too long for this checker")
-            if found.lastgroup == "skip":
-                first = first or "\n" in found.group()
+            dashed = last in ("claim", "by") or (in_list and last in ("using", ","))
+            numbered = last == "number" and self.tokens[-1][2]
+            found = (dashed and DASHED.match(source, at)) or (numbered and PRINTED.match(source, at)) or \
+                TOKEN.match(source, at)
+            if not found:
+                self.tokens.append(("fault", source[at], first))
+                at += 1
                 continue
-            text = found.group()
-            if found.lastgroup == "word":
-                need(not MIXED.search(text), f"{text} has digits on the line and below it, one after the other")
-                text = text.translate(LOWERED)
-            self.tokens.append((found.lastgroup, text, first))
+            at = found.end()
+            text, kind = found.group(), found.lastgroup
+            if kind == "skip":
+                first = first or "\n" in text
+                continue
+            if kind == "number":
+                digits, _, exponent = text.lower().partition("e")
+                short = len(digits) <= 10_000 and len(exponent) <= 6 and abs(int(exponent or 0)) <= 10_000
+                kind = kind if short else "fault"
+            if kind == "word":
+                # In print x₁2 could be x₁ times 2, or one name.
+                kind, text = "fault" if MIXED.search(text) else kind, text.translate(LOWERED)
+            self.tokens.append((kind, text, first))
             first = False
         self.tokens.append(("end", "", True))
 
     def at(self, *texts):
         return self.tokens[self.at_token][1] in texts
+
+    def at_clause(self):
+        kind, text, first = self.tokens[self.at_token]
+        return kind == "end" or (first and text in BEGINNINGS)
 
     def take(self, *texts):
         if self.at(*texts):
@@ -259,12 +316,15 @@ class Parser:
     def signed_power(self):
         return N("neg", self.signed_power()) if self.take("-") else self.power()
 
+    def base(self):
+        return self.atom()
+
     def power(self):
-        base = self.atom()
+        base = self.base()
         if self.tokens[self.at_token][0] == "raised":
             # x² is x^2; x²^3 would be read in two ways.
             _, minus, digits = self.kind("raised").translate(RAISED).rpartition("⁻")
-            need(len(digits) <= 10_000, "a numeral too long for this checker")
+            room(len(digits) <= 10_000, "a numeral too long for this checker")
             self.need_no_power()
             return N("pow", base, N("neg", N("num", digits)) if minus else N("num", digits))
         return N("pow", base, self.signed_power()) if self.take("^") else base
@@ -330,16 +390,22 @@ class Parser:
             bindings, _ = self.read("B :")
             return N("exists" if word == "exists" else "all", bindings, self.proposition())
         if word := self.take("maximum", "minimum"):
-            _, of, _, over = self.read("of E over B")
-            only = bool(self.take("only"))
-            _, at, _, value = self.read("at A is E")
-            return N("extremum", word, only, of, over, at, value)
+            return self.extremum(word)
         if self.take("limit"):
-            _, of, _, v, _, _, _, value = self.read("of E as N -> infinity is E")
-            return N("limit", of, v, value)
+            return self.limit()
         sides = self.many(self.sum, *RELATIONS)
         relations = tuple(r for r, _ in sides[1:])
         return N("cmp", tuple(e for _, e in sides), relations) if relations else sides[0][1]
+
+    def extremum(self, word):
+        _, of, _, over = self.read("of E over B")
+        only = bool(self.take("only"))
+        _, at, _, value = self.read("at A is E")
+        return N("extremum", word, only, of, over, at, value)
+
+    def limit(self):
+        _, of, _, v, _, _, _, value = self.read("of E as N -> infinity is E")
+        return N("limit", of, v, value)
 
     def assignments(self):
         return tuple((n, e) for _, (n, _, e) in self.many(lambda: self.read("N = E"), ","))
@@ -361,13 +427,16 @@ class Parser:
                 self.want(")")
             names.append((name, index))
         while True:
-            if any_domain:
-                self.take("and")
+            joined = any_domain and self.take("and")
             if self.take("real"):
                 pass
             elif self.take("natural"):
                 natural = True
+            elif self.from_author and self.take("integer"):
+                self.integer = True
             elif relation := self.take(*RELATIONS):
+                alone = joined or not limits or limits[-1][0] != "relation"
+                need(alone or not self.from_author, "two conditions need `and` between them")
                 limits.append(("relation", relation, self.expr()))
             elif self.take("in"):
                 limits.append(self.interval())
@@ -388,63 +457,42 @@ class Parser:
             try:
                 low = self.expr()
                 self.want(",")
-                return ("interval", opening == "[", low, self.expr(), self.kind("sign") == "]")
+                high = self.expr()
+                need(self.at("]", ")"), "expected `]` or `)` to close the interval")
+                return ("interval", opening == "[", low, high, self.take("]", ")") == "]")
             except Refused:
                 self.at_token = start
         low, _, high = self.read("E .. E")
         return ("range", True, low, high, True)
 
-    # Claim files.
-    def at_clause(self):
-        kind, text, first = self.tokens[self.at_token]
-        return kind == "end" or (first and text in CLAUSES)
-
-    def claims(self):
-        while self.tokens[self.at_token][0] != "end":
-            yield self.claim()
-
-    def claim(self):
-        self.want("claim")
-        name, items, using, goal = self.kind("word"), [], [], None
-        self.kind("text")
-        while not self.at("claim") and self.tokens[self.at_token][0] != "end":
-            word = self.kind("word")
-            if word == "using":
-                using += [n for _, n in self.many(lambda: self.kind("word"), ",")]
-            elif word == "given":
-                items.append((word, self.bindings()))
-            elif word == "let":
-                new, parameters = self.name(), []
-                if self.take("("):
-                    parameters = [n for _, n in self.many(self.name, ",")]
-                    self.want(")")
-                items.append((word, new, tuple(parameters), self.read("= E")[1]))
-            elif word == "define":
-                u = self.name()
-                *_, initial = self.read(f"by {u} ( 0 ) = E")
-                _, _, _, index, *_, step = self.read(f", {u} ( N + 1 ) = E")
-                items.append((word, u, initial, index, step))
-            elif word == "assume":
-                if self.tokens[self.at_token + 1][1] == ":":
-                    self.at_token += 2
-                items.append((word, self.proposition()))
-            elif word == "prove":
-                need(goal is None, "two goals")
-                goal = self.proposition()
-            while word not in ("using", "given", "let", "define", "assume") and not self.at_clause():
-                self.at_token += 1
-            need(self.at_clause(), f"expected the end of the clause, found `{self.tokens[self.at_token][1]}`")
-        need(goal, f"{name} has no goal")
-        return Claim(name, using, items, goal)
-
 
 # ------------------------------------------------------------------------------------------------------- statements
+def need_new_names(items, goal):
+    """A claim declares and binds each name once where it has a meaning."""
+    taken = frozenset()
+    for word, *parts in items:
+        if word == "given":
+            taken = declared_with(parts[0], taken, True)
+        elif word == "let":
+            name, parameters, value = parts
+            bound_once(value, taken_with(parameters, taken))
+            taken = taken_with([name], taken)
+        elif word == "define":
+            name, initial, index, step = parts
+            bound_once(initial, taken)
+            taken = taken_with([name], taken)
+            bound_once(step, taken_with([index], taken))
+        else:
+            bound_once(parts[-1], taken)
+    bound_once(goal, taken)
+
+
 class Claim:
-    """A statement: definitions by `let` are put in place."""
+    """A statement: definitions by `let` are put in place. A quantifier may bind again what is in `again`."""
 
     def __init__(self, name, using, items, goal):
         self.name, self.using, self.given, self.sequences, self.assumptions = name, using, [], [], []
-        lets = {}
+        lets, self.again = {}, set()
         for item in items:
             if item[0] == "given":
                 for b in item[1]:
@@ -458,7 +506,7 @@ class Claim:
                 step = put(item[4], {k: v for k, v in lets.items() if k != item[3]}, None)
                 self.sequences.append((item[1], put(item[2], lets, None), item[3], step))
             else:
-                self.assumptions.append(put(item[1], lets, None))
+                self.assumptions.append(put(item[2], lets, None))
         self.goal = put(goal, lets, None)
 
     def text(self):

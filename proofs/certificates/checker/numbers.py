@@ -5,8 +5,8 @@ A number is a pair of fractions: it lies between them, and is known exactly wher
 import math
 from fractions import Fraction as Q
 
-from checker.claims import FUNCTIONS, names_in, need, text
-from checker.signs import NOT_NEGATIVE, NOT_ZERO, number, POSITIVE, SHOWN, sign, SIGNS
+from checker.claims import FUNCTIONS, names_in, need, room, text
+from checker.signs import exponent, NOT_NEGATIVE, NOT_ZERO, POSITIVE, SHOWN, sign, SIGNS
 
 BITS, EXACT, LONGEST = 256, 10_000, 100_000
 OPEN, TOO_LONG = "enclosures do not decide it", "a number too long for this checker"
@@ -19,7 +19,7 @@ def length(q):
 def between(low, high):
     """The two numbers as an enclosure, rounded outwards where they are long."""
     long = max(length(low), length(high))
-    need(long <= LONGEST, TOO_LONG)
+    room(long <= LONGEST, TOO_LONG)
     if long <= (EXACT if low == high else 2 * BITS):
         return low, high
     def rounded(q, whole):
@@ -58,7 +58,7 @@ def whole_power(x, k):
     """x^k for a whole number k of at least 0."""
     if x in (exactly(0), exactly(1), exactly(-1)):
         return x if k % 2 or x == exactly(0) and k else exactly(1)
-    need(k <= 1_000_000, TOO_LONG)
+    room(k <= 1_000_000, TOO_LONG)
     def of(q):
         out, square, left = exactly(1), exactly(q), k
         while left:
@@ -101,7 +101,7 @@ def widened(x, bits):
 def exponential(x):
     def of(q):
         halvings = abs(math.trunc(q)).bit_length() + 1
-        need(halvings <= 18, TOO_LONG)
+        room(halvings <= 18, TOO_LONG)
         if not q:
             return exactly(1)
         total_, term = exactly(1), exactly(1)
@@ -225,8 +225,8 @@ class Point:
                 out = product(out, inverse(self.number(part, NOT_ZERO)) if operator == "/" else self.value(part))
             return out
         if tag == "pow":
-            k = number(e[2])
-            if k is not None and k.denominator == 1 or k is None and self.checker.is_whole_form(e[2]):
+            k, whole = exponent(e[2], self.checker.is_whole_form)
+            if whole:
                 k = self.whole(e[2])
                 return inverse(whole_power(self.number(e[1], NOT_ZERO), -k)) if k < 0 else whole_power(self.number(e[1]), k)
             power = self.number(e[2])

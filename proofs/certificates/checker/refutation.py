@@ -4,7 +4,7 @@ import re
 from fractions import Fraction
 
 from .claims import Claim, N, compare, constraints, domain, names_in, need, nodes, num, plus, put, subtrees, text
-from .signs import number as in_numerals
+from .signs import exponent, whole_by_form
 
 COMPARE = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
@@ -104,27 +104,15 @@ def without_value(e, bindings, goal, sequences):
     bound, premises = found
     natural = {n for b in bindings + bound if b[2] for n, _ in b[1]}
 
-    def whole(x):
-        v = in_numerals(x)
-        if v is not None:
-            return v.denominator == 1
-        if x[0] == "pow":
-            k = in_numerals(x[2])
-            return whole(x[1]) and k is not None and k >= 0 and k.denominator == 1
-        if x[0] in ("name", "call"):
-            return x[1] in natural
-        divides = x[0] == "prod" and any(operator == "/" for operator, _ in x[1])
-        return x[0] in ("neg", "sum", "prod") and not divides and all(map(whole, nodes(x)))
-
     zero, needed = num(0), []
     if e[0] == "prod":
         needed = [compare(part, "!=", zero) for operator, part in e[1] if operator == "/"]
     elif e[0] == "pow":
-        k = in_numerals(e[2])
-        if k is not None and k.denominator == 1:
-            needed = [compare(e[1], "!=", zero)] if k < 0 else []
-        elif k is not None or not whole(e[2]):
+        k, whole = exponent(e[2], lambda x: whole_by_form(x, lambda y: y[1] in natural))
+        if not whole:
             needed = [compare(e[1], ">=" if k is not None and k > 0 else ">", zero)]
+        elif k is not None:
+            needed = [compare(e[1], "!=", zero)] if k < 0 else []
         else:
             needed = [N("or", (compare(e[1], "!=", zero), compare(e[2], ">=", zero)))]
     elif e[0] == "over":
@@ -187,4 +175,6 @@ def of(claim, point, undefined=None):
     free = [N("bind", b[1], b[2], (), b[4]) for b in plain]
     out = Claim(claim.name, [], [], parts[0] if len(parts) == 1 else N("and", tuple(parts)))
     out.given, out.sequences, out.assumptions = free + families, claim.sequences, equations
+    declared = lambda bindings: {n for b in bindings for n, _ in b[1]}
+    out.again = declared(bindings) - declared(claim.given)
     return out

@@ -1,7 +1,7 @@
 """Signs, and when an expression has a value: sections 6 and 7 of docs/certificates.md."""
 from fractions import Fraction as Q
 
-from checker.claims import conjuncts, constraints, domain, N, need, nodes, single, text
+from checker.claims import conjuncts, constraints, domain, N, need, nodes, Refused, single, text
 from checker.terms import atom, F, factored, ONE, size, Terms, the_atom, total
 
 # A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
@@ -39,27 +39,83 @@ class Known:
         return Known(self.notes, self.equations, self.for_all)
 
 
+class TooLong(Refused):
+    """A number in an exponent that is longer than this checker computes."""
+
+
+def short(q):
+    if max(q.numerator.bit_length(), q.denominator.bit_length()) > 1024:
+        raise TooLong("limit reached: digits of an exponent")
+    return q
+
+
+def in_numerals(e):
+    return e[0] == "num" or e[0] in ("neg", "sum", "prod", "pow") and all(map(in_numerals, nodes(e)))
+
+
 def number(e):
-    """The value of an expression of numerals alone, or None."""
+    """The value of an expression of numerals alone, or None. A numeral by itself may have any length."""
+    return Q(e[1]) if e[0] == "num" else value(e) if in_numerals(e) else None
+
+
+def value(e):
     tag = e[0]
     if tag == "num":
-        return Q(e[1])
-    parts = [number(y) for y in nodes(e)]
-    if None in parts or tag not in ("neg", "sum", "prod", "pow"):
+        return short(Q(e[1]))
+    parts = [value(y) for y in nodes(e)]
+    if None in parts:
         return None
     if tag == "neg":
         return -parts[0]
     if tag == "sum":
-        return sum(s * v for (s, _), v in zip(e[1], parts))
+        out = Q(0)
+        for (s, _), v in zip(e[1], parts):
+            out = short(out + s * v)
+        return out
     if tag == "pow":
-        fits = parts[1].denominator == 1 and abs(parts[1]) <= 1000 and (parts[0] or parts[1] >= 0)
-        return parts[0] ** int(parts[1]) if fits else None
+        base, k = parts
+        if k.denominator != 1 or not base and k < 0:
+            return None
+        # A number of n bits is at least 2^(n - 1), and 0, 1 and -1 have one bit at most.
+        bits = max(base.numerator.bit_length(), base.denominator.bit_length())
+        short(Q(1 << min((bits - 1) * abs(int(k)), 2000)))
+        return short(base ** int(k))
     out = Q(1)
     for (operator, _), v in zip(e[1], parts):
         if operator == "/" and not v:
             return None
-        out = out * v if operator == "*" else out / v
+        out = short(out * v if operator == "*" else out / v)
     return out
+
+
+def exponent(e, is_whole):
+    """The value of an exponent, None if it is not in numerals or too long, and whether its power is a whole one. `is_whole`
+    says of an expression whether it is whole by its form."""
+    try:
+        k = number(e)
+        return k, is_whole(e) if k is None else k.denominator == 1
+    except TooLong:
+        if is_whole(e):
+            return None, True
+        raise
+
+
+def whole_by_form(e, is_whole_name):
+    """Whether an expression is whole by its form; `is_whole_name` says it of a name or family."""
+    inner = lambda y: whole_by_form(y, is_whole_name)
+    try:
+        v = number(e)
+    except TooLong:
+        v = None
+    if v is not None:
+        return v.denominator == 1
+    if e[0] in ("name", "call"):
+        return is_whole_name(e)
+    if e[0] == "pow":
+        k = number(e[2])
+        return inner(e[1]) and k is not None and k >= 0 and k.denominator == 1
+    divides = e[0] == "prod" and any(operator == "/" for operator, _ in e[1])
+    return e[0] in ("neg", "sum", "prod") and not divides and all(map(inner, nodes(e)))
 
 
 class Values(Terms):
@@ -204,32 +260,22 @@ class Values(Terms):
 
     # Values.
     def is_whole_form(self, e):
-        v, tag = number(e), e[0]
-        if v is not None:
-            return v.denominator == 1
-        if tag == "name":
-            return e[1] in self.scope and self.is_natural(self.scope[e[1]])
-        if tag == "call":
-            return e[1] in self.families and self.families[e[1]][2]
-        if tag == "pow":
-            k = number(e[2])
-            return self.is_whole_form(e[1]) and k is not None and k >= 0 and k.denominator == 1
-        if tag == "prod" and any(operator == "/" for operator, _ in e[1]):
-            return False
-        return tag in ("neg", "sum", "prod") and all(map(self.is_whole_form, nodes(e)))
+        def is_natural(x):
+            if x[0] == "name":
+                return x[1] in self.scope and self.is_natural(self.scope[x[1]])
+            return x[1] in self.families and self.families[x[1]][2]
+        return whole_by_form(e, is_natural)
 
     def needs(self, e):
         """(part, signs it needs, None); or (base, NOT_ZERO, exponent), if the exponent may be not negative instead."""
         if e[0] == "prod":
             yield from ((part, NOT_ZERO, None) for operator, part in e[1] if operator == "/")
         elif e[0] == "pow":
-            k = number(e[2])
-            if k is not None and k.denominator == 1:
-                yield from [(e[1], NOT_ZERO, None)] if k < 0 else []
-            elif k is not None or not self.is_whole_form(e[2]):
+            k, whole = exponent(e[2], self.is_whole_form)
+            if not whole:
                 yield e[1], NOT_NEGATIVE if k is not None and k > 0 else POSITIVE, None
-            else:
-                yield e[1], NOT_ZERO, e[2]
+            elif k is None or k < 0:
+                yield e[1], NOT_ZERO, e[2] if k is None else None
         elif e[0] == "call" and e[1] in ("sqrt", "cbrt", "ln"):
             yield e[2][0], POSITIVE if e[1] == "ln" else NOT_NEGATIVE, None
 

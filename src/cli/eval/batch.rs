@@ -1,5 +1,6 @@
-//! A stream of chains, a CSV line each; memory stays flat.
+//! A stream of chains, a row of CSV each; memory stays flat.
 
+use super::columns::{Columns, NAMES};
 use super::{EvalFlags, bad, digits, failure, natural, rounding, wants};
 use crate::chain::best::Best;
 use crate::chain::threshold::Helps;
@@ -13,15 +14,15 @@ use crate::cli::progress::Progress;
 use crate::cli::table_contents::joined;
 use crate::cli::{Exit, ValueFormat, load};
 use crate::number::decimal::{Digits, Rounding};
-use crate::number::rational::parse;
+use crate::number::typed;
+use crate::report::table::csv::quoted;
 use crate::scene::answer::{Answers, Number, Value};
 use crate::scene::quantity::{Input, Quantity};
 use crate::scene::{Coefficients, Inputs, Inserted, Scene, Start};
-use std::io::{BufRead, BufReader, BufWriter, IsTerminal, Read, Write};
+use crate::table::foreign::{Foreign, ForeignError};
+use std::io::{BufRead, BufReader, BufWriter, IsTerminal, Write};
 use std::path::Path;
 
-/// The longest line of a batch.
-const MAX_LINE: usize = 1 << 16;
 /// So many lines of a batch that have no answer are named.
 const MAX_NAMED: usize = 20;
 
@@ -110,9 +111,6 @@ impl Unanswered {
     }
 }
 
-/// The fields of a line of a batch: m1, m2, e, n.
-const INPUTS: usize = 4;
-
 /// What a batch asks of each line.
 struct Batch {
     want: Vec<Quantity>,
@@ -121,75 +119,75 @@ struct Batch {
 }
 
 impl Batch {
-    /// Answers line by line, the heading first. A line without an answer has empty cells.
+    /// Answers row by row, the heading first. A row without an answer has empty cells.
     fn answers(&self, input: &mut dyn BufRead, path: &Path, out: &mut dyn Write) -> Result<Unanswered, Stop> {
         let shown = path.display();
-        let fault = |code: u8, line: u64, what: &str| Exit { code, message: format!("error: {shown}:{line}: {what}") };
+        // The place once, however the message begins.
+        let fault = |line: Option<u64>, exit: Exit| {
+            let what = exit.message.strip_prefix("error: ").unwrap_or(&exit.message);
+            let line = line.map_or_else(String::new, |line| format!(":{line}"));
+            Exit { message: format!("error: {shown}{line}: {what}"), code: exit.code }
+        };
+        let unread = |error: ForeignError, is_named: bool| match error {
+            ForeignError::Read(error) => load::cannot_read(path, &error),
+            ForeignError::Fields { line, given, .. } if !is_named => {
+                fault(Some(line), Exit::usage(format!("four fields m1,m2,e,n were expected, not {given}")))
+            }
+            error => {
+                let code = if error.is_limit() { 3 } else { 2 };
+                fault(error.line(), Exit { code, message: error.reason() })
+            }
+        };
         let mut unanswered = Unanswered::default();
-        let (mut bytes, mut number, mut first) = (Vec::new(), 0_u64, true);
+        let mut table = Foreign::open_or(input, &NAMES).map_err(|error| Stop::Input(unread(error, true)))?;
+        let columns = Columns::of(&table, &self.want).map_err(|exit| Stop::Input(fault(None, exit)))?;
+        out.write_all(self.header().as_bytes())?;
         let interrupt = Interrupt::listen();
         // What is printed says itself how far the work is.
-        let progress = (!std::io::stdout().is_terminal()).then(|| Progress::alone("lines"));
-        loop {
+        let progress = (!std::io::stdout().is_terminal()).then(|| Progress::alone("rows"));
+        for number in 0_u64.. {
             if interrupt.asked() {
-                return Err(Stop::Input(interrupted(&format!("{number} lines are answered"))));
+                return Err(Stop::Input(interrupted(&format!("{number} rows are answered"))));
             }
             if let Some(progress) = &progress {
-                progress.now(0, &format!("{number} lines"));
+                progress.now(0, &format!("{number} rows"));
             }
-            bytes.clear();
-            let read = (&mut *input).take(MAX_LINE as u64).read_until(b'\n', &mut bytes);
-            let read = read.map_err(|e| Stop::Input(load::cannot_read(path, &e)))?;
-            if number == 0 {
-                out.write_all(self.header().as_bytes())?;
-            }
-            if read == 0 {
-                return Ok(unanswered);
-            }
-            number += 1;
-            if bytes.len() >= MAX_LINE {
-                return Err(Stop::Input(fault(3, number, &format!("limit reached: {MAX_LINE} bytes in a line"))));
-            }
-            let Ok(text) = std::str::from_utf8(&bytes) else {
-                let Exit { code, message } = fault(2, number, "this is not UTF-8 text");
-                unanswered.note(code, message);
-                out.write_all(self.empty("").as_bytes())?;
-                continue;
+            let row = match table.row() {
+                Ok(None) => break,
+                Ok(Some(row)) => row,
+                Err(error @ (ForeignError::NotText { .. } | ForeignError::Fields { .. })) => {
+                    let exit = unread(error, table.is_named);
+                    // No row of a table without a heading that begins so will be a chain.
+                    if number == 0 && !table.is_named {
+                        return Err(Stop::Input(exit));
+                    }
+                    unanswered.note(exit.code, exit.message);
+                    out.write_all(self.empty([""; 4]).as_bytes())?;
+                    continue;
+                }
+                Err(error) => return Err(Stop::Input(unread(error, table.is_named))),
             };
-            let text = if number == 1 { text.trim_start_matches('\u{feff}') } else { text }.trim();
-            if text.is_empty() || text.starts_with('#') {
-                continue;
-            }
-            // The first line that is none of these may be the heading.
-            let is_first = std::mem::take(&mut first);
-            if is_first && text.replace(' ', "") == "m1,m2,e,n" {
-                continue;
-            }
-            match self.answer(text) {
+            let fields = columns.fields(&row);
+            match self.answer(fields) {
                 Ok(answer) => out.write_all(answer.as_bytes())?,
                 Err(exit) => {
-                    let what = exit.message.strip_prefix("error: ").unwrap_or(&exit.message);
-                    let fault = fault(exit.code, number, what);
-                    // The heading of another table: no line of it will be a chain.
-                    if is_first && text.split(',').count() != INPUTS {
-                        return Err(Stop::Input(fault));
-                    }
-                    unanswered.note(fault.code, fault.message);
-                    out.write_all(self.empty(text).as_bytes())?;
+                    let exit = fault(Some(row.line), exit);
+                    unanswered.note(exit.code, exit.message);
+                    out.write_all(self.empty(fields).as_bytes())?;
                 }
             }
         }
+        Ok(unanswered)
     }
 
-    /// The row of a line that has no answer: its fields, where they are as many as they must be, and empty cells.
-    fn empty(&self, line: &str) -> String {
+    /// The row of a chain that has no answer: its fields, and empty cells.
+    fn empty(&self, fields: [&str; 4]) -> String {
         let columns = self.header().split(',').count();
-        let inputs = if line.split(',').count() == INPUTS { line.to_owned() } else { ",".repeat(INPUTS - 1) };
-        format!("{inputs}{}\n", ",".repeat(columns - INPUTS))
+        format!("{}{}\n", given(fields), ",".repeat(columns - fields.len()))
     }
 
     fn header(&self) -> String {
-        let mut columns = vec!["m1,m2,e,n"];
+        let mut columns = NAMES.to_vec();
         columns.extend(self.want.iter().map(|q| match q {
             Quantity::Eta => "eta,eta_lower,eta_upper",
             Quantity::Threshold => "threshold,threshold_lower,threshold_upper",
@@ -199,18 +197,17 @@ impl Batch {
         columns.join(",") + "\n"
     }
 
-    fn answer(&self, line: &str) -> Result<String, Exit> {
-        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-        let [m1, m2, e, n] = fields.as_slice() else {
-            return Err(Exit::usage(format!("error: four fields m1,m2,e,n were expected, not {}", fields.len())));
-        };
-        let number = |name: &str, text: &str| parse(text).map_err(|error| bad(name, text, &RangeError::Numeral(error)));
+    fn answer(&self, fields: [&str; 4]) -> Result<String, Exit> {
+        let [m1, m2, e, n] = fields;
+        let number =
+            |name: &str, text: &str| typed::read(text).map_err(|error| bad(name, text, &RangeError::Numeral(error)));
         let positive = |name: &str, text: &str| Positive::new(number(name, text)?).map_err(|e| failure(name, &e));
         let (first, last) = (positive("m1", m1)?, positive("m2", m2)?);
         // A field that no wanted quantity needs may be empty.
-        let given = |text: &&&str| !text.is_empty();
-        let e = Some(e).filter(given).map(|e| Restitution::new(number("e", e)?).map_err(|error| failure("e", &error)));
-        let n = Some(n).filter(given).map(|n| natural("n", n)).transpose()?;
+        let is_given = |text: &&str| !text.is_empty();
+        let e =
+            Some(e).filter(is_given).map(|e| Restitution::new(number("e", e)?).map_err(|error| failure("e", &error)));
+        let n = Some(n).filter(is_given).map(|n| natural("n", n)).transpose()?;
         let inputs = Inputs::new(
             Range::point(first),
             Range::point(last),
@@ -228,7 +225,7 @@ impl Batch {
             return Err(Exit::usage(format!("error: {} needs {field}, {}", quantity.name(), input.words())));
         }
         let answers = Answers::new(&scene);
-        let mut out = line.to_owned();
+        let mut out = given(fields);
         for quantity in &self.want {
             let (value, _) = answers.get(*quantity).map_err(|error| failure(quantity.name(), &error))?;
             out.push(',');
@@ -237,6 +234,11 @@ impl Batch {
         out.push('\n');
         Ok(out)
     }
+}
+
+/// What was given, as the first columns.
+fn given(fields: [&str; 4]) -> String {
+    fields.map(|field| quoted(field.into(), b',')).join(",")
 }
 
 /// The answer to a streamed question, as its columns.

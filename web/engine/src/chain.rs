@@ -3,14 +3,14 @@
 use crate::energy;
 use crate::reasons;
 use crate::request::{Fault, Request};
-use carom::claim::parse::parse_prop;
-use carom::claim::syntax::PropKind;
-use carom::number::decimal::{Digits, Rounding};
-use carom::report::answers;
-use carom::report::mathml::{expression, statement};
-use carom::scene::answer::Answers;
-use carom::scene::quantity::Quantity;
-use carom::scene::{Chain, Inserted, Scene};
+use carom_checker::claim::parse::parse_prop;
+use carom_checker::claim::syntax::PropKind;
+use carom_documents::report::answers;
+use carom_documents::report::mathml::{expression, statement};
+use carom_exact::number::decimal::{Digits, Rounding};
+use carom_physics::scene::answer::Answers;
+use carom_physics::scene::quantity::Quantity;
+use carom_physics::scene::{Chain, Inserted, Scene};
 use malachite::Rational;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
@@ -121,7 +121,7 @@ fn places(chain: &Chain) -> Value {
 #[cfg(test)]
 mod tests {
     use super::{PropKind, parse_prop};
-    use carom::claim::syntax::{Expr, ExprKind, Factor, Sign};
+    use carom_checker::claim::syntax::{Expr, ExprKind, Factor, Sign};
     use serde_json::{Value, json};
 
     fn eval(m1: &str, m2: &str, e: &str, n: &str, masses: &str) -> Value {

@@ -1,20 +1,22 @@
 //! Claims and what is thought of them.
 
 use crate::request::{Fault, Request};
-use carom::claim::diagnostic::{self, Diagnostic};
-use carom::claim::parse::parse;
-use carom::claim::print::Style;
-use carom::claim::syntax::{Claim, Expectation};
-use carom::claim::{LANGUAGE, embedded};
-use carom::judge::hand::AtHand;
-use carom::judge::{Settings, diagnostic, judge};
-use carom::refute::catalogue::{Catalogue, Limits};
-use carom::refute::outcome::Point;
-use carom::report::{self, Entry, mathml};
+use carom_catalogue as embedded;
+use carom_checker::claim::diagnostic::{self, Diagnostic};
+use carom_checker::claim::parse::parse;
+use carom_checker::claim::print::Style;
+use carom_checker::claim::syntax::{Claim, Expectation};
+use carom_documents::report::{self, Entry, mathml};
+use carom_search::judge::hand::AtHand;
+use carom_search::judge::{Settings, diagnostic, judge};
+use carom_search::refute::catalogue::{Catalogue, Limits};
+use carom_search::refute::outcome::Point;
 use serde_json::{Value, json};
 use std::ops::Range;
 use std::time::Duration;
 
+/// The description of the language.
+const LANGUAGE: &str = include_str!("../../../docs/language.md");
 /// The longest text that the page's editor sends.
 const MAX_TEXT: usize = 200_000;
 /// The most faults that are shown.
@@ -154,7 +156,7 @@ fn judged(catalogue: &Catalogue, names: &[String]) -> (Vec<Entry>, Vec<Diagnosti
     let limits = Limits { time: Duration::from_secs(SECONDS), ..Limits::default() };
     let settings = Settings { limits, argument: true, ..Settings::default() };
     let (mut entries, mut faults) = (Vec::new(), Vec::new());
-    for (name, entry) in judge(catalogue, names, &AtHand::embedded(), &settings, &|_, _| {}).entries {
+    for (name, entry) in judge(catalogue, names, &AtHand::of(embedded::certificates()), &settings, &|_| {}).entries {
         match (entry, catalogue.get(&name)) {
             (Ok(entry), _) => entries.push(entry),
             (Err(fault), Some(claim)) => faults.push(diagnostic(claim, fault)),
@@ -195,8 +197,8 @@ fn excerpt(rendered: &str) -> String {
     rendered.lines().filter(of_the_text).collect::<Vec<_>>().join("\n")
 }
 
-fn point(point: &Point) -> Value {
-    point.values.iter().map(|(name, value)| json!([Style::Unicode.name(name), value])).collect()
+fn point(claim: &Claim, point: &Point) -> Value {
+    point.named(claim, Style::Unicode).map(|(name, value)| json!([name, value])).collect()
 }
 
 fn described(entry: &Entry, text: Option<&str>) -> Value {
@@ -219,14 +221,14 @@ fn described(entry: &Entry, text: Option<&str>) -> Value {
         "as_expected": entry.as_expected(),
         "method": outcome.method,
         "statement": entry.goal(Style::Unicode),
-        "mathml": mathml::statement(&claim.goal),
+        "mathml": mathml::statement(claim.written_goal()),
         "hypotheses": hypotheses(claim),
         "argument": report::argument::lines(entry),
         "used": outcome.used,
         "unused": outcome.unused,
-        "sample": outcome.sample.as_ref().map(point),
+        "sample": outcome.sample.as_ref().map(|sample| point(claim, sample)),
         "witness": outcome.witness.as_ref().map(|w| json!({
-            "point": point(&w.point),
+            "point": point(claim, &w.point),
             "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
         })),
         "reason": outcome.reason,

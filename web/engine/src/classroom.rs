@@ -1,21 +1,21 @@
 //! The teacher's tools: worksheets, the check of a pupil's table, the restitution of measured bounces.
 
 use crate::request::{Fault, Request, numeral};
-use crate::typed;
-use carom::chain::bounces::{Estimate, Kind};
-use carom::chain::{ChainError, MAX_LISTED};
-use carom::number::decimal::{Digits, Rounding};
-use carom::report::plot::pdf;
-use carom::report::worksheet::made::{MAX_VERSIONS, STANDARD, Wanted, sheets};
-use carom::report::worksheet::{Cell, Part, Sheet, Style, html, latex, pages, text};
-use carom::report::{bounces, comparison};
-use carom::scene::drop::Drop;
-use carom::scene::read::{self, ROUNDINGS, Subject};
-use carom::scene::{About, Chain, Inserted, Scene, Start};
-use carom::table::bounces::{MeasurementError, Measurements};
-use carom::table::check::Agreement;
-use carom::table::comparison::{Comparison, Given, Tally};
-use carom::table::grid::{Grid, GridError};
+use carom_documents::report::plot::pdf;
+use carom_documents::report::worksheet::made::{MAX_VERSIONS, STANDARD, Wanted, sheets};
+use carom_documents::report::worksheet::{Cell, Part, Sheet, Style, html, latex, pages, text};
+use carom_documents::report::{bounces, comparison};
+use carom_exact::number::decimal::{Digits, Rounding};
+use carom_exact::number::typed;
+use carom_physics::chain::bounces::{Estimate, Kind};
+use carom_physics::chain::{ChainError, MAX_LISTED};
+use carom_physics::scene::drop::Drop;
+use carom_physics::scene::read::{self, ROUNDINGS, Subject};
+use carom_physics::scene::{About, Chain, Inserted, Scene, Start};
+use carom_physics::table::bounces::{MeasurementError, Measurements};
+use carom_physics::table::check::Agreement;
+use carom_physics::table::comparison::{Comparison, Given, Tally};
+use carom_physics::table::grid::{Grid, GridError};
 use serde_json::{Value, json};
 
 /// The most digits of an entry, and of a bound.
@@ -152,7 +152,7 @@ fn view(sheet: &Sheet) -> Value {
                 Cell::Blank => json!(""),
                 Cell::Nothing => Value::Null,
             };
-            let row = |row: &carom::report::worksheet::Row| json!({ "name": row.name, "cells": row.cells.iter().map(cell).collect::<Vec<_>>() });
+            let row = |row: &carom_documents::report::worksheet::Row| json!({ "name": row.name, "cells": row.cells.iter().map(cell).collect::<Vec<_>>() });
             let groups: Vec<Vec<Value>> = table.groups.iter().map(|group| group.iter().map(row).collect()).collect();
             json!({ "kind": "table", "title": table.title, "columns": table.columns, "groups": groups })
         }
@@ -185,7 +185,7 @@ pub fn check_table(request: &Request) -> Result<Value, Fault> {
     };
     let name = request.text("round")?;
     let rounding = ROUNDINGS.iter().find(|r| r.0 == name).map_or(Rounding::Nearest, |r| r.1);
-    let fault = |error: carom::table::comparison::ComparisonError| Fault {
+    let fault = |error: carom_physics::table::comparison::ComparisonError| Fault {
         limit: error.is_limit(),
         ..Fault::at("table", error.to_string())
     };

@@ -3,13 +3,13 @@
 //! Contract: every number is a share of the kinetic energy before the first collision. The shares that the bodies keep
 //! and those of the collisions add up to 1 exactly; of irrational ones every digit that is shown is right.
 
-use carom::chain::optimum::Optimum;
-use carom::chain::pass::Pass;
-use carom::chain::{ChainError, Restitutions};
-use carom::number::decimal::{Decimal, Digits, Rounding, bits_of_digits};
-use carom::number::interval::Interval;
-use carom::number::real::Real;
-use carom::scene::{Chain, Inserted, Start};
+use carom_exact::number::decimal::{Decimal, Digits, Rounding, bits_of_digits};
+use carom_exact::number::interval::Interval;
+use carom_exact::number::real::Real;
+use carom_physics::chain::optimum::Optimum;
+use carom_physics::chain::pass::Pass;
+use carom_physics::chain::{ChainError, Restitutions};
+use carom_physics::scene::{Chain, Inserted, Start};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Square;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -144,7 +144,7 @@ fn number(share: &Real, digits: Digits) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use carom::number::rational;
+    use carom_exact::number::rational;
     use malachite::Rational;
     use malachite::base::num::arithmetic::traits::Abs;
     use serde_json::{Value, json};

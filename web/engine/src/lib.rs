@@ -20,7 +20,6 @@ mod reasons;
 mod replay;
 mod request;
 mod table;
-mod typed;
 
 use request::{Fault, Request};
 use serde_json::{Value, json};

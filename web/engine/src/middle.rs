@@ -1,8 +1,8 @@
 //! Measured chains at the middle of their values, for pictures and for the replay.
 
 use crate::request::Fault;
-use carom::scene::{Chain, Coefficients, Inserted};
-use carom::table::grid::decimal_or_fraction;
+use carom_physics::scene::{Chain, Coefficients, Inserted};
+use carom_physics::table::grid::decimal_or_fraction;
 use malachite::Rational;
 
 /// The chain of the middles, and these in words where something is measured: `m1 = 57.1, e = 0.9`.

@@ -5,16 +5,16 @@
 
 use crate::middle;
 use crate::request::{Fault, Request};
-use carom::chain::best::{Best, best};
-use carom::chain::{ChainError, Positive, Restitution};
-use carom::number::decimal::{Digits, Rounding};
-use carom::report::plot::charts;
-use carom::report::plot::svg;
-use carom::report::plot::unclear::Unclear;
-use carom::scene::answer::{Answers, Value as Answer};
-use carom::scene::quantity::Quantity;
-use carom::scene::{Chain, Scene};
-use carom::table::worksheet::Worksheet;
+use carom_documents::report::plot::charts;
+use carom_documents::report::plot::svg;
+use carom_documents::report::plot::unclear::Unclear;
+use carom_exact::number::decimal::{Digits, Rounding};
+use carom_physics::chain::best::{Best, best};
+use carom_physics::chain::{ChainError, Positive, Restitution};
+use carom_physics::scene::answer::{Answers, Value as Answer};
+use carom_physics::scene::quantity::Quantity;
+use carom_physics::scene::{Chain, Scene};
+use carom_physics::table::worksheet::Worksheet;
 use malachite::Rational;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;

@@ -5,12 +5,12 @@
 //! decided by exact comparison; the distance is for the eye.
 
 use crate::request::{Fault, Request, numeral};
-use carom::chain::best::Best;
-use carom::number::decimal::{Decimal, Digits, Rounding};
-use carom::number::rational;
-use carom::scene::Scene;
-use carom::scene::answer::{Answers, Number, Value as Answer};
-use carom::scene::quantity::Quantity;
+use carom_exact::number::decimal::{Decimal, Digits, Rounding};
+use carom_exact::number::rational;
+use carom_physics::chain::best::Best;
+use carom_physics::scene::Scene;
+use carom_physics::scene::answer::{Answers, Number, Value as Answer};
+use carom_physics::scene::quantity::Quantity;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Abs;
 use malachite::base::num::basic::traits::Zero;
@@ -82,7 +82,9 @@ fn compared(guess: &Rational, answer: &Rational, places: Option<u64>) -> Value {
         return json!({ "mark": "rounded", "side": null, "off": null });
     }
     let off = (*answer != Rational::ZERO).then(|| (guess - answer).abs() / answer.abs() * Rational::from(100));
-    let off = off.and_then(|x| Decimal::of_rational(&x, Digits::Significant(2), Rounding::Nearest).ok());
+    // No powers of ten: 368 % off, not 3.7e2 %.
+    let digits = |x: &Rational| if *x >= 10 { Digits::Places(0) } else { Digits::Significant(2) };
+    let off = off.and_then(|x| Decimal::of_rational(&x, digits(&x), Rounding::Nearest).ok());
     json!({ "mark": "off", "side": side, "off": off.map(|d| d.to_string()) })
 }
 
@@ -109,7 +111,9 @@ mod tests {
             ("0.055", "rounded"),
             ("0,0553", "rounded"),
             ("0.056", "off"),
-            ("5.53 %", "off"),
+            ("5.53 %", "rounded"),
+            ("5,5 %", "rounded"),
+            ("5.54 %", "off"),
             ("0.0", "off"),
         ] {
             assert_eq!(mark("eta", guess, "64", "44/81", "2")["mark"], expected, "{guess}");
@@ -118,6 +122,7 @@ mod tests {
         assert_eq!(irrational["mark"], "rounded");
         let low = mark("eta", "0.3", "10", "9/10", "7");
         assert_eq!((&low["mark"], &low["side"], &low["off"]), (&json!("off"), &json!("small"), &json!("20")));
+        assert_eq!(mark("eta", "-1", "10", "9/10", "7")["off"], json!("368"));
         assert_eq!(mark("best-n", "3", "10", "9/10", "7")["mark"], "exact");
         assert_eq!(mark("best-n", "4", "10", "9/10", "7")["side"], "large");
         assert_eq!(mark("best-n", "1000", "10", "1", "7")["side"], "small");

@@ -1,6 +1,6 @@
 //! Which claims of the catalogue stand behind a result: the page's "why?".
 
-use carom::scene::{Chain, Coefficients, Inserted};
+use carom_physics::scene::{Chain, Coefficients, Inserted};
 use serde_json::{Value, json};
 
 /// The names of claims behind each result, the nearest one first.
@@ -44,7 +44,7 @@ pub fn behind(chain: &Chain) -> Value {
 mod tests {
     use super::*;
     use crate::request::Request;
-    use carom::claim::embedded;
+    use carom_catalogue as embedded;
 
     #[test]
     fn every_reason_is_a_claim_of_the_catalogue() {

@@ -9,15 +9,15 @@
 
 use crate::middle;
 use crate::request::{Fault, Request};
-use carom::chain::recollision::WARNING;
-use carom::chain::replay::{self, Body, Entry, Limit, Line, Options, Outcome, Status, Value as Exact};
-use carom::number::decimal::{Digits, Rounding};
-use carom::number::rational;
-use carom::report::replay::svg::{self, Worldlines};
-use carom::report::replay::{Numbers, Replay, counted, decimal, group, pair};
-use carom::scene::answer::{Answers, Number, Value as Answer};
-use carom::scene::quantity::Quantity;
-use carom::scene::{Chain, Scene, Start};
+use carom_documents::report::replay::svg::{self, Worldlines};
+use carom_documents::report::replay::{Numbers, Replay, counted, decimal, group, pair};
+use carom_exact::number::decimal::{Digits, Rounding};
+use carom_exact::number::rational;
+use carom_physics::chain::recollision::WARNING;
+use carom_physics::chain::replay::{self, Body, Entry, Limit, Line, Options, Outcome, Status, Value as Exact};
+use carom_physics::scene::answer::{Answers, Number, Value as Answer};
+use carom_physics::scene::quantity::Quantity;
+use carom_physics::scene::{Chain, Scene, Start};
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;

@@ -1,11 +1,11 @@
 //! Requests of the page: fields as they were typed, and faults that name their field.
 
-use crate::typed::{self, Unclear};
-use carom::chain::uncertain::{Range, RangeError};
-use carom::chain::{ChainError, Positive, Restitution};
-use carom::number::NumberError;
-use carom::number::rational::NumeralError;
-use carom::scene::{Chain, Coefficients, Inserted, Start};
+use carom_exact::number::NumberError;
+use carom_exact::number::rational::NumeralError;
+use carom_exact::number::typed::{self, Unclear};
+use carom_physics::chain::uncertain::{Range, RangeError};
+use carom_physics::chain::{ChainError, Positive, Restitution};
+use carom_physics::scene::{Chain, Coefficients, Inserted, Start};
 use malachite::Rational;
 use serde_json::{Map, Value, json};
 
@@ -106,9 +106,9 @@ impl Request {
             let found = if text.is_empty() { "nothing".to_owned() } else { shown(text) };
             return Err(Fault::at(field, format!("expected a whole number such as 3, found {found}")));
         }
-        plain
-            .parse()
-            .map_err(|_| Fault::at(field, format!("limit reached: {} at most", carom::chain::MAX_INSERTED)).limit())
+        plain.parse().map_err(|_| {
+            Fault::at(field, format!("limit reached: {} at most", carom_physics::chain::MAX_INSERTED)).limit()
+        })
     }
 
     /// A number of digits that the page is willing to show.
@@ -242,6 +242,7 @@ pub fn numeral(text: &str, error: &NumeralError) -> String {
             format!("expected a number, found {}", shown(text))
         }
         NumeralError::Uncertainty { .. } => format!("{}: write a measured value as 57.1 ± 0.1", shown(text)),
+        NumeralError::Unclear { what } => what.clone(),
         NumeralError::ZeroDenominator { .. } => format!("{}: the denominator is 0", shown(text)),
         NumeralError::TooManyDigits { allowed, needed } => {
             format!("limit reached: a number has {allowed} digits at most, this one has {needed}")

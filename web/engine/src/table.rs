@@ -1,13 +1,15 @@
 //! Tables of certified numbers.
 
 use crate::request::{Fault, MAX_DIGITS, Request, numeral};
-use crate::typed;
-use carom::number::decimal::{Digits, Rounding};
-use carom::report::table::{Form, Head, Writer, entries};
-use carom::scene::read::ROUNDINGS;
-use carom::table::grid::{Grid, GridError};
-use carom::table::shared::Factors;
-use carom::table::{Plan, Printing, Quantity, TableError};
+use carom_documents::report::table::{Form, Head, Writer, entries};
+use carom_exact::number::decimal::{Digits, Rounding};
+use carom_exact::number::{rational, typed};
+use carom_physics::scene::read::ROUNDINGS;
+use carom_physics::table::grid::{Grid, GridError};
+use carom_physics::table::shared::Factors;
+use carom_physics::table::{Plan, Printing, Quantity, TableError};
+use malachite::Rational;
+use malachite::base::num::conversion::traits::IsInteger;
 use serde_json::{Value, json};
 
 /// The most rows of a table on this page.
@@ -86,7 +88,13 @@ fn plan(request: &Request) -> Result<Plan, Fault> {
 }
 
 fn grid(request: &Request, field: &'static str) -> Result<Grid, Fault> {
-    let plain = typed::grid(request.text(field)?).map_err(|unclear| Fault::unclear(field, unclear))?;
+    let in_range = |x: &Rational| match field {
+        "n" => x.is_integer() && *x >= 0,
+        "e" => *x >= 0 && *x <= 1,
+        _ => *x > 0,
+    };
+    let fits = |part: &str| rational::parse(part).is_ok_and(|x| in_range(&x));
+    let plain = typed::grid(request.text(field)?, fits).map_err(|unclear| Fault::unclear(field, unclear))?;
     Grid::parse(&plain).map_err(|error| {
         let message = match &error {
             GridError::Numeral { part, error } => numeral(part, error),

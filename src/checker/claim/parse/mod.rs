@@ -1,0 +1,486 @@
+//! From text to syntax trees.
+//!
+//! Contract: [`parse`] returns every claim of a file, or every fault that it found, never both, and
+//! never panics. After a fault it continues at the next clause, so that one run reports several.
+//! Nesting is limited by [`MAX_DEPTH`]; time is linear in the number of tokens but for parentheses
+//! that may open a proposition or an expression, which are decided by one look ahead.
+
+mod clause;
+mod define;
+mod expression;
+mod given;
+mod limit;
+mod proof;
+mod proposition;
+mod well_founded;
+
+use super::diagnostic::{Diagnostic, Fault, nearest};
+use super::lex::{FILE_LIMIT, Kind, Token, tokens};
+use super::preamble::Preamble;
+use super::print::Style;
+use super::syntax::*;
+use proposition::relation_of;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Words that begin a clause.
+pub(super) const CLAUSES: &[&str] = &[
+    "claim", "paper", "text", "source", "section", "number", "reading", "note", "using", "given", "let", "define",
+    "assume", "sample", "prove", "expect",
+];
+
+/// Words that begin a clause of a preamble.
+const PREAMBLE: &[&str] = &["paper", "source", "section", "reading", "given", "let", "define", "assume"];
+
+/// Words by which other languages add a condition.
+const CONDITIONS: &[&str] = &["if", "when", "where", "whenever", "provided", "unless"];
+
+/// What is expected after the names of a declaration.
+const DOMAIN: &str = "a domain: `real`, `natural`, `integer`, `> 0`, `in [0, 1]` or `in 1..n`";
+
+/// Words that cannot be names of variables.
+const RESERVED: &[&str] = &[
+    "claim",
+    "source",
+    "section",
+    "number",
+    "reading",
+    "note",
+    "using",
+    "given",
+    "let",
+    "define",
+    "assume",
+    "prove",
+    "expect",
+    "and",
+    "or",
+    "not",
+    "exists",
+    "for",
+    "all",
+    "each",
+    "in",
+    "is",
+    "at",
+    "over",
+    "of",
+    "as",
+    "by",
+    "with",
+    "maximum",
+    "minimum",
+    "limit",
+    "infinity",
+    "have",
+    "obtain",
+    "case",
+    "real",
+    "natural",
+    "sum",
+    "product",
+    "derivative",
+    "only",
+    "conclude",
+];
+
+/// Whether a word is the name of a function that the language knows.
+fn is_function(word: &str) -> bool {
+    FUNCTIONS.iter().any(|f| f.0 == word)
+        || super::trigonometry::is_function(word)
+        || super::abbreviation::is_one(word)
+        || super::floor::is_function(word)
+}
+
+/// Whether a word begins a clause of a claim.
+pub fn begins_clause(word: &str) -> bool {
+    CLAUSES.contains(&word)
+}
+
+/// Whether a word is a keyword, which cannot be a name.
+pub fn is_keyword(word: &str) -> bool {
+    RESERVED.contains(&word) || begins_clause(word)
+}
+
+/// The claims of a source text.
+pub fn parse(source: &str) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    parse_under(source, &Preamble::default()).map(|file| file.0)
+}
+
+/// The claims of a source text under the preamble of its folder, and the preamble that the file leaves to others.
+///
+/// A returned claim contains the declarations that it takes from the preambles, and all abbreviations are expanded.
+pub fn parse_under(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
+    parse_placed(source, folder, &|span| span)
+}
+
+/// The same for a text that was made from another one: `place` gives each part of it its place there, which all places of
+/// the claims and of the faults are.
+pub fn parse_placed(
+    source: &str,
+    folder: &Preamble,
+    place: &dyn Fn(Span) -> Span,
+) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
+    let mut faults = Vec::new();
+    let (mut claims, preamble) = clauses_placed(source, folder, place)?;
+    super::check::preamble(&preamble, &mut faults);
+    if faults.is_empty() {
+        for claim in &mut claims {
+            preamble.put_before(claim, &mut faults);
+            super::check::check(claim, &mut faults);
+        }
+    }
+    if faults.is_empty() {
+        claims.iter_mut().for_each(|claim| super::write_out::write_out(claim, &mut faults));
+    }
+    if faults.is_empty() {
+        claims.iter_mut().for_each(|claim| super::constants::check(claim, &mut faults));
+    }
+    if faults.is_empty() { Ok((claims, preamble)) } else { Err(faults) }
+}
+
+/// The clauses of a file as they are written: no name is looked up.
+pub fn clauses(source: &str, folder: &Preamble) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
+    clauses_placed(source, folder, &|span| span)
+}
+
+/// The same for a text that was made from another one, as in [`parse_placed`].
+pub fn clauses_placed(
+    source: &str,
+    folder: &Preamble,
+    place: &dyn Fn(Span) -> Span,
+) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
+    if source.len() > FILE_LIMIT {
+        let fault = Fault::Limit { name: "bytes in a claim file", allowed: FILE_LIMIT };
+        return Err(vec![Diagnostic::new(fault, Span::default())]);
+    }
+    let (mut tokens, mut faults) = tokens(source);
+    tokens.iter_mut().for_each(|token| token.span = place(token.span));
+    faults.iter_mut().for_each(|fault| fault.span = place(fault.span));
+    let mut parser = Parser::new(tokens, faults);
+    parser.preamble = folder.clone();
+    let claims = parser.claims();
+    let mut faults = parser.faults;
+    if claims.is_empty() && faults.is_empty() && !parser.preamble.is_said {
+        faults.push(Diagnostic::new(Fault::Empty, Span { start: 0, end: source.len().min(1) }));
+    }
+    if faults.is_empty() { Ok((claims, parser.preamble)) } else { Err(faults) }
+}
+
+/// The names of the claims in a file, be it faulty or not.
+pub fn claim_names(source: &str) -> Vec<String> {
+    let (tokens, _) = tokens(source);
+    let begins = |token: &Token| token.first_on_line && token.kind == Kind::Word("claim".to_string());
+    let pairs = tokens.windows(2).filter(|pair| begins(&pair[0]));
+    pairs
+        .filter_map(|pair| match &pair[1].kind {
+            Kind::Word(name) => Some(name.clone()),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The text of a file's bytes.
+pub fn text_of(bytes: &[u8]) -> Result<&str, Vec<Diagnostic>> {
+    std::str::from_utf8(bytes).map_err(|fault| {
+        let start = fault.valid_up_to();
+        vec![Diagnostic::new(Fault::NotText, Span { start, end: start + 1 })]
+    })
+}
+
+/// The claims of a file's bytes.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Vec<Claim>, Vec<Diagnostic>> {
+    parse(text_of(bytes)?)
+}
+
+/// A proposition by itself, for tests and tools.
+pub fn parse_prop(source: &str) -> Result<Prop, Vec<Diagnostic>> {
+    let (tokens, faults) = tokens(source);
+    let mut parser = Parser::new(tokens, faults);
+    let prop = parser.prop();
+    if let Ok(prop) = prop
+        && parser.faults.is_empty()
+        && parser.peek() == &Kind::End
+    {
+        return Ok(prop);
+    }
+    if parser.faults.is_empty() {
+        parser.expected("the end of the statement");
+    }
+    Err(parser.faults)
+}
+
+/// An expression by itself, for certificates and tools.
+pub fn parse_expr(source: &str) -> Result<Expr, Vec<Diagnostic>> {
+    let (tokens, faults) = tokens(source);
+    let mut parser = Parser::new(tokens, faults);
+    let expr = parser.expr();
+    if let Ok(expr) = expr
+        && parser.faults.is_empty()
+        && parser.peek() == &Kind::End
+    {
+        return Ok(expr);
+    }
+    if parser.faults.is_empty() {
+        parser.expected("the end of the expression");
+    }
+    Err(parser.faults)
+}
+
+/// The fault has been reported; the caller gives up its construct.
+struct Reported;
+
+type Parsed<T> = Result<T, Reported>;
+
+struct Parser {
+    tokens: Vec<Token>,
+    at: usize,
+    depth: usize,
+    /// The names of the claim so far, by their printed form.
+    printed: BTreeMap<String, String>,
+    /// The preamble, which the claims of the file share.
+    preamble: Preamble,
+    /// The names that the claim, or the preamble, has declared so far.
+    declared: BTreeSet<String>,
+    /// The variables of limits, and whether they are natural numbers, if the file says so.
+    growing: Vec<(Name, Option<bool>)>,
+    /// The word `integer` of the declaration that was just read.
+    whole: Option<Span>,
+    /// Whether the text comes from a claim file, not from a certificate or a tool.
+    file: bool,
+    faults: Vec<Diagnostic>,
+}
+
+impl Parser {
+    fn new(tokens: Vec<Token>, faults: Vec<Diagnostic>) -> Parser {
+        Parser {
+            tokens,
+            at: 0,
+            depth: 0,
+            printed: BTreeMap::new(),
+            preamble: Preamble::default(),
+            declared: BTreeSet::new(),
+            growing: Vec::new(),
+            whole: None,
+            file: false,
+            faults,
+        }
+    }
+
+    fn peek(&self) -> &Kind {
+        &self.tokens[self.at].kind
+    }
+
+    fn peek_at(&self, ahead: usize) -> &Kind {
+        &self.tokens[(self.at + ahead).min(self.tokens.len() - 1)].kind
+    }
+
+    fn span(&self) -> Span {
+        self.tokens[self.at].span
+    }
+
+    fn last_end(&self) -> usize {
+        if self.at == 0 { 0 } else { self.tokens[self.at - 1].span.end }
+    }
+
+    fn since(&self, start: usize) -> Span {
+        Span { start, end: self.last_end().max(start) }
+    }
+
+    fn advance(&mut self) -> Token {
+        let token = self.tokens[self.at].clone();
+        if self.at + 1 < self.tokens.len() {
+            self.at += 1;
+        }
+        token
+    }
+
+    fn sign(&mut self, sign: &str) -> bool {
+        let found = matches!(self.peek(), Kind::Sign(s) if *s == sign);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    fn is_word(&self, word: &str) -> bool {
+        matches!(self.peek(), Kind::Word(w) if w == word)
+    }
+
+    fn word(&mut self, word: &str) -> bool {
+        let found = self.is_word(word);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    fn need_sign(&mut self, sign: &str, what: &str) -> Parsed<()> {
+        if self.sign(sign) { Ok(()) } else { Err(self.expected(&format!("`{sign}` {what}"))) }
+    }
+
+    fn need_word(&mut self, word: &str) -> Parsed<()> {
+        if self.word(word) { Ok(()) } else { Err(self.expected(&format!("`{word}`"))) }
+    }
+
+    fn found(&self) -> String {
+        match self.peek() {
+            Kind::Word(w) => format!("`{w}`"),
+            Kind::Number(n) => format!("the number {}", n.chars().take(20).collect::<String>()),
+            Kind::Raised(n) => format!("the power {}", n.chars().take(20).collect::<String>()),
+            Kind::Text(_) => "a text".to_string(),
+            Kind::Sign(s) => format!("`{s}`"),
+            Kind::End => "the end of the file".to_string(),
+        }
+    }
+
+    fn expected(&mut self, expected: &str) -> Reported {
+        self.expected_with(expected, None)
+    }
+
+    fn expected_with(&mut self, expected: &str, help: Option<String>) -> Reported {
+        let help = help.or_else(|| {
+            let previous = self.at.checked_sub(1).map(|i| &self.tokens[i]);
+            let is_name = |word: &str| !RESERVED.contains(&word) && !CLAUSES.contains(&word);
+            let product = |word: &str| is_name(word) && self.in_expression();
+            let next = self.peek_at(1);
+            if let Some(help) = self.function_without_parentheses() {
+                return Some(help);
+            }
+            match (previous.map(|t| &t.kind), self.peek()) {
+                // The line before is complete, so the word was meant to begin a clause.
+                (_, Kind::Word(w)) if self.tokens[self.at].first_on_line && is_name(w) => {
+                    nearest(w, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?"))
+                }
+                (Some(_), Kind::Word(w)) if CONDITIONS.contains(&w.as_str()) => {
+                    Some("write a condition as a hypothesis, `assume A`, or as an implication, `A => B`".to_string())
+                }
+                (_, Kind::Sign("==")) => Some("equality is written with one sign: a = b".to_string()),
+                (_, Kind::Sign("**")) => Some("powers are written a^b".to_string()),
+                (Some(Kind::Number(n)), Kind::Word(w)) if is_name(w) => Some(format!("write {n}*{w}")),
+                (Some(Kind::Number(n)), Kind::Sign("(")) => Some(format!("write {n}*(…)")),
+                (Some(Kind::Sign(")")), Kind::Sign("(")) => Some("write (…)*(…)".to_string()),
+                (Some(Kind::Sign(")")), Kind::Word(w)) if is_name(w) => Some(format!("write (…)*{w}")),
+                (Some(Kind::Word(a)), Kind::Word(b)) if product(a) && is_name(b) => Some(match expected {
+                    DOMAIN => format!("write a comma between names: {a}, {b}"),
+                    _ => format!("write {a}*{b} for a product"),
+                }),
+                (Some(Kind::Word(a)), Kind::Number(n)) if product(a) => {
+                    Some(format!("write {a}*{n} for a product, or {a}{n} for a name with an index"))
+                }
+                (Some(Kind::Sign("^")), Kind::Sign("{")) => Some("group with parentheses, as in a^(n + 1)".to_string()),
+                (Some(Kind::Number(a)), Kind::Sign(",")) => match next {
+                    Kind::Number(b) if b.len() == 3 => {
+                        Some(format!("write {a}{b} without a separator, or {a}.{b} if the comma is a decimal one"))
+                    }
+                    Kind::Number(b) => Some(format!("write {a}.{b} with a decimal point")),
+                    _ => None,
+                },
+                (Some(Kind::Word(name)), _) if expected == DOMAIN && is_name(name) => {
+                    Some(format!("declare a real number as `{name} real`"))
+                }
+                _ => None,
+            }
+        });
+        let fault = Fault::Expected { expected: expected.to_string(), found: self.found(), help };
+        let span = self.span();
+        self.faults.push(Diagnostic::new(fault, span));
+        Reported
+    }
+
+    /// What to write for `sin x` or `sin^2(x)` where the fault is behind the name of a function.
+    fn function_without_parentheses(&self) -> Option<String> {
+        let before = |back: usize| self.at.checked_sub(back).map(|i| &self.tokens[i].kind);
+        let function = |kind: Option<&Kind>| match kind {
+            Some(Kind::Word(word)) if is_function(word) => Some(word.clone()),
+            _ => None,
+        };
+        match self.peek() {
+            Kind::Word(argument) if !is_keyword(argument) => {
+                function(before(1)).map(|name| format!("write {name}({argument})"))
+            }
+            Kind::Number(argument) => function(before(1)).map(|name| format!("write {name}({argument}*x)")),
+            Kind::Sign("(") => {
+                let (Some(Kind::Number(power)), Some(Kind::Sign("^"))) = (before(1), before(2)) else { return None };
+                function(before(3)).map(|name| format!("write the power behind the argument: {name}(x)^{power}"))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the current clause is one of expressions, and no method has begun in it.
+    fn in_expression(&self) -> bool {
+        for token in self.tokens[..self.at].iter().rev() {
+            match &token.kind {
+                Kind::Word(word) if token.first_on_line && CLAUSES.contains(&word.as_str()) => {
+                    return ["given", "let", "define", "assume", "prove"].contains(&word.as_str());
+                }
+                Kind::Word(word) if word == "by" => return false,
+                _ => {}
+            }
+        }
+        true
+    }
+
+    fn other(&mut self, message: &str, help: Option<&str>, span: Span) -> Reported {
+        let fault = Fault::Other { message: message.to_string(), help: help.map(str::to_string) };
+        self.faults.push(Diagnostic::new(fault, span));
+        Reported
+    }
+
+    /// Runs a parser one level deeper, unless that is too deep.
+    fn deeper<T>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if self.depth >= MAX_DEPTH {
+            let span = self.span();
+            let fault = Fault::Limit { name: "levels of nesting", allowed: MAX_DEPTH };
+            self.faults.push(Diagnostic::new(fault, span));
+            // The rest of such a file is of the same kind: stop reading.
+            self.at = self.tokens.len() - 1;
+            return Err(Reported);
+        }
+        self.depth += 1;
+        let result = parse(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// A name that is no keyword, and does not look in print like another name of the claim: `m_1` and `m1`
+    /// are both m with an index.
+    fn name(&mut self, what: &str) -> Parsed<Name> {
+        match self.peek().clone() {
+            Kind::Word(text) if !RESERVED.contains(&text.as_str()) => {
+                let span = self.advance().span;
+                let first = self.printed.entry(Style::Latex.name(&text)).or_insert_with(|| text.clone());
+                if *first != text {
+                    let message = format!("the names {first} and {text} look the same in print");
+                    self.other(&message, Some("give one of them another name"), span);
+                }
+                Ok(Name { text, span })
+            }
+            Kind::Word(text) => {
+                let help = format!("`{text}` is a keyword; choose another name");
+                Err(self.expected_with(what, Some(help)))
+            }
+            _ => Err(self.expected(what)),
+        }
+    }
+
+    fn text(&mut self) -> Parsed<String> {
+        match self.peek().clone() {
+            Kind::Text(text) => {
+                self.advance();
+                Ok(text)
+            }
+            _ => Err(self.expected("a text in quotation marks")),
+        }
+    }
+
+    /// Whether a clause begins here.
+    fn at_clause(&self) -> bool {
+        let token = &self.tokens[self.at];
+        match &token.kind {
+            Kind::End => true,
+            Kind::Word(w) => token.first_on_line && CLAUSES.contains(&w.as_str()),
+            _ => false,
+        }
+    }
+}

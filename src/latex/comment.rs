@@ -1,0 +1,172 @@
+//! Clauses in comments: the claim language with the paper's names.
+//!
+//! Contract: a clause is copied sign by sign. Only names change: a name in LaTeX, `\mu_{1}` or `v_1^\prime`, becomes its spelling in
+//! the claim language, and so does a name that is spelled in two ways.
+
+use super::document::Clause;
+use super::macros::group;
+use super::name::{Names, base, is_letter, scripts};
+use super::place::Placed;
+use super::refusal::{expected, refused};
+use super::token::{Kind, Token, raw_tokens};
+use carom_diagnostic::{Diagnostic, Span};
+
+/// The clause in the claim language.
+///
+/// # Errors
+/// LaTeX that is no name.
+pub(crate) fn clause(text: &str, span: Span, names: &mut Names) -> Result<Placed, Diagnostic> {
+    let tokens = raw_tokens(text, span.start)?;
+    let mut out = Placed::default();
+    let first = first_word(text);
+    // Names of claims hold dashes, and are no names of the paper.
+    let is_plain = ["claim", "using", "expect", "reading", "number"].contains(&first);
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        if token.apart && at > 0 {
+            out.push(" ", token.span);
+        }
+        if token.is_char('"') {
+            let end = tokens[at + 1..].iter().position(|t| t.is_char('"')).map_or(tokens.len() - 1, |i| at + 1 + i);
+            let (from, to) = (token.span.start - span.start, tokens[end].span.end - span.start);
+            out.push(&text[from..to], Span { start: token.span.start, end: tokens[end].span.end });
+            at = end + 1;
+            continue;
+        }
+        if let (false, Some((symbol, next))) = (is_plain, latex_name(&tokens, at)?) {
+            out.push(&names.of(&symbol)?, symbol.span);
+            at = next;
+            continue;
+        }
+        let length = identifier(&tokens, at);
+        if length > 0 {
+            let word: String = tokens[at..at + length].iter().filter_map(|t| t.char()).collect();
+            let place = Span { start: token.span.start, end: tokens[at + length - 1].span.end };
+            let is_word = is_plain || at == 0;
+            out.push(&if is_word { word } else { names.identifier(&word) }, place);
+            at += length;
+            continue;
+        }
+        match &token.kind {
+            Kind::Command(name) if is_sign(name) => out.push(is_sign_text(name), token.span),
+            Kind::Command(name) => {
+                let help = "in comments write the claim language: a/b, sqrt(x), x^2, sum(i = 1..n, x), a*b";
+                return Err(refused(format!("\\{name} is not read in a comment"), help, token.span));
+            }
+            _ => out.push(&token.text(), token.span),
+        }
+        at += 1;
+    }
+    Ok(out)
+}
+
+/// The first word of a clause.
+pub(crate) fn first_word(text: &str) -> &str {
+    text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default()
+}
+
+/// `name m_{12} as m12`: the key and what it stands for.
+pub(crate) fn rename(said: &Clause, names: &mut Names) -> Result<(), Diagnostic> {
+    let tokens = raw_tokens(&said.text, said.span.start)?;
+    let wanted = "a name and what it is called, as in `%carom name m_{12} as m12`";
+    let Some((first, next)) = base(&tokens, 4)? else { return Err(expected(wanted, "something else", said.span)) };
+    let (first, next) = match tokens.get(next) {
+        // A change is a name of two letters.
+        Some(token) if first == "\\Delta" && base(&tokens, next)?.is_some() => {
+            let (second, after) = base(&tokens, next)?.unwrap_or((token.text(), next + 1));
+            (format!("{first} {second}"), after)
+        }
+        _ => (first, next),
+    };
+    let (symbol, next) = scripts(&tokens, first, tokens[4].span, next)?;
+    let is_as =
+        tokens.get(next).is_some_and(|t| t.is_char('a')) && tokens.get(next + 1).is_some_and(|t| t.is_char('s'));
+    let Some(from) = tokens.get(next + 2).filter(|_| is_as).map(|t| t.span.start - said.span.start) else {
+        return Err(expected(wanted, "something else", said.span));
+    };
+    names.set(&symbol.key(), said.text[from..].trim(), said.span)
+}
+
+/// The name in LaTeX at `at`, if one stands there: a letter by its command, or a letter with braces below.
+fn latex_name(tokens: &[Token], at: usize) -> Result<Option<(super::name::Symbol, usize)>, Diagnostic> {
+    let token = &tokens[at];
+    if let Kind::Command(name) = &token.kind {
+        if is_sign(name) {
+            return Ok(None);
+        }
+        let Some((mut first, mut next)) = base(tokens, at)? else { return Ok(None) };
+        if name == "Delta"
+            && let Some((second, after)) = base(tokens, next)?
+            && (tokens[next].command().is_some_and(is_letter) || identifier(tokens, next) == 1)
+        {
+            (first, next) = (format!("{first} {second}"), after);
+        }
+        return scripts(tokens, first, token.span, next).map(Some);
+    }
+    if token.char().is_some_and(|c| c.is_ascii_alphabetic()) {
+        let length = identifier(tokens, at);
+        let is_command = |t: &Token| matches!(t.kind, Kind::Open | Kind::Command(_));
+        let below = tokens.get(at + length).is_some_and(|t| t.is_char('_') && !t.apart)
+            && tokens.get(at + length + 1).is_some_and(is_command);
+        let above = tokens.get(at + length).is_some_and(|t| t.is_char('^'))
+            && tokens.get(at + length + 1).is_some_and(|t| {
+                t.is("prime")
+                    || (t.kind == Kind::Open
+                        && group(tokens, at + length + 1).is_ok_and(|g| g.0.iter().all(|t| t.is("prime"))))
+            });
+        if below || above {
+            let word: String = tokens[at..at + length].iter().filter_map(|t| t.char()).collect();
+            // What the word has below already, as in v_1^\prime.
+            let (head, tail) = word.split_once('_').map_or((word.as_str(), None), |(head, tail)| (head, Some(tail)));
+            let (mut symbol, next) = scripts(tokens, head.to_string(), token.span, at + length)?;
+            if let Some(tail) = tail {
+                let place = token.span;
+                symbol.below =
+                    Some(tail.chars().map(|c| Token { kind: Kind::Char(c), span: place, apart: false }).collect());
+            }
+            return Ok(Some((symbol, next)));
+        }
+    }
+    Ok(None)
+}
+
+/// The number of tokens of the claim language's name at `at`.
+fn identifier(tokens: &[Token], at: usize) -> usize {
+    let starts = |t: &Token| t.char().is_some_and(char::is_alphabetic);
+    if !tokens.get(at).is_some_and(starts) {
+        return 0;
+    }
+    let mut length = 1;
+    while let Some(token) = tokens.get(at + length)
+        && !token.apart
+        && let Some(c) = token.char()
+        && (c.is_alphanumeric() || c == '_' || c == '\'')
+    {
+        let after = tokens.get(at + length + 1);
+        if c == '_' && after.is_none_or(|t| !t.char().is_some_and(char::is_alphanumeric)) {
+            break;
+        }
+        length += 1;
+    }
+    length
+}
+
+/// Whether a command is a sign that the claim language has.
+fn is_sign(name: &str) -> bool {
+    !is_sign_text(name).is_empty()
+}
+
+fn is_sign_text(name: &str) -> &'static str {
+    match name {
+        "le" | "leq" | "leqslant" => "<=",
+        "ge" | "geq" | "geqslant" => ">=",
+        "ne" | "neq" => "!=",
+        "cdot" | "times" => "*",
+        "in" => "in",
+        "infty" => "infinity",
+        "to" => "->",
+        "Rightarrow" => "=>",
+        "Leftrightarrow" => "<=>",
+        _ => "",
+    }
+}

@@ -1,0 +1,422 @@
+//! A document's parts in order: clauses in comments, and displayed equations with their rows.
+//!
+//! Contract: every displayed formula is a [`Display`] or a fault; formulas in running text are counted. A comment on a line of
+//! an equation belongs to the row that the line ends, one on a line of its own to the row that follows.
+
+use super::macros::{Macros, defines, group, option};
+use super::number::Numbers;
+use super::refusal::refused;
+use super::token::{Kind, Token, words};
+use carom_diagnostic::{Diagnostic, Span};
+
+/// What a comment says, without `%carom`.
+#[derive(Clone, Debug)]
+pub(crate) struct Clause {
+    /// The text.
+    pub text: String,
+    /// Its place.
+    pub span: Span,
+}
+
+/// A row of a displayed formula.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Row {
+    /// Its cells, as `&` separates them.
+    pub cells: Vec<Vec<Token>>,
+    /// The comments in it.
+    pub clauses: Vec<Clause>,
+    /// `\label{…}`
+    pub label: Option<String>,
+    /// Its number in print.
+    pub number: Option<String>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A displayed formula.
+#[derive(Debug)]
+pub(crate) struct Display {
+    /// The environment, `[` for `\[ … \]`.
+    pub environment: String,
+    /// Its rows.
+    pub rows: Vec<Row>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A part of a document.
+pub(crate) enum Part {
+    /// A clause for all equations that follow.
+    Shared(Clause),
+    /// A displayed formula, macros expanded.
+    Display(Display),
+    /// What could not be read.
+    Fault(Diagnostic),
+}
+
+/// A document's parts.
+#[derive(Default)]
+pub(crate) struct Document {
+    /// In order.
+    pub parts: Vec<Part>,
+    /// The number of formulas in running text.
+    pub inline: usize,
+}
+
+/// Environments of displayed formulas.
+const DISPLAYS: &[&str] =
+    &["equation", "align", "gather", "multline", "eqnarray", "flalign", "alignat", "displaymath", "math"];
+/// Environments in a displayed formula that hold its rows.
+const INNER: &[&str] = &["split", "aligned", "gathered", "alignedat"];
+
+/// Reads a document from its tokens; `lines` says in which line a byte stands.
+pub(crate) fn document(tokens: &[Token], lines: &Lines) -> Document {
+    let mut reader =
+        Reader { tokens, lines, macros: Macros::default(), numbers: Numbers::default(), out: Document::default() };
+    let mut at = 0;
+    while at < tokens.len() {
+        at = reader.part(at).max(at + 1);
+    }
+    reader.out
+}
+
+/// Where the lines of a text begin.
+pub(crate) struct Lines(Vec<usize>);
+
+impl Lines {
+    /// Of a text.
+    pub(crate) fn of(source: &str) -> Lines {
+        Lines(std::iter::once(0).chain(source.match_indices('\n').map(|(at, _)| at + 1)).collect())
+    }
+
+    /// The number of the line in which a byte stands, from 1.
+    pub(crate) fn line(&self, at: usize) -> usize {
+        self.0.partition_point(|start| *start <= at)
+    }
+}
+
+struct Reader<'a> {
+    tokens: &'a [Token],
+    lines: &'a Lines,
+    macros: Macros,
+    numbers: Numbers,
+    out: Document,
+}
+
+impl Reader<'_> {
+    fn fault(&mut self, fault: Diagnostic) {
+        self.out.parts.push(Part::Fault(fault));
+    }
+
+    /// Reads the part that begins at a token, and returns where to read on.
+    fn part(&mut self, at: usize) -> usize {
+        let token = &self.tokens[at];
+        match &token.kind {
+            Kind::Comment(text) => {
+                let clause = Clause { text: text.clone(), span: token.span };
+                match self.out.parts.last_mut() {
+                    // A comment behind the end of a formula, on its line.
+                    Some(Part::Display(display))
+                        if !display.rows.is_empty()
+                            && self.lines.line(display.span.end.saturating_sub(1))
+                                == self.lines.line(token.span.start) =>
+                    {
+                        if let Some(row) = display.rows.last_mut() {
+                            row.clauses.push(clause);
+                        }
+                    }
+                    _ => self.out.parts.push(Part::Shared(clause)),
+                }
+                at + 1
+            }
+            Kind::Dollar(2) => self.until(at, |t| t.kind == Kind::Dollar(2), "$$"),
+            Kind::Dollar(_) => self.inline(at, |t| t.kind == Kind::Dollar(1)),
+            Kind::Command(name) => match name.as_str() {
+                "[" => self.until(at, |t| t.is("]"), "["),
+                "(" => self.inline(at, |t| t.is(")")),
+                "begin" => self.begin(at),
+                "end" => self.end(at),
+                "input" | "include" => {
+                    let help = "read that file by itself, or put its text here";
+                    self.fault(refused(format!("\\{name} is not followed"), help, token.span));
+                    at + 1
+                }
+                name if defines(name) => match self.macros.define(self.tokens, at) {
+                    Ok(next) => next,
+                    Err(fault) => {
+                        self.fault(fault);
+                        at + 1
+                    }
+                },
+                name => {
+                    self.numbers.command(name, &self.tokens[at + 1..]);
+                    at + 1
+                }
+            },
+            _ => at + 1,
+        }
+    }
+
+    /// A formula in running text.
+    fn inline(&mut self, at: usize, ends: impl Fn(&Token) -> bool) -> usize {
+        match self.tokens[at + 1..].iter().position(ends) {
+            Some(length) => {
+                self.out.inline += 1;
+                at + length + 2
+            }
+            None => {
+                let help = "close it with the same sign; a sign for money is \\$";
+                self.fault(refused("this formula is not closed", help, self.tokens[at].span));
+                self.tokens.len()
+            }
+        }
+    }
+
+    /// A displayed formula between signs.
+    fn until(&mut self, at: usize, ends: impl Fn(&Token) -> bool, environment: &str) -> usize {
+        match self.tokens[at + 1..].iter().position(ends) {
+            Some(length) => {
+                let end = at + 1 + length;
+                self.display(environment, at, at + 1, end, end);
+                end + 1
+            }
+            None => {
+                self.fault(refused("this formula is not closed", "close it with the same sign", self.tokens[at].span));
+                self.tokens.len()
+            }
+        }
+    }
+
+    fn begin(&mut self, at: usize) -> usize {
+        let Some((name, inside)) = environment(self.tokens, at) else { return at + 1 };
+        let plain = name.trim_end_matches('*').to_string();
+        if plain == "subequations" {
+            self.numbers.begin_sub();
+        }
+        if !DISPLAYS.contains(&plain.as_str()) {
+            return inside;
+        }
+        let Some(end) = end_of(self.tokens, inside) else {
+            let message = format!("\\begin{{{name}}} has no \\end{{{name}}}");
+            self.fault(refused(message, "close the environment", self.tokens[at].span));
+            return self.tokens.len();
+        };
+        let (closed, next) = environment(self.tokens, end).unwrap_or_default();
+        if closed != name {
+            let message = format!("\\begin{{{name}}} is closed by \\end{{{closed}}}");
+            self.fault(refused(message, "close the environments in the order of their nesting", self.tokens[end].span));
+            return next.max(end + 1);
+        }
+        let inside = if plain == "alignat" { group(self.tokens, inside).map_or(inside, |g| g.1) } else { inside };
+        if plain == "math" {
+            self.out.inline += 1;
+        } else {
+            self.display(&name, at, inside, end, next.saturating_sub(1));
+        }
+        next
+    }
+
+    fn end(&mut self, at: usize) -> usize {
+        if environment(self.tokens, at).is_some_and(|(name, _)| name == "subequations") {
+            self.numbers.end_sub();
+        }
+        at + 1
+    }
+
+    /// Reads the displayed formula whose body is `inside..end`.
+    fn display(&mut self, environment: &str, at: usize, inside: usize, end: usize, last: usize) {
+        let span =
+            Span { start: self.tokens[at].span.start, end: self.tokens[last.min(self.tokens.len() - 1)].span.end };
+        let read = self.macros.expand(&self.tokens[inside..end]).and_then(|body| self.rows(environment, &body));
+        match read {
+            Ok(rows) => {
+                let environment = environment.to_string();
+                self.out.parts.push(Part::Display(Display { environment, rows, span }));
+            }
+            Err(fault) => {
+                self.numbers.row(environment, None, false);
+                self.fault(fault);
+            }
+        }
+    }
+
+    fn rows(&mut self, environment: &str, body: &[Token]) -> Result<Vec<Row>, Diagnostic> {
+        let plain = environment.trim_end_matches('*');
+        let mut whole = Row::default();
+        let bare = self.without_marks(body, &mut whole)?;
+        // The rows of `split` within `equation` share its number.
+        if let Some(inner) = inner(&bare) {
+            let mut rows = self.split(inner)?;
+            if let Some(first) = rows.first_mut() {
+                first.clauses.splice(0..0, whole.clauses);
+                first.label = whole.label;
+                first.number = self.numbers.row(environment, whole.number, true);
+            }
+            return Ok(rows);
+        }
+        let mut rows = self.split(body)?;
+        let shared = ["equation", "multline", "[", "$$", "displaymath"].contains(&plain);
+        let count = rows.len();
+        for (place, row) in rows.iter_mut().enumerate() {
+            let has_one = if shared { place + 1 == count } else { true };
+            if has_one {
+                let said = row.number.take();
+                row.number = self.numbers.row(environment, said, true);
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The rows of a body, each with its cells.
+    fn split(&mut self, body: &[Token]) -> Result<Vec<Row>, Diagnostic> {
+        let mut rows: Vec<Row> = Vec::new();
+        let mut pieces: Vec<Vec<Token>> = vec![Vec::new()];
+        let (mut level, mut at) = (0usize, 0);
+        while let Some(token) = body.get(at) {
+            match &token.kind {
+                Kind::Open => level += 1,
+                Kind::Close => {
+                    let below = level.checked_sub(1);
+                    let help = "remove it, or write `{` where its group begins";
+                    level = below.ok_or_else(|| refused("this brace was not opened", help, token.span))?;
+                }
+                Kind::Command(name) if name == "begin" => level += 1,
+                Kind::Command(name) if name == "end" => level = level.saturating_sub(1),
+                _ => {}
+            }
+            if level == 0 && (token.is("\\") || token.is("newline") || token.is("cr")) {
+                at += 1;
+                at += usize::from(body.get(at).is_some_and(|t| t.is_char('*') && !t.apart));
+                if let Some((_, next)) = option(body, at).filter(|_| !body[at].apart) {
+                    at = next;
+                }
+                // What stands on the line of the break still belongs to the row.
+                let line = self.lines.line(token.span.start);
+                while let Some(comment) = body.get(at)
+                    && matches!(comment.kind, Kind::Comment(_))
+                    && self.lines.line(comment.span.start) == line
+                {
+                    pieces.last_mut().into_iter().for_each(|piece| piece.push(comment.clone()));
+                    at += 1;
+                }
+                pieces.push(Vec::new());
+                continue;
+            }
+            pieces.last_mut().into_iter().for_each(|piece| piece.push(token.clone()));
+            at += 1;
+        }
+        if level > 0 {
+            let span = body.iter().find(|t| t.kind == Kind::Open || t.is("begin")).map_or(Span::default(), |t| t.span);
+            return Err(refused("a brace or an environment of this formula is not closed", "close it", span));
+        }
+        for piece in pieces {
+            let mut row = Row::default();
+            let bare = self.without_marks(&piece, &mut row)?;
+            if bare.is_empty() && row.label.is_none() && row.clauses.is_empty() {
+                continue;
+            }
+            let (start, end) = (bare.first().map(|t| t.span.start), bare.last().map(|t| t.span.end));
+            let clause = row.clauses.first().map(|c| (c.span.start, c.span.end)).unwrap_or_default();
+            row.span = Span { start: start.unwrap_or(clause.0), end: end.unwrap_or(clause.1) };
+            row.cells = cells(&bare);
+            rows.push(row);
+        }
+        Ok(rows)
+    }
+
+    /// The tokens without labels, numbers and comments, which go into the row.
+    fn without_marks(&mut self, body: &[Token], row: &mut Row) -> Result<Vec<Token>, Diagnostic> {
+        let mut out = Vec::new();
+        let mut at = 0;
+        let mut level = 0usize;
+        while let Some(token) = body.get(at) {
+            match &token.kind {
+                Kind::Comment(text) => row.clauses.push(Clause { text: text.clone(), span: token.span }),
+                Kind::Command(name) if ["label", "tag"].contains(&name.as_str()) && level == 0 => {
+                    let star = usize::from(body.get(at + 1).is_some_and(|t| t.is_char('*')));
+                    let (inner, next) = group(body, at + 1 + star)?;
+                    match name.as_str() {
+                        "label" => row.label = Some(words(inner)),
+                        _ => row.number = Some(words(inner)),
+                    }
+                    at = next;
+                    continue;
+                }
+                Kind::Command(name) if name == "nonumber" || name == "notag" => row.number = Some(String::new()),
+                _ => {
+                    level += usize::from(token.is("begin"));
+                    level = level.saturating_sub(usize::from(token.is("end")));
+                    out.push(token.clone());
+                }
+            }
+            at += 1;
+        }
+        Ok(out)
+    }
+}
+
+/// The name of the environment that `\begin` or `\end` at `at` names, and where to read on.
+pub(crate) fn environment(tokens: &[Token], at: usize) -> Option<(String, usize)> {
+    if tokens.get(at + 1)?.kind != Kind::Open {
+        return None;
+    }
+    let (name, next) = group(tokens, at + 1).ok()?;
+    Some((words(name), next))
+}
+
+/// Where the `\end` stands that belongs to a `\begin` before `inside`.
+pub(crate) fn end_of(tokens: &[Token], inside: usize) -> Option<usize> {
+    let mut level = 0usize;
+    for (place, token) in tokens.iter().enumerate().skip(inside) {
+        if token.is("begin") {
+            level += 1;
+        } else if token.is("end") {
+            if level == 0 {
+                return Some(place);
+            }
+            level -= 1;
+        }
+    }
+    None
+}
+
+/// The body of the environment of rows that a formula consists of, if it does.
+fn inner(bare: &[Token]) -> Option<&[Token]> {
+    if !bare.first()?.is("begin") {
+        return None;
+    }
+    let (name, mut inside) = environment(bare, 0)?;
+    if !INNER.contains(&name.as_str()) {
+        return None;
+    }
+    if let Some((_, next)) = option(bare, inside) {
+        inside = next;
+    }
+    if name == "alignedat" {
+        inside = group(bare, inside).ok()?.1;
+    }
+    let end = end_of(bare, inside)?;
+    let rest = &bare[environment(bare, end)?.1..];
+    rest.iter().all(|t| matches!(t.kind, Kind::Char('.' | ','))).then(|| &bare[inside..end])
+}
+
+/// The cells of a row.
+pub(crate) fn cells(tokens: &[Token]) -> Vec<Vec<Token>> {
+    let mut out = vec![Vec::new()];
+    let mut level = 0usize;
+    for token in tokens {
+        match &token.kind {
+            Kind::Open => level += 1,
+            Kind::Close => level = level.saturating_sub(1),
+            Kind::Command(name) if name == "begin" => level += 1,
+            Kind::Command(name) if name == "end" => level = level.saturating_sub(1),
+            _ => {}
+        }
+        if level == 0 && token.is_char('&') {
+            out.push(Vec::new());
+        } else if let Some(cell) = out.last_mut() {
+            cell.push(token.clone());
+        }
+    }
+    out
+}

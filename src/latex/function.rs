@@ -1,0 +1,440 @@
+//! Commands in a formula: functions, roots, matrices, sums, products and derivatives.
+
+use super::document::{cells, end_of, environment};
+use super::expression::{Read, Reader, is_upright};
+use super::macros::{group, option};
+use super::name::{argument, base, canonical, is_letter, scripts};
+use super::piece::Piece;
+use super::place::Placed;
+use super::refusal::{ambiguous, command, refused};
+use super::symbol::commas;
+use super::token::{Kind, Token};
+use carom_diagnostic::Span;
+
+/// Functions with one argument, by their commands and as upright words.
+const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "sinh", "cosh", "tanh", "sech", "det"];
+/// Functions that LaTeX has no command for.
+const WORDS: &[&str] =
+    &["sech", "transpose", "trace", "inverse", "abs", "floor", "ceil", "cbrt", "sqrt", "binomial", "factorial"];
+
+impl<'t> Reader<'t, '_, '_> {
+    /// An atom that begins with a command.
+    pub(crate) fn command(&mut self) -> Read<Piece> {
+        let start = self.span();
+        let Some(token) = self.peek() else { return self.expected("an expression") };
+        let name = token.command().unwrap_or_default();
+        if FUNCTIONS.contains(&name) {
+            self.at += 1;
+            return self.function(name, start);
+        }
+        if is_upright(token) {
+            let (inner, next) = argument(self.tokens, self.at + 1)?;
+            let word = canonical(inner);
+            if FUNCTIONS.contains(&word.as_str()) || WORDS.contains(&word.as_str()) {
+                self.at = next;
+                return self.function(&word, start);
+            }
+            return self.symbol();
+        }
+        match name {
+            "sqrt" => {
+                self.at += 1;
+                let order = option(self.tokens, self.at);
+                if let Some((_, next)) = order {
+                    self.at = next;
+                }
+                let (inner, next) = argument(self.tokens, self.at)?;
+                let of = self.sum_in(inner)?;
+                self.at = next;
+                match order.map(|(order, _)| order) {
+                    None => Ok(of.within("sqrt")),
+                    Some([three]) if three.is_char('3') => Ok(of.within("cbrt")),
+                    Some(order) => {
+                        let order = self.sum_in(order)?;
+                        let mut exponent = Placed::new("1/", start);
+                        exponent.append(&order.at_least(4));
+                        Ok(of.to(&Piece::new(exponent, 3)).closed())
+                    }
+                }
+            }
+            "binom" | "dbinom" | "tbinom" => {
+                let (above, next) = argument(self.tokens, self.at + 1)?;
+                let (below, next) = argument(self.tokens, next)?;
+                let mut text = self.sum_in(above)?.text.between("binomial(", ", ");
+                text.append(&self.sum_in(below)?.text);
+                self.at = next;
+                text.push(")", start);
+                Ok(Piece::new(text, 5))
+            }
+            "max" | "min" => self.listed(name, start),
+            "lvert" => self.fenced("lvert", "rvert", "abs"),
+            "lfloor" => self.fenced("lfloor", "rfloor", "floor"),
+            "lceil" => self.fenced("lceil", "rceil", "ceil"),
+            "begin" => self.matrix(start),
+            "infty" => {
+                let help = "a limit says where its variable goes: \\lim_{n \\to \\infty} … = …";
+                Err(refused("infinity is no number", help, start))
+            }
+            "partial" => {
+                Err(refused("this \\partial belongs to no derivative", "write \\frac{\\partial f}{\\partial x}", start))
+            }
+            _ if is_letter(name) || base(self.tokens, self.at)?.is_some() => self.symbol(),
+            _ => Err(command(name, start)),
+        }
+    }
+
+    /// A function's argument and power.
+    fn function(&mut self, name: &str, start: Span) -> Read<Piece> {
+        let mut power = None;
+        if self.take_char('^') {
+            let (inner, next) = argument(self.tokens, self.at)?;
+            if inner.first().is_some_and(|t| t.is_char('-')) {
+                let readings = ["the inverse function", "one over the function"];
+                let write = [
+                    "declare the angle and assume its value, `%carom assume sin(theta) = x`".to_string(),
+                    format!("write \\frac{{1}}{{\\{name} x}}"),
+                ];
+                let write = write.each_ref().map(String::as_str);
+                return Err(ambiguous(&format!("\\{name}^{{-1}}"), readings, write, self.since(start)));
+            }
+            power = Some(self.sum_in(inner)?);
+            self.at = next;
+        }
+        if name == "ln" && self.is_next_char('_') {
+            return Err(command("log", start));
+        }
+        let value = if let Some((inner, next)) = self.parenthesis()? {
+            let text = self.call(name, inner, start)?;
+            self.at = next;
+            if power.is_some() && self.is_next_char('^') {
+                return self.expected("one exponent");
+            }
+            Piece::new(text, 5)
+        } else {
+            let of = self.bare_argument(name)?;
+            self.reach(name, start)?;
+            of.within(name)
+        };
+        Ok(match power {
+            Some(power) => value.to(&power),
+            None => value,
+        })
+    }
+
+    /// An argument without parentheses: a name, a numeral, a numeral and a name, a root, a fraction.
+    fn bare_argument(&mut self, name: &str) -> Read<Piece> {
+        let span = self.span();
+        if self.peek().is_some_and(|t| t.kind == Kind::Open) {
+            let (inner, next) = group(self.tokens, self.at)?;
+            let piece = self.inside(inner, |inside| {
+                let piece = inside.bare_argument("")?;
+                match inside.peek() {
+                    None => Ok(piece),
+                    Some(_) => {
+                        Err(refused("these braces do not print", format!("write \\{name}(…) with parentheses"), span))
+                    }
+                }
+            })?;
+            self.at = next;
+            return Ok(piece);
+        }
+        if self.peek().is_some_and(|t| t.command().is_some_and(|c| FUNCTIONS.contains(&c))) {
+            return Err(refused("a function of a function without parentheses", format!("write \\{name}(…)"), span));
+        }
+        if self.peek().is_some_and(|t| ["frac", "dfrac", "tfrac"].iter().any(|f| t.is(f))) {
+            let (above, next) = argument(self.tokens, self.at + 1)?;
+            let (below, next) = argument(self.tokens, next)?;
+            let mut text = self.sum_in(above)?.at_least(3);
+            text.push("/", span);
+            text.append(&self.sum_in(below)?.at_least(5));
+            self.at = next;
+            return Ok(Piece::new(text, 3));
+        }
+        let first = self.atom()?;
+        let is_name = |t: &Token| t.char().is_some_and(char::is_alphabetic) || t.command().is_some_and(is_letter);
+        if first.is_number && self.peek().is_some_and(is_name) {
+            let second = self.atom()?;
+            return Ok(super::piece::product(vec![(false, first), (false, second)]));
+        }
+        Ok(first)
+    }
+
+    /// Refuses what follows an argument without parentheses and might belong to it.
+    fn reach(&mut self, name: &str, start: Span) -> Read<()> {
+        let Some(token) = self.peek() else { return Ok(()) };
+        let is_function = token.command().is_some_and(|c| FUNCTIONS.contains(&c)) || is_upright(token);
+        let follows = self.begins_factor() && !is_function;
+        if !(follows || token.is_char('^') || token.is_char('/') || token.is_char('!')) {
+            return Ok(());
+        }
+        let next = token.text();
+        let readings =
+            [format!("the function of all, \\{name}(x{next}…)"), format!("a factor behind it, \\{name}(x){next}…")];
+        let write = [format!("write \\{name}(…) around all of it"), format!("write \\{name}(x) with parentheses")];
+        let (readings, write) = (readings.each_ref().map(String::as_str), write.each_ref().map(String::as_str));
+        let span = Span { start: start.start, end: token.span.end };
+        Err(ambiguous(&format!("what follows \\{name} without parentheses"), readings, write, span))
+    }
+
+    /// `\max(a, b)`, `\max\{a, b\}`
+    fn listed(&mut self, name: &str, start: Span) -> Read<Piece> {
+        self.at += 1;
+        let Some((inner, next)) = self.parenthesis()? else {
+            let help = format!(
+                "write \\{name}(a, b), or a statement: \\text{{maximum of }} f \\text{{ over }} x > 0 \\text{{ at }} x = a \\text{{ is }} b"
+            );
+            return Err(refused(format!("\\{name} has no list of numbers"), help, start));
+        };
+        let text = self.call(name, inner, start)?;
+        self.at = next;
+        Ok(Piece::new(text, 5))
+    }
+
+    /// `name(a, b)` in the claim language, from what stands in the parentheses.
+    fn call(&mut self, name: &str, inner: &'t [Token], start: Span) -> Read<Placed> {
+        let mut text = Placed::new(&format!("{name}("), start);
+        for (place, part) in commas(inner).into_iter().enumerate() {
+            if place > 0 {
+                text.push(", ", start);
+            }
+            text.append(&self.sum_in(part)?.text);
+        }
+        text.push(")", start);
+        Ok(text)
+    }
+
+    /// What stands between two commands that open and close.
+    fn fenced(&mut self, open: &str, close: &str, function: &str) -> Read<Piece> {
+        let start = self.span();
+        let mut level = 0usize;
+        let end = self.tokens.iter().enumerate().skip(self.at).find(|(_, t)| {
+            level += usize::from(t.is(open));
+            level -= usize::from(t.is(close) && level > 0);
+            t.is(close) && level == 0
+        });
+        let Some((end, _)) = end else {
+            return Err(refused(format!("\\{open} is not closed"), format!("write \\{close} where it ends"), start));
+        };
+        let inner = self.sum_in(&self.tokens[self.at + 1..end])?;
+        self.at = end + 1;
+        Ok(inner.within(function))
+    }
+
+    /// A matrix, or the determinant that `vmatrix` prints.
+    fn matrix(&mut self, start: Span) -> Read<Piece> {
+        let Some((name, inside)) = environment(self.tokens, self.at) else { return self.expected("an environment") };
+        if !["matrix", "pmatrix", "bmatrix", "smallmatrix", "vmatrix", "psmallmatrix"].contains(&name.as_str()) {
+            let help = match name.as_str() {
+                "cases" => "cases stand alone on the right side of one equation",
+                _ => "write a matrix as pmatrix",
+            };
+            return Err(refused(format!("the environment {name} is not read here"), help, start));
+        }
+        let Some(end) = end_of(self.tokens, inside) else {
+            return Err(refused(format!("\\begin{{{name}}} is not closed"), "close it", start));
+        };
+        let next = environment(self.tokens, end).map_or(end + 1, |found| found.1);
+        let mut text = Placed::new("[", start);
+        let body = &self.tokens[inside..end];
+        let rows = rows(body);
+        for (place, row) in rows.iter().filter(|row| !row.is_empty()).enumerate() {
+            if place > 0 {
+                text.push("; ", start);
+            }
+            for (place, cell) in cells(row).iter().enumerate() {
+                if place > 0 {
+                    text.push(", ", start);
+                }
+                text.append(&self.sum_in(cell)?.text);
+            }
+        }
+        self.at = next;
+        text.push("]", start);
+        let piece = Piece::new(text, 5);
+        Ok(if name == "vmatrix" { piece.within("det") } else { piece })
+    }
+
+    /// A sum, a product or a derivative, with all that it reaches.
+    pub(crate) fn operator(&mut self) -> Read<Option<Piece>> {
+        let start = self.span();
+        let Some(token) = self.peek() else { return Ok(None) };
+        match token.command() {
+            Some("sum") => self.over("sum", start).map(Some),
+            Some("prod") => self.over("product", start).map(Some),
+            Some("frac" | "dfrac" | "tfrac") => self.derivative(start),
+            Some("lim") => {
+                let help = "write the limit as a statement of its own: \\lim_{n \\to \\infty} (…) = …";
+                Err(refused("a limit within an expression is not read", help, start))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn over(&mut self, word: &str, start: Span) -> Read<Piece> {
+        self.at += 1;
+        let (mut below, mut above) = (None, None);
+        for _ in 0..2 {
+            let sign = self.peek().and_then(Token::char);
+            if sign == Some('_') || sign == Some('^') {
+                let (inner, next) = argument(self.tokens, self.at + 1)?;
+                if sign == Some('_') {
+                    below = Some(inner)
+                } else {
+                    above = Some(inner)
+                }
+                self.at = next;
+            }
+        }
+        let range = "write the range of the index: \\sum_{i=1}^{n}";
+        let (Some(below), Some(above)) = (below, above) else {
+            return Err(refused(format!("this {word} has no range"), range, start));
+        };
+        let equals = below.iter().position(|t| t.is_char('='));
+        let name = base(below, 0)?.map(|(first, next)| scripts(below, first, start, next)).transpose()?;
+        let (Some((index, end)), Some(equals)) = (name, equals) else {
+            return Err(refused(format!("the index of this {word} is not read"), range, start));
+        };
+        if end != equals {
+            return Err(refused(format!("the index of this {word} is not read"), range, start));
+        }
+        let (from, to) = (self.sum_in(&below[equals + 1..])?, self.sum_in(above)?);
+        let name = self.scope.names.of(&index)?;
+        self.scope.bound.push((index.key(), name.clone()));
+        let body = self.term();
+        self.scope.bound.pop();
+        let body = body?;
+        let rest = &self.tokens[self.at..];
+        let goes_on = rest.first().is_some_and(|t| t.is_char('+') || t.is_char('-'));
+        let is_relation = |t: &&Token| matches!(t.char(), Some('=' | '<' | '>')) || t.is("le") || t.is("ge");
+        let first = &below[0].kind;
+        if goes_on && rest.iter().take_while(|t| !is_relation(t)).any(|t| t.kind == *first) {
+            let readings = ["to the sign + or -", "over all that follows"];
+            let write = ["use another letter for the index behind it", "write parentheses around what it reaches over"];
+            return Err(ambiguous(&format!("how far this {word} reaches"), readings, write, start));
+        }
+        let mut text = Placed::new(&format!("{word}({name} = "), start);
+        text.append(&from.text);
+        text.push("..", start);
+        text.append(&to.text);
+        text.push(", ", start);
+        text.append(&body.text);
+        text.push(")", start);
+        Ok(Piece::new(text, 5))
+    }
+
+    /// `\frac{d}{dx}(…)`, `\frac{\partial^2 f}{\partial x^2}`
+    fn derivative(&mut self, start: Span) -> Read<Option<Piece>> {
+        let (above, next) = argument(self.tokens, self.at + 1)?;
+        let (below, next) = argument(self.tokens, next)?;
+        let (Some(upper), Some(lower)) = (differential(above, 0), differential(below, 0)) else { return Ok(None) };
+        if above.first().is_some_and(|t| t.is_char('d')) {
+            let declared = self.scope.names.spelled("d").is_some_and(|name| self.scope.roles.contains_key(name));
+            if declared {
+                let readings = ["a derivative", "a quotient with the number d"];
+                let write = ["write \\mathrm{d}, or another name for the number", "cancel d, or give it another name"];
+                return Err(ambiguous("a fraction of two d", readings, write, start));
+            }
+        }
+        let (mut order, mut at) = (1, upper);
+        if above.get(at).is_some_and(|t| t.is_char('^')) {
+            let (inner, next) = argument(above, at + 1)?;
+            let [digit] = inner else {
+                return Err(refused("the order of this derivative is not read", "write a digit", start));
+            };
+            order = digit.char().and_then(|c| c.to_digit(10)).unwrap_or(0);
+            at = next;
+        }
+        let body = &above[at..];
+        let mut by: Vec<String> = Vec::new();
+        let mut at = lower;
+        loop {
+            let Some((first, next)) = base(below, at)? else {
+                return Err(refused("the variable of this derivative is not read", "write \\frac{d}{d x}", start));
+            };
+            let (symbol, mut next) = scripts(below, first, below[at].span, next)?;
+            let name = self.inside(&below[at..next], |inside| inside.symbol())?;
+            let Some(name) = name.name else {
+                return Err(refused("a derivative is by a variable", "declare it: `%carom given x real`", symbol.span));
+            };
+            let mut times = 1;
+            if below.get(next).is_some_and(|t| t.is_char('^')) {
+                let (inner, after) = argument(below, next + 1)?;
+                times = inner.first().and_then(Token::char).and_then(|c| c.to_digit(10)).unwrap_or(0);
+                next = after;
+            }
+            by.extend((0..times).map(|_| name.clone()));
+            match differential(below, next) {
+                Some(after) => at = after,
+                None if next == below.len() => break,
+                None => {
+                    return Err(refused("the variable of this derivative is not read", "write \\frac{d}{d x}", start));
+                }
+            }
+        }
+        if by.len() != order as usize || by.is_empty() {
+            let help = "write the same order above and below, as in \\frac{d^2 f}{d x^2}";
+            return Err(refused("the orders of this derivative differ", help, start));
+        }
+        self.at = next;
+        let of = if body.is_empty() { self.differentiated(start)? } else { self.sum_in(body)? };
+        if let Some(name) = of.name.filter(|_| of.level == 5) {
+            let help = format!("define it, `%carom let {name} = …` in that variable, or differentiate the expression");
+            return Err(refused(format!("{name} is a variable, which depends on no other"), help, of.text.span()));
+        }
+        let mut text = Placed::new("derivative(", start);
+        text.append(&of.text);
+        text.push(&format!(", {})", by.join(", ")), start);
+        Ok(Some(Piece::new(text, 5)))
+    }
+
+    /// What stands behind `\frac{d}{dx}`: one factor that ends the product.
+    fn differentiated(&mut self, start: Span) -> Read<Piece> {
+        let of = match self.parenthesis()? {
+            Some((inner, next)) => {
+                let piece = self.sum_in(inner)?;
+                self.at = next;
+                piece
+            }
+            None => {
+                let atom = self.span();
+                let piece = self.atom()?;
+                self.raised(piece, atom)?
+            }
+        };
+        let follows = self.peek().is_some_and(|t| t.is_char('^') || t.is_char('/') || t.is("cdot") || t.is("times"));
+        if follows || self.begins_factor() {
+            let readings = ["over the next factor alone", "over all that follows"];
+            let write =
+                ["write parentheses around the derivative", "write \\frac{d}{dx}\\left(…\\right) around all of it"];
+            return Err(ambiguous("how far this derivative reaches", readings, write, start));
+        }
+        Ok(of)
+    }
+}
+
+/// The rows of a matrix.
+pub(crate) fn rows(body: &[Token]) -> Vec<Vec<Token>> {
+    let mut out = vec![Vec::new()];
+    let mut level = 0usize;
+    for token in body {
+        level += usize::from(token.kind == Kind::Open || token.is("begin"));
+        level = level.saturating_sub(usize::from(token.kind == Kind::Close || token.is("end")));
+        if level == 0 && token.is("\\") {
+            out.push(Vec::new());
+        } else if let Some(row) = out.last_mut() {
+            row.push(token.clone());
+        }
+    }
+    out
+}
+
+/// Where to read on behind d or ∂.
+fn differential(tokens: &[Token], at: usize) -> Option<usize> {
+    let token = tokens.get(at)?;
+    let is_name = tokens.get(at + 1).is_some_and(|t| t.is_char('_') || t.is_char('\''));
+    if (token.is_char('d') && !is_name) || token.is("partial") {
+        return Some(at + 1);
+    }
+    let (inner, next) = argument(tokens, at + 1).ok().filter(|_| token.is("mathrm"))?;
+    matches!(inner, [d] if d.is_char('d')).then_some(next)
+}

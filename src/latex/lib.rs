@@ -1,0 +1,33 @@
+//! A paper's own LaTeX as a claim file.
+//!
+//! Contract: each displayed equation becomes a claim of the claim language, or is refused with the reason; nothing is guessed. The
+//! clauses of the language stand in comments, `%carom given m_1 > 0`, with the paper's names. The reader of the claim language
+//! checks names and shapes, and every place in its trees and messages is a place in the document.
+//! Limits: the size of a file, tokens, macros, nesting; each has a name.
+#![forbid(unsafe_code)]
+
+mod atom;
+mod binding;
+mod clause;
+mod comment;
+mod document;
+mod expression;
+mod function;
+mod macros;
+mod markdown;
+mod name;
+mod number;
+mod paper;
+mod piece;
+mod place;
+mod prepare;
+mod refusal;
+mod row;
+mod scope;
+mod statement;
+mod symbol;
+mod token;
+
+pub use markdown::latex_of;
+pub use paper::{Equation, Outcome, Paper, paper};
+pub use token::FILE_LIMIT;

@@ -1,0 +1,230 @@
+//! Macros of a document: `\newcommand`, `\renewcommand`, `\providecommand`, `\def` and `\DeclareMathOperator`.
+//!
+//! Contract: [`Macros::expand`] replaces macros until none is left. What a macro expands to stands where the macro does.
+//! Limits: [`DEPTH_LIMIT`] for macros within macros, which a macro that calls itself reaches, [`USES_LIMIT`], and the number of
+//! tokens.
+
+use super::refusal::{expected, limit, refused};
+use super::token::{Kind, TOKENS_LIMIT, Token};
+use carom_diagnostic::{Diagnostic, Span};
+use std::collections::BTreeMap;
+
+/// The deepest nesting of macros.
+pub(crate) const DEPTH_LIMIT: usize = 100;
+/// The most macros that an equation uses, those within macros counted each time.
+pub(crate) const USES_LIMIT: usize = 100_000;
+
+/// A macro: the number of its arguments, the default of the first one, and its body.
+#[derive(Clone, Debug)]
+struct Macro {
+    arguments: usize,
+    default: Option<Vec<Token>>,
+    body: Vec<Token>,
+}
+
+/// The macros that are defined so far.
+#[derive(Default)]
+pub(crate) struct Macros {
+    list: BTreeMap<String, Macro>,
+}
+
+/// Whether a command defines a macro.
+pub(crate) fn defines(command: &str) -> bool {
+    let plain =
+        ["newcommand", "renewcommand", "providecommand", "def", "gdef", "DeclareMathOperator", "newenvironment"];
+    plain.contains(&command) || command == "renewenvironment"
+}
+
+impl Macros {
+    /// Reads the definition behind the command at `at`, and returns where it ends.
+    ///
+    /// # Errors
+    /// A definition that is not read.
+    pub(crate) fn define(&mut self, tokens: &[Token], at: usize) -> Result<usize, Diagnostic> {
+        let (command, span) = (tokens[at].command().unwrap_or_default(), tokens[at].span);
+        let mut next = at + 1;
+        next += usize::from(tokens.get(next).is_some_and(|t| t.is_char('*')));
+        if command.ends_with("environment") {
+            let help = "use the environments of amsmath, whose equations are read";
+            return Err(refused("an environment of the document's own is not read", help, span));
+        }
+        let (name, mut next) = match tokens.get(next) {
+            Some(Token { kind: Kind::Open, .. }) => {
+                let (inner, end) = group(tokens, next)?;
+                (inner.first().and_then(Token::command), end)
+            }
+            Some(token) => (token.command(), next + 1),
+            None => (None, next),
+        };
+        let Some(name) = name.map(str::to_string) else {
+            return Err(expected("the name of a macro", "something else", span));
+        };
+        let (mut arguments, mut default) = (0, None);
+        if command.ends_with("def") {
+            while tokens.get(next).is_some_and(|t| t.is_char('#')) {
+                arguments += 1;
+                next += 2;
+            }
+        } else if let Some((inner, end)) = option(tokens, next) {
+            arguments = inner.first().and_then(Token::char).and_then(|c| c.to_digit(10)).map_or(0, |n| n as usize);
+            next = end;
+            if let Some((inner, end)) = option(tokens, next) {
+                default = Some(inner.to_vec());
+                next = end;
+            }
+        }
+        if !tokens.get(next).is_some_and(|t| t.kind == Kind::Open) {
+            let help = "define macros as \\newcommand{\\name}[1]{…}";
+            return Err(refused(format!("the definition of \\{name} is not read"), help, span));
+        }
+        let (body, end) = group(tokens, next)?;
+        let mut body = body.to_vec();
+        if command == "DeclareMathOperator" {
+            let sign = |kind: Kind| Token { kind, span, apart: false };
+            body.splice(0..0, [sign(Kind::Command("operatorname".to_string())), sign(Kind::Open)]);
+            body.push(sign(Kind::Close));
+        }
+        if command != "providecommand" || !self.list.contains_key(&name) {
+            self.list.insert(name, Macro { arguments, default, body });
+        }
+        Ok(end)
+    }
+
+    /// The tokens without macros.
+    ///
+    /// # Errors
+    /// An argument is missing, or a limit is reached.
+    pub(crate) fn expand(&self, tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
+        if tokens.iter().all(|t| t.command().is_none_or(|name| !self.list.contains_key(name))) {
+            return Ok(tokens.to_vec());
+        }
+        let mut out = Vec::new();
+        self.expand_into(tokens, None, 0, &mut 0, &mut out)?;
+        Ok(out)
+    }
+
+    fn expand_into(
+        &self,
+        tokens: &[Token],
+        place: Option<Span>,
+        depth: usize,
+        uses: &mut usize,
+        out: &mut Vec<Token>,
+    ) -> Result<(), Diagnostic> {
+        let mut at = 0;
+        while let Some(token) = tokens.get(at) {
+            let span = place.unwrap_or(token.span);
+            let known = token.command().and_then(|name| self.list.get(name));
+            let Some(known) = known else {
+                if out.len() >= TOKENS_LIMIT {
+                    return Err(limit("tokens after macros are expanded", TOKENS_LIMIT, span));
+                }
+                out.push(Token { span, ..token.clone() });
+                at += 1;
+                continue;
+            };
+            if depth >= DEPTH_LIMIT {
+                return Err(limit("levels of macros", DEPTH_LIMIT, span));
+            }
+            *uses += 1;
+            if *uses > USES_LIMIT {
+                return Err(limit("uses of macros in an equation", USES_LIMIT, span));
+            }
+            at += 1;
+            let mut arguments: Vec<Vec<Token>> = Vec::new();
+            let mut end = token.span.end;
+            for number in 0..known.arguments {
+                if number == 0
+                    && let Some(default) = &known.default
+                {
+                    match option(tokens, at) {
+                        Some((inner, next)) => {
+                            arguments.push(inner.to_vec());
+                            at = next;
+                        }
+                        None => arguments.push(default.clone()),
+                    }
+                } else if tokens.get(at).is_some_and(|t| t.kind == Kind::Open) {
+                    let (inner, next) = group(tokens, at)?;
+                    arguments.push(inner.to_vec());
+                    at = next;
+                } else if let Some(one) = tokens.get(at) {
+                    arguments.push(vec![one.clone()]);
+                    at += 1;
+                } else {
+                    return Err(expected(&format!("an argument of {}", token.text()), "the end of the formula", span));
+                }
+                end = tokens[at - 1].span.end.max(end);
+            }
+            let span = place.unwrap_or(Span { start: token.span.start, end });
+            let body = filled(&known.body, &arguments, token.apart, span)?;
+            self.expand_into(&body, Some(span), depth + 1, uses, out)?;
+        }
+        Ok(())
+    }
+}
+
+/// The body of a macro with its arguments in place.
+fn filled(body: &[Token], arguments: &[Vec<Token>], apart: bool, span: Span) -> Result<Vec<Token>, Diagnostic> {
+    let mut out: Vec<Token> = Vec::new();
+    let mut at = 0;
+    while let Some(token) = body.get(at) {
+        let number = body.get(at + 1).and_then(Token::char).and_then(|c| c.to_digit(10));
+        match (token.is_char('#'), number) {
+            (true, Some(number)) => {
+                out.extend(arguments.get((number as usize).wrapping_sub(1)).into_iter().flatten().cloned());
+                at += 2;
+            }
+            _ => {
+                out.push(token.clone());
+                at += 1;
+            }
+        }
+        if out.len() > TOKENS_LIMIT {
+            return Err(limit("tokens after macros are expanded", TOKENS_LIMIT, span));
+        }
+    }
+    if let Some(first) = out.first_mut() {
+        first.apart = apart;
+    }
+    Ok(out)
+}
+
+/// The tokens in the braces that open at `at`, and where to read on.
+///
+/// # Errors
+/// The brace is not closed.
+pub(crate) fn group(tokens: &[Token], at: usize) -> Result<(&[Token], usize), Diagnostic> {
+    let mut level = 0usize;
+    for (place, token) in tokens.iter().enumerate().skip(at) {
+        match token.kind {
+            Kind::Open => level += 1,
+            Kind::Close => {
+                level = level.saturating_sub(1);
+                if level == 0 {
+                    return Ok((&tokens[at + 1..place], place + 1));
+                }
+            }
+            _ => {}
+        }
+    }
+    let span = tokens.get(at).map_or(Span::default(), |t| t.span);
+    Err(refused("this brace is not closed", "write `}` where its group ends", span))
+}
+
+/// The tokens in the brackets that open at `at`, if they do, and where to read on.
+pub(crate) fn option(tokens: &[Token], at: usize) -> Option<(&[Token], usize)> {
+    if !tokens.get(at)?.is_char('[') {
+        return None;
+    }
+    let mut level = 0usize;
+    for (place, token) in tokens.iter().enumerate().skip(at) {
+        match token.kind {
+            Kind::Open => level += 1,
+            Kind::Close => level = level.checked_sub(1)?,
+            Kind::Char(']') if level == 0 => return Some((&tokens[at + 1..place], place + 1)),
+            _ => {}
+        }
+    }
+    None
+}

@@ -1,0 +1,496 @@
+//! A paper's equations as claims.
+//!
+//! Contract: every displayed formula is an [`Equation`]: a claim, a hypothesis or definition of those that follow, passed over by
+//! its author, or not read for a stated reason. Behind a hypothesis or a definition that is not read nothing is a claim: it
+//! would be judged without it. All places are places in the document.
+
+use super::clause::{self, Purpose, misplaced};
+use super::document::{Clause, Display, Lines, Part, document};
+use super::expression::{Read, Reader};
+use super::name::{Names, base, scripts};
+use super::place::Placed;
+use super::prepare::prepared;
+use super::refusal::{ambiguous, expected, refused};
+use super::row::{Joined, equations};
+use super::scope::{Decisions, Scope, roles};
+use super::statement::{Said, joined};
+use super::symbol::commas;
+use super::token::{Token, tokens};
+use carom_checker::claim::parse::{clauses_placed, is_keyword, parse_placed};
+use carom_checker::claim::preamble::Preamble;
+use carom_checker::claim::syntax::Claim;
+use carom_diagnostic::{Diagnostic, Span};
+
+/// What became of a displayed formula.
+#[derive(Debug)]
+pub enum Outcome {
+    /// A claim.
+    Read(Box<Claim>),
+    /// A hypothesis or a definition of the equations that follow.
+    Used(&'static str),
+    /// The author passes it over, for this reason.
+    Skipped(String),
+    /// It was not read.
+    NotRead(Vec<Diagnostic>),
+    /// A declaration on this line was not read, and it would be judged without what that says.
+    Waits(usize),
+}
+
+/// A displayed formula.
+#[derive(Debug)]
+pub struct Equation {
+    /// The claim's name.
+    pub name: String,
+    /// Its number in print.
+    pub number: Option<String>,
+    /// Its line, from 1.
+    pub line: usize,
+    /// What became of it.
+    pub outcome: Outcome,
+}
+
+/// A paper.
+#[derive(Debug, Default)]
+pub struct Paper {
+    /// The displayed formulas in order.
+    pub equations: Vec<Equation>,
+    /// What is wrong outside of them.
+    pub faults: Vec<Diagnostic>,
+    /// The paper's names in its equations: as printed, in the claim language, and how often each occurs.
+    pub names: Vec<(String, String, usize)>,
+    /// The number of formulas in running text, which are not read.
+    pub inline: usize,
+}
+
+/// The equations of a LaTeX document.
+///
+/// # Errors
+/// A limit of the whole file.
+pub fn paper(source: &str) -> Result<Paper, Vec<Diagnostic>> {
+    let lines = Lines::of(source);
+    let tokens = tokens(source).map_err(|fault| vec![fault])?;
+    let document = document(&tokens, &lines);
+    let mut reader = Assembly::new(&lines);
+    reader.out.inline = document.inline;
+    let mut waiting: Vec<Clause> = Vec::new();
+    for part in document.parts {
+        match part {
+            Part::Shared(clause) => waiting.push(clause),
+            Part::Fault(fault) => {
+                reader.shared(&std::mem::take(&mut waiting));
+                let line = lines.line(fault.span.start);
+                reader.push(Head { name: format!("line-{line}"), number: None, line }, Outcome::NotRead(vec![fault]));
+            }
+            Part::Display(display) => {
+                reader.shared(&std::mem::take(&mut waiting));
+                reader.display(&display);
+            }
+        }
+    }
+    reader.shared(&waiting);
+    Ok(reader.finished())
+}
+
+struct Head {
+    name: String,
+    number: Option<String>,
+    line: usize,
+}
+
+struct Assembly<'l> {
+    lines: &'l Lines,
+    names: Names,
+    preamble: Preamble,
+    outer: Vec<Preamble>,
+    decisions: Decisions,
+    /// The line of a declaration that could not be read.
+    broken: Option<usize>,
+    out: Paper,
+}
+
+impl<'l> Assembly<'l> {
+    fn new(lines: &'l Lines) -> Assembly<'l> {
+        Assembly {
+            lines,
+            names: Names::default(),
+            preamble: Preamble::default(),
+            outer: Vec::new(),
+            decisions: Decisions::default(),
+            broken: None,
+            out: Paper::default(),
+        }
+    }
+
+    fn finished(mut self) -> Paper {
+        let names = &self.names;
+        let spelled = |key: &str| names.spelled(key).or(names.meaning(key)).unwrap_or("pi").to_string();
+        self.out.names = names.count.iter().map(|(key, count)| (key.clone(), spelled(key), *count)).collect();
+        self.out
+    }
+
+    fn push(&mut self, head: Head, outcome: Outcome) {
+        let Head { name, number, line } = head;
+        self.out.equations.push(Equation { name, number, line, outcome });
+    }
+
+    /// A declaration was not read: what follows would be judged without it.
+    fn breaks(&mut self, faults: Vec<Diagnostic>) {
+        if let Some(fault) = faults.first() {
+            self.broken.get_or_insert(self.lines.line(fault.span.start));
+        }
+        self.out.faults.extend(faults);
+    }
+
+    /// Clauses outside of equations.
+    fn shared(&mut self, clauses: &[Clause]) {
+        for (word, lines) in clause::whole(clauses) {
+            if let Err(faults) = self.shared_clause(&word, &lines) {
+                self.breaks(faults);
+            }
+        }
+    }
+
+    fn shared_clause(&mut self, word: &str, lines: &[Clause]) -> Result<(), Vec<Diagnostic>> {
+        let Some(first) = lines.first() else { return Ok(()) };
+        let one = |fault: Diagnostic| vec![fault];
+        if clause::decides(lines, &mut self.decisions).map_err(one)? {
+            return Ok(());
+        }
+        match word {
+            "begin" => self.outer.push(self.preamble.clone()),
+            "end" => match self.outer.pop() {
+                Some(outer) => self.preamble = outer,
+                None => {
+                    return Err(one(refused("`end` without `begin`", "write `%carom begin` before it", first.span)));
+                }
+            },
+            "name" => super::comment::rename(first, &mut self.names).map_err(one)?,
+            "paper" | "source" | "section" | "reading" | "given" | "let" | "define" | "assume" => {
+                let text = clause::read(lines, &mut self.names).map_err(one)?;
+                self.declare(&text)?;
+            }
+            _ => return Err(one(misplaced(word, first.span))),
+        }
+        Ok(())
+    }
+
+    /// Takes clauses for all equations that follow.
+    fn declare(&mut self, text: &Placed) -> Result<(), Vec<Diagnostic>> {
+        let (_, preamble) = parse_placed(text.text(), &self.preamble, &|span| text.place(span))?;
+        self.preamble = preamble;
+        Ok(())
+    }
+
+    fn display(&mut self, display: &Display) {
+        let list = match equations(display) {
+            Ok(list) => list,
+            Err(fault) => {
+                let line = self.lines.line(display.span.start);
+                let number = display.rows.iter().find_map(|row| row.number.clone());
+                return self.push(Head { name: format!("line-{line}"), number, line }, Outcome::NotRead(vec![fault]));
+            }
+        };
+        // What the rows of this formula declare holds to its end.
+        let mut local: Vec<Placed> = Vec::new();
+        for equation in list {
+            let line = self.lines.line(equation.span.start);
+            let name = claim_name(equation.label.as_deref(), equation.number.as_deref(), line);
+            let mut head = Head { name, number: equation.number.clone(), line };
+            let said = clause::of(&equation.clauses, self.decisions, &mut self.names);
+            let outcome = match said {
+                Ok(said) => {
+                    if let Some(name) = said.name.as_ref().and_then(|name| name.text().split_whitespace().nth(1)) {
+                        head.name = name.to_string();
+                    }
+                    self.equation(&equation, said, &head, &mut local)
+                }
+                Err(fault) => {
+                    // What the equation is remains unknown: it may be a hypothesis.
+                    self.broken.get_or_insert(line);
+                    Err(vec![fault])
+                }
+            };
+            self.push(head, outcome.unwrap_or_else(Outcome::NotRead));
+        }
+    }
+
+    fn equation(
+        &mut self,
+        equation: &Joined,
+        said: clause::Said,
+        head: &Head,
+        local: &mut Vec<Placed>,
+    ) -> Result<Outcome, Vec<Diagnostic>> {
+        if let Purpose::Skip(reason) = said.purpose {
+            return Ok(Outcome::Skipped(reason));
+        }
+        if let Some(line) = self.broken {
+            return Ok(Outcome::Waits(line));
+        }
+        local.extend(said.items.iter().cloned());
+        let outcome = self.read(equation, &said, head, local);
+        if outcome.is_err() && said.purpose != Purpose::Prove {
+            self.broken.get_or_insert(head.line);
+        }
+        outcome
+    }
+
+    fn read(
+        &mut self,
+        equation: &Joined,
+        said: &clause::Said,
+        head: &Head,
+        local: &mut Vec<Placed>,
+    ) -> Result<Outcome, Vec<Diagnostic>> {
+        let one = |fault: Diagnostic| vec![fault];
+        let tokens = prepared(&equation.tokens).map_err(one)?;
+        let is_definition = |i: usize| {
+            tokens[i].is("coloneqq") || (tokens[i].is_char(':') && tokens.get(i + 1).is_some_and(|t| t.is_char('=')))
+        };
+        let sign = (0..tokens.len()).find(|i| is_definition(*i));
+        match (&said.purpose, sign) {
+            (Purpose::Let, None) => {
+                let sign = tokens.iter().position(|t| t.is_char('='));
+                let sign = sign.ok_or_else(|| one(expected("`=` behind the name", "no such sign", equation.span)))?;
+                self.definition(&tokens, sign, sign + 1, said, local)?;
+                Ok(Outcome::Used("definition"))
+            }
+            (Purpose::Let | Purpose::Prove, Some(sign)) => {
+                let behind = sign + if tokens[sign].is("coloneqq") { 1 } else { 2 };
+                let rest = self.definition(&tokens, sign, behind, said, local).inspect_err(|_| {
+                    self.broken.get_or_insert(head.line);
+                })?;
+                match rest {
+                    false => Ok(Outcome::Used("definition")),
+                    true => self.claim(&tokens[behind..], equation, said, head, local),
+                }
+            }
+            (Purpose::Assume(label), _) => {
+                let goal = self.goal(&tokens, said, local)?;
+                let mut text = lines_of(local);
+                let label = label.as_ref().map_or(String::new(), |label| format!("{label}: "));
+                text.push(&format!("assume {label}"), equation.span);
+                text.append(&goal.text);
+                self.declare(&text)?;
+                local.clear();
+                Ok(Outcome::Used("hypothesis"))
+            }
+            _ => self.claim(&tokens, equation, said, head, local),
+        }
+    }
+
+    /// Reads `x := A` and takes it for all equations that follow; whether a relation follows behind A.
+    fn definition(
+        &mut self,
+        tokens: &[Token],
+        sign: usize,
+        behind: usize,
+        said: &clause::Said,
+        local: &mut Vec<Placed>,
+    ) -> Result<bool, Vec<Diagnostic>> {
+        let one = |fault: Diagnostic| vec![fault];
+        let span = tokens.first().map_or(Span::default(), |t| t.span);
+        let wrong = || {
+            let help = "define a name, as in \\eta := …, or a function, as in f(x) := …; or write `%carom let` with its definition";
+            one(refused("what stands before this sign is no name", help, span))
+        };
+        // Only a name can be defined, so letters side by side are one.
+        let run = tokens
+            .iter()
+            .enumerate()
+            .take_while(|(i, t)| t.char().is_some_and(|c| c.is_ascii_alphabetic()) && (*i == 0 || !t.apart));
+        let run: String = run.filter_map(|(_, t)| t.char()).collect();
+        let found = if run.len() > 1 { Some((run.clone(), run.len())) } else { base(tokens, 0).map_err(one)? };
+        let Some((first, next)) = found else { return Err(wrong()) };
+        let (symbol, next) = scripts(tokens, first, span, next).map_err(one)?;
+        let name = self.names.of(&symbol).map_err(one)?;
+        self.names.seen(&symbol.key());
+        let mut parameters: Vec<(String, String)> = Vec::new();
+        if next < sign {
+            let is_list = tokens[next].is_char('(') && tokens[sign - 1].is_char(')');
+            if !is_list {
+                return Err(wrong());
+            }
+            for part in commas(&tokens[next + 1..sign - 1]) {
+                let Some((first, end)) = base(part, 0).map_err(one)? else { return Err(wrong()) };
+                let (symbol, end) = scripts(part, first, part[0].span, end).map_err(one)?;
+                if end < part.len() {
+                    return Err(wrong());
+                }
+                parameters.push((symbol.key(), self.names.of(&symbol).map_err(one)?));
+            }
+        }
+        let value = &tokens[behind..];
+        let end = relation_at(value);
+        if end < value.len() && !parameters.is_empty() {
+            let help = "write the definition and the equation as two formulas";
+            return Err(one(refused("an equation behind the definition of a function", help, span)));
+        }
+        let bound = parameters.clone();
+        let value = self.with_scope(said, local, |scope| {
+            scope.bound = bound;
+            whole(&value[..end], scope, |reader| reader.sum())
+        })?;
+        let mut text = lines_of(local);
+        let list: Vec<&str> = parameters.iter().map(|p| p.1.as_str()).collect();
+        let list = if list.is_empty() { String::new() } else { format!("({})", list.join(", ")) };
+        text.push(&format!("let {name}{list} = "), span);
+        text.append(&value.text);
+        self.declare(&text)?;
+        local.clear();
+        Ok(end < tokens.len() - behind)
+    }
+
+    /// What the names of an equation are.
+    fn with_scope<T>(
+        &mut self,
+        said: &clause::Said,
+        local: &[Placed],
+        read: impl FnOnce(&mut Scope<'_>) -> Read<T>,
+    ) -> Result<T, Vec<Diagnostic>> {
+        let mut text = Placed::new("claim x \"\"\n", Span::default());
+        text.append(&lines_of(local));
+        text.push("prove 0 = 0", Span::default());
+        let (claims, preamble) = clauses_placed(text.text(), &self.preamble, &|span| text.place(span))?;
+        let roles = claims.first().map(|claim| roles(claim, &preamble)).unwrap_or_default();
+        let mut scope = Scope {
+            names: &mut self.names,
+            roles,
+            bound: Vec::new(),
+            decisions: said.decisions,
+            upper: true,
+            double_sign: None,
+        };
+        read(&mut scope).map_err(|fault| vec![fault])
+    }
+
+    /// The statement of an equation.
+    fn goal(&mut self, tokens: &[Token], said: &clause::Said, local: &[Placed]) -> Result<Said, Vec<Diagnostic>> {
+        if let Some(statement) = &said.statement {
+            return Ok(Said { text: statement.clone(), level: 1 });
+        }
+        self.with_scope(said, local, |scope| {
+            let upper = whole(tokens, scope, |reader| reader.statement())?;
+            let Some(span) = scope.double_sign else { return Ok(upper) };
+            let Some(both) = scope.decisions.both_signs else {
+                let readings = ["both statements, with the upper and with the lower signs", "one of the two"];
+                return Err(ambiguous("±", readings, ["write `%carom pm and`", "write `%carom pm or`"], span));
+            };
+            scope.upper = false;
+            let lower = whole(tokens, scope, |reader| reader.statement())?;
+            let (word, level, least) = if both { (" and ", 4, 5) } else { (" or ", 3, 4) };
+            Ok(joined(vec![upper, lower], word, level, least))
+        })
+    }
+
+    fn claim(
+        &mut self,
+        tokens: &[Token],
+        equation: &Joined,
+        said: &clause::Said,
+        head: &Head,
+        local: &[Placed],
+    ) -> Result<Outcome, Vec<Diagnostic>> {
+        let goal = self.goal(tokens, said, local)?;
+        let title = match &head.number {
+            Some(number) => format!("Equation ({number})"),
+            None => format!("Line {}", head.line),
+        };
+        let mut text = Placed::default();
+        match &said.name {
+            Some(name) => {
+                text.append(name);
+                let has_title = name.text().contains('"');
+                text.push(&if has_title { "\n".to_string() } else { format!(" \"{title}\"\n") }, equation.span);
+            }
+            None => text.push(&format!("claim {} \"{title}\"\n", head.name), equation.span),
+        }
+        let is_plain = |text: &&String| text.chars().all(|c| c.is_ascii_alphanumeric() || c == '.' || c == '-');
+        if let Some(number) = head.number.as_ref().filter(is_plain).filter(|_| !said.has_number) {
+            text.push(&format!("number {number}\n"), equation.span);
+        }
+        text.append(&lines_of(&said.about));
+        text.append(&lines_of(local));
+        text.push("prove ", equation.span);
+        text.append(&goal.text);
+        if let Some(proof) = &said.proof {
+            text.push(" ", equation.span);
+            text.append(proof);
+        }
+        if let Some(expect) = &said.expect {
+            text.push("\n", equation.span);
+            text.append(expect);
+        }
+        let (mut claims, _) = parse_placed(text.text(), &self.preamble, &|span| text.place(span))?;
+        match claims.pop() {
+            Some(claim) => Ok(Outcome::Read(Box::new(claim))),
+            None => Err(vec![refused("this formula is no claim", "pass it over by `%carom skip`", equation.span)]),
+        }
+    }
+}
+
+/// Reads all tokens of a formula.
+fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Reader<'_, '_, '_>) -> Read<T>) -> Read<T> {
+    let start = tokens.first().map_or(0, |t| t.span.start);
+    let end = tokens.last().map_or(start, |t| t.span.end);
+    let mut reader = Reader { tokens, at: 0, depth: 0, whole: Span { start, end }, scope };
+    let out = read(&mut reader)?;
+    match reader.peek() {
+        None => Ok(out),
+        Some(token) => {
+            let span = token.span;
+            Err(match token.command() {
+                Some(name) if !super::prepare::is_operator(name) => super::refusal::command(name, span),
+                _ => {
+                    expected("an operator, a relation or the end of the formula", &format!("`{}`", token.text()), span)
+                }
+            })
+        }
+    }
+}
+
+/// Where the first sign of comparison stands outside of parentheses.
+fn relation_at(tokens: &[Token]) -> usize {
+    let mut level = 0i64;
+    for (place, token) in tokens.iter().enumerate() {
+        level += match token.text().as_str() {
+            "{" | "(" | "[" | "\\{" | "\\begin" => 1,
+            "}" | ")" | "]" | "\\}" | "\\end" => -1,
+            _ => 0,
+        };
+        if level == 0 && super::binding::relation_of(token).is_some() {
+            return place;
+        }
+    }
+    tokens.len()
+}
+
+/// Clauses, each on a line of its own.
+fn lines_of(list: &[Placed]) -> Placed {
+    let mut out = Placed::default();
+    for clause in list {
+        out.append(clause);
+        out.push("\n", clause.span());
+    }
+    out
+}
+
+/// The name of a claim: its label without `eq:`, else its number, else its line.
+fn claim_name(label: Option<&str>, number: Option<&str>, line: usize) -> String {
+    let clean = |text: &str| {
+        let parts = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join("-")
+    };
+    let label = label.map(|label| {
+        let (kind, rest) = label.split_once(':').unwrap_or(("", label));
+        clean(if ["eq", "eqn", "equation"].contains(&kind) { rest } else { label })
+    });
+    let name = match (label.filter(|label| !label.is_empty()), number) {
+        (Some(label), _) => label,
+        (None, Some(number)) => format!("eq-{}", clean(number)),
+        (None, None) => format!("line-{line}"),
+    };
+    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_keyword(&name);
+    let name = if is_name { name } else { format!("eq-{name}") };
+    name.chars().take(80).collect::<String>().trim_end_matches('-').to_string()
+}

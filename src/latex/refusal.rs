@@ -1,0 +1,71 @@
+//! What the reader of LaTeX says where it does not read: one place for its words.
+
+use carom_diagnostic::{Diagnostic, Fault, Span};
+
+/// A refusal with what to write instead.
+pub(crate) fn refused(message: impl Into<String>, help: impl Into<String>, span: Span) -> Diagnostic {
+    Diagnostic::new(Fault::Other { message: message.into(), help: Some(help.into()) }, span)
+}
+
+/// What may be read in two ways: both readings, and what to write for each.
+pub(crate) fn ambiguous(what: &str, readings: [&str; 2], write: [&str; 2], span: Span) -> Diagnostic {
+    let [first, second] = readings;
+    let message = format!("{what} may be read in two ways: {first}, or {second}");
+    let help = format!("for {first}, {}; for {second}, {}", write[0], write[1]);
+    refused(message, help, span)
+}
+
+/// A limit of the reader.
+pub(crate) fn limit(name: &'static str, allowed: usize, span: Span) -> Diagnostic {
+    Diagnostic::new(Fault::Limit { name, allowed }, span)
+}
+
+/// Something else was expected.
+pub(crate) fn expected(expected: &str, found: &str, span: Span) -> Diagnostic {
+    let fault = Fault::Expected { expected: expected.to_string(), found: found.to_string(), help: None };
+    Diagnostic::new(fault, span)
+}
+
+/// A name of the paper that no comment declares.
+pub(crate) fn undeclared(name: &str, applied: bool, span: Span) -> Diagnostic {
+    let message = format!("nothing declares the name {name}");
+    let help = match applied {
+        true => format!(
+            "for a product with the number {name} write `%carom given {name} real`; for a function write \
+             `%carom let {name}(x) = …`, or `%carom given {name}(k) real` for a family"
+        ),
+        false => format!("declare it in a comment: `%carom given {name} > 0` or `%carom given {name} real`"),
+    };
+    refused(message, help, span)
+}
+
+/// What to write instead of a command that is not read.
+pub(crate) fn command(name: &str, span: Span) -> Diagnostic {
+    let help = match name {
+        "int" | "iint" | "oint" => {
+            "there are no integrals; assume that the derivative of F is f, and write F(b) - F(a); or `%carom skip`"
+        }
+        "log" => "write \\ln x for the natural logarithm, \\frac{\\ln x}{\\ln 10} for the one to base 10",
+        "lg" => "write \\frac{\\ln x}{\\ln 10}",
+        "cot" => "write \\frac{\\cos x}{\\sin x}",
+        "sec" => "write \\frac{1}{\\cos x}",
+        "csc" => "write \\frac{1}{\\sin x}",
+        "coth" => "write \\frac{1}{\\tanh x}",
+        "arcsin" | "arccos" | "arctan" => {
+            "declare the angle, `%carom given theta in [0, pi]`, and assume the value of its cosine, sine or tangent"
+        }
+        "propto" | "sim" | "simeq" | "ll" | "gg" | "lesssim" | "gtrsim" | "cong" => {
+            "write the equation or the inequality that is meant, or `%carom skip`"
+        }
+        "dots" | "ldots" | "cdots" | "vdots" => "write a sum or product with its index, \\sum_{i=1}^{n}",
+        "over" | "atop" | "choose" => "write \\frac{a}{b} or \\binom{n}{k}",
+        "mathbb" => "write the domain in a comment: `%carom given x real`",
+        "nabla" | "hbar" | "ell" | "vec" | "mathbf" | "boldsymbol" | "hat" | "bar" | "tilde" | "dot" | "ddot" => {
+            "if it is a part of a name, declare that name as it is written: `%carom given \\bar{v} real`"
+        }
+        _ => {
+            "write it with signs that are read (`carom help latex` lists them), or pass the equation over by `%carom skip`"
+        }
+    };
+    refused(format!("\\{name} is not read"), help, span)
+}

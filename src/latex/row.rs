@@ -1,0 +1,136 @@
+//! The equations of a displayed formula: which rows belong together.
+//!
+//! Contract: a row that begins with a sign of comparison goes on with the row before it, and so does one that begins with `+`. A
+//! row that begins with a minus sign and compares something itself is refused unless a comment decides.
+
+use super::binding::relation_of;
+use super::comment::first_word;
+use super::document::{Clause, Display};
+use super::expression::is_space;
+use super::refusal::{ambiguous, refused};
+use super::token::{Kind, Token};
+use carom_diagnostic::{Diagnostic, Span};
+
+/// An equation: one row, or several that go on.
+#[derive(Debug, Default)]
+pub(crate) struct Joined {
+    pub tokens: Vec<Token>,
+    pub clauses: Vec<Clause>,
+    pub label: Option<String>,
+    pub number: Option<String>,
+    pub span: Span,
+}
+
+/// The equations of a displayed formula.
+///
+/// # Errors
+/// Rows that may belong together or not.
+pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
+    let plain = display.environment.trim_end_matches('*');
+    let mut out: Vec<Joined> = Vec::new();
+    // Comments alone belong to the row that follows.
+    let mut waiting: Vec<Clause> = Vec::new();
+    for row in &display.rows {
+        let filled = row.cells.iter().filter(|cell| cell.iter().any(|t| !is_space(t))).count();
+        if plain != "eqnarray" && filled > 2 {
+            let help = "give each equation a row of its own";
+            return Err(refused("more than one equation stands in this row", help, row.span));
+        }
+        let mut clauses = std::mem::take(&mut waiting);
+        clauses.extend(row.clauses.iter().cloned());
+        if filled == 0 {
+            match out.last_mut() {
+                Some(before) if !clauses.is_empty() && row.label.is_none() => before.clauses.append(&mut clauses),
+                Some(before) if row.label.is_some() => before.label = row.label.clone(),
+                _ => waiting = clauses,
+            }
+            continue;
+        }
+        let tokens: Vec<Token> = row.cells.concat();
+        let decided = clauses.iter().find_map(|clause| match first_word(&clause.text) {
+            "continues" => Some(true),
+            "begins" => Some(false),
+            _ => None,
+        });
+        let goes_on = match (decided, out.last()) {
+            (_, None) => false,
+            (Some(decided), _) => decided,
+            (None, Some(before)) => plain == "multline" || continues(&row.cells, &tokens, before)?,
+        };
+        match out.last_mut().filter(|_| goes_on) {
+            Some(before) => {
+                before.tokens.extend(tokens);
+                before.clauses.extend(clauses);
+                before.label = before.label.take().or_else(|| row.label.clone());
+                before.span.end = row.span.end;
+                before.number = match (before.number.take(), row.number.clone()) {
+                    (Some(first), Some(last)) => {
+                        Some(format!("{}-{last}", first.split('-').next().unwrap_or_default()))
+                    }
+                    (first, last) => first.or(last),
+                };
+            }
+            None => out.push(Joined {
+                tokens,
+                clauses,
+                label: row.label.clone(),
+                number: row.number.clone(),
+                span: row.span,
+            }),
+        }
+    }
+    if out.is_empty() {
+        let help = "write a formula, or remove it";
+        return Err(refused("this formula is empty", help, display.span));
+    }
+    Ok(out)
+}
+
+/// Whether a row goes on with the one before it.
+fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<bool, Diagnostic> {
+    let is_look = |t: &&Token| !is_space(t) && !t.is("quad") && !t.is("qquad") && !t.is("displaystyle");
+    let Some(first) = tokens.iter().find(is_look) else { return Ok(true) };
+    let open = |t: &Token| {
+        relation_of(t).is_some()
+            || matches!(t.char(), Some('+' | '-' | '*' | '/'))
+            || t.is("cdot")
+            || t.is("times")
+            || t.is("pm")
+    };
+    if before.tokens.iter().rev().find(is_look).is_some_and(open) {
+        return Ok(true);
+    }
+    if relation_of(first).is_some() || first.is("approx") {
+        return Ok(true);
+    }
+    let arrows =
+        ["Rightarrow", "implies", "Longrightarrow", "Leftrightarrow", "iff", "Longleftrightarrow", "therefore"];
+    if first.command().is_some_and(|name| arrows.contains(&name)) {
+        let readings = ["the row before implies this row", "this row is a statement of its own"];
+        let write = ["write `%carom continues`", "leave the arrow out"];
+        return Err(ambiguous("an arrow at the beginning of a row", readings, write, first.span));
+    }
+    let is_sign = open(first) || first.is("mp");
+    if !is_sign {
+        return Ok(false);
+    }
+    let mut level = 0i64;
+    let compares = tokens.iter().any(|t| {
+        level += match t.kind {
+            Kind::Open | Kind::Char('(') => 1,
+            Kind::Close | Kind::Char(')') => -1,
+            _ => 0,
+        };
+        level == 0 && relation_of(t).is_some()
+    });
+    let at_left = cells.len() > 1 && cells.first().is_some_and(|cell| cell.iter().any(|t| !is_space(t)));
+    match (first.is_char('-'), compares) {
+        (true, true) if at_left => Ok(false),
+        (true, true) => {
+            let readings = ["the end of the row before", "an equation of its own"];
+            let write = ["write `%carom continues`", "write `%carom begins`"];
+            Err(ambiguous("a row that begins with a minus sign", readings, write, first.span))
+        }
+        _ => Ok(true),
+    }
+}

@@ -1,0 +1,258 @@
+//! Names in a formula: which declared name a letter with its index and primes is.
+
+use super::expression::{Read, Reader, top_level};
+use super::name::{Symbol, base, scripts};
+use super::piece::Piece;
+use super::place::Placed;
+use super::refusal::{ambiguous, refused, undeclared};
+use super::scope::Role;
+use super::token::{Kind, Token};
+use carom_diagnostic::Span;
+
+/// What a name of the formula is.
+enum Meaning {
+    /// A number, by its spelling; whether it is a variable.
+    Number(String, bool),
+    /// A function, a family or a sequence.
+    Function(String),
+    /// A member of a family: what stands below is the index.
+    Member(String),
+    /// What a comment says that it stands for.
+    Said(String),
+}
+
+/// Functions that are often written without a backslash.
+const WORDS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "log", "sqrt", "sinh", "cosh", "tanh", "max", "min", "det"];
+
+impl Reader<'_, '_, '_> {
+    /// What a name is, if a comment or a sum around it declares it.
+    fn meaning(&self, symbol: &Symbol) -> Read<Option<Meaning>> {
+        let key = symbol.key();
+        let scope = &self.scope;
+        let known =
+            |key: &str| scope.names.spelled(key).and_then(|name| Some((name.to_string(), *scope.roles.get(name)?)));
+        let whole = if let Some((_, name)) = scope.bound.iter().rev().find(|bound| bound.0 == key) {
+            Some(Meaning::Number(name.clone(), true))
+        } else if let Some(said) = scope.names.meaning(&key) {
+            Some(Meaning::Said(said.to_string()))
+        } else {
+            known(&key).map(|(name, role)| match role {
+                Role::Applied(_) => Meaning::Function(name),
+                role => Meaning::Number(name, role == Role::Variable),
+            })
+        };
+        let family = symbol.below.as_ref().and_then(|_| known(&symbol.upper_key()));
+        match (whole, family) {
+            (Some(Meaning::Number(name, _)), Some((family, Role::Applied(_)))) => {
+                let readings = [format!("the number {name}"), format!("a member of the family {family}")];
+                let write = [format!("give the family another name than {family}"), format!("do not declare {name}")];
+                let (readings, write) = (readings.each_ref().map(String::as_str), write.each_ref().map(String::as_str));
+                Err(ambiguous(&key, readings, write, symbol.span))
+            }
+            (Some(whole), _) => Ok(Some(whole)),
+            (None, Some((family, Role::Applied(1)))) => Ok(Some(Meaning::Member(family))),
+            (None, _) => Ok(None),
+        }
+    }
+
+    /// A name, with its arguments if it is a function.
+    pub(crate) fn symbol(&mut self) -> Read<Piece> {
+        let start = self.span();
+        let (symbol, next) = self.whole_symbol()?;
+        let Some(meaning) = self.meaning(&symbol)? else { return self.unknown(&symbol, next) };
+        self.scope.names.seen(&symbol.key());
+        self.at = next;
+        match meaning {
+            Meaning::Number(name, is_variable) => {
+                self.no_application(&symbol)?;
+                let mut piece = Piece::atom(&name, symbol.span);
+                piece.name = is_variable.then_some(name);
+                Ok(piece)
+            }
+            Meaning::Said(said) => Ok(Piece::new(Placed::new(&format!("({said})"), symbol.span), 5)),
+            Meaning::Function(name) => self.application(&symbol, &name, start),
+            Meaning::Member(name) => {
+                let below = symbol.below.clone().unwrap_or_default();
+                let is_letter =
+                    |t: &Token| t.char().is_some_and(char::is_alphanumeric) || matches!(t.kind, Kind::Command(_));
+                if below.len() > 1 && below.iter().all(is_letter) {
+                    let key = symbol.key();
+                    let readings = ["one index", "two indices, or a product as the index"];
+                    let write = [
+                        format!("write `%carom name {key} as {name}(12)` with that index"),
+                        format!("write `%carom name {key} as …` with a name of its own"),
+                    ];
+                    let write = write.each_ref().map(String::as_str);
+                    return Err(ambiguous(&key, readings, write, symbol.span));
+                }
+                let index = self.sum_in(&below)?;
+                self.no_application(&symbol)?;
+                let mut text = Placed::new(&name, symbol.span);
+                text.append(&index.text.between("(", ")"));
+                Ok(Piece::new(text, 5))
+            }
+        }
+    }
+
+    /// The name that begins here, of one letter or of several, whatever is declared.
+    fn whole_symbol(&mut self) -> Read<(Symbol, usize)> {
+        let start = self.span();
+        let at = self.at;
+        let Some(token) = self.tokens.get(at) else { return self.expected("a name") };
+        if token.kind == Kind::Open {
+            let (inner, next) = super::macros::group(self.tokens, at)?;
+            if let Some((first, after)) = base(inner, 0)? {
+                let (symbol, after) = scripts(inner, first, inner[0].span, after)?;
+                if after == inner.len() {
+                    let key = symbol.key();
+                    let plain = symbol.below.is_none() && symbol.primes == 0;
+                    return scripts(self.tokens, if plain { key } else { format!("{{{key}}}") }, start, next);
+                }
+            }
+            return Err(refused("an index below a group", "put the index behind a single letter", start));
+        }
+        let length = self.tokens[at..]
+            .iter()
+            .enumerate()
+            .take_while(|(i, t)| t.char().is_some_and(|c| c.is_ascii_alphabetic()) && (*i == 0 || !t.apart))
+            .count();
+        if length > 1 {
+            let run: String = self.tokens[at..at + length].iter().filter_map(Token::char).collect();
+            let whole = scripts(self.tokens, run.clone(), start, at + length)?;
+            if self.meaning(&whole.0)?.is_some() {
+                let mut letters = true;
+                for place in at..at + length {
+                    let end = if place + 1 == at + length { self.tokens.len() } else { place + 1 };
+                    let letter = self.tokens[place].text();
+                    let (one, _) = scripts(&self.tokens[..end], letter, self.tokens[place].span, place + 1)?;
+                    letters = letters && self.meaning(&one)?.is_some();
+                }
+                if letters {
+                    let readings = ["one name", "a product of letters"];
+                    let write =
+                        [format!("write \\mathrm{{{run}}}"), "write spaces or \\cdot between the letters".to_string()];
+                    let write = write.each_ref().map(String::as_str);
+                    return Err(ambiguous(&run, readings, write, whole.0.span));
+                }
+                return Ok(whole);
+            }
+            if let Some(word) = WORDS.iter().find(|word| run.starts_with(**word)) {
+                let first = token.text();
+                if self.meaning(&scripts(&self.tokens[..at + 1], first, start, at + 1)?.0)?.is_none() {
+                    let message = format!("{word} without a backslash prints as a product of letters");
+                    return Err(refused(message, format!("write \\{word}"), whole.0.span));
+                }
+            }
+        }
+        let Some((first, next)) = base(self.tokens, at)? else { return self.expected("a name") };
+        if first == "\\Delta"
+            && let Some((second, after)) = base(self.tokens, next)?
+        {
+            let two = scripts(self.tokens, format!("\\Delta {second}"), start, after)?;
+            if self.meaning(&two.0)?.is_some() {
+                let (one, _) = scripts(&self.tokens[..next], first.clone(), start, next)?;
+                if self.meaning(&one)?.is_some() {
+                    let readings = ["one name", "a product with \\Delta"];
+                    let write = ["do not declare Delta", "write \\Delta \\cdot x"];
+                    return Err(ambiguous(&two.0.key(), readings, write, two.0.span));
+                }
+                return Ok(two);
+            }
+        }
+        scripts(self.tokens, first, start, next)
+    }
+
+    /// What an undeclared name is: π, the base of exponentials, or a fault.
+    fn unknown(&mut self, symbol: &Symbol, next: usize) -> Read<Piece> {
+        let key = symbol.key();
+        if key == "\\pi" {
+            self.at = next;
+            return Ok(Piece::atom("pi", symbol.span));
+        }
+        if key == "e" {
+            let is_upright = self.tokens[self.at].command().is_some();
+            if !is_upright && !self.scope.decisions.e_is_base {
+                let readings = ["the base of exponentials", "a number of its own, such as a restitution"];
+                let write = ["write `%carom e is base`, or \\exp", "declare it: `%carom given e in [0, 1]`"];
+                return Err(ambiguous("e", readings, write, symbol.span));
+            }
+            self.at = next;
+            if !self.take_char('^') {
+                return Ok(Piece::atom("exp(1)", symbol.span));
+            }
+            let (inner, after) = super::name::argument(self.tokens, self.at)?;
+            let exponent = self.sum_in(inner)?;
+            self.at = after;
+            return Ok(exponent.within("exp"));
+        }
+        let applied = self.tokens.get(next).is_some_and(|t| t.is_char('('));
+        Err(undeclared(&key, applied, symbol.span))
+    }
+
+    /// The arguments of a function.
+    fn application(&mut self, symbol: &Symbol, name: &str, start: Span) -> Read<Piece> {
+        let key = symbol.key();
+        let Some((inner, next)) = self.parenthesis()?.filter(|_| self.peek().is_some_and(|t| t.is_char('('))) else {
+            let span = self.since(start);
+            if self.is_next_char('^') {
+                let readings = ["a power of its value", "the function applied twice, or its inverse"];
+                let write = [format!("write {key}(x)^{{2}}"), format!("write {key}({key}(x))")];
+                let write = write.each_ref().map(String::as_str);
+                return Err(ambiguous(&format!("the exponent of {key}"), readings, write, span));
+            }
+            let help = format!("write {key}(x); a comment declares {key} with an argument");
+            return Err(refused(format!("{key} has no argument here"), help, span));
+        };
+        let mut text = Placed::new(&format!("{name}("), symbol.span);
+        for (place, argument) in commas(inner).into_iter().enumerate() {
+            if place > 0 {
+                text.push(", ", symbol.span);
+            }
+            text.append(&self.sum_in(argument)?.text);
+        }
+        self.at = next;
+        text.push(")", symbol.span);
+        Ok(Piece::new(text, 5))
+    }
+
+    /// Refuses a parenthesis behind a number that looks like an argument: `v(t)`.
+    fn no_application(&mut self, symbol: &Symbol) -> Read<()> {
+        if !self.tokens.get(self.at).is_some_and(|t| t.is_char('(')) {
+            return Ok(());
+        }
+        let Some((inner, _)) = self.parenthesis()? else { return Ok(()) };
+        let symbols = base(inner, 0)?.map(|(first, next)| scripts(inner, first, symbol.span, next)).transpose()?;
+        let is_single = symbols.is_some_and(|(_, end)| end == inner.len())
+            || inner.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit() || c == '.'));
+        if is_single || top_level(inner, ',') {
+            let key = symbol.key();
+            let readings = ["a product", "the value of a function"];
+            let write = [
+                format!("write {key} \\cdot (…)"),
+                format!("declare the function in a comment: `%carom let {key}(x) = …`"),
+            ];
+            let write = write.each_ref().map(String::as_str);
+            return Err(ambiguous(&format!("{key} before a parenthesis"), readings, write, symbol.span));
+        }
+        Ok(())
+    }
+}
+
+/// The parts of a list.
+pub(crate) fn commas(tokens: &[Token]) -> Vec<&[Token]> {
+    let mut out = Vec::new();
+    let (mut level, mut from) = (0i64, 0);
+    for (place, token) in tokens.iter().enumerate() {
+        match &token.kind {
+            Kind::Open | Kind::Char('(' | '[') => level += 1,
+            Kind::Close | Kind::Char(')' | ']') => level -= 1,
+            Kind::Char(',') if level == 0 => {
+                out.push(&tokens[from..place]);
+                from = place + 1;
+            }
+            _ => {}
+        }
+    }
+    out.push(&tokens[from..]);
+    out
+}

@@ -1,0 +1,367 @@
+//! Claims judged. *Proved* means: the kernel accepted a certificate of the claim in this run.
+//!
+//! Contract: a certificate at hand decides first; where the kernel accepts none, a counterexample is sought at few points,
+//! then a proof, which is written as a certificate that the kernel has to accept, then a counterexample at all points.
+//! Where a proof is found and the kernel does not accept what was written of it, the claim is undecided and
+//! [`Entry::found`] says so. A claim is judged after those that it cites, and
+//! may use what was proved of them. The order of the answers does not depend on the number of threads.
+
+pub mod hand;
+mod hypotheses;
+pub mod refuted;
+pub mod repair;
+mod satisfiable;
+mod threads;
+
+use crate::certificate::Certificate;
+use crate::certificate::text::{digest, write};
+use crate::claim::diagnostic::{self, Diagnostic};
+use crate::claim::print::Style;
+use crate::claim::syntax::{self as claim, Claim, Item, Method, Relation, Span, Step};
+use crate::explain::{self, Document};
+use crate::kernel::Accepted;
+use crate::kernel::statement::{compare, numeral};
+use crate::prove::{self, Fail};
+use crate::refute::case::{Case, Stage, beyond};
+use crate::refute::catalogue::{Catalogue, Limits};
+use crate::refute::outcome::{Fault, Outcome, Point, Verdict};
+use hand::AtHand;
+
+/// The part of the time limit for proving that some point satisfies the hypotheses, or that they contradict each other, if the
+/// search found no point.
+const CONTRADICTION: u32 = 5;
+
+/// The part of the time limit for showing that a counterexample exists, before a proof is sought.
+const EARLY: u32 = 20;
+
+/// The part of the time limit that the search for a proof leaves to the search for a counterexample.
+const LEFT: u32 = 8;
+
+/// A claim and its result in the audit.
+#[derive(Clone)]
+pub struct Entry {
+    /// The claim.
+    pub claim: Claim,
+    /// The outcome.
+    pub outcome: Outcome,
+    /// Whether the search found a proof, but the kernel does not accept its certificate.
+    pub found: bool,
+    /// What the kernel accepted: of a refuted claim, that it is false at the witness.
+    pub proof: Option<Proof>,
+    /// The proof in words, where it was asked for.
+    pub explained: Option<Document>,
+}
+
+impl Entry {
+    /// Whether the verdict is the one that the file expects.
+    pub fn as_expected(&self) -> bool {
+        self.outcome.verdict.is_expected(self.claim.expect)
+    }
+
+    /// The goal on one line.
+    pub fn goal(&self, style: Style) -> String {
+        style.prop(self.claim.written_goal()).split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// A certificate that the kernel accepted in this run.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// The certificate as text.
+    pub certificate: String,
+    /// Its SHA-256, in hexadecimal digits.
+    pub sha256: String,
+    /// The SHA-256 of the statement as the kernel reads it; it stands in the certificate.
+    pub statement: String,
+    /// The cited claims and analytic lemmas that it rests on.
+    pub rests_on: Vec<String>,
+}
+
+impl Proof {
+    /// A refutation, which rests on no other claim.
+    fn refuting(certificate: Certificate) -> Proof {
+        let text = write(&certificate);
+        Proof { sha256: digest(&text), statement: certificate.statement, rests_on: Vec::new(), certificate: text }
+    }
+}
+
+/// How claims are judged.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// The limits for each claim.
+    pub limits: Limits,
+    /// Search every proof anew, even where a certificate is at hand.
+    pub anew: bool,
+    /// Say each proof in words.
+    pub argument: bool,
+}
+
+/// A claim that was judged, with what others may build on.
+struct Judged {
+    entry: Result<Entry, Fault>,
+    accepted: Option<Accepted>,
+}
+
+/// What came of a set of claims.
+pub struct Judgement {
+    /// Each claim that was asked for, in the order of the names, with its entry or why it makes no sense.
+    pub entries: Vec<(String, Result<Entry, Fault>)>,
+    /// How many claims were worked on, cited ones included.
+    pub judged: usize,
+}
+
+/// What happens while claims are judged.
+pub enum News<'n> {
+    /// A claim of this name is begun; so many are done.
+    Begun(usize, &'n str),
+    /// What came of a claim that was asked for.
+    Judged(&'n str, &'n Result<Entry, Fault>),
+}
+
+/// Judges the claims of these names, and what they cite. `hear` is told what happens, by any thread.
+pub fn judge(
+    catalogue: &Catalogue,
+    names: &[String],
+    hand: &AtHand,
+    settings: &Settings,
+    hear: &(dyn Fn(News<'_>) + Sync),
+) -> Judgement {
+    let asked: Vec<Claim> = names.iter().filter_map(|name| catalogue.get(name).cloned()).collect();
+    let order = catalogue.in_order(&asked);
+    let silent = Settings { argument: false, ..settings.clone() };
+    let mut done = threads::each_after_what_it_cites(
+        &order,
+        &|done, name| hear(News::Begun(done, name)),
+        &|claim, cited: &[&Judged]| {
+            let is_asked = names.contains(&claim.name.text);
+            let judged = one(claim, cited, hand, if is_asked { settings } else { &silent });
+            if is_asked {
+                hear(News::Judged(&claim.name.text, &judged.entry));
+            }
+            judged
+        },
+    );
+    let judged = done.len();
+    let entries = names.iter().map(|name| {
+        let entry = done.remove(name).map(|judged| judged.entry);
+        (name.clone(), entry.unwrap_or_else(|| Err(unknown(name))))
+    });
+    Judgement { entries: entries.collect(), judged }
+}
+
+/// Judges one claim.
+///
+/// # Errors
+/// The claim makes no sense: its hypotheses contradict each other, or its argument cites what is not there.
+pub fn one_of(catalogue: &Catalogue, name: &str, hand: &AtHand, settings: &Settings) -> Result<Entry, Fault> {
+    let mut found = judge(catalogue, &[name.to_string()], hand, settings, &|_| {});
+    found.entries.pop().map_or_else(|| Err(unknown(name)), |entry| entry.1)
+}
+
+/// The outcome of one claim, with no certificate at hand.
+///
+/// # Errors
+/// As [`one_of`].
+pub fn outcome_of(catalogue: &Catalogue, name: &str, limits: &Limits) -> Result<Outcome, Fault> {
+    let settings = Settings { limits: limits.clone(), ..Settings::default() };
+    one_of(catalogue, name, &AtHand::default(), &settings).map(|entry| entry.outcome)
+}
+
+fn unknown(name: &str) -> Fault {
+    let message = format!("no claim is called {name}");
+    Fault::Text(crate::refute::outcome::Diagnose { message, help: None, span: Span::default() })
+}
+
+/// The fault of a claim that makes no sense, at its place.
+pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
+    match fault {
+        Fault::Contradictory { hypotheses } => Diagnostic::new(
+            diagnostic::Fault::Other {
+                message: format!("the hypotheses of {} contradict each other: {hypotheses}", claim.name.text),
+                help: Some("no values satisfy these hypotheses; remove or weaken one".to_string()),
+            },
+            claim.name.span,
+        ),
+        Fault::Text(d) => Diagnostic::new(diagnostic::Fault::Other { message: d.message, help: d.help }, d.span),
+    }
+}
+
+fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> Judged {
+    let accepted: Vec<&Accepted> = cited.iter().filter_map(|c| c.accepted.as_ref()).collect();
+    let held = if settings.anew { None } else { hand.accepted(claim, &accepted) };
+    let decided = match with_a_point(claim, &settings.limits) {
+        Err(name) => Decided::without_proof(beyond(claim, name)),
+        Ok(case) if case.has_no_point() && contradictory(claim, &settings.limits) => {
+            return Judged { entry: Err(contradiction(claim)), accepted: None };
+        }
+        Ok(case) => match held {
+            Some(held) => Decided { outcome: case.proved(), held: Some(held), found: false },
+            None => match searched(claim, case, cited, &accepted, &settings.limits) {
+                Err(fault) => return Judged { entry: Err(fault), accepted: None },
+                Ok(decided) => decided,
+            },
+        },
+    };
+    let Decided { mut outcome, held, found } = decided;
+    let at_hand = || if settings.anew { None } else { hand.refuting(claim) };
+    // A refutation at hand decides where no witness was found.
+    if outcome.verdict == Verdict::Undecided
+        && let Some(certificate) = at_hand()
+    {
+        outcome = refuted::outcome(outcome, claim, &certificate);
+    }
+    let Some((certificate, shown)) = held.filter(|_| outcome.verdict == Verdict::Proved) else {
+        let refuted = outcome.witness.as_ref().filter(|_| outcome.verdict == Verdict::Refuted);
+        let proof = refuted.and_then(|w| {
+            at_hand().or_else(|| refuted::certificate(claim, &w.point, &settings.limits)).map(Proof::refuting)
+        });
+        let entry = Entry { claim: claim.clone(), outcome, found, proof, explained: None };
+        return Judged { entry: Ok(entry), accepted: None };
+    };
+    (outcome.used, outcome.unused) = hypotheses::used(claim, &certificate, &shown);
+    outcome.method = hypotheses::method(&certificate, &shown).to_string();
+    let words = settings.argument.then(|| explain::proof(claim, &certificate, &accepted).ok());
+    let certificate = write(&certificate);
+    let proof = Proof {
+        sha256: digest(&certificate),
+        statement: digest(&shown.text()),
+        rests_on: shown.rests_on().iter().cloned().collect(),
+        certificate,
+    };
+    let entry = Entry { claim: claim.clone(), outcome, found: false, proof: Some(proof), explained: words.flatten() };
+    Judged { entry: Ok(entry), accepted: Some(shown) }
+}
+
+/// A claim with a point at which its hypotheses hold: one that was found, or else one that was shown to exist.
+fn with_a_point(claim: &Claim, limits: &Limits) -> Result<Case, &'static str> {
+    let mut case = Case::new(claim, limits)?;
+    if case.has_no_point() {
+        case.found_a_point(satisfiable::point(claim, &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }));
+    }
+    Ok(case)
+}
+
+/// Whether the hypotheses are shown to contradict each other: anything follows from them.
+pub fn contradictory(claim: &Claim, limits: &Limits) -> bool {
+    let goal = compare(numeral(0), Relation::Equal, numeral(1));
+    let absurd = Claim { goal, proof: claim::Proof::default(), using: Vec::new(), ..claim.clone() };
+    prove::certificate(&absurd, &[], &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }).is_ok()
+}
+
+/// The fault of a claim whose hypotheses contradict each other.
+pub fn contradiction(claim: &Claim) -> Fault {
+    let assumed = claim.items.iter().filter_map(|item| match item {
+        Item::Assume { prop, .. } => Some(crate::claim::print::prop(prop)),
+        _ => None,
+    });
+    Fault::Contradictory { hypotheses: assumed.collect::<Vec<_>>().join("; ") }
+}
+
+/// What the search says of a claim.
+struct Decided {
+    outcome: Outcome,
+    held: Option<(Certificate, Accepted)>,
+    /// Whether the search found a proof, but the kernel does not accept its certificate.
+    found: bool,
+}
+
+impl Decided {
+    fn without_proof(outcome: Outcome) -> Decided {
+        Decided { outcome, held: None, found: false }
+    }
+
+    /// Refuted by this certificate.
+    fn refuted(claim: &Claim, case: Case, certificate: &Certificate) -> Decided {
+        let undecided = case.undecided(String::new(), None);
+        Decided::without_proof(refuted::outcome(undecided, claim, certificate))
+    }
+}
+
+/// Multiplies out, then seeks a counterexample at few points, then a proof, then a counterexample at all points.
+fn searched(
+    claim: &Claim,
+    mut case: Case,
+    cited: &[&Judged],
+    accepted: &[&Accepted],
+    limits: &Limits,
+) -> Result<Decided, Fault> {
+    let known: Vec<&Claim> = cited.iter().filter_map(|c| c.entry.as_ref().ok()).map(|e| &e.claim).collect();
+    case.check(&known).map_err(Fault::Text)?;
+    if let Some(reason) = case.ambiguous() {
+        return Ok(Decided::without_proof(case.undecided(reason, None)));
+    }
+    if let Ok(held) = prove::at_once(claim, accepted, limits) {
+        return Ok(Decided { outcome: case.proved(), held: Some(held), found: false });
+    }
+    if let Some(refuted) = case.counterexample(Stage::First) {
+        return Ok(Decided::without_proof(refuted));
+    }
+    // Where evaluation found no point for the hypotheses it finds no counterexample either: it is shown to exist, or not.
+    if case.has_shown_point()
+        && let Some(certificate) = refuted_by_proof(claim, &case, limits, EARLY)
+    {
+        return Ok(Decided::refuted(claim, case, &certificate));
+    }
+    let time = case.time_left().saturating_sub(limits.time / LEFT);
+    let fail = match prove::by_search(claim, accepted, &Limits { time, ..limits.clone() }) {
+        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
+        Err(fail) => fail,
+    };
+    if let Some(refuted) = case.counterexample(Stage::Last) {
+        return Ok(Decided::without_proof(refuted));
+    }
+    if !case.has_no_point()
+        && let Some(certificate) = refuted_by_proof(claim, &case, limits, CONTRADICTION)
+    {
+        return Ok(Decided::refuted(claim, case, &certificate));
+    }
+    let found = matches!(fail, Fail::Unwritten(_));
+    let reason = match rests_on(claim, cited) {
+        _ if found => format!("the search found a proof, but the kernel accepts no certificate of it: {fail}"),
+        Some(reason) => reason,
+        None => fail.to_string(),
+    };
+    Ok(Decided { outcome: case.undecided(reason, fail.limit()), held: None, found })
+}
+
+/// A refutation by the search for proofs: at a point with roots as coordinates, or of a goal `exists` that fails for all values.
+/// It takes this part of the time limit at most.
+fn refuted_by_proof(claim: &Claim, case: &Case, limits: &Limits, part: u32) -> Option<Certificate> {
+    let limits = Limits { time: case.time_left().min(limits.time / part), ..limits.clone() };
+    let point = match &claim.goal.kind {
+        claim::PropKind::Exists(..) if !case.has_variables() => Point { values: Vec::new() },
+        claim::PropKind::Compare(..) => satisfiable::counterexample(claim, &limits)?,
+        _ => return None,
+    };
+    refuted::certificate(claim, &point, &limits)
+}
+
+/// What is said of the first claim that the argument cites and that is not proved.
+fn rests_on(claim: &Claim, cited: &[&Judged]) -> Option<String> {
+    let mut names = Vec::new();
+    instances(&claim.proof, &mut names);
+    let entry = |name: &str| cited.iter().filter_map(|c| c.entry.as_ref().ok()).find(|e| e.claim.name.text == name);
+    names.into_iter().filter(|name| claim.using.iter().any(|n| n.text == *name)).find_map(|name| match entry(name) {
+        None => Some(format!("rests on {name}, which is at fault")),
+        Some(entry) if entry.outcome.verdict == Verdict::Proved => None,
+        Some(Entry { outcome, .. }) => {
+            let reason = outcome.reason.as_ref().map_or(String::new(), |reason| format!(": {reason}"));
+            Some(format!("rests on {name}, which is {}{reason}", outcome.verdict.name()))
+        }
+    })
+}
+
+/// The claims and facts of which an argument takes instances.
+fn instances<'c>(proof: &'c claim::Proof, into: &mut Vec<&'c str>) {
+    for step in &proof.steps {
+        match step {
+            Step::Have { proof, .. } | Step::Case { proof, .. } => instances(proof, into),
+            Step::Obtain { .. } => {}
+        }
+    }
+    match &proof.close {
+        Some(Method::Instance { claim, .. }) => into.push(&claim.text),
+        Some(Method::Induction(_, steps)) => instances(steps, into),
+        _ => {}
+    }
+}

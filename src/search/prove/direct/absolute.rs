@@ -1,0 +1,160 @@
+//! Absolute values, and with them `min` and `max`, as roots of squares.
+//!
+//! Method: sqrt(q^2) is q if q >= 0, and −q otherwise. The search distinguishes cases by the signs of the factors of q until
+//! the sign of q is known. It starts with the innermost absolute value and replaces each by q or −q.
+
+use super::facts::{minus, opposite};
+use super::letters::{as_power, natural, product, whole_power};
+use super::values::root_of;
+use super::{Fail, Prover, implies};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::key;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, numeral};
+use crate::refute::literal::literal;
+use std::rc::Rc;
+
+/// Largest number of signs distinguished along one branch.
+const DEPTH: usize = 6;
+
+/// An absolute value: the letter for sqrt(q^2), and q as a number times powers of polynomials.
+struct Absolute {
+    root: Expr,
+    number: Expr,
+    factors: Vec<(Expr, i64)>,
+}
+
+impl Absolute {
+    fn inside(&self) -> Expr {
+        let powers = self.factors.iter().map(|(f, k)| whole_power(f.clone(), *k));
+        product(std::iter::once(self.number.clone()).chain(powers).collect())
+    }
+}
+
+impl Prover {
+    /// Proves a comparison that contains absolute values.
+    pub(crate) fn by_absolute_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if self.next_absolute(goal, &[]).is_none() {
+            return Err(Fail::No("an absolute value"));
+        }
+        self.attempt(|c| {
+            let splits = std::mem::replace(&mut c.splits, 8);
+            let shown = c.in_signs(goal, &mut Vec::new(), 0);
+            c.splits = splits;
+            shown
+        })
+    }
+
+    /// Proves a comparison in which absolute values are written. Cases cost less here than products of facts.
+    pub(crate) fn by_written_absolute_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        if self.splits >= 3 || !(has_absolute(a) || has_absolute(b)) {
+            return Err(Fail::No("an absolute value"));
+        }
+        self.by_absolute_values(goal)
+    }
+
+    /// Proves a goal after the signs inside some absolute values are known; `known` holds the keys of these.
+    fn in_signs(&mut self, goal: &Prop, known: &mut Vec<String>, depth: usize) -> Result<Label, Fail> {
+        let Some(found) = self.next_absolute(goal, known) else { return self.show(goal) };
+        let settled = |s: Signs| s.within(Signs::NOT_NEGATIVE) || s.within(Signs::of(Relation::LessEqual));
+        let mut negative = false;
+        for (factor, k) in &found.factors {
+            let signs = self.signs_of(factor);
+            if k % 2 == 0 || signs.within(Signs::NOT_NEGATIVE) {
+                continue;
+            }
+            if settled(signs) {
+                negative = !negative;
+                continue;
+            }
+            if depth >= DEPTH {
+                return Err(Fail::Limit("cases"));
+            }
+            let case = compare(factor.clone(), Relation::GreaterEqual, numeral(0));
+            let other = opposite(&case).ok_or(Fail::No("an opposite"))?;
+            let length = known.len();
+            let mut branch = |c: &mut Self, case: &Prop| {
+                let shown = c.block(&implies(case, goal), |c, _| c.in_signs(goal, known, depth + 1));
+                known.truncate(length);
+                shown
+            };
+            let x = branch(self, &case)?;
+            let y = branch(self, &other)?;
+            return self.logic(&[&x, &y], goal);
+        }
+        let inside = found.inside();
+        let value = if negative { expr(ExprKind::Negate(Box::new(inside))) } else { inside };
+        let equal = compare(found.root.clone(), Relation::Equal, value);
+        let shown = self.emit(Rule::Power, equal.clone()).or_else(|_| {
+            // (root − q)·(root + q) = 0, of which the first factor is positive where q is negative.
+            let apart = compare(minus(&found.root, &found.inside()), Relation::Greater, numeral(0));
+            let negative =
+                found.factors.iter().enumerate().filter(|(_, (_, k))| *k == 1).find_map(|(place, (f, _))| {
+                    Some((place, self.known(&compare(f.clone(), Relation::Less, numeral(0)))?))
+                });
+            if let Some((place, label)) = negative {
+                let others = found.factors.iter().enumerate().filter(|(i, _)| *i != place);
+                let powers = others.map(|(_, (f, k))| whole_power(f.clone(), *k));
+                let number = expr(ExprKind::Negate(Box::new(found.number.clone())));
+                let factor = product(std::iter::once(number).chain(powers).collect());
+                let root = Term { facts: Vec::new(), factor: found.root.clone() };
+                let _ = self.combination(apart, vec![Term { facts: vec![label], factor }, root]);
+            }
+            self.quietly(&equal)
+        })?;
+        self.put_in(&shown);
+        known.push(key::expr(&found.root));
+        self.in_signs(goal, known, depth)
+    }
+
+    /// The innermost absolute value of the goal, or else of the facts, that is not among the known ones.
+    fn next_absolute(&mut self, goal: &Prop, known: &[String]) -> Option<Absolute> {
+        let facts: Vec<Rc<Prop>> = self.checker.facts().map(|(_, p)| p.clone()).collect();
+        for p in std::iter::once(goal).chain(facts.iter().map(|p| &**p)) {
+            let PropKind::Compare(sides, relations) = &p.kind else { continue };
+            let ([a, b], [_]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some(reading) = self.read(&minus(a, b), false) else { continue };
+            for f in &reading.factors {
+                if let Some(found) = self.absolute_in(&f.poly, known) {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    fn absolute_in(&mut self, poly: &Polynomial, known: &[String]) -> Option<Absolute> {
+        for v in poly.variables() {
+            let Some(e) = self.letters.expr(v).cloned() else { continue };
+            let ExprKind::Power(base, _) = &e.kind else { continue };
+            let Some(half) = as_power(&e).and_then(|(_, k)| self.read(&k, false)) else { continue };
+            if !half.factors.is_empty() || half.number != malachite::Rational::from_unsigneds(1u32, 2) {
+                continue;
+            }
+            let Some(reading) = self.read(base, false) else { continue };
+            for f in &reading.factors {
+                if let Some(inner) = self.absolute_in(&f.poly, known) {
+                    return Some(inner);
+                }
+            }
+            let even = !reading.factors.is_empty() && reading.factors.iter().all(|f| f.power % 2 == 0);
+            let (Some((number, true)), true) = (root_of(&reading.number, 2), even) else { continue };
+            if known.contains(&key::expr(&e)) {
+                continue;
+            }
+            let factors = reading.factors.iter().map(|f| (self.letters.written(&f.poly), f.power / 2)).collect();
+            return Some(Absolute { root: e, number: literal(&number), factors });
+        }
+        None
+    }
+}
+
+/// Whether a square root of a square is part of an expression.
+fn has_absolute(e: &Expr) -> bool {
+    let is_square = |e: &Expr| as_power(e).is_some_and(|(_, k)| natural(&k) == Some(2));
+    let mut found = as_power(e).is_some_and(|(base, exponent)| natural(&exponent).is_none() && is_square(&base));
+    crate::refute::expand::parts(e, &mut |part| found = found || has_absolute(part));
+    found
+}

@@ -1,0 +1,488 @@
+//! Comparisons: by signs, by linear programs over products of facts, from powers, by cases.
+
+use super::facts::{is_settled, minus, opposite, sign_of};
+use super::letters::{as_power, natural, product, whole_power};
+use super::products::{Kind, Known, combination, contradiction};
+use super::{Fail, Prover, implies};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, numeral};
+use crate::refute::literal::literal;
+use malachite::Rational;
+use malachite::base::num::basic::traits::One;
+use std::collections::BTreeSet;
+
+/// The difference of a comparison's sides as poly·rest.
+pub(super) struct OpenFactors {
+    /// The product of the factors whose signs are open.
+    pub(super) poly: Polynomial,
+    /// The number of the rest.
+    pub(super) number: Rational,
+    /// The factors of the rest, whose sign is known: the number and the others.
+    pub(super) rest: Vec<Expr>,
+    /// Whether the goal says that the polynomial is negative, or not positive.
+    pub(super) flip: bool,
+}
+
+impl Prover {
+    /// Shows a single comparison, by the methods in the order of their cost.
+    pub(crate) fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
+        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
+            return Err(Fail::No("a single comparison is needed"));
+        };
+        let relation = *relation;
+        if let Ok(label) = self.at_once(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if relation == Relation::Equal
+            && let Ok(label) = self.by_recurrence(goal)
+        {
+            return Ok(label);
+        }
+        if let Ok(label) = self.by_chain(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.by_written_absolute_values(goal, a, b) {
+            return Ok(label);
+        }
+        // With little effort: no cases, and small programs only.
+        let quiet = self.splits >= 8;
+        if !quiet
+            && self.conclude_at_once()
+            && let Ok(label) = self.quietly(goal)
+        {
+            return Ok(label);
+        }
+        if let Ok(label) = self.by_linear_programs(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.by_numbers_and_powers(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_whole_numbers(goal)) {
+            return Ok(label);
+        }
+        if relation == Relation::Equal
+            && let Ok(label) = self.by_both_orders(goal, a, b)
+        {
+            return Ok(label);
+        }
+        if relation == Relation::NotEqual {
+            for side in [Relation::Greater, Relation::Less] {
+                let stronger = compare(a.clone(), side, b.clone());
+                if let Ok(label) = self.quietly(&stronger) {
+                    return self.logic(&[&label], goal);
+                }
+            }
+        }
+        let not_shown = || Fail::NotShown(crate::claim::print::prop(goal));
+        if quiet {
+            return Err(not_shown());
+        }
+        if let Ok(label) = self.by_denied_equation(goal) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.by_known_inequalities(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_exponents(goal)) {
+            return Ok(label);
+        }
+        if self.saturate()
+            && let Ok(label) = self.quietly(goal)
+        {
+            return Ok(label);
+        }
+        // Last, for it tries many instances.
+        if let Ok(label) = self.by_universal_facts(goal) {
+            return Ok(label);
+        }
+        Err(not_shown())
+    }
+
+    /// A comparison that the kernel sees, once its letters are known.
+    fn at_once(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        self.define(a);
+        self.define(b);
+        if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
+            return Ok(label);
+        }
+        self.enrich(&[a, b]);
+        self.note_squares(a);
+        self.note_squares(b);
+        if self.instantiate(&[a, b]) {
+            self.enrich(&[a, b]);
+        }
+        if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
+            return Ok(label);
+        }
+        if relation != Relation::Equal {
+            return Err(Fail::No("an equation"));
+        }
+        self.emit(Rule::Power, goal.clone())
+    }
+
+    /// A comparison from linear programs over more and more products, for the goal or against its opposite.
+    fn by_linear_programs(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let quiet = self.splits >= 8;
+        let top = if self.splits >= 9 { 1 } else { 2 };
+        for level in 0..=top {
+            // Linear programs seldom decide comparisons about roots.
+            if level == 2
+                && !quiet
+                && let Ok(label) = self.by_roots(goal, a, relation, b)
+            {
+                return Ok(label);
+            }
+            if let Ok(label) = self.attempt(|c| c.by_products(goal, level)) {
+                return Ok(label);
+            }
+            if let Ok(label) = self.beside_programs(goal, relation, level) {
+                return Ok(label);
+            }
+            if relation != Relation::Equal
+                && let Ok(label) = self.attempt(|c| c.by_contradiction(goal, level))
+            {
+                return Ok(label);
+            }
+        }
+        Err(Fail::No("a combination"))
+    }
+
+    /// What is tried beside the linear program of a level, each once: differences of variables to a greater depth come later, and
+    /// where little effort is due, not at all.
+    fn beside_programs(&mut self, goal: &Prop, relation: Relation, level: usize) -> Result<Label, Fail> {
+        match (relation, level) {
+            (Relation::Equal, 0) => self.attempt(|c| c.by_ideal(goal)),
+            // An equation in variables that other equations give.
+            (Relation::Equal, 1) => self.with_solved_equations(|c| {
+                c.combination(goal.clone(), Vec::new()).or_else(|_| c.by_products(goal, level))
+            }),
+            (Relation::Equal | Relation::NotEqual, 1..) if self.splits <= 2 => {
+                self.attempt(|c| c.by_positivstellensatz(goal))
+            }
+            (Relation::Equal | Relation::NotEqual, _) => Err(Fail::No("an order")),
+            (_, 0) => {
+                let shown = self
+                    .attempt(|c| c.by_completed_square(goal))
+                    .or_else(|_| self.attempt(|c| c.by_differences(goal, 0..=0)));
+                if shown.is_ok() || self.splits > 2 {
+                    return shown;
+                }
+                self.attempt(|c| c.by_sums_of_squares(goal))
+            }
+            _ if self.splits > 2 => Err(Fail::No("effort left")),
+            (_, 1) => self
+                .attempt(|c| c.by_differences(goal, 1..=1))
+                .or_else(|_| self.attempt(|c| c.by_positivstellensatz(goal))),
+            _ => self.attempt(|c| c.by_differences(goal, 2..=3)),
+        }
+    }
+
+    /// A comparison of numbers by arithmetic, of logarithms by their arguments, of powers by their bases.
+    fn by_numbers_and_powers(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if self.speaks_of_numbers(goal)
+            && let Ok(label) = self.emit(Rule::Evaluate, goal.clone())
+        {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.of_logarithms(goal, a, relation, b)) {
+            return Ok(label);
+        }
+        if !matches!(relation, Relation::Equal | Relation::NotEqual)
+            && let Ok(label) = self.attempt(|c| c.by_order_of_logarithms(goal, a, b))
+        {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_bases(goal, a, relation, b)) {
+            return Ok(label);
+        }
+        // Not within one another.
+        if self.within_powers {
+            return Err(Fail::No("powers"));
+        }
+        self.within_powers = true;
+        let shown = self.by_powers(goal, relation);
+        self.within_powers = false;
+        shown
+    }
+
+    /// Any comparison, where a fact denies an equation that follows from others.
+    fn by_denied_equation(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        for (denial, fact) in self.facts() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            if let ([a, b], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice()) {
+                let equation = compare(a.clone(), Relation::Equal, b.clone());
+                if let Ok(shown) = self.with_solved_equations(|c| c.combination(equation, Vec::new())) {
+                    return self.logic(&[&denial, &shown], goal);
+                }
+            }
+        }
+        Err(Fail::No("a denied equation"))
+    }
+
+    /// Runs a part of the search with variables written by others, if there is an equation that was not used so yet.
+    fn with_solved_equations<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        self.attempt(|c| {
+            let before = c.equations.len();
+            c.solve_equations();
+            if c.equations.len() == before { Err(Fail::No("an equation to solve")) } else { run(c) }
+        })
+    }
+
+    /// An equation from its two inequalities.
+    fn by_both_orders(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        let splits = self.splits;
+        if splits >= 8 {
+            return Err(Fail::No("effort left"));
+        }
+        let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|r| compare(a.clone(), r, b.clone()));
+        let both = self.attempt(|c| {
+            c.splits = 8;
+            let x = c.show(&halves[0])?;
+            let y = c.show(&halves[1])?;
+            c.logic(&[&x, &y], goal)
+        });
+        if both.is_ok() {
+            self.splits = splits;
+        }
+        both
+    }
+
+    /// A comparison from inequalities between means, tangents, sums or slopes.
+    fn by_known_inequalities(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if let Ok(label) = self.attempt(|c| {
+            c.means(goal)?;
+            c.quietly(goal)
+        }) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, relation, b)) {
+            return Ok(label);
+        }
+        // The same with variables written by others, as c = 1/(a·b) where a·b·c = 1.
+        if let Ok(label) = self.with_solved_equations(|c| c.by_means_of_many(goal, a, relation, b)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_quadratic(goal, a, relation, b)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
+            return Ok(label);
+        }
+        self.attempt(|c| c.by_slope(goal, a, relation, b))
+    }
+
+    /// Proves a comparison that contains roots.
+    fn by_roots(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if relation == Relation::NotEqual || self.roots_in(&minus(a, b)).is_empty() {
+            return Err(Fail::No("a root"));
+        }
+        let splits = std::mem::replace(&mut self.splits, 8);
+        let shown = self
+            .attempt(|c| c.by_squares(goal, a, relation, b))
+            .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)));
+        self.splits = splits;
+        shown
+    }
+
+    /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
+    fn speaks_of_numbers(&self, p: &Prop) -> bool {
+        let mut names = BTreeSet::new();
+        crate::kernel::names::names_in_prop(p, &mut names);
+        let sequences = &self.checker.statement().sequences;
+        names.iter().all(|n| FUNCTIONS.iter().any(|f| f.0 == n) || sequences.iter().any(|s| s.name == *n))
+    }
+
+    /// Records the bases of even powers as they are written, because multiplying out hides what was squared.
+    pub(crate) fn note_squares(&mut self, e: &Expr) {
+        match &e.kind {
+            ExprKind::Negate(a) => self.note_squares(a),
+            ExprKind::Sum(list) => list.iter().for_each(|(_, e)| self.note_squares(e)),
+            ExprKind::Product(list) => list.iter().for_each(|(_, e)| self.note_squares(e)),
+            ExprKind::Power(base, exponent) => {
+                self.note_squares(base);
+                if natural(exponent).is_some_and(|k| k % 2 == 0)
+                    && matches!(base.kind, ExprKind::Sum(_))
+                    && let Some(reading) = self.read(base, false)
+                {
+                    for f in reading.factors {
+                        if !self.squares_written.contains(&f.poly) && self.squares_written.len() < 12 {
+                            self.squares_written.push(f.poly);
+                        }
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    pub(super) fn terms(columns: &[Known], weights: &[(usize, Rational)], times: &[Expr], negative: bool) -> Vec<Term> {
+        let term = |(place, weight): &(usize, Rational)| {
+            let column = columns.get(*place)?;
+            let weight = if negative { -weight } else { weight.clone() };
+            let mut factors = Vec::new();
+            let plain = column.factors.len() + times.len() > 0;
+            if weight != Rational::ONE || !plain {
+                factors.push(literal(&weight));
+            }
+            factors.extend(times.iter().chain(&column.factors).filter(|e| !is_one(e)).cloned());
+            Some(Term { facts: column.facts.clone(), factor: product(factors) })
+        };
+        weights.iter().filter_map(term).collect()
+    }
+
+    /// The factors of a comparison's difference whose signs are open, multiplied; where `level` is more than 0, of its polynomials
+    /// written as products.
+    pub(super) fn open_factors(&mut self, goal: &Prop, level: usize) -> Result<OpenFactors, Fail> {
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
+        let (a, b, relation) = (&sides[0], &sides[1], relations[0]);
+        let mut reading = self.read(&minus(a, b), true).ok_or(Fail::No("a difference"))?;
+        if level > 0 {
+            reading = self.split_open(reading);
+        }
+        // a − b = rest·poly, where the sign of rest is known.
+        let mut poly = Polynomial::one();
+        let mut signs = sign_of(&reading.number);
+        let mut rest = vec![literal(&reading.number)];
+        let weak = matches!(relation, Relation::GreaterEqual | Relation::LessEqual);
+        for f in &reading.factors {
+            let e = self.letters.written(&f.poly);
+            let own = f.signs.power(f.power);
+            let settled = match relation {
+                Relation::Equal => f.power < 0 || f.signs.within(Signs::NOT_ZERO),
+                Relation::NotEqual => f.signs.within(Signs::NOT_ZERO),
+                _ => is_settled(own) || (weak && own.within(Signs::NOT_NEGATIVE)),
+            };
+            if settled {
+                signs = signs.times(own);
+                rest.push(whole_power(e, f.power));
+            } else if f.power > 0 {
+                let power = u32::try_from(f.power).map_err(|_| Fail::No("an exponent"))?;
+                poly = poly
+                    .try_mul(&f.poly.pow(power).map_err(|_| Fail::No("a power"))?)
+                    .map_err(|_| Fail::No("a product"))?;
+            } else {
+                // p^-k = p·p^(-k-1), where one of the exponents is even.
+                poly = poly.try_mul(&f.poly).map_err(|_| Fail::No("a product"))?;
+                rest.push(whole_power(e, f.power - 1));
+            }
+        }
+        let up = match relation {
+            Relation::Greater | Relation::GreaterEqual => true,
+            Relation::Less | Relation::LessEqual => false,
+            Relation::Equal => true,
+            Relation::NotEqual => return Err(Fail::No("a sign")),
+        };
+        let flip = relation != Relation::Equal && signs.within(Signs::NOT_NEGATIVE) != up;
+        Ok(OpenFactors { poly, number: reading.number, rest, flip })
+    }
+
+    /// Proves the goal as a sum of products of facts.
+    pub(crate) fn by_products(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
+        let PropKind::Compare(_, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
+        let relation = relations[0];
+        let OpenFactors { poly, rest, flip, .. } = self.open_factors(goal, level)?;
+        if poly.term_count() > 120 {
+            return Err(Fail::No("a small polynomial"));
+        }
+        let target = if flip { poly.neg() } else { poly.clone() };
+        let mut columns = self.columns(std::slice::from_ref(&poly), level);
+        if relation == Relation::Equal {
+            columns.retain(|k| k.kind == Kind::Zero);
+            for known in columns.iter().filter(|k| k.order == 1) {
+                if let Ok(label) = self.attempt(|c| c.by_cofactor(goal, &poly, known, &rest)) {
+                    return Ok(label);
+                }
+            }
+        }
+        let strict = matches!(relation, Relation::Greater | Relation::Less);
+        self.spend(&columns)?;
+        let weights = combination(&target, &columns, strict).ok_or(Fail::No("a combination"))?;
+        let terms = Self::terms(&columns, &weights, &rest, flip);
+        self.combination(goal.clone(), terms)
+    }
+
+    /// Proves an equation p = 0 from p·h = 0 and h != 0, for p linear in some variable. It divides an expression known to
+    /// be 0 by p; the quotient is h. The kernel decides whether the division is exact, since it knows the powers of roots.
+    fn by_cofactor(&mut self, goal: &Prop, p: &Polynomial, zero: &Known, rest: &[Expr]) -> Result<Label, Fail> {
+        for v in p.variables() {
+            let parts = p.coefficients_in(v);
+            let [constant, slope] = parts.as_slice() else { continue };
+            let (Some(slope), true) = (slope.as_constant(), zero.poly.degree_in(v) > 1) else { continue };
+            // Horner's scheme at v = −constant/slope.
+            let root = constant.scale(&-(Rational::ONE / &slope));
+            let mut quotient = Vec::new();
+            let mut carried = Polynomial::zero();
+            for c in zero.poly.coefficients_in(v).iter().rev() {
+                carried = carried.try_mul(&root).map_err(|_| Fail::No("a product"))?.add(c);
+                quotient.push(carried.clone());
+            }
+            quotient.pop();
+            quotient.reverse();
+            let cofactor = Polynomial::from_coefficients_in(v, &quotient).scale(&(Rational::ONE / &slope));
+            let e = self.letters.written(&cofactor);
+            if cofactor.is_constant() || !self.signs_of(&e).within(Signs::NOT_ZERO) {
+                continue;
+            }
+            let mut factors = rest.to_vec();
+            factors.push(whole_power(e, -1));
+            factors.extend(zero.factors.iter().cloned());
+            let term = Term { facts: zero.facts.clone(), factor: product(factors) };
+            if let Ok(label) = self.combination(goal.clone(), vec![term]) {
+                return Ok(label);
+            }
+        }
+        Err(Fail::No("a cofactor"))
+    }
+
+    /// A contradiction among the facts and the opposite of the goal.
+    pub(crate) fn by_contradiction(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
+        let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
+        let block = self.block(&implies(&other, goal), |c, _| {
+            if level > 0 {
+                c.solve_equations();
+            }
+            c.absurd(level, goal, Some(goal))
+        })?;
+        self.logic(&[&block], goal)
+    }
+
+    /// Proves any goal from facts that contradict each other.
+    pub(crate) fn absurd(&mut self, level: usize, goal: &Prop, about: Option<&Prop>) -> Result<Label, Fail> {
+        let mut wanted = Vec::new();
+        if let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = about
+            && let Some(reading) = self.read(&minus(&sides[0], &sides[1]), false)
+        {
+            let parts = reading.factors.iter().filter(|f| f.power > 0 && f.poly.term_count() < 40);
+            wanted = parts.map(|f| f.poly.clone()).collect();
+        }
+        let columns = self.columns(&wanted, level);
+        self.spend(&columns)?;
+        let weights = contradiction(&columns).ok_or(Fail::No("a contradiction"))?;
+        let terms = Self::terms(&columns, &weights, &[], false);
+        let shown = self.combination(compare(numeral(0), Relation::Greater, numeral(0)), terms)?;
+        self.logic(&[&shown], goal)
+    }
+
+    /// Proves a comparison of two powers with the same exponent from the comparison of their bases.
+    fn by_bases(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        match (as_power(a), as_power(b)) {
+            (Some((x, p)), Some((y, q))) if p == q => {
+                let from = self.quietly(&compare(x, relation, y))?;
+                self.emit(Rule::Monotone { from }, goal.clone())
+            }
+            _ => Err(Fail::No("powers with one exponent")),
+        }
+    }
+}
+
+fn is_one(e: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Number(text) if text == "1")
+}

@@ -1,0 +1,506 @@
+//! Limits that no single rule proves: by a squeeze between bounds that fall like 1/(n + 1) or like a geometric sequence.
+
+use super::letters::{natural, product, whole_power};
+use super::values::at_next;
+use super::{Fail, Prover, implies};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::names::names_in;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
+use std::collections::BTreeSet;
+
+/// a + b.
+pub(super) fn plus(a: &Expr, b: Expr) -> Expr {
+    expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Plus, b)]))
+}
+
+/// a/b.
+pub(super) fn over(a: Expr, b: Expr) -> Expr {
+    expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]))
+}
+
+/// Whether a name occurs in an expression.
+pub(super) fn holds(e: &Expr, variable: &str) -> bool {
+    let mut names = BTreeSet::new();
+    names_in(e, &mut names);
+    names.contains(variable)
+}
+
+/// Shows that one expression lies below another: for a name, the statement for all its values, and that for this one.
+type ShowBound<'a> = dyn FnMut(&mut Prover, &Expr, &Prop, &Prop) -> Result<Label, Fail> + 'a;
+
+/// The largest degree of the factor of a power in a limit.
+const SLOPE_DEGREE: u32 = 4;
+
+/// A geometric part of an expression: constant + slope·ratio^n, where the slope is a polynomial of this degree in n.
+struct Geometric {
+    constant: Expr,
+    slope: Expr,
+    degree: u32,
+    ratio: Expr,
+}
+
+/// n·(n − 1)·…·(n − k + 1)/k!.
+fn binomial(n: &Expr, k: u32) -> Expr {
+    let less = |i: u32| match i {
+        0 => n.clone(),
+        _ => expr(ExprKind::Sum(vec![(Sign::Plus, n.clone()), (Sign::Minus, numeral(i))])),
+    };
+    match (0..k).map(less).collect::<Vec<_>>() {
+        list if list.is_empty() => numeral(1),
+        list if k == 1 => product(list),
+        list => over(product(list), numeral((1..=k).product())),
+    }
+}
+
+fn is_one(e: &Expr) -> bool {
+    natural(e) == Some(1)
+}
+
+impl Prover {
+    /// Shows a limit.
+    pub(crate) fn limit(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        self.define(&l.value);
+        let from = |least: u32| vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(least))];
+        let first = match self.emit(Rule::Limit { with: Vec::new() }, goal.clone()) {
+            Ok(label) => return Ok(label),
+            Err(first) => first,
+        };
+        // From 1 on 1/x has a value, from 4 on 1/(1 − 1/x) as well.
+        for least in [1, 4] {
+            if let Ok(label) = self.emit(Rule::Limit { with: from(least) }, goal.clone()) {
+                return Ok(label);
+            }
+        }
+        if self.lead_is_not_zero(l)
+            && let Ok(label) = self.emit(Rule::Limit { with: from(1) }, goal.clone())
+        {
+            return Ok(label);
+        }
+        if self.divisors_are_positive(l)
+            && let Ok(label) = self.emit(Rule::Limit { with: from(1) }, goal.clone())
+        {
+            return Ok(label);
+        }
+        if self.splits > 2 {
+            return Err(first);
+        }
+        self.splits += 1;
+        let done = self.squeezed(goal, l);
+        self.splits -= 1;
+        done.map_err(|_| first)
+    }
+
+    /// Proves that the divisors whose signs are open are positive from 1 on. Returns whether that is a new fact.
+    fn divisors_are_positive(&mut self, l: &Limit) -> bool {
+        let k = self.fresh("k");
+        let binding = self.growing_from(1, l, &k);
+        let mut map = Substitution::default();
+        map.replace(&l.variable.text, &name(&k));
+        let mut divisors = Vec::new();
+        divisors_in(&l.of, &mut divisors);
+        let mut is_new = false;
+        for d in divisors.iter().filter(|d| holds(d, &l.variable.text)) {
+            let Ok(divisor) = map.expr(d) else { continue };
+            let positive = compare(divisor, Relation::Greater, numeral(0));
+            let every = prop(PropKind::ForAll(vec![binding.clone()], Box::new(positive.clone())));
+            is_new |= self.attempt(|c| c.block(&every, |c, _| c.without_cases(&positive))).is_ok();
+        }
+        is_new
+    }
+
+    /// Proves that the leading coefficient of the divisor, multiplied out as the kernel does, is not 0. Returns whether that
+    /// is a new fact.
+    fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
+        let variable = self.letters.of(&name(&l.variable.text));
+        let Some(reading) = self.read(&l.of, false) else { return false };
+        let mut lead = Polynomial::one();
+        for f in reading.factors.iter().filter(|f| f.power < 0) {
+            let own = f.poly.coefficients_in(variable).pop().unwrap_or_else(Polynomial::one);
+            let Ok(power) = u32::try_from(-f.power) else { return false };
+            let Some(product) = own.pow(power).ok().and_then(|p| lead.try_mul(&p).ok()) else { return false };
+            lead = product;
+        }
+        let lead = self.letters.written(&lead);
+        if self.signs_of(&lead).within(Signs::NOT_ZERO) {
+            return false;
+        }
+        [Relation::Greater, Relation::Less]
+            .into_iter()
+            .any(|relation| self.quietly(&compare(lead.clone(), relation, numeral(0))).is_ok())
+    }
+
+    fn squeezed(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let n = name(&l.variable.text);
+        if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_compound(goal, l)) {
+            return Ok(label);
+        }
+        if self.naturals.contains(&l.variable.text)
+            && let Ok(geometric) = self.geometric(l)
+            && let Ok(label) = self.attempt(|c| c.by_ratio(goal, l, &geometric))
+        {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_absolute_value(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_exponential(goal, l)) {
+            return Ok(label);
+        }
+        let next = plus(&n, numeral(1));
+        let falling = |k: u32| over(numeral(k), next.clone());
+        let minus = |k: u32| expr(ExprKind::Sum(vec![(Sign::Plus, l.value.clone()), (Sign::Minus, falling(k))]));
+        let above = |k: u32| plus(&l.value, falling(k));
+        // Bounds that follow from the first value and the limit: value + (first − value)·g(n).
+        for closed in self.closed_forms(l) {
+            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[], 1)) {
+                return Ok(label);
+            }
+        }
+        // From 4 on a power of 2 is at least a square.
+        for (lower, upper, least) in [
+            (l.value.clone(), above(1), 1),
+            (minus(1), l.value.clone(), 1),
+            (l.value.clone(), above(4), 1),
+            (minus(4), l.value.clone(), 1),
+            (l.value.clone(), above(4), 4),
+            (minus(4), l.value.clone(), 4),
+        ] {
+            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&lower, &upper), &[], least)) {
+                return Ok(label);
+            }
+        }
+        Err(Fail::No("a squeeze"))
+    }
+
+    /// Proves the limit after replacing sums by closed forms.
+    fn by_closed_sums(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let (closed, facts) = self.with_closed_sums(&l.of, &l.variable.text)?;
+        self.between(goal, l, (&closed, &closed), &facts, 1)
+    }
+
+    /// The values that a sum has if it is value + (first − value)·g(n), for g that occur or fall like 1/(n + 1).
+    fn closed_forms(&mut self, l: &Limit) -> Vec<Expr> {
+        let ExprKind::SumOver(index, body) = &l.of.kind else { return Vec::new() };
+        if !matches!(&index.to.kind, ExprKind::Name(n) if *n == l.variable.text) {
+            return Vec::new();
+        }
+        let n = name(&l.variable.text);
+        let mut ratios = Vec::new();
+        powers_of(body, &index.name.text, &mut ratios);
+        let mut falling: Vec<Expr> =
+            ratios.iter().map(|r| expr(ExprKind::Power(Box::new(r.clone()), Box::new(n.clone())))).collect();
+        falling.push(over(numeral(1), plus(&n, numeral(1))));
+        let first = if natural(&index.from) == Some(0) {
+            let mut map = Substitution::default();
+            map.replace(&index.name.text, &numeral(0));
+            map.expr(body).ok()
+        } else {
+            Some(numeral(0))
+        };
+        let Some(first) = first else { return Vec::new() };
+        let gap = expr(ExprKind::Sum(vec![(Sign::Plus, first), (Sign::Minus, l.value.clone())]));
+        falling.into_iter().map(|g| plus(&l.value, product(vec![gap.clone(), g]))).collect()
+    }
+
+    /// An expression as constant + slope·ratio^n.
+    fn geometric(&mut self, l: &Limit) -> Result<Geometric, Fail> {
+        let no = || Fail::No("a geometric sequence");
+        let reading = self.read(&l.of, false).ok_or_else(no)?;
+        let variable = l.variable.text.as_str();
+        let (mut top, mut bottom) = (Polynomial::constant(reading.number.clone()), Vec::new());
+        let mut power: Option<u32> = None;
+        let mut below = 0i64;
+        let letters: Vec<u32> = reading.factors.iter().flat_map(|f| f.poly.variables()).collect();
+        for v in letters {
+            let e = self.letters.expr(v).cloned().ok_or_else(no)?;
+            if holds(&e, variable) {
+                let is_power = match &e.kind {
+                    ExprKind::Power(base, exponent) => {
+                        !holds(base, variable) && matches!(&exponent.kind, ExprKind::Name(n) if n == variable)
+                    }
+                    ExprKind::Apply(f, _) => f.text == "exp",
+                    _ => false,
+                };
+                let is_variable = matches!(&e.kind, ExprKind::Name(n) if n == variable);
+                if !is_variable && (!is_power || power.is_some_and(|p| p != v)) {
+                    return Err(no());
+                }
+                if !is_variable {
+                    power = Some(v);
+                }
+            }
+        }
+        let x = power.ok_or_else(no)?;
+        let grows = self.letters.of(&name(variable));
+        for f in &reading.factors {
+            if f.power > 0 {
+                let k = u32::try_from(f.power).map_err(|_| no())?;
+                top = top.try_mul(&f.poly.pow(k).map_err(|_| no())?).map_err(|_| no())?;
+            } else if f.poly == Polynomial::variable(x) {
+                below = -f.power;
+            } else if f.poly.contains(x) || f.poly.contains(grows) {
+                return Err(no());
+            } else {
+                bottom.push(whole_power(self.letters.written(&f.poly), -f.power));
+            }
+        }
+        let (mut constant, mut slope, mut degree) = (numeral(0), None, 0);
+        for (k, part) in top.coefficients_in(x).iter().enumerate() {
+            if part.is_zero() {
+                continue;
+            }
+            let own = part.degree_in(grows);
+            let part = over(self.letters.written(part), product(bottom.clone()));
+            match i64::try_from(k).unwrap_or(0) - below {
+                0 if own > 0 => return Err(no()),
+                0 => constant = part,
+                _ if own > SLOPE_DEGREE => return Err(no()),
+                j if slope.is_none() => {
+                    slope = Some((part, j));
+                    degree = own;
+                }
+                _ => return Err(no()),
+            }
+        }
+        let (slope, j) = slope.ok_or_else(no)?;
+        let ratio = match self.letters.expr(x).map(|e| e.kind.clone()) {
+            Some(ExprKind::Power(base, _)) => whole_power(*base, j),
+            Some(ExprKind::Apply(f, list)) => {
+                // exp(c·n): the ratio is exp(j·c).
+                let mut map = Substitution::default();
+                map.replace(variable, &numeral(1));
+                let c = map.expr(list.first().ok_or_else(no)?).map_err(Fail::from)?;
+                let times = crate::refute::literal::literal(&malachite::Rational::from(j));
+                expr(ExprKind::Apply(f, vec![product(vec![times, c])]))
+            }
+            _ => return Err(no()),
+        };
+        Ok(Geometric { constant, slope, degree, ratio })
+    }
+
+    /// A limit of constant + slope·r^n for 0 < r < 1 and a slope of degree m − 1 in n, since r^n·P(n) <= r^m for the sum P(n) of
+    /// binomial(n, i)·(1 − r)^i·r^(m − i) over i = 0 … m.
+    ///
+    /// By induction from m on: P(m) = (1 − r + r)^m = 1, and Pascal's rule gives r·P(n + 1) = P(n) − binomial(n, m)·(1 − r)^(m + 1).
+    fn by_ratio(&mut self, goal: &Prop, l: &Limit, g: &Geometric) -> Result<Label, Fail> {
+        let r = &g.ratio;
+        self.define(r);
+        for (relation, bound) in [(Relation::Greater, 0), (Relation::Less, 1)] {
+            let p = compare(r.clone(), relation, numeral(bound));
+            self.show(&p)?;
+        }
+        let m = g.degree + 1;
+        let k = self.fresh("k");
+        let rest = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, r.clone())]));
+        let room = |at: &Expr| {
+            let term = |i: u32| {
+                let powers = [whole_power(rest.clone(), i64::from(i)), whole_power(r.clone(), i64::from(m - i))];
+                (Sign::Plus, product([binomial(at, i)].into_iter().chain(powers).filter(|e| !is_one(e)).collect()))
+            };
+            expr(ExprKind::Sum((0..=m).map(term).collect()))
+        };
+        let power = |at: &Expr| expr(ExprKind::Power(Box::new(r.clone()), Box::new(at.clone())));
+        let at = name(&k);
+        let all = whole_power(r.clone(), i64::from(m));
+        let body = compare(product(vec![power(&at), room(&at)]), Relation::LessEqual, all.clone());
+        // The first binomials are positive at once from 0 on.
+        let least = if m == 1 { 0 } else { m };
+        let from = Constraint::Relation(Relation::GreaterEqual, numeral(least));
+        let binding = Binding { constraints: Vec::from_iter((least > 0).then_some(from)), ..natural_binding(&k) };
+        let every = |p: &Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p.clone())));
+        let start = self.show(&super::put(&body, &k, &numeral(least))?)?;
+        let next = at_next(&body, &k)?;
+        let step = implies(&body, &next);
+        let advance = self.block(&every(&step), |c, _| {
+            let positive = c.show(&compare(binomial(&at, m), Relation::GreaterEqual, numeral(0)))?;
+            c.block(&step, |c, block| {
+                let extra = product(vec![power(&at), whole_power(rest.clone(), i64::from(m + 1))]);
+                let terms = vec![
+                    Term { facts: vec![format!("{block}s")], factor: numeral(1) },
+                    Term { facts: vec![positive], factor: expr(ExprKind::Negate(Box::new(extra))) },
+                ];
+                c.combination(next.clone(), terms)
+            })
+        })?;
+        let bound = self.emit(Rule::Induction { base: start, advance }, every(&body))?;
+        // That the divisor is positive is to be known of the variable that grows.
+        let divisor = every(&compare(room(&at), Relation::Greater, numeral(0)));
+        let facts = [self.show(&divisor)?, bound];
+        let n = name(&l.variable.text);
+        let falling = plus(&g.constant, product(vec![g.slope.clone(), over(all, room(&n))]));
+        let signs = self.signs_of(&g.slope);
+        let mut pairs = vec![(g.constant.clone(), falling.clone()), (falling, g.constant.clone())];
+        pairs.truncate(if signs.within(Signs::NOT_NEGATIVE) { 1 } else { 2 });
+        let mut last = Err(Fail::No("a squeeze"));
+        for (lower, upper) in pairs.into_iter().skip(usize::from(signs.within(Signs::of(Relation::LessEqual)))) {
+            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), &facts, least.max(1)));
+            if last.is_ok() {
+                break;
+            }
+        }
+        last
+    }
+
+    /// r^n → 0 for r between −1 and 1: it lies between −q^n and q^n for q = (1 + r²)/2, which is at least |r| and less than 1.
+    fn by_absolute_value(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let no = || Fail::No("a power of what is between -1 and 1");
+        let (r, n) = super::letters::as_power(&l.of).ok_or_else(no)?;
+        if natural(&l.value) != Some(0) || !matches!(&n.kind, ExprKind::Name(n) if *n == l.variable.text) {
+            return Err(no());
+        }
+        // The mean gets a name, so that its powers are powers of one letter.
+        let mean = over(plus(&numeral(1), whole_power(r.clone(), 2)), numeral(2));
+        let q = name(&self.fresh("q"));
+        let named = compare(mean, Relation::Equal, q.clone());
+        let label = self.emit(Rule::Name, named.clone())?;
+        self.take_in(&label, &named)?;
+        for bound in [compare(q.clone(), Relation::Greater, numeral(0)), compare(q.clone(), Relation::Less, numeral(1))]
+        {
+            self.show(&bound)?;
+        }
+        let k = self.fresh("k");
+        let power = |base: &Expr, at: &Expr| expr(ExprKind::Power(Box::new(base.clone()), Box::new(at.clone())));
+        let minus = |e: Expr| expr(ExprKind::Negate(Box::new(e)));
+        let upper = power(&q, &n);
+        let lower = minus(upper.clone());
+        let inside = prop(PropKind::Compare(
+            vec![minus(power(&q, &name(&k))), power(&r, &name(&k)), power(&q, &name(&k))],
+            vec![Relation::LessEqual; 2],
+        ));
+        let every = prop(PropKind::ForAll(vec![natural_binding(&k)], Box::new(inside)));
+        let splits = std::mem::replace(&mut self.splits, 0);
+        let shown = self.all_by_induction(&every, 0);
+        self.splits = splits;
+        self.between(goal, l, (&lower, &upper), &[shown?], 1)
+    }
+
+    /// `k >= least`, of the kind of the variable that grows.
+    pub(crate) fn growing_from(&self, least: u32, l: &Limit, k: &str) -> Binding {
+        Binding {
+            natural: self.naturals.contains(&l.variable.text),
+            constraints: Vec::from_iter(
+                (least > 0).then(|| Constraint::Relation(Relation::GreaterEqual, numeral(least))),
+            ),
+            ..natural_binding(k)
+        }
+    }
+
+    /// A limit between two expressions with the same limit, as the facts tell for every value from `least` on.
+    pub(crate) fn between(
+        &mut self,
+        goal: &Prop,
+        l: &Limit,
+        (lower, upper): (&Expr, &Expr),
+        facts: &[Label],
+        least: u32,
+    ) -> Result<Label, Fail> {
+        // A closed form is shown by induction; other bounds are shown at once or not at all.
+        let effort = if lower == upper { 0 } else { 2 };
+        self.between_by(goal, l, (lower, upper), facts, least, effort)
+    }
+
+    /// The same, with this number of cases as already distinguished.
+    pub(crate) fn between_by(
+        &mut self,
+        goal: &Prop,
+        l: &Limit,
+        (lower, upper): (&Expr, &Expr),
+        facts: &[Label],
+        least: u32,
+        effort: usize,
+    ) -> Result<Label, Fail> {
+        self.squeeze(goal, l, [lower, upper], least, &mut |c, k, every, body| {
+            let splits = std::mem::replace(&mut c.splits, effort);
+            let shown = if facts.is_empty() {
+                c.show(every)
+            } else {
+                c.block(every, |c, _| {
+                    for fact in facts {
+                        let here = c.instance(fact, k)?;
+                        c.put_in(&here);
+                    }
+                    c.show(body)
+                })
+            };
+            c.splits = splits;
+            shown
+        })
+    }
+
+    /// A limit between two expressions with the same limit, as `shown` shows for every value from `least` on.
+    pub(super) fn squeeze(
+        &mut self,
+        goal: &Prop,
+        l: &Limit,
+        [lower, upper]: [&Expr; 2],
+        least: u32,
+        shown: &mut ShowBound<'_>,
+    ) -> Result<Label, Fail> {
+        let k = self.fresh("k");
+        let binding = self.growing_from(least, l, &k);
+        let k = name(&k);
+        let mut limits = Vec::new();
+        for bound in [lower, upper] {
+            let same = prop(PropKind::Limit(Box::new(Limit { of: bound.clone(), ..l.clone() })));
+            limits.push(self.show(&same)?);
+        }
+        let mut from = Vec::new();
+        for (a, b) in [(lower, &l.of), (&l.of, upper)] {
+            let body = super::put(&compare(a.clone(), Relation::LessEqual, b.clone()), &l.variable.text, &k)?;
+            let every = prop(PropKind::ForAll(vec![binding.clone()], Box::new(body.clone())));
+            from.push(shown(self, &k, &every, &body)?);
+        }
+        from.extend(limits);
+        self.emit(Rule::Squeeze { from }, goal.clone())
+    }
+}
+
+/// What an expression divides by.
+fn divisors_in(e: &Expr, out: &mut Vec<Expr>) {
+    if let ExprKind::Product(list) = &e.kind {
+        out.extend(list.iter().filter(|f| f.0 == Factor::Over).map(|f| f.1.clone()));
+    }
+    crate::refute::expand::parts(e, &mut |part| divisors_in(part, out));
+}
+
+/// `k natural`.
+pub(crate) fn natural_binding(variable: &str) -> Binding {
+    Binding {
+        names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
+        natural: true,
+        constraints: Vec::new(),
+        indices: None,
+        span: Span::default(),
+    }
+}
+
+/// The bases of powers whose exponent is this name.
+pub(crate) fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
+    match &e.kind {
+        ExprKind::Power(base, exponent) => {
+            if matches!(&exponent.kind, ExprKind::Name(n) if n == index) && !holds(base, index) {
+                out.push((**base).clone());
+            } else if let ExprKind::Product(list) = &exponent.kind
+                && let [
+                    (_, Expr { kind: ExprKind::Number(k), .. }),
+                    (Factor::Times, Expr { kind: ExprKind::Name(n), .. }),
+                ] = list.as_slice()
+                && n == index
+                && let Ok(k) = k.parse::<i64>()
+            {
+                out.push(whole_power((**base).clone(), k));
+            }
+        }
+        ExprKind::Negate(a) => powers_of(a, index, out),
+        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| powers_of(e, index, out)),
+        ExprKind::Product(list) => list.iter().for_each(|(_, e)| powers_of(e, index, out)),
+        _ => {}
+    }
+}

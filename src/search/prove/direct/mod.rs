@@ -1,0 +1,380 @@
+//! A second search, for claims that the draft cannot prove. It asks the kernel directly about every step, and proves what an
+//! argument states (`argument`) by the same methods as the goal.
+//!
+//! Contract: [`prove`] returns a certificate that the kernel accepted, or says what it could not prove. Nothing here is
+//! trusted.
+//!
+//! Method: a goal is split at its connectives into comparisons. Every root, power, sum and member of a sequence is
+//! treated as a variable, called a *letter*. Each fact becomes a polynomial in the letters that is 0, positive or not
+//! negative. A linear program finds products of these polynomials that add up to the goal, or to a contradiction with
+//! the goal's opposite (`products`). If that fails, the search distinguishes cases and tries induction.
+
+mod absolute;
+pub(super) mod argument;
+mod branching;
+mod cases;
+mod chains;
+mod columns;
+mod comparison;
+mod compound;
+mod differences;
+mod elimination;
+mod exponentials;
+mod exponents;
+mod facts;
+mod formulas;
+mod goals;
+mod ideal;
+mod induction;
+mod instances;
+mod integers;
+mod letters;
+mod limits;
+mod logarithms;
+mod means;
+mod powers;
+mod products;
+mod quadratics;
+mod radicals;
+mod refutation;
+mod slopes;
+mod solutions;
+mod squares;
+mod sums;
+mod sums_of_squares;
+mod tangents;
+#[cfg(test)]
+mod tests;
+mod universal;
+mod values;
+mod witnesses;
+
+use super::Fail;
+use super::brief;
+use crate::algebra::Moment;
+use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
+use crate::claim::syntax::{Claim, Expr, Proof, Prop, PropKind};
+use crate::kernel::statement::prop;
+use crate::kernel::substitution::Substitution;
+use crate::kernel::{Accepted, Checker};
+use crate::refute::catalogue::Limits;
+use crate::refute::expand;
+use argument::Named;
+use letters::Letters;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::rc::Rc;
+
+/// Largest number of steps tried for one claim.
+const TRIES: usize = 2_000;
+
+/// Largest total size of all linear programs for one claim. The size of one is its number of columns times the
+/// number of nonzero entries (see `spend`).
+const PROGRAMS: usize = 5_000_000;
+
+/// Proves a claim: by the argument in its file, or else without it in the time that is left.
+///
+/// # Errors
+/// What could not be proved.
+pub(super) fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+    let argument = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
+    let deadline = Moment::now().checked_add(limits.time);
+    let by = |proof: &Proof| {
+        let mut prover = Prover::new(claim, cited, limits, deadline)?;
+        let goal = prover.checker.statement().goal.clone();
+        let mut exprs = Vec::new();
+        prover.checker.statement().assumptions.iter().for_each(|p| goals::sides_in(p, &mut exprs));
+        goals::sides_in(&goal, &mut exprs);
+        argument::exprs_in(&argument.proof, &goals::sides_in, &mut exprs);
+        prover.write_powers(&exprs.iter().collect::<Vec<_>>());
+        let given = prover.facts();
+        prover.name_integers();
+        for (label, fact) in &given {
+            prover.take_in(label, fact)?;
+        }
+        // The hypotheses come after the domains of the variables.
+        let hypotheses = given.iter().skip(given.len().saturating_sub(argument.assumptions.len()));
+        let labels = argument.assumptions.iter().zip(hypotheses).filter_map(|(a, g)| Some((a.0.clone()?, g.0.clone())));
+        let shown = prover.follow(&goal, proof, &Named::hypotheses(labels.collect())).map_err(|f| f.of_goal(&goal))?;
+        prover.concluded(claim, &shown, cited, limits)
+    };
+    match by(&argument.proof) {
+        Err(fail) if !argument.proof.is_empty() && fail.limit() != Some("time") => {
+            by(&Proof::default()).map_err(|_| fail)
+        }
+        other => other,
+    }
+}
+
+/// The state of the search.
+pub(super) struct Prover {
+    checker: Checker,
+    steps: Vec<Step>,
+    counter: usize,
+    letters: Letters,
+    /// For each fact, the difference of its sides as a polynomial. The key is the fact's label and the list of
+    /// equations substituted when it was read.
+    readings: HashMap<(Label, Vec<Label>), Option<facts::Reading>>,
+    /// Whether a step may use the signs of the fact with this label (`signs`).
+    speaking: HashMap<Label, bool>,
+    /// Labels of the equations that the kernel substitutes in every step.
+    equations: Vec<Label>,
+    /// The variables that are natural numbers.
+    naturals: Vec<String>,
+    /// The integers, each with the difference of natural numbers that it is.
+    integers: Vec<(String, Expr)>,
+    /// Names in use.
+    names: BTreeSet<String>,
+    /// Those of the claim.
+    own_names: BTreeSet<String>,
+    /// Expressions of letters for which `values` has already added facts.
+    enriched: BTreeSet<String>,
+    /// Expressions of letters for which no fact could be added in the open blocks.
+    failed: BTreeSet<String>,
+    /// The bases of even powers in goals and facts, before multiplying out.
+    squares_written: Vec<crate::algebra::Polynomial>,
+    /// Roots of numbers for which facts were added.
+    roots: Vec<Expr>,
+    /// The powers by which others are written.
+    powers: Rc<powers::Powers>,
+    deadline: Option<Moment>,
+    tries: usize,
+    most_tries: usize,
+    /// Total size of the linear programs so far, limited by [`PROGRAMS`].
+    spent: usize,
+    /// Semidefinite programs without an answer.
+    failed_programs: HashSet<crate::algebra::semidefinite::Program>,
+    /// The operations that semidefinite programs may still take.
+    program_work: usize,
+    /// Number of nested case distinctions.
+    splits: usize,
+    /// Number of nested inductions.
+    inductions: usize,
+    /// Number of comparisons tried by the sign of a derivative.
+    slopes: usize,
+    /// Number of such attempts that are nested now.
+    slopes_open: usize,
+    /// Whether powers of facts are tried.
+    within_powers: bool,
+}
+
+impl Prover {
+    /// A search that knows the hypotheses of a claim.
+    fn new(claim: &Claim, cited: &[&Accepted], limits: &Limits, deadline: Option<Moment>) -> Result<Prover, Fail> {
+        let checker = Checker::new(claim, cited).map_err(Fail::from)?;
+        let statement = checker.statement();
+        let natural = statement.bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names);
+        Ok(Prover {
+            naturals: natural.map(|n| n.0.text.clone()).collect(),
+            integers: Vec::new(),
+            names: statement.names(),
+            own_names: statement.names(),
+            checker,
+            steps: Vec::new(),
+            counter: 0,
+            letters: Letters::default(),
+            readings: HashMap::new(),
+            speaking: HashMap::new(),
+            equations: Vec::new(),
+            enriched: BTreeSet::new(),
+            failed: BTreeSet::new(),
+            squares_written: Vec::new(),
+            roots: Vec::new(),
+            powers: Rc::default(),
+            deadline,
+            tries: 0,
+            most_tries: limits.steps.div_ceil(super::STEPS_OF_A_TRY).min(TRIES),
+            spent: 0,
+            failed_programs: HashSet::new(),
+            program_work: sums_of_squares::WORK,
+            splits: 0,
+            inductions: 0,
+            slopes: 0,
+            slopes_open: 0,
+            within_powers: false,
+        })
+    }
+
+    /// Every goal of an argument may cost what a claim without an argument may.
+    fn renew(&mut self) {
+        (self.tries, self.spent, self.slopes) = (0, 0, 0);
+        self.program_work = sums_of_squares::WORK;
+    }
+
+    /// The certificate of a claim whose goal this fact states.
+    fn concluded(
+        mut self,
+        claim: &Claim,
+        shown: &str,
+        cited: &[&Accepted],
+        limits: &Limits,
+    ) -> Result<(Certificate, Accepted), Fail> {
+        let statement = self.checker.statement().clone();
+        // The goal is what the last step shows.
+        if self.checker.facts().last().is_none_or(|last| last.0 != shown) {
+            self.emit(Rule::Logic { from: vec![shown.to_string()] }, statement.goal.clone())?;
+        }
+        let digest = crate::certificate::text::digest(&statement.text());
+        let whole = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: self.steps };
+        super::accepted(claim, whole, cited, limits)
+    }
+
+    fn tick(&mut self) -> Result<(), Fail> {
+        self.tries += 1;
+        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
+            return Err(Fail::Limit("time"));
+        }
+        if self.tries > self.most_tries { Err(Fail::Limit("tries")) } else { Ok(()) }
+    }
+
+    /// Adds a step if the kernel accepts it, citing only what the kernel looks at. Returns the label of the new fact.
+    fn emit(&mut self, rule: Rule, shown: Prop) -> Result<Label, Fail> {
+        self.tick()?;
+        let by = self.signs();
+        let show =
+            Show { label: format!("{}", self.counter + 1), rule, prop: shown, by, using: self.equations.clone() };
+        let label = show.label.clone();
+        let step = match brief::take(&mut self.checker, show.clone()) {
+            Err(_) if !show.using.is_empty() => brief::take(&mut self.checker, Show { using: Vec::new(), ..show }),
+            other => other,
+        };
+        let step = step.map_err(Fail::from)?;
+        self.counter += 1;
+        self.steps.push(step);
+        Ok(label)
+    }
+
+    /// Adds the size of a linear program with these columns to the total.
+    fn spend(&mut self, columns: &[products::Known]) -> Result<(), Fail> {
+        self.spent += columns.len() * columns.iter().map(|c| c.poly.term_count()).sum::<usize>();
+        if self.spent > PROGRAMS { Err(Fail::Limit("linear programs")) } else { Ok(()) }
+    }
+
+    fn combination(&mut self, shown: Prop, terms: Vec<Term>) -> Result<Label, Fail> {
+        self.emit(Rule::Combination { times: None, terms }, shown)
+    }
+
+    fn logic(&mut self, from: &[&str], shown: &Prop) -> Result<Label, Fail> {
+        self.emit(Rule::Logic { from: from.iter().map(|l| (*l).to_string()).collect() }, shown.clone())
+    }
+
+    /// Runs a part of the search; if it fails, restores the state before it.
+    fn attempt<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        let mark = self.checker.mark();
+        let (steps, equations, naturals) = (self.steps.len(), self.equations.clone(), self.naturals.clone());
+        let (splits, inductions, enriched) = (self.splits, self.inductions, self.enriched.clone());
+        let (roots, powers) = (self.roots.len(), self.powers.clone());
+        let result = run(self);
+        if result.is_err() {
+            self.checker.back_to(&mark);
+            self.steps.truncate(steps);
+            self.equations = equations;
+            self.naturals = naturals;
+            self.enriched = enriched;
+            self.roots.truncate(roots);
+            self.powers = powers;
+            (self.splits, self.inductions) = (splits, inductions);
+        }
+        result
+    }
+
+    /// Proves an implication or a `for all` statement in a block.
+    fn block(&mut self, goal: &Prop, run: impl FnOnce(&mut Self, &str) -> Result<Label, Fail>) -> Result<Label, Fail> {
+        if let Some(label) = self.known(goal) {
+            return Ok(label);
+        }
+        let (equations, naturals) = (self.equations.clone(), self.naturals.clone());
+        let (enriched, roots, powers) = (self.enriched.clone(), self.roots.len(), self.powers.clone());
+        let rule = if matches!(goal.kind, PropKind::ForAll(..)) { Rule::Let } else { Rule::Suppose };
+        let block = self.emit(rule, goal.clone())?;
+        let failed = std::mem::take(&mut self.failed);
+        if let PropKind::ForAll(bindings, _) = &goal.kind {
+            for binding in bindings.iter().filter(|b| b.natural) {
+                self.naturals.extend(binding.names.iter().map(|n| n.0.text.clone()));
+            }
+        }
+        let new: Vec<(Label, Rc<Prop>)> = self
+            .checker
+            .facts()
+            .filter(|(label, _)| label.strip_prefix(block.as_str()).is_some_and(|rest| rest.starts_with(['s', 'd'])))
+            .map(|(l, p)| (l.to_string(), p.clone()))
+            .collect();
+        for (label, fact) in &new {
+            self.take_in(label, fact)?;
+        }
+        let conclusion = run(self, &block);
+        self.failed = failed;
+        let conclusion = conclusion?;
+        let end = Step::End(conclusion);
+        self.checker.step(&end).map_err(Fail::from)?;
+        self.steps.push(end);
+        self.equations = equations;
+        self.naturals = naturals;
+        self.enriched = enriched;
+        self.roots.truncate(roots);
+        self.powers = powers;
+        Ok(block)
+    }
+
+    /// The label of the fact with the same text, if there is one.
+    fn known(&self, wanted: &Prop) -> Option<Label> {
+        self.checker.find(wanted).map(str::to_string)
+    }
+
+    /// The facts whose signs a step may use. A `for all` fact that contains a sum is left out, because the kernel applies
+    /// such a fact inside every sum, where its index may be in use. Only its instances are useful.
+    fn signs(&mut self) -> Vec<Label> {
+        let speaks = |p: &Prop| match &p.kind {
+            PropKind::Compare(..) | PropKind::And(_) => true,
+            PropKind::ForAll(_, body) => !has_an_index(body),
+            _ => false,
+        };
+        let mut labels = Vec::new();
+        for (label, fact) in self.checker.facts() {
+            let speaking = match self.speaking.get(label) {
+                Some(speaking) => *speaking,
+                None => *self.speaking.entry(label.to_string()).or_insert(speaks(fact)),
+            };
+            if speaking {
+                labels.push(label.to_string());
+            }
+        }
+        labels
+    }
+
+    /// The facts known now. It is a copy, because steps taken during a walk add more facts.
+    fn facts(&self) -> Vec<(Label, Rc<Prop>)> {
+        self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect()
+    }
+
+    fn fact(&self, label: &str) -> Option<Prop> {
+        self.checker.fact_of(label).map(|fact| (**fact).clone())
+    }
+
+    /// A name that is not in use anywhere.
+    fn fresh(&mut self, stem: &str) -> String {
+        let fresh = (1..).map(|k| format!("{stem}{k}")).find(|n| !self.names.contains(n)).unwrap_or_default();
+        self.names.insert(fresh.clone());
+        fresh
+    }
+}
+
+/// Whether a proposition contains a sum or product over an index.
+fn has_an_index(p: &Prop) -> bool {
+    let mut found = BTreeSet::new();
+    let mut sides = Vec::new();
+    goals::sides_in(p, &mut sides);
+    sides.iter().for_each(|e| crate::claim::walk::indices(e, &mut found));
+    !found.is_empty()
+}
+
+/// `P => Q`.
+fn implies(p: &Prop, q: &Prop) -> Prop {
+    prop(PropKind::Implies(Box::new(p.clone()), Box::new(q.clone())))
+}
+
+/// Substitutes a value for a name in a proposition.
+fn put(p: &Prop, name: &str, value: &Expr) -> Result<Prop, Fail> {
+    let mut map = Substitution::default();
+    map.replace(name, value);
+    map.prop(p).map_err(Fail::from)
+}

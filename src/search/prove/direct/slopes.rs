@@ -1,0 +1,419 @@
+//! Comparisons by the sign of a derivative: F(x) and F(y), or a difference that is known at a point.
+
+use super::facts::{is_settled, minus};
+use super::letters::whole_power;
+use super::{Fail, Prover, implies};
+use crate::algebra::Moment;
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::names::names_in;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
+use std::collections::BTreeSet;
+
+/// How often the sign of a derivative is shown by that of the next.
+const DEPTH: usize = 3;
+
+/// How many comparisons of one claim are tried so.
+const SLOPES: usize = 40;
+
+impl Prover {
+    /// A comparison a relation b by the mean value theorem.
+    pub(crate) fn by_slope(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if self.slopes_open >= DEPTH {
+            return Err(Fail::No("a sign"));
+        }
+        if let Ok(label) = self.by_equal_values(goal, a, b) {
+            return Ok(label);
+        }
+        if matches!(relation, Relation::Equal | Relation::NotEqual) {
+            return Err(Fail::No("a sign"));
+        }
+        if !has_function(a) && !has_function(b) {
+            return Err(Fail::No("an exponential, a logarithm or a root"));
+        }
+        // Two values of one function.
+        if let Some((f, x, y)) = self.common_function(a, b)
+            && let Ok(label) = self.attempt(|c| {
+                let t = c.fresh("t");
+                let f = put_in(&f, PLACE, &name(&t))?;
+                c.values_in_order(goal, &f, &t, &x, relation, &y)
+            })
+        {
+            return Ok(label);
+        }
+        let difference = minus(a, b);
+        for x in self.reals_in(&difference) {
+            for p in self.places(&x) {
+                let done = self.attempt(|c| {
+                    let t = c.fresh("t");
+                    let f = put_in(&difference, &x, &name(&t))?;
+                    c.beside_a_place(goal, &f, &t, &x, relation, &p)
+                });
+                if done.is_ok() {
+                    return done;
+                }
+            }
+        }
+        Err(Fail::No("a slope"))
+    }
+
+    /// The real variables that occur, in the order of their names.
+    fn reals_in(&self, e: &Expr) -> Vec<String> {
+        let mut names = BTreeSet::new();
+        names_in(e, &mut names);
+        let families: BTreeSet<&str> = (self.checker.statement().bindings.iter())
+            .flat_map(|b| &b.names)
+            .filter(|n| n.1.is_some())
+            .map(|n| n.0.text.as_str())
+            .collect();
+        let sequences: BTreeSet<&str> = self.checker.statement().sequences.iter().map(|s| s.name.as_str()).collect();
+        names
+            .into_iter()
+            .filter(|n| !FUNCTIONS.iter().any(|f| f.0 == n))
+            .filter(|n| !families.contains(n.as_str()) && !sequences.contains(n.as_str()))
+            .filter(|n| !self.naturals.contains(n))
+            .take(3)
+            .collect()
+    }
+
+    /// Where a difference may be known: the bounds of the variable in facts, then 0 and 1.
+    fn places(&self, x: &str) -> Vec<Expr> {
+        let mut out: Vec<Expr> = Vec::new();
+        for (_, fact) in self.checker.facts() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            let ([l, r], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            if matches!(relation, Relation::Equal) {
+                continue;
+            }
+            for (here, there) in [(l, r), (r, l)] {
+                if matches!(&here.kind, ExprKind::Name(n) if n == x) && is_short(there, x) && !out.contains(there) {
+                    out.push(there.clone());
+                }
+            }
+        }
+        for k in [0, 1] {
+            if !out.contains(&numeral(k)) {
+                out.push(numeral(k));
+            }
+        }
+        out.truncate(4);
+        out
+    }
+
+    /// The function of which both sides are values: F with a place for its argument, and the two arguments.
+    fn common_function(&self, a: &Expr, b: &Expr) -> Option<(Expr, Expr, Expr)> {
+        let mut pair = None;
+        let f = common(a, b, &mut pair)?;
+        let (x, y) = pair?;
+        // A place at the top would make every comparison one of values of the identity.
+        (!matches!(f.kind, ExprKind::Name(_))).then_some((f, x, y))
+    }
+
+    /// F(x) relation F(y) from the order of x and y.
+    fn values_in_order(
+        &mut self,
+        goal: &Prop,
+        f: &Expr,
+        t: &str,
+        x: &Expr,
+        relation: Relation,
+        y: &Expr,
+    ) -> Result<Label, Fail> {
+        let strict = matches!(relation, Relation::Less | Relation::Greater);
+        for (order, below) in [(Relation::Less, true), (Relation::Greater, false)] {
+            let wanted = if strict { order } else { weak(order) };
+            if self.quietly(&compare(x.clone(), wanted, y.clone())).is_ok() {
+                let (low, high) = if below { (x, y) } else { (y, x) };
+                // b = x, a = y: the sign of b − a is negative where x is below.
+                let slope = if below { relation.turned() } else { relation };
+                let slope = if strict { slope } else { weak(slope) };
+                return self.rises(goal, f, t, [low, high], slope, [y, x]);
+            }
+        }
+        Err(Fail::No("the order of two arguments"))
+    }
+
+    /// A difference F(x) relation 0 from F at a place p; with cases where the order of x and p is open.
+    fn beside_a_place(
+        &mut self,
+        goal: &Prop,
+        f: &Expr,
+        t: &str,
+        x: &str,
+        relation: Relation,
+        p: &Expr,
+    ) -> Result<Label, Fail> {
+        let variable = name(x);
+        let there = put_in(f, t, p)?;
+        self.define(&there);
+        let reading = self.read(&there, true).ok_or(Fail::No("a value at the place"))?;
+        let at_place = compare(there.clone(), relation, numeral(0));
+        let is_zero = reading.number == 0;
+        if !is_zero {
+            self.quietly(&at_place)?;
+        }
+        let strict = matches!(relation, Relation::Less | Relation::Greater) && is_zero;
+        let side = |c: &mut Prover, order: Relation, goal: &Prop| -> Result<Label, Fail> {
+            let (low, high, slope) = match order {
+                Relation::Greater => (p, &variable, relation),
+                _ => (&variable, p, relation.turned()),
+            };
+            let slope = if strict { slope } else { weak(slope) };
+            let shown =
+                compare(put_in(f, t, &variable)?, if strict { relation } else { weak(relation) }, there.clone());
+            let label = c.rises(&shown, f, t, [low, high], slope, [p, &variable])?;
+            let mut terms = vec![Term { facts: vec![label], factor: numeral(1) }];
+            if !is_zero {
+                terms.push(Term { facts: Vec::new(), factor: there.clone() });
+            }
+            c.combination(goal.clone(), terms)
+        };
+        for order in [Relation::Greater, Relation::Less] {
+            let wanted = if strict { order } else { weak(order) };
+            if self.quietly(&compare(variable.clone(), wanted, p.clone())).is_ok() {
+                return side(self, order, goal);
+            }
+        }
+        if self.splits > 2 {
+            return Err(Fail::No("the order of two arguments"));
+        }
+        let mut from = Vec::new();
+        for order in [Relation::Greater, Relation::Less] {
+            let case = implies(&compare(variable.clone(), order, p.clone()), goal);
+            from.push(self.block(&case, |c, _| side(c, order, goal))?);
+        }
+        let case = implies(&compare(variable.clone(), Relation::Equal, p.clone()), goal);
+        from.push(self.block(&case, |c, _| {
+            c.solve_equations();
+            c.quietly(goal)
+        })?);
+        self.emit(Rule::Logic { from }, goal.clone())
+    }
+
+    /// F(b) relation F(a), as the goal says, from the sign of the derivative between low and high.
+    fn rises(
+        &mut self,
+        goal: &Prop,
+        f: &Expr,
+        t: &str,
+        [low, high]: [&Expr; 2],
+        slope: Relation,
+        [a, b]: [&Expr; 2],
+    ) -> Result<Label, Fail> {
+        self.slopes += 1;
+        if self.slopes > SLOPES || self.deadline.is_some_and(|d| Moment::now() > d) {
+            return Err(Fail::Limit("slopes"));
+        }
+        let word = |text: &str| Name { text: text.to_string(), span: Span::default() };
+        let mut constraints =
+            vec![Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false }];
+        // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
+        for (end, relation) in [(low, Relation::Greater), (high, Relation::Less)] {
+            constraints.extend(self.number_beyond(end, relation).map(|q| Constraint::Relation(relation, q)));
+        }
+        let binding =
+            Binding { names: vec![(word(t), None)], natural: false, constraints, indices: None, span: Span::default() };
+        let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), vec![word(t)]));
+        let body = compare(derivative.clone(), slope, numeral(0));
+        let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
+        self.define(f);
+        let (splits, open) = (self.splits, self.slopes_open);
+        self.slopes_open += 1;
+        let source = self.block(&every, |c, _| c.sign_of_derivative(&body, &derivative));
+        (self.splits, self.slopes_open) = (splits, open);
+        let source = source?;
+        let with = vec![(word("a"), a.clone()), (word("b"), b.clone())];
+        let from = Vec::new();
+        let label = self.emit(Rule::Slope { source, with, from }, goal.clone())?;
+        self.take_in(&label, goal)?;
+        Ok(label)
+    }
+
+    /// A numeral that a fact says to lie below (`>`) or above (`<`) an expression.
+    fn number_beyond(&self, end: &Expr, relation: Relation) -> Option<Expr> {
+        if matches!(end.kind, ExprKind::Number(_)) {
+            return None;
+        }
+        self.checker.facts().find_map(|(_, fact)| {
+            let PropKind::Compare(sides, relations) = &fact.kind else { return None };
+            let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
+            [(a, b, *said), (b, a, said.turned())].into_iter().find_map(|(this, other, said)| {
+                let number = matches!(&other.kind, ExprKind::Number(_));
+                (number && this == end && weak(said) == weak(relation)).then(|| other.clone())
+            })
+        })
+    }
+
+    /// A comparison x relation y from facts about F(x) and F(y), where F rises or falls strictly.
+    pub(crate) fn by_equal_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        if let PropKind::Compare(_, relations) = &goal.kind
+            && *relations == [Relation::Equal]
+        {
+            return self.attempt(|c| {
+                let mut from = Vec::new();
+                for half in [Relation::LessEqual, Relation::GreaterEqual] {
+                    from.push(c.by_equal_values(&compare(a.clone(), half, b.clone()), a, b)?);
+                }
+                c.emit(Rule::Logic { from }, goal.clone())
+            });
+        }
+        let facts = self.facts();
+        for (label, fact) in facts {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            let ([l, r], [_]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((f, x, y)) = self.common_function(l, r).filter(|_| has_function(l)) else { continue };
+            if !((x == *a && y == *b) || (x == *b && y == *a)) {
+                continue;
+            }
+            for order in [Relation::Less, Relation::Greater] {
+                let done = self.attempt(|c| {
+                    let other = super::facts::opposite(goal).ok_or(Fail::No("an opposite"))?;
+                    let block = c.block(&implies(&other, goal), |c, _| {
+                        let t = c.fresh("t");
+                        let f = put_in(&f, PLACE, &name(&t))?;
+                        let shown = compare(l.clone(), order, r.clone());
+                        let strict = c.values_in_order(&shown, &f, &t, &x, order, &y)?;
+                        c.logic(&[&strict, &label], goal)
+                    })?;
+                    c.logic(&[&block], goal)
+                });
+                if done.is_ok() {
+                    return done;
+                }
+            }
+        }
+        Err(Fail::No("values of one function"))
+    }
+
+    /// The sign of a derivative: factor by factor, each by little effort or by the sign of its own derivative.
+    fn sign_of_derivative(&mut self, body: &Prop, derivative: &Expr) -> Result<Label, Fail> {
+        self.define(derivative);
+        if let Ok(label) = self.combination(body.clone(), Vec::new()) {
+            return Ok(label);
+        }
+        let reading = self.read(derivative, true).ok_or(Fail::No("a derivative"))?;
+        for f in reading.factors.iter().filter(|f| !is_settled(f.signs)) {
+            let e = self.letters.written(&f.poly);
+            self.enrich(&[&e]);
+            if !is_settled(self.signs_of(&e)) && f.power % 2 != 0 {
+                self.settle(&e)?;
+            }
+        }
+        let mut written = vec![crate::refute::literal::literal(&reading.number)];
+        written.extend(reading.factors.iter().map(|f| whole_power(self.letters.written(&f.poly), f.power)));
+        if let Ok(label) = self.combination(body.clone(), Vec::new()) {
+            return Ok(label);
+        }
+        self.quietly(body)
+    }
+
+    /// A fact that says the sign of an expression, if one of them can be shown.
+    fn settle(&mut self, e: &Expr) -> Result<Label, Fail> {
+        let zero = numeral(0);
+        let signs = self.signs_of(e);
+        let candidates = [Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual];
+        let open: Vec<Prop> = candidates
+            .into_iter()
+            .filter(|r| !signs.and(Signs::of(*r)).within(Signs::ZERO))
+            .map(|r| compare(e.clone(), r, zero.clone()))
+            .collect();
+        for p in &open {
+            if let Ok(label) = self.quietly(p) {
+                return Ok(label);
+            }
+        }
+        for p in &open {
+            let PropKind::Compare(sides, relations) = &p.kind else { continue };
+            let splits = std::mem::replace(&mut self.splits, 9);
+            let shown = self
+                .attempt(|c| c.by_tangents(p))
+                .or_else(|_| self.attempt(|c| c.by_slope(p, &sides[0], relations[0], &sides[1])));
+            self.splits = splits;
+            if let Ok(label) = shown {
+                return Ok(label);
+            }
+        }
+        Err(Fail::No("the sign of a factor"))
+    }
+}
+
+/// The name that marks the argument in a function that two expressions share. No variable is called so.
+const PLACE: &str = "?";
+
+/// What two expressions have in common, with a place where they differ; they differ in one pair only.
+fn common(a: &Expr, b: &Expr, pair: &mut Option<(Expr, Expr)>) -> Option<Expr> {
+    use ExprKind::*;
+    if a == b {
+        return Some(a.clone());
+    }
+    let list = |x: &[Expr], y: &[Expr], pair: &mut Option<(Expr, Expr)>| -> Option<Vec<Expr>> {
+        x.iter().zip(y).map(|(x, y)| common(x, y, pair)).collect()
+    };
+    let before = pair.clone();
+    let inner = match (&a.kind, &b.kind) {
+        (Apply(f, x), Apply(g, y)) if f.text == g.text && x.len() == y.len() => {
+            list(x, y, pair).map(|arguments| Apply(f.clone(), arguments))
+        }
+        (Negate(x), Negate(y)) => common(x, y, pair).map(|e| Negate(Box::new(e))),
+        (Sum(x), Sum(y)) if x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.0 == y.0) => {
+            let parts: Option<Vec<_>> = x.iter().zip(y).map(|(x, y)| Some((x.0, common(&x.1, &y.1, pair)?))).collect();
+            parts.map(Sum)
+        }
+        (Product(x), Product(y)) if x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.0 == y.0) => {
+            let parts: Option<Vec<_>> = x.iter().zip(y).map(|(x, y)| Some((x.0, common(&x.1, &y.1, pair)?))).collect();
+            parts.map(Product)
+        }
+        (Power(x, p), Power(y, q)) => match common(x, y, pair) {
+            Some(base) => common(p, q, pair).map(|exponent| Power(Box::new(base), Box::new(exponent))),
+            None => None,
+        },
+        _ => None,
+    };
+    if let Some(kind) = inner {
+        return Some(Expr { kind, span: Span::default() });
+    }
+    *pair = before;
+    match pair {
+        None => *pair = Some((a.clone(), b.clone())),
+        Some((x, y)) if x == a && y == b => {}
+        Some(_) => return None,
+    }
+    Some(name(PLACE))
+}
+
+/// Whether a function other than the four operations and whole powers occurs.
+fn has_function(e: &Expr) -> bool {
+    use ExprKind::*;
+    match &e.kind {
+        Number(_) | Name(_) => false,
+        Apply(..) => true,
+        Negate(a) => has_function(a),
+        Sum(list) => list.iter().any(|(_, e)| has_function(e)),
+        Product(list) => list.iter().any(|(_, e)| has_function(e)),
+        Power(a, b) => !matches!(b.kind, Number(_)) || has_function(a),
+        SumOver(..) | ProductOver(..) | Derivative(..) | Matrix(_) => false,
+    }
+}
+
+fn put_in(e: &Expr, old: &str, value: &Expr) -> Result<Expr, Fail> {
+    let mut map = Substitution::default();
+    map.replace(old, value);
+    map.expr(e).map_err(Fail::from)
+}
+
+/// A short expression without this name.
+fn is_short(e: &Expr, x: &str) -> bool {
+    let mut names = BTreeSet::new();
+    names_in(e, &mut names);
+    !names.contains(x) && crate::kernel::key::expr(e).len() < 40
+}
+
+fn weak(relation: Relation) -> Relation {
+    match relation {
+        Relation::Less => Relation::LessEqual,
+        Relation::Greater => Relation::GreaterEqual,
+        other => other,
+    }
+}

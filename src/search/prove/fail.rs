@@ -1,0 +1,170 @@
+//! Why no certificate was found, as values. Only this file words these reasons.
+
+use super::draft::Failure;
+use super::elaborate::Stuck;
+use crate::claim::print::prop;
+use crate::claim::substitution::Obstacle;
+use crate::claim::syntax::Prop;
+use crate::kernel::{Refusal, Verdict};
+use crate::refute::outcome::limit_reached;
+use std::fmt;
+
+/// What stopped the search for a certificate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fail {
+    /// A limit of the search was reached.
+    Limit(&'static str),
+    /// A limit of the kernel was reached.
+    KernelLimit(&'static str),
+    /// The kernel rejects a step of this rule.
+    Step {
+        /// The rule.
+        rule: &'static str,
+        /// Why.
+        reason: String,
+    },
+    /// The kernel's arithmetic cannot read an expression.
+    Value(String),
+    /// A comparison that no step proves.
+    NotShown(String),
+    /// The name of a fact or a cited claim that does not exist.
+    NoFact(String),
+    /// A claim that is cited and was not proved.
+    NoProofOf(String),
+    /// What no method handles, or what a method lacks, in words.
+    No(&'static str),
+    /// The label of a draft's step that lacks a field.
+    Malformed(String),
+    /// The failure of a part of the argument.
+    Within(String, Box<Fail>),
+    /// A goal that was not proved, and why.
+    Goal(String, Box<Fail>),
+    /// The draft is complete, but the kernel rejects the certificate written from it.
+    Unwritten(Box<Fail>),
+    /// The kernel rejects the whole certificate: the first rejected step, its rule and the reason.
+    Whole {
+        /// The step, by label.
+        step: String,
+        /// Its rule.
+        rule: &'static str,
+        /// Why.
+        reason: String,
+    },
+}
+
+impl Fail {
+    /// The limit that was reached, if one was.
+    pub fn limit(&self) -> Option<&'static str> {
+        match self {
+            Fail::Limit(name) | Fail::KernelLimit(name) => Some(name),
+            Fail::Within(_, inner) | Fail::Goal(_, inner) | Fail::Unwritten(inner) => inner.limit(),
+            _ => None,
+        }
+    }
+
+    /// The same failure, with the part of the argument in which it happened.
+    pub fn within(self, part: &str) -> Fail {
+        Fail::Within(part.to_string(), Box::new(self))
+    }
+
+    /// The same failure, with the goal added unless the failure names a proposition.
+    pub(crate) fn of_goal(self, goal: &Prop) -> Fail {
+        match self.limit() {
+            None if !self.names_what() => Fail::Goal(prop(goal), Box::new(self)),
+            _ => self,
+        }
+    }
+
+    /// Whether it names the proposition that was not proved.
+    fn names_what(&self) -> bool {
+        match self {
+            Fail::NotShown(_) => true,
+            Fail::Within(_, inner) => inner.names_what(),
+            _ => false,
+        }
+    }
+
+    /// Why the draft did not take a step of a rule.
+    pub fn step(rule: &'static str, failure: Failure) -> Fail {
+        match failure {
+            Failure::Rejected(reason) => Fail::Step { rule, reason },
+            Failure::Declined(limit) => Fail::KernelLimit(limit),
+        }
+    }
+
+    /// Why the kernel does not accept a whole certificate.
+    pub fn whole(verdict: Verdict) -> Fail {
+        match verdict {
+            Verdict::Accepted(_) | Verdict::Refuted => Fail::No("a certificate"),
+            Verdict::Rejected { step, rule, reason } => Fail::Whole { step, rule, reason: reason.to_string() },
+            Verdict::Declined { limit } => Fail::KernelLimit(limit),
+        }
+    }
+}
+
+impl fmt::Display for Fail {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fail::Limit(name) => f.write_str(&limit_reached(name)),
+            Fail::KernelLimit(name) => {
+                write!(f, "limit reached: {name} (a fixed limit of the kernel; no flag raises it)")
+            }
+            Fail::Step { rule, reason } => write!(f, "rule `{rule}` does not apply: {reason}"),
+            Fail::Value(reason) => f.write_str(reason),
+            Fail::NotShown(prop) => write!(f, "could not prove: {prop}"),
+            Fail::NoFact(name) => write!(f, "no fact is called {name}"),
+            Fail::NoProofOf(name) => write!(f, "{name} is not proved"),
+            Fail::No(what) => write!(f, "no method applies ({what})"),
+            Fail::Malformed(step) => write!(f, "step {step} of the draft lacks a field that its rule needs"),
+            Fail::Within(part, inner) => write!(f, "{part}: {inner}"),
+            Fail::Goal(goal, inner) => write!(f, "could not prove: {goal} ({inner})"),
+            Fail::Unwritten(inner) => inner.fmt(f),
+            Fail::Whole { step, rule, reason } => {
+                write!(f, "the kernel rejects the certificate found, at step {step} ({rule}): {reason}")
+            }
+        }
+    }
+}
+
+impl From<&'static str> for Fail {
+    fn from(what: &'static str) -> Fail {
+        Fail::No(what)
+    }
+}
+
+impl From<Failure> for Fail {
+    fn from(failure: Failure) -> Fail {
+        match failure {
+            Failure::Rejected(reason) => Fail::Value(reason),
+            Failure::Declined(limit) => Fail::KernelLimit(limit),
+        }
+    }
+}
+
+impl From<Obstacle> for Fail {
+    fn from(obstacle: Obstacle) -> Fail {
+        Refusal::from(obstacle).into()
+    }
+}
+
+impl From<Refusal> for Fail {
+    fn from(refusal: Refusal) -> Fail {
+        Failure::from(refusal).into()
+    }
+}
+
+impl From<Stuck> for Fail {
+    fn from(stuck: Stuck) -> Fail {
+        let refused = |step: String, rule, refusal| match refusal {
+            Refusal::Rejected(reason) => Fail::Whole { step, rule, reason: reason.to_string() },
+            Refusal::Limit(limit) => Fail::KernelLimit(limit),
+        };
+        match stuck {
+            Stuck::Refused { step, rule, refusal } => refused(step, rule, *refusal),
+            Stuck::Statement(refusal) => refused(String::new(), "statement", refusal),
+            Stuck::Unfinished(refusal) => refused(String::new(), "qed", refusal),
+            Stuck::Time => Fail::Limit("time"),
+            Stuck::Malformed(step) => Fail::Malformed(step),
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! What may be read in two ways, or is not read, is refused with a message; nothing makes the reader panic.
+
+use carom::claim::diagnostic::Diagnostic;
+use carom::claim::print::Style;
+use carom::latex::{Outcome, latex_of, paper};
+use proptest::prelude::*;
+
+const DECLARED: &str = "%carom given a, b, c, x, y, m, v, theta real; k, n natural; mu(j) > 0\n%carom let f(t) = t^2\n";
+
+/// What a formula is read as, or the first fault.
+fn read(formula: &str) -> Result<String, Diagnostic> {
+    let source = format!("{DECLARED}\\begin{{equation}}\n{formula}\n\\end{{equation}}\n");
+    let mut found = paper(&source).map_err(|mut faults| faults.remove(0))?;
+    if !found.faults.is_empty() {
+        return Err(found.faults.remove(0));
+    }
+    match found.equations.remove(0).outcome {
+        Outcome::Read(claim) => Ok(Style::Text.prop(claim.written_goal())),
+        Outcome::NotRead(mut faults) => {
+            let place = faults[0].place(&source);
+            assert!(place.0 > 2, "{formula}: the place is {place:?}");
+            Err(faults.remove(0))
+        }
+        other => panic!("{formula}: {other:?}"),
+    }
+}
+
+#[test]
+fn a_formula_is_read_as_something_else() {
+    for (formula, wanted) in [
+        (r"2ab = \frac{a b}{c}", "2*a*b = a*b/c"),
+        (r"-x^2 \le \left| x - y \right|", "-x^2 <= abs(x - y)"),
+        (r"f(x + 1) = \sqrt[3]{x}", "f(x + 1) = cbrt(x)"),
+        (r"\mu_{k+1} = \mu_k^2", "mu(k + 1) = mu(k)^2"),
+        (r"\sin^2\theta + \cos 2\theta \ne 1", "sin(theta)^2 + cos(2*theta) != 1"),
+        (r"m(a + b) = m a + m b", "m*(a + b) = m*a + m*b"),
+        (r"\sum_{i=1}^{n} i a + b = 0", "sum(i = 1..n, i*a) + b = 0"),
+        (r"a &= b \\ &= c", "a = b = c"),
+        (r"a = b \text{ if } x > 0", "x > 0 => a = b"),
+        (r"x \approx 0.543", "abs(x - 0.543) <= 0.5e-3"),
+        (r"x \approx -5.43 \times 10^{-3}", "abs(x + 5.43e-3) <= 0.5e-5"),
+        (r"\begin{vmatrix} a & b \\ c & x \end{vmatrix} = a x - b c", "det([a, b; c, x]) = a*x - b*c"),
+        (r"\frac{d}{dx} x^2 = 2x", "derivative(x^2, x) = 2*x"),
+        (r"\exp(x) = \mathrm{e}^{x}", "exp(x) = exp(x)"),
+        (r"\binom{n}{2} = n!", "binomial(n, 2) = n!"),
+    ] {
+        let wanted = carom::claim::parse::parse_prop(wanted).map(|prop| Style::Text.prop(&prop)).unwrap();
+        let formula = if formula.contains(r"\\ &=") {
+            format!(r"\begin{{split}} {formula} \end{{split}}")
+        } else {
+            formula.into()
+        };
+        assert_eq!(read(&formula).map_err(|fault| fault.message()), Ok(wanted), "{formula}");
+    }
+}
+
+#[test]
+fn an_ambiguity_is_decided_by_guessing() {
+    for formula in [
+        "v(x) = 1",
+        "1/2x = a",
+        r"1/2 \cdot x = a",
+        r"\sin a b = 1",
+        r"\sin a / b = 1",
+        r"\sin a^2 = 1",
+        r"\ln^{-1} x = 1",
+        r"e^{x} = 1",
+        r"x = a \pm b",
+        r"a = b, \quad x > 0",
+        r"|a| b |c| = 1",
+        r"\mu_{12} = 1",
+        r"\mu_{kn} = 1",
+        r"x^{(2)} = 1",
+        r"1,000 = a",
+        r"a \equiv b",
+        r"2 \frac{1}{3} = a",
+        r"f^2(x) = 1",
+        r"\sum_{i=1}^{n} i + i = 0",
+        r"\frac{d}{dx} x^2 y = 1",
+        r"a > 0 \Rightarrow b > 0 \Rightarrow c > 0",
+        r"x \approx 300",
+        r"[a] = b",
+        r"\begin{split} a &= b \\ & -c = x \end{split}",
+        r"\begin{split} a &= b \\ & \Rightarrow c = x \end{split}",
+        r"\lim_{n \to \infty} a + b = 1",
+    ] {
+        let fault = read(formula).expect_err(formula);
+        assert!(fault.message().contains("may be read in two ways"), "{formula}: {}", fault.message());
+        assert!(fault.help().is_some(), "{formula}");
+    }
+}
+
+#[test]
+fn what_is_not_read_is_read() {
+    for (formula, says) in [
+        (r"g(x + 1) = 1", "nothing declares the name g"),
+        (r"x_{12} = 1", "nothing declares the name x_{12}"),
+        (r"\int x = 1", r"\int is not read"),
+        (r"\log x = 1", r"\log is not read"),
+        (r"a \propto b", r"\propto is not read"),
+        (r"57.1 \pm 0.1 = a", "a measured value"),
+        (r"x^12 = 1", "an exponent of two digits"),
+        (r"1\,000 = a", "separated by a space"),
+        (r"{a + b} c = 1", "these braces do not print"),
+        (r"x 2 = 1", "a number stands behind a factor"),
+        (r"sin(x) = 1", "without a backslash"),
+        (r"\frac{a}{b = 1", "not closed"),
+        (r"(a + b = 1", "is not closed"),
+        (r"a } = 1", "not opened"),
+        (r"\left. a \right| = 1", "one side left out"),
+        (r"\frac{dy}{dx} = 1", "depends on no other"),
+        (r"x^* = 1", "upper sign"),
+        (r"a \approx b", "only before a number"),
+        (r"a + b", "compares nothing"),
+        (r"a -- b = 1", "two signs"),
+        (r"x \to 0", r"\to is not read"),
+    ] {
+        let fault = read(formula).expect_err(formula);
+        assert!(fault.message().contains(says), "{formula}: {}", fault.message());
+    }
+}
+
+#[test]
+fn a_comment_does_not_decide() {
+    for (formula, wanted) in [
+        ("x = a \\pm b %carom pm or", "x = a + b or x = a - b"),
+        ("a = b, \\quad x > 0 %carom comma if", "x > 0 => a = b"),
+        ("a = b, \\quad x > 0 %carom comma and", "a = b and x > 0"),
+        ("e^{x} = a %carom e is base", "exp(x) = a"),
+        ("\\mu_{12} = 1 %carom name \\mu_{12} as mu(12)", "mu(12) = 1"),
+        ("x = a %carom prove x = b", "x = b"),
+        ("\\bar{v} = a %carom given \\bar{v} real", "bar_v = a"),
+    ] {
+        let wanted = carom::claim::parse::parse_prop(wanted).map(|prop| Style::Text.prop(&prop)).unwrap();
+        assert_eq!(read(formula).map_err(|fault| fault.message()), Ok(wanted), "{formula}");
+    }
+}
+
+#[test]
+fn an_equation_is_judged_without_a_hypothesis_that_is_not_read() {
+    let source = format!("{DECLARED}\\[ \\int a = b %carom assume\n\\]\n\\[ a = a \\]\n");
+    let found = paper(&source).unwrap();
+    assert!(matches!(found.equations[0].outcome, Outcome::NotRead(_)));
+    assert!(matches!(found.equations[1].outcome, Outcome::Waits(3)), "{:?}", found.equations[1]);
+}
+
+#[test]
+fn a_limit_has_no_name() {
+    let doubled: String =
+        (b'a'..=b'y').map(|c| format!("\\newcommand{{\\z{0}}}{{\\z{1}\\z{1}}}", c as char, (c + 1) as char)).collect();
+    for source in [
+        "\\newcommand{\\a}{\\a}\n\\[ \\a = 1 \\]".to_string(),
+        format!("{doubled}\\newcommand{{\\zz}}{{}}\\[ \\za = 1 \\]"),
+        format!("\\[ {}1{} = 1 \\]", "(".repeat(300), ")".repeat(300)),
+    ] {
+        let found = paper(&source).unwrap();
+        let Outcome::NotRead(faults) = &found.equations[0].outcome else { panic!("{:?}", found.equations[0]) };
+        assert!(faults[0].is_limit(), "{}", faults[0].message());
+    }
+    assert!(paper(&"x".repeat(2 << 20)).unwrap_err()[0].is_limit());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+
+    #[test]
+    fn random_text_makes_the_reader_panic(text in "\\PC{0,60}", parts in prop::collection::vec(prop::sample::select(vec![
+        "\\[", "\\]", "$$", "{", "}", "(", ")", "|", "\\frac", "\\sum", "_", "^", "'", "&", "\\\\", "\\begin{align}", "\\end{align}", "a",
+        "\\mu", "1", ".", ",", "=", "+", "-", "\\left", "\\right", "\\text{and}", "%carom given a real\n", "%carom let\n", "%carom name a as\n",
+        "\\newcommand{\\q}[2]{#1#2}", "\\q", "\\sqrt", "[", "]", "\\sin", "\\pm", "\\begin{cases}", "\\end{cases}", "\\lim", "\\to", "é", "\\Delta",
+        "\\begin{pmatrix}", "\\end{pmatrix}", "\\partial", "d", "!", "/", "\\cdot", "\\approx", "\\in", "\\quad", "%carom begin\n",
+    ]), 0..40)) {
+        for source in [text.clone(), parts.concat(), format!("\\[{}{text}\\]", parts.concat()), latex_of(&format!("$${text}{}", parts.concat()))] {
+            if let Ok(found) = paper(&source) {
+                for equation in &found.equations {
+                    if let Outcome::NotRead(faults) = &equation.outcome {
+                        faults.iter().for_each(|fault| drop(fault.render("paper.tex", &source, false)));
+                    }
+                }
+            }
+        }
+    }
+}
