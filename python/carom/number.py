@@ -121,7 +121,9 @@ class UndecidedWarning(UserWarning):
     """An ``==`` that enclosures leave open was answered with False."""
 
 
-_SPEC = re.compile(r"(?:.?[<>^])?(?P<rest>=?[+\- ]?[z#0]*)\d*(?P<comma>[,_]?)(?P<precision>\.\d+)?(?P<type>[a-zA-Z%]?)", re.S)
+_SPEC = re.compile(
+    r"(?:.?[<>^])?(?P<rest>=?[+\- ]?[z#0]*)\d*(?P<comma>[,_]?)(?P<precision>\.\d+)?(?P<type>[a-zA-Z%]?)", re.S
+)
 """The specification of a format."""
 
 
@@ -141,8 +143,8 @@ class Number:
     Every result has ``exact`` (a fraction, or None), ``lo`` and ``hi`` (doubles rounded outwards), ``exact_lo`` and
     ``exact_hi`` (fractions), :meth:`digits` and :meth:`narrower`. Sums, products, quotients and powers of results with
     results and exact numbers are results again, and hold every possible value. A comparison narrows both sides until
-    it is decided, and is :class:`Undecided` where that does not help. ``==`` never raises: it is True for equal fractions,
-    closed forms and objects, and False, with an :class:`UndecidedWarning`, where no number of digits tells.
+    it is decided, and is :class:`Undecided` where that does not help. ``==`` never raises: it is True for equal
+    fractions, closed forms and objects, and False, with an :class:`UndecidedWarning`, where no number of digits tells.
 
     A rational result is a :class:`fractions.Fraction` as well.
     """
@@ -720,7 +722,6 @@ def _power_of(base: Number, exponent: Fraction) -> Number:
     roots = [_floor_root(part, index) if part else 0 for part in (radicand.numerator, radicand.denominator)]
     root = Fraction(roots[0], roots[1])
     return Rational(root) if root**index == radicand else Root(radicand, index)
-
 
 
 def _product(a: _Ends, b: _Ends) -> _Ends:
