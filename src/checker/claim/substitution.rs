@@ -93,7 +93,8 @@ impl Substitution {
         Rc::make_mut(&mut self.map).insert(name.to_string(), Replacement::Family(other.to_string()));
     }
 
-    pub(crate) fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
+    /// Puts a definition in place of a name, or of its applications to arguments.
+    pub fn define(&mut self, name: &str, parameters: Vec<String>, value: Expr) {
         let mut names = BTreeSet::new();
         names_in(&value, &mut names);
         Rc::make_mut(&mut self.mentioned).extend(names.into_iter().filter(|n| !parameters.contains(n)));
@@ -120,7 +121,7 @@ impl Substitution {
     }
 
     /// The substitution under bound names.
-    pub(crate) fn under(&self, names: &[Name]) -> Result<Substitution, Obstacle> {
+    pub fn under(&self, names: &[Name]) -> Result<Substitution, Obstacle> {
         self.without(names.iter(), &mut Room::new())
     }
 

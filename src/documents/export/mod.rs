@@ -10,6 +10,8 @@ pub mod smt2;
 pub mod values;
 
 use crate::claim::syntax::{Claim, Span};
+use crate::kernel::substitution::Obstacle;
+use crate::refute::expand::Limit;
 
 /// Why a claim cannot be said in the other language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,6 +28,11 @@ impl Unsupported {
     /// A limit that was reached.
     fn limit(name: &str, span: Span) -> Unsupported {
         Unsupported { reason: format!("limit reached: {name}"), span, limit: true }
+    }
+
+    /// A value that cannot be put in place.
+    fn not_put_in(obstacle: Obstacle, span: Span) -> Unsupported {
+        Unsupported::limit(Limit::from(obstacle).0, span)
     }
 }
 

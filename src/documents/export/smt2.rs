@@ -22,7 +22,8 @@ use super::{Result, Unsupported, unsupported};
 use crate::claim::definedness::Need;
 use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::refute::{expand, substitution};
+use crate::kernel::substitution::Substitution;
+use crate::refute::expand;
 use quotient::joined;
 use std::collections::BTreeMap;
 
@@ -211,18 +212,18 @@ impl Writer {
         for binding in &extremum.over {
             domain.extend(self.declare(binding)?);
         }
-        let mut at = substitution::Substitution::default();
+        let mut at = Substitution::default();
         let mut parts = Vec::new();
         let mut same = Vec::new();
         for (name, value) in &extremum.at {
-            at.replace(&name.text, value.clone());
+            at.replace(&name.text, value);
             let subject = Expr { kind: ExprKind::Name(name.text.clone()), span: name.span };
             same.push(self.compare(&subject, Relation::Equal, value)?);
             for binding in extremum.over.iter().filter(|b| b.names.iter().any(|n| n.0.text == name.text)) {
                 parts.extend(self.domain(value, binding)?);
             }
         }
-        let there = at.expr(&extremum.of).map_err(|limit| Unsupported::limit(limit.0, extremum.of.span))?;
+        let there = at.expr(&extremum.of).map_err(|obstacle| Unsupported::not_put_in(obstacle, extremum.of.span))?;
         parts.push(self.compare(&there, Relation::Equal, &extremum.value)?);
         // In the domain the bound variables have the signs that it gives them.
         self.positive.declare(&extremum.over);

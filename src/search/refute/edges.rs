@@ -4,9 +4,9 @@
 //! number; what stands under a root, at 0 and just below; sides that the goal compares, where they are equal; and the ends of
 //! domains and hypotheses, where these belong to them. Points of an edge are computed, since chance does not meet them.
 
-use super::expand::Sequence;
+use crate::kernel::statement::Sequence;
 use super::literal::literal;
-use super::substitution::Substitution;
+use crate::kernel::substitution::Substitution;
 use crate::claim::definedness::{Need, needs, number};
 use crate::claim::print;
 use crate::claim::syntax::*;
@@ -130,7 +130,7 @@ impl<'w> Edges<'w> {
     /// What an expression needs where an index has its first value.
     fn at_the_first(&mut self, index: &str, first: &Expr, body: &Expr) {
         let mut there = Substitution::default();
-        there.replace(index, first.clone());
+        there.replace(index, first);
         if let Ok(body) = there.expr(body) {
             self.expr(&body);
         }

@@ -4,7 +4,8 @@
 //! *unknown* that it is not computed.
 
 use super::Moment;
-use super::expand::{Sequence, parts};
+use super::expand::parts;
+use crate::kernel::statement::{Sequence, steps_once};
 use super::matrix::{Value, determinant};
 use super::number::{
     LARGEST, Missing, Number, Result, add, exponential, hyperbolic, invert, large_power, logarithm, multiply,
@@ -316,7 +317,7 @@ impl Assignment {
     /// u(k), each member evaluated once: the step may mention the member before it, which is bound
     /// as a value of its own.
     fn member(&self, sequence: &Sequence, index: i64) -> Result<Number> {
-        if !sequence.steps_once() {
+        if !steps_once(&sequence.step, &sequence.name, &sequence.index) {
             return Err(Missing::Unknown);
         }
         let outer = self.without_indices();

@@ -1,53 +1,24 @@
-//! Definitions put in place: a claim without `let`.
+//! Definitions put in place: a claim without `let`, its argument included.
 //!
-//! Contract: [`Statement::of`] returns the claim's hypotheses, goal and argument with every `let` expanded
-//! ([`Substitution`]), so that the search meets variables, families and sequences only.
+//! Contract: [`Statement::of`] returns what the kernel understood of the claim, and the argument with every `let` put in
+//! place by the same substitution, so that the search meets variables, families and sequences only.
 
-use super::substitution::Substitution;
-use crate::claim::syntax::*;
 pub use crate::claim::walk::{names_in, parts};
-use std::collections::BTreeSet;
+use crate::claim::syntax::*;
+use crate::kernel::statement::{self, Sequence};
+use crate::kernel::substitution::{Obstacle, Substitution};
+use crate::kernel::Refusal;
 
 /// A limit that was reached, with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limit(pub &'static str);
 
-/// A sequence by recurrence: u(0) and u(k + 1) in terms of k and u(k).
-#[derive(Clone, Debug)]
-pub struct Sequence {
-    /// Its name.
-    pub name: String,
-    /// u(0).
-    pub initial: Expr,
-    /// The name k.
-    pub index: String,
-    /// u(k + 1).
-    pub step: Expr,
-}
-
-impl Sequence {
-    /// The names in its definition, but for its own index.
-    pub fn names(&self) -> BTreeSet<String> {
-        let mut names = BTreeSet::new();
-        names_in(&self.step, &mut names);
-        names.remove(&self.index);
-        names_in(&self.initial, &mut names);
-        names
-    }
-
-    /// Whether the step mentions the sequence only by the member before, u(k).
-    pub(crate) fn steps_once(&self) -> bool {
-        fn fine(e: &Expr, name: &str, index: &str) -> bool {
-            if let ExprKind::Apply(function, arguments) = &e.kind
-                && function.text == name
-            {
-                return matches!(arguments.as_slice(), [Expr { kind: ExprKind::Name(k), .. }] if k == index);
-            }
-            let mut all = true;
-            parts(e, &mut |part| all &= fine(part, name, index));
-            all
+impl From<Obstacle> for Limit {
+    fn from(obstacle: Obstacle) -> Limit {
+        match obstacle {
+            Obstacle::Limit(name) => Limit(name),
+            _ => Limit("a value put in where a name is bound"),
         }
-        fine(&self.step, &self.name, &self.index)
     }
 }
 
@@ -82,43 +53,84 @@ impl Statement {
 
     /// The statement of a claim.
     pub fn of(claim: &Claim) -> Result<Statement> {
-        let mut definitions = Substitution::default();
-        let mut out = Statement {
-            name: claim.name.text.clone(),
-            bindings: Vec::new(),
-            sequences: Vec::new(),
-            assumptions: Vec::new(),
-            goal: claim.goal.clone(),
-            proof: Proof::default(),
-            using: claim.using.iter().map(|n| n.text.clone()).collect(),
-            sample: claim.sample.iter().map(|(n, e)| (n.text.clone(), e.clone())).collect(),
-        };
+        let understood = statement::Statement::of(claim).map_err(|refusal| match refusal {
+            Refusal::Limit(name) => Limit(name),
+            Refusal::Rejected(_) => Limit("a value put in where a name is bound"),
+        })?;
+        let mut lets = Substitution::default();
+        let mut labels = Vec::new();
         for item in &claim.items {
             match item {
-                Item::Given(bindings) => {
-                    for binding in bindings {
-                        out.bindings.push(definitions.binding(binding)?);
-                    }
-                }
                 Item::Let { name, parameters, value } => {
-                    let value = definitions.expr(value)?;
-                    let parameters = parameters.iter().map(|p| p.text.clone()).collect();
-                    definitions.define(&name.text, parameters, value);
+                    let value = lets.under(parameters)?.expr(value)?;
+                    lets.define(&name.text, parameters.iter().map(|p| p.text.clone()).collect(), value);
                 }
-                Item::Define { name, initial, index, step, .. } => out.sequences.push(Sequence {
-                    name: name.text.clone(),
-                    initial: definitions.expr(initial)?,
-                    index: index.text.clone(),
-                    step: definitions.expr(step)?,
-                }),
-                Item::Assume { label, prop } => {
-                    let label = label.as_ref().map(|l| l.text.clone());
-                    out.assumptions.push((label, definitions.prop(prop)?));
-                }
+                Item::Assume { label, .. } => labels.push(label.as_ref().map(|l| l.text.clone())),
+                Item::Given(_) | Item::Define { .. } => {}
             }
         }
-        out.goal = definitions.prop(&claim.goal)?;
-        out.proof = definitions.proof(&claim.proof)?;
-        Ok(out)
+        Ok(Statement {
+            name: understood.name,
+            bindings: understood.bindings,
+            sequences: understood.sequences,
+            assumptions: labels.into_iter().zip(understood.assumptions).collect(),
+            goal: understood.goal,
+            proof: argument(&claim.proof, &lets)?,
+            using: claim.using.iter().map(|n| n.text.clone()).collect(),
+            sample: claim.sample.iter().map(|(n, e)| (n.text.clone(), e.clone())).collect(),
+        })
     }
+}
+
+/// An argument with definitions put in place.
+fn argument(proof: &Proof, lets: &Substitution) -> Result<Proof> {
+    let step = |step: &Step| {
+        Ok(match step {
+            Step::Have { label, prop, proof } => {
+                Step::Have { label: label.clone(), prop: lets.prop(prop)?, proof: argument(proof, lets)? }
+            }
+            Step::Obtain { binding, label, prop, witness } => Step::Obtain {
+                binding: lets.binding(binding)?,
+                label: label.clone(),
+                prop: lets.prop(prop)?,
+                witness: lets.expr(witness)?,
+            },
+            Step::Case { label, prop, proof } => {
+                Step::Case { label: label.clone(), prop: lets.prop(prop)?, proof: argument(proof, lets)? }
+            }
+        })
+    };
+    Ok(Proof {
+        steps: proof.steps.iter().map(step).collect::<Result<_>>()?,
+        close: proof.close.as_ref().map(|method| by(method, lets)).transpose()?,
+    })
+}
+
+/// A method with definitions put in place.
+fn by(method: &Method, lets: &Substitution) -> Result<Method> {
+    let values = |list: &[(Name, Expr)]| -> Result<Vec<(Name, Expr)>> {
+        list.iter().map(|(n, e)| Ok((n.clone(), lets.expr(e)?))).collect()
+    };
+    Ok(match method {
+        Method::Algebra(facts) => Method::Algebra(facts.clone()),
+        Method::Induction(name, step) => Method::Induction(name.clone(), Box::new(argument(step, lets)?)),
+        Method::Instance { claim, with } => Method::Instance { claim: claim.clone(), with: values(with)? },
+        Method::Witness(list) => Method::Witness(values(list)?),
+        Method::Power { fact, exponent } => Method::Power { fact: fact.clone(), exponent: lets.expr(exponent)? },
+        Method::Product(list) => {
+            let factor = |(n, e): &(Name, Option<Expr>)| -> Result<(Name, Option<Expr>)> {
+                Ok((n.clone(), e.as_ref().map(|e| lets.expr(e)).transpose()?))
+            };
+            Method::Product(list.iter().map(factor).collect::<Result<_>>()?)
+        }
+        Method::Mean { a, b, weight } => {
+            Method::Mean { a: lets.expr(a)?, b: lets.expr(b)?, weight: lets.expr(weight)? }
+        }
+        Method::Hoelder { first, second, weight } => Method::Hoelder {
+            first: (lets.expr(&first.0)?, lets.expr(&first.1)?),
+            second: (lets.expr(&second.0)?, lets.expr(&second.1)?),
+            weight: lets.expr(weight)?,
+        },
+        Method::Squeeze { lower, upper } => Method::Squeeze { lower: lets.expr(lower)?, upper: lets.expr(upper)? },
+    })
 }

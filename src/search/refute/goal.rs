@@ -57,9 +57,9 @@ pub(super) fn aimed(plan: &mut Plan, statement: &Statement) -> Option<(Search, G
                 *body
             }
             PropKind::Extremum(extremum) => {
-                let mut at = super::substitution::Substitution::default();
+                let mut at = crate::kernel::substitution::Substitution::default();
                 for (name, value) in &extremum.at {
-                    at.replace(&name.text, value.clone());
+                    at.replace(&name.text, value);
                 }
                 let there = at.expr(&extremum.of).ok()?;
                 search.declare(&extremum.over);

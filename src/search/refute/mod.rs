@@ -23,7 +23,6 @@ pub(crate) mod sample;
 pub mod search;
 pub(crate) mod shape;
 pub(crate) mod solve;
-pub mod substitution;
 pub mod trial;
 pub(crate) mod truth;
 

@@ -8,7 +8,7 @@ use super::super::{Unsupported, unsupported};
 use super::words::{RESERVED, spelled};
 use crate::claim::definedness::Need;
 use crate::claim::syntax::*;
-use crate::refute::substitution::Substitution;
+use crate::kernel::substitution::Substitution;
 use std::collections::{BTreeMap, BTreeSet};
 
 // Levels of Coq's grammar: a text of a lower level stands where a higher one is allowed.
@@ -110,8 +110,7 @@ impl Printer {
     }
 
     pub(super) fn in_place(&mut self, expr: &Expr) -> Result<Expr> {
-        let limit = |l: crate::refute::expand::Limit| Unsupported::limit(l.0, expr.span);
-        self.definitions.expr(expr).map_err(limit)
+        self.definitions.expr(expr).map_err(|obstacle| Unsupported::not_put_in(obstacle, expr.span))
     }
 
     // Declarations.

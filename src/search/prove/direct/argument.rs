@@ -154,28 +154,28 @@ impl Prover {
             }
             Method::Induction(variable, steps) => self.by_this_induction(goal, variable, steps, named),
             Method::Instance { claim, with } => {
-                self.take_instance(&claim.text, named.with(with)?, named)?;
-                self.show(goal)
+                let fact = self.take_instance(&claim.text, named.with(with)?, named)?;
+                self.show_by(goal, &fact)
             }
             Method::Power { fact, exponent } => {
                 let exponent = named.expr(exponent)?;
-                self.power_of(&fact.text, &exponent, named)?;
-                self.show(goal)
+                let fact = self.power_of(&fact.text, &exponent, named)?;
+                self.show_by(goal, &fact)
             }
             Method::Product(list) => {
-                self.product_of(list, named)?;
-                self.show(goal)
+                let fact = self.product_of(list, named)?;
+                self.show_by(goal, &fact)
             }
             Method::Mean { a, b, weight } => {
                 let [a, b, p] = [a, b, weight].map(|e| named.expr(e));
-                self.this_mean(&a?, &b?, &p?)?;
-                self.show(goal)
+                let (fact, _) = self.this_mean(&a?, &b?, &p?)?;
+                self.show_by(goal, &fact)
             }
             Method::Hoelder { first, second, weight } => {
                 let p = named.expr(weight)?;
                 let [a, b, c, d] = [&first.0, &first.1, &second.0, &second.1].map(|e| named.expr(e));
-                self.hoelder([a?, b?, c?, d?], &p)?;
-                self.show(goal)
+                let fact = self.hoelder([a?, b?, c?, d?], &p)?;
+                self.show_by(goal, &fact)
             }
             Method::Squeeze { lower, upper } => {
                 let PropKind::Limit(limit) = &goal.kind else { return Err(Fail::No("`squeeze` proves limits only")) };
@@ -183,6 +183,19 @@ impl Prover {
                 self.by_this_squeeze(goal, limit, &bounds, steps, before)
             }
         }
+    }
+
+    /// Proves a goal with a fact that the argument names for it: the two may differ in how they are written only.
+    fn show_by(&mut self, goal: &Prop, fact: &str) -> Result<Label, Fail> {
+        let is_comparison = |p: &Prop| matches!(&p.kind, PropKind::Compare(_, relations) if relations.len() == 1);
+        if self.known(goal).is_none() && is_comparison(goal) && self.fact(fact).as_ref().is_some_and(is_comparison) {
+            for factor in [numeral(1), negated(&numeral(1))] {
+                if let Ok(label) = self.combination(goal.clone(), vec![Term { facts: vec![fact.to_string()], factor }]) {
+                    return Ok(label);
+                }
+            }
+        }
+        self.show(goal)
     }
 
     /// Proves a goal by induction on one of the claim's variables; the step follows an argument.
@@ -199,10 +212,10 @@ impl Prover {
         self.instance(&every, &name(&variable.text))
     }
 
-    /// An instance of a cited claim or of a fact, taken in.
-    fn take_instance(&mut self, source: &str, with: Vec<(Name, Expr)>, named: &Named) -> Result<(), Fail> {
+    /// An instance of a cited claim or of a fact, taken in. Returns its label.
+    fn take_instance(&mut self, source: &str, with: Vec<(Name, Expr)>, named: &Named) -> Result<Label, Fail> {
         if let Some(label) = named.fact(source) {
-            let Some(Prop { kind: PropKind::ForAll(bindings, body), .. }) = self.fact(&label) else { return Ok(()) };
+            let Some(Prop { kind: PropKind::ForAll(bindings, body), .. }) = self.fact(&label) else { return Ok(label) };
             let mut map = Substitution::default();
             with.iter().for_each(|(n, e)| map.replace(&n.text, e));
             let mut from = Vec::new();
@@ -211,7 +224,7 @@ impl Prover {
             }
             let shown = map.prop(&body).map_err(Fail::from)?;
             let label = self.emit(Rule::Instance { source: label, with, from }, shown.clone())?;
-            return self.take_in(&label, &shown);
+            return self.take_in(&label, &shown).map(|()| label);
         }
         let cited = self.checker.cited_statement(source).ok_or_else(|| Fail::NoProofOf(source.to_string()))?.clone();
         let (with, map) = values_for(&cited, with, &|e| named.expr(e))?;
@@ -223,11 +236,11 @@ impl Prover {
         }
         let shown = map.prop(&cited.goal).map_err(Fail::from)?;
         let label = self.emit(Rule::Instance { source: source.to_string(), with, from }, shown.clone())?;
-        self.take_in(&label, &shown)
+        self.take_in(&label, &shown).map(|()| label)
     }
 
-    /// A fact with both sides to a power. That they and the exponent are positive is shown first.
-    fn power_of(&mut self, fact: &str, exponent: &Expr, named: &Named) -> Result<(), Fail> {
+    /// A fact with both sides to a power, and its label. That they and the exponent are positive is shown first.
+    fn power_of(&mut self, fact: &str, exponent: &Expr, named: &Named) -> Result<Label, Fail> {
         let label = named.fact(fact).ok_or_else(|| Fail::NoFact(fact.to_string()))?;
         let Some(Prop { kind: PropKind::Compare(sides, relations), .. }) = self.fact(&label) else {
             return Err(Fail::No("a comparison is needed"));
@@ -240,12 +253,12 @@ impl Prover {
         }
         let shown = compare(power(a, exponent), *relation, power(b, exponent));
         let label = self.emit(Rule::Monotone { from: label }, shown.clone())?;
-        self.take_in(&label, &shown)
+        self.take_in(&label, &shown).map(|()| label)
     }
 
     /// The product of comparisons a_i >= b_i between positive sides: a_1…a_n − b_1…b_n is the sum of
     /// b_1…b_(i−1)·(a_i − b_i)·a_(i+1)…a_n.
-    fn product_of(&mut self, list: &[(Name, Option<Expr>)], named: &Named) -> Result<(), Fail> {
+    fn product_of(&mut self, list: &[(Name, Option<Expr>)], named: &Named) -> Result<Label, Fail> {
         let (mut highs, mut lows, mut facts) = (Vec::new(), Vec::new(), Vec::new());
         let mut strict = false;
         for (fact, exponent) in list {
@@ -271,7 +284,7 @@ impl Prover {
         let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
         let shown = compare(product(highs), relation, product(lows));
         let label = self.combination(shown.clone(), terms)?;
-        self.take_in(&label, &shown)
+        self.take_in(&label, &shown).map(|()| label)
     }
 
     /// The weighted mean inequality of a and b, strict where a != b can be shown. Returns its label, and whether it is strict.
@@ -294,7 +307,7 @@ impl Prover {
 
     /// (a+b)^(1−p) (c+d)^p ≥ a^(1−p) c^p + b^(1−p) d^p: the mean of a/(a+b) and c/(c+d), that of b/(a+b)
     /// and d/(c+d), added.
-    fn hoelder(&mut self, [a, b, c, d]: [Expr; 4], p: &Expr) -> Result<(), Fail> {
+    fn hoelder(&mut self, [a, b, c, d]: [Expr; 4], p: &Expr) -> Result<Label, Fail> {
         let times = |x: Expr, y: Expr| product(vec![x, y]);
         let rest = one_minus(p);
         let (ab, cd) = (plus(&a, b.clone()), plus(&c, d.clone()));
@@ -307,9 +320,10 @@ impl Prover {
             terms.push(Term { facts: vec![label], factor: negated(&big) });
         }
         let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
+        self.write_powers(&[&big, &small]);
         let shown = compare(big, relation, small);
         let label = self.combination(shown.clone(), terms)?;
-        self.take_in(&label, &shown)
+        self.take_in(&label, &shown).map(|()| label)
     }
 }
 

@@ -216,7 +216,9 @@ impl Prover {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
             if let ([a, b], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice()) {
                 let equation = compare(a.clone(), Relation::Equal, b.clone());
-                if let Ok(shown) = self.with_solved_equations(|c| c.combination(equation, Vec::new())) {
+                let shown = self.combination(equation.clone(), Vec::new());
+                let shown = shown.or_else(|_| self.with_solved_equations(|c| c.combination(equation, Vec::new())));
+                if let Ok(shown) = shown {
                     return self.logic(&[&denial, &shown], goal);
                 }
             }

@@ -78,6 +78,11 @@ impl Letters {
         letter
     }
 
+    /// Whether an expression is a letter.
+    pub(super) fn knows(&self, e: &Expr) -> bool {
+        self.index.contains_key(&key::expr(e))
+    }
+
     /// What a letter stands for.
     pub(super) fn expr(&self, letter: u32) -> Option<&Expr> {
         self.exprs.get(letter as usize)

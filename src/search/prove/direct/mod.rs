@@ -80,6 +80,11 @@ pub(super) fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Resu
     let deadline = Moment::now().checked_add(limits.time);
     let by = |proof: &Proof| {
         let mut prover = Prover::new(claim, cited, limits, deadline)?;
+        // The hypotheses come after the domains of the variables, and before what is added to them.
+        let given = prover.facts();
+        let hypotheses = given.iter().skip(given.len().saturating_sub(argument.assumptions.len()));
+        let labels = argument.assumptions.iter().zip(hypotheses).filter_map(|(a, g)| Some((a.0.clone()?, g.0.clone())));
+        let labels = labels.collect();
         let goal = prover.checker.statement().goal.clone();
         let mut exprs = Vec::new();
         prover.checker.statement().assumptions.iter().for_each(|p| goals::sides_in(p, &mut exprs));
@@ -91,10 +96,7 @@ pub(super) fn prove(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Resu
         for (label, fact) in &given {
             prover.take_in(label, fact)?;
         }
-        // The hypotheses come after the domains of the variables.
-        let hypotheses = given.iter().skip(given.len().saturating_sub(argument.assumptions.len()));
-        let labels = argument.assumptions.iter().zip(hypotheses).filter_map(|(a, g)| Some((a.0.clone()?, g.0.clone())));
-        let shown = prover.follow(&goal, proof, &Named::hypotheses(labels.collect())).map_err(|f| f.of_goal(&goal))?;
+        let shown = prover.follow(&goal, proof, &Named::hypotheses(labels)).map_err(|f| f.of_goal(&goal))?;
         prover.concluded(claim, &shown, cited, limits)
     };
     match by(&argument.proof) {

@@ -149,21 +149,35 @@ impl Prover {
             }
             for (e, product) in found {
                 Rc::make_mut(&mut self.powers).met.insert(key::expr(&e));
-                let factors: Option<Vec<Expr>> = product.iter().map(|(b, q)| self.by_generators(b, q)).collect();
-                let Some(factors) = factors else { continue };
-                let right = super::letters::product(factors);
-                if key::expr(&right) == key::expr(&e) {
-                    continue;
-                }
-                let shown = compare(e.clone(), Relation::Equal, right);
-                let mut done = self.plainly(Rule::Power, &shown).or_else(|_| self.emit(Rule::Power, shown.clone()));
-                if done.is_err() {
-                    self.define(&e);
-                    done = self.emit(Rule::Power, shown);
-                }
-                if let Ok(label) = done {
-                    self.put_in(&label);
-                }
+                self.write_power(&e, &product);
+            }
+        }
+    }
+
+    /// Puts generators in the place of a power.
+    fn write_power(&mut self, e: &Expr, product: &Product) {
+        let factors: Option<Vec<Expr>> = product.iter().map(|(b, q)| self.by_generators(b, q)).collect();
+        let Some(factors) = factors else { return };
+        let right = super::letters::product(factors);
+        if key::expr(&right) == key::expr(e) {
+            return;
+        }
+        let shown = compare(e.clone(), Relation::Equal, right);
+        let mut done = self.plainly(Rule::Power, &shown).or_else(|_| self.emit(Rule::Power, shown.clone()));
+        if done.is_err() {
+            self.define(e);
+            done = self.emit(Rule::Power, shown);
+        }
+        if let Ok(label) = done {
+            self.put_in(&label);
+        }
+    }
+
+    /// What was written by generators of before is written by those of now, since these are put in their places.
+    fn write_generators_anew(&mut self, before: Vec<Generator>) {
+        for g in before {
+            if !self.powers.generators.iter().any(|new| new.base == g.base && new.exponent == g.exponent) {
+                self.write_power(&g.written, &vec![(g.base, g.exponent)]);
             }
         }
     }
@@ -308,8 +322,10 @@ impl Prover {
         }
         if !replaces || !may_be_replaced {
             let powers = Rc::make_mut(&mut self.powers);
-            powers.generators.retain(|g| g.base != *base);
+            let (before, others) = powers.generators.drain(..).partition(|g| g.base == *base);
+            powers.generators = others;
             powers.generators.extend(new);
+            self.write_generators_anew(before);
             return false;
         }
         let before = self.powers.clone();

@@ -221,12 +221,37 @@ impl Prover {
             if !is_sum {
                 let _ = self.attempt(|c| c.positive_product(e, index, body));
             }
-            return Ok(false);
+            return self.learn_longer(e, is_sum, index, body);
         };
         self.define(&right);
         let shown = self.unfolded(e, &right);
         self.instantiate(&[&right]);
         shown
+    }
+
+    /// Of a sum or product beside one that ends alike and begins one member earlier, or later: the longer by the shorter.
+    fn learn_longer(&mut self, e: &Expr, is_sum: bool, index: &Index, body: &Expr) -> Result<bool, Fail> {
+        let Some(from) = self.letters.polynomial(&index.from) else { return Ok(false) };
+        for by in [-1, 1] {
+            let start = self.letters.written(&from.add(&Polynomial::constant(Rational::from(by))));
+            let at = Index { from: Box::new(start.clone()), ..index.clone() };
+            let body_there = Box::new(body.clone());
+            let other = expr(if is_sum { ExprKind::SumOver(at, body_there) } else { ExprKind::ProductOver(at, body_there) });
+            if !self.letters.knows(&other) {
+                continue;
+            }
+            let (long, short, first) = if by < 0 { (&other, e, &start) } else { (e, &other, &*index.from) };
+            let mut map = crate::kernel::substitution::Substitution::default();
+            map.replace(&index.name.text, first);
+            let first = map.expr(body).map_err(Fail::from)?;
+            let right = if is_sum {
+                ExprKind::Sum(vec![(Sign::Plus, first), (Sign::Plus, short.clone())])
+            } else {
+                ExprKind::Product(vec![(Factor::Times, first), (Factor::Times, short.clone())])
+            };
+            return self.unfolded(long, &expr(right));
+        }
+        Ok(false)
     }
 
     /// A product of numbers that are positive by their form, such as n!, is positive: by induction on its end. With it one may
