@@ -41,7 +41,7 @@ fn one_claim_in_json_has_the_shape_of_the_contract_and_costs_no_others() {
     assert_eq!(claim["as_expected"], true);
     assert_eq!(claim["reading"], "restored");
     assert!(claim["assumptions"].is_array() && claim["witness"].is_null());
-    assert_eq!((claim["certificate"].as_str().map(str::len), &claim["found"]), (Some(64), &false.into()));
+    assert_eq!(claim["certificate"].as_str().map(str::len), Some(64));
     assert_eq!(value["summary"]["judged"], 1);
     assert_eq!(value["summary"]["unexpected"], 0);
 }

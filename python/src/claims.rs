@@ -201,7 +201,6 @@ fn described(entry: &Entry) -> Value {
             "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
         })),
         "reason": outcome.reason,
-        "found": entry.found,
         "certificate": entry.proof.as_ref().map(|p| &p.sha256),
         "certificate_text": entry.proof.as_ref().map(|p| &p.certificate),
         "explanation": report::argument::text(entry, COLUMNS),

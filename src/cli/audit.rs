@@ -348,12 +348,7 @@ fn write_certificates(entries: &[Entry], folder: &Path) -> Result<(), Exit> {
             written += 1;
         }
     }
-    let mut message = format!("{} in {}", counted(written, "certificate"), folder.display());
-    let missing: Vec<&str> = entries.iter().filter(|e| e.found).map(|e| e.claim.name.text.as_str()).collect();
-    if !missing.is_empty() {
-        message += &format!("; proofs found that the kernel does not accept: {}", missing.join(", "));
-    }
-    terminal::note(&message);
+    terminal::note(&format!("{} in {}", counted(written, "certificate"), folder.display()));
     Ok(())
 }
 

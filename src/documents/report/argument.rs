@@ -82,7 +82,7 @@ fn fails(broken: &Broken) -> String {
 
 /// What was tried for an undecided claim.
 fn tried(entry: &Entry) -> Vec<String> {
-    if entry.found || entry.outcome.limit.is_some() {
+    if entry.outcome.limit.is_some() {
         return Vec::new();
     }
     let guided = !entry.claim.proof.is_empty();
@@ -109,7 +109,7 @@ fn tried(entry: &Entry) -> Vec<String> {
 
 /// Steps that the author could add to an undecided claim.
 fn help(entry: &Entry) -> Vec<String> {
-    if entry.found || entry.outcome.limit.is_some() {
+    if entry.outcome.limit.is_some() {
         return Vec::new();
     }
     let claim = &entry.claim;

@@ -60,7 +60,6 @@ fn one(entry: &Entry) -> Value {
         })).collect::<Vec<_>>()),
         "reason": outcome.reason,
         "notes": claim.notes,
-        "found": entry.found,
         "limit": outcome.limit,
         "certificate": entry.proof.as_ref().map(|p| &p.sha256),
         "rests_on": entry.proof.as_ref().map(|p| &p.rests_on),

@@ -2,9 +2,7 @@
 //!
 //! Contract: a certificate at hand decides first; where the kernel accepts none, a counterexample is sought at few points,
 //! then a proof, which is written as a certificate that the kernel has to accept, then a counterexample at all points.
-//! Where a proof is found and the kernel does not accept what was written of it, the claim is undecided and
-//! [`Entry::found`] says so. A claim is judged after those that it cites, and
-//! may use what was proved of them. The order of the answers does not depend on the number of threads.
+//! A claim is judged after those that it cites, and may use what was proved of them. The order of the answers does not depend on the number of threads.
 
 pub mod hand;
 mod hypotheses;
@@ -21,7 +19,7 @@ use crate::claim::syntax::{self as claim, Claim, Item, Method, Relation, Span, S
 use crate::explain::{self, Document};
 use crate::kernel::Accepted;
 use crate::kernel::statement::{compare, numeral};
-use crate::prove::{self, Fail};
+use crate::prove;
 use crate::refute::case::{Case, Stage, beyond};
 use crate::refute::catalogue::{Catalogue, Limits};
 use crate::refute::outcome::{Fault, Outcome, Point, Verdict};
@@ -44,8 +42,6 @@ pub struct Entry {
     pub claim: Claim,
     /// The outcome.
     pub outcome: Outcome,
-    /// Whether the search found a proof, but the kernel does not accept its certificate.
-    pub found: bool,
     /// What the kernel accepted: of a refuted claim, that it is false at the witness.
     pub proof: Option<Proof>,
     /// The proof in words, where it was asked for.
@@ -195,14 +191,14 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
             return Judged { entry: Err(contradiction(claim)), accepted: None };
         }
         Ok(case) => match held {
-            Some(held) => Decided { outcome: case.proved(), held: Some(held), found: false },
+            Some(held) => Decided { outcome: case.proved(), held: Some(held) },
             None => match searched(claim, case, cited, &accepted, &settings.limits) {
                 Err(fault) => return Judged { entry: Err(fault), accepted: None },
                 Ok(decided) => decided,
             },
         },
     };
-    let Decided { mut outcome, held, found } = decided;
+    let Decided { mut outcome, held } = decided;
     let at_hand = || if settings.anew { None } else { hand.refuting(claim) };
     // A refutation at hand decides where no witness was found.
     if outcome.verdict == Verdict::Undecided
@@ -215,7 +211,7 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
         let proof = refuted.and_then(|w| {
             at_hand().or_else(|| refuted::certificate(claim, &w.point, &settings.limits)).map(Proof::refuting)
         });
-        let entry = Entry { claim: claim.clone(), outcome, found, proof, explained: None };
+        let entry = Entry { claim: claim.clone(), outcome, proof, explained: None };
         return Judged { entry: Ok(entry), accepted: None };
     };
     (outcome.used, outcome.unused) = hypotheses::used(claim, &certificate, &shown);
@@ -228,7 +224,7 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
         rests_on: shown.rests_on().iter().cloned().collect(),
         certificate,
     };
-    let entry = Entry { claim: claim.clone(), outcome, found: false, proof: Some(proof), explained: words.flatten() };
+    let entry = Entry { claim: claim.clone(), outcome, proof: Some(proof), explained: words.flatten() };
     Judged { entry: Ok(entry), accepted: Some(shown) }
 }
 
@@ -261,13 +257,11 @@ pub fn contradiction(claim: &Claim) -> Fault {
 struct Decided {
     outcome: Outcome,
     held: Option<(Certificate, Accepted)>,
-    /// Whether the search found a proof, but the kernel does not accept its certificate.
-    found: bool,
 }
 
 impl Decided {
     fn without_proof(outcome: Outcome) -> Decided {
-        Decided { outcome, held: None, found: false }
+        Decided { outcome, held: None }
     }
 
     /// Refuted by this certificate.
@@ -291,7 +285,7 @@ fn searched(
         return Ok(Decided::without_proof(case.undecided(reason, None)));
     }
     if let Ok(held) = prove::at_once(claim, accepted, limits) {
-        return Ok(Decided { outcome: case.proved(), held: Some(held), found: false });
+        return Ok(Decided { outcome: case.proved(), held: Some(held) });
     }
     if let Some(refuted) = case.counterexample(Stage::First) {
         return Ok(Decided::without_proof(refuted));
@@ -304,7 +298,7 @@ fn searched(
     }
     let time = case.time_left().saturating_sub(limits.time / LEFT);
     let fail = match prove::by_search(claim, accepted, &Limits { time, ..limits.clone() }) {
-        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held), found: false }),
+        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held) }),
         Err(fail) => fail,
     };
     if let Some(refuted) = case.counterexample(Stage::Last) {
@@ -315,13 +309,8 @@ fn searched(
     {
         return Ok(Decided::refuted(claim, case, &certificate));
     }
-    let found = matches!(fail, Fail::Unwritten(_));
-    let reason = match rests_on(claim, cited) {
-        _ if found => format!("the search found a proof, but the kernel accepts no certificate of it: {fail}"),
-        Some(reason) => reason,
-        None => fail.to_string(),
-    };
-    Ok(Decided { outcome: case.undecided(reason, fail.limit()), held: None, found })
+    let reason = rests_on(claim, cited).unwrap_or_else(|| fail.to_string());
+    Ok(Decided::without_proof(case.undecided(reason, fail.limit())))
 }
 
 /// A refutation by the search for proofs: at a point with roots as coordinates, or of a goal `exists` that fails for all values.

@@ -1,7 +1,5 @@
 //! Why no certificate was found, as values. Only this file words these reasons.
 
-use super::draft::Failure;
-use super::elaborate::Stuck;
 use crate::claim::print::prop;
 use crate::claim::substitution::Obstacle;
 use crate::claim::syntax::Prop;
@@ -16,13 +14,6 @@ pub enum Fail {
     Limit(&'static str),
     /// A limit of the kernel was reached.
     KernelLimit(&'static str),
-    /// The kernel rejects a step of this rule.
-    Step {
-        /// The rule.
-        rule: &'static str,
-        /// Why.
-        reason: String,
-    },
     /// The kernel's arithmetic cannot read an expression.
     Value(String),
     /// A comparison that no step proves.
@@ -33,14 +24,10 @@ pub enum Fail {
     NoProofOf(String),
     /// What no method handles, or what a method lacks, in words.
     No(&'static str),
-    /// The label of a draft's step that lacks a field.
-    Malformed(String),
     /// The failure of a part of the argument.
     Within(String, Box<Fail>),
     /// A goal that was not proved, and why.
     Goal(String, Box<Fail>),
-    /// The draft is complete, but the kernel rejects the certificate written from it.
-    Unwritten(Box<Fail>),
     /// The kernel rejects the whole certificate: the first rejected step, its rule and the reason.
     Whole {
         /// The step, by label.
@@ -57,7 +44,7 @@ impl Fail {
     pub fn limit(&self) -> Option<&'static str> {
         match self {
             Fail::Limit(name) | Fail::KernelLimit(name) => Some(name),
-            Fail::Within(_, inner) | Fail::Goal(_, inner) | Fail::Unwritten(inner) => inner.limit(),
+            Fail::Within(_, inner) | Fail::Goal(_, inner) => inner.limit(),
             _ => None,
         }
     }
@@ -84,14 +71,6 @@ impl Fail {
         }
     }
 
-    /// Why the draft did not take a step of a rule.
-    pub fn step(rule: &'static str, failure: Failure) -> Fail {
-        match failure {
-            Failure::Rejected(reason) => Fail::Step { rule, reason },
-            Failure::Declined(limit) => Fail::KernelLimit(limit),
-        }
-    }
-
     /// Why the kernel does not accept a whole certificate.
     pub fn whole(verdict: Verdict) -> Fail {
         match verdict {
@@ -109,34 +88,16 @@ impl fmt::Display for Fail {
             Fail::KernelLimit(name) => {
                 write!(f, "limit reached: {name} (a fixed limit of the kernel; no flag raises it)")
             }
-            Fail::Step { rule, reason } => write!(f, "rule `{rule}` does not apply: {reason}"),
             Fail::Value(reason) => f.write_str(reason),
             Fail::NotShown(prop) => write!(f, "could not prove: {prop}"),
             Fail::NoFact(name) => write!(f, "no fact is called {name}"),
             Fail::NoProofOf(name) => write!(f, "{name} is not proved"),
             Fail::No(what) => write!(f, "no method applies ({what})"),
-            Fail::Malformed(step) => write!(f, "step {step} of the draft lacks a field that its rule needs"),
             Fail::Within(part, inner) => write!(f, "{part}: {inner}"),
             Fail::Goal(goal, inner) => write!(f, "could not prove: {goal} ({inner})"),
-            Fail::Unwritten(inner) => inner.fmt(f),
             Fail::Whole { step, rule, reason } => {
                 write!(f, "the kernel rejects the certificate found, at step {step} ({rule}): {reason}")
             }
-        }
-    }
-}
-
-impl From<&'static str> for Fail {
-    fn from(what: &'static str) -> Fail {
-        Fail::No(what)
-    }
-}
-
-impl From<Failure> for Fail {
-    fn from(failure: Failure) -> Fail {
-        match failure {
-            Failure::Rejected(reason) => Fail::Value(reason),
-            Failure::Declined(limit) => Fail::KernelLimit(limit),
         }
     }
 }
@@ -149,22 +110,9 @@ impl From<Obstacle> for Fail {
 
 impl From<Refusal> for Fail {
     fn from(refusal: Refusal) -> Fail {
-        Failure::from(refusal).into()
-    }
-}
-
-impl From<Stuck> for Fail {
-    fn from(stuck: Stuck) -> Fail {
-        let refused = |step: String, rule, refusal| match refusal {
-            Refusal::Rejected(reason) => Fail::Whole { step, rule, reason: reason.to_string() },
+        match refusal {
+            Refusal::Rejected(reason) => Fail::Value(reason.to_string()),
             Refusal::Limit(limit) => Fail::KernelLimit(limit),
-        };
-        match stuck {
-            Stuck::Refused { step, rule, refusal } => refused(step, rule, *refusal),
-            Stuck::Statement(refusal) => refused(String::new(), "statement", refusal),
-            Stuck::Unfinished(refusal) => refused(String::new(), "qed", refusal),
-            Stuck::Time => Fail::Limit("time"),
-            Stuck::Malformed(step) => Fail::Malformed(step),
         }
     }
 }

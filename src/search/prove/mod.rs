@@ -1,425 +1,399 @@
-//! The search for proofs: it makes the steps of a draft, and writes them as a certificate that the kernel accepts.
+//! The search for proofs. It asks the kernel about every step, and proves what a claim's own argument states (`argument`) by
+//! the same methods as the goal.
 //!
-//! Contract: [`certificate()`] returns a certificate that the kernel accepted, or says where it got stuck. Nothing here is
-//! trusted: the kernel rejects a wrong step, and `carom check` checks the certificate again from its text.
+//! Contract: [`certificate()`] returns a certificate that the kernel accepted, or says what it could not prove. Nothing here
+//! is trusted: the kernel rejects a wrong step, and `carom check` checks the certificate again from its text.
 //!
-//! Method: the search follows the claim's own argument. If the argument fails, it tries the automatic methods. Proved
-//! facts become steps of a draft (`draft`). Signs come from factorisations and certificates of positivity, as explicit
-//! identities. The steps that the goal needs are then written as a certificate (`elaborate`), each with its citations.
-//! If this fails, a second search follows the argument with methods of its own, or works without it (`direct`). `brief` shortens
-//! what either of them found.
+//! Method: a goal is split at its connectives into comparisons. Every root, power, sum and member of a sequence is
+//! treated as a variable, called a *letter*. Each fact becomes a polynomial in the letters that is 0, positive or not
+//! negative. A linear program finds products of these polynomials that add up to the goal, or to a contradiction with
+//! the goal's opposite (`products`). If that fails, the search distinguishes cases and tries induction. `brief` shortens
+//! what was found.
 
+mod absolute;
 mod argument;
+mod at_once;
+mod branching;
 mod brief;
-mod constraints;
-mod contradiction;
-mod direct;
-mod draft;
-mod elaborate;
-mod equations;
+mod cases;
+mod chains;
+mod columns;
+mod comparison;
+mod compound;
+mod differences;
+mod elimination;
+mod exponentials;
+mod exponents;
+mod facts;
 mod fail;
-mod goal;
+mod formulas;
+mod goals;
+mod ideal;
+mod induction;
+mod instances;
+mod integers;
 mod lattice;
-mod methods;
-mod polynomials;
+mod letters;
+mod limits;
+mod logarithms;
+mod means;
 mod powers;
-mod signs;
-mod unfold;
-mod write;
+mod products;
+mod quadratics;
+mod radicals;
+mod refutation;
+mod slopes;
+mod solutions;
+mod squares;
+mod sums;
+mod sums_of_squares;
+mod tangents;
+#[cfg(test)]
+mod tests;
+mod universal;
+mod values;
+mod witnesses;
 
 use crate::algebra::Moment;
-use crate::certificate::{self, Certificate, Show, Term};
-use crate::claim::syntax::*;
-use crate::kernel::statement::{compare, name};
+use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
+use crate::claim::syntax::{Claim, Expr, Proof, Prop, PropKind};
+use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
-use crate::kernel::{Accepted, Checker, Refusal, Verdict, text};
+use crate::kernel::{Accepted, Checker};
 use crate::refute::catalogue::Limits;
 use crate::refute::expand;
-use draft::marks::{Source, Sources, needed};
-use draft::{Draft, Fact, Rule, Step, negation};
+use argument::Named;
+pub(crate) use at_once::at_once;
 pub use fail::Fail;
-use goal::exprs_in;
+use letters::Letters;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
-/// How many search steps ([`Limits::steps`]) one step of a draft counts as.
+/// How many search steps ([`Limits::steps`]) one step that is tried counts as.
 const STEPS_OF_A_TRY: usize = 20;
+
+/// Largest number of steps tried for one claim.
+const TRIES: usize = 2_000;
+
+/// Largest total size of all linear programs for one claim. The size of one is its number of columns times the
+/// number of nonzero entries (see `spend`).
+const PROGRAMS: usize = 5_000_000;
 
 /// A certificate of a claim; `cited` holds the accepted claims that it cites.
 ///
 /// # Errors
-/// Those of `by_search`.
+/// What could not be proved.
 pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
     at_once(claim, cited, limits).or_else(|_| by_search(claim, cited, limits))
 }
 
-/// A certificate of a claim that [`at_once`] cannot prove.
+/// A certificate of a claim that [`at_once`] cannot prove: by the argument in its file, or else without it in the time that is
+/// left.
 ///
 /// # Errors
-/// The first thing that could not be proved; [`Fail::Unwritten`] if everything was, but the kernel rejects the certificate.
+/// What could not be proved.
 pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
-    let begin = Moment::now();
-    if std::env::var_os("NODRAFT").is_some() {
-        return direct::prove(claim, cited, limits);
-    }
-    by_draft(claim, cited, limits).or_else(|first| {
-        // What the draft does not reach may be found by all methods, in the time that is left.
-        let rest = Limits { time: limits.time.saturating_sub(begin.elapsed()), ..limits.clone() };
-        direct::prove(claim, cited, &rest).map_err(|_| first)
-    })
-}
-
-/// Shortens a certificate, with a time limit of its own, and has the kernel check it. The text counts: it is read back and
-/// checked from the beginning.
-fn accepted(
-    claim: &Claim,
-    found: Certificate,
-    cited: &[&Accepted],
-    limits: &Limits,
-) -> Result<(Certificate, Accepted), Fail> {
+    let argument = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
     let deadline = Moment::now().checked_add(limits.time);
-    let written = &brief::brief(claim, found, cited, deadline).map_err(Fail::from)?;
-    let read = crate::certificate::text::read(&crate::certificate::text::write(written))
-        .map_err(|m| Fail::Value(m.fault.to_string()).within(&format!("line {}", m.line)))?;
-    match crate::kernel::check(claim, &read, cited) {
-        Verdict::Accepted(shown) => Ok((read, *shown)),
-        other => Err(Fail::whole(other)),
-    }
-}
-
-/// Proves comparisons that the kernel sees by multiplying out: identities, and signs that follow from the hypotheses.
-/// A claim with an argument of its own is left to that argument.
-///
-/// # Errors
-/// The kernel does not see the comparison.
-pub(crate) fn at_once(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
-    if !claim.proof.is_empty() {
-        return Err(Fail::No("a comparison without an argument"));
-    }
-    let mut checker = Checker::new(claim, cited).map_err(Fail::from)?;
-    let statement = checker.statement();
-    let (goal, digest) = (statement.goal.clone(), crate::certificate::text::digest(&statement.text()));
-    let parts = parts(&goal);
-    let mut steps: Vec<certificate::Step> = Vec::new();
-    let mut take = |rule: certificate::Rule, prop: Prop| {
-        let by = match rule {
-            certificate::Rule::Combination { .. } => checker.facts().map(|f| f.0.to_string()).collect(),
-            _ => Vec::new(),
-        };
-        let show = Show { label: format!("{}", steps.len() + 1), rule, prop, by, using: Vec::new() };
-        steps.push(brief::take(&mut checker, show)?);
-        Ok::<(), Refusal>(())
+    let by = |proof: &Proof| {
+        let mut prover = Prover::new(claim, cited, limits, deadline)?;
+        // The hypotheses come after the domains of the variables, and before what is added to them.
+        let given = prover.facts();
+        let hypotheses = given.iter().skip(given.len().saturating_sub(argument.assumptions.len()));
+        let labels = argument.assumptions.iter().zip(hypotheses).filter_map(|(a, g)| Some((a.0.clone()?, g.0.clone())));
+        let labels = labels.collect();
+        let goal = prover.checker.statement().goal.clone();
+        let mut exprs = Vec::new();
+        prover.checker.statement().assumptions.iter().for_each(|p| goals::sides_in(p, &mut exprs));
+        goals::sides_in(&goal, &mut exprs);
+        argument::exprs_in(&argument.proof, &goals::sides_in, &mut exprs);
+        prover.write_powers(&exprs.iter().collect::<Vec<_>>());
+        let given = prover.facts();
+        prover.name_integers();
+        for (label, fact) in &given {
+            prover.take_in(label, fact)?;
+        }
+        let shown = prover.follow(&goal, proof, &Named::hypotheses(labels)).map_err(|f| f.of_goal(&goal))?;
+        prover.concluded(claim, &shown, cited, limits)
     };
-    for part in &parts {
-        if !matches!(part.kind, PropKind::Compare(..)) {
-            return Err(Fail::No("a comparison without an argument"));
-        }
-        take(certificate::Rule::Combination { times: None, terms: Vec::new() }, part.clone()).map_err(Fail::from)?;
-    }
-    if !matches!(goal.kind, PropKind::Compare(..)) || parts.len() > 1 {
-        let from = (1..=parts.len()).map(|k| k.to_string()).collect();
-        take(certificate::Rule::Logic { from }, goal).map_err(Fail::from)?;
-    }
-    let found = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps };
-    accepted(claim, found, cited, limits)
-}
-
-/// The comparisons that make up a conjunction or chain; a proposition of another kind is its only part.
-fn parts(p: &Prop) -> Vec<Prop> {
-    match &p.kind {
-        PropKind::And(list) => list.iter().flat_map(parts).collect(),
-        PropKind::Compare(sides, relations) => {
-            let pairs = sides.windows(2).zip(relations);
-            pairs.map(|(pair, r)| compare(pair[0].clone(), *r, pair[1].clone())).collect()
-        }
-        _ => vec![p.clone()],
-    }
-}
-
-/// Follows the claim's argument in a draft, and writes the draft as a certificate.
-fn by_draft(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
-    let statement = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
-    let deadline = Moment::now().checked_add(limits.time);
-    let guided = !statement.proof.is_empty();
-    match certified(claim, &statement, cited, limits, deadline) {
-        Err(fail) if guided && fail.limit().is_none() => {
-            let alone = expand::Statement { proof: Proof::default(), ..statement };
-            certified(claim, &alone, cited, limits, deadline).map_err(|_| fail)
+    match by(&argument.proof) {
+        Err(fail) if !argument.proof.is_empty() && fail.limit() != Some("time") => {
+            by(&Proof::default()).map_err(|_| fail)
         }
         other => other,
     }
 }
 
-/// A certificate of a claim by the argument of this statement.
-fn certified(
-    claim: &Claim,
-    statement: &expand::Statement,
-    cited: &[&Accepted],
-    limits: &Limits,
-    deadline: Option<Moment>,
-) -> Result<(Certificate, Accepted), Fail> {
-    let checker = Draft::new(claim, cited).map_err(Fail::from)?;
-    let mut certifier = Certifier {
-        checker,
-        steps: Vec::new(),
-        trail: Vec::new(),
-        generators: Vec::new(),
-        exponentials: Vec::new(),
-        labels: Vec::new(),
-        values: Substitution::default(),
-        replaced: Vec::new(),
-        entries: Vec::new(),
-        introduced: std::collections::HashSet::new(),
-        counter: 0,
-        tries: limits.steps.div_ceil(STEPS_OF_A_TRY),
-        deadline,
-        splits: 0,
-        within_powers: false,
-    };
-    let goal = certifier.checker.statement().goal.clone();
-    certifier.begin(statement)?;
-    certifier.follow(&goal, &statement.proof).map_err(|fail| fail.of_goal(&goal))?;
-    certifier.concluded(claim, &goal, cited, limits).map_err(|fail| Fail::Unwritten(Box::new(fail)))
-}
-
-impl Certifier {
-    /// The steps on which the goal rests, as a certificate that the kernel accepts.
-    fn concluded(
-        self,
-        claim: &Claim,
-        goal: &Prop,
-        cited: &[&Accepted],
-        limits: &Limits,
-    ) -> Result<(Certificate, Accepted), Fail> {
-        let certifier = self;
-        let goal = certifier.checker.facts().iter().find(|f| f.key() == text::prop(goal)).map(Fact::source);
-        let needed = goal.map(|goal| needed(&certifier.trail, goal)).ok_or("the goal is not among the facts")?;
-        let steps = certifier.steps;
-        // What was found is written in a time of its own.
-        let deadline = Moment::now().checked_add(limits.time);
-        let fewer: Vec<Step> =
-            (0..).zip(&steps).filter(|(k, _)| needed.contains(&Source::Step(*k))).map(|s| s.1.clone()).collect();
-        // The marks only propose which steps to keep: if these do not make a certificate, all steps may.
-        let written = match elaborate::elaborate(claim, &fewer, cited, deadline) {
-            Ok(written) => written,
-            Err(_) => elaborate::elaborate(claim, &steps, cited, deadline)?,
-        };
-        accepted(claim, written, cited, limits)
-    }
-}
-
-/// The search for one certificate.
-pub struct Certifier {
-    checker: Draft,
+/// The state of the search.
+pub(crate) struct Prover {
+    checker: Checker,
     steps: Vec<Step>,
-    /// What each of them used.
-    trail: Vec<Sources>,
-    generators: Vec<powers::Generator>,
-    /// Atoms that are powers, as they are written.
-    exponentials: Vec<(usize, Expr)>,
-    /// The argument's labels, with the facts they stand for.
-    labels: Vec<(String, Prop)>,
-    /// Names that the argument obtained, with their values.
-    values: Substitution,
-    /// Equations by which variables are replaced: label, variable.
-    replaced: Vec<(String, String)>,
-    /// Powers that are not generators, with their bases and exponents.
-    entries: Vec<(Expr, Vec<(crate::kernel::fraction::Poly, crate::kernel::fraction::Fraction)>)>,
-    /// Powers known to be introduced, as text.
-    introduced: std::collections::HashSet<String>,
     counter: usize,
-    /// How many steps may still be tried.
-    tries: usize,
+    letters: Letters,
+    /// For each fact, the difference of its sides as a polynomial. The key is the fact's label and the list of
+    /// equations substituted when it was read.
+    readings: HashMap<(Label, Vec<Label>), Option<facts::Reading>>,
+    /// Whether a step may use the signs of the fact with this label (`signs`).
+    speaking: HashMap<Label, bool>,
+    /// Labels of the equations that the kernel substitutes in every step.
+    equations: Vec<Label>,
+    /// The variables that are natural numbers.
+    naturals: Vec<String>,
+    /// The integers, each with the difference of natural numbers that it is.
+    integers: Vec<(String, Expr)>,
+    /// Names in use.
+    names: BTreeSet<String>,
+    /// Those of the claim.
+    own_names: BTreeSet<String>,
+    /// Expressions of letters for which `values` has already added facts.
+    enriched: BTreeSet<String>,
+    /// Expressions of letters for which no fact could be added in the open blocks.
+    failed: BTreeSet<String>,
+    /// The bases of even powers in goals and facts, before multiplying out.
+    squares_written: Vec<crate::algebra::Polynomial>,
+    /// Roots of numbers for which facts were added.
+    roots: Vec<Expr>,
+    /// The powers by which others are written.
+    powers: Rc<powers::Powers>,
     deadline: Option<Moment>,
+    tries: usize,
+    most_tries: usize,
+    /// Total size of the linear programs so far, limited by [`PROGRAMS`].
+    spent: usize,
+    /// Semidefinite programs without an answer.
+    failed_programs: HashSet<crate::algebra::semidefinite::Program>,
+    /// The operations that semidefinite programs may still take.
+    program_work: usize,
+    /// Number of nested case distinctions.
     splits: usize,
-    /// Whether powers of facts are being tried: not within one another.
+    /// Number of nested inductions.
+    inductions: usize,
+    /// Number of comparisons tried by the sign of a derivative.
+    slopes: usize,
+    /// Number of such attempts that are nested now.
+    slopes_open: usize,
+    /// Whether powers of facts are tried.
     within_powers: bool,
 }
 
-/// The state to restore after a failed attempt.
-struct Mark {
-    checker: Draft,
-    steps: usize,
-    generators: Vec<powers::Generator>,
-    exponentials: usize,
-    labels: usize,
-    entries: usize,
-    introduced: std::collections::HashSet<String>,
-    counter: usize,
-}
+impl Prover {
+    /// A search that knows the hypotheses of a claim.
+    fn new(claim: &Claim, cited: &[&Accepted], limits: &Limits, deadline: Option<Moment>) -> Result<Prover, Fail> {
+        let checker = Checker::new(claim, cited).map_err(Fail::from)?;
+        let statement = checker.statement();
+        let natural = statement.bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names);
+        Ok(Prover {
+            naturals: natural.map(|n| n.0.text.clone()).collect(),
+            integers: Vec::new(),
+            names: statement.names(),
+            own_names: statement.names(),
+            checker,
+            steps: Vec::new(),
+            counter: 0,
+            letters: Letters::default(),
+            readings: HashMap::new(),
+            speaking: HashMap::new(),
+            equations: Vec::new(),
+            enriched: BTreeSet::new(),
+            failed: BTreeSet::new(),
+            squares_written: Vec::new(),
+            roots: Vec::new(),
+            powers: Rc::default(),
+            deadline,
+            tries: 0,
+            most_tries: limits.steps.div_ceil(STEPS_OF_A_TRY).min(TRIES),
+            spent: 0,
+            failed_programs: HashSet::new(),
+            program_work: sums_of_squares::WORK,
+            splits: 0,
+            inductions: 0,
+            slopes: 0,
+            slopes_open: 0,
+            within_powers: false,
+        })
+    }
 
-impl Certifier {
+    /// Every goal of an argument may cost what a claim without an argument may.
+    fn renew(&mut self) {
+        (self.tries, self.spent, self.slopes) = (0, 0, 0);
+        self.program_work = sums_of_squares::WORK;
+    }
+
+    /// The certificate of a claim whose goal this fact states.
+    fn concluded(
+        mut self,
+        claim: &Claim,
+        shown: &str,
+        cited: &[&Accepted],
+        limits: &Limits,
+    ) -> Result<(Certificate, Accepted), Fail> {
+        let statement = self.checker.statement().clone();
+        // The goal is what the last step shows.
+        if self.checker.facts().last().is_none_or(|last| last.0 != shown) {
+            self.emit(Rule::Logic { from: vec![shown.to_string()] }, statement.goal.clone())?;
+        }
+        let digest = crate::certificate::text::digest(&statement.text());
+        let whole = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: self.steps };
+        at_once::accepted(claim, whole, cited, limits)
+    }
+
     fn tick(&mut self) -> Result<(), Fail> {
+        self.tries += 1;
         if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
             return Err(Fail::Limit("time"));
         }
-        self.tries = self.tries.checked_sub(1).ok_or(Fail::Limit("steps"))?;
-        Ok(())
+        if self.tries > self.most_tries { Err(Fail::Limit("tries")) } else { Ok(()) }
     }
 
-    /// Adds a step if the draft accepts it; returns its label.
-    fn step(&mut self, mut step: Step) -> Result<String, Fail> {
+    /// Adds a step if the kernel accepts it, citing only what the kernel looks at. Returns the label of the new fact.
+    fn emit(&mut self, rule: Rule, shown: Prop) -> Result<Label, Fail> {
         self.tick()?;
-        if step.rule != Rule::End {
-            step.label = format!("x{}", self.counter + 1);
-        }
-        let used = self.checker.step(&step).map_err(|f| Fail::step(step.rule.name(), f))?;
-        self.trail.push(used);
+        let by = self.signs();
+        let show =
+            Show { label: format!("{}", self.counter + 1), rule, prop: shown, by, using: self.equations.clone() };
+        let label = show.label.clone();
+        let step = match brief::take(&mut self.checker, show.clone()) {
+            Err(_) if !show.using.is_empty() => brief::take(&mut self.checker, Show { using: Vec::new(), ..show }),
+            other => other,
+        };
+        let step = step.map_err(Fail::from)?;
         self.counter += 1;
-        let label = step.label.clone();
         self.steps.push(step);
         Ok(label)
     }
 
-    fn take(&mut self, rule: Rule, from: &[String], prop: Option<Prop>) -> Result<String, Fail> {
-        self.with(rule, from, prop, Vec::new())
+    /// Adds the size of a linear program with these columns to the total.
+    fn spend(&mut self, columns: &[products::Known]) -> Result<(), Fail> {
+        self.spent += columns.len() * columns.iter().map(|c| c.poly.term_count()).sum::<usize>();
+        if self.spent > PROGRAMS { Err(Fail::Limit("linear programs")) } else { Ok(()) }
     }
 
-    fn with(
-        &mut self,
-        rule: Rule,
-        from: &[String],
-        prop: Option<Prop>,
-        with: Vec<(Name, Expr)>,
-    ) -> Result<String, Fail> {
-        self.step(Step { label: String::new(), rule, from: from.to_vec(), prop, with, times: None, terms: Vec::new() })
+    fn combination(&mut self, shown: Prop, terms: Vec<Term>) -> Result<Label, Fail> {
+        self.emit(Rule::Combination { times: None, terms }, shown)
     }
 
-    fn combination(&mut self, prop: Prop, times: Option<Expr>, terms: Vec<Term>) -> Result<String, Fail> {
-        let sides: Vec<Expr> = match &prop.kind {
-            PropKind::Compare(sides, _) => sides.clone(),
-            _ => Vec::new(),
-        };
-        self.prepare(&sides.iter().collect::<Vec<_>>())?;
-        self.step(Step {
-            label: String::new(),
-            rule: Rule::Combination,
-            from: Vec::new(),
-            prop: Some(prop),
-            with: Vec::new(),
-            times,
-            terms,
-        })
+    fn logic(&mut self, from: &[&str], shown: &Prop) -> Result<Label, Fail> {
+        self.emit(Rule::Logic { from: from.iter().map(|l| (*l).to_string()).collect() }, shown.clone())
     }
 
     /// Runs a part of the search; if it fails, restores the state before it.
     fn attempt<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
-        let mark = Mark {
-            checker: self.checker.clone(),
-            steps: self.steps.len(),
-            generators: self.generators.clone(),
-            exponentials: self.exponentials.len(),
-            labels: self.labels.len(),
-            entries: self.entries.len(),
-            introduced: self.introduced.clone(),
-            counter: self.counter,
-        };
+        let mark = self.checker.mark();
+        let (steps, equations, naturals) = (self.steps.len(), self.equations.clone(), self.naturals.clone());
+        let (splits, inductions, enriched) = (self.splits, self.inductions, self.enriched.clone());
+        let (roots, powers) = (self.roots.len(), self.powers.clone());
         let result = run(self);
         if result.is_err() {
-            self.checker = mark.checker;
-            self.steps.truncate(mark.steps);
-            self.trail.truncate(mark.steps);
-            self.generators = mark.generators;
-            self.exponentials.truncate(mark.exponentials);
-            self.labels.truncate(mark.labels);
-            self.entries.truncate(mark.entries);
-            self.introduced = mark.introduced;
-            self.counter = mark.counter;
+            self.checker.back_to(&mark);
+            self.steps.truncate(steps);
+            self.equations = equations;
+            self.naturals = naturals;
+            self.enriched = enriched;
+            self.roots.truncate(roots);
+            self.powers = powers;
+            (self.splits, self.inductions) = (splits, inductions);
         }
         result
     }
 
-    /// Opens a block for a goal, runs something in it and closes it.
-    fn block(&mut self, goal: &Prop, run: impl FnOnce(&mut Self, &str) -> Result<(), Fail>) -> Result<(), Fail> {
-        if self.checker.knows(goal) {
-            return Ok(());
+    /// Proves an implication or a `for all` statement in a block.
+    fn block(&mut self, goal: &Prop, run: impl FnOnce(&mut Self, &str) -> Result<Label, Fail>) -> Result<Label, Fail> {
+        if let Some(label) = self.known(goal) {
+            return Ok(label);
         }
+        let (equations, naturals) = (self.equations.clone(), self.naturals.clone());
+        let (enriched, roots, powers) = (self.enriched.clone(), self.roots.len(), self.powers.clone());
         let rule = if matches!(goal.kind, PropKind::ForAll(..)) { Rule::Let } else { Rule::Suppose };
-        let (generators, labels) = (self.generators.clone(), self.labels.len());
-        let (entries, introduced) = (self.entries.len(), self.introduced.clone());
-        let label = self.take(rule, &[], Some(goal.clone()))?;
-        run(self, &label)?;
-        self.take(Rule::End, &[], None)?;
-        self.generators = generators;
-        self.labels.truncate(labels);
-        self.entries.truncate(entries);
-        self.introduced = introduced;
-        Ok(())
-    }
-
-    /// The hypotheses, with all powers of the claim introduced.
-    fn begin(&mut self, statement: &expand::Statement) -> Result<(), Fail> {
-        let own = self.checker.statement().clone();
-        let mut exprs = Vec::new();
-        own.assumptions.iter().for_each(|p| exprs_in(p, &mut exprs));
-        exprs_in(&own.goal, &mut exprs);
-        direct::argument::exprs_in(&statement.proof, &exprs_in, &mut exprs);
-        self.prepare(&exprs.iter().collect::<Vec<_>>())?;
-        // The domains and hypotheses, not the powers that were introduced beside them.
-        let given = self.checker.facts().iter().filter(|f| f.label().starts_with('h'));
-        let list: Vec<(String, Prop)> = given.map(|f| (f.label().to_string(), (**f.prop()).clone())).collect();
-        for (label, prop) in &list {
-            self.suppose(label, prop)?;
-        }
-        for variable in self.checker.variables().to_vec() {
-            if let Ok(f) = self.checker.scalar(&name(variable.name())) {
-                for poly in f.factors.keys() {
-                    let _ = self.settle(poly, 1);
-                }
+        let block = self.emit(rule, goal.clone())?;
+        let failed = std::mem::take(&mut self.failed);
+        if let PropKind::ForAll(bindings, _) = &goal.kind {
+            for binding in bindings.iter().filter(|b| b.natural) {
+                self.naturals.extend(binding.names.iter().map(|n| n.0.text.clone()));
             }
         }
-        self.prepare(&exprs.iter().collect::<Vec<_>>())?;
-        let first = list.len() - own.assumptions.len();
-        for ((label, _), (_, prop)) in statement.assumptions.iter().zip(list.into_iter().skip(first)) {
-            if let Some(label) = label {
-                self.labels.push((label.clone(), prop));
+        let new: Vec<(Label, Rc<Prop>)> = self
+            .checker
+            .facts()
+            .filter(|(label, _)| label.strip_prefix(block.as_str()).is_some_and(|rest| rest.starts_with(['s', 'd'])))
+            .map(|(l, p)| (l.to_string(), p.clone()))
+            .collect();
+        for (label, fact) in &new {
+            self.take_in(label, fact)?;
+        }
+        let conclusion = run(self, &block);
+        self.failed = failed;
+        let conclusion = conclusion?;
+        let end = Step::End(conclusion);
+        self.checker.step(&end).map_err(Fail::from)?;
+        self.steps.push(end);
+        self.equations = equations;
+        self.naturals = naturals;
+        self.enriched = enriched;
+        self.roots.truncate(roots);
+        self.powers = powers;
+        Ok(block)
+    }
+
+    /// The label of the fact with the same text, if there is one.
+    fn known(&self, wanted: &Prop) -> Option<Label> {
+        self.checker.find(wanted).map(str::to_string)
+    }
+
+    /// The facts whose signs a step may use. A `for all` fact that contains a sum is left out, because the kernel applies
+    /// such a fact inside every sum, where its index may be in use. Only its instances are useful.
+    fn signs(&mut self) -> Vec<Label> {
+        let speaks = |p: &Prop| match &p.kind {
+            PropKind::Compare(..) | PropKind::And(_) => true,
+            PropKind::ForAll(_, body) => !has_an_index(body),
+            _ => false,
+        };
+        let mut labels = Vec::new();
+        for (label, fact) in self.checker.facts() {
+            let speaking = match self.speaking.get(label) {
+                Some(speaking) => *speaking,
+                None => *self.speaking.entry(label.to_string()).or_insert(speaks(fact)),
+            };
+            if speaking {
+                labels.push(label.to_string());
             }
         }
-        Ok(())
+        labels
     }
 
-    /// Uses a fact: adds its parts, and the signs and values that follow from it.
-    fn suppose(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
-        let mut exprs = Vec::new();
-        exprs_in(fact, &mut exprs);
-        self.prepare(&exprs.iter().collect::<Vec<_>>())?;
-        match &fact.kind {
-            PropKind::Compare(sides, relations) if relations.len() == 1 => {
-                self.unfold_all(&sides.iter().collect::<Vec<_>>())?;
-                self.exploit(label, fact)
-            }
-            PropKind::Compare(sides, relations) => {
-                for (pair, relation) in sides.windows(2).zip(relations) {
-                    let part = compare(pair[0].clone(), *relation, pair[1].clone());
-                    let label = self.take(Rule::Part, &[label.to_string()], Some(part.clone()))?;
-                    self.suppose(&label, &part)?;
-                }
-                Ok(())
-            }
-            PropKind::And(list) => {
-                for part in list {
-                    let label = self.take(Rule::Part, &[label.to_string()], Some(part.clone()))?;
-                    self.suppose(&label, part)?;
-                }
-                Ok(())
-            }
-            PropKind::Not(inner) => match negation(inner) {
-                Some(p) => {
-                    let label = self.take(Rule::Negation, &[label.to_string()], Some(p.clone()))?;
-                    self.suppose(&label, &p)
-                }
-                None => Ok(()),
-            },
-            _ => Ok(()),
-        }
+    /// The facts known now. It is a copy, because steps taken during a walk add more facts.
+    fn facts(&self) -> Vec<(Label, Rc<Prop>)> {
+        self.checker.facts().map(|(l, p)| (l.to_string(), p.clone())).collect()
     }
 
-    /// The labels of the facts known now. It is a copy, because steps taken during a walk add more facts.
-    fn facts(&self) -> Vec<(String, Rc<Prop>)> {
-        self.checker.facts().iter().map(|f| (f.label().to_string(), f.prop().clone())).collect()
+    fn fact(&self, label: &str) -> Option<Prop> {
+        self.checker.fact_of(label).map(|fact| (**fact).clone())
     }
 
-    fn label_of(&self, fact: &Prop) -> Option<String> {
-        let key = text::prop(fact);
-        self.checker.facts().iter().rev().find(|f| f.key() == key).map(|f| f.label().to_string())
+    /// A name that is not in use anywhere.
+    fn fresh(&mut self, stem: &str) -> String {
+        let fresh = (1..).map(|k| format!("{stem}{k}")).find(|n| !self.names.contains(n)).unwrap_or_default();
+        self.names.insert(fresh.clone());
+        fresh
     }
+}
+
+/// Whether a proposition contains a sum or product over an index.
+fn has_an_index(p: &Prop) -> bool {
+    let mut found = BTreeSet::new();
+    let mut sides = Vec::new();
+    goals::sides_in(p, &mut sides);
+    sides.iter().for_each(|e| crate::claim::walk::indices(e, &mut found));
+    !found.is_empty()
+}
+
+/// `P => Q`.
+fn implies(p: &Prop, q: &Prop) -> Prop {
+    prop(PropKind::Implies(Box::new(p.clone()), Box::new(q.clone())))
+}
+
+/// Substitutes a value for a name in a proposition.
+fn put(p: &Prop, name: &str, value: &Expr) -> Result<Prop, Fail> {
+    let mut map = Substitution::default();
+    map.replace(name, value);
+    map.prop(p).map_err(Fail::from)
 }

@@ -1,368 +1,503 @@
-//! For each base, generators: powers such that all other powers of the base are products of these with whole exponents.
+//! Powers with one base are written by few of them: `x^(1/3)` and `sqrt(x)` by `x^(1/6)`, `x^((n + 1)/n)` by `x` and `x^(1/n)`.
+//!
+//! Method: the exponents of a base span a lattice over the whole numbers. A basis of it gives the powers by which all others are
+//! written, as products with whole exponents. Where the basis of a variable has no 1, the variable is written so too: then nothing
+//! but polynomials is left. Such a power gets a name, which is positive.
+//!
+//! Powers whose exponents are natural numbers by their form need none of this: the kernel multiplies them out.
 
-use super::draft::Rule;
 use super::lattice::{chosen, reduced, whole_coordinates};
-use super::polynomials::{factored, from_algebra, to_algebra};
-use super::write::{multiplied, negated, quotient};
-use super::{Certifier, Fail};
+use super::letters::{product, whole_power};
+use super::{Fail, Prover};
 use crate::algebra::Polynomial;
+use crate::algebra::gcd::gcd;
+use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::fraction::{Fraction, Poly, Work};
-use crate::kernel::statement::{apply, compare, expr};
-use crate::kernel::words::whole_power;
-use crate::prove::draft::translate::Atom;
+use crate::kernel::key;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{apply, compare, expr, name, numeral};
+use crate::refute::closed::primes;
+use crate::refute::literal::literal;
+use malachite::base::num::arithmetic::traits::{Abs, Gcd, Lcm};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Integer, Natural, Rational};
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
-/// A generator: a power in which others are written.
-#[derive(Clone, Debug)]
-pub(super) struct Generator {
-    base: Poly,
-    exponent: Fraction,
-    expr: Expr,
+/// How often powers may be written anew because of powers within powers.
+const ROUNDS: usize = 6;
+
+/// The most choices of exponents that are tried as a basis.
+const CHOICES: usize = 500;
+
+/// An exponent: a quotient of polynomials without a common factor.
+#[derive(Clone, Debug, PartialEq)]
+struct Exponent {
+    top: Polynomial,
+    bottom: Polynomial,
 }
 
-/// The most choices of exponents that are tried as generators.
-const CHOICES: usize = 2000;
-
-impl Certifier {
-    /// Introduces every power in these expressions.
-    pub(crate) fn prepare(&mut self, exprs: &[&Expr]) -> Result<(), Fail> {
-        let mut list = Vec::new();
-        exprs.iter().for_each(|e| powers_in(e, &mut list));
-        list.retain(|e| !self.introduced.contains(&crate::kernel::text::expr(e)));
-        if list.is_empty() {
-            return Ok(());
+impl Exponent {
+    fn new(top: Polynomial, bottom: Polynomial) -> Option<Exponent> {
+        if bottom.is_zero() {
+            return None;
         }
-        for _ in 0..16 {
-            let mut pending: Vec<(Expr, Fraction)> = Vec::new();
-            for e in &list {
-                let Ok(log) = self.checker.log(e) else { continue };
-                if self.checker.exponential(&log).is_err() && !pending.iter().any(|p| p.0 == *e) {
-                    let whole = match &e.kind {
-                        ExprKind::Power(_, exponent) => {
-                            self.checker.scalar(exponent).is_ok_and(|k| k.as_integer().is_some())
-                        }
-                        _ => false,
-                    };
-                    if !whole {
-                        pending.push((e.clone(), log));
-                    }
-                }
-            }
-            if pending.is_empty() {
-                for e in &list {
-                    if let Ok(log) = self.checker.log(e)
-                        && self.checker.exponential(&log).is_ok()
-                    {
-                        self.introduced.insert(crate::kernel::text::expr(e));
-                    }
-                }
-                return Ok(());
-            }
-            self.introduce(&pending)?;
-        }
-        Ok(())
+        let common = gcd(&top, &bottom).ok().filter(|g| !g.is_zero())?;
+        let (top, bottom) = (top.exact_divide(&common)?, bottom.exact_divide(&common)?);
+        let lead = Rational::ONE / bottom.leading_coefficient();
+        Some(Exponent { top: top.scale(&lead), bottom: bottom.scale(&lead) })
     }
 
-    /// The logarithm as a sum over bases, each with its exponent.
-    fn exponents(&mut self, log: &Fraction) -> Result<Vec<(Poly, Fraction)>, Fail> {
-        let work = Work::default();
-        let (top, bottom) = log.parts(&work).map_err(Fail::from)?;
-        let mut out = Vec::new();
-        let mut rest = top.clone();
-        let atoms: std::collections::BTreeSet<usize> = top.atoms().collect();
-        for atom in atoms {
-            let Some(Atom::Logarithm(base)) = self.checker.atom(atom).cloned() else { continue };
-            let parts = rest.coefficients(atom);
-            if parts.keys().any(|k| *k > 1) {
-                return Err(Fail::No("a power with a logarithm in its exponent"));
-            }
-            if let Some(coefficient) = parts.get(&1) {
-                let exponent =
-                    multiplied(&Fraction::of(coefficient), &Fraction::of(&bottom).power(-1).map_err(Fail::from)?)?;
-                out.push((base, simplified(&exponent)?));
-            }
-            rest = parts.get(&0).cloned().unwrap_or_default();
-        }
-        if rest.terms().next().is_some() {
-            let exponent = multiplied(&Fraction::of(&rest), &Fraction::of(&bottom).power(-1).map_err(Fail::from)?)?;
-            out.push((natural_base(), simplified(&exponent)?));
-        }
-        Ok(out)
+    fn is_number(&self) -> bool {
+        self.top.is_constant() && self.bottom.is_constant()
     }
 
-    fn introduce(&mut self, pending: &[(Expr, Fraction)]) -> Result<(), Fail> {
-        let mut decomposed = Vec::new();
-        let mut wanted: Vec<(Poly, Vec<Fraction>)> = Vec::new();
-        for (_, log) in pending {
-            let parts = self.exponents(log)?;
-            for (base, exponent) in &parts {
-                match wanted.iter_mut().find(|w| w.0 == *base) {
-                    Some(w) if !w.1.contains(exponent) => w.1.push(exponent.clone()),
-                    Some(_) => {}
-                    None => wanted.push((base.clone(), vec![exponent.clone()])),
-                }
-            }
-            decomposed.push(parts);
-        }
-        for (base, exponents) in &wanted {
-            if self.generate(base, exponents)? {
-                // Powers are written otherwise now, and so are the bases that hold them.
-                return Ok(());
-            }
-        }
-        for ((e, _), parts) in pending.iter().zip(&decomposed) {
-            let mut factors = Vec::new();
-            for (base, exponent) in parts {
-                factors.extend(self.written(base, exponent)?);
-            }
-            // Already introduced as a generator.
-            let log = self.checker.log(e).map_err(Fail::from)?;
-            if self.checker.exponential(&log).is_ok() {
-                continue;
-            }
-            let value = product_of(&factors);
-            self.take(Rule::Power, &[], Some(compare(e.clone(), Relation::Equal, value)))?;
-            self.entries.push((e.clone(), parts.clone()));
-        }
-        Ok(())
+    /// Its opposite where it begins with a minus sign.
+    fn upright(self) -> Exponent {
+        if self.top.leading_coefficient() < 0 { Exponent { top: self.top.neg(), ..self } } else { self }
     }
 
-    /// Extends the generators of a base until they suffice for these exponents. Returns whether generators were replaced
-    /// by finer ones.
-    fn generate(&mut self, base: &Poly, exponents: &[Fraction]) -> Result<bool, Fail> {
-        if exponents.iter().all(|e| self.written(base, e).is_ok()) {
-            return Ok(false);
-        }
-        let is_atom = base.single_atom().is_some();
-        let one = Fraction::integer(1);
-        // The base itself counts: it occurs by itself; the number e does not.
-        let natural = *base == natural_base();
-        let mut all = if natural { Vec::new() } else { vec![one.clone()] };
-        all.extend(self.generators.iter().filter(|g| g.base == *base).map(|g| g.exponent.clone()));
-        all.extend(exponents.iter().cloned());
-        all.dedup();
-        let number = base.atoms().next().is_none();
-        let basis = match choose(&all, is_atom || natural)? {
-            // A number stays as it is written: it cannot be a power of something else.
-            Some(basis) if natural || !number || basis.contains(&one) => basis,
-            _ => {
-                // Without the base itself, where it is a sum.
-                choose(all.get(1..).unwrap_or_default(), true)?.ok_or("no generators for these exponents")?
+    fn number(k: Rational) -> Exponent {
+        Exponent { top: Polynomial::constant(k), bottom: Polynomial::one() }
+    }
+
+    fn one() -> Exponent {
+        Exponent::number(Rational::ONE)
+    }
+
+    fn times(&self, other: &Exponent) -> Option<Exponent> {
+        Exponent::new(self.top.try_mul(&other.top).ok()?, self.bottom.try_mul(&other.bottom).ok()?)
+    }
+
+    fn plus(&self, other: &Exponent) -> Option<Exponent> {
+        let (a, b) = (self.top.try_mul(&other.bottom).ok()?, other.top.try_mul(&self.bottom).ok()?);
+        Exponent::new(a.add(&b), self.bottom.try_mul(&other.bottom).ok()?)
+    }
+}
+
+/// A product of powers: positive bases with their exponents.
+type Product = Vec<(Polynomial, Exponent)>;
+
+/// A power by which others are written.
+#[derive(Clone, Debug)]
+struct Generator {
+    base: Polynomial,
+    exponent: Exponent,
+    written: Expr,
+}
+
+/// The powers that are written by others so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Powers {
+    generators: Vec<Generator>,
+    /// The powers that were met, as text.
+    met: BTreeSet<String>,
+    /// The names of roots by which variables are written.
+    roots: BTreeSet<String>,
+}
+
+impl Prover {
+    /// Writes the powers in these expressions by as few of them as possible.
+    pub(super) fn write_powers(&mut self, exprs: &[&Expr]) {
+        for round in 0..ROUNDS {
+            let letters = self.letters_in(exprs);
+            if round == 0 {
+                self.write_exponentials(&letters);
             }
-        };
-        let base_expr = self.poly_expr(base).map_err(|e| e.within("base"))?;
-        let mut fresh = Vec::new();
-        for exponent in &basis {
-            if *exponent == one && !natural {
-                continue;
-            }
-            if self.generators.iter().any(|g| g.base == *base && g.exponent == *exponent) {
-                continue;
-            }
-            let exponent_expr = self.fraction_expr(exponent)?;
-            let power = if natural {
-                apply("exp", exponent_expr)
-            } else {
-                expr(ExprKind::Power(Box::new(base_expr.clone()), Box::new(exponent_expr)))
-            };
-            self.take(Rule::Power, &[], Some(compare(power.clone(), Relation::Equal, power.clone())))?;
-            let value = self.checker.scalar(&power).map_err(Fail::from)?;
-            let atom = value.factors.keys().next().and_then(Poly::single_atom).ok_or("no atom")?;
-            self.exponentials.push((atom, power.clone()));
-            fresh.push(Generator { base: base.clone(), exponent: exponent.clone(), expr: power });
-        }
-        let dropped: Vec<Generator> =
-            self.generators.iter().filter(|g| g.base == *base && !basis.contains(&g.exponent)).cloned().collect();
-        self.generators.retain(|g| g.base != *base || basis.contains(&g.exponent));
-        self.generators.extend(fresh);
-        if is_atom && !basis.contains(&one) {
-            let factors = self.written(base, &one)?;
-            let prop = compare(base_expr, Relation::Equal, product_of(&factors));
-            let label = self.take(Rule::Logarithm, &[], Some(prop))?;
-            self.take(Rule::Replace, &[label], None)?;
-            self.introduced.clear();
-            // Facts about the variable are noted again, in the new generators.
-            if let Some(Atom::Variable(variable)) = base.single_atom().and_then(|a| self.checker.atom(a)).cloned() {
-                self.note_again(&variable);
-            }
-        }
-        if !dropped.is_empty() {
-            // Powers written in replaced generators are written in the new ones.
-            self.introduced.clear();
-            for old in &dropped {
-                self.exponentials.retain(|x| x.1 != old.expr);
-                let factors = self.written(base, &old.exponent).map_err(|e| e.within("powers"))?;
-                self.take(Rule::Power, &[], Some(compare(old.expr.clone(), Relation::Equal, product_of(&factors))))?;
-            }
-            for (e, parts) in self.entries.clone() {
-                if !parts.iter().any(|p| p.0 == *base) {
+            let mut open = Vec::new();
+            exprs.iter().for_each(|e| powers_in(e, &mut open));
+            open.extend(letters.into_iter().filter(|e| super::letters::as_power(e).is_some()));
+            let mut found: Vec<(Expr, Product)> = Vec::new();
+            for e in open {
+                let text = key::expr(&e);
+                if self.powers.met.contains(&text) || self.is_multiplied_out(&e) || found.iter().any(|f| f.0 == e) {
                     continue;
                 }
-                let mut factors = Vec::new();
-                for (base, exponent) in &parts {
-                    let Ok(list) = self.written(base, exponent) else { continue };
-                    factors.extend(list);
+                match self.as_product(&e) {
+                    Some(product) if !product.is_empty() => found.push((e, product)),
+                    _ => {
+                        Rc::make_mut(&mut self.powers).met.insert(text);
+                    }
                 }
-                let _ = self.take(Rule::Power, &[], Some(compare(e, Relation::Equal, product_of(&factors))));
+            }
+            if found.is_empty() {
+                return;
+            }
+            // Powers within others first, and roots: exponents may hold them.
+            let inside = |e: &Expr| {
+                let mut list = Vec::new();
+                powers_in(e, &mut list);
+                list.pop();
+                list
+            };
+            let open: Vec<Expr> = found.iter().map(|f| f.0.clone()).collect();
+            found.retain(|f| !inside(&f.0).iter().any(|e| open.contains(e)));
+            if found.iter().any(|f| f.1.iter().all(|p| p.1.is_number())) {
+                found.retain(|f| f.1.iter().all(|p| p.1.is_number()));
+            }
+            let mut bases: Vec<(Polynomial, Vec<Exponent>)> = Vec::new();
+            for (base, exponent) in found.iter().flat_map(|f| &f.1) {
+                match bases.iter_mut().find(|b| b.0 == *base) {
+                    Some((_, list)) if list.contains(exponent) => {}
+                    Some((_, list)) => list.push(exponent.clone()),
+                    None => bases.push((base.clone(), vec![exponent.clone()])),
+                }
+            }
+            // A variable that is written otherwise changes what the powers are made of.
+            if bases.iter().any(|(base, exponents)| self.generate(base, exponents)) {
+                continue;
+            }
+            for (e, product) in found {
+                Rc::make_mut(&mut self.powers).met.insert(key::expr(&e));
+                self.write_power(&e, &product);
             }
         }
-        Ok(!dropped.is_empty() || (is_atom && !basis.contains(&one)))
     }
 
-    /// The exponents of the generators of a variable, and the differences of two of them.
-    pub(crate) fn exponents_of(&self, variable: &Fraction) -> Vec<Expr> {
-        let bases: Vec<&Poly> = variable.factors.keys().collect();
-        let logs: Vec<&Generator> = self
-            .generators
-            .iter()
-            .filter(|g| {
-                bases.contains(&&g.base)
-                    || bases.iter().any(|b| {
-                        b.single_atom().is_some_and(|a| self.exponentials.iter().any(|x| x.0 == a && x.1 == g.expr))
-                    })
-            })
-            .collect();
-        let mut out = Vec::new();
-        for g in &logs {
-            out.extend(self.fraction_expr(&g.exponent));
+    /// Puts generators in the place of a power.
+    fn write_power(&mut self, e: &Expr, product: &Product) {
+        let factors: Option<Vec<Expr>> = product.iter().map(|(b, q)| self.by_generators(b, q)).collect();
+        let Some(factors) = factors else { return };
+        let right = super::letters::product(factors);
+        if key::expr(&right) == key::expr(e) {
+            return;
         }
-        for g in &logs {
-            for h in &logs {
-                if g.base == h.base && g.exponent != h.exponent {
-                    let difference = g.exponent.minus(&h.exponent, &Work::default());
-                    out.extend(
-                        difference
-                            .map_err(Fail::from)
-                            .and_then(|d| simplified(&d))
-                            .and_then(|d| self.fraction_expr(&d)),
-                    );
+        let shown = compare(e.clone(), Relation::Equal, right);
+        let mut done = self.plainly(Rule::Power, &shown).or_else(|_| self.emit(Rule::Power, shown.clone()));
+        if done.is_err() {
+            self.define(e);
+            done = self.emit(Rule::Power, shown);
+        }
+        if let Ok(label) = done {
+            self.put_in(&label);
+        }
+    }
+
+    /// What was written by generators of before is written by those of now, since these are put in their places.
+    fn write_generators_anew(&mut self, before: Vec<Generator>) {
+        for g in before {
+            if !self.powers.generators.iter().any(|new| new.base == g.base && new.exponent == g.exponent) {
+                self.write_power(&g.written, &vec![(g.base, g.exponent)]);
+            }
+        }
+    }
+
+    /// Writes exponentials exp(c·x) with one x by one of them: exp(x) by exp(x/2).
+    fn write_exponentials(&mut self, letters: &[Expr]) {
+        let mut found: Vec<(Exponent, Rational, &Expr)> = Vec::new();
+        for e in letters {
+            let ExprKind::Apply(f, list) = &e.kind else { continue };
+            let ([x], "exp") = (list.as_slice(), f.text.as_str()) else { continue };
+            let Some(q) = self.exponent(x).filter(|q| !q.top.is_zero()) else { continue };
+            let c = q.top.leading_coefficient();
+            found.push((Exponent { top: q.top.scale(&(Rational::ONE / &c)), ..q }, c, e));
+        }
+        while let Some((unit, _, _)) = found.first().cloned() {
+            let (own, rest): (Vec<_>, Vec<_>) = found.into_iter().partition(|f| f.0 == unit);
+            found = rest;
+            let step = own.iter().fold(Rational::ZERO, |g, f| common_step(&g, &f.1));
+            for (_, c, e) in own.iter().filter(|f| f.1 != step) {
+                let Some(k) = i64::try_from(&Integer::try_from(c / &step).unwrap_or(Integer::ZERO)).ok() else {
+                    continue;
+                };
+                let small = Exponent { top: unit.top.scale(&step), ..unit.clone() };
+                let right = whole_power(apply("exp", self.written_exponent(&small)), k);
+                let shown = compare((*e).clone(), Relation::Equal, right);
+                if Rc::make_mut(&mut self.powers).met.insert(key::expr(e))
+                    && let Ok(label) = self.plainly(Rule::Power, &shown)
+                {
+                    self.put_in(&label);
                 }
+            }
+        }
+    }
+
+    /// Whether the kernel multiplies a power out, since its exponent is a whole number by its form.
+    fn is_multiplied_out(&self, e: &Expr) -> bool {
+        let is_natural = |n: &str| self.naturals.iter().any(|m| m == n);
+        matches!(&e.kind, ExprKind::Power(_, k) if crate::claim::definedness::is_whole(k, &is_natural))
+    }
+
+    /// A step without equations put in.
+    fn plainly(&mut self, rule: Rule, shown: &Prop) -> Result<Label, Fail> {
+        let equations = std::mem::take(&mut self.equations);
+        let label = self.emit(rule, shown.clone());
+        self.equations = equations;
+        label
+    }
+
+    /// A power as a product of powers of bases that are positive.
+    fn as_product(&mut self, e: &Expr) -> Option<Product> {
+        let (base, exponent) = super::letters::as_power(e)?;
+        let exponent = self.exponent(&exponent)?;
+        let mut out = Product::new();
+        for (base, k) in self.bases(&base)? {
+            let q = exponent.times(&k)?;
+            match out.iter_mut().find(|p| p.0 == base) {
+                Some(p) => p.1 = p.1.plus(&q)?,
+                None => out.push((base, q)),
+            }
+        }
+        out.retain(|p| !p.1.top.is_zero());
+        // Roots of other things than variables are left to what is known of radicals.
+        let is_root = out.iter().all(|p| p.1.is_number());
+        let of_variables = out.iter().all(|p| self.is_variable(&p.0));
+        (!is_root || of_variables).then_some(out)
+    }
+
+    /// Whether a polynomial is a variable of the claim that is no natural number, or a root by which one is written. Names that other
+    /// methods give are left alone.
+    fn is_variable(&self, p: &Polynomial) -> bool {
+        let Some(ExprKind::Name(n)) = self.single_letter(p).map(|e| e.kind) else { return false };
+        !self.naturals.contains(&n) && (self.own_names.contains(&n) || self.powers.roots.contains(&n))
+    }
+
+    /// An expression as a product of powers of polynomials that are positive, and of prime numbers.
+    fn bases(&mut self, e: &Expr) -> Option<Product> {
+        let reading = self.read(e, true)?;
+        let mut out = Product::new();
+        for (p, k) in primes(&reading.number)? {
+            out.push((Polynomial::constant(Rational::from(p)), Exponent::number(Rational::from(k))));
+        }
+        for f in &reading.factors {
+            if !f.signs.within(Signs::POSITIVE) {
+                return None;
+            }
+            let k = Exponent::number(Rational::from(f.power));
+            // A power within a power: exponents multiply.
+            let inner = self.single_letter(&f.poly).filter(|e| super::letters::as_power(e).is_some());
+            match inner.and_then(|e| self.as_product(&e)) {
+                Some(product) => {
+                    for (base, q) in product {
+                        out.push((base, q.times(&k)?));
+                    }
+                }
+                None => out.push((f.poly.clone(), k)),
+            }
+        }
+        Some(out)
+    }
+
+    /// What a polynomial that is a letter stands for.
+    fn single_letter(&self, p: &Polynomial) -> Option<Expr> {
+        let [v] = p.variables()[..] else { return None };
+        (*p == Polynomial::variable(v)).then(|| self.letters.expr(v).cloned()).flatten()
+    }
+
+    fn exponent(&mut self, e: &Expr) -> Option<Exponent> {
+        let reading = self.read(e, false)?;
+        let (mut top, mut bottom) = (Polynomial::constant(reading.number), Polynomial::one());
+        for f in &reading.factors {
+            let power = f.poly.pow(u32::try_from(f.power.unsigned_abs()).ok()?).ok()?;
+            let side = if f.power > 0 { &mut top } else { &mut bottom };
+            *side = side.try_mul(&power).ok()?;
+        }
+        Exponent::new(top, bottom)
+    }
+
+    fn written_exponent(&self, q: &Exponent) -> Expr {
+        let top = self.letters.written(&q.top);
+        if q.bottom.is_one() { top } else { super::limits::over(top, self.letters.written(&q.bottom)) }
+    }
+
+    /// Chooses the powers by which those of a base are written. Returns whether the base itself is written by one of them.
+    fn generate(&mut self, base: &Polynomial, exponents: &[Exponent]) -> bool {
+        if exponents.iter().all(|q| self.coordinates_of(base, q).is_some()) {
+            return false;
+        }
+        let may_be_replaced = self.is_variable(base) && self.powers.is_free(base);
+        let mut all = vec![Exponent::one()];
+        all.extend(self.powers.generators.iter().filter(|g| g.base == *base).map(|g| g.exponent.clone()));
+        all.extend(exponents.iter().cloned().map(Exponent::upright));
+        // A variable is written by one root; where it takes more powers, it stays.
+        let free = if may_be_replaced { basis_of(&all, true).filter(|basis| basis.len() == 1) } else { None };
+        let Some(basis) = free.or_else(|| basis_of(&all, false)) else { return false };
+        let replaces = !basis.contains(&Exponent::one());
+        let text = self.letters.written(base);
+        let mut new = Vec::new();
+        for exponent in basis.into_iter().filter(|q| *q != Exponent::one()) {
+            let power = expr(ExprKind::Power(Box::new(text.clone()), Box::new(self.written_exponent(&exponent))));
+            Rc::make_mut(&mut self.powers).met.insert(key::expr(&power));
+            new.push(Generator { base: base.clone(), exponent, written: power });
+        }
+        if !replaces || !may_be_replaced {
+            let powers = Rc::make_mut(&mut self.powers);
+            let (before, others) = powers.generators.drain(..).partition(|g| g.base == *base);
+            powers.generators = others;
+            powers.generators.extend(new);
+            self.write_generators_anew(before);
+            return false;
+        }
+        let before = self.powers.clone();
+        let [only] = new.as_slice() else { return false };
+        let power = only.written.clone();
+        Rc::make_mut(&mut self.powers).generators.extend(new);
+        let done = self.attempt(|c| {
+            let root = c.named_power(&power)?;
+            let right = c.by_generators(base, &Exponent::one()).ok_or(Fail::No("a power of a root"))?;
+            let label = c.plainly(Rule::Power, &compare(text.clone(), Relation::Equal, right))?;
+            c.put_in(&label);
+            c.put_in(&root);
+            Ok(())
+        });
+        if done.is_err() {
+            self.powers = before;
+        }
+        done.is_ok()
+    }
+
+    /// Gives a power a name, and shows that it is positive. Returns the label of `power = name`.
+    fn named_power(&mut self, power: &Expr) -> Result<Label, Fail> {
+        let fresh = self.fresh("r");
+        let new = name(&fresh);
+        Rc::make_mut(&mut self.powers).roots.insert(fresh);
+        let label = self.plainly(Rule::Name, &compare(power.clone(), Relation::Equal, new.clone()))?;
+        let term = |facts: Vec<Label>, factor: Expr| Term { facts, factor };
+        let terms = vec![term(vec![label.clone()], literal(&Rational::from(-1))), term(Vec::new(), power.clone())];
+        let positive = compare(new, Relation::Greater, numeral(0));
+        self.plainly(Rule::Combination { times: None, terms }, &positive)?;
+        Ok(label)
+    }
+
+    /// The generators of a base with the whole exponents that give a power of it, with the base itself among them if it has to be.
+    fn coordinates_of(&self, base: &Polynomial, q: &Exponent) -> Option<Vec<(Expr, i64)>> {
+        let own = self.powers.generators.iter().filter(|g| g.base == *base);
+        let mut list: Vec<(Exponent, Expr)> = vec![(Exponent::one(), self.letters.written(base))];
+        list.extend(own.map(|g| (g.exponent.clone(), g.written.clone())));
+        // A base that is written by its only generator counts as that power.
+        for skip in [0, 1] {
+            let list = list.get(skip..).unwrap_or_default();
+            let mut exponents: Vec<Exponent> = list.iter().map(|l| l.0.clone()).collect();
+            exponents.push(q.clone());
+            let mut vectors = vectors(&exponents)?;
+            let target = vectors.pop()?;
+            if let Some(k) = whole_coordinates(&vectors, &target) {
+                return Some(list.iter().map(|l| l.1.clone()).zip(k).collect());
+            }
+        }
+        None
+    }
+
+    /// The exponents with which powers of an expression occur, and the differences of two of them.
+    pub(super) fn exponents_met(&mut self, e: &Expr) -> Vec<Expr> {
+        let Some(reading) = self.read(e, false) else { return Vec::new() };
+        let bases: Vec<&Polynomial> = reading.factors.iter().map(|f| &f.poly).collect();
+        let own: Vec<&Generator> = self.powers.generators.iter().filter(|g| bases.contains(&&g.base)).collect();
+        let mut out: Vec<Expr> = own.iter().map(|g| self.written_exponent(&g.exponent)).collect();
+        for g in &own {
+            for h in own.iter().filter(|h| h.base == g.base && h.exponent != g.exponent) {
+                let opposite = Exponent { top: h.exponent.top.neg(), ..h.exponent.clone() };
+                out.extend(g.exponent.plus(&opposite).map(|q| self.written_exponent(&q)));
             }
         }
         out
     }
 
-    /// base^exponent in the generators: expressions with whole exponents.
-    fn written(&self, base: &Poly, exponent: &Fraction) -> Result<Vec<(Expr, i64)>, Fail> {
-        let mut list: Vec<(Fraction, Expr)> =
-            self.generators.iter().filter(|g| g.base == *base).map(|g| (g.exponent.clone(), g.expr.clone())).collect();
-        let replaced = base.single_atom().is_some_and(|a| self.checker.resolved(a) != Fraction::atom(a));
-        if !replaced && *base != natural_base() {
-            list.push((Fraction::integer(1), self.poly_expr(base)?));
-        }
-        let basis: Vec<Fraction> = list.iter().map(|l| l.0.clone()).collect();
-        let mut both = basis.clone();
-        both.push(exponent.clone());
-        let mut vectors = vectors(&both)?;
-        let target = vectors.pop().unwrap_or_default();
-        // The base itself may be superfluous: the others are tried alone.
-        for count in [vectors.len(), vectors.len().saturating_sub(usize::from(!replaced))] {
-            if let Some(k) = whole_coordinates(vectors.get(..count).unwrap_or_default(), &target) {
-                return Ok(k.into_iter().zip(&list).filter(|(k, _)| *k != 0).map(|(k, l)| (l.1.clone(), k)).collect());
-            }
-        }
-        Err(Fail::No("a power that the generators do not give"))
+    /// A power of a base as a product of its generators.
+    fn by_generators(&self, base: &Polynomial, q: &Exponent) -> Option<Expr> {
+        let list = self.coordinates_of(base, q)?;
+        Some(product(list.into_iter().filter(|(_, k)| *k != 0).map(|(e, k)| whole_power(e, k)).collect()))
     }
 }
 
-/// Stands for the base e of exponentials: no polynomial that is positive has no terms.
-fn natural_base() -> Poly {
-    Poly::default()
-}
-
-fn product_of(factors: &[(Expr, i64)]) -> Expr {
-    let side = |positive: bool| {
-        factors
-            .iter()
-            .filter(|f| (f.1 > 0) == positive)
-            .map(|(e, k)| whole_power(e.clone(), k.unsigned_abs()))
-            .collect::<Vec<_>>()
-    };
-    quotient(side(true), side(false))
-}
-
-/// A fraction with common factors of numerator and denominator cancelled where these are factors of
-/// the denominator as it stands.
-pub(crate) fn simplified(f: &Fraction) -> Result<Fraction, Fail> {
-    let work = Work::default();
-    let (top, bottom) = f.parts(&work).map_err(Fail::from)?;
-    let (mut top, mut bottom) = (to_algebra(&top)?, to_algebra(&bottom)?);
-    let common = crate::algebra::gcd::gcd(&top, &bottom).map_err(|_| "a limit in a greatest common divisor")?;
-    if !common.is_constant() {
-        top = top.exact_divide(&common).unwrap_or(top);
-        bottom = bottom.exact_divide(&common).unwrap_or(bottom);
+impl Powers {
+    /// Whether a base has no generators.
+    fn is_free(&self, base: &Polynomial) -> bool {
+        self.generators.iter().all(|g| g.base != *base)
     }
-    let (top, bottom) = (factored(&top)?, factored(&bottom)?);
-    multiplied(&top, &bottom.power(-1).map_err(Fail::from)?)
 }
 
-/// The product of all factors by which some of these are divided, each as often as it is there.
-fn common_denominator(list: &[Fraction]) -> Fraction {
-    let mut common = Fraction::integer(1);
-    for f in list {
-        for (poly, k) in &f.factors {
-            let entry = common.factors.entry(poly.clone()).or_insert(0);
-            *entry = (*entry).max(-*k);
-        }
-    }
-    common.factors.retain(|_, k| *k > 0);
-    common
+/// The largest number of which both are multiples; positive unless both are 0.
+fn common_step(a: &Rational, b: &Rational) -> Rational {
+    let scale = Rational::from(a.denominator_ref().lcm(b.denominator_ref()));
+    let whole = |q: &Rational| Natural::try_from((q * &scale).abs()).unwrap_or(Natural::ZERO);
+    Rational::from(whole(a).gcd(whole(b))) / scale
 }
 
-/// The exponents over a common denominator.
-fn vectors(list: &[Fraction]) -> Result<Vec<Polynomial>, Fail> {
-    let common = common_denominator(list);
-    let work = Work::default();
-    list.iter().map(|f| to_algebra(&multiplied(f, &common)?.expanded(&work).map_err(Fail::from)?)).collect()
+/// The product of all divisors of exponents, each as often as one of them needs it.
+fn common_denominator(list: &[Exponent]) -> Option<Polynomial> {
+    list.iter().try_fold(Polynomial::one(), |common, q| {
+        let shared = gcd(&common, &q.bottom).ok()?;
+        common.try_mul(&q.bottom.exact_divide(&shared)?).ok()
+    })
 }
 
-/// Exponents that generate all with whole coordinates: some of them if possible, else by reduction of
-/// the lattice. With `free` the first may be left out.
-fn choose(all: &[Fraction], free: bool) -> Result<Option<Vec<Fraction>>, Fail> {
+/// Exponents over a common denominator.
+fn vectors(list: &[Exponent]) -> Option<Vec<Polynomial>> {
+    let common = common_denominator(list)?;
+    list.iter().map(|q| q.top.try_mul(&common.exact_divide(&q.bottom)?).ok()).collect()
+}
+
+/// Exponents that give all of these with whole coordinates: some of them if possible. With `free` the first may be left out, and
+/// where none suffice a basis of the lattice that they span is taken.
+fn basis_of(all: &[Exponent], free: bool) -> Option<Vec<Exponent>> {
     let list = vectors(all)?;
-    if let Some(places) = chosen(&list, CHOICES, &|_| true) {
-        return Ok(Some(places.iter().map(|p| all[*p].clone()).collect()));
+    if let Some(places) = chosen(&list, CHOICES, &|places| free || places.contains(&0)) {
+        return Some(places.iter().map(|p| all[*p].clone()).collect());
     }
     if !free {
-        return Ok(None);
+        return basis_of(all.get(1..).filter(|rest| !rest.is_empty())?, true);
     }
-    let inverse = common_denominator(all).power(-1).map_err(Fail::from)?;
-    let exponent = |p: &Polynomial| simplified(&multiplied(&from_algebra(p)?, &inverse)?);
-    reduced(&list).iter().map(exponent).collect::<Result<_, _>>().map(Some)
+    let common = common_denominator(all)?;
+    reduced(&list).into_iter().map(|top| Exponent::new(top, common.clone())).collect()
 }
 
-/// The powers, roots and exponentials in an expression, innermost first; those under a bound index
-/// are left out.
+/// The powers in an expression whose exponents are no numerals, innermost first; those under a bound index are left out.
 fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
+    let mut each = |list: &mut dyn Iterator<Item = &Expr>| list.for_each(|e| powers_in(e, out));
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) => {}
-        ExprKind::Apply(f, arguments) => {
-            arguments.iter().for_each(|a| powers_in(a, out));
-            match (f.text.as_str(), arguments.first()) {
-                ("sqrt" | "cbrt" | "exp", _) => out.push(e.clone()),
-                ("cosh" | "sinh" | "tanh" | "sech", Some(x)) => {
-                    for x in [x.clone(), negated(x.clone())] {
-                        out.push(apply("exp", x));
-                    }
-                }
-                _ => {}
+        ExprKind::Apply(f, list) => {
+            each(&mut list.iter());
+            if matches!(f.text.as_str(), "sqrt" | "cbrt") {
+                out.push(e.clone());
             }
         }
         ExprKind::Negate(a) => powers_in(a, out),
-        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| powers_in(e, out)),
-        ExprKind::Product(list) => list.iter().for_each(|(_, e)| powers_in(e, out)),
+        ExprKind::Sum(list) => each(&mut list.iter().map(|t| &t.1)),
+        ExprKind::Product(list) => each(&mut list.iter().map(|t| &t.1)),
         ExprKind::Power(a, b) => {
-            powers_in(a, out);
-            powers_in(b, out);
-            if !matches!(&b.kind, ExprKind::Number(text) if text.bytes().all(|b| b.is_ascii_digit())) {
+            each(&mut [&**a, &**b].into_iter());
+            if !matches!(b.kind, ExprKind::Number(_)) {
                 out.push(e.clone());
             }
         }
         ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
-            powers_in(&index.from, out);
-            powers_in(&index.to, out);
+            each(&mut [&*index.from, &*index.to].into_iter());
         }
         ExprKind::Derivative(body, _) => powers_in(body, out),
-        ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| powers_in(e, out)),
+        ExprKind::Matrix(rows) => each(&mut rows.iter().flatten()),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test stops where it fails
+mod tests {
+    use super::*;
+
+    fn number(n: i64, d: i64) -> Exponent {
+        Exponent::number(Rational::from_signeds(n, d))
+    }
+
+    #[test]
+    fn a_square_root_and_a_cube_root_are_powers_of_a_sixth_root() {
+        let all = [Exponent::one(), number(1, 2), number(1, 3)];
+        assert_eq!(basis_of(&all, true), Some(vec![number(1, 6)]));
+    }
+
+    #[test]
+    fn a_base_that_stays_is_in_its_basis_where_it_can_be() {
+        let n = Polynomial::variable(0);
+        let share = Exponent::new(n.clone(), n.add(&Polynomial::one())).unwrap();
+        let rest = Exponent::new(Polynomial::one(), n.add(&Polynomial::one())).unwrap();
+        // 1 = n/(n + 1) + 1/(n + 1): two of the three give the third.
+        assert_eq!(basis_of(&[Exponent::one(), share.clone(), rest], false), Some(vec![Exponent::one(), share]));
+    }
+
+    #[test]
+    fn both_numbers_are_whole_multiples_of_their_common_step() {
+        let q = |n: i64, d: i64| Rational::from_signeds(n, d);
+        assert_eq!(common_step(&q(1, 2), &q(-3, 4)), q(1, 4));
+        assert_eq!(common_step(&q(0, 1), &q(-3, 4)), q(3, 4));
     }
 }

@@ -140,7 +140,7 @@ impl Case {
             Stage::Last => Effort::whole(deadline),
         };
         let tried = self.trial.as_mut()?.tried(&effort, false, &mut || {});
-        // The second search may end earlier.
+        // The last stage may end earlier than the first.
         self.points = self.points.max((tried.held, tried.open));
         let witness = tried.witness?;
         let without_value = witness.broken.iter().all(|b| b.left == "no value");

@@ -4,14 +4,14 @@
 //! number; what stands under a root, at 0 and just below; sides that the goal compares, where they are equal; and the ends of
 //! domains and hypotheses, where these belong to them. Points of an edge are computed, since chance does not meet them.
 
-use crate::kernel::statement::Sequence;
 use super::literal::literal;
-use crate::kernel::substitution::Substitution;
 use crate::claim::definedness::{Need, needs, number};
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::claim::walk::{names_in, parts};
+use crate::kernel::statement::Sequence;
 use crate::kernel::statement::{compare, numeral};
+use crate::kernel::substitution::Substitution;
 use malachite::Rational;
 use std::collections::BTreeSet;
 

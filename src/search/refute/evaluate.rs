@@ -5,7 +5,6 @@
 
 use super::Moment;
 use super::expand::parts;
-use crate::kernel::statement::{Sequence, steps_once};
 use super::matrix::{Value, determinant};
 use super::number::{
     LARGEST, Missing, Number, Result, add, exponential, hyperbolic, invert, large_power, logarithm, multiply,
@@ -14,6 +13,7 @@ use super::number::{
 use super::recurrence::{Members, Recurrence};
 use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
+use crate::kernel::statement::{Sequence, steps_once};
 use crate::number::rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::basic::traits::{One, Zero};

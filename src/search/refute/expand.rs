@@ -3,11 +3,11 @@
 //! Contract: [`Statement::of`] returns what the kernel understood of the claim, and the argument with every `let` put in
 //! place by the same substitution, so that the search meets variables, families and sequences only.
 
-pub use crate::claim::walk::{names_in, parts};
 use crate::claim::syntax::*;
+pub use crate::claim::walk::{names_in, parts};
+use crate::kernel::Refusal;
 use crate::kernel::statement::{self, Sequence};
 use crate::kernel::substitution::{Obstacle, Substitution};
-use crate::kernel::Refusal;
 
 /// A limit that was reached, with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -232,7 +232,6 @@ fn described(entry: &Entry, text: Option<&str>) -> Value {
             "broken": w.broken.iter().map(|b| json!([b.statement, b.left, b.right])).collect::<Vec<_>>(),
         })),
         "reason": outcome.reason,
-        "found": entry.found,
         "certificate": entry.proof.as_ref().map(|p| &p.sha256),
         "notes": claim.notes,
         "using": claim.using.iter().map(|n| n.text.clone()).collect::<Vec<_>>(),

@@ -97,7 +97,8 @@ impl Printer {
                     }
                 }
                 // That the body has a value is part of what exists.
-                let placed = p.definitions.prop(body).map_err(|obstacle| Unsupported::not_put_in(obstacle, body.span))?;
+                let placed =
+                    p.definitions.prop(body).map_err(|obstacle| Unsupported::not_put_in(obstacle, body.span))?;
                 let mut values = Collector::new(&p.kinds, &p.positive);
                 values.prop(&placed)?;
                 for need in p.conditions(&values.found)? {

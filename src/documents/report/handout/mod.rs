@@ -98,7 +98,6 @@ impl Handout {
         let counts = self.counts(self.audit.entries.iter());
         let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
         let refuted = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Refuted).count();
-        let found = self.audit.entries.iter().filter(|e| e.found).count();
         let (has, rests) = match counts.alone {
             1 => ("verdict", "rests"),
             _ => ("verdicts", "rest"),
@@ -107,7 +106,7 @@ impl Handout {
             format!(
                 "The kernel accepted {} of the {}{} in this run.",
                 counts.kernel,
-                counted(proved + found, "proof"),
+                counted(proved, "proof"),
                 match refuted {
                     0 => String::new(),
                     some => format!(", and {} of the {}", counts.refutations, counted(some, "refutation")),

@@ -236,7 +236,8 @@ impl Prover {
             let start = self.letters.written(&from.add(&Polynomial::constant(Rational::from(by))));
             let at = Index { from: Box::new(start.clone()), ..index.clone() };
             let body_there = Box::new(body.clone());
-            let other = expr(if is_sum { ExprKind::SumOver(at, body_there) } else { ExprKind::ProductOver(at, body_there) });
+            let other =
+                expr(if is_sum { ExprKind::SumOver(at, body_there) } else { ExprKind::ProductOver(at, body_there) });
             if !self.letters.knows(&other) {
                 continue;
             }

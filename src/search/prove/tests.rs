@@ -1,13 +1,14 @@
-//! One claim or two for each method, each of which the draft leaves undecided, and false neighbours of them.
+//! One claim or two for each method, and false neighbours of them.
 
-use super::prove;
+use super::certificate;
 use crate::claim::parse::parse;
 use crate::refute::catalogue::Limits;
 
 fn is_shown(body: &str) -> bool {
     let claims = parse(&format!("claim trial \"A trial\"\n{body}\n")).unwrap_or_default();
     let worker = std::thread::Builder::new().stack_size(64 << 20);
-    let found = worker.spawn(move || claims.first().is_some_and(|claim| prove(claim, &[], &Limits::default()).is_ok()));
+    let found =
+        worker.spawn(move || claims.first().is_some_and(|claim| certificate(claim, &[], &Limits::default()).is_ok()));
     found.ok().and_then(|thread| thread.join().ok()).unwrap_or_default()
 }
 
