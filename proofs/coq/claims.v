@@ -736,12 +736,10 @@ Theorem p_indep_defined :
   forall (mu nu : nat -> R), (forall k : nat, mu k > 0) -> (forall k : nat, nu k > 0) ->
   forall (e f : nat -> R), (forall k : nat, 0 <= e k <= 1) -> (forall k : nat, 0 <= f k <= 1) ->
   mu 0%nat = nu 0%nat /\ mu (n + 1)%nat = nu (n + 1)%nat ->
-  product_over 0 n (fun i'1 : nat => (1 + e i'1) * nu i'1 / (nu i'1 + nu (i'1 + 1)%nat)) <> 0 /\
+  product_over 0 n (fun i : nat => (1 + e i) * nu i / (nu i + nu (i + 1)%nat)) <> 0 /\
   (forall i : nat, (0 <= i <= n)%nat -> mu i + mu (i + 1)%nat <> 0) /\
-  (forall i'1 : nat, (0 <= i'1 <= n)%nat -> nu i'1 + nu (i'1 + 1)%nat <> 0) /\
-  product_over 0 n (fun i'3 : nat => (1 + f i'3) * nu i'3 / (nu i'3 + nu (i'3 + 1)%nat)) <> 0 /\
-  (forall i'2 : nat, (0 <= i'2 <= n)%nat -> mu i'2 + mu (i'2 + 1)%nat <> 0) /\
-  (forall i'3 : nat, (0 <= i'3 <= n)%nat -> nu i'3 + nu (i'3 + 1)%nat <> 0).
+  (forall i : nat, (0 <= i <= n)%nat -> nu i + nu (i + 1)%nat <> 0) /\
+  product_over 0 n (fun i : nat => (1 + f i) * nu i / (nu i + nu (i + 1)%nat)) <> 0.
 Proof. exact p_indep.p_indep_defined. Qed.
 
 (* statement sha256 73559ad9ab305dfd27b5b4e732a2e749f8c99382a98ba72b7adddc9b4b68df54 *)
@@ -1346,9 +1344,7 @@ Theorem b_budget_defined :
   forall u : nat -> R, u 0%nat = v1 ->
   (forall k : nat, u (k + 1)%nat = mu k * (1 + e k) / (mu k + mu (k + 1)%nat) * u k) ->
   (forall k : nat, mu k + mu (k + 1)%nat <> 0) /\
-  (forall k'1 : nat, (0 <= k'1 <= n)%nat -> mu k'1 + mu (k'1 + 1)%nat <> 0) /\
-  (forall k'2 : nat, (0 <= k'2 <= n)%nat -> mu k'2 + mu (k'2 + 1)%nat <> 0) /\
-  (forall k'3 : nat, (0 <= k'3 <= n)%nat -> mu k'3 + mu (k'3 + 1)%nat <> 0).
+  (forall k : nat, (0 <= k <= n)%nat -> mu k + mu (k + 1)%nat <> 0).
 Proof. exact b_budget.b_budget_defined. Qed.
 
 (* statement sha256 dc6ea689c8071b26c6079596893b8e9b335c936146c63c85d5c8a7c95c5b4de5 *)

@@ -323,13 +323,17 @@ Lemma same_cons : forall (A : Type) (x y : A) (s t : list A), x = y -> s = t -> 
 (** * Identities: the values of variables are put in, divisors stay variables that are not 0. *)
 Definition stands (p v : R) : Prop := p = v.
 Ltac put_in := repeat match goal with H : stands _ _ |- _ => unfold stands in H; subst end.
+(* What is not 0, up to a number: 2 * p where p is not 0. *)
+Ltac not_null := first
+  [ assumption
+  | let h := fresh in intro h; match goal with H : _ <> 0 |- _ => solve [apply H; lra] end ].
 Ltac identity := intros; subst; first
   [ reflexivity
   | lazymatch goal with |- context [/ _] => fail | |- context [_ / _] => fail | _ => solve [put_in; ring] end
-  | lazymatch goal with _ : stands _ _ |- _ => solve [put_in; field; repeat split; assumption] end
-  | (field; solve [repeat split; assumption])
+  | lazymatch goal with _ : stands _ _ |- _ => solve [put_in; field; repeat split; not_null] end
+  | (field; solve [repeat split; not_null])
   | solve [put_in; ring]
-  | (field_simplify_eq; [put_in; ring | repeat split; assumption])
+  | (field_simplify_eq; [put_in; ring | repeat split; not_null])
   | solve [put_in; unfold Rdiv; ring] ].
 Ltac nat_power n m := replace n with m by (first [lia | ring]); rewrite ?pow_add, ?pow_mult; ring.
 

@@ -11,6 +11,7 @@ mod clock;
 mod division;
 pub mod factor;
 pub mod gcd;
+pub mod ideal;
 pub(crate) mod monomial;
 pub(crate) mod polynomial;
 pub mod positivity;

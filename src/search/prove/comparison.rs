@@ -122,7 +122,7 @@ impl Prover {
         if relation != Relation::Equal {
             return Err(Fail::No("an equation"));
         }
-        self.emit(Rule::Power, goal.clone())
+        self.plainly(Rule::Power, goal).or_else(|_| self.emit(Rule::Power, goal.clone()))
     }
 
     /// A comparison from linear programs over more and more products, for the goal or against its opposite.

@@ -1,113 +1,48 @@
-//! Equations from equations: ideal membership, with the cofactors that show it.
+//! Equations from equations: ideal membership, each element of the basis that is needed a step of its own.
 //!
-//! Method: Buchberger's algorithm in the graded order of the polynomials, each element of the basis with its cofactors in the
-//! equations (Cox, Little, O'Shea, "Ideals, Varieties, and Algorithms", chapter 2). A goal p = 0 is divided by the basis; if
-//! nothing is left, p is the sum of cofactors times equations. If something is left, p times a polynomial that is not 0 is tried.
+//! Method: Buchberger's algorithm modulo a prime, the needed steps made again over the rationals (`algebra::ideal`). What is known not
+//! to be 0 may be divided by: its inverse t gets a name, and t·d = 1 is one more equation (Rabinowitsch; Cox, Little, O'Shea,
+//! "Ideals, Varieties, and Algorithms", chapter 4, §2).
 //!
-//! Limits: [`PAIRS`], [`TERMS`] and [`WORK`]; beyond them there is no answer.
+//! Limits: [`EQUATIONS`], [`INVERSES`], [`WORK`] and those of `algebra::ideal`; beyond them there is no answer.
 
-use super::letters::{product, whole_power};
+use super::letters::product;
 use super::products::{Kind, Known};
 use super::{Fail, Prover};
-use crate::algebra::{Monomial, Polynomial};
-use crate::certificate::{Label, Term};
+use crate::algebra::Polynomial;
+use crate::algebra::ideal::{Derivation, derivation};
+use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use malachite::Rational;
-use malachite::base::num::basic::traits::One;
+use crate::kernel::statement::{compare, name, numeral};
 use std::rc::Rc;
 
-/// The most pairs of which an S-polynomial is taken.
-const PAIRS: usize = 120;
-
-/// The most terms of a polynomial or a cofactor.
-const TERMS: usize = 400;
-
-/// The most reductions by one polynomial.
-const WORK: usize = 4_000;
-
 /// The most equations that are taken.
-const EQUATIONS: usize = 12;
+const EQUATIONS: usize = 24;
 
-/// A polynomial of the ideal with its cofactors in the equations.
-#[derive(Clone)]
-struct Member {
+/// The most polynomials that are divided by.
+const INVERSES: usize = 4;
+
+/// The most terms that are taken from others for one derivation, modulo the prime.
+const WORK: usize = 400_000;
+
+/// The same for all derivations of one goal.
+pub(super) const ALL_WORK: usize = 1_600_000;
+
+/// An equation p = 0: p is the product of these facts' differences and factors.
+struct Zero {
     poly: Polynomial,
-    cofactors: Vec<Polynomial>,
+    facts: Vec<Label>,
+    factors: Vec<Expr>,
 }
 
-impl Member {
-    /// self − m·other.
-    fn minus(&self, m: &Polynomial, other: &Member) -> Option<Member> {
-        let less =
-            |a: &Polynomial, b: &Polynomial| Some(a.sub(&b.try_mul(m).ok()?)).filter(|p| p.term_count() <= TERMS);
-        let cofactors = self.cofactors.iter().zip(&other.cofactors).map(|(a, b)| less(a, b)).collect::<Option<_>>()?;
-        Some(Member { poly: less(&self.poly, &other.poly)?, cofactors })
+impl Zero {
+    /// It times a factor, as a term of a combination.
+    fn times(&self, factor: Expr, rest: &[Expr]) -> Term {
+        let mut factors = vec![factor];
+        factors.extend(rest.iter().chain(&self.factors).cloned());
+        Term { facts: self.facts.clone(), factor: product(factors) }
     }
-
-    fn lead(&self) -> Option<(Monomial, Rational)> {
-        self.poly.terms().next().map(|(m, c)| (m.clone(), c.clone()))
-    }
-}
-
-/// What is left of a member by division by others, with the cofactors of what was taken off. Terms that no leading one divides
-/// are left where `whole` says so; else the division stops at the first.
-fn divided(mut p: Member, by: &[Member], whole: bool, work: &mut usize) -> Option<Member> {
-    let mut left = Polynomial::zero();
-    while let Some((m, c)) = p.lead() {
-        *work = work.checked_sub(1)?;
-        let step = by.iter().find_map(|g| {
-            let (n, d) = g.lead()?;
-            Some((g, Polynomial::term(m.checked_div(&n)?, &c / d)))
-        });
-        match step {
-            Some((g, times)) => p = p.minus(&times, g)?,
-            None if !whole => break,
-            None => {
-                let term = Polynomial::term(m, c);
-                p.poly = p.poly.sub(&term);
-                left = left.add(&term);
-            }
-        }
-    }
-    p.poly = p.poly.add(&left);
-    Some(p)
-}
-
-/// A Gröbner basis of the ideal of these polynomials as far as the limits allow, with cofactors.
-fn basis(equations: &[Polynomial], work: &mut usize) -> Vec<Member> {
-    let count = equations.len();
-    let unit = |i: usize| (0..count).map(|j| if i == j { Polynomial::one() } else { Polynomial::zero() }).collect();
-    let mut out: Vec<Member> =
-        equations.iter().enumerate().map(|(i, p)| Member { poly: p.clone(), cofactors: unit(i) }).collect();
-    let mut pairs: Vec<(usize, usize)> = (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
-    let mut taken = 0;
-    while !pairs.is_empty() && taken < PAIRS {
-        // The pair with the smallest common multiple first.
-        let degree = |&(i, j): &(usize, usize)| match (out[i].lead(), out[j].lead()) {
-            (Some((m, _)), Some((n, _))) => m.degree() + n.degree() - m.gcd(&n).degree(),
-            _ => u32::MAX,
-        };
-        let Some(at) = (0..pairs.len()).min_by_key(|k| degree(&pairs[*k])) else { break };
-        let (i, j) = pairs.swap_remove(at);
-        taken += 1;
-        let (Some((m, c)), Some((n, d))) = (out[i].lead(), out[j].lead()) else { continue };
-        let common = m.gcd(&n);
-        if common.is_one() {
-            continue;
-        }
-        let (Some(up), Some(down)) = (n.checked_div(&common), m.checked_div(&common)) else { continue };
-        let zero = Member { poly: Polynomial::zero(), cofactors: vec![Polynomial::zero(); count] };
-        let s = zero
-            .minus(&Polynomial::term(up, -(Rational::ONE / c)), &out[i])
-            .and_then(|s| s.minus(&Polynomial::term(down, Rational::ONE / d), &out[j]));
-        let Some(rest) = s.and_then(|s| divided(s, &out, false, work)) else { continue };
-        if !rest.poly.is_zero() {
-            pairs.extend((0..out.len()).map(|i| (i, out.len())));
-            out.push(rest);
-        }
-    }
-    out
 }
 
 impl Prover {
@@ -124,36 +59,73 @@ impl Prover {
         if zeros.is_empty() || open.poly.is_constant() {
             return Err(no());
         }
-        let mut work = WORK;
-        let equations: Vec<Polynomial> = zeros.iter().map(|k| k.poly.clone()).collect();
-        let basis = basis(&equations, &mut work);
-        let mut multipliers = vec![Polynomial::one()];
-        multipliers.extend(self.not_zero());
-        for times in multipliers {
-            let Ok(poly) = open.poly.try_mul(&times) else { continue };
-            let none = vec![Polynomial::zero(); equations.len()];
-            let mut work = WORK;
-            let Some(left) = divided(Member { poly, cofactors: none }, &basis, true, &mut work) else { continue };
-            if !left.poly.is_zero() {
-                continue;
-            }
-            let mut terms = Vec::new();
-            for (zero, cofactor) in zeros.iter().zip(&left.cofactors).filter(|z| !z.1.is_zero()) {
-                let mut factors = vec![self.letters.written(&cofactor.neg())];
-                factors.extend(open.rest.iter().chain(&zero.factors).cloned());
-                if !times.is_one() {
-                    factors.push(whole_power(self.letters.written(&times), -1));
-                }
-                terms.push(Term { facts: zero.facts.clone(), factor: product(factors) });
-            }
-            if let Ok(label) = self.combination(goal.clone(), terms) {
-                return Ok(label);
-            }
+        let mut zeros: Vec<Zero> = zeros
+            .into_iter()
+            .map(|k| Zero { poly: k.poly.clone(), facts: k.facts.clone(), factors: k.factors.clone() })
+            .collect();
+        let equations = |zeros: &[Zero]| zeros.iter().map(|z| z.poly.clone()).collect::<Vec<_>>();
+        if let Some(found) = self.within_ideal(&open.poly, equations(&zeros)) {
+            return self.derived(goal, zeros, &open.rest, found);
         }
-        Err(no())
+        let divisors = self.not_zero();
+        if divisors.is_empty() {
+            return Err(no());
+        }
+        for d in divisors {
+            zeros.push(self.inverse(&d)?);
+        }
+        let found = self.within_ideal(&open.poly, equations(&zeros)).ok_or_else(no)?;
+        self.derived(goal, zeros, &open.rest, found)
     }
 
-    /// Polynomials that facts say are not 0, and products of two of them.
+    /// A derivation of a polynomial from equations; what was not found once is not sought again.
+    fn within_ideal(&mut self, goal: &Polynomial, equations: Vec<Polynomial>) -> Option<Derivation> {
+        let question = (goal.clone(), equations);
+        if self.outside.contains(&question) {
+            return None;
+        }
+        let mut work = self.ideal_work.min(WORK);
+        let before = work;
+        let found = derivation(&question.0, &question.1, &mut work);
+        self.ideal_work -= before - work;
+        if found.is_none() {
+            self.outside.insert(question);
+        }
+        found
+    }
+
+    /// Writes a derivation as steps: each element that is 0, then the goal.
+    fn derived(&mut self, goal: &Prop, mut zeros: Vec<Zero>, rest: &[Expr], found: Derivation) -> Result<Label, Fail> {
+        let terms = |c: &Prover, zeros: &[Zero], parts: &[(usize, Polynomial)], rest: &[Expr]| {
+            let term = |(k, q): &(usize, Polynomial)| Some(zeros.get(*k)?.times(c.letters.written(q), rest));
+            parts.iter().map(term).collect::<Option<Vec<_>>>().ok_or(Fail::No("an element"))
+        };
+        for step in found.steps {
+            let shown = compare(self.letters.written(&step.poly), Relation::Equal, numeral(0));
+            let terms = terms(self, &zeros, &step.parts, &[])?;
+            let label = self.combination(shown, terms)?;
+            zeros.push(Zero { poly: step.poly, facts: vec![label], factors: Vec::new() });
+        }
+        let terms = terms(self, &zeros, &found.goal, rest)?;
+        self.combination(goal.clone(), terms)
+    }
+
+    /// A name t for 1/d, with t·d − 1 = 0.
+    fn inverse(&mut self, d: &Polynomial) -> Result<Zero, Fail> {
+        let fresh = name(&self.fresh("t"));
+        let d_written = self.letters.written(d);
+        let inverse = super::letters::whole_power(d_written.clone(), -1);
+        let named = self.emit(Rule::Name, compare(inverse, Relation::Equal, fresh.clone()))?;
+        let t = Polynomial::variable(self.letters.of(&fresh));
+        let poly = t.try_mul(d).map_err(|_| Fail::No("a product"))?.sub(&Polynomial::one());
+        // (1/d − t)·(−d) = t·d − 1.
+        let factor = self.letters.written(&d.neg());
+        let shown = compare(self.letters.written(&poly), Relation::Equal, numeral(0));
+        let label = self.combination(shown, vec![Term { facts: vec![named], factor }])?;
+        Ok(Zero { poly, facts: vec![label], factors: Vec::new() })
+    }
+
+    /// Polynomials that facts say are not 0.
     fn not_zero(&mut self) -> Vec<Polynomial> {
         let facts: Vec<Rc<Prop>> = self.checker.facts().map(|f| f.1.clone()).collect();
         let mut out: Vec<Polynomial> = Vec::new();
@@ -169,51 +141,7 @@ impl Prover {
                 }
             }
         }
-        out.truncate(4);
-        let products: Vec<Polynomial> =
-            out.iter().enumerate().flat_map(|(i, p)| out[i..].iter().filter_map(|q| p.try_mul(q).ok())).collect();
-        out.extend(products);
+        out.truncate(INVERSES);
         out
-    }
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)] // a test stops where it fails
-mod tests {
-    use super::*;
-
-    /// What the cofactors say a member is.
-    fn sum(member: &Member, equations: &[Polynomial]) -> Polynomial {
-        member.cofactors.iter().zip(equations).fold(Polynomial::zero(), |s, (c, p)| s.add(&c.mul(p)))
-    }
-
-    #[test]
-    fn cofactors_give_every_member_of_a_basis() {
-        let [x, y] = [0, 1].map(Polynomial::variable);
-        let equations = [
-            x.pow(2).unwrap().add(&y.pow(2).unwrap()).sub(&Polynomial::integer(5)),
-            x.mul(&y).sub(&Polynomial::integer(2)),
-        ];
-        let mut work = WORK;
-        let basis = basis(&equations, &mut work);
-        assert!(basis.len() > 2, "the pair of both gives a third");
-        for member in &basis {
-            assert_eq!(sum(member, &equations), member.poly);
-        }
-        // (x² − y²)² = 9.
-        let goal = x.pow(2).unwrap().sub(&y.pow(2).unwrap()).pow(2).unwrap().sub(&Polynomial::integer(9));
-        let none = vec![Polynomial::zero(); 2];
-        let left = divided(Member { poly: goal.clone(), cofactors: none }, &basis, true, &mut work).unwrap();
-        assert!(left.poly.is_zero());
-        assert_eq!(sum(&left, &equations).neg(), goal);
-    }
-
-    #[test]
-    fn what_lies_outside_an_ideal_is_left_over() {
-        let [x, y] = [0, 1].map(Polynomial::variable);
-        let mut work = WORK;
-        let basis = basis(&[x.sub(&y)], &mut work);
-        let left = divided(Member { poly: x.add(&y), cofactors: vec![Polynomial::zero()] }, &basis, true, &mut work);
-        assert!(!left.unwrap().poly.is_zero());
     }
 }

@@ -56,7 +56,7 @@ mod witnesses;
 
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
-use crate::claim::syntax::{Claim, Expr, Proof, Prop, PropKind};
+use crate::claim::syntax::{Claim, Expr, Proof, Prop, PropKind, Relation};
 use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
 use crate::kernel::{Accepted, Checker};
@@ -164,10 +164,16 @@ pub(crate) struct Prover {
     failed_programs: HashSet<crate::algebra::semidefinite::Program>,
     /// The operations that semidefinite programs may still take.
     program_work: usize,
+    /// Polynomials with equations from which they were not derived.
+    outside: HashSet<(crate::algebra::Polynomial, Vec<crate::algebra::Polynomial>)>,
+    /// The work that derivations from equations may still take.
+    ideal_work: usize,
     /// Number of nested case distinctions.
     splits: usize,
     /// Number of nested inductions.
     inductions: usize,
+    /// Number of members that are being unfolded, each within the one before.
+    unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
     slopes: usize,
     /// Number of such attempts that are nested now.
@@ -205,8 +211,11 @@ impl Prover {
             spent: 0,
             failed_programs: HashSet::new(),
             program_work: sums_of_squares::WORK,
+            outside: HashSet::new(),
+            ideal_work: ideal::ALL_WORK,
             splits: 0,
             inductions: 0,
+            unfoldings: 0,
             slopes: 0,
             slopes_open: 0,
             within_powers: false,
@@ -217,6 +226,7 @@ impl Prover {
     fn renew(&mut self) {
         (self.tries, self.spent, self.slopes) = (0, 0, 0);
         self.program_work = sums_of_squares::WORK;
+        self.ideal_work = ideal::ALL_WORK;
     }
 
     /// The certificate of a claim whose goal this fact states.
@@ -269,11 +279,27 @@ impl Prover {
     }
 
     fn combination(&mut self, shown: Prop, terms: Vec<Term>) -> Result<Label, Fail> {
+        // The kernel takes it where facts contradict each other, but then `0 > 0` by one of these is what to say.
+        if terms.is_empty() && self.denies_an_identity(&shown) {
+            return Err(Fail::No("a comparison that can hold"));
+        }
         self.emit(Rule::Combination { times: None, terms }, shown)
     }
 
     fn logic(&mut self, from: &[&str], shown: &Prop) -> Result<Label, Fail> {
         self.emit(Rule::Logic { from: from.iter().map(|l| (*l).to_string()).collect() }, shown.clone())
+    }
+
+    /// Whether a comparison says that one side lies strictly above the other, and both are the same with the equations put in.
+    fn denies_an_identity(&mut self, p: &Prop) -> bool {
+        let PropKind::Compare(sides, relations) = &p.kind else { return false };
+        let ([a, b], [Relation::Less | Relation::Greater | Relation::NotEqual]) =
+            (sides.as_slice(), relations.as_slice())
+        else {
+            return false;
+        };
+        !self.equations.is_empty()
+            && self.read(&facts::minus(a, b), false).is_some_and(|difference| difference.number == 0)
     }
 
     /// Runs a part of the search; if it fails, restores the state before it.

@@ -163,7 +163,10 @@ impl Prover {
             return;
         }
         let shown = compare(e.clone(), Relation::Equal, right);
-        let mut done = self.plainly(Rule::Power, &shown).or_else(|_| self.emit(Rule::Power, shown.clone()));
+        let mut done = self
+            .plainly(Rule::Power, &shown)
+            .or_else(|_| self.attempt(|c| c.by_equal_bases(e, &shown)))
+            .or_else(|_| self.emit(Rule::Power, shown.clone()));
         if done.is_err() {
             self.define(e);
             done = self.emit(Rule::Power, shown);
@@ -171,6 +174,34 @@ impl Prover {
         if let Ok(label) = done {
             self.put_in(&label);
         }
+    }
+
+    /// A power whose base an equation gives: both sides of the equation to that power.
+    fn by_equal_bases(&mut self, e: &Expr, shown: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("an equation of the base");
+        let PropKind::Compare(sides, _) = &shown.kind else { return Err(no()) };
+        let (base, exponent) = super::letters::as_power(e).ok_or_else(no)?;
+        for label in self.equations.clone() {
+            let Some(Prop { kind: PropKind::Compare(equal, _), .. }) = self.fact(&label) else { continue };
+            let [left, right] = equal.as_slice() else { continue };
+            if self
+                .plainly(
+                    Rule::Combination { times: None, terms: Vec::new() },
+                    &compare(base.clone(), Relation::Equal, left.clone()),
+                )
+                .is_err()
+            {
+                continue;
+            }
+            let raised = |of: &Expr| crate::kernel::statement::power(of, &exponent);
+            let both = compare(raised(left), Relation::Equal, raised(right));
+            let both = self.plainly(Rule::Monotone { from: label }, &both)?;
+            let written = compare(raised(right), Relation::Equal, sides[1].clone());
+            let written = self.plainly(Rule::Power, &written)?;
+            let term = |label: Label| Term { facts: vec![label], factor: numeral(1) };
+            return self.plainly(Rule::Combination { times: None, terms: vec![term(both), term(written)] }, shown);
+        }
+        Err(no())
     }
 
     /// What was written by generators of before is written by those of now, since these are put in their places.
@@ -219,7 +250,7 @@ impl Prover {
     }
 
     /// A step without equations put in.
-    fn plainly(&mut self, rule: Rule, shown: &Prop) -> Result<Label, Fail> {
+    pub(super) fn plainly(&mut self, rule: Rule, shown: &Prop) -> Result<Label, Fail> {
         let equations = std::mem::take(&mut self.equations);
         let label = self.emit(rule, shown.clone());
         self.equations = equations;

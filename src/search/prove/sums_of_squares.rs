@@ -12,9 +12,9 @@
 use super::columns::letters_near;
 use super::facts::{minus, opposite};
 use super::letters::{product, whole_power};
-use super::products::{Kind, Known};
+use super::products::{Kind, Known, combination};
 use super::{Fail, Prover, implies};
-use crate::algebra::semidefinite::{Identities, Program, Summand, half_newton_polytope, monomials};
+use crate::algebra::semidefinite::{Identities, Program, Square, Summand, half_newton_polytope, monomials};
 use crate::algebra::{Monomial, Polynomial};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -62,6 +62,9 @@ struct Writing<'a> {
     number: Rational,
     rest: &'a [Expr],
 }
+
+/// The most columns of a linear program of single monomials.
+const SINGLE: usize = 400;
 
 impl Prover {
     /// Shows a comparison by the difference of its sides as a sum, or times a positive multiplier.
@@ -289,6 +292,9 @@ impl Prover {
         if self.failed_programs.contains(&program) {
             return None;
         }
+        if let Some(found) = by_single_monomials(&program) {
+            return Some(found);
+        }
         let before = self.program_work.min(WORK_AT_ONCE);
         let mut budget = before;
         let found = program.solve(&mut budget);
@@ -330,6 +336,32 @@ impl Prover {
         }
         terms
     }
+}
+
+/// The identity of a program where squares of single monomials suffice: a linear program finds it, with small weights.
+fn by_single_monomials(program: &Program) -> Option<Identities> {
+    let known = |poly: Polynomial, kind: Kind| Known { poly, kind, facts: Vec::new(), factors: Vec::new(), order: 0 };
+    let (mut columns, mut squares) = (Vec::new(), Vec::new());
+    for (summand, s) in program.summands.iter().enumerate() {
+        for root in &s.roots {
+            let poly = s.multiplier.try_mul(&root.try_mul(root).ok()?).ok()?;
+            columns.push(known(poly, if s.wanted { Kind::Strict } else { Kind::Weak }));
+            squares.push((summand, root.clone()));
+        }
+    }
+    columns.extend(program.zeros.iter().map(|z| known(z.clone(), Kind::Zero)));
+    if columns.len() > SINGLE {
+        return None;
+    }
+    let weights = combination(&program.target, &columns, program.summands.iter().any(|s| s.wanted))?;
+    let mut found = Identities { squares: Vec::new(), zeros: Vec::new() };
+    for (place, weight) in weights {
+        match squares.get(place) {
+            Some((summand, root)) => found.squares.push(Square { summand: *summand, weight, root: root.clone() }),
+            None => found.zeros.push((place - squares.len(), weight)),
+        }
+    }
+    Some(found)
 }
 
 /// 1 and the products of at most [`FACTORS`] different hypotheses up to a degree, by their degree.

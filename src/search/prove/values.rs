@@ -13,6 +13,9 @@ use malachite::Rational;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+/// How deep members are unfolded into members.
+const UNFOLDINGS: usize = 200;
+
 impl Prover {
     /// Proves the conditions under which an expression has a value, if the kernel does not see them itself.
     pub(crate) fn define(&mut self, e: &Expr) {
@@ -287,7 +290,12 @@ impl Prover {
     }
 
     fn unfolded(&mut self, e: &Expr, right: &Expr) -> Result<bool, Fail> {
+        if self.unfoldings >= UNFOLDINGS {
+            return Err(Fail::Limit("members unfolded"));
+        }
+        self.unfoldings += 1;
         self.enrich(&[right]);
+        self.unfoldings -= 1;
         let shown = compare(e.clone(), Relation::Equal, right.clone());
         let label = self.emit(Rule::Unfold, shown)?;
         self.put_in(&label);

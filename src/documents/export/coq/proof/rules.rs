@@ -111,8 +111,11 @@ impl Writer<'_> {
     ) -> Found<String> {
         let is_fact = self.checker.facts().any(|f| f.0 == source);
         let mut out = String::new();
-        for label in from {
-            out += &format!("assert (y__{label} := {}); ", fact(label));
+        // Each once: two premises may be one fact.
+        for (place, label) in from.iter().enumerate() {
+            if !from[..place].contains(label) {
+                out += &format!("assert (y__{label} := {}); ", fact(label));
+            }
         }
         let value = |text: &str| with.iter().find(|w| w.0.text == text).map_or_else(|| name(text), |w| w.1.clone());
         if is_fact {

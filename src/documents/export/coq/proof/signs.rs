@@ -158,9 +158,11 @@ impl Writer<'_> {
             }
             _ => None,
         };
-        let noted: Vec<usize> = (0..given.signed.notes.len().min(limit))
+        let mut noted: Vec<usize> = (0..given.signed.notes.len().min(limit))
             .filter(|n| given.signed.notes.get(*n).is_some_and(|note| note.factor == Poly::atom(place)))
             .collect();
+        // Facts about this alone come first: others say it by way of their other factors, which may rest on it.
+        noted.sort_by_key(|n| given.signed.notes.get(*n).map(|note| note.difference.factors.len()));
         for n in noted {
             let Some(note) = given.signed.notes.get(n) else { continue };
             let signs = note.signs;
