@@ -341,7 +341,7 @@ fn certified(claim: &str) -> String {
 #[test]
 fn a_squeeze_and_a_supposition_are_written_out() {
     for (claim, part) in [
-        ("given a > 0;  n natural >= 1\nprove limit of ((a/n)^n)^(1/n) as n -> infinity is 0\n", "squeeze"),
+        ("given a > 0;  n natural >= 1\nprove limit of a*2^(-n) as n -> infinity is 0\n", "squeeze"),
         ("given n natural >= 2\nprove limit of 1/(n^2 - n - 1) as n -> infinity is 0\n", "limit"),
         ("given x in [0, 1]\nprove -x*x > 0 => -x > 0\n", "suppose"),
     ] {

@@ -400,9 +400,9 @@ fn reports_for_machines_say_what_could_not_be_judged() {
 #[test]
 fn every_form_of_an_argument_says_why_where_and_how_deep() {
     for (form, signs) in [
-        ("latex", ["\\item[]\n{\\raggedright\\noindent From $m_", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
-        ("markdown", ["\n    From m₁ = m₂ it follows", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
-        ("text", ["\n      From m₁ = m₂ it follows", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("latex", ["(8) it follows that\\par}", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("markdown", ["\n    From (8) it follows", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
+        ("text", ["\n      From (8) it follows", "x = 1, v1 = 1, e = 1/2", "limit reached"]),
     ] {
         let out = carom(&["explain", "b-grow", "--format", form]);
         assert!(text(&out.stdout).contains(signs[0]), "{}", text(&out.stdout));

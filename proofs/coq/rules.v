@@ -324,9 +324,7 @@ Lemma same_cons : forall (A : Type) (x y : A) (s t : list A), x = y -> s = t -> 
 Definition stands (p v : R) : Prop := p = v.
 Ltac put_in := repeat match goal with H : stands _ _ |- _ => unfold stands in H; subst end.
 (* What is not 0, up to a number: 2 * p where p is not 0. *)
-Ltac not_null := first
-  [ assumption
-  | let h := fresh in intro h; match goal with H : _ <> 0 |- _ => solve [apply H; lra] end ].
+Ltac not_null := first [assumption | let h := fresh in intro h; match goal with H : _ <> 0 |- _ => solve [apply H; lra] end].
 Ltac identity := intros; subst; first
   [ reflexivity
   | lazymatch goal with |- context [/ _] => fail | |- context [_ / _] => fail | _ => solve [put_in; ring] end

@@ -34,9 +34,10 @@ impl Prover {
             return Err(Fail::No("a single comparison is needed"));
         };
         let relation = *relation;
-        if let Ok(label) = self.at_once(goal, a, relation, b) {
-            return Ok(label);
-        }
+        let first = match self.at_once(goal, a, relation, b) {
+            Ok(label) => return Ok(label),
+            Err(fail) => fail,
+        };
         if relation == Relation::Equal
             && let Ok(label) = self.by_recurrence(goal)
         {
@@ -78,7 +79,11 @@ impl Prover {
                 }
             }
         }
-        let not_shown = || Fail::NotShown(crate::claim::print::prop(goal));
+        // What the kernel is too small for, no other way makes smaller.
+        let not_shown = || match first.limit() {
+            Some(_) => Fail::Goal(crate::claim::print::prop(goal), Box::new(first.clone())),
+            None => Fail::NotShown(crate::claim::print::prop(goal)),
+        };
         if quiet {
             return Err(not_shown());
         }
@@ -116,8 +121,9 @@ impl Prover {
         if self.instantiate(&[a, b]) {
             self.enrich(&[a, b]);
         }
-        if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
-            return Ok(label);
+        match self.combination(goal.clone(), Vec::new()) {
+            Err(fail) if fail.limit().is_none() => {}
+            other => return other,
         }
         if relation != Relation::Equal {
             return Err(Fail::No("an equation"));

@@ -44,9 +44,9 @@ pub(crate) fn minus(a: &Expr, b: &Expr) -> Expr {
     expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]))
 }
 
-/// The largest polynomials that are factored.
-const FACTOR_TERMS: usize = 80;
-const FACTOR_DEGREE: u32 = 24;
+/// The most terms and the highest degree of polynomials that are factored, and of those in two variables.
+const FACTOR: (usize, u32) = (80, 24);
+const FACTOR_TWO: (usize, u32) = (500, 450);
 
 /// A number other than 0 to a whole power.
 fn power_of(base: &Rational, k: i64) -> Rational {
@@ -91,7 +91,8 @@ impl Prover {
     fn split_where(&mut self, mut reading: Reading, may: &dyn Fn(&Factored) -> bool) -> Reading {
         let mut factors = Vec::new();
         for f in reading.factors {
-            let small = may(&f) && f.poly.term_count() <= FACTOR_TERMS && f.poly.degree() <= FACTOR_DEGREE;
+            let (terms, degree) = if f.poly.variables().len() <= 2 { FACTOR_TWO } else { FACTOR };
+            let small = may(&f) && f.poly.term_count() <= terms && f.poly.degree() <= degree;
             match small.then(|| factor(&f.poly)) {
                 Some(Ok(found)) if found.factors.len() > 1 || found.factors.iter().any(|f| f.1 > 1) => {
                     reading.number *= power_of(&found.unit, f.power);
@@ -162,7 +163,7 @@ impl Prover {
         // poly = ± rest·(a − b)
         let same = positive;
         let factor = product(rest);
-        let factor = if same { factor } else { expr(ExprKind::Negate(Box::new(factor))) };
+        let factor = if same { factor } else { negated(factor) };
         Some(Known { poly, kind, facts: vec![label.to_string()], factors: vec![factor], order: 1 })
     }
 
@@ -340,6 +341,14 @@ pub(crate) fn sign_of(q: &Rational) -> Signs {
         Signs::POSITIVE
     } else {
         Signs::of(Relation::Less)
+    }
+}
+
+/// The opposite of an expression.
+fn negated(e: Expr) -> Expr {
+    match e.kind {
+        ExprKind::Negate(inner) => *inner,
+        _ => expr(ExprKind::Negate(Box::new(e))),
     }
 }
 

@@ -56,16 +56,13 @@ impl Fail {
 
     /// The same failure, with the goal added unless the failure names a proposition.
     pub(crate) fn of_goal(self, goal: &Prop) -> Fail {
-        match self.limit() {
-            None if !self.names_what() => Fail::Goal(prop(goal), Box::new(self)),
-            _ => self,
-        }
+        if self.names_what() { self } else { Fail::Goal(prop(goal), Box::new(self)) }
     }
 
     /// Whether it names the proposition that was not proved.
     fn names_what(&self) -> bool {
         match self {
-            Fail::NotShown(_) => true,
+            Fail::NotShown(_) | Fail::Goal(..) => true,
             Fail::Within(_, inner) => inner.names_what(),
             _ => false,
         }

@@ -31,8 +31,9 @@ pub(super) fn natural(e: &Expr) -> Option<u32> {
     }
 }
 
-/// The product of expressions; 1 where there are none.
+/// The product of expressions, without factors 1; 1 where there are none.
 pub(super) fn product(mut list: Vec<Expr>) -> Expr {
+    list.retain(|e| !matches!(&e.kind, ExprKind::Number(text) if text == "1"));
     match (list.len(), list.pop()) {
         (_, None) => numeral(1),
         (1, Some(one)) => one,

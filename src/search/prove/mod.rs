@@ -113,7 +113,10 @@ pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> 
         for (label, fact) in &given {
             prover.take_in(label, fact)?;
         }
-        let shown = prover.follow(&goal, proof, &Named::hypotheses(labels)).map_err(|f| f.of_goal(&goal))?;
+        let shown = match prover.follow(&goal, proof, &Named::hypotheses(labels)) {
+            Ok(shown) => shown,
+            Err(fail) => return Err(prover.exhausted().unwrap_or(fail).of_goal(&goal)),
+        };
         prover.concluded(claim, &shown, cited, limits)
     };
     match by(&argument.proof) {
@@ -238,9 +241,12 @@ impl Prover {
         limits: &Limits,
     ) -> Result<(Certificate, Accepted), Fail> {
         let statement = self.checker.statement().clone();
-        // The goal is what the last step shows.
-        if self.checker.facts().last().is_none_or(|last| last.0 != shown) {
-            self.emit(Rule::Logic { from: vec![shown.to_string()] }, statement.goal.clone())?;
+        // The goal is what the last step shows; a goal that is a hypothesis is said once more.
+        match end_of(&self.steps, shown) {
+            Some(end) => self.steps.truncate(end),
+            None => {
+                self.emit(Rule::Logic { from: vec![shown.to_string()] }, statement.goal.clone())?;
+            }
         }
         let digest = crate::certificate::text::digest(&statement.text());
         let whole = Certificate { claim: claim.name.text.clone(), statement: digest, refutes: None, steps: self.steps };
@@ -252,7 +258,15 @@ impl Prover {
         if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
             return Err(Fail::Limit("time"));
         }
-        if self.tries > self.most_tries { Err(Fail::Limit("tries")) } else { Ok(()) }
+        if self.tries > self.most_tries { Err(Fail::Limit("steps")) } else { Ok(()) }
+    }
+
+    /// The limit that ended the search, if the user's own did.
+    fn exhausted(&self) -> Option<Fail> {
+        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
+            return Some(Fail::Limit("time"));
+        }
+        (self.tries > self.most_tries && self.most_tries < TRIES).then_some(Fail::Limit("steps"))
     }
 
     /// Adds a step if the kernel accepts it, citing only what the kernel looks at. Returns the label of the new fact.
@@ -401,6 +415,33 @@ impl Prover {
         self.names.insert(fresh.clone());
         fresh
     }
+}
+
+/// The number of steps up to the one that shows a fact outside of all blocks; that of a block is its end.
+fn end_of(steps: &[Step], label: &str) -> Option<usize> {
+    let mut depth = 0usize;
+    let mut opened = false;
+    for (place, step) in steps.iter().enumerate() {
+        match step {
+            Step::Show(show) => {
+                let opens = matches!(show.rule, Rule::Let | Rule::Suppose);
+                if depth == 0 && show.label == label {
+                    if !opens {
+                        return Some(place + 1);
+                    }
+                    opened = true;
+                }
+                depth += usize::from(opens);
+            }
+            Step::End(_) => {
+                depth = depth.saturating_sub(1);
+                if opened && depth == 0 {
+                    return Some(place + 1);
+                }
+            }
+        }
+    }
+    None
 }
 
 /// Whether a proposition contains a sum or product over an index.
