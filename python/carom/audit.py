@@ -71,8 +71,6 @@ class Claim:
     witness: Optional[Witness]
     reason: Optional[str]
     """Why it is undecided."""
-    found: bool
-    """Whether the search found a proof that the kernel does not check."""
     certificate: Optional[str]
     """The SHA-256 of the certificate's text, of a proved claim."""
     certificate_text: Optional[str]
