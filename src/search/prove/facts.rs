@@ -46,7 +46,7 @@ pub(crate) fn minus(a: &Expr, b: &Expr) -> Expr {
 
 /// The most terms and the highest degree of polynomials that are factored, and of those in two variables.
 const FACTOR: (usize, u32) = (80, 24);
-const FACTOR_TWO: (usize, u32) = (500, 450);
+const FACTOR_TWO: (usize, u32) = (500, 1100);
 
 /// A number other than 0 to a whole power.
 fn power_of(base: &Rational, k: i64) -> Rational {
