@@ -1,6 +1,6 @@
 //! Claims at exact points: points that satisfy the hypotheses, and points at which the goal then fails.
 //!
-//! A claim is expanded ([`expand`], [`substitution`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
+//! A claim is expanded ([`expand`]) and read ([`reading`]), its equations are solved for variables (`solve`), and exact
 //! points are tried ([`search`]). At each the hypotheses and the goal are evaluated ([`goal`], [`evaluate`], `truth`):
 //! members of families by their recurrences (`recurrence`), limits by series (`limit`). What comes of it is a sample, where the hypotheses
 //! hold (`sample`), or a [`counterexample`]; `case` collects both for a claim.
