@@ -121,7 +121,7 @@ impl Substitution {
     }
 
     /// The substitution under bound names.
-    pub fn under(&self, names: &[Name]) -> Result<Substitution, Obstacle> {
+    pub(crate) fn under(&self, names: &[Name]) -> Result<Substitution, Obstacle> {
         self.without(names.iter(), &mut Room::new())
     }
 

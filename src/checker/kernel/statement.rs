@@ -41,6 +41,11 @@ pub struct Statement {
 impl Statement {
     /// The statement of a claim: every `let` is put in place, in the order written.
     pub fn of(claim: &Claim) -> Result<Statement, Refusal> {
+        Statement::with_lets(claim).map(|both| both.0)
+    }
+
+    /// The statement of a claim, and what puts its `let`s in place in its argument.
+    pub fn with_lets(claim: &Claim) -> Result<(Statement, Substitution), Refusal> {
         let mut lets = Substitution::default();
         let room = &mut Room::new();
         let (mut bindings, mut sequences, mut assumptions) = (Vec::new(), Vec::new(), Vec::new());
@@ -65,7 +70,7 @@ impl Statement {
             }
         }
         let goal = lets.prop_in(&claim.goal, room)?;
-        Ok(Statement { name: claim.name.text.clone(), bindings, sequences, assumptions, goal })
+        Ok((Statement { name: claim.name.text.clone(), bindings, sequences, assumptions, goal }, lets))
     }
 
     /// Every name that occurs, bound ones included.

@@ -10,13 +10,10 @@
 
 use super::Polynomial;
 use super::monomial::Monomial;
-use malachite::base::num::arithmetic::traits::{Gcd, Lcm};
-use malachite::base::num::basic::traits::{One, Zero};
-use malachite::{Natural, Rational};
+use super::residue::{self, add, inverse, multiply, negate};
+use malachite::Rational;
+use malachite::base::num::basic::traits::One;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// The largest prime below 2^32.
-const PRIME: u64 = 4_294_967_291;
 
 /// The most variables.
 const VARIABLES: usize = 31;
@@ -115,25 +112,6 @@ impl Power {
     }
 }
 
-fn inverse(a: u64) -> u64 {
-    let (mut result, mut base, mut left) = (1, a % PRIME, PRIME - 2);
-    while left > 0 {
-        if left & 1 == 1 {
-            result = result * base % PRIME;
-        }
-        base = base * base % PRIME;
-        left >>= 1;
-    }
-    result
-}
-
-fn modulo(q: &Rational) -> Option<u64> {
-    let rest = |n: &Natural| u64::try_from(&(n % Natural::from(PRIME))).ok();
-    let (top, bottom) = (rest(q.numerator_ref())?, rest(q.denominator_ref()).filter(|d| *d != 0)?);
-    let size = top * inverse(bottom) % PRIME;
-    Some(if *q < 0 { (PRIME - size) % PRIME } else { size })
-}
-
 /// A polynomial modulo the prime.
 type Residue = BTreeMap<Power, u64>;
 
@@ -168,10 +146,10 @@ impl Buchberger {
         self.work = self.work.checked_sub(g.tail.len() + 1)?;
         from.remove(&m.times(&g.lead));
         for (power, k) in &g.tail {
-            let less = c * k % PRIME;
+            let less = multiply(c, *k);
             let at = m.times(power);
             let entry = from.entry(at).or_insert(0);
-            *entry = (*entry + PRIME - less) % PRIME;
+            *entry = add(*entry, negate(less));
             if *entry == 0 {
                 from.remove(&at);
             }
@@ -201,7 +179,7 @@ impl Buchberger {
     fn add(&mut self, mut p: Residue, origin: Origin, sugar: u32) -> Option<()> {
         let (lead, c) = p.pop_last()?;
         let scale = inverse(c);
-        let tail = p.into_iter().rev().map(|(m, k)| (m, k * scale % PRIME)).collect();
+        let tail = p.into_iter().rev().map(|(m, k)| (m, multiply(k, scale))).collect();
         let new = self.elements.len();
         // An old pair whose multiple the new leading term divides goes, unless it is the multiple with one of its own.
         let leads: Vec<Power> = self.elements.iter().map(|g| g.lead).collect();
@@ -262,7 +240,7 @@ impl Buchberger {
             }
             let (sugar, both, i, j) = self.pairs.pop_first()?;
             let mut s = Residue::new();
-            for (element, c) in [(i, PRIME - 1), (j, 1)] {
+            for (element, c) in [(i, negate(1)), (j, 1)] {
                 let m = both.over(&self.elements[element].lead);
                 self.subtract(&mut s, c, &m, element)?;
             }
@@ -287,7 +265,7 @@ pub fn derivation(goal: &Polynomial, equations: &[Polynomial], work: &mut usize)
     let residue = |p: &Polynomial| -> Option<Residue> {
         let mut out = Residue::new();
         for (m, c) in p.terms() {
-            let c = modulo(c)?;
+            let c = residue::residue(c)?;
             if c != 0 {
                 out.insert(Power::of(m, &variables)?, c);
             }
@@ -357,7 +335,8 @@ fn again(
                     take(&mut p, &mut parts, &made, one, None)?;
                 }
                 // What is taken away is a part with the opposite sign; the element is made primitive.
-                let scale = primitive(&p)?;
+                let content = Some(p.content()).filter(|c| *c != 0)?;
+                let scale = Rational::ONE / content;
                 let parts = parts.into_iter().map(|(place, q)| (place, q.scale(&-scale.clone()))).collect();
                 let poly = p.scale(&scale);
                 made.insert(k, (equations.len() + steps.len(), poly.clone()));
@@ -370,17 +349,6 @@ fn again(
         take(&mut p, &mut parts, &made, one, None)?;
     }
     p.is_zero().then(|| Derivation { steps, goal: parts.into_iter().filter(|(_, q)| !q.is_zero()).collect() })
-}
-
-/// The number that makes a polynomial's coefficients whole without a common divisor; nothing for 0.
-fn primitive(p: &Polynomial) -> Option<Rational> {
-    let mut tops = Natural::ZERO;
-    let mut bottoms = Natural::ONE;
-    for (_, c) in p.terms() {
-        tops = tops.gcd(c.numerator_ref().clone());
-        bottoms = bottoms.lcm(c.denominator_ref().clone());
-    }
-    (tops != 0).then(|| Rational::from_naturals(bottoms, tops))
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ pub mod ideal;
 pub(crate) mod monomial;
 pub(crate) mod polynomial;
 pub mod positivity;
+mod residue;
 pub mod roots;
 pub mod semidefinite;
 pub mod simplex;

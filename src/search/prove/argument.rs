@@ -1,11 +1,12 @@
 //! The claim's own argument, followed step by step. What it states is a goal like any other, with all methods.
 
+use super::facts::negated;
 use super::letters::product;
 use super::limits::{over, plus};
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{Statement, compare, domain, expr, name, numeral, one_minus, power, prop};
+use crate::kernel::statement::{Statement, compare, domain, name, numeral, one_minus, power, prop};
 use crate::kernel::substitution::Substitution;
 
 /// What an argument has named so far.
@@ -40,10 +41,6 @@ impl Named {
     fn fact(&self, label: &str) -> Option<Label> {
         self.facts.iter().rev().find(|f| f.0 == label).map(|f| f.1.clone())
     }
-}
-
-fn negated(e: &Expr) -> Expr {
-    expr(ExprKind::Negate(Box::new(e.clone())))
 }
 
 fn positive(e: &Expr) -> Prop {
@@ -180,11 +177,12 @@ impl Prover {
         }
     }
 
-    /// Proves a goal with a fact that the argument names for it: the two may differ in how they are written only.
+    /// Proves a goal with a fact that the argument names for it: the two may differ in how they are written only. The search finds
+    /// such goals by itself, but this step names the fact as its reason, and so does the explanation.
     fn show_by(&mut self, goal: &Prop, fact: &str) -> Result<Label, Fail> {
         let is_comparison = |p: &Prop| matches!(&p.kind, PropKind::Compare(_, relations) if relations.len() == 1);
         if self.known(goal).is_none() && is_comparison(goal) && self.fact(fact).as_ref().is_some_and(is_comparison) {
-            for factor in [numeral(1), negated(&numeral(1))] {
+            for factor in [numeral(1), negated(numeral(1))] {
                 if let Ok(label) = self.combination(goal.clone(), vec![Term { facts: vec![fact.to_string()], factor }])
                 {
                     return Ok(label);
@@ -275,7 +273,7 @@ impl Prover {
         let mut terms = Vec::new();
         for (place, (label, up)) in facts.into_iter().enumerate() {
             let factor = product(lows.iter().take(place).chain(highs.iter().skip(place + 1)).cloned().collect());
-            terms.push(Term { facts: vec![label], factor: if up { factor } else { negated(&factor) } });
+            terms.push(Term { facts: vec![label], factor: if up { factor } else { negated(factor) } });
         }
         let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
         let shown = compare(product(highs), relation, product(lows));
@@ -313,7 +311,7 @@ impl Prover {
         for (x, y) in [(a, c), (b, d)] {
             let (label, is_strict) = self.this_mean(&over(x, ab.clone()), &over(y, cd.clone()), p)?;
             strict |= is_strict;
-            terms.push(Term { facts: vec![label], factor: negated(&big) });
+            terms.push(Term { facts: vec![label], factor: negated(big.clone()) });
         }
         let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
         self.write_powers(&[&big, &small]);

@@ -161,9 +161,8 @@ impl Prover {
         }
         let poly = if positive { poly } else { poly.neg() };
         // poly = ± rest·(a − b)
-        let same = positive;
         let factor = product(rest);
-        let factor = if same { factor } else { negated(factor) };
+        let factor = if positive { factor } else { negated(factor) };
         Some(Known { poly, kind, facts: vec![label.to_string()], factors: vec![factor], order: 1 })
     }
 
@@ -345,7 +344,7 @@ pub(crate) fn sign_of(q: &Rational) -> Signs {
 }
 
 /// The opposite of an expression.
-fn negated(e: Expr) -> Expr {
+pub(super) fn negated(e: Expr) -> Expr {
     match e.kind {
         ExprKind::Negate(inner) => *inner,
         _ => expr(ExprKind::Negate(Box::new(e))),

@@ -22,6 +22,7 @@ mod comparison;
 mod compound;
 mod differences;
 mod elimination;
+mod exponent_lattice;
 mod exponentials;
 mod exponents;
 mod facts;

@@ -6,11 +6,11 @@
 //!
 //! Powers whose exponents are natural numbers by their form need none of this: the kernel multiplies them out.
 
-use super::lattice::{chosen, reduced, whole_coordinates};
+use super::exponent_lattice::{Exponent, basis_of, common_step, vectors};
+use super::lattice::whole_coordinates;
 use super::letters::{product, whole_power};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
-use crate::algebra::gcd::gcd;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::key;
@@ -18,62 +18,13 @@ use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, expr, name, numeral};
 use crate::refute::closed::primes;
 use crate::refute::literal::literal;
-use malachite::base::num::arithmetic::traits::{Abs, Gcd, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::{Integer, Natural, Rational};
+use malachite::{Integer, Rational};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// How often powers may be written anew because of powers within powers.
 const ROUNDS: usize = 6;
-
-/// The most choices of exponents that are tried as a basis.
-const CHOICES: usize = 500;
-
-/// An exponent: a quotient of polynomials without a common factor.
-#[derive(Clone, Debug, PartialEq)]
-struct Exponent {
-    top: Polynomial,
-    bottom: Polynomial,
-}
-
-impl Exponent {
-    fn new(top: Polynomial, bottom: Polynomial) -> Option<Exponent> {
-        if bottom.is_zero() {
-            return None;
-        }
-        let common = gcd(&top, &bottom).ok().filter(|g| !g.is_zero())?;
-        let (top, bottom) = (top.exact_divide(&common)?, bottom.exact_divide(&common)?);
-        let lead = Rational::ONE / bottom.leading_coefficient();
-        Some(Exponent { top: top.scale(&lead), bottom: bottom.scale(&lead) })
-    }
-
-    fn is_number(&self) -> bool {
-        self.top.is_constant() && self.bottom.is_constant()
-    }
-
-    /// Its opposite where it begins with a minus sign.
-    fn upright(self) -> Exponent {
-        if self.top.leading_coefficient() < 0 { Exponent { top: self.top.neg(), ..self } } else { self }
-    }
-
-    fn number(k: Rational) -> Exponent {
-        Exponent { top: Polynomial::constant(k), bottom: Polynomial::one() }
-    }
-
-    fn one() -> Exponent {
-        Exponent::number(Rational::ONE)
-    }
-
-    fn times(&self, other: &Exponent) -> Option<Exponent> {
-        Exponent::new(self.top.try_mul(&other.top).ok()?, self.bottom.try_mul(&other.bottom).ok()?)
-    }
-
-    fn plus(&self, other: &Exponent) -> Option<Exponent> {
-        let (a, b) = (self.top.try_mul(&other.bottom).ok()?, other.top.try_mul(&self.bottom).ok()?);
-        Exponent::new(a.add(&b), self.bottom.try_mul(&other.bottom).ok()?)
-    }
-}
 
 /// A product of powers: positive bases with their exponents.
 type Product = Vec<(Polynomial, Exponent)>;
@@ -438,41 +389,6 @@ impl Powers {
     }
 }
 
-/// The largest number of which both are multiples; positive unless both are 0.
-fn common_step(a: &Rational, b: &Rational) -> Rational {
-    let scale = Rational::from(a.denominator_ref().lcm(b.denominator_ref()));
-    let whole = |q: &Rational| Natural::try_from((q * &scale).abs()).unwrap_or(Natural::ZERO);
-    Rational::from(whole(a).gcd(whole(b))) / scale
-}
-
-/// The product of all divisors of exponents, each as often as one of them needs it.
-fn common_denominator(list: &[Exponent]) -> Option<Polynomial> {
-    list.iter().try_fold(Polynomial::one(), |common, q| {
-        let shared = gcd(&common, &q.bottom).ok()?;
-        common.try_mul(&q.bottom.exact_divide(&shared)?).ok()
-    })
-}
-
-/// Exponents over a common denominator.
-fn vectors(list: &[Exponent]) -> Option<Vec<Polynomial>> {
-    let common = common_denominator(list)?;
-    list.iter().map(|q| q.top.try_mul(&common.exact_divide(&q.bottom)?).ok()).collect()
-}
-
-/// Exponents that give all of these with whole coordinates: some of them if possible. With `free` the first may be left out, and
-/// where none suffice a basis of the lattice that they span is taken.
-fn basis_of(all: &[Exponent], free: bool) -> Option<Vec<Exponent>> {
-    let list = vectors(all)?;
-    if let Some(places) = chosen(&list, CHOICES, &|places| free || places.contains(&0)) {
-        return Some(places.iter().map(|p| all[*p].clone()).collect());
-    }
-    if !free {
-        return basis_of(all.get(1..).filter(|rest| !rest.is_empty())?, true);
-    }
-    let common = common_denominator(all)?;
-    reduced(&list).into_iter().map(|top| Exponent::new(top, common.clone())).collect()
-}
-
 /// The powers in an expression whose exponents are no numerals, innermost first; those under a bound index are left out.
 fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
     let mut each = |list: &mut dyn Iterator<Item = &Expr>| list.for_each(|e| powers_in(e, out));
@@ -498,37 +414,5 @@ fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
         }
         ExprKind::Derivative(body, _) => powers_in(body, out),
         ExprKind::Matrix(rows) => each(&mut rows.iter().flatten()),
-    }
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)] // a test stops where it fails
-mod tests {
-    use super::*;
-
-    fn number(n: i64, d: i64) -> Exponent {
-        Exponent::number(Rational::from_signeds(n, d))
-    }
-
-    #[test]
-    fn a_square_root_and_a_cube_root_are_powers_of_a_sixth_root() {
-        let all = [Exponent::one(), number(1, 2), number(1, 3)];
-        assert_eq!(basis_of(&all, true), Some(vec![number(1, 6)]));
-    }
-
-    #[test]
-    fn a_base_that_stays_is_in_its_basis_where_it_can_be() {
-        let n = Polynomial::variable(0);
-        let share = Exponent::new(n.clone(), n.add(&Polynomial::one())).unwrap();
-        let rest = Exponent::new(Polynomial::one(), n.add(&Polynomial::one())).unwrap();
-        // 1 = n/(n + 1) + 1/(n + 1): two of the three give the third.
-        assert_eq!(basis_of(&[Exponent::one(), share.clone(), rest], false), Some(vec![Exponent::one(), share]));
-    }
-
-    #[test]
-    fn both_numbers_are_whole_multiples_of_their_common_step() {
-        let q = |n: i64, d: i64| Rational::from_signeds(n, d);
-        assert_eq!(common_step(&q(1, 2), &q(-3, 4)), q(1, 4));
-        assert_eq!(common_step(&q(0, 1), &q(-3, 4)), q(3, 4));
     }
 }

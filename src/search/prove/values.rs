@@ -13,6 +13,28 @@ use malachite::Rational;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+/// The sum or product of a body over an index.
+fn over(is_sum: bool, index: Index, body: &Expr) -> Expr {
+    let body = Box::new(body.clone());
+    expr(if is_sum { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) })
+}
+
+/// a + b, or a·b.
+fn joined(is_sum: bool, a: Expr, b: Expr) -> Expr {
+    expr(if is_sum {
+        ExprKind::Sum(vec![(Sign::Plus, a), (Sign::Plus, b)])
+    } else {
+        ExprKind::Product(vec![(Factor::Times, a), (Factor::Times, b)])
+    })
+}
+
+/// The body where the index has a value.
+fn member(index: &Index, body: &Expr, value: &Expr) -> Result<Expr, Fail> {
+    let mut map = crate::kernel::substitution::Substitution::default();
+    map.replace(&index.name.text, value);
+    map.expr(body).map_err(Fail::from)
+}
+
 /// How deep members are unfolded into members.
 const UNFOLDINGS: usize = 200;
 
@@ -193,38 +215,22 @@ impl Prover {
             return Ok(false);
         };
         let length = to.sub(&from).add(&Polynomial::one());
-        let at = |e: &Expr| -> Result<Expr, Fail> {
-            let mut map = crate::kernel::substitution::Substitution::default();
-            map.replace(&index.name.text, e);
-            map.expr(body).map_err(Fail::from)
-        };
-        let over = |index: Index| {
-            let body = Box::new(body.clone());
-            expr(if is_sum { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) })
-        };
-        let joined = |a: Expr, b: Expr| {
-            expr(if is_sum {
-                ExprKind::Sum(vec![(Sign::Plus, a), (Sign::Plus, b)])
-            } else {
-                ExprKind::Product(vec![(Factor::Times, a), (Factor::Times, b)])
-            })
-        };
         let right = if length.is_zero() {
             numeral(u32::from(!is_sum))
         } else if to.constant_term() >= 1 && length.as_constant().is_none_or(|l| l > 0 && l < 12) {
             let shorter = Index { to: Box::new(self.letters.written(&to.sub(&Polynomial::one()))), ..index.clone() };
-            let last = at(&index.to)?;
-            joined(over(shorter), last)
+            let last = member(index, body, &index.to)?;
+            joined(is_sum, over(is_sum, shorter, body), last)
         } else if length.as_constant().is_some_and(|l| l > 0 && l < 12) {
             let next = self.letters.written(&from.add(&Polynomial::one()));
             let later = Index { from: Box::new(next), ..index.clone() };
-            let first = at(&index.from)?;
-            joined(first, over(later))
+            let first = member(index, body, &index.from)?;
+            joined(is_sum, first, over(is_sum, later, body))
         } else {
             if !is_sum {
                 let _ = self.attempt(|c| c.positive_product(e, index, body));
             }
-            return self.learn_longer(e, is_sum, index, body);
+            return self.learn_longer(e, is_sum, index, body, &from);
         };
         self.define(&right);
         let shown = self.unfolded(e, &right);
@@ -233,27 +239,24 @@ impl Prover {
     }
 
     /// Of a sum or product beside one that ends alike and begins one member earlier, or later: the longer by the shorter.
-    fn learn_longer(&mut self, e: &Expr, is_sum: bool, index: &Index, body: &Expr) -> Result<bool, Fail> {
-        let Some(from) = self.letters.polynomial(&index.from) else { return Ok(false) };
+    fn learn_longer(
+        &mut self,
+        e: &Expr,
+        is_sum: bool,
+        index: &Index,
+        body: &Expr,
+        from: &Polynomial,
+    ) -> Result<bool, Fail> {
         for by in [-1, 1] {
             let start = self.letters.written(&from.add(&Polynomial::constant(Rational::from(by))));
             let at = Index { from: Box::new(start.clone()), ..index.clone() };
-            let body_there = Box::new(body.clone());
-            let other =
-                expr(if is_sum { ExprKind::SumOver(at, body_there) } else { ExprKind::ProductOver(at, body_there) });
+            let other = over(is_sum, at, body);
             if !self.letters.knows(&other) {
                 continue;
             }
             let (long, short, first) = if by < 0 { (&other, e, &start) } else { (e, &other, &*index.from) };
-            let mut map = crate::kernel::substitution::Substitution::default();
-            map.replace(&index.name.text, first);
-            let first = map.expr(body).map_err(Fail::from)?;
-            let right = if is_sum {
-                ExprKind::Sum(vec![(Sign::Plus, first), (Sign::Plus, short.clone())])
-            } else {
-                ExprKind::Product(vec![(Factor::Times, first), (Factor::Times, short.clone())])
-            };
-            return self.unfolded(long, &expr(right));
+            let right = joined(is_sum, member(index, body, first)?, short.clone());
+            return self.unfolded(long, &right);
         }
         Ok(false)
     }

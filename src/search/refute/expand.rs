@@ -13,11 +13,14 @@ use crate::kernel::substitution::{Obstacle, Substitution};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limit(pub &'static str);
 
+/// Said where a substitution is refused.
+const BOUND: &str = "a value put in where a name is bound";
+
 impl From<Obstacle> for Limit {
     fn from(obstacle: Obstacle) -> Limit {
         match obstacle {
             Obstacle::Limit(name) => Limit(name),
-            _ => Limit("a value put in where a name is bound"),
+            _ => Limit(BOUND),
         }
     }
 }
@@ -53,27 +56,19 @@ impl Statement {
 
     /// The statement of a claim.
     pub fn of(claim: &Claim) -> Result<Statement> {
-        let understood = statement::Statement::of(claim).map_err(|refusal| match refusal {
+        let (understood, lets) = statement::Statement::with_lets(claim).map_err(|refusal| match refusal {
             Refusal::Limit(name) => Limit(name),
-            Refusal::Rejected(_) => Limit("a value put in where a name is bound"),
+            Refusal::Rejected(_) => Limit(BOUND),
         })?;
-        let mut lets = Substitution::default();
-        let mut labels = Vec::new();
-        for item in &claim.items {
-            match item {
-                Item::Let { name, parameters, value } => {
-                    let value = lets.under(parameters)?.expr(value)?;
-                    lets.define(&name.text, parameters.iter().map(|p| p.text.clone()).collect(), value);
-                }
-                Item::Assume { label, .. } => labels.push(label.as_ref().map(|l| l.text.clone())),
-                Item::Given(_) | Item::Define { .. } => {}
-            }
-        }
+        let labels = claim.items.iter().filter_map(|item| match item {
+            Item::Assume { label, .. } => Some(label.as_ref().map(|l| l.text.clone())),
+            _ => None,
+        });
         Ok(Statement {
             name: understood.name,
             bindings: understood.bindings,
             sequences: understood.sequences,
-            assumptions: labels.into_iter().zip(understood.assumptions).collect(),
+            assumptions: labels.zip(understood.assumptions).collect(),
             goal: understood.goal,
             proof: argument(&claim.proof, &lets)?,
             using: claim.using.iter().map(|n| n.text.clone()).collect(),

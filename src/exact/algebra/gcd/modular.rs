@@ -12,14 +12,9 @@
 //!
 //! Cost: terms times variables squared, in machine words.
 
+use super::super::residue::{PRIME, add, inverse, multiply, negate, power, residue};
 use super::super::{Polynomial, Var};
-use malachite::Natural;
-use malachite::Rational;
-use malachite::base::num::basic::traits::Zero;
 use std::collections::BTreeMap;
-
-/// The Mersenne prime 2⁶¹ − 1.
-const PRIME: u64 = (1 << 61) - 1;
 
 /// How many points are tried for each variable.
 const POINTS: u64 = 2;
@@ -47,13 +42,7 @@ pub(super) fn degree_bounds(a: &Polynomial, b: &Polynomial, vars: &[Var]) -> BTr
 
 /// The coefficients modulo the prime.
 fn residues(p: &Polynomial) -> Vec<u64> {
-    p.terms().map(|(_, c)| residue(c)).collect()
-}
-
-fn residue(c: &Rational) -> u64 {
-    let rest = c.numerator_ref() % Natural::from(PRIME);
-    let value = u64::try_from(&rest).unwrap_or(0);
-    if *c < Rational::ZERO { negate(value) } else { value }
+    p.terms().map(|(_, c)| residue(c).unwrap_or(0)).collect()
 }
 
 /// The image in one variable, low coefficients first, and whether it keeps the degree.
@@ -99,7 +88,7 @@ fn gcd_degree(mut p: Vec<u64>, mut q: Vec<u64>) -> u32 {
 /// Reduces `p` modulo `q`, whose last coefficient is not 0.
 fn remainder(p: &mut Vec<u64>, q: &[u64]) {
     let Some(&lead) = q.last() else { return };
-    let inverse = power(lead, PRIME - 2);
+    let inverse = inverse(lead);
     while p.len() >= q.len() {
         let shift = p.len() - q.len();
         let factor = multiply(p.last().copied().unwrap_or(0), inverse);
@@ -115,29 +104,4 @@ fn trim(p: &mut Vec<u64>) {
     while p.last() == Some(&0) {
         p.pop();
     }
-}
-
-fn add(a: u64, b: u64) -> u64 {
-    (a + b) % PRIME
-}
-
-fn negate(a: u64) -> u64 {
-    if a == 0 { 0 } else { PRIME - a }
-}
-
-fn multiply(a: u64, b: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b) % u128::from(PRIME);
-    u64::try_from(product).unwrap_or(0)
-}
-
-fn power(mut base: u64, mut exponent: u64) -> u64 {
-    let mut result = 1;
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            result = multiply(result, base);
-        }
-        base = multiply(base, base);
-        exponent >>= 1;
-    }
-    result
 }
