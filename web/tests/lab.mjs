@@ -226,6 +226,8 @@ test("tables are shown and saved, and a wrong grid is one error", async () => {
   await visit("#room=table", async (page) => {
     await shows(page, "#table-note", "60 rows");
     await page.fill("#t-ratio", "1,10");
+    await shows(page, "#t-ratio-error", "write 1.10 if the comma is a decimal point, 1; 10 if it separates two numbers");
+    await page.fill("#t-ratio", "1; 10");
     await shows(page, "#table-note", "30 rows");
     await shoot(page, "table");
     const [csv] = await Promise.all([page.waitForEvent("download"), page.click('[data-form="csv"]')]);

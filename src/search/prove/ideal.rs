@@ -103,11 +103,11 @@ impl Prover {
         for step in found.steps {
             let shown = compare(self.letters.written(&step.poly), Relation::Equal, numeral(0));
             let terms = terms(self, &zeros, &step.parts, &[])?;
-            let label = self.combination(shown, terms)?;
+            let label = self.identity(shown, terms)?;
             zeros.push(Zero { poly: step.poly, facts: vec![label], factors: Vec::new() });
         }
         let terms = terms(self, &zeros, &found.goal, rest)?;
-        self.combination(goal.clone(), terms)
+        self.identity(goal.clone(), terms)
     }
 
     /// A name t for 1/d, with t·d − 1 = 0.
@@ -121,7 +121,7 @@ impl Prover {
         // (1/d − t)·(−d) = t·d − 1.
         let factor = self.letters.written(&d.neg());
         let shown = compare(self.letters.written(&poly), Relation::Equal, numeral(0));
-        let label = self.combination(shown, vec![Term { facts: vec![named], factor }])?;
+        let label = self.identity(shown, vec![Term { facts: vec![named], factor }])?;
         Ok(Zero { poly, facts: vec![label], factors: Vec::new() })
     }
 

@@ -274,17 +274,25 @@ impl Prover {
     fn emit(&mut self, rule: Rule, shown: Prop) -> Result<Label, Fail> {
         self.tick()?;
         let by = self.signs();
-        let show =
-            Show { label: format!("{}", self.counter + 1), rule, prop: shown, by, using: self.equations.clone() };
-        let label = show.label.clone();
+        let show = Show { label: self.next_label(), rule, prop: shown, by, using: self.equations.clone() };
         let step = match brief::take(&mut self.checker, show.clone()) {
             Err(_) if !show.using.is_empty() => brief::take(&mut self.checker, Show { using: Vec::new(), ..show }),
             other => other,
         };
-        let step = step.map_err(Fail::from)?;
+        Ok(self.taken(step.map_err(Fail::from)?))
+    }
+
+    /// The label of the next step.
+    fn next_label(&self) -> Label {
+        format!("{}", self.counter + 1)
+    }
+
+    /// Keeps a step that the kernel has accepted.
+    fn taken(&mut self, step: Step) -> Label {
+        let label = self.next_label();
         self.counter += 1;
         self.steps.push(step);
-        Ok(label)
+        label
     }
 
     /// Adds the size of a linear program with these columns to the total.
@@ -299,6 +307,18 @@ impl Prover {
             return Err(Fail::No("a comparison that can hold"));
         }
         self.emit(Rule::Combination { times: None, terms }, shown)
+    }
+
+    /// A combination that is an identity of polynomials: no sign is asked and no equation put in, unless it fails without.
+    fn identity(&mut self, shown: Prop, terms: Vec<Term>) -> Result<Label, Fail> {
+        self.tick()?;
+        let rule = Rule::Combination { times: None, terms };
+        let (by, using) = (Vec::new(), Vec::new());
+        let step = Step::Show(Box::new(Show { label: self.next_label(), rule: rule.clone(), prop: shown.clone(), by, using }));
+        match self.checker.step(&step) {
+            Ok(()) => Ok(self.taken(step)),
+            Err(_) => self.emit(rule, shown),
+        }
     }
 
     fn logic(&mut self, from: &[&str], shown: &Prop) -> Result<Label, Fail> {

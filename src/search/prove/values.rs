@@ -230,7 +230,7 @@ impl Prover {
             if !is_sum {
                 let _ = self.attempt(|c| c.positive_product(e, index, body));
             }
-            return self.learn_longer(e, is_sum, index, body, &from);
+            return self.learn_longer(e, is_sum, index, body, (&from, &to));
         };
         self.define(&right);
         let shown = self.unfolded(e, &right);
@@ -238,24 +238,34 @@ impl Prover {
         shown
     }
 
-    /// Of a sum or product beside one that ends alike and begins one member earlier, or later: the longer by the shorter.
+    /// Of a sum or product beside one with one member more or less at an end: the longer by the shorter.
     fn learn_longer(
         &mut self,
         e: &Expr,
         is_sum: bool,
         index: &Index,
         body: &Expr,
-        from: &Polynomial,
+        (from, to): (&Polynomial, &Polynomial),
     ) -> Result<bool, Fail> {
-        for by in [-1, 1] {
-            let start = self.letters.written(&from.add(&Polynomial::constant(Rational::from(by))));
-            let at = Index { from: Box::new(start.clone()), ..index.clone() };
+        let moved = |p: &Polynomial, by: i32| p.add(&Polynomial::constant(Rational::from(by)));
+        for (at_start, at_end) in [(-1, 0), (1, 0), (0, 1), (0, -1)] {
+            let (first, last) = (moved(from, at_start), moved(to, at_end));
+            let (first, last) = (self.letters.written(&first), self.letters.written(&last));
+            let at = Index { from: Box::new(first.clone()), to: Box::new(last.clone()), ..index.clone() };
             let other = over(is_sum, at, body);
             if !self.letters.knows(&other) {
                 continue;
             }
-            let (long, short, first) = if by < 0 { (&other, e, &start) } else { (e, &other, &*index.from) };
-            let right = joined(is_sum, member(index, body, first)?, short.clone());
+            let is_shorter = at_end < at_start;
+            let (long, short) = if is_shorter { (e, &other) } else { (&other, e) };
+            let place = match (at_end == 0, is_shorter) {
+                (true, true) => &*index.from,
+                (true, false) => &first,
+                (false, true) => &*index.to,
+                (false, false) => &last,
+            };
+            let one = member(index, body, place)?;
+            let right = if at_end == 0 { joined(is_sum, one, short.clone()) } else { joined(is_sum, short.clone(), one) };
             return self.unfolded(long, &right);
         }
         Ok(false)
