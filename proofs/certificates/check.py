@@ -470,12 +470,12 @@ class Checker(Logic):
             for e in (goal[1], goal[3]):
                 self.defined(e, known)
             f, value = self.read(goal[1]), self.read(goal[3])
-            top, bottom = (coefficients(p.expanded(), x) for p in f.parts())
+            top, bottom = (coefficients(p.expanded(), self.exponents(x)) for p in f.parts())
             for p in [*top.values(), *bottom.values(), value]:
-                need(x not in self.free_in(p), "a quotient of polynomials in the variable that grows is needed")
+                need(x not in self.free_in(p), "a quotient of sums of powers of the variable that grows is needed")
             degree = max(bottom)
             need(not self.signs(bottom[degree], known) & 2, "the leading coefficient of the divisor may be 0")
-            grows, quotient = max(top, default=0) > degree, top.get(degree, ZERO) * bottom[degree].power(-1)
+            grows, quotient = max(top, default=degree) > degree, top.get(degree, ZERO) * bottom[degree].power(-1)
             if denied:
                 apart = top[max(top)] if grows else quotient - value
                 return need(not self.signs(apart, known) & 2, "the limit is another")
@@ -491,7 +491,8 @@ class Checker(Logic):
             need(limit[2] == goal[2] and same(limit[3], goal[3]), "the limit is another")
             need(bound[0] == "all" and len(bound[1]) == 1 and len(bound[1][0][1]) == 1, ONE_VARIABLE)
             (_, ((n, index),), over_naturals, limits, _), = bound[1]
-            unbounded = not limits or len(limits) == 1 and limits[0][1] in (">", ">=") and limits[0][2][0] == "num"
+            unbounded = not limits or len(limits) == 1 and limits[0][0] == "relation" and limits[0][1] in (">", ">=")
+            unbounded = unbounded and not (limits and {n, goal[2]} & names_in(limits[0][2]))
             need(unbounded and index is None, "the bound does not hold for all large values")
             need(natural or not over_naturals, "the bound holds for natural numbers only")
             a, f = at(goal[2], limit[1]), at(goal[2], goal[1])

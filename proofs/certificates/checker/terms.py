@@ -108,9 +108,9 @@ def factored(scale, poly):
     for m in poly:
         m = dict(m)
         common = {a: min(k, m[a]) for a, k in common.items() if a in m}
-    content = math.gcd(*poly.values()) * (1 if poly[max(poly)] > 0 else -1)
-    rest = tuple(sorted((tuple((a, k - common.get(a, 0)) for a, k in m if k > common.get(a, 0)), c // content)
-                        for m, c in poly.items()))
+    rest = sorted((tuple((a, k - common.get(a, 0)) for a, k in m if k > common.get(a, 0)), c) for m, c in poly.items())
+    content = math.gcd(*poly.values()) * (1 if rest[-1][1] > 0 else -1)
+    rest = tuple((m, c // content) for m, c in rest)
     out = monomial(common.items()) * F(scale * content)
     return out * F(1, {rest: 1}) if len(rest) > 1 else out
 
@@ -143,12 +143,16 @@ def primes(c):
             yield rest, sign
 
 
-def coefficients(expanded, x):
+def coefficients(expanded, exponents):
+    """The coefficients by powers of a number, of which these atoms are the powers with these exponents."""
     scale, poly = expanded
     out = {}
     for m, c in poly.items():
-        out.setdefault(dict(m).get(x, 0), {})[tuple((a, k) for a, k in m if a != x)] = c
-    return {k: factored(scale, p) for k, p in out.items()} if scale else {}
+        degree = sum((exponents[a] * k for a, k in m if a in exponents), Q(0))
+        own, rest = out.setdefault(degree, {}), tuple((a, k) for a, k in m if a not in exponents)
+        own[rest] = own.get(rest, 0) + c
+    out = {k: factored(scale, {m: c for m, c in p.items() if c}) for k, p in out.items()}
+    return {k: p for k, p in out.items() if p.c}
 
 
 def size(x):
@@ -228,6 +232,11 @@ class Terms:
         """The parts of the single atom p, if it is of one of these kinds."""
         a = the_atom(p)
         return self.atoms[a] if a is not None and self.atoms[a][0] in tags else None
+
+    def exponents(self, x):
+        """The atoms that are powers of the atom x with a rational number as exponent: itself, and its roots."""
+        roots = {n: a[2].c for n, a in enumerate(self.atoms) if a[0] == "power" and a[1] == atom(x) and not a[2].factors}
+        return {**roots, x: Q(1)}
 
     def is_natural(self, a):
         kind, *parts = self.atoms[a]

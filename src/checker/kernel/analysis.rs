@@ -4,10 +4,14 @@ use super::fraction::Fraction;
 use super::known::Known;
 use super::order::Signs;
 use super::scope::Variable;
+use super::slope::is_bound;
 use super::statement::{apply, compare, name, numeral, one_minus, power, product, prop, sum};
 use super::term::Atom;
 use super::{Checker, Reason, Refusal, key, rejected};
 use crate::claim::syntax::*;
+use num_rational::BigRational;
+use num_traits::One;
+use std::collections::BTreeMap;
 
 /// What an acceptance says where it rests on rule `mean`.
 pub const LEMMA: &str = "the weighted mean inequality for two values";
@@ -103,14 +107,15 @@ impl Checker {
         }
     }
 
-    /// Rule `limit`: the limit of N/D, polynomials in the variable that grows, by degrees; or that it is another than is
-    /// said.
+    /// Rule `limit`: the limit of N/D, sums of powers of the variable that grows with rational numbers as exponents, by
+    /// degrees; or that it is another than is said.
     ///
     /// The variable is another one here than outside: no fact says anything of it but that it is at least the numeral
     /// given as `from`.
     ///
     /// Sound: the expression has a value for every x ≥ `from`, all other variables stay as they are, and the
-    /// coefficients do not depend on x. If the degree of D is the greater, N/D → 0; if they are equal, N/D tends to the
+    /// coefficients do not depend on x. The degree is the greatest exponent; for x > 0 exponents add up, and a positive power
+    /// of x grows without bound. If the degree of D is the greater, N/D → 0; if they are equal, N/D tends to the
     /// quotient of the leading coefficients, that of D being shown not to be 0. If that of N is the greater, and its leading
     /// coefficient is not 0, N/D is not bounded. A limit is one number.
     pub(super) fn limit(&mut self, goal: &Prop, with: &[(Name, Expr)], known: &mut Known) -> Result<(), Refusal> {
@@ -147,7 +152,8 @@ impl Checker {
         self.defined(&limit.value, known)?;
         let (f, value) = (self.fraction(&limit.of)?, self.fraction(&limit.value)?);
         let (top, bottom) = f.parts(&self.work)?;
-        let (top, bottom) = (top.coefficients(place), bottom.coefficients(place));
+        let exponents = self.exponents_of(place);
+        let (top, bottom) = (top.coefficients(&exponents), bottom.coefficients(&exponents));
         for poly in top.values().chain(bottom.values()) {
             if !self.is_free_of(&Fraction::of(poly), &atom)? {
                 return rejected(Reason::NotRational);
@@ -160,7 +166,7 @@ impl Checker {
         if !self.signs_of(&Fraction::of(lead), known)?.within(Signs::NOT_ZERO) {
             return rejected(Reason::LeadingCoefficient);
         }
-        if let Some((_, greatest)) = top.iter().next_back().filter(|(k, _)| *k > degree) {
+        if let Some((_, greatest)) = top.iter().next_back().filter(|(k, _)| **k > *degree) {
             let grows = denied && self.signs_of(&Fraction::of(greatest), known)?.within(Signs::NOT_ZERO);
             self.scope.pop();
             return if grows { Ok(()) } else { rejected(Reason::OtherLimit) };
@@ -178,10 +184,21 @@ impl Checker {
         if shown { Ok(()) } else { rejected(Reason::OtherLimit) }
     }
 
-    /// Rule `squeeze`: the limit of F from `for all x >= N: A <= F`, `for all x >= N: F <= B` and the limits of A and B,
+    /// The atoms that are a power of this one with a rational number as exponent: itself, and its roots.
+    pub fn exponents_of(&self, place: usize) -> BTreeMap<usize, BigRational> {
+        let itself = Fraction::atom(place);
+        let exponent = |(other, atom): (usize, &Atom)| match atom {
+            Atom::Power(base, e) if *base == itself => Some((other, e.as_number()?.clone())),
+            _ => None,
+        };
+        let roots = self.atoms.iter().enumerate().filter_map(exponent);
+        roots.chain([(place, BigRational::one())]).collect()
+    }
+
+    /// Rule `squeeze`: the limit of F from `for all x >= N: A <= F`, `for all x >= M: F <= B` and the limits of A and B,
     /// all the same.
     ///
-    /// Sound: from N on, a numeral, F lies between A and B.
+    /// Sound: from a number on, F lies between A and B. N and M have values, and x is bound in neither.
     pub(super) fn squeeze(&mut self, goal: &Prop, from: &[String]) -> Result<(), Refusal> {
         let PropKind::Limit(limit) = &goal.kind else { return rejected(Reason::NotALimit) };
         let [lower, upper, lower_limit, upper_limit] = from else { return rejected(Reason::NotALimit) };
@@ -198,8 +215,8 @@ impl Checker {
             let [(variable, None)] = binding.names.as_slice() else { return rejected(Reason::NotForAll) };
             let unbounded = match binding.constraints.as_slice() {
                 [] => true,
-                [Constraint::Relation(Relation::Greater | Relation::GreaterEqual, bound)] => {
-                    matches!(bound.kind, ExprKind::Number(_))
+                [bound @ Constraint::Relation(Relation::Greater | Relation::GreaterEqual, _)] => {
+                    [variable, &limit.variable].into_iter().all(|v| is_bound(bound, &v.text))
                 }
                 _ => false,
             };

@@ -92,8 +92,6 @@ impl Fraction {
 
     /// A polynomial: its number, its atoms and what is left become factors.
     pub fn of(poly: &Poly) -> Fraction {
-        let Some((_, lead)) = poly.terms().next_back() else { return Fraction::integer(0) };
-        let mut out = Fraction::number(lead.clone());
         let mut common: BTreeMap<usize, u32> = BTreeMap::new();
         for (place, (monomial, _)) in poly.terms().enumerate() {
             let powers: BTreeMap<usize, u32> = monomial.iter().copied().collect();
@@ -106,13 +104,20 @@ impl Fraction {
                 });
             }
         }
-        // Different monomials stay different where what they share is taken from all.
-        let rest = match lead.is_one() && common.is_empty() {
+        // Different monomials stay different where what they share is taken from all; which of them is the last may change.
+        let lower = |monomial: &Monomial| -> Monomial {
+            let powers = monomial.iter().map(|(atom, k)| (*atom, k - common.get(atom).copied().unwrap_or(0)));
+            powers.filter(|p| p.1 > 0).collect()
+        };
+        let rest = match common.is_empty() {
             true => poly.clone(),
-            false => Poly::of_different(poly.terms().map(|(monomial, c)| {
-                let lower = monomial.iter().map(|(atom, k)| (*atom, k - common.get(atom).copied().unwrap_or(0)));
-                (lower.filter(|p| p.1 > 0).collect(), if lead.is_one() { c.clone() } else { c / lead })
-            })),
+            false => Poly::of_different(poly.terms().map(|(monomial, c)| (lower(monomial), c.clone()))),
+        };
+        let Some((_, lead)) = rest.terms().next_back() else { return Fraction::integer(0) };
+        let mut out = Fraction::number(lead.clone());
+        let rest = match lead.is_one() {
+            true => rest,
+            false => Poly::of_different(rest.terms().map(|(monomial, c)| (monomial.clone(), c / lead))),
         };
         for (atom, k) in common {
             out.factors.insert(Poly::atom(atom), i64::from(k));

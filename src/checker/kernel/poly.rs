@@ -174,15 +174,19 @@ impl Poly {
         Poly::of_different(lowered)
     }
 
-    /// The coefficients by powers of an atom.
-    pub fn coefficients(&self, atom: usize) -> BTreeMap<u32, Poly> {
-        let mut out: BTreeMap<u32, Vec<(Monomial, BigRational)>> = BTreeMap::new();
+    /// The coefficients by powers of a number, of which these atoms are the powers with these exponents.
+    pub fn coefficients(&self, exponents: &BTreeMap<usize, BigRational>) -> BTreeMap<BigRational, Poly> {
+        let mut out: BTreeMap<BigRational, BTreeMap<Monomial, BigRational>> = BTreeMap::new();
         for (monomial, c) in self.0.iter() {
-            let k = monomial.iter().find(|p| p.0 == atom).map_or(0, |p| p.1);
-            let rest = monomial.iter().copied().filter(|p| p.0 != atom).collect();
-            out.entry(k).or_default().push((rest, c.clone()));
+            let own = |(atom, k): &(usize, u32)| exponents.get(atom).map(|e| e * BigInt::from(*k));
+            let degree: BigRational = monomial.iter().filter_map(own).sum();
+            let rest: Monomial = monomial.iter().copied().filter(|p| !exponents.contains_key(&p.0)).collect();
+            *out.entry(degree).or_default().entry(rest).or_insert_with(BigRational::zero) += c;
         }
-        out.into_iter().map(|(k, terms)| (k, Poly::of_different(terms.into_iter()))).collect()
+        let poly = |terms: BTreeMap<Monomial, BigRational>| {
+            Poly(Arc::new(terms.into_iter().filter(|t| !t.1.is_zero()).collect()))
+        };
+        out.into_iter().map(|(k, terms)| (k, poly(terms))).filter(|(_, p)| !p.0.is_empty()).collect()
     }
 }
 

@@ -132,7 +132,7 @@ pub enum Reason {
     NotADerivative,
     /// The domain of a fact about a derivative is no interval.
     NotAnInterval,
-    /// Not a quotient of polynomials in the variable that grows.
+    /// Not a quotient of sums of powers of the variable that grows.
     NotRational,
     /// The leading coefficient of the divisor may be 0.
     LeadingCoefficient,
@@ -248,7 +248,7 @@ impl std::fmt::Display for Reason {
             Reason::NotAnInterval => {
                 "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed"
             }
-            Reason::NotRational => "a quotient of polynomials in the variable that grows is needed",
+            Reason::NotRational => "a quotient of sums of powers of the variable that grows is needed",
             Reason::LeadingCoefficient => "the leading coefficient of the divisor may be 0",
             Reason::OtherLimit => "the limit is another",
             Reason::NotUnbounded => "the bound does not hold for all large values",

@@ -117,7 +117,7 @@ impl Checker {
 }
 
 /// Whether a constraint bounds the variable by a number that does not depend on it.
-fn is_bound(constraint: &Constraint, variable: &str) -> bool {
+pub(super) fn is_bound(constraint: &Constraint, variable: &str) -> bool {
     let mut names = BTreeSet::new();
     match constraint {
         Constraint::Relation(Relation::Equal | Relation::NotEqual, _) | Constraint::Range(..) => return false,

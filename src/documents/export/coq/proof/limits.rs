@@ -2,6 +2,7 @@
 
 use super::identity::Side;
 use super::*;
+use num_traits::Zero;
 
 impl Writer<'_> {
     /// The limit of a quotient of polynomials in the variable, by what it is in the inverse of the variable.
@@ -13,7 +14,8 @@ impl Writer<'_> {
         let f = self.checker.read(&limit.of, &[])?;
         let (top, bottom) = self.checker.parts_of(&f)?;
         let place = self.checker.read(&name(&x), &[])?.atoms().next().unwrap_or(usize::MAX);
-        let (top, bottom) = (top.coefficients(place), bottom.coefficients(place));
+        let exponents = self.checker.exponents_of(place);
+        let (top, bottom) = (top.coefficients(&exponents), bottom.coefficients(&exponents));
         let Some((degree, lead)) = bottom.iter().next_back() else {
             return Err(Open::Untranslated("limit".to_string(), "a divisor"));
         };
@@ -28,10 +30,11 @@ impl Writer<'_> {
             let mut terms = vec!["0".to_string()];
             for (k, c) in list {
                 let c = self.poly(c)?;
-                terms.push(match degree.saturating_sub(*k) {
-                    0 => c,
-                    power => format!("{c} * y__0 ^ {power}"),
-                });
+                let power = degree - k;
+                if !power.is_integer() {
+                    return Err(Open::Untranslated("limit".to_string(), "roots of the variable"));
+                }
+                terms.push(if power.is_zero() { c } else { format!("{c} * y__0 ^ {power}") });
             }
             sides.push(format!("(fun y__0 : R => {})", terms.join(" + ")));
         }
