@@ -58,6 +58,22 @@ fn no_deception_succeeds() {
     assert!(count >= 120 && truths >= 10, "{count}, {truths} of them true and proved");
 }
 
+/// Limits by asymptotic expansion and sums to one less than n are proved: one that is lost is not lost in silence.
+#[test]
+fn true_limits_are_proved() {
+    let limits = Limits { time: Duration::from_secs(20), ..Limits::default() };
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths/limits.claim");
+    let mut lost = Vec::new();
+    for claim in claims(&fs::read_to_string(path).unwrap()) {
+        let name = claim.split_whitespace().nth(1).unwrap().to_owned();
+        let catalogue = Catalogue::new(parse(&claim).unwrap()).unwrap();
+        if outcome_of(&catalogue, &name, &limits).unwrap().verdict != Verdict::Proved {
+            lost.push(name);
+        }
+    }
+    assert!(lost.is_empty(), "undecided: {lost:?}");
+}
+
 #[test]
 fn no_truth_is_refuted() {
     let limits = Limits { time: Duration::from_secs(1), ..Limits::default() };

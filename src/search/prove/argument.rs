@@ -101,7 +101,7 @@ impl Prover {
         let variable = &limit.variable.text;
         let least = self.least(variable).unwrap_or(0);
         let again = Proof { steps: named.steps.clone(), close: None };
-        self.squeeze(goal, limit, [lower, upper], least, &mut |c, k, every, body| {
+        self.squeeze(goal, limit, [lower, upper], &numeral(least), &mut |c, k, every, body| {
             let mut inside = named.clone();
             inside.values.replace(variable, k);
             let followed = c.attempt(|c| c.block(every, |c, _| c.follow(body, &again, &inside)));

@@ -80,7 +80,7 @@ impl Prover {
                     return Ok(label);
                 }
                 let (all, inner) = together(bindings, body);
-                let mut point: Vec<(String, Expr)> = match example(&all, inner, None) {
+                let mut point: Vec<(String, Expr)> = match example(&all, inner, self.deadline) {
                     Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
                     None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
                     None => match self.solved(&all, inner) {
@@ -277,7 +277,7 @@ impl Prover {
     }
 
     /// A shorter form of an expression.
-    fn simplified(&mut self, e: &Expr) -> Option<Expr> {
+    pub(super) fn simplified(&mut self, e: &Expr) -> Option<Expr> {
         self.define(e);
         let reading = self.read(e, false)?;
         let mut factors = Vec::new();

@@ -1,10 +1,9 @@
-//! Limits that no single rule proves: by a squeeze between bounds that fall like 1/(n + 1) or like a geometric sequence.
+//! Limits: by degrees, by asymptotic expansion (`asymptotic_limits`), or by a squeeze between bounds that fall like 1/(n + 1).
 
 use super::letters::{natural, product, whole_power};
-use super::values::at_next;
-use super::{Fail, Prover, implies};
+use super::{Fail, Prover};
 use crate::algebra::Polynomial;
-use crate::certificate::{Label, Rule, Term};
+use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
@@ -31,34 +30,6 @@ pub(super) fn holds(e: &Expr, variable: &str) -> bool {
 
 /// Shows that one expression lies below another: for a name, the statement for all its values, and that for this one.
 type ShowBound<'a> = dyn FnMut(&mut Prover, &Expr, &Prop, &Prop) -> Result<Label, Fail> + 'a;
-
-/// The largest degree of the factor of a power in a limit.
-const SLOPE_DEGREE: u32 = 4;
-
-/// A geometric part of an expression: constant + slope·ratio^n, where the slope is a polynomial of this degree in n.
-struct Geometric {
-    constant: Expr,
-    slope: Expr,
-    degree: u32,
-    ratio: Expr,
-}
-
-/// n·(n − 1)·…·(n − k + 1)/k!.
-fn binomial(n: &Expr, k: u32) -> Expr {
-    let less = |i: u32| match i {
-        0 => n.clone(),
-        _ => expr(ExprKind::Sum(vec![(Sign::Plus, n.clone()), (Sign::Minus, numeral(i))])),
-    };
-    match (0..k).map(less).collect::<Vec<_>>() {
-        list if list.is_empty() => numeral(1),
-        list if k == 1 => product(list),
-        list => over(product(list), numeral((1..=k).product())),
-    }
-}
-
-fn is_one(e: &Expr) -> bool {
-    natural(e) == Some(1)
-}
 
 impl Prover {
     /// Shows a limit.
@@ -97,7 +68,7 @@ impl Prover {
     /// Proves that the divisors whose signs are open are positive from 1 on. Returns whether that is a new fact.
     fn divisors_are_positive(&mut self, l: &Limit) -> bool {
         let k = self.fresh("k");
-        let binding = self.growing_from(1, l, &k);
+        let binding = self.growing_from(&numeral(1), l, &k);
         let mut map = Substitution::default();
         map.replace(&l.variable.text, &name(&k));
         let mut divisors = Vec::new();
@@ -114,7 +85,7 @@ impl Prover {
 
     /// Proves that the leading coefficient of the divisor, multiplied out as the kernel does, is not 0. Returns whether that
     /// is a new fact.
-    fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
+    pub(super) fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
         let variable = self.letters.of(&name(&l.variable.text));
         let Some(reading) = self.read(&l.of, false) else { return false };
         let mut lead = Polynomial::one();
@@ -138,19 +109,10 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
             return Ok(label);
         }
-        if let Ok(label) = self.attempt(|c| c.by_compound(goal, l)) {
-            return Ok(label);
-        }
-        if self.naturals.contains(&l.variable.text)
-            && let Ok(geometric) = self.geometric(l)
-            && let Ok(label) = self.attempt(|c| c.by_ratio(goal, l, &geometric))
-        {
+        if let Ok(label) = self.attempt(|c| c.by_expansion(goal, l)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_absolute_value(goal, l)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_exponential(goal, l)) {
             return Ok(label);
         }
         let next = plus(&n, numeral(1));
@@ -209,145 +171,6 @@ impl Prover {
         falling.into_iter().map(|g| plus(&l.value, product(vec![gap.clone(), g]))).collect()
     }
 
-    /// An expression as constant + slope·ratio^n.
-    fn geometric(&mut self, l: &Limit) -> Result<Geometric, Fail> {
-        let no = || Fail::No("a geometric sequence");
-        let reading = self.read(&l.of, false).ok_or_else(no)?;
-        let variable = l.variable.text.as_str();
-        let (mut top, mut bottom) = (Polynomial::constant(reading.number.clone()), Vec::new());
-        let mut power: Option<u32> = None;
-        let mut below = 0i64;
-        let letters: Vec<u32> = reading.factors.iter().flat_map(|f| f.poly.variables()).collect();
-        for v in letters {
-            let e = self.letters.expr(v).cloned().ok_or_else(no)?;
-            if holds(&e, variable) {
-                let is_power = match &e.kind {
-                    ExprKind::Power(base, exponent) => {
-                        !holds(base, variable) && matches!(&exponent.kind, ExprKind::Name(n) if n == variable)
-                    }
-                    ExprKind::Apply(f, _) => f.text == "exp",
-                    _ => false,
-                };
-                let is_variable = matches!(&e.kind, ExprKind::Name(n) if n == variable);
-                if !is_variable && (!is_power || power.is_some_and(|p| p != v)) {
-                    return Err(no());
-                }
-                if !is_variable {
-                    power = Some(v);
-                }
-            }
-        }
-        let x = power.ok_or_else(no)?;
-        let grows = self.letters.of(&name(variable));
-        for f in &reading.factors {
-            if f.power > 0 {
-                let k = u32::try_from(f.power).map_err(|_| no())?;
-                top = top.try_mul(&f.poly.pow(k).map_err(|_| no())?).map_err(|_| no())?;
-            } else if f.poly == Polynomial::variable(x) {
-                below = -f.power;
-            } else if f.poly.contains(x) || f.poly.contains(grows) {
-                return Err(no());
-            } else {
-                bottom.push(whole_power(self.letters.written(&f.poly), -f.power));
-            }
-        }
-        let (mut constant, mut slope, mut degree) = (numeral(0), None, 0);
-        for (k, part) in top.coefficients_in(x).iter().enumerate() {
-            if part.is_zero() {
-                continue;
-            }
-            let own = part.degree_in(grows);
-            let part = over(self.letters.written(part), product(bottom.clone()));
-            match i64::try_from(k).unwrap_or(0) - below {
-                0 if own > 0 => return Err(no()),
-                0 => constant = part,
-                _ if own > SLOPE_DEGREE => return Err(no()),
-                j if slope.is_none() => {
-                    slope = Some((part, j));
-                    degree = own;
-                }
-                _ => return Err(no()),
-            }
-        }
-        let (slope, j) = slope.ok_or_else(no)?;
-        let ratio = match self.letters.expr(x).map(|e| e.kind.clone()) {
-            Some(ExprKind::Power(base, _)) => whole_power(*base, j),
-            Some(ExprKind::Apply(f, list)) => {
-                // exp(c·n): the ratio is exp(j·c).
-                let mut map = Substitution::default();
-                map.replace(variable, &numeral(1));
-                let c = map.expr(list.first().ok_or_else(no)?).map_err(Fail::from)?;
-                let times = crate::refute::literal::literal(&malachite::Rational::from(j));
-                expr(ExprKind::Apply(f, vec![product(vec![times, c])]))
-            }
-            _ => return Err(no()),
-        };
-        Ok(Geometric { constant, slope, degree, ratio })
-    }
-
-    /// A limit of constant + slope·r^n for 0 < r < 1 and a slope of degree m − 1 in n, since r^n·P(n) <= r^m for the sum P(n) of
-    /// binomial(n, i)·(1 − r)^i·r^(m − i) over i = 0 … m.
-    ///
-    /// By induction from m on: P(m) = (1 − r + r)^m = 1, and Pascal's rule gives r·P(n + 1) = P(n) − binomial(n, m)·(1 − r)^(m + 1).
-    fn by_ratio(&mut self, goal: &Prop, l: &Limit, g: &Geometric) -> Result<Label, Fail> {
-        let r = &g.ratio;
-        self.define(r);
-        for (relation, bound) in [(Relation::Greater, 0), (Relation::Less, 1)] {
-            let p = compare(r.clone(), relation, numeral(bound));
-            self.show(&p)?;
-        }
-        let m = g.degree + 1;
-        let k = self.fresh("k");
-        let rest = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (Sign::Minus, r.clone())]));
-        let room = |at: &Expr| {
-            let term = |i: u32| {
-                let powers = [whole_power(rest.clone(), i64::from(i)), whole_power(r.clone(), i64::from(m - i))];
-                (Sign::Plus, product([binomial(at, i)].into_iter().chain(powers).filter(|e| !is_one(e)).collect()))
-            };
-            expr(ExprKind::Sum((0..=m).map(term).collect()))
-        };
-        let power = |at: &Expr| expr(ExprKind::Power(Box::new(r.clone()), Box::new(at.clone())));
-        let at = name(&k);
-        let all = whole_power(r.clone(), i64::from(m));
-        let body = compare(product(vec![power(&at), room(&at)]), Relation::LessEqual, all.clone());
-        // The first binomials are positive at once from 0 on.
-        let least = if m == 1 { 0 } else { m };
-        let from = Constraint::Relation(Relation::GreaterEqual, numeral(least));
-        let binding = Binding { constraints: Vec::from_iter((least > 0).then_some(from)), ..natural_binding(&k) };
-        let every = |p: &Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p.clone())));
-        let start = self.show(&super::put(&body, &k, &numeral(least))?)?;
-        let next = at_next(&body, &k)?;
-        let step = implies(&body, &next);
-        let advance = self.block(&every(&step), |c, _| {
-            let positive = c.show(&compare(binomial(&at, m), Relation::GreaterEqual, numeral(0)))?;
-            c.block(&step, |c, block| {
-                let extra = product(vec![power(&at), whole_power(rest.clone(), i64::from(m + 1))]);
-                let terms = vec![
-                    Term { facts: vec![format!("{block}s")], factor: numeral(1) },
-                    Term { facts: vec![positive], factor: expr(ExprKind::Negate(Box::new(extra))) },
-                ];
-                c.combination(next.clone(), terms)
-            })
-        })?;
-        let bound = self.emit(Rule::Induction { base: start, advance }, every(&body))?;
-        // That the divisor is positive is to be known of the variable that grows.
-        let divisor = every(&compare(room(&at), Relation::Greater, numeral(0)));
-        let facts = [self.show(&divisor)?, bound];
-        let n = name(&l.variable.text);
-        let falling = plus(&g.constant, product(vec![g.slope.clone(), over(all, room(&n))]));
-        let signs = self.signs_of(&g.slope);
-        let mut pairs = vec![(g.constant.clone(), falling.clone()), (falling, g.constant.clone())];
-        pairs.truncate(if signs.within(Signs::NOT_NEGATIVE) { 1 } else { 2 });
-        let mut last = Err(Fail::No("a squeeze"));
-        for (lower, upper) in pairs.into_iter().skip(usize::from(signs.within(Signs::of(Relation::LessEqual)))) {
-            last = self.attempt(|c| c.between(goal, l, (&lower, &upper), &facts, least.max(1)));
-            if last.is_ok() {
-                break;
-            }
-        }
-        last
-    }
-
     /// r^n → 0 for r between −1 and 1: it lies between −q^n and q^n for q = (1 + r²)/2, which is at least |r| and less than 1.
     fn by_absolute_value(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let no = || Fail::No("a power of what is between -1 and 1");
@@ -382,12 +205,11 @@ impl Prover {
     }
 
     /// `k >= least`, of the kind of the variable that grows.
-    pub(crate) fn growing_from(&self, least: u32, l: &Limit, k: &str) -> Binding {
+    pub(crate) fn growing_from(&self, least: &Expr, l: &Limit, k: &str) -> Binding {
+        let bound = (natural(least) != Some(0)).then(|| Constraint::Relation(Relation::GreaterEqual, least.clone()));
         Binding {
             natural: self.naturals.contains(&l.variable.text),
-            constraints: Vec::from_iter(
-                (least > 0).then(|| Constraint::Relation(Relation::GreaterEqual, numeral(least))),
-            ),
+            constraints: Vec::from_iter(bound),
             ..natural_binding(k)
         }
     }
@@ -416,7 +238,7 @@ impl Prover {
         least: u32,
         effort: usize,
     ) -> Result<Label, Fail> {
-        self.squeeze(goal, l, [lower, upper], least, &mut |c, k, every, body| {
+        self.squeeze(goal, l, [lower, upper], &numeral(least), &mut |c, k, every, body| {
             let splits = std::mem::replace(&mut c.splits, effort);
             let shown = if facts.is_empty() {
                 c.show(every)
@@ -440,7 +262,7 @@ impl Prover {
         goal: &Prop,
         l: &Limit,
         [lower, upper]: [&Expr; 2],
-        least: u32,
+        least: &Expr,
         shown: &mut ShowBound<'_>,
     ) -> Result<Label, Fail> {
         let k = self.fresh("k");

@@ -12,6 +12,9 @@
 
 mod absolute;
 mod argument;
+mod asymptotic_bounds;
+mod asymptotic_form;
+mod asymptotic_limits;
 mod at_once;
 mod branching;
 mod brief;
@@ -19,11 +22,9 @@ mod cases;
 mod chains;
 mod columns;
 mod comparison;
-mod compound;
 mod differences;
 mod elimination;
 mod exponent_lattice;
-mod exponentials;
 mod exponents;
 mod facts;
 mod fail;
@@ -49,6 +50,7 @@ mod squares;
 mod sums;
 mod sums_of_squares;
 mod tangents;
+mod taylor;
 #[cfg(test)]
 mod tests;
 mod universal;
@@ -314,7 +316,8 @@ impl Prover {
         self.tick()?;
         let rule = Rule::Combination { times: None, terms };
         let (by, using) = (Vec::new(), Vec::new());
-        let step = Step::Show(Box::new(Show { label: self.next_label(), rule: rule.clone(), prop: shown.clone(), by, using }));
+        let step =
+            Step::Show(Box::new(Show { label: self.next_label(), rule: rule.clone(), prop: shown.clone(), by, using }));
         match self.checker.step(&step) {
             Ok(()) => Ok(self.taken(step)),
             Err(_) => self.emit(rule, shown),

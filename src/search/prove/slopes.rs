@@ -13,7 +13,7 @@ use crate::kernel::substitution::Substitution;
 use std::collections::BTreeSet;
 
 /// How often the sign of a derivative is shown by that of the next.
-const DEPTH: usize = 3;
+const DEPTH: usize = 4;
 
 /// How many comparisons of one claim are tried so.
 const SLOPES: usize = 40;
@@ -231,19 +231,24 @@ impl Prover {
         Ok(label)
     }
 
-    /// A numeral that a fact says to lie below (`>`) or above (`<`) an expression.
-    fn number_beyond(&self, end: &Expr, relation: Relation) -> Option<Expr> {
-        if matches!(end.kind, ExprKind::Number(_)) {
+    /// A number that a fact says to lie below (`>`) or above (`<`) an expression.
+    fn number_beyond(&mut self, end: &Expr, relation: Relation) -> Option<Expr> {
+        if self.is_number(end) {
             return None;
         }
-        self.checker.facts().find_map(|(_, fact)| {
+        self.facts().iter().find_map(|(_, fact)| {
             let PropKind::Compare(sides, relations) = &fact.kind else { return None };
             let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
             [(a, b, *said), (b, a, said.turned())].into_iter().find_map(|(this, other, said)| {
-                let number = matches!(&other.kind, ExprKind::Number(_));
-                (number && this == end && weak(said) == weak(relation)).then(|| other.clone())
+                let fits = this == end && weak(said) == weak(relation) && self.is_number(other);
+                fits.then(|| other.clone())
             })
         })
+    }
+
+    /// Whether an expression comes to a rational number.
+    fn is_number(&mut self, e: &Expr) -> bool {
+        self.letters.polynomial(e).is_some_and(|p| p.as_constant().is_some())
     }
 
     /// A comparison x relation y from facts about F(x) and F(y), where F rises or falls strictly.

@@ -2,12 +2,13 @@
 
 use super::facts::opposite;
 use super::letters::product;
+use super::limits::natural_binding;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::tangent;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, numeral};
+use crate::kernel::statement::{apply, compare, expr, name, numeral, prop, sum};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use std::rc::Rc;
@@ -107,5 +108,30 @@ impl Prover {
         let label = self.emit(Rule::Tangent { with }, shown.clone())?;
         self.take_in(&label, &shown)?;
         Ok(label)
+    }
+
+    /// exp(a + b) = exp(a)·exp(b), from that for all b: as a fraction the sum a + b is not seen to be one.
+    pub(super) fn exponential_of_a_sum(&mut self, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        let y = self.fresh("y");
+        let exp = |e: Expr| apply("exp", e);
+        let both = exp(sum(vec![(Sign::Plus, a.clone()), (Sign::Plus, name(&y))]));
+        let apart = product(vec![exp(a.clone()), exp(name(&y))]);
+        let body = compare(both, Relation::Equal, apart);
+        let binding = Binding { natural: false, ..natural_binding(&y) };
+        let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
+        let all = self.block(&every, |c, _| c.emit(Rule::Power, body.clone()))?;
+        self.instance(&all, b)
+    }
+
+    /// The fact 1 + x <= exp(x), also where it is known.
+    pub(super) fn tangent_fact(&mut self, x: &Expr) -> Result<Label, Fail> {
+        let known = |c: &Prover| {
+            let said = [Relation::Less, Relation::LessEqual].map(|r| tangent(x, r));
+            said.iter().find_map(|p| c.known(p))
+        };
+        match known(self) {
+            Some(label) => Ok(label),
+            None => self.tangent_at(x),
+        }
     }
 }

@@ -111,6 +111,14 @@ impl Prover {
         shown
     }
 
+    /// Shows a comparison with known inequalities, but without cases.
+    pub(super) fn without_cases(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let splits = std::mem::replace(&mut self.splits, 3);
+        let shown = self.show(goal);
+        self.splits = splits;
+        shown
+    }
+
     /// What the letters in these expressions stand for, each once.
     pub(super) fn letters_in(&mut self, exprs: &[&Expr]) -> Vec<Expr> {
         let mut letters = BTreeSet::new();
@@ -265,7 +273,8 @@ impl Prover {
                 (false, false) => &last,
             };
             let one = member(index, body, place)?;
-            let right = if at_end == 0 { joined(is_sum, one, short.clone()) } else { joined(is_sum, short.clone(), one) };
+            let right =
+                if at_end == 0 { joined(is_sum, one, short.clone()) } else { joined(is_sum, short.clone(), one) };
             return self.unfolded(long, &right);
         }
         Ok(false)

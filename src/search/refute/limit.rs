@@ -322,7 +322,7 @@ fn slope_in(e: &Expr, index: &str) -> Option<Expr> {
 }
 
 /// cosh, sinh, tanh and sech by exponentials.
-fn by_exponentials(function: &str, x: &Expr) -> Expr {
+pub(crate) fn by_exponentials(function: &str, x: &Expr) -> Expr {
     let name = |text: &str| Name { text: text.to_string(), span: Span::default() };
     let exp = |x: Expr| expr(ExprKind::Apply(name("exp"), vec![x]));
     let (up, down) = (exp(x.clone()), exp(expr(ExprKind::Negate(Box::new(x.clone())))));

@@ -1,0 +1,105 @@
+//! Taylor's polynomials of exp, ln and powers, with a remainder.
+
+use super::facts::minus;
+use super::letters::{product, whole_power};
+use super::limits::natural_binding;
+use crate::claim::syntax::*;
+use crate::kernel::statement::{apply, compare, name, numeral, power, prop, sum};
+use crate::refute::literal::literal;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::{Abs, Ceiling};
+use malachite::base::num::basic::traits::{One, Zero};
+
+/// A function with an expansion: exp at 0, the others at 1.
+#[derive(Clone, PartialEq)]
+pub(super) enum Function {
+    Exponential,
+    Logarithm,
+    /// y^a.
+    Root(Rational),
+}
+
+impl Function {
+    /// Where it is expanded.
+    pub(super) fn centre(&self) -> u32 {
+        u32::from(*self != Function::Exponential)
+    }
+
+    /// Its value.
+    pub(super) fn at(&self, y: &Expr) -> Expr {
+        match self {
+            Function::Exponential => apply("exp", y.clone()),
+            Function::Logarithm => apply("ln", y.clone()),
+            Function::Root(a) => power(y, &literal(a)),
+        }
+    }
+
+    /// Whether it falls as its argument rises.
+    pub(super) fn falls(&self) -> bool {
+        matches!(self, Function::Root(a) if *a < 0)
+    }
+
+    /// The coefficients of 1, s, s² for the distance s from the centre.
+    fn coefficients(&self) -> [Rational; 3] {
+        let half = Rational::from_unsigneds(1u32, 2);
+        match self {
+            Function::Exponential => [Rational::ONE, Rational::ONE, half],
+            Function::Logarithm => [Rational::ZERO, Rational::ONE, -half],
+            Function::Root(a) => [Rational::ONE, a.clone(), a * (a - Rational::ONE) * half],
+        }
+    }
+
+    /// Taylor's polynomial of a degree with the remainder ±C·|s|^(degree + 1), for s on one side of 0, or on both.
+    ///
+    /// C is large enough that the prover shows the bound for |s| <= 1/2; if it were too small, the proof would fail.
+    pub(super) fn bound(&self, s: &Expr, degree: u32, upper: bool, side: Side) -> Expr {
+        let terms = self.coefficients().into_iter().zip(0..=degree).filter(|(c, _)| *c != 0);
+        let term =
+            |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
+        let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
+        let c = match self {
+            Function::Exponential | Function::Logarithm => 2 * degree,
+            Function::Root(a) => {
+                let size = a.clone().abs() * ((a.clone() - Rational::ONE).abs() + Rational::ONE);
+                u32::try_from(&Ceiling::ceiling(size)).unwrap_or(u32::MAX).max(1)
+            }
+        };
+        let rest = product(vec![numeral(c), whole_power(s.clone(), i64::from(degree) + 1)]);
+        let turned = degree % 2 == 0 && side == Side::Below;
+        terms.push((if upper != turned { Sign::Plus } else { Sign::Minus }, rest));
+        sum(terms)
+    }
+
+    /// The bound for all y on these sides of the centre, up to the distance 1/2.
+    pub(super) fn statement(&self, y: &str, degree: u32, upper: bool, side: Side) -> Prop {
+        let end = |k: i64| literal(&(Rational::from_signeds(k, 2) + Rational::from(self.centre())));
+        let (from, to) = match side {
+            Side::Both => (end(-1), end(1)),
+            Side::Above => (end(0), end(1)),
+            Side::Below => (end(-1), end(0)),
+        };
+        let domain = Constraint::Interval { from, from_closed: true, to, to_closed: true };
+        let binding = Binding { natural: false, constraints: vec![domain], ..natural_binding(y) };
+        let y = name(y);
+        let s = match self.centre() {
+            0 => y.clone(),
+            _ => minus(&y, &numeral(1)),
+        };
+        let body = at_most(!upper, &self.bound(&s, degree, upper, side), &self.at(&y));
+        prop(PropKind::ForAll(vec![binding], Box::new(body)))
+    }
+}
+
+/// On which sides of the centre an expansion is to hold, up to the distance 1/2.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Side {
+    Both,
+    Above,
+    Below,
+}
+
+/// A bound is at most what it bounds from below, and the other way round.
+pub(super) fn at_most(is_lower: bool, bound: &Expr, e: &Expr) -> Prop {
+    let (a, b) = if is_lower { (bound, e) } else { (e, bound) };
+    compare(a.clone(), Relation::LessEqual, b.clone())
+}
