@@ -69,6 +69,6 @@ mod tests {
 
     #[test]
     fn a_denominator_that_the_prime_divides_has_no_residue() {
-        assert_eq!(residue(&Rational::from_signeds(1, (1 << 61) - 1)), None);
+        assert_eq!(residue(&Rational::from_signeds(1, (1_i64 << 61) - 1)), None);
     }
 }

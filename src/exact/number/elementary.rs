@@ -11,8 +11,10 @@
 
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::ExactFrom;
 use malachite::base::num::logic::traits::SignificantBits;
-use malachite::{Integer, Rational};
+use malachite::{Integer, Natural, Rational};
+use std::sync::OnceLock;
 
 /// Bits kept of the ends of intervals.
 pub const PRECISION: u64 = 224;
@@ -73,25 +75,42 @@ fn exp_of(x: &Rational) -> Option<Enclosure> {
     Some(ends)
 }
 
-/// 2·artanh(z) for 0 ≤ z ≤ 1/3: the sum of 2·z^(2j+1)/(2j+1).
+/// 2·artanh(z) for 0 ≤ z ≤ 1/3: 2·z times the sum of z^(2j)/(2j+1), which lies between 1 and 2.
 fn twice_artanh(z: &Rational) -> Enclosure {
-    // The rest after TERMS terms is at most 2·z^(2·TERMS+1)/(1 − z²) < 3·9^−TERMS·z < 2^−250.
-    const TERMS: i64 = 80;
+    // The rest after TERMS terms is at most z^(2·TERMS)/((2·TERMS + 1)·(1 − z²)) < 9^−TERMS/100 < 2^−260.
+    const TERMS: u32 = 80;
+    /// The sum is taken in whole multiples of 2^−SCALE, every part rounded the same way.
+    const SCALE: u64 = 288;
     let one_sided = |up: bool| {
         let z = rounded(z, up);
-        let square = rounded(&(&z * &z), up);
-        let mut power = z;
-        let mut sum = Rational::ZERO;
+        let fixed = |q: Rational| {
+            let scaled = q << SCALE;
+            Natural::exact_from(if up { scaled.ceiling() } else { scaled.floor() })
+        };
+        let carry = (Natural::ONE << SCALE) - Natural::ONE;
+        let square = fixed(&z * &z);
+        let (mut power, mut sum) = (Natural::ONE << SCALE, Natural::ZERO);
         for j in 0..TERMS {
-            sum += &power / Rational::from(2 * j + 1);
-            power = rounded(&(power * &square), up);
+            let odd = Natural::from(2 * j + 1);
+            sum += if up { (&power + &odd - Natural::ONE) / odd } else { &power / odd };
+            power *= &square;
+            if up {
+                power += &carry;
+            }
+            power >>= SCALE;
         }
         if up {
-            sum += Rational::ONE / Rational::from(2).pow(251u64);
+            sum += Natural::ONE << (SCALE - 260);
         }
-        rounded(&(sum * Rational::from(2)), up)
+        rounded(&(z * (Rational::from(sum) >> (SCALE - 1))), up)
     };
     (one_sided(false), one_sided(true))
+}
+
+/// ln 2.
+fn ln_of_two() -> &'static Enclosure {
+    static FOUND: OnceLock<Enclosure> = OnceLock::new();
+    FOUND.get_or_init(|| twice_artanh(&Rational::from_signeds(1, 3)))
 }
 
 /// ln x for a rational x > 0.
@@ -109,7 +128,7 @@ fn ln_of(x: &Rational) -> Option<Enclosure> {
     let (size, negative) = if m < 1 { (Rational::ONE - &m, true) } else { (&m - Rational::ONE, false) };
     let (low, high) = twice_artanh(&(size / (m + Rational::ONE)));
     let (low, high) = if negative { (-high, -low) } else { (low, high) };
-    let two = twice_artanh(&Rational::from_signeds(1, 3));
+    let two = ln_of_two();
     let times = Rational::from(k);
     let (a, b) = if k < 0 { (&two.1, &two.0) } else { (&two.0, &two.1) };
     Some(outward((low + a * &times, high + b * times)))
@@ -118,13 +137,15 @@ fn ln_of(x: &Rational) -> Option<Enclosure> {
 /// e^x for x between two rationals.
 #[must_use]
 pub fn exp(low: &Rational, high: &Rational) -> Option<Enclosure> {
-    Some((exp_of(low)?.0, exp_of(high)?.1))
+    let (least, most) = exp_of(low)?;
+    Some((least, if low == high { most } else { exp_of(high)?.1 }))
 }
 
 /// ln x for x between two positive rationals; `None` where the lower is not positive.
 #[must_use]
 pub fn ln(low: &Rational, high: &Rational) -> Option<Enclosure> {
-    Some((ln_of(low)?.0, ln_of(high)?.1))
+    let (least, most) = ln_of(low)?;
+    Some((least, if low == high { most } else { ln_of(high)?.1 }))
 }
 
 #[cfg(test)]

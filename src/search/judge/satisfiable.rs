@@ -134,7 +134,7 @@ fn by_recurrence(claim: &Claim, statement: &Statement, limits: &Limits) -> Optio
     let bindings: Vec<Binding> = statement.bindings.iter().filter(|b| others(b)).cloned().collect();
     let truth = compare(numeral(0), Relation::Equal, numeral(0));
     let body = prop(PropKind::And(plain.into_iter().chain([truth.clone(), truth]).collect()));
-    let values = example(&bindings, &body, None)?;
+    let values = example(&bindings, &body, Moment::now().checked_add(limits.time))?;
     let mut map = Substitution::default();
     values.iter().for_each(|(n, value)| map.replace(n, &literal(value)));
     let about: Vec<Prop> = about.iter().map(|p| map.prop(p)).collect::<Result<_, _>>().ok()?;

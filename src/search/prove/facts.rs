@@ -178,7 +178,12 @@ impl Prover {
         for (label, fact) in list.iter().rev() {
             let Some(known) = self.known_of(label, fact) else { continue };
             // A fact about numbers helps only where it is false.
-            if known.poly.as_constant().is_some_and(|c| c > 0 || (c == 0 && known.kind != Kind::Strict)) {
+            let holds = |c: Rational| match known.kind {
+                Kind::Zero => c == 0,
+                Kind::Strict => c > 0,
+                Kind::Weak => c >= 0,
+            };
+            if known.poly.as_constant().is_some_and(holds) {
                 continue;
             }
             let same = |k: &Known| k.poly == known.poly && (k.kind == known.kind || known.kind == Kind::Weak);
