@@ -40,7 +40,7 @@ fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.claim");
     // No rule of the kernel shows this limit: the first claim has no certificate, the second one has.
-    let first = "claim root \"t\"\ngiven n natural >= 1\nprove limit of n^(1/n) as n -> infinity is 1\n";
+    let first = "claim root \"t\"\ngiven n natural >= 1\nprove limit of 1/ln(n + 1) as n -> infinity is 0\n";
     let second = "claim halves \"t\"\ngiven x > 0\nprove x/2 + x/2 = x\n";
     std::fs::write(&file, format!("{first}\n{second}")).unwrap();
     let plain = carom(&["audit", text(&file)]);

@@ -129,10 +129,8 @@ impl Prover {
                     at_least(self, below(power.clone()), 0, Some(rest))?
                 }
                 None => {
-                    let own = |part: &&Vec<Expr>| **part == base || **part == [power.clone()];
-                    let part = from.iter().find(own).ok_or(Fail::No("a part"))?;
-                    let part = from.iter().position(|p| p == part).ok_or(Fail::No("a part"))?;
-                    at_least(self, below(power.clone()), part, None)?
+                    let part = from.iter().position(|part| *part == base || *part == [power.clone()]);
+                    at_least(self, below(power.clone()), part.ok_or(Fail::No("a part"))?, None)?
                 }
             };
             out.push(self.within_half(small, beyond, &power, k, &one, plan)?);

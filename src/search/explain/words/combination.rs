@@ -89,7 +89,7 @@ impl Words<'_> {
         if plain {
             lead.push(say(" it follows that"));
         } else {
-            lead.push(say(", multiplied by "));
+            lead.push(say(if put_in.is_empty() { ", multiplied by " } else { " multiplied by " }));
             lead.push(Piece::Expr(factor));
             lead.push(say(", it follows that"));
         }
