@@ -361,7 +361,7 @@ impl Prover {
                 _ => Side::Both,
             };
             // A remainder of odd degree changes its sign.
-            if plan.degree % 2 == 0 && side == Side::Both {
+            if plan.degree.is_multiple_of(2) && side == Side::Both {
                 return None;
             }
             let value = match function.centre() {
@@ -424,7 +424,7 @@ impl Prover {
     /// then the number for each other that is small.
     ///
     /// For y = x^(1/d) >= 1 + 2·Σ|c|, each |c|·x^(−r) is at most |c|/y, and Σ|c|/y at most 1/2.
-    pub(super) fn from_where(&mut self, plan: &Plan) -> Vec<Vec<Expr>> {
+    pub(super) fn beginnings(&mut self, plan: &Plan) -> Vec<Vec<Expr>> {
         let (mut least, mut others) = (Rational::from(4), Vec::new());
         for small in &plan.small {
             let base = small.base();

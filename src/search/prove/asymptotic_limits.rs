@@ -50,7 +50,7 @@ impl Prover {
                 let y = self.fresh("y");
                 let mut plan = Plan { x: x.clone(), y, degree, root, pieces, lemmas, small };
                 let Some([Some(lower), Some(upper)]) = self.bounds_of(&form, &mut plan) else { continue };
-                let from = self.from_where(&plan);
+                let from = self.beginnings(&plan);
                 let done =
                     self.attempt(|c| c.between_bounds(goal, l, [&lower, &upper], &plan, (&form, &equations), &from));
                 if done.is_ok() {
@@ -304,7 +304,7 @@ impl Prover {
         shown: &Shown,
     ) -> Result<[Option<Label>; 2], Fail> {
         let mut labels = [None, None];
-        for k in 0..2 {
+        for (k, shown_as) in labels.iter_mut().enumerate() {
             let Some(bound) = &piece.bounds[k] else { continue };
             let goal = at_most(k == 0, bound, &piece.atom);
             let label = match &piece.reasons[k] {
@@ -325,7 +325,7 @@ impl Prover {
                 Some(Reason::Inverse) | None => self.without_cases(&goal)?,
             };
             self.take_in(&label, &goal)?;
-            labels[k] = Some(label);
+            *shown_as = Some(label);
         }
         Ok(labels)
     }

@@ -65,7 +65,7 @@ impl Function {
             }
         };
         let rest = product(vec![numeral(c), whole_power(s.clone(), i64::from(degree) + 1)]);
-        let turned = degree % 2 == 0 && side == Side::Below;
+        let turned = degree.is_multiple_of(2) && side == Side::Below;
         terms.push((if upper != turned { Sign::Plus } else { Sign::Minus }, rest));
         sum(terms)
     }
