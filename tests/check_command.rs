@@ -61,6 +61,18 @@ fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     assert_eq!(halves["certificate"].as_str().unwrap().len(), 64);
 }
 
+/// Roots are no polynomials: the explanation says what the numerator is.
+#[test]
+fn a_limit_of_roots_is_not_explained_by_polynomials() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.claim");
+    for (f, said) in [("sqrt(x)/(1 + sqrt(x))", "sums of powers of"), ("x/(1 + x)", "polynomials in")] {
+        std::fs::write(&file, format!("claim a \"t\"\nprove limit of {f} as x -> infinity is 1\n")).unwrap();
+        let printed = out(&carom(&["explain", "a", text(&file)])).replace("\n    ", " ");
+        assert!(printed.contains(said), "{printed}");
+    }
+}
+
 /// A limit that stands in the way of the certificate ends with exit code 3 as one of the search does, and is named.
 #[test]
 fn a_limit_is_named_with_its_flag_and_has_its_exit_code() {

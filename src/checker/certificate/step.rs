@@ -155,7 +155,7 @@ pub enum Rule {
         /// Facts that say that the values lie in the interval.
         from: Vec<Label>,
     },
-    /// A limit of a rational function by degrees.
+    /// A limit of a quotient of sums of powers by degrees.
     Limit {
         /// From which numeral on the expression has a value.
         with: Vec<(Name, Expr)>,

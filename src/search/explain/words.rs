@@ -11,6 +11,7 @@ use super::signs;
 use crate::certificate::{Label, Rule};
 use crate::claim::print::{self, Style};
 use crate::claim::syntax::*;
+use crate::claim::walk::parts;
 use crate::kernel::statement::{compare, name, numeral};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -315,9 +316,11 @@ impl<'a> Words<'a> {
                 }
                 lead
             }
-            Rule::Limit { .. } => vec![say(
-                "Numerator and denominator are polynomials in the variable that grows; the terms of highest degree give",
-            )],
+            Rule::Limit { .. } => vec![say(if limit_with_roots(prop) {
+                "Numerator and denominator are sums of powers of the variable that grows; the terms of highest degree give"
+            } else {
+                "Numerator and denominator are polynomials in the variable that grows; the terms of highest degree give"
+            })],
             Rule::Squeeze { from } => {
                 let mut lead = vec![say("By ")];
                 lead.extend(self.cited_all(from));
@@ -402,4 +405,29 @@ impl<'a> Words<'a> {
 fn contradict(p: &Prop, q: &Prop) -> bool {
     let (Some((a, r, b)), Some((c, s, d))) = (sides(p), sides(q)) else { return false };
     a == c && b == d && matches!((r, s), (Relation::Equal, Relation::NotEqual) | (Relation::NotEqual, Relation::Equal))
+}
+
+/// Whether a limit has roots of the variable that grows.
+fn limit_with_roots(p: &Prop) -> bool {
+    match &p.kind {
+        PropKind::Limit(limit) => has_root_of(&limit.of, &limit.variable.text),
+        PropKind::Not(inner) => limit_with_roots(inner),
+        _ => false,
+    }
+}
+
+fn has_root_of(e: &Expr, x: &str) -> bool {
+    let is_x = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == x);
+    let is_whole = |e: &Expr| match &e.kind {
+        ExprKind::Negate(a) => matches!(&a.kind, ExprKind::Number(text) if text.bytes().all(|b| b.is_ascii_digit())),
+        kind => matches!(kind, ExprKind::Number(text) if text.bytes().all(|b| b.is_ascii_digit())),
+    };
+    let own = match &e.kind {
+        ExprKind::Power(base, exponent) => is_x(base) && !is_whole(exponent),
+        ExprKind::Apply(f, list) => matches!(f.text.as_str(), "sqrt" | "cbrt") && list.iter().any(is_x),
+        _ => false,
+    };
+    let mut found = own;
+    parts(e, &mut |part| found |= has_root_of(part, x));
+    found
 }

@@ -14,8 +14,8 @@
 //! Limits: [`ATOMS`].
 
 use super::Prover;
-use super::asymptotic_form::{Leading, atoms, power_of, put_for_atom};
-use super::facts::minus;
+use super::asymptotic_form::{Leading, atoms, put_for_atom, raised, total};
+use super::facts::{minus, power_of};
 use super::letters::{product, whole_power};
 use super::limits::over;
 use super::taylor::{Function, Side};
@@ -23,7 +23,7 @@ use crate::algebra::Polynomial;
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, numeral, sum};
+use crate::kernel::statement::{apply, name, numeral, sum};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Ceiling;
@@ -70,8 +70,6 @@ pub(super) enum Reason {
     Tangent { at: Bound, parts: u32 },
     /// By the tangent of exp at the j-th part of ln(x), or at −ln(x).
     Logarithm { parts: u32 },
-    /// Since what is inverted lies on one side of its bound.
-    Inverse,
 }
 
 /// An atom with its bounds.
@@ -86,6 +84,7 @@ pub(super) struct Piece {
     /// Whether that is negative, and the function a divisor's inverse.
     pub turns: bool,
     pub bounds: [Option<Expr>; 2],
+    /// Why they hold; where there is no reason, the search shows it.
     pub reasons: [Option<Reason>; 2],
 }
 
@@ -129,36 +128,24 @@ pub(super) struct SmallTerm {
     pub r: Rational,
     /// x^(−r) as it stands, such as x^(1/2)/x.
     pub power: Expr,
-    pub size: Size,
+    /// The sign of c.
+    pub side: Side,
 }
 
-/// How the size of a number c is bounded.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Size {
-    /// c is not negative: by c.
-    Itself,
-    /// It is not positive: by −c.
-    Opposite,
-    /// Its sign is not known: by (1 + c²)/2.
-    Square,
-}
-
-impl Size {
-    /// Numbers that are not negative and whose sum is at least 2·|c|.
-    pub(super) fn twice(self, c: &Expr) -> Vec<Expr> {
-        let two = |k: i64| product(vec![literal(&Rational::from(k)), c.clone()]);
-        match self {
-            Size::Itself => vec![two(2)],
-            Size::Opposite => vec![two(-2)],
-            Size::Square => vec![numeral(1), whole_power(c.clone(), 2)],
-        }
+/// Numbers that are not negative and whose sum is at least 2·|c|: for c of an unknown sign 1 and c².
+pub(super) fn twice_size(side: Side, c: &Expr) -> Vec<Expr> {
+    let times = |k: i64| product(vec![literal(&Rational::from(k)), c.clone()]);
+    match side {
+        Side::Above => vec![times(2)],
+        Side::Below => vec![times(-2)],
+        Side::Both => vec![numeral(1), whole_power(c.clone(), 2)],
     }
 }
 
 impl Small {
     /// 1 and twice the sizes: from the d-th power of their sum on, it lies within ±1/2.
     pub(super) fn base(&self) -> Vec<Expr> {
-        let sizes = self.terms.iter().flat_map(|t| t.size.twice(&t.c));
+        let sizes = self.terms.iter().flat_map(|t| twice_size(t.side, &t.c));
         std::iter::once(numeral(1)).chain(sizes).collect()
     }
 }
@@ -230,16 +217,14 @@ impl Prover {
         let (function, argument) = match &atom.kind {
             ExprKind::Apply(f, list) if f.text == "exp" => (Function::Exponential, list.first()?.clone()),
             ExprKind::Apply(_, list) => (Function::Logarithm, list.first()?.clone()),
-            ExprKind::Power(base, exponent) => {
-                (Function::Root(self.letters.polynomial(exponent)?.as_constant()?), (**base).clone())
-            }
+            ExprKind::Power(base, exponent) => (Function::Root(self.letters.number(exponent)?), (**base).clone()),
             _ => return None,
         };
         let (inside, scale) = (argument.clone(), None);
         let (bounds, reasons) = Default::default();
         let mut piece = Piece { atom: atom.clone(), function, inside, scale, turns: false, bounds, reasons };
         if piece.function == Function::Logarithm && matches!(&argument.kind, ExprKind::Name(n) if *n == plan.x) {
-            let root = power_of(&plan.x, &Rational::from_unsigneds(1, plan.root));
+            let root = raised(&name(&plan.x), &Rational::from_unsigneds(1, plan.root));
             piece.bounds = [Some(numeral(0)), Some(product(vec![numeral(plan.root), root]))];
             piece.reasons = [1, plan.root].map(|parts| Some(Reason::Logarithm { parts }));
         } else {
@@ -310,7 +295,7 @@ impl Prover {
             let c = self.simplified(&a.c)?;
             let scale = match &a.exponent {
                 r if *r == 0 => c,
-                r => product(vec![c, power_of(&plan.x, r)]),
+                r => product(vec![c, raised(&name(&plan.x), r)]),
             };
             let mut ends = ends.map(|e| e.map(|e| e.over(&scale)));
             piece.inside = over(piece.inside.clone(), scale.clone());
@@ -330,7 +315,6 @@ impl Prover {
                 if *a == -1 && matches!(self.tends(&low.value, &plan.x), Tends::PlusInfinity) =>
             {
                 piece.bounds = [Some(numeral(0)), Some(over(numeral(1), low.value.clone()))];
-                piece.reasons = [Some(Reason::Inverse), Some(Reason::Inverse)];
                 Some(())
             }
             _ => None,
@@ -355,11 +339,7 @@ impl Prover {
             if !self.is_zero(&s) && lead.exponent >= 0 {
                 return None;
             }
-            let side = match self.signs_of(&lead.c) {
-                s if s.within(Signs::NOT_NEGATIVE) => Side::Above,
-                s if s.within(Signs::of(Relation::LessEqual)) => Side::Below,
-                _ => Side::Both,
-            };
+            let side = Side::of(self.signs_of(&lead.c));
             // A remainder of odd degree changes its sign.
             if plan.degree.is_multiple_of(2) && side == Side::Both {
                 return None;
@@ -410,12 +390,8 @@ impl Prover {
             d = d.max(u32::try_from(&Ceiling::ceiling(Rational::ONE / &r)).ok()?);
             let c = self.letters.written(&Polynomial::term(rest, c.clone()));
             let c = self.simplified(&over(c, product(bottom.clone())))?;
-            let size = match self.signs_of(&c) {
-                s if s.within(Signs::NOT_NEGATIVE) => Size::Itself,
-                s if s.within(Signs::of(Relation::LessEqual)) => Size::Opposite,
-                _ => Size::Square,
-            };
-            terms.push(SmallTerm { c, r, power: over(power, product(divisors.clone())), size });
+            let side = Side::of(self.signs_of(&c));
+            terms.push(SmallTerm { c, r, power: over(power, product(divisors.clone())), side });
         }
         Some(Small { value, terms, d })
     }
@@ -429,7 +405,9 @@ impl Prover {
         for small in &plan.small {
             let base = small.base();
             match self.number_of(&base) {
-                Some(number) => least = least.max(power_of_number(&Rational::from(Ceiling::ceiling(number)), small.d)),
+                Some(number) => {
+                    least = least.max(power_of(&Rational::from(Ceiling::ceiling(number)), i64::from(small.d)))
+                }
                 None if small.d == 1 => others.push(base),
                 None => others.push(vec![whole_power(total(&base), i64::from(small.d))]),
             }
@@ -441,24 +419,12 @@ impl Prover {
 
     /// The sum of expressions, if it is a rational number.
     pub(super) fn number_of(&mut self, list: &[Expr]) -> Option<Rational> {
-        list.iter().try_fold(Rational::ZERO, |sum, e| Some(sum + self.letters.polynomial(e)?.as_constant()?))
+        list.iter().try_fold(Rational::ZERO, |sum, e| Some(sum + self.letters.number(e)?))
     }
-}
-
-/// The sum of all expressions.
-pub(super) fn total(list: &[Expr]) -> Expr {
-    match list {
-        [only] => only.clone(),
-        _ => sum(list.iter().map(|e| (Sign::Plus, e.clone())).collect()),
-    }
-}
-
-pub(super) fn power_of_number(q: &Rational, k: u32) -> Rational {
-    (0..k).fold(Rational::ONE, |all, _| all * q)
 }
 
 impl Bound {
-    /// The bound of the expression over a positive one.
+    /// The bound of the expression over another; where that is negative, the two bounds change places.
     fn over(self, scale: &Expr) -> Bound {
         let by = |e: Expr| over(e, scale.clone());
         let steps = self.steps.into_iter().map(|s| Step { factor: by(s.factor), ..s });
@@ -482,6 +448,11 @@ pub(super) fn part(e: &Expr, sign: i64, j: u32) -> Expr {
 }
 
 impl Plan {
+    /// Whether ln(x) is among the atoms.
+    pub(super) fn has_logarithm(&self) -> bool {
+        self.pieces.iter().flat_map(|p| &p.reasons).any(|r| matches!(r, Some(Reason::Logarithm { .. })))
+    }
+
     /// The place of the statement for all y near the centre that an expansion needs.
     fn lemma(&mut self, function: &Function, side: Side, upper: bool) -> usize {
         let all = function.statement(&self.y, self.degree, upper, side);

@@ -27,11 +27,17 @@ pub(super) struct Leading {
     pub exponent: Rational,
 }
 
-/// x^exponent.
-pub(super) fn power_of(x: &str, exponent: &Rational) -> Expr {
-    match exponent {
-        k if *k == 1 => name(x),
-        k => power(&name(x), &literal(k)),
+/// e^r.
+pub(super) fn raised(e: &Expr, r: &Rational) -> Expr {
+    if *r == 1 { e.clone() } else { power(e, &literal(r)) }
+}
+
+/// The sum of some expressions.
+pub(super) fn total(list: &[Expr]) -> Expr {
+    match list {
+        [] => numeral(0),
+        [only] => only.clone(),
+        _ => sum(list.iter().map(|e| (Sign::Plus, e.clone())).collect()),
     }
 }
 
@@ -53,12 +59,18 @@ pub(super) fn atoms(e: &Expr, x: &str, out: &mut Vec<Expr>) -> Option<()> {
         ExprKind::Power(base, exponent) if natural(exponent).is_some() => atoms(base, x, out)?,
         ExprKind::Power(base, exponent) if is_plain(base, exponent, x) => {}
         ExprKind::Power(_, exponent) if holds(exponent, x) => return None,
-        ExprKind::Power(..) => out.push(e.clone()),
-        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "exp" | "ln") && list.len() == 1 => out.push(e.clone()),
+        ExprKind::Power(..) => once(e, out),
+        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "exp" | "ln") && list.len() == 1 => once(e, out),
         _ => return None,
     }
-    out.dedup_by_key(|e| key::expr(e));
     Some(())
+}
+
+/// Adds an expression that is not there yet.
+fn once(e: &Expr, out: &mut Vec<Expr>) {
+    if !out.iter().any(|known| key::expr(known) == key::expr(e)) {
+        out.push(e.clone());
+    }
 }
 
 /// The sum of exponents; w·ln(a) ± w·ln(b) is w·ln(a·b^(±1)) for numbers a and b, whose order is seen more easily.
@@ -149,7 +161,7 @@ impl Prover {
     }
 
     /// The degree in x of a monomial, what is free of x, and the rest as it is written.
-    pub(super) fn apart(&self, monomial: &Monomial, x: &str) -> Option<(Rational, Monomial, Expr)> {
+    pub(super) fn apart(&mut self, monomial: &Monomial, x: &str) -> Option<(Rational, Monomial, Expr)> {
         let (mut degree, mut rest, mut powers) = (Rational::ZERO, Vec::new(), Vec::new());
         for (v, k) in monomial.powers() {
             match self.degree_of(*v, x)? {
@@ -164,8 +176,8 @@ impl Prover {
     }
 
     /// Of a letter that is a power of x, its exponent; `Some(None)` for one that is free of x, `None` for any other.
-    fn degree_of(&self, letter: u32, x: &str) -> Option<Option<Rational>> {
-        let e = self.letters.expr(letter)?;
+    fn degree_of(&mut self, letter: u32, x: &str) -> Option<Option<Rational>> {
+        let e = &self.letters.expr(letter)?.clone();
         if !holds(e, x) {
             return Some(None);
         }
@@ -174,7 +186,7 @@ impl Prover {
             return Some(Some(Rational::ONE));
         }
         let (base, exponent) = as_power(e)?;
-        let exponent = super::letters::Letters::default().polynomial(&exponent)?.as_constant()?;
+        let exponent = self.letters.number(&exponent)?;
         is_x(&base).then_some(Some(exponent))
     }
 
@@ -240,23 +252,29 @@ impl Prover {
     /// 1/u: c^(−1)·x^(−r)·(u/(c·x^r))^(−1), or u^(−1) where u has no leading term by powers of x.
     fn inverse_by(&mut self, u: &Expr, x: &str, equations: &mut Vec<(Expr, Expr)>) -> Option<Expr> {
         if let Some((base, exponent)) = as_power(u)
-            && let Some(a) = self.letters.polynomial(&exponent).and_then(|p| p.as_constant())
+            && let Some(a) = self.letters.number(&exponent)
         {
             return self.power_by(&base, &literal(&-a), x, equations);
         }
-        let Some(lead) = self.leading(u, x) else { return Some(power(u, &negated(numeral(1)))) };
+        Some(self.apart_from_its_lead(u, &Rational::from(-1), x))
+    }
+
+    /// u^a = c^a·x^(r·a)·(u/(c·x^r))^a; u^a itself where u has no leading term by powers of x.
+    fn apart_from_its_lead(&mut self, u: &Expr, a: &Rational, x: &str) -> Expr {
+        let exponent = literal(a);
+        let Some(lead) = self.leading(u, x) else { return power(u, &exponent) };
         let mut factors = Vec::new();
         if !self.is_one(&lead.c) {
-            factors.push(over(numeral(1), lead.c.clone()));
+            factors.push(power(&lead.c, &exponent));
         }
         if lead.exponent != 0 {
-            factors.push(power_of(x, &-lead.exponent.clone()));
+            factors.push(raised(&name(x), &(&lead.exponent * a)));
         }
         let rest = self.rest(u, &lead, x);
         if !self.is_one(&rest) {
-            factors.push(power(&rest, &negated(numeral(1))));
+            factors.push(power(&rest, &exponent));
         }
-        Some(product(factors))
+        product(factors)
     }
 
     /// ln(u) = ln(c) + r·ln(x) + ln(u/(c·x^r)).
@@ -286,10 +304,7 @@ impl Prover {
         if !self.is_one(&rest) {
             terms.push(apply("ln", rest));
         }
-        let new = match terms.as_slice() {
-            [only] => only.clone(),
-            _ => sum(terms.into_iter().map(|e| (Sign::Plus, e)).collect()),
-        };
+        let new = total(&terms);
         equations.push((whole, new.clone()));
         Some(new)
     }
@@ -307,22 +322,12 @@ impl Prover {
             equations.push((whole, new.clone()));
             return Some(new);
         }
-        let a = self.letters.polynomial(exponent)?.as_constant()?;
+        let a = self.letters.number(exponent)?;
         let base = self.written_by(base, x, equations)?;
-        let Some(lead) = self.leading(&base, x) else { return Some(power(&base, exponent)) };
-        let mut factors = Vec::new();
-        if !self.is_one(&lead.c) {
-            factors.push(power(&lead.c, exponent));
+        let new = self.apart_from_its_lead(&base, &a, x);
+        if key::expr(&new) != key::expr(&power(&base, &literal(&a))) {
+            equations.push((whole, new.clone()));
         }
-        if lead.exponent != 0 {
-            factors.push(power_of(x, &(&lead.exponent * &a)));
-        }
-        let rest = self.rest(&base, &lead, x);
-        if !self.is_one(&rest) {
-            factors.push(power(&rest, exponent));
-        }
-        let new = product(factors);
-        equations.push((whole, new.clone()));
         Some(new)
     }
 
@@ -384,20 +389,12 @@ impl Prover {
 
     /// u/(c·x^r), in lowest terms.
     fn rest(&mut self, u: &Expr, lead: &Leading, x: &str) -> Expr {
-        let quotient = over(u.clone(), product(vec![lead.c.clone(), power_of(x, &lead.exponent)]));
+        let quotient = over(u.clone(), product(vec![lead.c.clone(), raised(&name(x), &lead.exponent)]));
         let small = minus(&quotient, &numeral(1));
         match self.simplified(&small) {
             Some(small) if natural(&small) == Some(0) => numeral(1),
             Some(small) => sum(vec![(Sign::Plus, numeral(1)), (Sign::Plus, small)]),
             None => quotient,
         }
-    }
-
-    pub(super) fn is_zero(&mut self, e: &Expr) -> bool {
-        self.read(e, false).is_some_and(|r| r.number == 0)
-    }
-
-    pub(super) fn is_one(&mut self, e: &Expr) -> bool {
-        self.read(e, false).is_some_and(|r| r.number == 1 && r.factors.is_empty())
     }
 }

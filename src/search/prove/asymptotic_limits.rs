@@ -6,18 +6,18 @@
 //!
 //! Limits: [`ORDERS`], [`ROOTS`] and those of `asymptotic_bounds`.
 
-use super::asymptotic_bounds::{Bound, Piece, Plan, Reason, Size, Small, Step, Tends, part, power_of_number, total};
-use super::asymptotic_form::atoms;
-use super::facts::{minus, negated};
+use super::asymptotic_bounds::{Bound, Piece, Plan, Reason, Small, Step, Tends, part, twice_size};
+use super::asymptotic_form::{atoms, raised, total};
+use super::facts::{minus, negated, power_of};
 use super::letters::{product, whole_power};
 use super::limits::over;
-use super::taylor::{Function, at_most};
+use super::taylor::{Function, Side, at_most};
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, compare, domain, numeral, power, prop, sum};
+use crate::kernel::statement::{apply, compare, domain, numeral, prop, sum};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -56,6 +56,10 @@ impl Prover {
                 if done.is_ok() {
                     return done;
                 }
+                // Without ln(x) the other roots give the same plan.
+                if !plan.has_logarithm() {
+                    break;
+                }
             }
         }
         Err(no())
@@ -73,7 +77,8 @@ impl Prover {
         let [(lower, below), (upper, above)] =
             [self.with_value(&bounds[0].value, l)?, self.with_value(&bounds[1].value, l)?];
         for bound in [&lower, &upper] {
-            self.by_degrees_alone(&Limit { of: bound.clone(), ..l.clone() })?;
+            let same = Limit { of: bound.clone(), ..l.clone() };
+            self.limit_by_degrees(&prop(PropKind::Limit(Box::new(same.clone()))), &same)?;
         }
         let lemmas = plan.lemmas.iter().map(|p| self.lemma(p)).collect::<Result<Vec<_>, _>>()?;
         let mut sides = [(bounds[0], below, true), (bounds[1], above, false)].into_iter();
@@ -125,7 +130,7 @@ impl Prover {
             let power = whole_power(total(&base), i64::from(small.d));
             let beyond = match self.number_of(&base) {
                 Some(number) => {
-                    let rest = &least - power_of_number(&number, small.d);
+                    let rest = &least - power_of(&number, i64::from(small.d));
                     at_least(self, below(power.clone()), 0, Some(rest))?
                 }
                 None => {
@@ -187,22 +192,18 @@ impl Prover {
             let mut terms = vec![fact(&above, half(inverse.clone())), alone(negated(half(inverse.clone())))];
             for (term, (falling, same, falls)) in small.terms.iter().zip(&parts) {
                 let c = if sign < 0 { negated(term.c.clone()) } else { term.c.clone() };
-                let size = match (term.size, sign) {
-                    (Size::Itself, -1) => Size::Opposite,
-                    (Size::Opposite, -1) => Size::Itself,
-                    (size, _) => size,
-                };
+                let side = if sign < 0 { term.side.opposite() } else { term.side };
                 terms.extend(same.iter().map(|same| fact(same, c.clone())));
-                if size == Size::Opposite {
+                if side == Side::Below {
                     terms.push(alone(product(vec![c.clone(), falling.clone()])));
                     terms.push(alone(product(vec![c.clone(), inverse.clone()])));
                     continue;
                 }
-                if size == Size::Square {
+                if side == Side::Both {
                     let square = whole_power(minus(&c, &numeral(1)), 2);
                     terms.push(alone(negated(half(product(vec![square, falling.clone()])))));
                 }
-                for h in size.twice(&c) {
+                for h in twice_size(side, &c) {
                     terms.extend(falls.iter().map(|falls| fact(falls, half(h.clone()))));
                 }
             }
@@ -230,16 +231,6 @@ impl Prover {
             terms.push(Term { facts: vec![same], factor: numeral(1) });
         }
         self.combination(compare(falling.clone(), Relation::LessEqual, inverse.clone()), terms)
-    }
-
-    /// A limit by rule `limit`, if need be after the sign of the leading coefficient of the divisor.
-    fn by_degrees_alone(&mut self, l: &Limit) -> Result<Label, Fail> {
-        let goal = prop(PropKind::Limit(Box::new(l.clone())));
-        let from = |least: u32| vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(least))];
-        let by = |c: &mut Prover, least| c.emit(Rule::Limit { with: from(least) }, goal.clone());
-        by(self, 1)
-            .or_else(|_| by(self, 4))
-            .or_else(|fail| if self.lead_is_not_zero(l) { by(self, 1) } else { Err(fail) })
     }
 
     /// A bound with the claim's form of the value that it tends to.
@@ -322,7 +313,7 @@ impl Prover {
                     self.tangent_fact(&product(vec![literal(&part), piece.atom.clone()]))?;
                     self.without_cases(&goal)?
                 }
-                Some(Reason::Inverse) | None => self.without_cases(&goal)?,
+                None => self.without_cases(&goal)?,
             };
             self.take_in(&label, &goal)?;
             *shown_as = Some(label);
@@ -447,11 +438,6 @@ impl Prover {
         let terms = [fact, same].map(|fact| Term { facts: vec![fact], factor: factor.clone() });
         self.combination(goal.clone(), terms.to_vec())
     }
-}
-
-/// e^r.
-fn raised(e: &Expr, r: &Rational) -> Expr {
-    if *r == 1 { e.clone() } else { power(e, &literal(r)) }
 }
 
 /// The steps of a bound with a value for x.

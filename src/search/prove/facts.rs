@@ -49,7 +49,7 @@ const FACTOR: (usize, u32) = (80, 24);
 const FACTOR_TWO: (usize, u32) = (500, 1100);
 
 /// A number other than 0 to a whole power.
-fn power_of(base: &Rational, k: i64) -> Rational {
+pub(super) fn power_of(base: &Rational, k: i64) -> Rational {
     let base = if k < 0 { Rational::ONE / base } else { base.clone() };
     (0..k.unsigned_abs()).fold(Rational::ONE, |all, _| all * &base)
 }
@@ -58,6 +58,16 @@ impl Prover {
     /// An expression as the kernel reads it after substituting the equations; on request with the signs that the kernel sees.
     pub(crate) fn read(&mut self, e: &Expr, signs: bool) -> Option<Reading> {
         self.read_by(e, signs, &[])
+    }
+
+    /// Whether an expression is read as 0.
+    pub(super) fn is_zero(&mut self, e: &Expr) -> bool {
+        self.read(e, false).is_some_and(|r| r.number == 0)
+    }
+
+    /// Whether an expression is read as 1.
+    pub(super) fn is_one(&mut self, e: &Expr) -> bool {
+        self.read(e, false).is_some_and(|r| r.number == 1 && r.factors.is_empty())
     }
 
     fn read_by(&mut self, e: &Expr, signs: bool, without: &[Label]) -> Option<Reading> {

@@ -124,6 +124,11 @@ impl Letters {
         })
     }
 
+    /// The rational number that an expression comes to, if it is one.
+    pub(super) fn number(&mut self, e: &Expr) -> Option<Rational> {
+        self.polynomial(e)?.as_constant()
+    }
+
     /// A polynomial as an expression.
     pub(super) fn written(&self, p: &Polynomial) -> Expr {
         let mut terms: Vec<(Sign, Expr)> = Vec::new();

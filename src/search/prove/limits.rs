@@ -35,24 +35,12 @@ impl Prover {
     /// Shows a limit.
     pub(crate) fn limit(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         self.define(&l.value);
-        let from = |least: u32| vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(least))];
-        let first = match self.emit(Rule::Limit { with: Vec::new() }, goal.clone()) {
+        let first = match self.limit_by_degrees(goal, l) {
             Ok(label) => return Ok(label),
             Err(first) => first,
         };
-        // From 1 on 1/x has a value, from 4 on 1/(1 − 1/x) as well.
-        for least in [1, 4] {
-            if let Ok(label) = self.emit(Rule::Limit { with: from(least) }, goal.clone()) {
-                return Ok(label);
-            }
-        }
-        if self.lead_is_not_zero(l)
-            && let Ok(label) = self.emit(Rule::Limit { with: from(1) }, goal.clone())
-        {
-            return Ok(label);
-        }
         if self.divisors_are_positive(l)
-            && let Ok(label) = self.emit(Rule::Limit { with: from(1) }, goal.clone())
+            && let Ok(label) = self.limit_from(1, goal)
         {
             return Ok(label);
         }
@@ -63,6 +51,22 @@ impl Prover {
         let done = self.squeezed(goal, l);
         self.splits -= 1;
         done.map_err(|_| first)
+    }
+
+    /// By rule `limit`, if need be after the sign of the leading coefficient of the divisor.
+    pub(super) fn limit_by_degrees(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        self.emit(Rule::Limit { with: Vec::new() }, goal.clone()).or_else(|first| {
+            // From 1 on 1/x has a value, from 4 on 1/(1 − 1/x) as well.
+            let seen = self.limit_from(1, goal).or_else(|_| self.limit_from(4, goal));
+            let seen = seen.or_else(|fail| if self.lead_is_not_zero(l) { self.limit_from(1, goal) } else { Err(fail) });
+            seen.map_err(|_| first)
+        })
+    }
+
+    /// By rule `limit`, the expression having a value from a numeral on.
+    fn limit_from(&mut self, least: u32, goal: &Prop) -> Result<Label, Fail> {
+        let with = vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(least))];
+        self.emit(Rule::Limit { with }, goal.clone())
     }
 
     /// Proves that the divisors whose signs are open are positive from 1 on. Returns whether that is a new fact.
@@ -85,12 +89,12 @@ impl Prover {
 
     /// Proves that the leading coefficient of the divisor, multiplied out as the kernel does, is not 0. Returns whether that
     /// is a new fact.
-    pub(super) fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
-        let variable = self.letters.of(&name(&l.variable.text));
+    fn lead_is_not_zero(&mut self, l: &Limit) -> bool {
         let Some(reading) = self.read(&l.of, false) else { return false };
         let mut lead = Polynomial::one();
         for f in reading.factors.iter().filter(|f| f.power < 0) {
-            let own = f.poly.coefficients_in(variable).pop().unwrap_or_else(Polynomial::one);
+            let own = self.by_degrees(&f.poly, &l.variable.text).and_then(|mut own| own.pop_last());
+            let Some((_, own)) = own else { return false };
             let Ok(power) = u32::try_from(-f.power) else { return false };
             let Some(product) = own.pow(power).ok().and_then(|p| lead.try_mul(&p).ok()) else { return false };
             lead = product;

@@ -34,7 +34,7 @@ impl Prover {
             let mut tries = vec![(one.clone(), b.clone(), p.clone()), (one.clone(), whole, inverse)];
             for (a, q) in &powers {
                 let gap = super::facts::minus(q, &one_minus(&p));
-                if self.read(&gap, false).is_some_and(|r| r.number == 0) {
+                if self.is_zero(&gap) {
                     tries.push((a.clone(), b.clone(), p.clone()));
                 }
             }

@@ -336,8 +336,7 @@ impl Prover {
         else {
             return false;
         };
-        !self.equations.is_empty()
-            && self.read(&facts::minus(a, b), false).is_some_and(|difference| difference.number == 0)
+        !self.equations.is_empty() && self.is_zero(&facts::minus(a, b))
     }
 
     /// Runs a part of the search; if it fails, restores the state before it.

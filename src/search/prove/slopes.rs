@@ -233,22 +233,18 @@ impl Prover {
 
     /// A number that a fact says to lie below (`>`) or above (`<`) an expression.
     fn number_beyond(&mut self, end: &Expr, relation: Relation) -> Option<Expr> {
-        if self.is_number(end) {
+        let letters = &mut self.letters;
+        if letters.number(end).is_some() {
             return None;
         }
-        self.facts().iter().find_map(|(_, fact)| {
+        self.checker.facts().find_map(|(_, fact)| {
             let PropKind::Compare(sides, relations) = &fact.kind else { return None };
             let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
             [(a, b, *said), (b, a, said.turned())].into_iter().find_map(|(this, other, said)| {
-                let fits = this == end && weak(said) == weak(relation) && self.is_number(other);
+                let fits = this == end && weak(said) == weak(relation) && letters.number(other).is_some();
                 fits.then(|| other.clone())
             })
         })
-    }
-
-    /// Whether an expression comes to a rational number.
-    fn is_number(&mut self, e: &Expr) -> bool {
-        self.letters.polynomial(e).is_some_and(|p| p.as_constant().is_some())
     }
 
     /// A comparison x relation y from facts about F(x) and F(y), where F rises or falls strictly.

@@ -4,6 +4,7 @@ use super::facts::minus;
 use super::letters::{product, whole_power};
 use super::limits::natural_binding;
 use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, name, numeral, power, prop, sum};
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -90,12 +91,31 @@ impl Function {
     }
 }
 
-/// On which sides of the centre an expansion is to hold, up to the distance 1/2.
+/// On which sides of a number another lies, or may lie.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Side {
     Both,
     Above,
     Below,
+}
+
+impl Side {
+    /// The side of 0 on which a number with these signs lies, or 0 itself.
+    pub(super) fn of(signs: Signs) -> Side {
+        match signs {
+            s if s.within(Signs::NOT_NEGATIVE) => Side::Above,
+            s if s.within(Signs::of(Relation::LessEqual)) => Side::Below,
+            _ => Side::Both,
+        }
+    }
+
+    pub(super) fn opposite(self) -> Side {
+        match self {
+            Side::Both => Side::Both,
+            Side::Above => Side::Below,
+            Side::Below => Side::Above,
+        }
+    }
 }
 
 /// A bound is at most what it bounds from below, and the other way round.
