@@ -11,6 +11,7 @@ mod clock;
 mod division;
 pub mod factor;
 pub mod gcd;
+mod geobucket;
 pub mod ideal;
 pub(crate) mod monomial;
 pub(crate) mod polynomial;

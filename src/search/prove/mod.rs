@@ -170,10 +170,8 @@ pub(crate) struct Prover {
     failed_programs: HashSet<crate::algebra::semidefinite::Program>,
     /// The operations that semidefinite programs may still take.
     program_work: usize,
-    /// Polynomials with equations from which they were not derived.
-    outside: HashSet<(crate::algebra::Polynomial, Vec<crate::algebra::Polynomial>)>,
-    /// The work that derivations from equations may still take.
-    ideal_work: usize,
+    /// What was asked about ideals.
+    ideals: ideal::Asked,
     /// Number of nested case distinctions.
     splits: usize,
     /// Number of nested inductions.
@@ -217,8 +215,7 @@ impl Prover {
             spent: 0,
             failed_programs: HashSet::new(),
             program_work: sums_of_squares::WORK,
-            outside: HashSet::new(),
-            ideal_work: ideal::ALL_WORK,
+            ideals: ideal::Asked::nothing(),
             splits: 0,
             inductions: 0,
             unfoldings: 0,
@@ -232,7 +229,7 @@ impl Prover {
     fn renew(&mut self) {
         (self.tries, self.spent, self.slopes) = (0, 0, 0);
         self.program_work = sums_of_squares::WORK;
-        self.ideal_work = ideal::ALL_WORK;
+        self.ideals.renew();
     }
 
     /// The certificate of a claim whose goal this fact states.

@@ -7,6 +7,7 @@
 //! Limits: [`CASES`] nested cases, [`ENDS`] ends.
 
 use super::facts::opposite;
+use super::ideal;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -34,6 +35,9 @@ impl Prover {
     pub(super) fn refuted(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let mut ends = ENDS;
         if let Ok(label) = self.attempt(|c| c.refuted_in_cases(goal, CASES, &mut ends)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.absurd_by_ideal(goal, &[ideal::FIRST_WORK, ideal::WORK])) {
             return Ok(label);
         }
         self.attempt(|c| c.absurd(1, goal, None)).or_else(|_| self.attempt(|c| c.absurd_in_whole_numbers(goal, 1)))

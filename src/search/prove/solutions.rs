@@ -5,7 +5,7 @@
 use super::Prover;
 use super::facts::minus;
 use super::letters::{Letters, product};
-use crate::algebra::Polynomial;
+use crate::algebra::{Polynomial, factor};
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{apply, expr, name, numeral};
@@ -135,9 +135,8 @@ impl System {
                 }
                 [] => return None,
                 [v] => {
-                    let parts: Option<Vec<Rational>> =
-                        equations.remove(place).coefficients_in(*v).iter().map(Polynomial::as_constant).collect();
-                    match root(&parts?, round % 2 == 1)? {
+                    let roots = roots(&equations.remove(place), *v);
+                    match roots.into_iter().cycle().nth(round % (ROUNDS / 2))? {
                         Root::Rational(q) => give(&mut equations, &mut values, *v, q),
                         Root::Radical(e) if equations.iter().all(|p| !p.contains(*v)) => {
                             values.insert(*v, e);
@@ -145,7 +144,9 @@ impl System {
                         Root::Radical(_) => return None,
                     }
                 }
-                [v, ..] => {
+                // The first and the last in turn: where one is free, the other may have one value.
+                [first, .., last] => {
+                    let v = if round < ROUNDS / 2 { first } else { last };
                     give(&mut equations, &mut values, *v, seed(count));
                     count += 1;
                 }
@@ -184,6 +185,18 @@ fn times(q: Rational, e: Expr) -> Expr {
     if q == 1 { e } else { product(vec![literal(&q), e]) }
 }
 
+/// The real roots of a polynomial in a variable, as far as its factors have degree 1 or 2 or are c·x^k + d.
+fn roots(p: &Polynomial, v: u32) -> Vec<Root> {
+    let parts = |p: &Polynomial| p.coefficients_in(v).iter().map(Polynomial::as_constant).collect::<Option<Vec<_>>>();
+    let factors = match factor::factor(p) {
+        Ok(all) if p.degree_in(v) > 2 => all.factors.into_iter().map(|f| f.0).collect(),
+        _ => vec![p.clone()],
+    };
+    let both = |f: &Polynomial| parts(f).map(|c| [false, true].map(|lesser| root(&c, lesser))).into_iter().flatten();
+    factors.iter().flat_map(both).flatten().collect()
+}
+
+#[derive(Clone)]
 enum Root {
     Rational(Rational),
     Radical(Expr),

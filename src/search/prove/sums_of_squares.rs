@@ -30,6 +30,9 @@ const LETTERS: usize = 8;
 /// The highest degree of the polynomial in a program.
 const DEGREE: u32 = 20;
 
+/// The most polynomials that facts deny to be 0 whose squares are taken.
+const DENIED: usize = 2;
+
 /// The most hypotheses that are multiplied with one another, and the most equations.
 const HYPOTHESES: usize = 10;
 
@@ -124,18 +127,23 @@ impl Prover {
             return Err(no());
         }
         // What is not 0 has a positive square.
-        let square = match relation {
-            Relation::Equal => {
-                let poly = self.open_factors(goal, 1)?.poly;
-                let factors = vec![whole_power(self.letters.written(&poly), 2)];
-                let poly = poly.try_mul(&poly).map_err(|_| no())?;
-                Some(Known { poly, kind: Kind::Strict, facts: Vec::new(), factors, order: 1 })
-            }
+        let square_of = |c: &Prover, poly: &Polynomial| {
+            let factors = vec![whole_power(c.letters.written(poly), 2)];
+            Some(Known { poly: poly.try_mul(poly).ok()?, kind: Kind::Strict, facts: Vec::new(), factors, order: 1 })
+        };
+        let supposed = match relation {
+            Relation::Equal => Some(self.open_factors(goal, 1)?.poly),
             _ => None,
         };
         let block = self.block(&implies(&other, goal), |c, _| {
             let mut known = c.near(&wanted);
-            known.splice(0..0, square);
+            let near = letters_near(&wanted, &known);
+            let mut denied = c.not_zero();
+            denied.extend(known.iter().filter(|k| k.kind == Kind::Strict && k.order == 1).map(|k| k.poly.clone()));
+            denied.retain(|d| d.variables().len() > 1 && is_small(d) && d.variables().iter().all(|v| near.contains(v)));
+            denied.truncate(DENIED);
+            let squares = supposed.iter().chain(&denied).filter_map(|d| square_of(c, d));
+            known.splice(0..0, squares.collect::<Vec<_>>());
             let unit = Polynomial::variable(u32::MAX);
             let degree = known.iter().map(|k| k.poly.degree()).max().unwrap_or(0);
             let mut last = Err(no());

@@ -4,11 +4,14 @@
 
 use super::Moment;
 use super::candidates::Values;
+use super::edges::edges;
 use super::evaluate::Assignment;
 use super::expand::Statement;
 use super::outcome::Point;
 use super::points::{SMALL, SUGGESTED};
 use super::search::{Choice, Plan, Round, Search, as_point};
+use super::solve::{Way, on_an_edge};
+use crate::claim::parse::parse;
 use crate::claim::syntax::*;
 use malachite::Rational;
 
@@ -35,15 +38,35 @@ pub(super) fn sample(plan: &Plan, statement: &Statement, deadline: Option<Moment
 pub(crate) fn example(bindings: &[Binding], body: &Prop, deadline: Option<Moment>) -> Option<Vec<(String, Rational)>> {
     let mut search = Search::new(bindings, None);
     let names: Vec<String> = search.names.iter().map(|n| n.0.clone()).collect();
-    let all = search.follow(&[Vec::new()]);
+    let chosen = search.follow(&[Vec::new()]);
+    let computed = search.follow(&computed(bindings, body).unwrap_or_default());
     let mut found = None;
     search.until.set(deadline);
-    search.run(all, &mut Values::usual(), Round::first(SMALL), &mut |_, point| {
-        if point.truth(body) != Ok(true) {
-            return false;
+    for paths in [computed, chosen] {
+        let is_found = search.run(paths, &mut Values::usual(), Round::first(SMALL), &mut |_, point| {
+            if point.truth(body) != Ok(true) {
+                return false;
+            }
+            found = Some(names.iter().filter_map(|n| Some((n.clone(), point.values.get(n)?.clone()))).collect());
+            true
+        });
+        if is_found {
+            break;
         }
-        found = Some(names.iter().filter_map(|n| Some((n.clone(), point.values.get(n)?.clone()))).collect());
-        true
-    });
+    }
     found
+}
+
+/// Ways to satisfy the equations of a body, and those at its edges: what may be equal, where that is allowed.
+fn computed(bindings: &[Binding], body: &Prop) -> Option<Vec<Way>> {
+    let mut claim = parse("claim c \"\"\nprove 0 = 0\n").ok()?.pop()?;
+    claim.items.push(Item::Given(bindings.to_vec()));
+    claim.items.push(Item::Assume { label: None, prop: body.clone() });
+    let statement = Statement::of(&claim).ok()?;
+    let Plan { reading, mut ways } = Plan::of(&statement);
+    let (mut reading, search) = (reading?, Search::new(&statement.bindings, Some(&statement)));
+    for edge in edges(&statement.goal, &search.hypotheses, &[], &|name| search.base.naturals.contains(name)) {
+        ways.extend(on_an_edge(&mut reading, edge, &search.hypotheses, &search.real()));
+    }
+    Some(ways)
 }

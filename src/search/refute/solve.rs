@@ -13,7 +13,7 @@ use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Polynomial, factor};
 use crate::claim::syntax::*;
 use crate::claim::walk::names_in;
-use crate::kernel::statement::{compare, expr};
+use crate::kernel::statement::{compare, expr, numeral};
 use crate::kernel::substitution::Substitution;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -64,7 +64,16 @@ pub(super) fn on_an_edge(reading: &mut Reading, edge: Prop, hypotheses: &[Prop],
     let letters: Vec<(u32, Expr)> = p.variables().into_iter().map(|v| (v, reading.letter(v))).collect();
     let linear = letters.iter().any(|(v, e)| is_one_of(e, variables) && p.degree_in(*v) == 1);
     let both: Vec<Prop> = std::iter::once(edge).chain(hypotheses.iter().cloned()).collect();
-    let ways = ways(reading, &both, variables);
+    // What is nowhere negative is 0 where its derivatives are.
+    let mut gradient = Vec::new();
+    for (v, _) in letters.iter().filter(|(v, e)| p.degree_in(*v) > 1 && is_one_of(e, variables)) {
+        gradient.push(compare(reading.words(&p.derivative(*v)), Relation::Equal, numeral(0)));
+    }
+    let mut ways = ways(reading, &both, variables);
+    if !linear && !gradient.is_empty() {
+        gradient.extend(hypotheses.iter().cloned());
+        ways.extend(self::ways(reading, &gradient, variables));
+    }
     if linear || ways.iter().any(|way| !way.is_empty()) { ways } else { at_small_values(&p, &letters, variables) }
 }
 
@@ -123,6 +132,14 @@ fn flatten(p: &Prop, out: &mut Vec<Comparison>) {
     }
 }
 
+/// A variable with its value by an equation c·x + d = 0.
+struct Solution {
+    name: String,
+    value: Expr,
+    /// c and d, where c may be 0: then the equation says that d is 0 as well.
+    vanishing: Option<[Polynomial; 2]>,
+}
+
 struct Solver<'a> {
     reading: &'a mut Reading,
     variables: &'a [String],
@@ -135,6 +152,12 @@ impl Solver<'_> {
         if self.found.len() >= WAYS {
             return;
         }
+        let is_impossible = |reading: &mut Reading, (a, _, b): &Comparison| {
+            reading.difference(a, b).is_some_and(|(p, _)| p.is_constant() && !p.is_zero())
+        };
+        if equations.iter().any(|c| is_impossible(self.reading, c)) {
+            return;
+        }
         if solved.len() < SOLVED {
             for (place, (a, _, b)) in equations.iter().enumerate() {
                 let Some((p, _)) = self.reading.difference(a, b) else { continue };
@@ -143,7 +166,9 @@ impl Solver<'_> {
                 if solutions.is_empty() {
                     continue;
                 }
-                for (name, value) in solutions {
+                let mut degenerate = Vec::new();
+                for Solution { name, value, vanishing } in solutions {
+                    degenerate.extend(vanishing);
                     let mut put = Substitution::default();
                     put.replace(&name, &value);
                     let rest = equations.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, c)| c);
@@ -151,6 +176,11 @@ impl Solver<'_> {
                     let others = others.iter().filter_map(|c| replaced(&put, c)).collect();
                     let solved = solved.iter().cloned().chain([(name, value)]).collect();
                     self.solve(rest, others, solved);
+                }
+                for both in degenerate {
+                    let mut rest = equations.clone();
+                    rest.splice(place..=place, both.map(|p| (self.reading.words(&p), Relation::Equal, numeral(0))));
+                    self.solve(rest, others.clone(), solved.clone());
                 }
                 return;
             }
@@ -208,7 +238,7 @@ impl Solver<'_> {
     }
 
     /// A variable of degree 1 with its value: first one whose coefficient is not 0 by the other hypotheses.
-    fn solution(&mut self, p: &Polynomial, others: &[Comparison], solved: &Way) -> Option<(String, Expr)> {
+    fn solution(&mut self, p: &Polynomial, others: &[Comparison], solved: &Way) -> Option<Solution> {
         let letters: Vec<(u32, Expr)> = p.variables().into_iter().map(|v| (v, self.reading.letter(v))).collect();
         let mut second = None;
         for name in self.variables.iter().rev().filter(|name| solved.iter().all(|s| s.0 != **name)) {
@@ -223,9 +253,9 @@ impl Solver<'_> {
             let (above, below) = (self.reading.words(&rest.neg()), self.reading.words(&coefficient));
             let value = expr(ExprKind::Product(vec![(Factor::Times, above), (Factor::Over, below)]));
             if self.is_never_zero(&coefficient, others) {
-                return Some((name.clone(), value));
+                return Some(Solution { name: name.clone(), value, vanishing: None });
             }
-            second = second.or(Some((name.clone(), value)));
+            second = second.or(Some(Solution { name: name.clone(), value, vanishing: Some([coefficient, rest]) }));
         }
         second
     }
