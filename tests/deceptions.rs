@@ -58,14 +58,16 @@ fn no_deception_succeeds() {
     assert!(count >= 120 && truths >= 10, "{count}, {truths} of them true and proved");
 }
 
-/// What the procedures decide by themselves is not lost in silence: limits by expansion, sums to n - 1, equations by ideal membership.
+/// What the procedures decide by themselves is not lost in silence: limits by expansion, sums to n - 1, equations by ideal
+/// membership, nested roots.
 #[test]
 fn true_statements_of_a_procedures_kind_are_proved() {
     let limits = Limits { time: Duration::from_secs(20), ..Limits::default() };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths");
     let mut lost = Vec::new();
-    for claim in
-        ["limits.claim", "equations.claim"].iter().flat_map(|f| claims(&fs::read_to_string(folder.join(f)).unwrap()))
+    for claim in ["limits.claim", "equations.claim", "nested-roots.claim"]
+        .iter()
+        .flat_map(|f| claims(&fs::read_to_string(folder.join(f)).unwrap()))
     {
         let name = claim.split_whitespace().nth(1).unwrap().to_owned();
         let catalogue = Catalogue::new(parse(&claim).unwrap()).unwrap();

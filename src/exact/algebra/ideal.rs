@@ -121,16 +121,22 @@ impl Power {
 /// A polynomial modulo the prime.
 type Residue = Geobucket<Power>;
 
+/// Its terms in order.
+type Terms = Vec<(Power, u64)>;
+
+/// What was divided by: elements times monomials, in turn.
+type Divisions = Vec<(usize, Power)>;
+
 /// What an element is made of.
 enum Origin {
     Given,
-    /// Of this pair, then divided by these elements times these monomials in turn.
-    Pair(usize, usize, Vec<(usize, Power)>),
+    /// Of this pair, then divided.
+    Pair(usize, usize, Divisions),
 }
 
 struct Element {
     /// Its terms behind the leading one, whose coefficient is 1; the smallest comes first.
-    tail: Vec<(Power, u64)>,
+    tail: Terms,
     lead: Power,
     /// The variables of the leading term, a bit for each.
     mask: u32,
@@ -167,7 +173,7 @@ impl Buchberger {
     }
 
     /// Divides the leading terms away as long as that is possible; returns by what, and what is left, the largest term first.
-    fn divide(&mut self, mut p: Residue) -> Option<(Vec<(usize, Power)>, Vec<(Power, u64)>)> {
+    fn divide(&mut self, mut p: Residue) -> Option<(Divisions, Terms)> {
         let mut by = Vec::new();
         while let Some((top, c)) = p.pop() {
             let Some(k) = self.divisor(&top) else {
@@ -218,7 +224,7 @@ impl Buchberger {
     }
 
     /// Divides every term of the goal, the largest first, that can be divided now; returns what is left.
-    fn divide_goal(&mut self, goal: &[(Power, u64)], by: &mut Vec<(usize, Power)>) -> Option<Vec<(Power, u64)>> {
+    fn divide_goal(&mut self, goal: &[(Power, u64)], by: &mut Divisions) -> Option<Terms> {
         let mut open = Residue::new();
         open.add(goal.iter().rev().copied().collect());
         let mut left = Vec::new();
@@ -236,7 +242,7 @@ impl Buchberger {
     }
 
     /// By which elements the goal, the largest term first, is divided until nothing is left.
-    fn search(&mut self, goal: &[(Power, u64)]) -> Option<Vec<(usize, Power)>> {
+    fn search(&mut self, goal: &[(Power, u64)]) -> Option<Divisions> {
         let mut by = Vec::new();
         let mut left = self.divide_goal(goal, &mut by)?;
         for _ in 0..PAIRS {
@@ -269,7 +275,7 @@ pub fn derivation(goal: &Polynomial, equations: &[Polynomial], work: &mut usize)
     if variables.len() > VARIABLES {
         return None;
     }
-    let terms = |p: &Polynomial| -> Option<Vec<(Power, u64)>> {
+    let terms = |p: &Polynomial| -> Option<Terms> {
         let mut out = BTreeMap::new();
         for (m, c) in p.terms() {
             out.insert(Power::of(m, &variables)?, residue::residue(c)?);

@@ -22,6 +22,7 @@ mod cases;
 mod chains;
 mod columns;
 mod comparison;
+mod denesting;
 mod differences;
 mod elimination;
 mod exponent_lattice;

@@ -19,11 +19,11 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
 /// A polynomial with a name.
-struct Named {
+pub(super) struct Named {
     poly: Polynomial,
     name: Expr,
     /// The fact that the name is the polynomial.
-    value: Label,
+    pub(super) value: Label,
 }
 
 /// The most divisions for one comparison.
@@ -37,11 +37,13 @@ impl Prover {
         let mut named = Vec::new();
         for root in self.roots_in(&minus(a, b)) {
             let before = named.len();
-            let done = self.attempt(|c| c.split_root(&root, &mut named)).is_ok();
-            if !done {
+            for way in [Prover::denest, Prover::split_root] {
+                if self.attempt(|c| way(c, &root, &mut named)).is_ok() {
+                    split = true;
+                    break;
+                }
                 named.truncate(before);
             }
-            split |= done;
         }
         self.enrich(&[a, b]);
         if split && let Ok(label) = self.combination(goal.clone(), Vec::new()) {
@@ -86,7 +88,7 @@ impl Prover {
     }
 
     /// The d of a root b^(1/d).
-    fn degree(&mut self, e: &Expr) -> Option<i64> {
+    pub(super) fn degree(&mut self, e: &Expr) -> Option<i64> {
         let ExprKind::Power(_, exponent) = &e.kind else { return None };
         let q = self.read(exponent, false).filter(|r| r.factors.is_empty())?.number;
         let d = i64::try_from(q.denominator_ref()).ok()?;
@@ -95,7 +97,7 @@ impl Prover {
 
     /// Puts in the product of the roots of factors, none of which is negative, for the root of their product. A factor that the
     /// kernel writes with a negative number before it, as -(v − 1), gets a name.
-    fn split_root(&mut self, root: &Expr, named: &mut Vec<Named>) -> Result<(), Fail> {
+    pub(super) fn split_root(&mut self, root: &Expr, named: &mut Vec<Named>) -> Result<(), Fail> {
         let no = || Fail::No("a root of a product");
         let d = self.degree(root).ok_or_else(no)?;
         let ExprKind::Power(base, exponent) = &root.kind else { return Err(no()) };
