@@ -65,7 +65,7 @@ fn true_statements_of_a_procedures_kind_are_proved() {
     let limits = Limits { time: Duration::from_secs(20), ..Limits::default() };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths");
     let mut lost = Vec::new();
-    for claim in ["limits.claim", "equations.claim", "nested-roots.claim"]
+    for claim in ["limits.claim", "equations.claim", "nested-roots.claim", "existence.claim"]
         .iter()
         .flat_map(|f| claims(&fs::read_to_string(folder.join(f)).unwrap()))
     {

@@ -96,7 +96,7 @@ fn examples_of_the_page_about_the_format() {
         }
     }
     // One for each rule, `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 21);
+    assert_eq!(count, 22);
 }
 
 /// Propositions are compared by their keys.

@@ -19,8 +19,8 @@ from fractions import Fraction as Q
 from checker import reading, refutation
 from checker.numbers import evaluate
 from checker.claims import (
-    as_power, bound_once, compare, conjuncts, constraints, domain, FUNCTIONS, N, names_in, need, nodes, NotCovered, num,
-    Parser, plus, put, Refused, same, single, subtrees, text,
+    as_power, bound_once, compare, conjuncts, constraints, domain, FUNCTIONS, mentioned, N, names_in, need, nodes, NotCovered,
+    num, Parser, plus, put, Refused, same, single, subtrees, text,
 )
 from checker.logic import Logic
 from checker.signs import NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES
@@ -198,6 +198,15 @@ class Checker(Logic):
         advance = N("imp", goal[2], put(goal[2], {n: plus(N("name", n), num(1))}, None))
         for label, p in zip(s.sources, (put(goal[2], {n: first}), N("all", goal[1], advance))):
             need(same(self.fact(label), p), f"needs {text(p)}")
+
+    def rule_existence(self, goal, s, known):
+        some, every = map(self.fact, s.sources)
+        need(every[0] == "all" and every[2][0] == "imp", "`for all …: P => Q` is needed")
+        need(all(i is None for b in every[1] for _, i in b[1]), "families are declared by the claim only")
+        need(not {n for b in every[1] for n, _ in b[1]} & mentioned(goal), "what is concluded speaks of what exists")
+        needed = N("exists", every[1], every[2][1])
+        need(same(every[2][2], goal), f"the fact says {text(every[2][2])}")
+        need(same(some, needed), f"needs {text(needed)}")
 
     def rule_witness(self, goal, s, known):
         need(goal[0] == "exists", "`exists` is needed")
@@ -528,7 +537,7 @@ def words(x):
 Step = collections.namedtuple("Step", "label rule goal sources by using values times terms")
 # How many facts stand behind `from`, at least and at most.
 COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
-          "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
+          "existence": (2, 2), "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
           "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "limit": (0, 0),
           "slope": (1, 999),
           "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}

@@ -5,6 +5,7 @@ rule let: intro
 rule logic: logic
 rule instance: give, premises, same
 rule induction: nat_ind1, nat_from
+rule existence: existence
 rule witness: exists
 rule extremum: finish
 rule combination: by_sign, note_sign, divided, matrices, derive
@@ -333,12 +334,12 @@ Ltac identity := intros; subst; first
   | solve [put_in; ring]
   | (field_simplify_eq; [put_in; ring | repeat split; not_null])
   | solve [put_in; unfold Rdiv; ring] ].
+Ltac existence H F := first [exact (F H) | let x := fresh in let K := fresh in destruct H as [x K]; first [existence K (F x) | existence K F]].
 Ltac nat_power n m := replace n with m by (first [lia | ring]); rewrite ?pow_add, ?pow_mult; ring.
 
 (** * Powers rise; the weighted mean; induction *)
 Lemma mono_lt : forall a b p, 0 < a -> 0 < b -> 0 < p -> a < b -> Rpower a p < Rpower b p.
 Proof. intros a b p ha hb hp h. unfold Rpower. apply exp_increasing. apply Rmult_lt_compat_l; [exact hp |]. now apply ln_increasing. Qed.
-
 Lemma exp_tangent : forall s, 1 + s <= exp s.
 Proof. intro s. destruct (Req_dec s 0) as [-> | h]; [rewrite exp_0; lra | left; now apply exp_ineq1]. Qed.
 
@@ -536,16 +537,16 @@ Ltac entries := cbn [mat_scale mat_mul mat_add row_add row_times map det2].
 Ltac fld := first [reflexivity | ring | (field; nz) | (entries; first [ring | field; nz]) | (pushinr; first [ring | field; nz])].
 
 (** A hypothesis, as the statement writes it or as the proof does. *)
-Ltac apart_all := repeat match goal with H : _ /\ _ |- _ => destruct H end.
-Ltac at_hand := first [assumption | lra].
+Ltac apart_all := repeat match goal with H : _ /\ _ |- _ => destruct H end. Ltac at_hand := first [assumption | lra].
 Ltac at_index k := repeat match goal with H : forall _ : nat, _ |- _ => let z := fresh in assert (z := H k); clear H end.
 Ltac hyp := first
   [ assumption
   | solve [apart_all; at_hand]
   | solve [naturals; apart_all; pushinr; first [at_hand | (repeat split; lra)]]
   | solve [apply INR_le; pushinr; naturals; lra]
-  | solve [apply INR_lt; pushinr; naturals; lra]
+  | solve [apply INR_lt; pushinr; naturals; lra] | solve [f_equal; assumption] | solve [apply INR_eq; at_hand]
   | solve [repeat split; first [at_hand | (naturals; lra)]]
+  | match goal with H : exists _, _ |- exists _, _ => let x := fresh in destruct H as [x ?]; exists x; hyp end
   | solve [let k := fresh in intro k; at_index k; apart_all; repeat split; at_hand]
   | solve [intros; repeat split; intros; match goal with H : forall _, _ |- _ => first [apply H; at_hand | apply H] end] ].
 

@@ -76,6 +76,12 @@ def names_in(x, out=None):
     return out
 
 
+def mentioned(x):
+    """Every name in a tree."""
+    own = {x[1]} if x[0] in ("name", "call") else set(x[2]) if x[0] == "deriv" else {x[2]} if x[0] == "limit" else set()
+    return own.union(*map(mentioned, nodes(x)))
+
+
 def bindings_of(x):
     return {"all": x[1:2], "exists": x[1:2], "extremum": x[4:5]}.get(x[0], ((),))[0]
 

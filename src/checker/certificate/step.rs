@@ -101,6 +101,13 @@ pub enum Rule {
         /// The step from n to n + 1, for all n.
         advance: Label,
     },
+    /// What holds for all that exist, and does not speak of them.
+    Existence {
+        /// The statement `exists`.
+        some: Label,
+        /// For all of these, what they have implies the conclusion.
+        all: Label,
+    },
     /// Existence by a witness.
     Witness {
         /// The values.
@@ -183,6 +190,7 @@ impl Rule {
             Rule::Logic { .. } => "logic",
             Rule::Instance { .. } => "instance",
             Rule::Induction { .. } => "induction",
+            Rule::Existence { .. } => "existence",
             Rule::Witness { .. } => "witness",
             Rule::Extremum { .. } => "extremum",
             Rule::Combination { .. } => "combination",
@@ -224,6 +232,7 @@ impl Rule {
                 std::iter::once(source).chain(from).collect()
             }
             Rule::Induction { base, advance } => vec![base, advance],
+            Rule::Existence { some, all } => vec![some, all],
             Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } => vec![from],
             _ => Vec::new(),
         }
@@ -248,6 +257,7 @@ impl Show {
                 each(&mut from.iter_mut().chain([source]));
             }
             Rule::Induction { base, advance } => each(&mut [base, advance].into_iter()),
+            Rule::Existence { some, all } => each(&mut [some, all].into_iter()),
             Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } => {
                 each(&mut std::iter::once(from));
             }

@@ -329,6 +329,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "logic"
             | "instance"
             | "induction"
+            | "existence"
             | "witness"
             | "extremum"
             | "monotone"
@@ -356,6 +357,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "logic" => Rule::Logic { from: given.by_ref().collect() },
         "instance" => Rule::Instance { source: one(&mut given)?, with, from: given.by_ref().collect() },
         "induction" => Rule::Induction { base: one(&mut given)?, advance: one(&mut given)? },
+        "existence" => Rule::Existence { some: one(&mut given)?, all: one(&mut given)? },
         "witness" => Rule::Witness { with, from: given.by_ref().collect() },
         "extremum" => Rule::Extremum { from: given.by_ref().collect() },
         "combination" => Rule::Combination { times, terms },

@@ -464,6 +464,7 @@ impl Checker {
             Rule::Logic { from } => self.logic(goal, from, known)?,
             Rule::Instance { source, with, from } => self.instance(goal, source, with, from, known)?,
             Rule::Induction { base, advance } => self.induction(goal, base, advance)?,
+            Rule::Existence { some, all } => self.existence(goal, some, all)?,
             Rule::Witness { with, from } => self.witness(goal, with, from, known)?,
             Rule::Extremum { from } => self.extremum(goal, from, known)?,
             Rule::Combination { times, terms } => self.combination(goal, times.as_ref(), terms, known)?,

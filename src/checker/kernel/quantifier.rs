@@ -291,6 +291,33 @@ impl Checker {
         Ok(())
     }
 
+    /// Rule `existence`: Q, in which no x occurs, from `exists x …: P` and `for all x …: P => Q` with the same domains.
+    ///
+    /// Sound: P => Q holds for an x that has P, so Q holds; it says the same for every x.
+    pub(super) fn existence(&mut self, goal: &Prop, some: &str, all: &str) -> Result<(), Refusal> {
+        let all = self.fact(all)?;
+        let PropKind::ForAll(bindings, body) = &all.kind else { return rejected(Reason::NotForAll) };
+        let PropKind::Implies(property, conclusion) = &body.kind else { return rejected(Reason::NotAnImplication) };
+        let mut names = BTreeSet::new();
+        names_in_prop(goal, &mut names);
+        for (name, index) in bindings.iter().flat_map(|b| &b.names) {
+            if index.is_some() {
+                return rejected(Reason::FamilyInBlock);
+            }
+            if names.contains(&name.text) {
+                return rejected(Reason::NameInUse(name.text.clone()));
+            }
+        }
+        let exists = prop(PropKind::Exists(bindings.clone(), property.clone()));
+        if key::prop(conclusion) != key::prop(goal) {
+            return rejected(Reason::Needs((**conclusion).clone()));
+        }
+        if key::prop(&*self.fact(some)?) != key::prop(&exists) {
+            return rejected(Reason::Needs(exists));
+        }
+        Ok(())
+    }
+
     /// Rule `witness`: `exists x …: P` from values for x that lie in the domain and have the property.
     ///
     /// Sound: the values are such.

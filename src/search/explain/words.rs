@@ -281,6 +281,13 @@ impl<'a> Words<'a> {
                     say(" is its step. Hence"),
                 ]
             }
+            Rule::Existence { some, .. } => {
+                vec![
+                    say("There are such values by "),
+                    fact(some),
+                    say(", and the conclusion does not speak of them. Hence"),
+                ]
+            }
             Rule::Witness { with, .. } => {
                 let mut lead = vec![say("Such values exist:")];
                 self.values(with, &mut lead);

@@ -223,7 +223,10 @@ impl Prover {
     }
 
     /// Runs a part of the search with variables written by others, if there is an equation that was not used so yet.
-    fn with_solved_equations<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+    pub(super) fn with_solved_equations<T>(
+        &mut self,
+        run: impl FnOnce(&mut Self) -> Result<T, Fail>,
+    ) -> Result<T, Fail> {
         self.attempt(|c| {
             let before = c.equations.len();
             c.solve_equations();

@@ -22,6 +22,11 @@ impl Prover {
         if let Some(label) = self.known(goal) {
             return Ok(label);
         }
+        if self.splits < 8
+            && let Some(Ok(label)) = self.by_existence(goal)
+        {
+            return Ok(label);
+        }
         match &goal.kind {
             PropKind::Compare(sides, relations) if relations.len() == 1 => {
                 if let Some(entries) = entries_of(sides, relations[0]) {
@@ -85,7 +90,11 @@ impl Prover {
                     None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
                     None => match self.solved(&all, inner) {
                         Some(point) => point,
-                        None => return self.by_solutions(goal, bindings, body),
+                        None => {
+                            return self
+                                .attempt(|c| c.by_solutions(goal, bindings, body))
+                                .or_else(|_| self.with_solved_equations(|c| c.by_solutions(goal, bindings, body)));
+                        }
                     },
                 };
                 point.retain(|(n, _)| bindings.iter().flat_map(|b| &b.names).any(|own| own.0.text == *n));
@@ -265,7 +274,8 @@ impl Prover {
                 let root = if is_zero(&rest) { rest } else { apply("sqrt", rest) };
                 found.extend([1, -1].map(|k| over(plus(vec![scaled(-1, 1, &half), scaled(k, 1, &root)]), &c2)));
             }
-            for value in found {
+            let whole: Vec<Expr> = found.iter().filter_map(|value| self.whole_by_equations(value)).collect();
+            for value in found.into_iter().chain(whole) {
                 let Some(value) = self.simplified(&value) else { continue };
                 let point = vec![(variable.text.clone(), value)];
                 if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point)) {

@@ -25,6 +25,7 @@ mod comparison;
 mod denesting;
 mod differences;
 mod elimination;
+mod existence;
 mod exponent_lattice;
 mod exponents;
 mod facts;
@@ -175,6 +176,8 @@ pub(crate) struct Prover {
     ideals: ideal::Asked,
     /// Number of nested case distinctions.
     splits: usize,
+    /// The facts `exists` of which a name for what exists was introduced.
+    opened: Vec<Label>,
     /// Number of nested inductions.
     inductions: usize,
     /// Number of members that are being unfolded, each within the one before.
@@ -218,6 +221,7 @@ impl Prover {
             program_work: sums_of_squares::WORK,
             ideals: ideal::Asked::nothing(),
             splits: 0,
+            opened: Vec::new(),
             inductions: 0,
             unfoldings: 0,
             slopes: 0,

@@ -5,6 +5,7 @@
 use super::Prover;
 use super::facts::minus;
 use super::letters::{Letters, product};
+use super::products::Kind;
 use crate::algebra::{Polynomial, factor};
 use crate::certificate::Rule;
 use crate::claim::syntax::*;
@@ -32,6 +33,32 @@ fn seed(place: usize) -> Rational {
 }
 
 impl Prover {
+    /// A value in other letters that is whole by its form, as 2·q for n/2 where n = 4·q.
+    pub(super) fn whole_by_equations(&mut self, value: &Expr) -> Option<Expr> {
+        self.define(value);
+        let mut poly = self.letters.polynomial(value)?;
+        let known = self.all_known(std::slice::from_ref(&poly));
+        let zeros: Vec<&Polynomial> = known.iter().filter(|k| k.kind == Kind::Zero).map(|k| &k.poly).collect();
+        let is_integral = |p: &Polynomial| p.terms().all(|t| t.1.is_integer());
+        for _ in 0..=zeros.len() {
+            if is_integral(&poly) {
+                let letters = poly.variables();
+                return (self.whole_letters(letters.iter().copied()).len() == letters.len())
+                    .then(|| self.letters.written(&poly));
+            }
+            poly = zeros.iter().find_map(|zero| {
+                let v = poly.variables().into_iter().find(|v| {
+                    let broken = poly.coefficients_in(*v).iter().skip(1).any(|c| !is_integral(c));
+                    broken && zero.degree_in(*v) == 1
+                })?;
+                let [rest, slope] = zero.coefficients_in(v).try_into().ok()?;
+                let value = rest.scale(&(Rational::from(-1) / slope.as_constant()?));
+                is_integral(&value).then(|| put(&poly, v, &value))
+            })?;
+        }
+        None
+    }
+
     /// A point that satisfies a conjunction with equations, as far as arithmetic tells; the equations are not checked.
     pub(crate) fn solved(&mut self, bindings: &[Binding], body: &Prop) -> Option<Point> {
         let names: Vec<String> = bindings

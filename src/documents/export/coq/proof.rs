@@ -6,6 +6,7 @@
 
 use super::super::Unsupported;
 use super::super::kinds::{self, Kind};
+use super::printer::marked;
 use super::*;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::substitution::Obstacle;
@@ -376,6 +377,7 @@ impl Writer<'_> {
             Rule::Logic { from } => self.logic(goal, from)?,
             Rule::Instance { source, with, from } => self.instance(show, source, with, from, &given)?,
             Rule::Induction { base, advance } => self.induction(goal, base, advance)?,
+            Rule::Existence { some, all } => format!("existence {} {}", fact(some), fact(all)),
             Rule::Witness { with, .. } => self.witness(goal, with)?,
             Rule::Extremum { from } => {
                 self.point(goal, &given)?;
@@ -410,9 +412,10 @@ impl Writer<'_> {
     fn witness(&mut self, goal: &Prop, with: &[(Name, Expr)]) -> Found<String> {
         let mut out = String::new();
         if let PropKind::Exists(bindings, _) = &goal.kind {
-            for (n, _) in bindings.iter().flat_map(|b| &b.names) {
+            for (n, natural) in bindings.iter().flat_map(|b| b.names.iter().map(|n| (&n.0, b.natural))) {
                 if let Some((_, value)) = with.iter().find(|w| w.0.text == n.text) {
-                    out += &format!("exists {}; repeat (split; [first [hyp | nz] |]); ", self.expr(value)?);
+                    let value = if natural { marked(self.printer.natural(value)?) } else { self.expr(value)? };
+                    out += &format!("exists {value}; repeat (split; [first [hyp | nz] |]); ");
                 }
             }
         }

@@ -1,0 +1,55 @@
+//! Hypotheses that something exists: it gets a name, and what it has becomes a hypothesis.
+//!
+//! Certificate: the goal for all such values, in a block, and the rule `existence`.
+//!
+//! Limit: [`OPEN`] statements that something exists, each once within the other.
+
+use super::{Fail, Prover, implies};
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::kernel::statement::{name, prop};
+use crate::kernel::substitution::Substitution;
+
+/// The most statements that are opened within one another.
+const OPEN: usize = 6;
+
+impl Prover {
+    /// Shows a goal by a name for what a fact says to exist; nothing where there is no such fact that was not used yet.
+    pub(super) fn by_existence(&mut self, goal: &Prop) -> Option<Result<Label, Fail>> {
+        if self.opened.len() >= OPEN {
+            return None;
+        }
+        let is_open = |(label, fact): &(Label, std::rc::Rc<Prop>)| {
+            let PropKind::Exists(bindings, _) = &fact.kind else { return false };
+            let plain = bindings.iter().flat_map(|b| &b.names).all(|n| n.1.is_none());
+            plain && !self.opened.contains(label)
+        };
+        let (label, fact) = self.facts().into_iter().find(is_open)?;
+        self.opened.push(label.clone());
+        let shown = self.attempt(|c| c.opened_existence(goal, &label, &fact));
+        self.opened.pop();
+        Some(shown)
+    }
+
+    fn opened_existence(&mut self, goal: &Prop, some: &str, fact: &Prop) -> Result<Label, Fail> {
+        let PropKind::Exists(bindings, body) = &fact.kind else { return Err(Fail::No("what exists")) };
+        let (mut bindings, mut map) = (bindings.clone(), Substitution::default());
+        for own in bindings.iter_mut().flat_map(|b| &mut b.names) {
+            let fresh = self.fresh(&own.0.text);
+            map.replace(&own.0.text, &name(&fresh));
+            own.0.text = fresh;
+        }
+        for constraint in bindings.iter_mut().flat_map(|b| &mut b.constraints) {
+            let ends = match constraint {
+                Constraint::Relation(_, end) => vec![end],
+                Constraint::Interval { from, to, .. } | Constraint::Range(from, to) => vec![from, to],
+            };
+            for end in ends {
+                *end = map.expr(end).map_err(Fail::from)?;
+            }
+        }
+        let body = map.prop(body).map_err(Fail::from)?;
+        let all = self.show(&prop(PropKind::ForAll(bindings, Box::new(implies(&body, goal)))))?;
+        self.emit(Rule::Existence { some: some.to_string(), all }, goal.clone())
+    }
+}
