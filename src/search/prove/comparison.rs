@@ -88,12 +88,7 @@ impl Prover {
         if quiet {
             return Err(not_shown());
         }
-        if let Ok(label) = self.attempt(|c| c.absurd_by_ideal(goal, &[ideal::FIRST_WORK])) {
-            return Ok(label);
-        }
-        if matches!(relation, Relation::NotEqual | Relation::Greater | Relation::Less)
-            && let Ok(label) = self.attempt(|c| c.by_opposite(goal))
-        {
+        if let Ok(label) = self.by_denied_equation(goal) {
             return Ok(label);
         }
         if let Ok(label) = self.by_known_inequalities(goal, a, relation, b) {
@@ -105,6 +100,17 @@ impl Prover {
         if self.saturate()
             && let Ok(label) = self.quietly(goal)
         {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.absurd_by_ideal(goal, &[ideal::FIRST_WORK])) {
+            return Ok(label);
+        }
+        let against_opposite = match relation {
+            Relation::Equal => self.attempt(|c| c.by_radical_ideal(goal)),
+            Relation::NotEqual | Relation::Greater | Relation::Less => self.attempt(|c| c.by_opposite(goal)),
+            _ => Err(Fail::No("a strict comparison")),
+        };
+        if let Ok(label) = against_opposite {
             return Ok(label);
         }
         // Last, for it tries many instances.
@@ -220,6 +226,22 @@ impl Prover {
         let shown = self.by_powers(goal, relation);
         self.within_powers = false;
         shown
+    }
+
+    /// Any comparison, where a fact denies an equation that follows from others.
+    fn by_denied_equation(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        for (denial, fact) in self.facts() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            if let ([a, b], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice()) {
+                let equation = compare(a.clone(), Relation::Equal, b.clone());
+                let shown = self.combination(equation.clone(), Vec::new());
+                let shown = shown.or_else(|_| self.with_solved_equations(|c| c.combination(equation, Vec::new())));
+                if let Ok(shown) = shown {
+                    return self.logic(&[&denial, &shown], goal);
+                }
+            }
+        }
+        Err(Fail::No("a denied equation"))
     }
 
     /// Runs a part of the search with variables written by others, if there is an equation that was not used so yet.

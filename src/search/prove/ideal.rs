@@ -84,14 +84,14 @@ impl Prover {
             return Ok(label);
         }
         let divisors = self.not_zero();
-        if !divisors.is_empty()
-            && let Ok(label) = self.attempt(|c| c.in_ideal(goal, &divisors, WORK))
-        {
-            return Ok(label);
+        if divisors.is_empty() {
+            return Err(Fail::No("an equation from equations"));
         }
-        if self.splits >= 8 {
-            return Err(Fail::No("effort left"));
-        }
+        self.in_ideal(goal, &divisors, WORK)
+    }
+
+    /// Shows an equation of which a power follows from equations among the facts.
+    pub(super) fn by_radical_ideal(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
         let block = self.block(&implies(&other, goal), |c, _| c.without_common_zero(goal, WORK))?;
         self.logic(&[&block], goal)

@@ -23,6 +23,9 @@ use std::collections::BTreeSet;
 /// The most variables that are computed.
 const SOLVED: usize = 24;
 
+/// The most terms of all equations that are read, one after the other.
+const WORK: usize = 6_000;
+
 /// The most ways to satisfy the equations.
 const WAYS: usize = 4;
 
@@ -45,7 +48,7 @@ pub(crate) fn ways(reading: &mut Reading, hypotheses: &[Prop], variables: &[Stri
     let mut comparisons = Vec::new();
     hypotheses.iter().for_each(|p| flatten(p, &mut comparisons));
     let (equations, others) = comparisons.into_iter().partition(|c| c.1 == Relation::Equal);
-    let mut solver = Solver { reading, variables, found: Vec::new() };
+    let mut solver = Solver { reading, variables, found: Vec::new(), work: WORK };
     solver.solve(equations, others, Vec::new());
     if solver.found.is_empty() {
         solver.found.push(Vec::new());
@@ -144,6 +147,8 @@ struct Solver<'a> {
     reading: &'a mut Reading,
     variables: &'a [String],
     found: Vec<Way>,
+    /// The terms that may still be read.
+    work: usize,
 }
 
 impl Solver<'_> {
@@ -152,15 +157,12 @@ impl Solver<'_> {
         if self.found.len() >= WAYS {
             return;
         }
-        let is_impossible = |reading: &mut Reading, (a, _, b): &Comparison| {
-            reading.difference(a, b).is_some_and(|(p, _)| p.is_constant() && !p.is_zero())
-        };
-        if equations.iter().any(|c| is_impossible(self.reading, c)) {
+        if equations.iter().any(|(a, _, b)| self.read(a, b).is_some_and(|p| p.is_constant() && !p.is_zero())) {
             return;
         }
         if solved.len() < SOLVED {
             for (place, (a, _, b)) in equations.iter().enumerate() {
-                let Some((p, _)) = self.reading.difference(a, b) else { continue };
+                let Some(p) = self.read(a, b) else { continue };
                 let open = self.open_factors(&p, &others);
                 let solutions: Vec<_> = open.iter().filter_map(|f| self.solution(f, &others, &solved)).collect();
                 if solutions.is_empty() {
@@ -198,6 +200,16 @@ impl Solver<'_> {
         if self.found.len() < WAYS {
             self.found.push(solved.into_iter().rev().collect());
         }
+    }
+
+    /// The difference of two sides as a polynomial over what is not 0, while there is work left.
+    fn read(&mut self, a: &Expr, b: &Expr) -> Option<Polynomial> {
+        if self.work == 0 {
+            return None;
+        }
+        let (p, _) = self.reading.difference(a, b)?;
+        self.work = self.work.saturating_sub(p.term_count());
+        Some(p)
     }
 
     /// Points of a circle x² + y² = r², by what was chosen for y as the tangent t of half their angle:
