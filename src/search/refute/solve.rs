@@ -67,17 +67,23 @@ pub(super) fn on_an_edge(reading: &mut Reading, edge: Prop, hypotheses: &[Prop],
     let letters: Vec<(u32, Expr)> = p.variables().into_iter().map(|v| (v, reading.letter(v))).collect();
     let linear = letters.iter().any(|(v, e)| is_one_of(e, variables) && p.degree_in(*v) == 1);
     let both: Vec<Prop> = std::iter::once(edge).chain(hypotheses.iter().cloned()).collect();
+    let mut found = ways(reading, &both, variables);
+    if linear {
+        return found;
+    }
+    if found.iter().all(Vec::is_empty) {
+        found = at_small_values(&p, &letters, variables);
+    }
     // What is nowhere negative is 0 where its derivatives are.
     let mut gradient = Vec::new();
     for (v, _) in letters.iter().filter(|(v, e)| p.degree_in(*v) > 1 && is_one_of(e, variables)) {
         gradient.push(compare(reading.words(&p.derivative(*v)), Relation::Equal, numeral(0)));
     }
-    let mut ways = ways(reading, &both, variables);
-    if !linear && !gradient.is_empty() {
+    if !gradient.is_empty() {
         gradient.extend(hypotheses.iter().cloned());
-        ways.extend(self::ways(reading, &gradient, variables));
+        found.extend(ways(reading, &gradient, variables));
     }
-    if linear || ways.iter().any(|way| !way.is_empty()) { ways } else { at_small_values(&p, &letters, variables) }
+    found
 }
 
 /// Points at which a polynomial of these letters is 0.
