@@ -38,7 +38,7 @@ impl Surd {
         let root = prover.letters.expr(v).cloned()?;
         let ExprKind::Power(base, _) = &root.kind else { return None };
         let c = prover.read(base, false).filter(|r| r.factors.is_empty() && prover.degree(&root) == Some(2))?.number;
-        Some(Surd { a: a.as_constant()?, b: b.as_constant()?, c })
+        (c > 0).then_some(Surd { a: a.as_constant()?, b: b.as_constant()?, c })
     }
 
     /// What its root of this degree may be: a value, and the product of its roots where there are two.
@@ -79,7 +79,9 @@ impl Surd {
         if d != 2 || self.a <= 0 {
             return None;
         }
-        let difference = (&self.a * &self.a - &self.b * &self.b * &self.c).checked_sqrt()?;
+        let square = &self.a * &self.a - &self.b * &self.b * &self.c;
+        // There is no root of a negative number, and malachite would break off.
+        let difference = if square < 0 { None } else { square.checked_sqrt() }?;
         let half = |q: Rational| q / Rational::from(2);
         let [large, small] = [half(&self.a + &difference), half(&self.a - &difference)];
         let sign = Rational::from(if self.b < 0 { -1 } else { 1 });
