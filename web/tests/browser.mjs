@@ -40,7 +40,7 @@ export async function serve() {
 /** Chromium with an empty profile. */
 export async function browser(options = {}) {
   const profile = mkdtempSync(join(tmpdir(), "carom-lab-"));
-  const context = await chromium.launchPersistentContext(profile, {
+  const launch = () => chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     headless: true,
     acceptDownloads: true,
@@ -50,6 +50,8 @@ export async function browser(options = {}) {
     permissions: ["clipboard-read", "clipboard-write"],
     ...options,
   });
+  // On a loaded machine Chromium may break off while it starts; that says nothing about the lab.
+  const context = await launch().catch(launch);
   const close = async () => {
     await context.close();
     rmSync(profile, { recursive: true, force: true });
@@ -74,8 +76,9 @@ export async function listen(context) {
 
 /** A fresh browser on a fresh page of the lab; the page must not complain. */
 export async function visit(fragment, work, options = {}) {
-  const server = await serve();
   const { context, close } = await browser(options);
+  // After the browser: a server that is left open would keep the tests from ending.
+  const server = await serve();
   try {
     const { page, complaints } = await listen(context);
     await page.goto(server.url + fragment);
