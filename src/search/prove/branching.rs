@@ -362,15 +362,13 @@ impl Prover {
             }
             return self.emit(Rule::Logic { from: both }, goal.clone());
         }
-        let other = compare(a.clone(), relation.negated(), b.clone());
-        let block = self.block(&implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, _| {
             c.solve_equations();
             // With little effort: no products.
             let quiet = c.splits >= 8;
             c.absurd_in_whole_numbers(goal, 0)
                 .or_else(|fail| if quiet { Err(fail) } else { c.absurd_in_whole_numbers(goal, 1) })
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// Shows any goal from facts that no whole numbers satisfy; at level 1 with products of facts.

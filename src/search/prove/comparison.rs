@@ -1,10 +1,10 @@
 //! Comparisons: by signs, by linear programs over products of facts, from powers, by cases.
 
-use super::facts::{is_settled, minus, opposite, sign_of};
+use super::facts::{is_settled, minus, sign_of};
 use super::ideal;
 use super::letters::{as_power, natural, product, whole_power};
 use super::products::{Kind, Known, combination, contradiction};
-use super::{Fail, Prover, implies};
+use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -88,7 +88,11 @@ impl Prover {
         if quiet {
             return Err(not_shown());
         }
-        if let Ok(label) = self.by_denied_equation(goal) {
+        let seen = self.by_denial(goal, |c, equation| {
+            let shown = c.combination(equation.clone(), Vec::new());
+            shown.or_else(|_| c.with_solved_equations(|c| c.combination(equation.clone(), Vec::new())))
+        });
+        if let Ok(label) = seen {
             return Ok(label);
         }
         if let Ok(label) = self.by_known_inequalities(goal, a, relation, b) {
@@ -226,22 +230,6 @@ impl Prover {
         let shown = self.by_powers(goal, relation);
         self.within_powers = false;
         shown
-    }
-
-    /// Any comparison, where a fact denies an equation that follows from others.
-    fn by_denied_equation(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        for (denial, fact) in self.facts() {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            if let ([a, b], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice()) {
-                let equation = compare(a.clone(), Relation::Equal, b.clone());
-                let shown = self.combination(equation.clone(), Vec::new());
-                let shown = shown.or_else(|_| self.with_solved_equations(|c| c.combination(equation, Vec::new())));
-                if let Ok(shown) = shown {
-                    return self.logic(&[&denial, &shown], goal);
-                }
-            }
-        }
-        Err(Fail::No("a denied equation"))
     }
 
     /// Runs a part of the search with variables written by others, if there is an equation that was not used so yet.
@@ -467,14 +455,12 @@ impl Prover {
 
     /// A contradiction among the facts and the opposite of the goal.
     pub(crate) fn by_contradiction(&mut self, goal: &Prop, level: usize) -> Result<Label, Fail> {
-        let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
-        let block = self.block(&implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, _| {
             if level > 0 {
                 c.solve_equations();
             }
             c.absurd(level, goal, Some(goal))
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// Proves any goal from facts that contradict each other.

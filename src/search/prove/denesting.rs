@@ -7,17 +7,20 @@
 //!
 //! Certificate: the value is not negative, its power of degree d is a + b·√c, and the rules for powers.
 
+use super::asymptotic_form::total;
 use super::letters::{product, whole_power};
+use super::quadratics::root_of_a_whole_number;
 use super::radicals::Named;
+use super::solutions::times;
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, compare, expr, numeral, sum};
+use crate::kernel::statement::{apply, compare, expr, numeral};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
-use malachite::base::num::conversion::traits::{IsInteger, RoundingFrom};
+use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
 /// The largest denominator of what is guessed.
@@ -70,7 +73,10 @@ impl Surd {
             for _ in 0..d {
                 (x, y) = (&x * &p + &y * &q * &self.c, &x * &q + &y * &p);
             }
-            (x == self.a && y == self.b).then(|| total(vec![literal(&p), times(&q, root_of(&self.c))]))
+            if x != self.a || y != self.b {
+                return None;
+            }
+            Some(total(&[literal(&p), times(q, root_of(&self.c)?)]))
         })
     }
 
@@ -89,37 +95,18 @@ impl Surd {
             return None;
         }
         // √large·√small = |b|/2·√c.
-        let roots = [root_of(&large), root_of(&small)];
+        let roots = [root_of(&large)?, root_of(&small)?];
         let size = half(&self.b * &sign);
-        let both = compare(product(roots.to_vec()), Relation::Equal, times(&size, root_of(&self.c)));
+        let both = compare(product(roots.to_vec()), Relation::Equal, times(size, root_of(&self.c)?));
         let [large, small] = roots;
-        Some((total(vec![large, times(&sign, small)]), Some(both)))
+        Some((total(&[large, times(sign, small)]), Some(both)))
     }
 }
 
 /// √q, as a number times the root of a whole number.
-fn root_of(q: &Rational) -> Expr {
-    let below = Rational::from(q.denominator_ref());
-    let (mut inside, mut outside) = (q * &below * &below, Rational::from(1) / below);
-    for k in [2, 3, 5, 7, 11, 13] {
-        let square = Rational::from(k * k);
-        while (&inside / &square).is_integer() && inside != 0 {
-            inside /= &square;
-            outside *= Rational::from(k);
-        }
-    }
-    match (&inside).checked_sqrt() {
-        Some(exact) => literal(&(outside * exact)),
-        None => times(&outside, apply("sqrt", literal(&inside))),
-    }
-}
-
-fn times(q: &Rational, e: Expr) -> Expr {
-    if *q == 1 { e } else { product(vec![literal(q), e]) }
-}
-
-fn total(list: Vec<Expr>) -> Expr {
-    sum(list.into_iter().map(|e| (Sign::Plus, e)).collect())
+fn root_of(q: &Rational) -> Option<Expr> {
+    let (outside, inside) = root_of_a_whole_number(q)?;
+    Some(if inside == 1 { literal(&outside) } else { times(outside, apply("sqrt", literal(&inside))) })
 }
 
 impl Prover {

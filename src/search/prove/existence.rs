@@ -9,6 +9,7 @@ use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::statement::{name, prop};
 use crate::kernel::substitution::Substitution;
+use std::rc::Rc;
 
 /// The most statements that are opened within one another.
 const OPEN: usize = 6;
@@ -19,12 +20,13 @@ impl Prover {
         if self.opened.len() >= OPEN {
             return None;
         }
-        let is_open = |(label, fact): &(Label, std::rc::Rc<Prop>)| {
+        let is_open = |(label, fact): &(&str, &Rc<Prop>)| {
             let PropKind::Exists(bindings, _) = &fact.kind else { return false };
             let plain = bindings.iter().flat_map(|b| &b.names).all(|n| n.1.is_none());
-            plain && !self.opened.contains(label)
+            plain && self.opened.iter().all(|opened| opened != label)
         };
-        let (label, fact) = self.facts().into_iter().find(is_open)?;
+        let (label, fact) =
+            self.checker.facts().find(is_open).map(|(label, fact)| (label.to_string(), fact.clone()))?;
         self.opened.push(label.clone());
         let shown = self.attempt(|c| c.opened_existence(goal, &label, &fact));
         self.opened.pop();

@@ -7,10 +7,9 @@
 //!
 //! Limits: [`EQUATIONS`], [`INVERSES`], [`WORK`] and those of `algebra::ideal`; beyond them there is no answer.
 
-use super::facts::opposite;
 use super::letters::product;
 use super::products::{Kind, Known};
-use super::{Fail, Prover, implies};
+use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::algebra::ideal::{Derivation, derivation};
 use crate::certificate::{Label, Rule, Term};
@@ -92,9 +91,10 @@ impl Prover {
 
     /// Shows an equation of which a power follows from equations among the facts.
     pub(super) fn by_radical_ideal(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
-        let block = self.block(&implies(&other, goal), |c, _| c.without_common_zero(goal, WORK))?;
-        self.logic(&[&block], goal)
+        self.against_opposite(goal, |c, _| {
+            let divisors = c.not_zero();
+            c.without_common_zero(goal, &divisors, WORK)
+        })
     }
 
     /// Shows any goal from equations that cannot hold beside what is not 0: one of those polynomials is 0, or there is no common zero.
@@ -106,8 +106,9 @@ impl Prover {
         denials.truncate(DENIALS);
         for work in efforts.iter().copied() {
             // What is denied of expressions that equations have changed since.
-            if let Ok(label) = self.attempt(|c| c.denied_equation_in_ideal(goal, &divisors, work)) {
-                return Ok(label);
+            let shown = self.by_denial(goal, |c, equation| c.attempt(|c| c.in_ideal(equation, &divisors, work)));
+            if shown.is_ok() {
+                return shown;
             }
             for denied in denials.iter().copied() {
                 let others: Vec<Polynomial> = divisors.iter().filter(|d| *d != denied).cloned().collect();
@@ -115,25 +116,11 @@ impl Prover {
                     return Ok(label);
                 }
             }
-            if let Ok(label) = self.attempt(|c| c.without_common_zero(goal, work)) {
+            if let Ok(label) = self.attempt(|c| c.without_common_zero(goal, &divisors, work)) {
                 return Ok(label);
             }
         }
         Err(Fail::No("equations that contradict each other"))
-    }
-
-    /// Shows any goal: an equation that is denied follows from the others.
-    fn denied_equation_in_ideal(&mut self, goal: &Prop, divisors: &[Polynomial], work: usize) -> Result<Label, Fail> {
-        for (denial, fact) in self.facts() {
-            if let PropKind::Compare(sides, relations) = &fact.kind
-                && *relations == [Relation::NotEqual]
-                && let equation = compare(sides[0].clone(), Relation::Equal, sides[1].clone())
-                && let Ok(shown) = self.attempt(|c| c.in_ideal(&equation, divisors, work))
-            {
-                return self.logic(&[&denial, &shown], goal);
-            }
-        }
-        Err(Fail::No("a denied equation"))
     }
 
     /// Shows any goal: what is known not to be 0 is 0 by the equations.
@@ -166,13 +153,12 @@ impl Prover {
     }
 
     /// Shows any goal: the equations have no common zero beside what is not 0.
-    fn without_common_zero(&mut self, goal: &Prop, work: usize) -> Result<Label, Fail> {
-        let divisors = self.not_zero();
-        let zeros = self.zeros(&divisors);
+    fn without_common_zero(&mut self, goal: &Prop, divisors: &[Polynomial], work: usize) -> Result<Label, Fail> {
+        let zeros = self.zeros(divisors);
         if zeros.is_empty() || divisors.is_empty() {
             return Err(Fail::No("equations that contradict each other"));
         }
-        let (zeros, found) = self.derivation_of(&Polynomial::one(), zeros, &divisors, work)?;
+        let (zeros, found) = self.derivation_of(&Polynomial::one(), zeros, divisors, work)?;
         let shown = self.derived(&compare(numeral(1), Relation::Equal, numeral(0)), zeros, &[], found)?;
         self.logic(&[&shown], goal)
     }

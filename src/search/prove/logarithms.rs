@@ -23,8 +23,7 @@ impl Prover {
 
     /// exp(x) > 1 from x > 0: otherwise x = ln(exp(x)) would be at most 0.
     fn by_logarithm(&mut self, goal: &Prop, e: &Expr, exponent: &Expr) -> Result<Label, Fail> {
-        let other = super::facts::opposite(goal).ok_or(Fail::No("an opposite"))?;
-        let block = self.block(&super::implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, other| {
             let r = name(&c.fresh("r"));
             let named = c.emit(Rule::Name, compare(e.clone(), Relation::Equal, r.clone()))?;
             let turned = compare(r.clone(), Relation::Equal, e.clone());
@@ -44,8 +43,7 @@ impl Prover {
                 .map(|(label, k)| crate::certificate::Term { facts: vec![label], factor: literal(&Rational::from(k)) });
             let wrong = c.combination(compare(exponent.clone(), relations[0], numeral(0)), terms.to_vec())?;
             c.logic(&[&wrong], goal).or_else(|_| c.absurd(0, goal, None))
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// Orders two numbers by a fact about their logarithms: the opposite order would contradict that fact.
@@ -58,14 +56,12 @@ impl Prover {
         if !(occurs(&x) && occurs(&y)) {
             return Err(no());
         }
-        let other = super::facts::opposite(goal).ok_or_else(no)?;
-        let PropKind::Compare(_, relations) = &other.kind else { return Err(no()) };
-        let block = self.block(&super::implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, other| {
+            let PropKind::Compare(_, relations) = &other.kind else { return Err(no()) };
             let order = compare(x.clone(), relations[0], y.clone());
             c.of_logarithms(&order, &x, relations[0], &y)?;
             c.absurd(0, goal, Some(&order))
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// A comparison of sums of logarithms and a number c: their difference is the logarithm of a product with exp(c).

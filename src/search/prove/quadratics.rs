@@ -226,7 +226,7 @@ impl Prover {
 }
 
 /// The square root of a positive number as q·sqrt(d) with a whole number d, from which the squares of small numbers are taken out.
-fn root_of_a_whole_number(square: &Rational) -> Option<(Rational, Rational)> {
+pub(super) fn root_of_a_whole_number(square: &Rational) -> Option<(Rational, Rational)> {
     let (n, m) = (i64::try_from(square.numerator_ref()).ok()?, i64::try_from(square.denominator_ref()).ok()?);
     let (mut d, mut outside) = (n.checked_mul(m)?, 1i64);
     for k in (2..1000i64).rev() {

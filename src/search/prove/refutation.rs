@@ -23,12 +23,38 @@ const ENDS: usize = 40;
 impl Prover {
     /// Proves a goal from its opposite.
     pub(super) fn by_opposite(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
-        let block = self.block(&implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, _| {
             c.solve_equations();
             c.refuted(goal)
-        })?;
+        })
+    }
+
+    /// Shows a goal that is shown wherever its opposite is supposed.
+    pub(super) fn against_opposite(
+        &mut self,
+        goal: &Prop,
+        run: impl FnOnce(&mut Self, &Prop) -> Result<Label, Fail>,
+    ) -> Result<Label, Fail> {
+        let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
+        let block = self.block(&implies(&other, goal), |c, _| run(c, &other))?;
         self.logic(&[&block], goal)
+    }
+
+    /// Shows any goal by an equation that a fact denies, shown in this way.
+    pub(super) fn by_denial(
+        &mut self,
+        goal: &Prop,
+        mut show: impl FnMut(&mut Self, &Prop) -> Result<Label, Fail>,
+    ) -> Result<Label, Fail> {
+        for (denial, fact) in self.facts() {
+            if let PropKind::Compare(sides, relations) = &fact.kind
+                && let ([a, b], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice())
+                && let Ok(shown) = show(self, &compare(a.clone(), Relation::Equal, b.clone()))
+            {
+                return self.logic(&[&denial, &shown], goal);
+            }
+        }
+        Err(Fail::No("a denied equation"))
     }
 
     /// Proves any goal from facts that contradict each other.

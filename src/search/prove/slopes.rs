@@ -270,15 +270,13 @@ impl Prover {
             }
             for order in [Relation::Less, Relation::Greater] {
                 let done = self.attempt(|c| {
-                    let other = super::facts::opposite(goal).ok_or(Fail::No("an opposite"))?;
-                    let block = c.block(&implies(&other, goal), |c, _| {
+                    c.against_opposite(goal, |c, _| {
                         let t = c.fresh("t");
                         let f = put_in(&f, PLACE, &name(&t))?;
                         let shown = compare(l.clone(), order, r.clone());
                         let strict = c.values_in_order(&shown, &f, &t, &x, order, &y)?;
                         c.logic(&[&strict, &label], goal)
-                    })?;
-                    c.logic(&[&block], goal)
+                    })
                 });
                 if done.is_ok() {
                     return done;

@@ -53,7 +53,7 @@ impl Prover {
                 })?;
                 let [rest, slope] = zero.coefficients_in(v).try_into().ok()?;
                 let value = rest.scale(&(Rational::from(-1) / slope.as_constant()?));
-                is_integral(&value).then(|| put(&poly, v, &value))
+                is_integral(&value).then(|| poly.substitute(v, &value).ok())?
             })?;
         }
         None
@@ -208,15 +208,16 @@ fn put(p: &Polynomial, v: u32, value: &Polynomial) -> Polynomial {
 }
 
 /// q·e; e where q is 1.
-fn times(q: Rational, e: Expr) -> Expr {
+pub(super) fn times(q: Rational, e: Expr) -> Expr {
     if q == 1 { e } else { product(vec![literal(&q), e]) }
 }
 
 /// The real roots of a polynomial in a variable, as far as its factors have degree 1 or 2 or are c·x^k + d.
 fn roots(p: &Polynomial, v: u32) -> Vec<Root> {
     let parts = |p: &Polynomial| p.coefficients_in(v).iter().map(Polynomial::as_constant).collect::<Option<Vec<_>>>();
-    let factors = match factor::factor(p) {
-        Ok(all) if p.degree_in(v) > 2 => all.factors.into_iter().map(|f| f.0).collect(),
+    // What has degree 1 or 2 needs no factors.
+    let factors = match (p.degree_in(v) > 2).then(|| factor::factor(p)) {
+        Some(Ok(all)) => all.factors.into_iter().map(|f| f.0).collect(),
         _ => vec![p.clone()],
     };
     let both = |f: &Polynomial| parts(f).map(|c| [false, true].map(|lesser| root(&c, lesser))).into_iter().flatten();

@@ -10,7 +10,7 @@
 //! Limits: [`LETTERS`], [`DEGREE`], [`HYPOTHESES`], [`PLACES`] and [`WORK`].
 
 use super::columns::letters_near;
-use super::facts::{minus, opposite};
+use super::facts::minus;
 use super::letters::{product, whole_power};
 use super::products::{Kind, Known, combination};
 use super::{Fail, Prover, implies};
@@ -118,7 +118,6 @@ impl Prover {
     /// Shows a comparison by a contradiction of its opposite with what is known.
     pub(super) fn by_positivstellensatz(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a contradiction of squares");
-        let other = opposite(goal).ok_or_else(no)?;
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
         let relation = relations[0];
         let reading = self.read(&minus(&sides[0], &sides[1]), false).ok_or_else(no)?;
@@ -135,7 +134,7 @@ impl Prover {
             Relation::Equal => Some(self.open_factors(goal, 1)?.poly),
             _ => None,
         };
-        let block = self.block(&implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, _| {
             let mut known = c.near(&wanted);
             let near = letters_near(&wanted, &known);
             let mut denied = c.not_zero();
@@ -161,8 +160,7 @@ impl Prover {
                 }
             }
             c.logic(&[&last?], goal)
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// Shows a comparison where the multiplier is positive by these terms, and where it is 0 all its letters are.

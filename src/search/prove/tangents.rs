@@ -1,9 +1,8 @@
 //! The inequality 1 + x <= exp(x), tried for the exponentials and logarithms in a goal.
 
-use super::facts::opposite;
 use super::letters::product;
 use super::limits::natural_binding;
-use super::{Fail, Prover, implies};
+use super::{Fail, Prover};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::tangent;
@@ -28,12 +27,10 @@ impl Prover {
             self.tangents(&exponents)?;
             return self.quietly(goal);
         }
-        let other = opposite(goal).ok_or(Fail::No("an opposite"))?;
-        let block = self.block(&implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, _| {
             c.tangents(&exponents)?;
             c.attempt(|c| c.absurd(0, goal, Some(goal))).or_else(|_| c.absurd(1, goal, Some(goal)))
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// Adds the fact 1 + x <= exp(x) for each of these exponents x.

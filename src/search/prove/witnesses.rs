@@ -159,13 +159,12 @@ impl Prover {
         let f = reader.read(every, false).ok_or_else(no)?;
         let count = bindings.iter().map(|b| b.names.len()).sum();
         let plan = self.planned(&mut reader, f, &[&other], count).ok_or_else(no)?;
-        let block = self.block(&implies(&other, goal), |c, _| {
+        self.against_opposite(goal, |c, _| {
             c.follow_plan(goal, &reader, &plan, &mut |c, point| {
                 c.instance_at(label, point)?;
                 c.refuted(goal)
             })
-        })?;
-        self.logic(&[&block], goal)
+        })
     }
 
     /// A goal in the cases of a plan.

@@ -25,13 +25,19 @@ pub struct Reading {
     checker: Checker,
 }
 
+/// A claim that declares these variables and says nothing of them.
+pub(super) fn declaring(bindings: &[Binding]) -> Option<Claim> {
+    let mut claim = parse("claim c \"\"\nprove 0 = 0\n").ok()?.pop()?;
+    claim.items.push(Item::Given(bindings.to_vec()));
+    Some(claim)
+}
+
 impl Reading {
     /// A reader for what these bindings declare, and the sequences and hypotheses of the statement; none where the kernel
     /// cannot read the statement.
     pub fn of(statement: &Statement, bindings: &[Binding]) -> Option<Reading> {
-        let mut claim = parse("claim c \"\"\nprove 0 = 0\n").ok()?.pop()?;
+        let mut claim = declaring(bindings)?;
         let word = |text: &str| Name { text: text.to_string(), span: Span::default() };
-        claim.items.push(Item::Given(bindings.to_vec()));
         claim.items.extend(statement.sequences.iter().map(|u| Item::Define {
             name: word(&u.name),
             initial: u.initial.clone(),

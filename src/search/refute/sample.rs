@@ -9,9 +9,9 @@ use super::evaluate::Assignment;
 use super::expand::Statement;
 use super::outcome::Point;
 use super::points::{SMALL, SUGGESTED};
+use super::reading::declaring;
 use super::search::{Choice, Plan, Round, Search, as_point};
 use super::solve::{Way, on_an_edge};
-use crate::claim::parse::parse;
 use crate::claim::syntax::*;
 use malachite::Rational;
 
@@ -59,8 +59,7 @@ pub(crate) fn example(bindings: &[Binding], body: &Prop, deadline: Option<Moment
 
 /// Ways to satisfy the equations of a body, and those at its edges: what may be equal, where that is allowed.
 fn computed(bindings: &[Binding], body: &Prop) -> Option<Vec<Way>> {
-    let mut claim = parse("claim c \"\"\nprove 0 = 0\n").ok()?.pop()?;
-    claim.items.push(Item::Given(bindings.to_vec()));
+    let mut claim = declaring(bindings)?;
     claim.items.push(Item::Assume { label: None, prop: body.clone() });
     let statement = Statement::of(&claim).ok()?;
     let Plan { reading, mut ways } = Plan::of(&statement);
