@@ -111,7 +111,7 @@ pub(crate) fn page() -> String {
     let head =
         "| m1 | m2 | e | n | as printed, in f64 | digits right | Carom, 20 digits |\n|---|---|---|---|---|---|---|\n";
     let mut out = String::from(
-        "# Stability\n\nThe formulas of the paper, typed into double precision as they are printed, beside certified values. η (eta) is the\nshare of the energy that reaches the last body; L_n is the least restitution with which the n-th inserted body raises\nit. `cargo run --release --example stability` prints this page. `tests/stability.rs` compares the last column, and\ntests thousands of scenes of these kinds.\n\n",
+        "# Stability\n\nThe formulas of the paper, typed into double precision as they are printed, beside certified values. η (eta) is the\nshare of the energy that reaches the last body; L_n is the least restitution with which the n-th inserted body raises\nit. `cargo run --release --example stability` prints this page. `tests/all/stability.rs` compares the last column, and\ntests thousands of scenes of these kinds.\n\n",
     );
     out.push_str("## eta, equation (25)\n\n");
     out.push_str(head);

@@ -1,6 +1,6 @@
-//! The law `claim` of tests/bytes/laws.rs, for any bytes.
+//! The law `claim` of tests/all/bytes/laws.rs, for any bytes.
 #![no_main]
-#[path = "../../tests/bytes/laws.rs"]
+#[path = "../../tests/all/bytes/laws.rs"]
 #[allow(dead_code)]
 mod laws;
 

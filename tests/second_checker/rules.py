@@ -15,7 +15,7 @@ import check  # noqa: E402
 
 
 def cases(source):
-    """("accepted", "refuted" or None, name, reason, claim, steps) of each case: see tests/kernel_rules.rs."""
+    """("accepted", "refuted" or None, name, reason, claim, steps) of each case: see tests/all/kernel_rules.rs."""
     for section in source.split("== ")[1:]:
         head, rest = section.split("\n", 1)
         claim, steps = rest.split("--\n", 1)

@@ -3,7 +3,7 @@
 
     written.py OUT COUNT [SEED]      writes COUNT claim files to the folder OUT, one claim in each
 
-The claims need not be true, and some are refused by a reader. tests/second_checker.rs compares the two readings of each.
+The claims need not be true, and some are refused by a reader. tests/all/second_checker.rs compares the two readings of each.
 """
 import os
 import random

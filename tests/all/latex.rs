@@ -1,0 +1,5 @@
+//! Papers in LaTeX as claim files: what is read, what is refused, and what comes back from print.
+
+mod example;
+mod refused;
+mod round_trip;
