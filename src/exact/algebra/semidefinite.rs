@@ -195,7 +195,7 @@ fn may_be_positive(gram: &[Vec<Rational>]) -> bool {
     let size = gram.len();
     let mut doubles = Matrix::zero(size);
     for (i, row) in gram.iter().enumerate() {
-        row.iter().enumerate().for_each(|(j, entry)| doubles.add_at(i, j, identity::double(entry)));
+        row.iter().enumerate().for_each(|(j, entry)| doubles.add_at(i, j, crate::number::double::nearest(entry)));
     }
     let trace: f64 = (0..size).map(|i| doubles.at(i, i)).sum();
     trace == 0.0 || doubles.plus(ROUNDING * trace, &Matrix::diagonal(size, 1.0)).cholesky().is_some()

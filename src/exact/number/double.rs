@@ -29,6 +29,12 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 use malachite::{Natural, Rational};
 
+/// The double next to a rational number; infinite where it is too large.
+#[must_use]
+pub fn nearest(q: &Rational) -> f64 {
+    f64::rounding_from(q, RoundingMode::Nearest).0
+}
+
 /// Relative error charged for a product, relative to the larger operand for a sum: `2^-102`.
 const UNIT: f64 = f64::from_bits((1023 - 102) << 52);
 /// `2^-900`: covers every loss to underflow of one operation.
@@ -104,7 +110,7 @@ impl Double {
     /// The doubles next to a rational.
     #[must_use]
     pub fn from_rational(x: &Rational) -> Self {
-        let hi = f64::rounding_from(x, RoundingMode::Nearest).0;
+        let hi = nearest(x);
         if !hi.is_finite() {
             return Self::UNKNOWN;
         }
@@ -115,7 +121,7 @@ impl Double {
         if rest == Rational::ZERO {
             return Self::exact(hi);
         }
-        let lo = f64::rounding_from(&rest, RoundingMode::Nearest).0;
+        let lo = nearest(&rest);
         // |rest − lo| <= u·|rest| <= u²·|hi|, or half the least double.
         Self::guarded(hi, lo, hi.abs() * UNIT + TINY)
     }

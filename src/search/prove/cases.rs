@@ -54,10 +54,10 @@ impl Prover {
         if self.splits >= 3 {
             return Err(Fail::NotShown(crate::claim::print::prop(goal)));
         }
-        let list = self.facts();
-        if let Ok(label) = self.by_disjunction(goal, &list) {
+        if let Ok(label) = self.by_disjunction(goal) {
             return Ok(label);
         }
+        let list = self.facts();
         for case in self.cases(goal, &list)? {
             let Some(other) = opposite(&case) else { continue };
             let done = self.attempt(|c| {
@@ -80,8 +80,8 @@ impl Prover {
     }
 
     /// Shows a goal in each case of a disjunction among the facts.
-    fn by_disjunction(&mut self, goal: &Prop, list: &[(Label, Rc<Prop>)]) -> Result<Label, Fail> {
-        for (label, fact) in list.iter().rev() {
+    pub(super) fn by_disjunction(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        for (label, fact) in self.facts().iter().rev() {
             let PropKind::Or(parts) = &fact.kind else { continue };
             let used: Vec<Prop> = parts.iter().map(|p| implies(p, goal)).collect();
             if used.iter().any(|p| self.known(p).is_some()) || parts.iter().any(|p| self.known(p).is_some()) {

@@ -67,6 +67,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_whole_numbers(goal)) {
             return Ok(label);
         }
+        if !quiet && let Ok(label) = self.by_boxes(goal) {
+            return Ok(label);
+        }
         if relation == Relation::Equal
             && let Ok(label) = self.by_both_orders(goal, a, b)
         {
@@ -439,7 +442,11 @@ impl Prover {
             quotient.reverse();
             let cofactor = Polynomial::from_coefficients_in(v, &quotient).scale(&(Rational::ONE / &slope));
             let e = self.letters.written(&cofactor);
-            if cofactor.is_constant() || !self.signs_of(&e).within(Signs::NOT_ZERO) {
+            let is_settled = |c: &mut Self| {
+                let sides = [Relation::Greater, Relation::Less];
+                sides.into_iter().any(|side| c.quietly(&compare(e.clone(), side, numeral(0))).is_ok())
+            };
+            if cofactor.is_constant() || !(self.signs_of(&e).within(Signs::NOT_ZERO) || is_settled(self)) {
                 continue;
             }
             let mut factors = rest.to_vec();

@@ -17,11 +17,10 @@ use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::statement::{apply, compare, expr, numeral};
+use crate::number::double::nearest;
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
-use malachite::base::num::conversion::traits::RoundingFrom;
-use malachite::base::rounding_modes::RoundingMode;
 
 /// The largest denominator of what is guessed.
 const DENOMINATOR: i32 = 12;
@@ -51,8 +50,7 @@ impl Surd {
 
     /// A root of the form p + q·√c.
     fn within(&self, d: i64) -> Option<Expr> {
-        let float = |q: &Rational| f64::rounding_from(q, RoundingMode::Nearest).0;
-        let (a, b, c) = (float(&self.a), float(&self.b), float(&self.c).sqrt());
+        let (a, b, c) = (nearest(&self.a), nearest(&self.b), nearest(&self.c).sqrt());
         let degree = f64::from(i32::try_from(d).ok()?);
         let real = |x: f64| if x < 0.0 && d % 2 == 1 { -(-x).powf(1.0 / degree) } else { x.powf(1.0 / degree) };
         let (first, second) = (real(a + b * c), real(a - b * c));

@@ -78,32 +78,52 @@ impl Prover {
                 Err(first) => self.all_by_induction(goal, 0).map_err(|_| first),
             },
             PropKind::Exists(bindings, body) => {
-                if let Ok(label) = self.by_elimination(goal, bindings, body) {
-                    return Ok(label);
-                }
-                if let Ok(label) = self.attempt(|c| c.by_natural_values(goal, bindings, body)) {
-                    return Ok(label);
-                }
-                let (all, inner) = together(bindings, body);
-                let mut point: Vec<(String, Expr)> = match example(&all, inner, self.deadline) {
-                    Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
-                    None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
-                    None => match self.solved(&all, inner) {
-                        Some(point) => point,
-                        None => {
-                            return self
-                                .attempt(|c| c.by_solutions(goal, bindings, body))
-                                .or_else(|_| self.with_solved_equations(|c| c.by_solutions(goal, bindings, body)));
-                        }
-                    },
+                let first = match self.attempt(|c| c.by_witness(goal, bindings, body)) {
+                    Ok(label) => return Ok(label),
+                    Err(fail) => fail,
                 };
-                point.retain(|(n, _)| bindings.iter().flat_map(|b| &b.names).any(|own| own.0.text == *n));
-                self.by_values(goal, bindings, body, point)
+                if self.splits < 3
+                    && let Ok(label) = self.by_disjunction(goal)
+                {
+                    return Ok(label);
+                }
+                // Remainders tell nothing of exponents and of the ends of sums.
+                if !self.naturals.iter().any(|n| super::induction::is_bound_within(together(bindings, body).1, n))
+                    && let Ok(label) = self.by_residues(goal)
+                {
+                    return Ok(label);
+                }
+                self.by_induction(goal).map_err(|_| first)
             }
             PropKind::Extremum(e) => self.extremum(goal, e),
             PropKind::Limit(l) => self.limit(goal, l),
             PropKind::WrittenLimit(_) => Err(Fail::No("a limit as it is written")),
         }
+    }
+
+    /// Proves `exists` by values: from elimination, small ones, from equations.
+    fn by_witness(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        if let Ok(label) = self.by_elimination(goal, bindings, body) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_natural_values(goal, bindings, body)) {
+            return Ok(label);
+        }
+        let (all, inner) = together(bindings, body);
+        let mut point: Vec<(String, Expr)> = match example(&all, inner, self.deadline) {
+            Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
+            None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
+            None => match self.solved(&all, inner) {
+                Some(point) => point,
+                None => {
+                    return self
+                        .attempt(|c| c.by_solutions(goal, bindings, body))
+                        .or_else(|_| self.with_solved_equations(|c| c.by_solutions(goal, bindings, body)));
+                }
+            },
+        };
+        point.retain(|(n, _)| bindings.iter().flat_map(|b| &b.names).any(|own| own.0.text == *n));
+        self.by_values(goal, bindings, body, point)
     }
 
     /// Proves `exists` with these values.
@@ -156,7 +176,8 @@ impl Prover {
         {
             return Ok(label);
         }
-        if self.inductions > 0 { self.by_induction(goal) } else { Err(Fail::No("cases")) }
+        let shown = if self.inductions > 0 { self.by_induction(goal) } else { Err(Fail::No("cases")) };
+        if Self::has_a_floor(goal) { shown.or_else(|_| self.by_residues(goal)) } else { shown }
     }
 
     /// Proves an equation of matrices by those of its entries.
@@ -195,7 +216,7 @@ impl Prover {
             return Ok(label);
         }
         if self.splits < 8
-            && let Ok(label) = self.attempt(|c| c.by_opposite(goal))
+            && let Ok(label) = self.attempt(|c| c.by_opposite(goal)).or_else(|_| self.by_boxes(goal))
         {
             return Ok(label);
         }
@@ -203,6 +224,11 @@ impl Prover {
             if let Ok(label) = self.quietly(part) {
                 return self.logic(&[&label], goal);
             }
+        }
+        if Self::has_a_floor(goal)
+            && let Ok(label) = self.by_residues(goal)
+        {
+            return Ok(label);
         }
         // Suppose that one part is false and prove the others: that of the first or of the last, those that become equations first.
         let (first, last) = (0, parts.len().saturating_sub(1));
@@ -235,7 +261,7 @@ impl Prover {
     /// from the values at 1, −1 and 2; the value at 3 tells whether it is such a polynomial.
     fn by_solutions(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a witness");
-        let [Binding { names, .. }] = bindings else { return Err(no()) };
+        let [Binding { names, natural, .. }] = bindings else { return Err(no()) };
         let [(variable, None)] = names.as_slice() else { return Err(no()) };
         let PropKind::Compare(sides, relations) = &body.kind else { return Err(no()) };
         let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
@@ -275,8 +301,11 @@ impl Prover {
                 found.extend([1, -1].map(|k| over(plus(vec![scaled(-1, 1, &half), scaled(k, 1, &root)]), &c2)));
             }
             let whole: Vec<Expr> = found.iter().filter_map(|value| self.whole_by_equations(value)).collect();
-            for value in found.into_iter().chain(whole) {
-                let Some(value) = self.simplified(&value) else { continue };
+            let found: Vec<Expr> = found.iter().filter_map(|value| self.simplified(value)).collect();
+            for value in whole.into_iter().chain(found) {
+                if *natural && !self.is_whole(&value) {
+                    continue;
+                }
                 let point = vec![(variable.text.clone(), value)];
                 if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point)) {
                     return Ok(label);

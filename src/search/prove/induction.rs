@@ -49,7 +49,13 @@ impl Prover {
     fn candidates(&self, goal: &Prop) -> Vec<String> {
         let mut names = BTreeSet::new();
         names_in_prop(goal, &mut names);
-        self.naturals.iter().rev().filter(|n| names.contains(*n) && is_bound_within(goal, n)).cloned().collect()
+        let some = matches!(goal.kind, PropKind::Exists(..));
+        self.naturals
+            .iter()
+            .rev()
+            .filter(|n| names.contains(*n) && (some || is_bound_within(goal, n)))
+            .cloned()
+            .collect()
     }
 
     /// Proves a goal by induction on a variable. If a member depends on the two before it, the statement for n and n + 1 is proved
@@ -212,7 +218,7 @@ fn products_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
 }
 
 /// Whether induction on a variable may help: it occurs in an exponent, as the end of a sum or product, or in an index.
-fn is_bound_within(p: &Prop, variable: &str) -> bool {
+pub(super) fn is_bound_within(p: &Prop, variable: &str) -> bool {
     let mut sides = Vec::new();
     super::goals::sides_in(p, &mut sides);
     sides.iter().any(|e| within(e, variable))

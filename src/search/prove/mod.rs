@@ -16,6 +16,7 @@ mod asymptotic_bounds;
 mod asymptotic_form;
 mod asymptotic_limits;
 mod at_once;
+mod boxes;
 mod branching;
 mod brief;
 mod cases;
@@ -46,6 +47,7 @@ mod products;
 mod quadratics;
 mod radicals;
 mod refutation;
+mod residues;
 mod slopes;
 mod solutions;
 mod squares;
@@ -188,6 +190,12 @@ pub(crate) struct Prover {
     slopes_open: usize,
     /// Whether powers of facts are tried.
     within_powers: bool,
+    /// The natural number whose remainders are distinguished, if one is.
+    residues: String,
+    /// Whether whole numbers are tried one by one.
+    in_boxes: bool,
+    /// How many more such searches may fail.
+    box_searches: usize,
 }
 
 impl Prover {
@@ -227,6 +235,9 @@ impl Prover {
             slopes: 0,
             slopes_open: 0,
             within_powers: false,
+            residues: String::new(),
+            in_boxes: false,
+            box_searches: boxes::SEARCHES,
         })
     }
 
@@ -234,6 +245,7 @@ impl Prover {
     fn renew(&mut self) {
         (self.tries, self.spent, self.slopes) = (0, 0, 0);
         self.program_work = sums_of_squares::WORK;
+        self.box_searches = boxes::SEARCHES;
         self.ideals.renew();
     }
 

@@ -33,30 +33,45 @@ fn seed(place: usize) -> Rational {
 }
 
 impl Prover {
-    /// A value in other letters that is whole by its form, as 2·q for n/2 where n = 4·q.
+    /// A value in other letters that is whole by its form, as 2·q for n/2 where n = 4·q: a multiple of an expression that is known to
+    /// be 0 is taken from it while coefficients are left that are not whole.
     pub(super) fn whole_by_equations(&mut self, value: &Expr) -> Option<Expr> {
         self.define(value);
-        let mut poly = self.letters.polynomial(value)?;
+        let value = self.simplified(value)?;
+        let mut poly = self.letters.polynomial(&value)?;
         let known = self.all_known(std::slice::from_ref(&poly));
         let zeros: Vec<&Polynomial> = known.iter().filter(|k| k.kind == Kind::Zero).map(|k| &k.poly).collect();
-        let is_integral = |p: &Polynomial| p.terms().all(|t| t.1.is_integer());
-        for _ in 0..=zeros.len() {
-            if is_integral(&poly) {
+        let broken = |p: &Polynomial| p.terms().filter(|t| !t.1.is_integer()).count();
+        for _ in 0..2 * zeros.len() + 2 {
+            let now = broken(&poly);
+            if now == 0 {
                 let letters = poly.variables();
                 return (self.whole_letters(letters.iter().copied()).len() == letters.len())
                     .then(|| self.letters.written(&poly));
             }
-            poly = zeros.iter().find_map(|zero| {
-                let v = poly.variables().into_iter().find(|v| {
-                    let broken = poly.coefficients_in(*v).iter().skip(1).any(|c| !is_integral(c));
-                    broken && zero.degree_in(*v) == 1
-                })?;
-                let [rest, slope] = zero.coefficients_in(v).try_into().ok()?;
-                let value = rest.scale(&(Rational::from(-1) / slope.as_constant()?));
-                is_integral(&value).then(|| poly.substitute(v, &value).ok())?
-            })?;
+            poly = zeros.iter().find_map(|zero| self.with_less_broken(&poly, zero, now))?;
         }
         None
+    }
+
+    /// The polynomial less a multiple of one that is 0, or with a variable put in, where fewer coefficients are not whole.
+    fn with_less_broken(&self, poly: &Polynomial, zero: &Polynomial, now: usize) -> Option<Polynomial> {
+        let broken = |p: &Polynomial| p.terms().filter(|t| !t.1.is_integer()).count();
+        let multiple = poly.terms().filter(|t| !t.1.is_integer()).find_map(|(monomial, c)| {
+            let own = zero.coefficient(monomial);
+            let less = (own != 0).then(|| poly.sub(&zero.scale(&(c / own))))?;
+            (broken(&less) < now).then_some(less)
+        });
+        multiple.or_else(|| {
+            let is_integral = |p: &Polynomial| broken(p) == 0;
+            let v = poly.variables().into_iter().find(|v| {
+                let some = poly.coefficients_in(*v).iter().skip(1).any(|c| !is_integral(c));
+                some && zero.degree_in(*v) == 1
+            })?;
+            let [rest, slope] = zero.coefficients_in(v).try_into().ok()?;
+            let value = rest.scale(&(Rational::from(-1) / slope.as_constant()?));
+            is_integral(&value).then(|| poly.substitute(v, &value).ok())?
+        })
     }
 
     /// A point that satisfies a conjunction with equations, as far as arithmetic tells; the equations are not checked.

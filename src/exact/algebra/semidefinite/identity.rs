@@ -4,10 +4,9 @@ use super::super::{Monomial, Polynomial};
 use super::ideal::Span;
 use super::interior_point::{Condition, Entry};
 use super::matrix::Matrix;
+use crate::number::double::nearest;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::num::conversion::traits::RoundingFrom;
-use malachite::base::rounding_modes::RoundingMode;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most monomials of an identity.
@@ -47,11 +46,6 @@ pub(super) struct Identity {
     places: Vec<Place>,
     /// Independent equations, each with the entry that it is solved for. An entry occurs in no equation before its own.
     rows: Vec<(Row, usize)>,
-}
-
-/// The nearest double.
-pub(super) fn double(q: &Rational) -> f64 {
-    f64::rounding_from(q, RoundingMode::Nearest).0
 }
 
 impl Identity {
@@ -95,12 +89,12 @@ impl Identity {
         let entry = |(column, c): (&usize, &Rational)| {
             let (block, row, column) = self.places[*column];
             // The entry off the diagonal stands for itself and its mirror image.
-            let value = if row == column { double(c) } else { double(c) / 2.0 };
+            let value = if row == column { nearest(c) } else { nearest(c) / 2.0 };
             Entry { block, row, column, value }
         };
         let of = |(row, _): &(Row, usize)| Condition {
             entries: row.entries.iter().map(entry).collect(),
-            value: double(&row.value),
+            value: nearest(&row.value),
         };
         self.rows.iter().map(of).collect()
     }
