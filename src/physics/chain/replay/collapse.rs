@@ -26,7 +26,9 @@
 //! points ([`super::pattern`]): closing speeds tend to 0 there, and so do the gaps `ω_pq/c_p`, since `Γ < γ²`.
 
 use super::Value;
+use super::bounds::Bounds;
 use super::line::Line;
+use super::near::Near;
 use super::surd::{Surd, larger_root};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Sign;
@@ -96,6 +98,13 @@ pub(super) struct Contraction {
 pub(super) fn contraction(line: &Line, middle: usize) -> Option<Contraction> {
     let (left, right) = (&line.pairs[middle - 1], &line.pairs[middle]);
     let (a, c) = (&left.right, &right.left);
+    // Most are told by doubles: the trace is negative, or the discriminant.
+    let [e, f] = [left, right].map(|pair| Near::of(&pair.restitution).bounds());
+    let trace = Near::of(a).bounds().times(Near::of(c).bounds()).minus(e.plus(f));
+    let discriminant = trace.times(trace).minus(e.times(f).times(Bounds { lo: 4.0, hi: 4.0 }));
+    if trace.hi < 0.0 || discriminant.hi < 0.0 {
+        return None;
+    }
     let trace = a * c - &left.restitution - &right.restitution;
     let determinant = &left.restitution * &right.restitution;
     if trace <= Rational::ZERO || *a <= Rational::ZERO || *c <= Rational::ZERO {

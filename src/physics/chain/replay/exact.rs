@@ -30,7 +30,7 @@ use super::collapse::{self, Collapse};
 use super::joined::{Cause, Joined};
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
-use super::near::{Course, Near, Shares};
+use super::near::{Course, Near};
 use super::queue::Queue;
 use super::{Collision, Value};
 use backlog::Backlog;
@@ -95,7 +95,6 @@ pub(super) struct Run<'a> {
     pub v: Vec<Rational>,
     /// What doubles know of the present state.
     near: Vec<Course>,
-    shares: Vec<Shares>,
     due: Vec<Bounds>,
     queue: Queue,
     backlog: Backlog,
@@ -136,8 +135,7 @@ impl<'a> Run<'a> {
         let largest = b.iter().chain(&v).map(bits).max().unwrap_or(0);
         let mut run = Run {
             line,
-            near: b.iter().zip(&v).map(|(b, v)| Course::of(b, v)).collect(),
-            shares: line.pairs.iter().map(Shares::of).collect(),
+            near: line.points.iter().map(|p| p.near).collect(),
             b,
             v,
             due: vec![Bounds::WHOLE; line.pairs.len()],
@@ -182,7 +180,7 @@ impl<'a> Run<'a> {
         let (mut momentum, mut energy) = (zero, zero);
         for (point, course) in self.line.points.iter().zip(&self.near) {
             let Some(mass) = &point.mass else { continue };
-            let (before, after) = (Near::of(&point.velocity).bounds(), course.v().bounds());
+            let (before, after) = (point.near.v().bounds(), course.v().bounds());
             let given = Near::of(mass).bounds().times(after.minus(before));
             momentum = momentum.plus(given);
             energy = energy.plus(given.times(after.plus(before)));
@@ -353,7 +351,7 @@ impl<'a> Run<'a> {
 
     /// A collision: the doubles follow at once, the exact numbers when asked for.
     fn collide(&mut self, p: usize, begins: bool, simultaneous: bool) {
-        (self.near[p], self.near[p + 1]) = Course::after(&self.shares[p], &self.near[p], &self.near[p + 1]);
+        (self.near[p], self.near[p + 1]) = Course::after(&self.line.pairs[p].near, &self.near[p], &self.near[p + 1]);
         self.backlog.push(p, begins, simultaneous);
         self.recent.push(p);
         for k in [p, p + 1] {

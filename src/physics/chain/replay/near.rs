@@ -22,11 +22,11 @@
 //!   is then neither finite.
 
 use super::bounds::Bounds;
-use super::line::Pair;
-use malachite::Rational;
-use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::arithmetic::traits::Sign;
+use malachite::base::num::basic::traits::One;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
+use malachite::{Natural, Rational};
 use std::cmp::Ordering;
 
 /// The relative error of one operation.
@@ -51,29 +51,28 @@ pub(super) struct Near {
 impl Near {
     /// A double near an exact number.
     pub(super) fn of(x: &Rational) -> Near {
-        let short = |n: &malachite::Natural| u64::try_from(n).ok().filter(|n| *n < 1 << 53);
-        let (middle, exact) = match (short(x.numerator_ref()), short(x.denominator_ref())) {
-            (Some(n), Some(d)) => {
-                let size = n as f64 / d as f64;
-                (if *x < Rational::ZERO { -size } else { size }, d.is_power_of_two() || n == 0)
-            }
-            _ => {
-                let (near, order) = f64::rounding_from(x, RoundingMode::Nearest);
-                (near, order == Ordering::Equal)
-            }
-        };
-        let size = middle.abs();
-        if size >= HUGE {
-            return Near { middle, radius: f64::INFINITY };
+        if let (Some(n), Some(d)) = (short(x.numerator_ref()), short(x.denominator_ref())) {
+            return Near::quotient(if x.sign() == Ordering::Less { -n } else { n }, d);
         }
-        let radius = if size < TINY && *x != Rational::ZERO {
+        let (middle, order) = f64::rounding_from(x, RoundingMode::Nearest);
+        let size = middle.abs();
+        let radius = if size >= HUGE {
+            f64::INFINITY
+        } else if size < TINY {
             TINY
-        } else if exact {
+        } else if order == Ordering::Equal {
             0.0
         } else {
             2.0 * U * size
         };
         Near { middle, radius }
+    }
+
+    /// A double near the quotient of two whole numbers below `2^53` in size, the second positive.
+    fn quotient(n: i64, d: i64) -> Near {
+        let middle = n as f64 / d as f64;
+        let exact = n == 0 || (d & (d - 1)) == 0;
+        Near { middle, radius: if exact { 0.0 } else { 2.0 * U * middle.abs() } }
     }
 
     /// The difference.
@@ -90,6 +89,11 @@ impl Near {
         let middle = self.middle / speed.middle;
         let radius = ((self.radius + middle.abs() * speed.radius) / least + 2.0 * U * middle.abs()) * UP + TINY;
         if least > 0.0 { Near { middle, radius }.bounds() } else { Bounds::WHOLE }
+    }
+
+    /// The double, where it is within `2u` times its size; else not a number.
+    fn with_relative_error(self) -> f64 {
+        if self.radius <= 2.0 * U * self.middle.abs() { self.middle } else { f64::NAN }
     }
 
     /// The sign, where the doubles show it.
@@ -176,13 +180,93 @@ pub(super) struct Shares {
 }
 
 impl Shares {
-    /// Those of a pair.
-    pub(super) fn of(pair: &Pair) -> Shares {
-        let double = |x: &Rational| {
-            let near = Near::of(x);
-            if near.radius <= 2.0 * U * near.middle.abs() { near.middle } else { f64::NAN }
+    /// Those of a pair that takes this much of the difference of velocities.
+    pub(super) fn of(left: &Rational, right: &Rational) -> Shares {
+        let row = |share: &Rational| {
+            let kept = match (short(share.numerator_ref()), short(share.denominator_ref())) {
+                (Some(n), Some(d)) => Near::quotient(d - n, d),
+                _ => Near::of(&(Rational::ONE - share)),
+            };
+            [kept, Near::of(share)].map(Near::with_relative_error)
         };
-        let row = |share: &Rational| [double(&(Rational::ONE - share)), double(share)];
-        Shares { left: row(&pair.left), right: row(&pair.right) }
+        Shares { left: row(left), right: row(right) }
+    }
+}
+
+/// A whole number below `2^53`.
+fn short(n: &Natural) -> Option<i64> {
+    u64::try_from(n).ok().filter(|n| *n < 1 << 53).map(|n| n as i64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::base::num::arithmetic::traits::Pow;
+
+    fn holds(near: Near, x: &Rational) -> bool {
+        let Bounds { lo, hi } = near.bounds();
+        let below = lo == f64::NEG_INFINITY || Rational::try_from(lo).is_ok_and(|lo| lo <= *x);
+        below && (hi == f64::INFINITY || Rational::try_from(hi).is_ok_and(|hi| hi >= *x))
+    }
+
+    /// Numbers of all sizes, exact in doubles and not.
+    fn numbers() -> Vec<Rational> {
+        let mut numbers = vec![Rational::from(0), Rational::from(1), Rational::from_signeds(-1, 3)];
+        for k in [0i64, 52, 53, 54, 499, 501, 900, 1023, 1074, 1100] {
+            for n in [1i64, 3, -5, 1_000_003] {
+                numbers.extend([k, -k].map(|k| Rational::from(n) * Rational::from(2).pow(k)));
+                numbers.push(Rational::from_signeds(n, 3) * Rational::from(2).pow(-k) + Rational::from(1));
+            }
+        }
+        numbers
+    }
+
+    #[test]
+    fn every_operation_contains_the_exact_result() {
+        let numbers = numbers();
+        for x in &numbers {
+            assert!(holds(Near::of(x), x), "{x}");
+            for y in &numbers {
+                let difference = Near::of(x).less(Near::of(y));
+                assert!(holds(difference, &(x - y)), "{x} {y}");
+                assert!(difference.sign().is_none_or(|sign| sign == x.cmp(y)), "{x} {y}");
+                let Bounds { lo, hi } = Near::of(x).over(Near::of(y));
+                if *y > 0 && lo.is_finite() && hi.is_finite() {
+                    let quotient = x / y;
+                    assert!(lo <= hi && Rational::try_from(lo).is_ok_and(|lo| lo <= quotient), "{x} {y}");
+                    assert!(Rational::try_from(hi).is_ok_and(|hi| hi >= quotient), "{x} {y}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn courses_contain_the_exact_worldlines_collision_after_collision() {
+        let numbers = numbers();
+        let shares: Vec<Rational> = [(0, 1), (1, 1), (2, 1), (1, 3), (19, 10), (1, 1_000_000_007)]
+            .into_iter()
+            .map(|(n, d)| Rational::from_signeds(n, d))
+            .chain([Rational::from(2).pow(-600i64), Rational::from(2) - Rational::from(2).pow(-1080i64)])
+            .collect();
+        for (i, x) in numbers.iter().enumerate() {
+            let y = &numbers[(i * 7 + 3) % numbers.len()];
+            for (j, share) in shares.iter().enumerate() {
+                let other = &shares[(j + i) % shares.len()];
+                let matrix = Shares::of(share, other);
+                let (mut left, mut right) = ((x.clone(), y.clone()), (y.clone(), x.clone()));
+                let mut near = (Course::of(x, y), Course::of(y, x));
+                for round in 0..6 {
+                    let mixed = |x: &Rational, y: &Rational| (x - share * (x - y), y + other * (x - y));
+                    let (b, v) = (mixed(&left.0, &right.0), mixed(&left.1, &right.1));
+                    (left, right) = ((b.0, v.0), (b.1, v.1));
+                    near = Course::after(&matrix, &near.0, &near.1);
+                    for (near, exact) in [(near.0, &left), (near.1, &right)] {
+                        assert!(holds(near.b(), &exact.0), "{x} {y} {share} {other} round {round}");
+                        assert!(holds(near.v(), &exact.1), "{x} {y} {share} {other} round {round}");
+                        assert!(!(near.v().radius == 0.0 && exact.1 != near.v().middle), "{x} {y}: not exact");
+                    }
+                }
+            }
+        }
     }
 }

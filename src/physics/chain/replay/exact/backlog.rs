@@ -126,12 +126,6 @@ impl Run<'_> {
         }
     }
 
-    /// The exact worldline of a point now.
-    pub(super) fn exactly(&mut self, k: usize) -> (&Rational, &Rational) {
-        self.solve(k);
-        self.after(k, self.backlog.last[k])
-    }
-
     /// When the pair meets, exactly: a gap over a speed, both positive or the gap zero. The doubles follow.
     pub(super) fn meeting(&mut self, p: usize) -> (Rational, Rational) {
         self.solve(p);

@@ -17,8 +17,8 @@
 
 use super::{Bound, Run, Stop};
 use crate::chain::replay::joined::{Cause, settle};
-use crate::chain::replay::{Value, contact};
 use crate::chain::replay::ledger::LedgerFault;
+use crate::chain::replay::{Value, contact};
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
 use std::cmp::Ordering;
