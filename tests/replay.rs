@@ -152,7 +152,7 @@ impl Naive {
     }
 
     /// Whether the order of collisions in the cluster of touching points around a pair changes the velocities after it or
-    /// the number of collisions: every sequence is played, those of more than 60 collisions are not (`None`).
+    /// the number of collisions: every sequence is played, those of more than 200 collisions are not (`None`).
     fn order_matters(&self, p: usize) -> Option<bool> {
         let (mut from, mut to) = (p, p + 1);
         while from > 0 && self.gap(from - 1) == 0 {
@@ -162,7 +162,7 @@ impl Naive {
             to += 1;
         }
         let (mut layer, mut ends) = (vec![self.clone()], Vec::new());
-        for count in 0..=60 {
+        for count in 0..=200 {
             let mut next: Vec<Naive> = Vec::new();
             for state in layer {
                 let due: Vec<usize> = (from..to).filter(|p| state.v[*p] > state.v[p + 1]).collect();
