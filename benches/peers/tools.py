@@ -129,6 +129,7 @@ class Place:
             "J8": self.cold(),
             "J9": [
                 Tool("Carom", CERTIFIED, self.rust("J9")),
+                Tool("Carom, with exact values", EXACT, self.rust("J9-exact")),
                 Tool("C loop over all pairs, doubles", PLAIN, self.c("events", "J9")),
                 Tool("C loop with a heap, doubles", PLAIN, self.c("events", "J9-heap")),
                 Tool("Python loop with a heap, doubles", PLAIN, self.py("replay_peer", "J9-doubles")),

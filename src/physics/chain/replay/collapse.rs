@@ -26,8 +26,10 @@
 //! points ([`super::pattern`]): closing speeds tend to 0 there, and so do the gaps `ω_pq/c_p`, since `Γ < γ²`.
 
 use super::Value;
+use super::bounds::Bounds;
 use super::line::Line;
-use super::surd::larger_root;
+use super::near::Near;
+use super::surd::{Surd, larger_root};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Sign;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -84,6 +86,34 @@ impl Collapse {
     }
 }
 
+/// What two collisions do to the speeds of three points, where they can collide for ever in a finite time.
+pub(super) struct Contraction {
+    trace: Rational,
+    determinant: Rational,
+    eigenvalue: Surd,
+}
+
+/// The contraction of the three points around `middle`, whichever pair collides first; `None` where their eigenvalues are
+/// not real, not positive, or not below 1.
+pub(super) fn contraction(line: &Line, middle: usize) -> Option<Contraction> {
+    let (left, right) = (&line.pairs[middle - 1], &line.pairs[middle]);
+    let (a, c) = (&left.right, &right.left);
+    // Most are told by doubles: the trace is negative, or the discriminant.
+    let [e, f] = [left, right].map(|pair| Near::of(&pair.restitution).bounds());
+    let trace = Near::of(a).bounds().times(Near::of(c).bounds()).minus(e.plus(f));
+    let discriminant = trace.times(trace).minus(e.times(f).times(Bounds { lo: 4.0, hi: 4.0 }));
+    if trace.hi < 0.0 || discriminant.hi < 0.0 {
+        return None;
+    }
+    let trace = a * c - &left.restitution - &right.restitution;
+    let determinant = &left.restitution * &right.restitution;
+    if trace <= Rational::ZERO || *a <= Rational::ZERO || *c <= Rational::ZERO {
+        return None;
+    }
+    let eigenvalue = larger_root(&trace, &determinant)?;
+    (eigenvalue.compare(&Rational::ONE) == Ordering::Less).then_some(Contraction { trace, determinant, eigenvalue })
+}
+
 /// The collapse of the three points around `middle`, if they collide for ever as long as nothing else comes.
 ///
 /// The answer is exact: `None` where the number of collisions of the three alone is finite, or where it is
@@ -96,18 +126,9 @@ pub(super) fn of_three(line: &Line, b: &[Rational], v: &[Rational], middle: usiz
     if s <= Rational::ZERO || w < Rational::ZERO {
         return None;
     }
-    let share = |p: usize| if p == left { &line.pairs[p].right } else { &line.pairs[p].left };
-    let (a, c) = (share(next), share(other));
-    let (e_next, e_other) = (&line.pairs[next].restitution, &line.pairs[other].restitution);
-    let trace = a * c - e_next - e_other;
-    let determinant = e_next * e_other;
-    if trace <= Rational::ZERO || *a <= Rational::ZERO || *c <= Rational::ZERO {
-        return None;
-    }
-    let eigenvalue = larger_root(&trace, &determinant)?;
-    if eigenvalue.compare(&Rational::ONE) != Ordering::Less {
-        return None;
-    }
+    let Contraction { trace, determinant, eigenvalue } = contraction(line, middle)?;
+    let c = if other == left { &line.pairs[left].right } else { &line.pairs[right].left };
+    let e_other = &line.pairs[other].restitution;
     let row = |x: &Rational, y: &Rational| eigenvalue.times(x).plus(&(e_other * x - c * y));
     let speeds = row(&s, &w);
     if speeds.sign() != Ordering::Greater {

@@ -87,7 +87,7 @@ pub(super) fn values<N: Enclosure>(
         any_order: run.frees,
         before_any_order: run.free,
         growth: run.growth.clone(),
-        enclosed: Some(Enclosed { after: run.count, bits: made.bits, entries: history.entries() }),
+        enclosed: Some(Enclosed { after: run.count(), bits: made.bits, entries: history.entries() }),
     })
 }
 
@@ -123,13 +123,14 @@ pub(super) fn conclude(run: Run, status: Status, options: &Options) -> Outcome {
     let positions = positions.collect();
     let initial = ledger::energy(line, &start);
     let last = ledger::energy(line, &v);
+    let count = run.count();
     let mut growth = run.growth;
-    if growth.last().is_none_or(|g| g.0 < run.count) {
-        growth.push((run.count, run.largest));
+    if growth.last().is_none_or(|g| g.0 < count) {
+        growth.push((count, run.largest));
     }
     Outcome {
         status,
-        count: run.count,
+        count,
         events: run.events,
         joins: run.joins,
         joined: run.joined,

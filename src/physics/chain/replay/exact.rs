@@ -1,4 +1,4 @@
-//! The exact run: rational worldlines, times compared by enclosures first.
+//! The exact run: rational worldlines, ordered by doubles with a proved error as long as these tell.
 //!
 //! **State.** A body moves on `x = b + v·t` until it collides; the state is the intercept `b` and the velocity
 //! `v` of each worldline, no positions and no clock. A collision of neighbours multiplies `(v_l, v_r)` by the
@@ -7,15 +7,22 @@
 //! only quotients of it leave; a collision touches two bodies, and numbers grow with the masses and restitutions
 //! on a body's causal past.
 //!
-//! **Events.** A pair that approaches meets at `t = (b_r − b_l)/(v_l − v_r)`. A heap holds one entry a pair,
-//! ordered by enclosures of `t`; where two overlap, cross-multiplied exact fractions decide.
+//! **Events.** A pair that approaches meets at `t = (b_r − b_l)/(v_l − v_r)`. The same state in doubles with a proved
+//! error (`near`) encloses each such time. A heap holds one entry a pair, by the lower end. Pairs whose time may be the
+//! least are the first and those that begin before the earliest of their upper ends; where they are several,
+//! cross-multiplied exact fractions decide among them. So does the exact sign of a speed that doubles leave open.
+//!
+//! **Exact numbers on demand.** Collisions wait in a `backlog` until an exact number is asked for. A comparison asks for the
+//! past of its own points. Everything else settles the whole backlog: contacts whose order may matter, bodies that stick,
+//! collisions that may accumulate, and the end.
 //!
 //! **Instants.** All pairs that meet at the least time are taken together (`instant`).
 //!
-//! **Cost.** `O(log n)` comparisons of doubles and a fixed number of exact operations a collision, those of the
-//! ledger included. Memory: the state, the heap, the listed collisions.
+//! **Cost.** `O(log n)` comparisons of doubles and a fixed number of operations in doubles a collision; as many exact
+//! ones, those of the ledger included, when it is settled. Memory: the state, the heap, the backlog, the listed collisions.
 
 mod accumulation;
+mod backlog;
 mod instant;
 
 use super::bounds::Bounds;
@@ -23,10 +30,11 @@ use super::collapse::{self, Collapse};
 use super::joined::{Cause, Joined};
 use super::ledger::{Ledger, LedgerFault};
 use super::line::Line;
+use super::near::{Course, Near};
 use super::queue::Queue;
 use super::{Collision, Value};
+use backlog::Backlog;
 use malachite::Rational;
-use malachite::base::num::arithmetic::traits::NegAssign;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 use std::cmp::Ordering;
@@ -81,22 +89,25 @@ enum Last {
 #[derive(Clone)]
 pub(super) struct Run<'a> {
     pub line: &'a Line,
-    /// Intercepts of the worldlines.
+    /// Intercepts of the worldlines, settled.
     pub b: Vec<Rational>,
-    /// Velocities.
+    /// Velocities, settled.
     pub v: Vec<Rational>,
-    near_b: Vec<Bounds>,
-    near_v: Vec<Bounds>,
+    /// What doubles know of the present state.
+    near: Vec<Course>,
     due: Vec<Bounds>,
     queue: Queue,
+    backlog: Backlog,
     /// For the point in the middle of three: collisions in a row, its left and right pair in turn, that nothing
-    /// outside the three disturbed.
-    streak: Vec<u32>,
-    last_pair: Vec<usize>,
+    /// outside the three disturbed, and the pair of the last.
+    streak: Vec<(u32, u32)>,
+    /// Whether the collisions of three can accumulate, by their middle, where that was asked.
+    contracts: Vec<Option<bool>>,
     /// The pairs of the last collisions.
     recent: Vec<usize>,
     pub ledger: Ledger,
-    pub count: u64,
+    /// How many collisions are settled.
+    settled: u64,
     pub events: Vec<Collision>,
     /// Instants with more than one collision of separate pairs.
     pub simultaneous: u64,
@@ -124,17 +135,17 @@ impl<'a> Run<'a> {
         let largest = b.iter().chain(&v).map(bits).max().unwrap_or(0);
         let mut run = Run {
             line,
-            near_b: b.iter().map(Bounds::of).collect(),
-            near_v: v.iter().map(Bounds::of).collect(),
+            near: line.points.iter().map(|p| p.near).collect(),
             b,
             v,
             due: vec![Bounds::WHOLE; line.pairs.len()],
             queue: Queue::new(line.pairs.len()),
-            streak: vec![0; n],
-            last_pair: vec![usize::MAX; n],
+            backlog: Backlog::new(n),
+            streak: vec![(0, u32::MAX); n],
+            contracts: vec![None; n],
             recent: Vec::new(),
             ledger: Ledger::default(),
-            count: 0,
+            settled: 0,
             events: Vec::new(),
             simultaneous: 0,
             frees: 0,
@@ -152,87 +163,96 @@ impl<'a> Run<'a> {
         run
     }
 
-    /// Replays until something ends it.
+    /// How many collisions there were.
+    pub(super) fn count(&self) -> u64 {
+        self.settled + self.backlog.len()
+    }
+
+    /// What doubles know of the velocity of a point.
+    pub(super) fn velocity(&self, k: usize) -> Bounds {
+        self.near[k].v().bounds()
+    }
+
+    /// Holds the sums over all bodies against the start, as far as doubles tell: momentum, which only walls change, and
+    /// energy, which never grows.
+    pub(super) fn check_sums(&self) -> Result<(), LedgerFault> {
+        let zero = Bounds { lo: 0.0, hi: 0.0 };
+        let (mut momentum, mut energy) = (zero, zero);
+        for (point, course) in self.line.points.iter().zip(&self.near) {
+            let Some(mass) = &point.mass else { continue };
+            let (before, after) = (point.near.v().bounds(), course.v().bounds());
+            let given = Near::of(mass).bounds().times(after.minus(before));
+            momentum = momentum.plus(given);
+            energy = energy.plus(given.times(after.plus(before)));
+        }
+        let walls = self.line.has_left_wall() || self.line.has_right_wall();
+        let fault = |law| Err(LedgerFault { law, collision: None });
+        match (momentum.sign(), energy.sign()) {
+            (Some(Ordering::Less | Ordering::Greater), _) if !walls => fault("momentum"),
+            (_, Some(Ordering::Greater)) => fault("energy"),
+            _ => Ok(()),
+        }
+    }
+
+    /// Replays until something ends it. Where that is not a collapse or a contact, the last collisions are not settled.
     pub(super) fn go(&mut self, bound: &Bound) -> Result<Stop, LedgerFault> {
+        self.backlog.most_bits = bound.bits.unwrap_or(u64::MAX);
         let mut together = Vec::new();
         loop {
-            let Some(first) = self.queue.first() else { return Ok(Stop::Quiet) };
+            if self.queue.first().is_none() {
+                return Ok(Stop::Quiet);
+            }
+            if self.backlog.is_due() && self.settle(bound)? {
+                return Ok(Stop::Grown);
+            }
+            self.take_instant(&mut together);
             if let Some(until) = bound.until
-                && self.later_than(first, until)
+                && self.later_than(together[0], until)
             {
                 return Ok(Stop::Until);
             }
-            if self.count >= bound.events {
+            if self.count() >= bound.events {
                 return Ok(Stop::Events);
             }
-            if bound.bits.is_some_and(|most| self.largest > most) {
+            let soft = self.soft && together.iter().any(|p| self.line.pairs[*p].restitution == Rational::ZERO);
+            let clash = together.len() > 1 && self.may_clash(&together);
+            if (soft || clash) && self.settle(bound)? || self.backlog.len() == 0 && self.has_grown() {
                 return Ok(Stop::Grown);
             }
-            self.take_instant(first, &mut together);
-            let runs = if self.soft { self.soft_runs(&together) } else { Vec::new() };
-            if let Some(cluster) = self.clash(&together, &runs) {
-                match self.play(cluster, &together, bound)? {
+            let runs = if soft { self.soft_runs(&together) } else { Vec::new() };
+            if clash && let Some(cluster) = self.clash(&together, &runs) {
+                match self.play(cluster, &together) {
                     Some(stop) => return Ok(stop),
                     None => continue,
                 }
             }
-            // What is about to change leaves the heap first: an order must not change under it.
-            for p in &together {
-                self.withdraw((*p, p + 1));
-            }
-            let mut blocks: Vec<(usize, usize)> = Vec::new();
-            if runs.iter().any(|run| !run.strained && !run.blocks.is_empty()) {
-                blocks.extend(runs.iter().filter(|run| !run.strained).flat_map(|run| &run.blocks));
-                let (gap, speed) = self.meeting(first);
-                let now = Value::Exact(gap / speed);
-                for block in &blocks {
-                    self.withdraw(*block);
-                }
-                for block in &blocks {
-                    self.join(*block, now.clone(), Cause::Inelastic, bound)?;
-                }
-                together.retain(|p| !blocks.iter().any(|block| (block.0..block.1).contains(p)));
-            }
-            self.simultaneous += u64::from(together.len() + blocks.len() > 1);
+            let blocks = self.join_runs(&runs, &mut together, bound)?;
             // An instant is finished even where it passes the limit: its collisions belong together.
-            for p in &together {
-                self.collide(*p, bound)?;
+            let several = together.len() + blocks.len() > 1;
+            self.simultaneous += u64::from(several && together.is_empty());
+            for (i, p) in together.iter().enumerate() {
+                self.collide(*p, i == 0, several && i == 0);
             }
             for p in &together {
-                self.predict_around((*p, p + 1));
+                self.predict_beside(*p);
             }
             for block in &blocks {
                 self.predict_around(*block);
             }
-            for p in &together {
-                for middle in [*p, p + 1] {
-                    if self.streak[middle] >= 4
-                        && self.streak[middle].is_power_of_two()
-                        && let Some(found) = self.collapse_at(middle, bound.until)
-                        && let Some(stop) = self.collapsed(found, bound)?
-                    {
-                        return Ok(stop);
-                    }
-                }
-            }
-            if let Some(found) = self.pattern(bound.until)
-                && let Some(stop) = self.collapsed(found, bound)?
-            {
+            if let Some(stop) = self.accumulation(&together, bound)? {
                 return Ok(stop);
             }
         }
     }
 
+    /// Whether settled numbers have more bits than allowed.
+    fn has_grown(&self) -> bool {
+        self.largest > self.backlog.most_bits
+    }
+
     /// The pairs that a change of the points `first ..= last` concerns.
     fn around(&self, (first, last): (usize, usize)) -> std::ops::RangeInclusive<usize> {
         first.saturating_sub(1)..=last.min(self.line.pairs.len() - 1)
-    }
-
-    /// Takes the pairs of these points out of the heap.
-    fn withdraw(&mut self, points: (usize, usize)) {
-        for q in self.around(points) {
-            self.place(q, false);
-        }
     }
 
     /// Looks when the pairs of these points meet next.
@@ -242,7 +262,18 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Puts the points `first ..= last` on one worldline, that of their centre of mass, or of the wall among them.
+    /// Looks when the points of a pair that has collided meet others next: each other they do not approach.
+    fn predict_beside(&mut self, p: usize) {
+        self.queue.set(p, None);
+        if p > 0 {
+            self.predict(p - 1);
+        }
+        if p + 1 < self.line.pairs.len() {
+            self.predict(p + 1);
+        }
+    }
+
+    /// Puts the points `first ..= last` on one worldline, that of their centre of mass, or of the wall among them; the state is settled.
     fn join(
         &mut self,
         (first, last): (usize, usize),
@@ -251,11 +282,11 @@ impl<'a> Run<'a> {
         bound: &Bound,
     ) -> Result<(), LedgerFault> {
         let (b, v) = collapse::centre(self.line, &self.b, &self.v, first..=last);
-        let lost = self.ledger.book_joined(&self.line.points[first..=last], &self.v[first..=last], &v, self.count)?;
+        let lost = self.ledger.book_joined(&self.line.points[first..=last], &self.v[first..=last], &v, self.settled)?;
         self.joins += 1;
-        if self.events.len() as u64 == self.count && self.joined.len() < bound.list {
+        if self.events.len() as u64 == self.settled && self.joined.len() < bound.list {
             self.joined.push(Joined {
-                after: self.count,
+                after: self.settled,
                 cause,
                 bodies: (first + self.line.first, last + self.line.first),
                 position: time.times(&v).plus(&(&b + self.line.contact_offset(first))),
@@ -268,31 +299,24 @@ impl<'a> Run<'a> {
         for k in first..=last {
             self.b[k].clone_from(&b);
             self.v[k].clone_from(&v);
-            self.near_b[k] = Bounds::of(&b);
-            self.near_v[k] = Bounds::of(&v);
+            self.near[k] = Course::of(&b, &v);
         }
         self.largest = self.largest.max(bits(&b)).max(bits(&v));
         for k in first.saturating_sub(1)..=(last + 1).min(self.line.points.len() - 1) {
-            self.streak[k] = 0;
-            self.last_pair[k] = usize::MAX;
+            self.streak[k] = (0, u32::MAX);
         }
         self.recent.clear();
         self.last = Last::Joined(time);
         Ok(())
     }
 
-    /// When the pair meets: a gap over a speed, both positive or the gap zero.
-    fn meeting(&self, p: usize) -> (Rational, Rational) {
-        (&self.b[p + 1] - &self.b[p], &self.v[p] - &self.v[p + 1])
-    }
-
-    /// When the pair meets, if it approaches.
+    /// When the pair meets, if it approaches; the state is settled.
     pub(crate) fn due_exactly(&self, p: usize) -> Option<Rational> {
-        let (gap, speed) = self.meeting(p);
-        (speed > Rational::ZERO).then(|| gap / speed)
+        let speed = &self.v[p] - &self.v[p + 1];
+        (speed > Rational::ZERO).then(|| (&self.b[p + 1] - &self.b[p]) / speed)
     }
 
-    /// The time of what happened last.
+    /// The time of what happened last; the state is settled.
     pub(super) fn time(&self) -> Value {
         match &self.last {
             Last::Start => Value::Exact(Rational::ZERO),
@@ -301,18 +325,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Which of two pairs meets first.
-    fn order(&self, p: usize, q: usize) -> Ordering {
-        if p == q {
-            return Ordering::Equal;
-        }
-        self.due[p].order(self.due[q]).unwrap_or_else(|| {
-            let ((gap_p, speed_p), (gap_q, speed_q)) = (self.meeting(p), self.meeting(q));
-            (gap_p * speed_q).cmp(&(gap_q * speed_p))
-        })
-    }
-
-    fn later_than(&self, p: usize, until: &Rational) -> bool {
+    fn later_than(&mut self, p: usize, until: &Rational) -> bool {
         let near = self.due[p].order(Bounds::of(until));
         near.unwrap_or_else(|| {
             let (gap, speed) = self.meeting(p);
@@ -322,82 +335,35 @@ impl<'a> Run<'a> {
 
     /// Puts the pair's next meeting into the heap, or takes it out.
     fn predict(&mut self, p: usize) {
-        let speed = self.near_v[p].minus(self.near_v[p + 1]);
-        let approaching = match speed.sign() {
-            Some(sign) => sign == Ordering::Greater,
-            None => self.v[p] > self.v[p + 1],
-        };
-        if approaching {
-            let near = self.near_b[p + 1].minus(self.near_b[p]).over(speed);
-            // Far from the origin the difference of enclosures may be wide: then from exact differences.
-            self.due[p] = if near.hi - near.lo <= near.hi.abs() * 1e-9 {
-                near
-            } else {
-                let (gap, speed) = self.meeting(p);
-                Bounds::of(&gap).over(Bounds::of(&speed))
-            };
+        let speed = self.near[p].v().less(self.near[p + 1].v());
+        match speed.sign() {
+            Some(Ordering::Greater) => {
+                self.due[p] = self.near[p + 1].b().less(self.near[p].b()).over(speed);
+                self.queue.set(p, Some(self.due[p].lo));
+            }
+            Some(_) => self.queue.set(p, None),
+            None => {
+                let approaching = self.meeting(p).1 > Rational::ZERO;
+                self.queue.set(p, approaching.then_some(self.due[p].lo));
+            }
         }
-        self.place(p, approaching);
     }
 
-    fn place(&mut self, p: usize, present: bool) {
-        let mut queue = std::mem::replace(&mut self.queue, Queue::new(0));
-        queue.set(p, present, |a, b| match self.order(a, b) {
-            Ordering::Equal => a < b,
-            order => order == Ordering::Less,
-        });
-        self.queue = queue;
-    }
-
-    fn collide(&mut self, p: usize, bound: &Bound) -> Result<(), LedgerFault> {
-        let line = self.line;
-        let pair = &line.pairs[p];
-        let (gap, speed) = self.meeting(p);
-        let left = &self.v[p] - &pair.left * &speed;
-        let right = &self.v[p + 1] + &pair.right * &speed;
-        let number = self.count + 1;
-        let sides = (&line.points[p], &line.points[p + 1]);
-        let lost = self.ledger.book(sides, pair, (&self.v[p], &self.v[p + 1]), (&left, &right), number)?;
-        if self.events.len() < bound.list {
-            let time = &gap / &speed;
-            let position = &self.b[p] + &self.v[p] * &time;
-            self.events.push(Collision {
-                pair: p + line.first,
-                position: Value::Exact(position + line.contact_offset(p)),
-                time: Value::Exact(time),
-                before: [Value::Exact(self.v[p].clone()), Value::Exact(self.v[p + 1].clone())],
-                after: [Value::Exact(left.clone()), Value::Exact(right.clone())],
-                lost: Value::Exact(lost),
-            });
-        }
-        let mut back = gap.clone();
-        back.neg_assign();
-        // The intercepts change as the velocities do: by b_l − b_r in place of v_l − v_r.
-        self.b[p] -= &pair.left * &back;
-        self.b[p + 1] += &pair.right * back;
-        self.v[p] = left;
-        self.v[p + 1] = right;
-        self.last = Last::Meeting(gap, speed);
-        self.count = number;
+    /// A collision: the doubles follow at once, the exact numbers when asked for.
+    fn collide(&mut self, p: usize, begins: bool, simultaneous: bool) {
+        (self.near[p], self.near[p + 1]) = Course::after(&self.line.pairs[p].near, &self.near[p], &self.near[p + 1]);
+        self.backlog.push(p, begins, simultaneous);
         self.recent.push(p);
         for k in [p, p + 1] {
-            self.near_b[k] = Bounds::of(&self.b[k]);
-            self.near_v[k] = Bounds::of(&self.v[k]);
-            self.largest = self.largest.max(bits(&self.b[k])).max(bits(&self.v[k]));
-            let in_turn = self.streak[k] > 0 && self.last_pair[k] != p;
-            self.streak[k] = if in_turn { self.streak[k] + 1 } else { 1 };
-            self.last_pair[k] = p;
+            let (streak, last) = self.streak[k];
+            self.streak[k] = (if streak > 0 && last != p as u32 { streak + 1 } else { 1 }, p as u32);
         }
         if p > 0 {
-            self.streak[p - 1] = 0;
+            self.streak[p - 1].0 = 0;
         }
         if let Some(outer) = self.streak.get_mut(p + 2) {
-            *outer = 0;
+            outer.0 = 0;
         }
-        if number.is_power_of_two() {
-            self.growth.push((number, self.largest));
-        }
-        Ok(())
     }
 }
 

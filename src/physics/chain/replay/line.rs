@@ -9,6 +9,7 @@
 //! does every contact. A wall is a body at rest that no collision can move (the limit of a growing mass): the
 //! transfer matrix of a collision exists for it too, so walls need no separate rules.
 
+use super::near::{Course, Shares};
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Two, Zero};
 use std::fmt;
@@ -111,6 +112,8 @@ pub(super) struct Point {
     pub velocity: Rational,
     /// What was subtracted from the position of the body.
     pub offset: Rational,
+    /// Position and velocity in doubles.
+    pub near: Course,
 }
 
 /// What a collision of neighbours does: `v_l' = v_l − left·(v_l − v_r)`, `v_r' = v_r + right·(v_l − v_r)`.
@@ -122,6 +125,8 @@ pub(super) struct Pair {
     pub restitution: Rational,
     pub left: Rational,
     pub right: Rational,
+    /// The transfer matrix in doubles.
+    pub near: Shares,
 }
 
 /// Bodies between optional walls, valid by construction.
@@ -190,7 +195,7 @@ impl Line {
             }
             lengths += &body.length;
             half_lengths.push(half);
-            points.push(Point { mass: Some(body.mass.clone()), position, velocity: body.velocity.clone(), offset });
+            points.push(point(Some(body.mass.clone()), position, body.velocity.clone(), offset));
         }
         if let Some(wall) = right {
             let wall = standing(wall, lengths.clone());
@@ -286,7 +291,11 @@ impl Line {
 }
 
 fn standing(wall: &Wall, offset: Rational) -> Point {
-    Point { mass: None, position: &wall.position - &offset, velocity: Rational::ZERO, offset }
+    point(None, &wall.position - &offset, Rational::ZERO, offset)
+}
+
+fn point(mass: Option<Rational>, position: Rational, velocity: Rational, offset: Rational) -> Point {
+    Point { near: Course::of(&position, &velocity), mass, position, velocity, offset }
 }
 
 fn pair(left: Option<&Rational>, right: Option<&Rational>, e: Rational) -> Pair {
@@ -299,5 +308,5 @@ fn pair(left: Option<&Rational>, right: Option<&Rational>, e: Rational) -> Pair 
         (None, _) => (Rational::ZERO, both),
         (Some(_), None) => (both, Rational::ZERO),
     };
-    Pair { restitution: e, left: to_left, right: to_right }
+    Pair { near: Shares::of(&to_left, &to_right), restitution: e, left: to_left, right: to_right }
 }

@@ -30,6 +30,7 @@ mod history;
 mod joined;
 mod ledger;
 mod line;
+mod near;
 mod outcome;
 mod pattern;
 mod queue;
@@ -99,7 +100,19 @@ impl Default for Options {
     }
 }
 
-/// Replays the line.
+impl Options {
+    fn bound(&self) -> Bound<'_> {
+        Bound {
+            events: self.max_events,
+            until: self.until.as_ref(),
+            list: self.list,
+            bits: self.exact_bits,
+            through: self.through_collapse,
+        }
+    }
+}
+
+/// Replays the line: [`follow`], with exact values.
 ///
 /// ```
 /// use carom_physics::chain::replay::{Body, Line, Options, Status, replay};
@@ -120,29 +133,68 @@ impl Default for Options {
 /// # Errors
 /// [`LedgerFault`] where energy or momentum do not add up: a fault of this program.
 pub fn replay(line: &Line, options: &Options) -> Result<Outcome, LedgerFault> {
+    follow(line, options)?.outcome()
+}
+
+/// Follows the line: the order of all collisions and their number, certified by doubles with a proved error, and by exact
+/// numbers where these leave it open. [`Followed::outcome`] then gives exact values, and checks energy and momentum of
+/// each collision exactly.
+///
+/// # Errors
+/// [`LedgerFault`] where energy or momentum do not add up: a fault of this program.
+pub fn follow<'a>(line: &'a Line, options: &'a Options) -> Result<Followed<'a>, LedgerFault> {
     let mut run = Run::new(line);
-    let bound = Bound {
-        events: options.max_events,
-        until: options.until.as_ref(),
-        list: options.list,
-        bits: options.exact_bits,
-        through: options.through_collapse,
-    };
-    let stop = run.go(&bound)?;
-    run.ledger.balance(line, &run.v)?;
-    let status = match stop {
-        Stop::Quiet | Stop::Until => Status::Complete,
-        Stop::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
-        Stop::Grown => return Ok(go_on(run, options)),
-        Stop::Collapse(found) => Status::Collapse(found),
-        Stop::Ambiguous { cluster, pairs, time } => Status::Ambiguous(Contact {
-            bodies: (cluster.0 + line.first, cluster.1 + line.first),
-            pairs: pairs.iter().map(|p| p + line.first).collect(),
-            time,
-            outcomes: options.orders.then(|| contact::outcomes(line, &run.v, cluster.0, cluster.1)),
-        }),
-    };
-    Ok(conclude(run, status, options))
+    let stop = run.go(&options.bound())?;
+    run.check_sums()?;
+    Ok(Followed { run, stop, options })
+}
+
+/// A line that was followed to its end, or to a limit.
+pub struct Followed<'a> {
+    run: Run<'a>,
+    stop: Stop,
+    options: &'a Options,
+}
+
+impl Followed<'_> {
+    /// The number of collisions; `None` where only [`Followed::outcome`] finds it, because exact numbers outgrew
+    /// [`Options::exact_bits`] on the way.
+    #[must_use]
+    pub fn count(&self) -> Option<u64> {
+        (!matches!(self.stop, Stop::Grown)).then(|| self.run.count())
+    }
+
+    /// Doubles that the velocity of each body lies between at the end.
+    #[must_use]
+    pub fn velocities(&self) -> Vec<(f64, f64)> {
+        let points = self.run.line.body_points();
+        points.map(|k| self.run.velocity(k)).map(|v| (v.lo, v.hi)).collect()
+    }
+
+    /// What was found, with exact values.
+    ///
+    /// # Errors
+    /// [`LedgerFault`] where energy or momentum do not add up: a fault of this program.
+    pub fn outcome(self) -> Result<Outcome, LedgerFault> {
+        let Followed { mut run, stop, options } = self;
+        let line = run.line;
+        let grown = run.settle(&options.bound())?;
+        run.ledger.balance(line, &run.v)?;
+        let status = match stop {
+            Stop::Grown => return Ok(go_on(run, options)),
+            _ if grown => return Ok(go_on(run, options)),
+            Stop::Quiet | Stop::Until => Status::Complete,
+            Stop::Events => Status::Limit(Limit::Events { allowed: options.max_events }),
+            Stop::Collapse(found) => Status::Collapse(found),
+            Stop::Ambiguous { cluster, pairs, time } => Status::Ambiguous(Contact {
+                bodies: (cluster.0 + line.first, cluster.1 + line.first),
+                pairs: pairs.iter().map(|p| p + line.first).collect(),
+                time,
+                outcomes: options.orders.then(|| contact::outcomes(line, &run.v, cluster.0, cluster.1)),
+            }),
+        };
+        Ok(conclude(run, status, options))
+    }
 }
 
 /// Goes on with enclosures where exact numbers have become too large.
@@ -170,7 +222,7 @@ fn enclosed<E: Enclosure>(run: &Run, options: &Options, bits: u64) -> Option<Out
     };
     let made = Made { count: rest.count, events: std::mem::take(&mut rest.events), bits };
     // Sizes grow in proportion to the count.
-    let needed = run.largest.saturating_mul(rest.count.div_ceil(run.count.max(1)));
+    let needed = run.largest.saturating_mul(rest.count.div_ceil(run.count().max(1)));
     let too_long = options.exact_values && needed > MAX_VALUE_BITS;
     let limit = Status::Limit(Limit::Values { allowed: MAX_VALUE_BITS, needed });
     let status = if too_long && matches!(status, Status::Complete) { limit } else { status };

@@ -50,21 +50,25 @@ const MAX_BLOCK: u32 = 16;
 type Row = Vec<Rational>;
 type Matrix = Vec<Row>;
 
-/// The shortest round that the last collisions repeat three times over, if any.
+/// The shortest round that the last collisions repeat three times over, if any, and if it is one of four points or more.
 pub(super) fn round(recent: &[usize]) -> Option<&[usize]> {
-    (2..=MAX_ROUND.min(recent.len() / 3)).find_map(|length| {
+    let found = (2..=MAX_ROUND.min(recent.len() / 3)).find_map(|length| {
         let tail = &recent[recent.len() - 3 * length..];
         (0..2 * length).all(|i| tail[i] == tail[i + length]).then(|| &tail[2 * length..])
-    })
+    });
+    found.filter(|round| (3..MAX_POINTS).contains(&pairs(round)))
+}
+
+/// How many neighbouring pairs the points of a round make.
+fn pairs(round: &[usize]) -> usize {
+    round.iter().max().zip(round.iter().min()).map_or(0, |(last, first)| last + 1 - first)
 }
 
 /// The collapse of the points that the round touches, if it repeats for ever from here and in a finite time.
 pub(super) fn of_round(line: &Line, b: &[Rational], v: &[Rational], round: &[usize]) -> Option<Collapse> {
-    let (first, last) = (*round.iter().min()?, *round.iter().max()? + 1);
-    let d = last - first;
-    if !(3..MAX_POINTS).contains(&d) {
-        return None;
-    }
+    let d = pairs(round);
+    let first = *round.iter().min()?;
+    let last = first + d;
     let closing = |x: &[Rational]| (first..last).map(|p| &x[p] - &x[p + 1]).collect::<Row>();
     let (beta, c) = (closing(b), closing(v));
     let pairs = planes(d);
@@ -299,7 +303,8 @@ mod tests {
 
     #[test]
     fn a_round_is_found_only_where_it_repeats() {
-        assert_eq!(round(&[9, 1, 2, 1, 2, 1, 2]), Some(&[1, 2][..]));
+        assert_eq!(round(&[9, 1, 2, 3, 1, 2, 3, 1, 2, 3]), Some(&[1, 2, 3][..]));
+        assert_eq!(round(&[9, 1, 2, 1, 2, 1, 2]), None);
         assert_eq!(round(&[1, 2, 3, 2, 1, 2, 3, 2, 1, 2, 3, 2]), Some(&[1, 2, 3, 2][..]));
         assert_eq!(round(&[1, 2, 1, 2, 1, 3]), None);
     }

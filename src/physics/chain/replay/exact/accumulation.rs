@@ -10,38 +10,56 @@ use malachite::Rational;
 use std::cmp::Ordering;
 
 impl Run<'_> {
+    /// What the collisions of one instant begin: where they are proved to accumulate, the run ends, or bodies join.
+    pub(super) fn accumulation(&mut self, together: &[usize], bound: &Bound) -> Result<Option<Stop>, LedgerFault> {
+        for middle in together.iter().flat_map(|p| [*p, p + 1]) {
+            let streak = self.streak[middle].0;
+            if streak < 4 || !streak.is_power_of_two() || !self.contracts(middle) {
+                continue;
+            }
+            if self.settle(bound)? {
+                return Ok(Some(Stop::Grown));
+            }
+            let found = collapse::of_three(self.line, &self.b, &self.v, middle);
+            if let Some(found) = found.filter(|found| self.undisturbed(found, bound.until))
+                && let Some(stop) = self.collapsed(found, bound)?
+            {
+                return Ok(Some(stop));
+            }
+        }
+        if self.recent.len() < pattern::ATTEMPT {
+            return Ok(None);
+        }
+        let recent = std::mem::take(&mut self.recent);
+        let Some(round) = pattern::round(&recent) else { return Ok(None) };
+        if self.settle(bound)? {
+            return Ok(Some(Stop::Grown));
+        }
+        match pattern::of_round(self.line, &self.b, &self.v, round).filter(|f| self.undisturbed(f, bound.until)) {
+            Some(found) => self.collapsed(found, bound),
+            None => Ok(None),
+        }
+    }
+
+    /// Whether a point has two neighbours with which it can collide for ever in a finite time.
+    fn contracts(&mut self, middle: usize) -> bool {
+        let within = middle > 0 && middle + 1 < self.line.points.len();
+        *self.contracts[middle].get_or_insert_with(|| within && collapse::contraction(self.line, middle).is_some())
+    }
+
     /// Ends the run at a collapse, or goes on from its end: always where a pair has restitution 0, for then the bodies
     /// stick, and where asked for.
-    pub(super) fn collapsed(&mut self, found: Collapse, bound: &Bound) -> Result<Option<Stop>, LedgerFault> {
+    fn collapsed(&mut self, found: Collapse, bound: &Bound) -> Result<Option<Stop>, LedgerFault> {
         let sticks = found.sticks();
         if !sticks && !bound.through {
             return Ok(Some(Stop::Collapse(Box::new(found))));
         }
         let points = (found.bodies.0 - self.line.first, found.bodies.1 - self.line.first);
-        self.withdraw(points);
         let time = found.time.clone();
         let cause = if sticks { Cause::Inelastic } else { Cause::Collapse(Box::new(found)) };
         self.join(points, time, cause, bound)?;
         self.predict_around(points);
         Ok(None)
-    }
-
-    /// A proved collapse around a point that nothing else reaches in time.
-    pub(super) fn collapse_at(&self, middle: usize, until: Option<&Rational>) -> Option<Collapse> {
-        if middle == 0 || middle + 1 >= self.line.points.len() {
-            return None;
-        }
-        collapse::of_three(self.line, &self.b, &self.v, middle).filter(|found| self.undisturbed(found, until))
-    }
-
-    /// A proved collapse by the pattern that the last collisions repeat; looked for now and then.
-    pub(super) fn pattern(&mut self, until: Option<&Rational>) -> Option<Collapse> {
-        if self.recent.len() < pattern::ATTEMPT {
-            return None;
-        }
-        let recent = std::mem::take(&mut self.recent);
-        let found = pattern::of_round(self.line, &self.b, &self.v, pattern::round(&recent)?);
-        found.filter(|found| self.undisturbed(found, until))
     }
 
     /// Nothing outside the points of a collapse meets any of them, or another, before it; and it is not later than

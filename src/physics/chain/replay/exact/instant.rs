@@ -16,9 +16,9 @@
 //! before the run is at its end. Then the run is no longer taken as a whole, and the rule for instants applies.
 
 use super::{Bound, Run, Stop};
-use crate::chain::replay::contact;
-use crate::chain::replay::joined::settle;
+use crate::chain::replay::joined::{Cause, settle};
 use crate::chain::replay::ledger::LedgerFault;
+use crate::chain::replay::{Value, contact};
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
 use std::cmp::Ordering;
@@ -34,19 +34,42 @@ pub(super) struct SoftRun {
 }
 
 impl Run<'_> {
-    /// All pairs that meet when the first does, in order from the left, out of the heap.
-    pub(super) fn take_instant(&mut self, first: usize, together: &mut Vec<usize>) {
+    /// All pairs that meet first, in order from the left; the heap is not empty.
+    pub(super) fn take_instant(&mut self, together: &mut Vec<usize>) {
         together.clear();
-        while let Some(p) = self.queue.first()
-            && self.order(p, first) == Ordering::Equal
-        {
-            together.push(p);
-            self.place(p, false);
+        let latest = |run: &Self, list: &[usize]| list.iter().map(|p| run.due[*p].hi).fold(f64::INFINITY, f64::min);
+        let bound = self.queue.first().map_or(f64::INFINITY, |p| self.due[p].hi);
+        self.queue.up_to(bound, together);
+        if together.len() > 1 {
+            let bound = latest(self, together);
+            together.retain(|p| self.due[*p].lo <= bound);
         }
-        together.sort_unstable();
+        if together.len() > 1 {
+            self.earliest(together);
+        }
     }
 
-    /// The soft runs around pairs that meet at one instant.
+    /// Of pairs that doubles do not order, those that meet first, exactly.
+    fn earliest(&mut self, pairs: &mut Vec<usize>) {
+        let mut first: Option<(Rational, Rational)> = None;
+        let mut earliest = Vec::new();
+        for p in pairs.drain(..) {
+            let (gap, speed) = self.meeting(p);
+            self.queue.set(p, Some(self.due[p].lo));
+            let order = first.as_ref().map_or(Ordering::Less, |(g, s)| (&gap * s).cmp(&(g * &speed)));
+            if order == Ordering::Less {
+                earliest.clear();
+                first = Some((gap, speed));
+            }
+            if order != Ordering::Greater {
+                earliest.push(p);
+            }
+        }
+        earliest.sort_unstable();
+        *pairs = earliest;
+    }
+
+    /// The soft runs around pairs that meet at one instant; the state is settled.
     pub(super) fn soft_runs(&self, together: &[usize]) -> Vec<SoftRun> {
         let is_soft = |q: usize| self.line.pairs[q].restitution == Rational::ZERO;
         let mut runs: Vec<SoftRun> = Vec::new();
@@ -76,7 +99,13 @@ impl Run<'_> {
         runs
     }
 
-    /// A cluster of touching bodies, first and last, in which two pairs approach whose order is not determined.
+    /// Whether two of the pairs may belong to one cluster of touching bodies.
+    pub(super) fn may_clash(&self, together: &[usize]) -> bool {
+        together.windows(2).any(|w| (w[0] + 1..w[1]).all(|r| !self.apart(r, w[0])))
+    }
+
+    /// A cluster of touching bodies, first and last, in which two pairs approach whose order is not determined; the state
+    /// is settled.
     pub(super) fn clash(&self, together: &[usize], runs: &[SoftRun]) -> Option<(usize, usize)> {
         let settled = |w: &[usize]| runs.iter().any(|run| !run.strained && run.pairs.0 <= w[0] && w[1] <= run.pairs.1);
         let clash = together.windows(2).find(|w| !settled(w) && (w[0] + 1..w[1]).all(|r| self.touch(r, w[0])))?;
@@ -91,41 +120,50 @@ impl Run<'_> {
         Some(cluster)
     }
 
-    /// Plays a cluster in one order, where the order does not matter; else the run ends. Pairs that are not in the cluster go
-    /// back into the heap.
-    pub(super) fn play(
-        &mut self,
-        cluster: (usize, usize),
-        together: &[usize],
-        bound: &Bound,
-    ) -> Result<Option<Stop>, LedgerFault> {
-        let (ours, others): (Vec<usize>, Vec<usize>) =
-            together.iter().partition(|p| (cluster.0..cluster.1).contains(*p));
+    /// Plays a cluster in one order, where the order does not matter; else the run ends. The state is settled.
+    pub(super) fn play(&mut self, cluster: (usize, usize), together: &[usize]) -> Option<Stop> {
         let Some(order) = contact::agreed(self.line, &self.v, cluster.0, cluster.1) else {
-            let time = ours.first().and_then(|p| self.due_exactly(*p)).unwrap_or_default();
-            return Ok(Some(Stop::Ambiguous { cluster, pairs: ours, time }));
+            let pairs: Vec<usize> = together.iter().copied().filter(|p| (cluster.0..cluster.1).contains(p)).collect();
+            let time = pairs.first().and_then(|p| self.due_exactly(*p)).unwrap_or_default();
+            return Some(Stop::Ambiguous { cluster, pairs, time });
         };
-        self.free.get_or_insert(self.count);
+        self.free.get_or_insert(self.settled);
         self.frees += 1;
-        self.withdraw(cluster);
-        for p in order {
-            self.collide(p, bound)?;
-        }
-        for p in others {
-            self.predict(p);
+        for (i, p) in order.into_iter().enumerate() {
+            self.collide(p, i == 0, false);
         }
         self.predict_around(cluster);
-        Ok(None)
+        None
     }
 
-    /// Whether the two points of pair `r` are at one place when pair `p` meets.
-    fn touch(&self, r: usize, p: usize) -> bool {
-        let ahead = self.near_b[r + 1].minus(self.near_b[r]);
-        let drift = self.near_v[r + 1].minus(self.near_v[r]);
-        if ahead.plus(drift.times(self.due[p])).sign().is_some_and(Ordering::is_ne) {
-            return false;
+    /// Joins the blocks of soft runs that nothing strains, and takes their pairs from the list. The state is settled.
+    pub(super) fn join_runs(
+        &mut self,
+        runs: &[SoftRun],
+        together: &mut Vec<usize>,
+        bound: &Bound,
+    ) -> Result<Vec<(usize, usize)>, LedgerFault> {
+        let blocks: Vec<_> = runs.iter().filter(|run| !run.strained).flat_map(|run| run.blocks.clone()).collect();
+        if let Some(now) = together.first().filter(|_| !blocks.is_empty()).and_then(|p| self.due_exactly(*p)) {
+            for block in &blocks {
+                self.join(*block, Value::Exact(now.clone()), Cause::Inelastic, bound)?;
+            }
+            together.retain(|p| !blocks.iter().any(|block| (block.0..block.1).contains(p)));
         }
-        let (gap, speed) = self.meeting(p);
-        (&self.b[r + 1] - &self.b[r]) * speed + (&self.v[r + 1] - &self.v[r]) * gap == Rational::ZERO
+        Ok(blocks)
+    }
+
+    /// Whether doubles show that the two points of pair `r` are at two places when pair `p` meets.
+    fn apart(&self, r: usize, p: usize) -> bool {
+        let (left, right) = (&self.near[r], &self.near[r + 1]);
+        let (ahead, drift) = (right.b().less(left.b()).bounds(), right.v().less(left.v()).bounds());
+        ahead.plus(drift.times(self.due[p])).sign().is_some_and(Ordering::is_ne)
+    }
+
+    /// Whether the two points of pair `r` are at one place when pair `p` meets; the state is settled.
+    fn touch(&self, r: usize, p: usize) -> bool {
+        let gap = |q: usize| &self.b[q + 1] - &self.b[q];
+        let drift = |q: usize| &self.v[q + 1] - &self.v[q];
+        !self.apart(r, p) && gap(r) * drift(p) == drift(r) * gap(p)
     }
 }
