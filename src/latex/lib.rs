@@ -15,6 +15,7 @@ mod expression;
 mod function;
 mod macros;
 mod markdown;
+mod measured;
 mod name;
 mod number;
 mod paper;

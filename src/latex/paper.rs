@@ -153,6 +153,9 @@ impl<'l> Assembly<'l> {
     fn shared_clause(&mut self, word: &str, lines: &[Clause]) -> Result<(), Vec<Diagnostic>> {
         let Some(first) = lines.first() else { return Ok(()) };
         let one = |fault: Diagnostic| vec![fault];
+        if word == "digits" {
+            return Err(one(misplaced(word, first.span)));
+        }
         if clause::decides(lines, &mut self.decisions).map_err(one)? {
             return Ok(());
         }
