@@ -8,6 +8,7 @@ use super::{Exit, Format, print, stream, terminal, write_file};
 use crate::certificate::VERSION;
 use crate::certificate::text::{FILE_LIMIT, Fault as Unread, Malformed, version_of};
 use crate::claim::diagnostic::{self, Diagnostic, nearest};
+use crate::claim::dimension;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::judge::hand::AtHand;
@@ -219,6 +220,20 @@ impl Loaded {
         Ok(self)
     }
 
+    /// Shows where dimensions differ, each at its place.
+    fn show_dimensions(&self, entries: &[Entry]) {
+        let list = entries.iter().filter_map(|entry| {
+            let mismatch = dimension::of_goal(&entry.claim)?;
+            let (message, help) = (mismatch.message(), Some(mismatch.help()));
+            let fault = Diagnostic::new(diagnostic::Fault::Other { message, help }, mismatch.span);
+            Some((entry.claim.name.text.clone(), fault))
+        });
+        let list: Vec<(String, Diagnostic)> = list.collect();
+        if !list.is_empty() {
+            terminal::note(&load::faults(&list, self.catalogue.claims(), &self.origin, &self.sources).message);
+        }
+    }
+
     /// The error of a claim that cannot be judged, with its place.
     pub(super) fn failure(&self, name: &str, fault: Fault) -> Exit {
         let Some(claim) = self.catalogue.get(name) else {
@@ -299,6 +314,9 @@ fn streamed(
     let found = stream::judged(loaded, only, settings, &mut tell, &leave);
     let (audit, messages) = audit_of(loaded, found);
     finish(&audit)?;
+    if let Format::Text = format {
+        loaded.show_dimensions(&audit.entries);
+    }
     pieces.into_inner().1.map(|()| (audit, messages))
 }
 

@@ -6,6 +6,7 @@ use super::{Exit, form, load, print, table_certificate, terminal, write_file};
 use crate::certificate::Certificate;
 use crate::certificate::text::{FILE_LIMIT, Malformed, digest, read};
 use crate::claim::diagnostic::Diagnostic;
+use crate::claim::dimension;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::kernel::{self, Accepted, Verdict};
@@ -82,6 +83,9 @@ fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool, say: Say<'_>) 
                     out += &format!("  (rests on {})", list.join(", "));
                 }
                 out.push('\n');
+                if let Some(mismatch) = claims.iter().find(|c| c.name.text == *name).and_then(dimension::of_goal) {
+                    out += &format!("    true of numbers, but {}\n", mismatch.message());
+                }
                 if !quiet {
                     out += &accepted.text().lines().map(|l| format!("    {l}\n")).collect::<String>();
                 }

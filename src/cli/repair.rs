@@ -36,6 +36,13 @@ pub(super) fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &L
             };
             Ok((format!("{id} is {}{tried}; only a refuted claim can be repaired\n", verdict.name()), 1))
         }
+        Err(NoRepair::Dimensions) => {
+            let reason = entry.outcome.reason.unwrap_or_default();
+            Ok((
+                format!("{id} is refuted: {reason}\nNo hypothesis changes that; correct the equation or the units\n"),
+                1,
+            ))
+        }
         Err(NoRepair::NoneOf(tried)) => Ok((
             format!(
                 "{id} is refuted, and none of the {tried} hypotheses tried makes it provable; add a hypothesis and audit it again\n"

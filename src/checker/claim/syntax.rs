@@ -9,6 +9,7 @@
 pub const MAX_DEPTH: usize = 200;
 
 pub use carom_diagnostic::Span;
+pub use carom_unit::Unit;
 
 /// A name with its place.
 #[derive(Clone, Debug)]
@@ -297,6 +298,8 @@ pub struct Binding {
     pub constraints: Vec<Constraint>,
     /// The indices for which a family is defined; `None` means every natural number.
     pub indices: Option<(Expr, Expr)>,
+    /// `in kg`: the unit in which the values are measured. It is no part of the mathematical statement.
+    pub unit: Option<Unit>,
     /// Where it stands.
     pub span: Span,
 }
