@@ -1,6 +1,7 @@
 //! `carom check`: certificates of claims, and of tables (`table_certificate`).
 
 use super::audit::cited_too;
+use super::paper::is_paper;
 use super::table_certificate::Other;
 use super::{Exit, form, load, print, table_certificate, terminal, write_file};
 use crate::certificate::Certificate;
@@ -46,6 +47,14 @@ pub(super) fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) 
 type Say<'a> = &'a mut dyn FnMut(&str) -> Result<(), Exit>;
 
 fn check(paths: &[PathBuf], claims: &[PathBuf], quiet: bool, say: Say<'_>) -> Result<u8, Exit> {
+    let is_claims = |path: &&PathBuf| is_paper(path) || path.extension().is_some_and(|end| end == "claim");
+    if let Some(path) = paths.iter().find(is_claims) {
+        let path = path.display();
+        return Err(Exit::usage(format!(
+            "error: {path} holds claims, not certificates; `carom audit {path} --certificates DIR` writes their certificates, and \
+             `carom check DIR --claims {path}` checks them"
+        )));
+    }
     let (tables, others) = table_certificate::told_apart(paths)?;
     let only_tables = others.is_empty() && !tables.is_empty();
     let of_tables = table_certificate::run(tables, quiet, say)?;

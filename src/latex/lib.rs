@@ -28,6 +28,7 @@ mod scope;
 mod statement;
 mod symbol;
 mod token;
+mod typeset;
 
 pub use markdown::latex_of;
 pub use paper::{Equation, Outcome, Paper, paper};

@@ -420,6 +420,8 @@ pub struct Claim {
     pub expect: Expectation,
     /// The declarations and the goal as their author wrote them, where the reader wrote them out.
     pub written: Option<Box<Written>>,
+    /// The equation as the paper prints it that the claim was read from: LaTeX for mathematics mode.
+    pub typeset: Option<String>,
 }
 
 /// What the author of a claim wrote: declarations and goal before abbreviations, angles, floors and limits are written out.

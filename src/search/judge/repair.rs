@@ -124,6 +124,7 @@ impl Search<'_> {
             sample: Vec::new(),
             proof: Proof::default(),
             expect: Expectation::Proved,
+            typeset: None,
             ..self.claim.clone()
         }
     }
