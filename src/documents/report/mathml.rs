@@ -311,6 +311,20 @@ mod tests {
     use super::*;
     use crate::claim::parse::parse_prop;
 
+    #[test]
+    fn a_paper_brings_markup_into_the_page() {
+        let said = typeset(r"a < b \text{ if <script>} c > d").unwrap_or_default();
+        assert!(
+            said.contains("<mo>&lt;</mo>") && said.contains("<mo>&gt;</mo>") && !said.contains("<script>"),
+            "{said}"
+        );
+        assert_eq!(typeset(r"\unknown x"), None);
+        assert!(
+            typeset(r"\begin{aligned} a &= b \\ &= c \end{aligned}")
+                .is_some_and(|said| said.matches("<mtr>").count() == 2)
+        );
+    }
+
     fn shown(text: &str) -> String {
         statement(&parse_prop(text).expect("it parses"))
     }
