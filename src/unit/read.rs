@@ -12,7 +12,10 @@ const NESTING: usize = 10;
 
 /// A unit of measurement.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Unit {
+pub struct Unit(Box<Parts>);
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+struct Parts {
     text: String,
     dimension: Dimension,
     scale: Scale,
@@ -41,7 +44,7 @@ impl Unit {
         }
         let (dimension, scale) = reader.product()?;
         match reader.next() {
-            None => Ok(Unit { text: reader.out, dimension, scale }),
+            None => Ok(Unit(Box::new(Parts { text: reader.out, dimension, scale }))),
             Some((c, place)) => {
                 let help = "write a unit such as kg, m/s, kg*m/s^2 or J/(kg*K)";
                 Err(reader.fault(format!("`{c}` does not belong to a unit"), help, place))
@@ -52,7 +55,7 @@ impl Unit {
     /// Its text, as a claim file says it: `kg*m/s^2`.
     #[must_use]
     pub fn text(&self) -> &str {
-        &self.text
+        &self.0.text
     }
 
     /// With signs of print: `kg·m/s²`.
@@ -72,7 +75,7 @@ impl Unit {
 
     /// The text with other signs for products and powers.
     fn set(&self, times: &str, power: &dyn Fn(&str) -> String) -> String {
-        let mut parts = self.text.split('^');
+        let mut parts = self.0.text.split('^');
         let mut out = parts.next().unwrap_or_default().replace('*', times);
         for part in parts {
             let end = match part.strip_prefix('(') {
@@ -88,11 +91,11 @@ impl Unit {
     /// Its dimension.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
-        self.dimension
+        self.0.dimension
     }
 
     pub(crate) fn scale(&self) -> Scale {
-        self.scale
+        self.0.scale
     }
 }
 
