@@ -87,6 +87,9 @@ pub fn repair(
             Err(NoRepair::NotRefuted(verdict)) => {
                 (None, format!("{id} is {}; only a refuted claim can be repaired", verdict.name()))
             }
+            Err(NoRepair::Dimensions) => {
+                (None, format!("{id} is refuted by its dimensions, which no hypothesis changes"))
+            }
             Err(NoRepair::NoneOf(tried)) => {
                 (None, format!("{id} is refuted, and none of the {tried} hypotheses tried makes it provable"))
             }

@@ -8,6 +8,7 @@ use super::{Exit, Format, print, stream, terminal, write_file};
 use crate::certificate::VERSION;
 use crate::certificate::text::{FILE_LIMIT, Fault as Unread, Malformed, version_of};
 use crate::claim::diagnostic::{self, Diagnostic, nearest};
+use crate::claim::dimension;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::judge::hand::AtHand;
@@ -41,6 +42,18 @@ pub(super) struct Loaded {
 pub(crate) fn load(paths: &[PathBuf], only: &[String]) -> Result<Loaded, Exit> {
     let loaded = readable(paths, only)?;
     if loaded.broken.is_empty() { Ok(loaded) } else { Err(load::together(&loaded.broken)) }
+}
+
+/// The same for a command about one claim: the rest of its file may be at fault.
+///
+/// # Errors
+/// This claim, or one that it cites, could not be read.
+pub(super) fn load_for(paths: &[PathBuf], id: &str) -> Result<Loaded, Exit> {
+    let is_its = |broken: &Broken| broken.name == id || broken.claims.iter().any(|name| name == id);
+    match readable(paths, &[id.to_string()])? {
+        loaded if loaded.broken.iter().any(is_its) => Err(load::together(&loaded.broken)),
+        loaded => Ok(loaded),
+    }
 }
 
 /// The same, but leaves out what could not be read.
@@ -132,10 +145,16 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
         .map(|n| match nearest(n, names.iter().copied()) {
             Some(near) => format!("error: no claim is called {n}; did you mean {near}?"),
             // Every word after --only counts as a name, even a path.
-            None if n.contains('/') || n.ends_with(".claim") || Path::new(n).exists() => format!(
-                "error: no claim is called {n}; it looks like a path: write paths before --only, \
-                 as in `carom audit {n} --only ID`"
-            ),
+            None if n.contains('/')
+                || n.ends_with(".claim")
+                || super::paper::is_paper(Path::new(n))
+                || Path::new(n).exists() =>
+            {
+                format!(
+                    "error: no claim is called {n}; it looks like a path: write paths before --only, \
+                 as in `carom audit {n} --only ID`, and behind --from, as in `carom export coq --from {n}`"
+                )
+            }
             None => format!("error: no claim is called {n}; `carom list` prints the names"),
         })
         .collect();
@@ -219,6 +238,20 @@ impl Loaded {
         Ok(self)
     }
 
+    /// Shows where dimensions differ, each at its place.
+    fn show_dimensions(&self, entries: &[Entry]) {
+        let list = entries.iter().filter_map(|entry| {
+            let mismatch = dimension::of_goal(&entry.claim)?;
+            let (message, help) = (mismatch.message(), Some(mismatch.help()));
+            let fault = Diagnostic::new(diagnostic::Fault::Other { message, help }, mismatch.span);
+            Some((entry.claim.name.text.clone(), fault))
+        });
+        let list: Vec<(String, Diagnostic)> = list.collect();
+        if !list.is_empty() {
+            terminal::note(&load::faults(&list, self.catalogue.claims(), &self.origin, &self.sources).message);
+        }
+    }
+
     /// The error of a claim that cannot be judged, with its place.
     pub(super) fn failure(&self, name: &str, fault: Fault) -> Exit {
         let Some(claim) = self.catalogue.get(name) else {
@@ -299,14 +332,16 @@ fn streamed(
     let found = stream::judged(loaded, only, settings, &mut tell, &leave);
     let (audit, messages) = audit_of(loaded, found);
     finish(&audit)?;
+    if let Format::Text = format {
+        loaded.show_dimensions(&audit.entries);
+    }
     pieces.into_inner().1.map(|()| (audit, messages))
 }
 
-/// Judges the built-in catalogue or the given files as a whole.
-pub(super) fn all(paths: &[PathBuf], settings: &Settings) -> Result<Audit, Exit> {
+/// Judges the built-in catalogue or the given files as a whole; with the messages of what could not be judged.
+pub(super) fn all(paths: &[PathBuf], settings: &Settings) -> Result<(Audit, Vec<String>), Exit> {
     let loaded = readable(paths, &[])?.with_certificates(settings.anew)?;
-    let (audit, messages) = audit_of(&loaded, loaded.judge(&[], settings));
-    if messages.is_empty() { Ok(audit) } else { Err(Exit::usage(messages.join("\n"))) }
+    Ok(audit_of(&loaded, loaded.judge(&[], settings)))
 }
 
 /// The audit, and the error messages of claims that could not be judged.

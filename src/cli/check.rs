@@ -1,11 +1,13 @@
 //! `carom check`: certificates of claims, and of tables (`table_certificate`).
 
 use super::audit::cited_too;
+use super::paper::is_paper;
 use super::table_certificate::Other;
 use super::{Exit, form, load, print, table_certificate, terminal, write_file};
 use crate::certificate::Certificate;
 use crate::certificate::text::{FILE_LIMIT, Malformed, digest, read};
 use crate::claim::diagnostic::Diagnostic;
+use crate::claim::dimension;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::kernel::{self, Accepted, Verdict};
@@ -45,6 +47,14 @@ pub(super) fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) 
 type Say<'a> = &'a mut dyn FnMut(&str) -> Result<(), Exit>;
 
 fn check(paths: &[PathBuf], claims: &[PathBuf], quiet: bool, say: Say<'_>) -> Result<u8, Exit> {
+    let is_claims = |path: &&PathBuf| is_paper(path) || path.extension().is_some_and(|end| end == "claim");
+    if let Some(path) = paths.iter().find(is_claims) {
+        let path = path.display();
+        return Err(Exit::usage(format!(
+            "error: {path} holds claims, not certificates; `carom audit {path} --certificates DIR` writes their certificates, and \
+             `carom check DIR --claims {path}` checks them"
+        )));
+    }
     let (tables, others) = table_certificate::told_apart(paths)?;
     let only_tables = others.is_empty() && !tables.is_empty();
     let of_tables = table_certificate::run(tables, quiet, say)?;
@@ -82,6 +92,9 @@ fn check_claims(paths: &[Other], claims: &[PathBuf], quiet: bool, say: Say<'_>) 
                     out += &format!("  (rests on {})", list.join(", "));
                 }
                 out.push('\n');
+                if let Some(mismatch) = claims.iter().find(|c| c.name.text == *name).and_then(dimension::of_goal) {
+                    out += &format!("    true of numbers, but {}\n", mismatch.message());
+                }
                 if !quiet {
                     out += &accepted.text().lines().map(|l| format!("    {l}\n")).collect::<String>();
                 }

@@ -1,6 +1,6 @@
 //! `carom explain`
 
-use super::audit::load;
+use super::audit::load_for;
 use super::{Exit, ExplainFormat};
 use crate::judge::Settings;
 use crate::refute::catalogue::Limits;
@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// The text that the command prints, and its exit code.
 pub(super) fn run(id: &str, paths: &[PathBuf], format: ExplainFormat, limits: &Limits) -> Result<(String, u8), Exit> {
     let only = [id.to_string()];
-    let loaded = load(paths, &only)?.with_certificates(false)?;
+    let loaded = load_for(paths, id)?.with_certificates(false)?;
     let settings = Settings { limits: limits.clone(), argument: true, ..Settings::default() };
     let Some((_, found)) = loaded.judge(&only, &settings).entries.pop() else {
         return Err(Exit::usage(format!("error: no claim is called {id}")));

@@ -1,6 +1,6 @@
 //! `carom repair`: the hypothesis that a refuted claim lacks.
 
-use super::audit::load;
+use super::audit::load_for;
 use super::{Exit, PrintFormat, statements, write_file};
 use crate::certificate::text::write;
 use crate::claim::print;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// The text that the command prints, and its exit code: 1 if no repair is found.
 pub(super) fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &Limits) -> Result<(String, u8), Exit> {
     let only = [id.to_string()];
-    let loaded = load(paths, &only)?.with_certificates(false)?;
+    let loaded = load_for(paths, id)?.with_certificates(false)?;
     let settings = Settings { limits: limits.clone(), ..Settings::default() };
     let Some((_, found)) = loaded.judge(&only, &settings).entries.pop() else {
         return Err(Exit::usage(format!("error: no claim is called {id}")));
@@ -35,6 +35,13 @@ pub(super) fn run(id: &str, paths: &[PathBuf], folder: Option<&Path>, limits: &L
                 points => format!(", and no counterexample was found at {}", counted(points, "point")),
             };
             Ok((format!("{id} is {}{tried}; only a refuted claim can be repaired\n", verdict.name()), 1))
+        }
+        Err(NoRepair::Dimensions) => {
+            let reason = entry.outcome.reason.unwrap_or_default();
+            Ok((
+                format!("{id} is refuted: {reason}\nNo hypothesis changes that; correct the equation or the units\n"),
+                1,
+            ))
         }
         Err(NoRepair::NoneOf(tried)) => Ok((
             format!(

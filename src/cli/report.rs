@@ -3,6 +3,7 @@
 use super::interrupt::{Interrupt, at_once, interrupted};
 use super::{Exit, audit, figures, latex, terminal, theorems, write_bytes};
 use crate::judge::Settings;
+use crate::refute::outcome::DIMENSIONS;
 use crate::report::handout::{Handout, evidence};
 use std::path::{Path, PathBuf};
 
@@ -39,7 +40,7 @@ pub(super) struct Flags {
 /// writes.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     at_once()?;
-    let handout = made(flags)?;
+    let (handout, faults) = made(flags)?;
     let files = handout.files();
     let interrupt = Interrupt::listen();
     for (path, bytes) in &files {
@@ -68,11 +69,14 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
         flags.out.display(),
         handout.vouched().join(" ")
     ))?;
-    Ok(audit::code(&handout.audit))
+    match faults.as_slice() {
+        [] => Ok(audit::code(&handout.audit)),
+        faults => Err(Exit::usage(faults.join("\n"))),
+    }
 }
 
-/// The report.
-fn made(flags: &Flags) -> Result<Handout, Exit> {
+/// The report, and what could not be judged.
+fn made(flags: &Flags) -> Result<(Handout, Vec<String>), Exit> {
     let catalogue = flags.paths.is_empty();
     // The flags of tables and pictures are read before the claims are judged, so that an error in them costs no time.
     let defaults = |list: &[&str]| if catalogue { list.iter().map(ToString::to_string).collect() } else { Vec::new() };
@@ -83,7 +87,7 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
     let plots: Vec<String> = [defaults(&figures::PLOTS), flags.plot.clone()].concat();
     let plots = plots.iter().enumerate().map(|(place, words)| figures::plot(place, words)).collect::<Result<_, _>>()?;
     let settings = Settings { limits: flags.limits.limits(), argument: true, ..Settings::default() };
-    let audit = audit::all(&flags.paths, &settings)?;
+    let (audit, faults) = audit::all(&flags.paths, &settings)?;
     let proofs = theorems::of_audit(&audit, &settings.limits);
     let ran = match (&proofs, flags.coq) {
         (Ok(made), true) => theorems::ran(&audit, made)?,
@@ -91,7 +95,11 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
         _ => None,
     };
     let coq_ran = ran.is_some();
-    let evidence = ran.unwrap_or_else(|| evidence::gather(&audit, proofs.as_ref().map_err(String::as_str)));
+    let mut evidence = ran.unwrap_or_else(|| evidence::gather(&audit, proofs.as_ref().map_err(String::as_str)));
+    // Where dimensions differ, neither the kernel nor Coq was asked.
+    for entry in audit.entries.iter().filter(|entry| entry.outcome.method == DIMENSIONS) {
+        evidence.remove(&entry.claim.name.text);
+    }
     let coq = proofs.ok().filter(|made| made.theorems() > 0).map(|made| made.contents()).unwrap_or_default();
     let paper = audit.entries.iter().find_map(|e| e.claim.paper.as_deref());
     let title = flags.title.clone().unwrap_or_else(|| match (catalogue, paper) {
@@ -102,7 +110,7 @@ fn made(flags: &Flags) -> Result<Handout, Exit> {
         (false, Some(paper)) => format!("Audit of {paper}"),
         (false, None) => "Audit".to_string(),
     });
-    Ok(Handout { audit, title, evidence, coq, coq_ran, catalogue, tables, plots })
+    Ok((Handout { audit, title, evidence, coq, coq_ran, catalogue, tables, plots }, faults))
 }
 
 /// Notes files that an earlier report left in the folder, because `carom check` would read its certificates too.

@@ -1,6 +1,6 @@
 //! `carom export coq --proofs`: a folder of theorems with their proofs; Coq run on such a folder for a report.
 
-use super::audit::load;
+use super::audit::{cited_too, load};
 use super::export::names_after_from;
 use super::interrupt::{Interrupt, interrupted};
 use super::{Exit, Language, print, terminal, write_file};
@@ -125,7 +125,9 @@ fn is_installed() -> bool {
 /// The folder of an audit's claims.
 pub(crate) fn of_audit(audit: &Audit, limits: &Limits) -> Result<Folder, String> {
     let claims: Vec<Claim> = audit.entries.iter().map(|e| e.claim.clone()).collect();
-    let catalogue = Catalogue::new(claims).map_err(|_| "the claims are not those that were judged".to_string())?;
+    // What they cite of the built-in catalogue belongs to them.
+    let catalogue =
+        Catalogue::new(cited_too(claims)).map_err(|_| "the claims are not those that were judged".to_string())?;
     folder(&catalogue, &audit.entries, &search(limits)).map_err(|clash| clash.to_string())
 }
 

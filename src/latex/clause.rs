@@ -10,7 +10,7 @@ use carom_checker::claim::parse::begins_clause;
 use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
-const VERBS: &[&str] = &["name", "skip", "comma", "pm", "e", "begin", "end", "continues", "begins", "by"];
+const VERBS: &[&str] = &["name", "skip", "comma", "pm", "digits", "e", "begin", "end", "continues", "begins", "by"];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,11 +81,20 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
     match words.as_slice() {
         ["comma", "and"] => decisions.comma_is_and = Some(true),
         ["comma", "if"] => decisions.comma_is_and = Some(false),
-        ["pm", "and"] => decisions.both_signs = Some(true),
-        ["pm", "or"] => decisions.both_signs = Some(false),
+        ["pm", word @ ("and" | "or")] => {
+            (decisions.both_signs, decisions.is_measured) = (Some(*word == "and"), Some(false));
+        }
+        ["pm", "interval"] => decisions.is_measured = Some(true),
+        ["digits", count] if count.parse::<usize>().is_ok_and(|count| (1..=100).contains(&count)) => {
+            decisions.digits = count.parse().ok();
+        }
         ["e", "is", "base"] => decisions.e_is_base = true,
         ["comma" | "pm", ..] => {
-            return Err(expected("`and` or `if` behind comma, `and` or `or` behind pm", "something else", first.span));
+            let wanted = "`and` or `if` behind comma; `and`, `or` or `interval` behind pm";
+            return Err(expected(wanted, "something else", first.span));
+        }
+        ["digits", ..] => {
+            return Err(expected("a number from 1 to 100, as in `digits 3`", "something else", first.span));
         }
         ["e", ..] => return Err(expected("`e is base`", "something else", first.span)),
         _ => return Ok(false),
@@ -147,7 +156,7 @@ pub(crate) fn of(clauses: &[Clause], decisions: Decisions, names: &mut Names) ->
 
 /// A clause that does not belong where it stands.
 pub(crate) fn misplaced(word: &str, span: Span) -> Diagnostic {
-    let help = "in an equation: given, let, define, assume, prove, skip, claim, number, note, using, by, expect; before the \
+    let help = "in an equation: given, let, define, assume, prove, skip, claim, number, note, using, by, expect, digits; before the \
                 equations: paper, source, section, given, let, define, assume, name, begin, end";
     let what =
         if word.is_empty() { "this comment is no clause".to_string() } else { format!("`{word}` is no clause here") };

@@ -39,6 +39,16 @@ pub(crate) fn clause(text: &str, span: Span, names: &mut Names) -> Result<Placed
             continue;
         }
         let length = identifier(&tokens, at);
+        if first == "given" && length == 2 && token.is_char('i') && tokens[at + 1].is_char('n') {
+            out.push("in", token.span);
+            at += length;
+            if let Some(end) = unit_end(&tokens, at) {
+                out.push(" ", token.span);
+                tokens[at..end].iter().for_each(|part| out.push(&unit_part(part), part.span));
+                at = end;
+            }
+            continue;
+        }
         if length > 0 {
             let word: String = tokens[at..at + length].iter().filter_map(|t| t.char()).collect();
             let place = Span { start: token.span.start, end: tokens[at + length - 1].span.end };
@@ -58,6 +68,26 @@ pub(crate) fn clause(text: &str, span: Span, names: &mut Names) -> Result<Placed
         at += 1;
     }
     Ok(out)
+}
+
+/// Where the unit ends that begins at `at`, if one does: its symbols are no names of the paper.
+fn unit_end(tokens: &[Token], at: usize) -> Option<usize> {
+    let begins = tokens.get(at).is_some_and(|t| t.is_char('1') || t.is("mathrm") || t.is("Omega"));
+    let begins = begins || identifier(tokens, at) > 0;
+    let rest = tokens.get(at..)?;
+    let length = rest.iter().position(|t| matches!(t.char(), Some(',' | ';' | ':'))).unwrap_or(rest.len());
+    // A range has two points.
+    (begins && !rest[..length].iter().any(|t| t.is_char('.'))).then_some(at + length)
+}
+
+/// A part of a unit in the claim language.
+fn unit_part(token: &Token) -> String {
+    match &token.kind {
+        Kind::Command(name) if name == "cdot" || name == "times" => "*".to_string(),
+        Kind::Command(name) if name == "Omega" => name.clone(),
+        Kind::Char(c) => c.to_string(),
+        _ => String::new(),
+    }
 }
 
 /// The first word of a clause.

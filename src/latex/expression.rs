@@ -139,9 +139,12 @@ impl<'t> Reader<'t, '_, '_> {
         };
         self.at += 1;
         let next_is_number = self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit());
-        if before_is_number && next_is_number {
-            let help = "declare what was measured as an interval: `%carom given x in [57.0, 57.2]`";
-            return Err(refused("a measured value with its uncertainty is no statement", help, token.span));
+        if before_is_number && next_is_number && self.scope.decisions.is_measured != Some(false) {
+            if self.scope.decisions.is_measured.is_some() {
+                let help = "write it alone behind = or \\approx; `%carom pm or` says that two values are meant";
+                return Err(refused("a measured value with its uncertainty is not read here", help, token.span));
+            }
+            return Err(super::measured::two_readings(true, token.span));
         }
         self.scope.double_sign = Some(token.span);
         Ok(Some(if upper == self.scope.upper { '+' } else { '-' }))

@@ -15,6 +15,7 @@ mod expression;
 mod function;
 mod macros;
 mod markdown;
+mod measured;
 mod name;
 mod number;
 mod paper;
@@ -27,6 +28,7 @@ mod scope;
 mod statement;
 mod symbol;
 mod token;
+mod typeset;
 
 pub use markdown::latex_of;
 pub use paper::{Equation, Outcome, Paper, paper};

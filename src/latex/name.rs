@@ -13,7 +13,7 @@ use carom_diagnostic::{Diagnostic, Span};
 use std::collections::BTreeMap;
 
 /// Signs over a letter, which make another name of it.
-const ACCENTS: &[&str] = &[
+pub(crate) const ACCENTS: &[&str] = &[
     "bar",
     "overline",
     "tilde",

@@ -11,12 +11,13 @@ use super::name::{Names, base, scripts};
 use super::place::Placed;
 use super::prepare::prepared;
 use super::refusal::{ambiguous, expected, refused};
-use super::row::{Joined, equations};
+use super::row::{Joined, claim_name, equations};
 use super::scope::{Decisions, Scope, roles};
 use super::statement::{Said, joined};
 use super::symbol::commas;
 use super::token::{Token, tokens};
-use carom_checker::claim::parse::{clauses_placed, is_keyword, parse_placed};
+use super::typeset::typeset;
+use carom_checker::claim::parse::{clauses_placed, parse_placed};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
 use carom_diagnostic::{Diagnostic, Span};
@@ -153,6 +154,9 @@ impl<'l> Assembly<'l> {
     fn shared_clause(&mut self, word: &str, lines: &[Clause]) -> Result<(), Vec<Diagnostic>> {
         let Some(first) = lines.first() else { return Ok(()) };
         let one = |fault: Diagnostic| vec![fault];
+        if word == "digits" {
+            return Err(one(misplaced(word, first.span)));
+        }
         if clause::decides(lines, &mut self.decisions).map_err(one)? {
             return Ok(());
         }
@@ -423,7 +427,7 @@ impl<'l> Assembly<'l> {
         }
         let (mut claims, _) = parse_placed(text.text(), &self.preamble, &|span| text.place(span))?;
         match claims.pop() {
-            Some(claim) => Ok(Outcome::Read(Box::new(claim))),
+            Some(claim) => Ok(Outcome::Read(Box::new(Claim { typeset: typeset(&equation.rows), ..claim }))),
             None => Err(vec![refused("this formula is no claim", "pass it over by `%carom skip`", equation.span)]),
         }
     }
@@ -473,24 +477,4 @@ fn lines_of(list: &[Placed]) -> Placed {
         out.push("\n", clause.span());
     }
     out
-}
-
-/// The name of a claim: its label without `eq:`, else its number, else its line.
-fn claim_name(label: Option<&str>, number: Option<&str>, line: usize) -> String {
-    let clean = |text: &str| {
-        let parts = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
-        parts.collect::<Vec<_>>().join("-")
-    };
-    let label = label.map(|label| {
-        let (kind, rest) = label.split_once(':').unwrap_or(("", label));
-        clean(if ["eq", "eqn", "equation"].contains(&kind) { rest } else { label })
-    });
-    let name = match (label.filter(|label| !label.is_empty()), number) {
-        (Some(label), _) => label,
-        (None, Some(number)) => format!("eq-{}", clean(number)),
-        (None, None) => format!("line-{line}"),
-    };
-    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_keyword(&name);
-    let name = if is_name { name } else { format!("eq-{name}") };
-    name.chars().take(80).collect::<String>().trim_end_matches('-').to_string()
 }

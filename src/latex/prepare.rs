@@ -11,7 +11,7 @@ use carom_diagnostic::Diagnostic;
 /// Spaces; they separate a factor from a parenthesis that follows it.
 pub(crate) const SPACES: &[&str] = &[",", ";", ":", "!", " ", "/", "thinspace", "enspace", "hfill", "hfil"];
 /// Commands that change only how a formula looks.
-const LOOKS: &[&str] = &[
+pub(crate) const LOOKS: &[&str] = &[
     "displaystyle",
     "textstyle",
     "scriptstyle",
@@ -38,7 +38,7 @@ const LOOKS: &[&str] = &[
     "centering",
 ];
 /// Signs between two statements or parts of one.
-const OPERATORS: &[&str] = &[
+pub(crate) const OPERATORS: &[&str] = &[
     "le",
     "leq",
     "leqslant",

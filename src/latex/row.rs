@@ -9,12 +9,15 @@ use super::document::{Clause, Display};
 use super::expression::is_space;
 use super::refusal::{ambiguous, refused};
 use super::token::{Kind, Token};
+use carom_checker::claim::parse::is_keyword;
 use carom_diagnostic::{Diagnostic, Span};
 
 /// An equation: one row, or several that go on.
 #[derive(Debug, Default)]
 pub(crate) struct Joined {
     pub tokens: Vec<Token>,
+    /// The same in rows and cells, as it is printed.
+    pub rows: Vec<Vec<Vec<Token>>>,
     pub clauses: Vec<Clause>,
     pub label: Option<String>,
     pub number: Option<String>,
@@ -60,6 +63,7 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
         match out.last_mut().filter(|_| goes_on) {
             Some(before) => {
                 before.tokens.extend(tokens);
+                before.rows.push(row.cells.clone());
                 before.clauses.extend(clauses);
                 before.label = before.label.take().or_else(|| row.label.clone());
                 before.span.end = row.span.end;
@@ -72,6 +76,7 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
             }
             None => out.push(Joined {
                 tokens,
+                rows: vec![row.cells.clone()],
                 clauses,
                 label: row.label.clone(),
                 number: row.number.clone(),
@@ -133,4 +138,24 @@ fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<
         }
         _ => Ok(true),
     }
+}
+
+/// The name of a claim: its label without `eq:`, else its number, else its line.
+pub(crate) fn claim_name(label: Option<&str>, number: Option<&str>, line: usize) -> String {
+    let clean = |text: &str| {
+        let parts = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join("-")
+    };
+    let label = label.map(|label| {
+        let (kind, rest) = label.split_once(':').unwrap_or(("", label));
+        clean(if ["eq", "eqn", "equation"].contains(&kind) { rest } else { label })
+    });
+    let name = match (label.filter(|label| !label.is_empty()), number) {
+        (Some(label), _) => label,
+        (None, Some(number)) => format!("eq-{}", clean(number)),
+        (None, None) => format!("line-{line}"),
+    };
+    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_keyword(&name);
+    let name = if is_name { name } else { format!("eq-{name}") };
+    name.chars().take(80).collect::<String>().trim_end_matches('-').to_string()
 }

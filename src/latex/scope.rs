@@ -24,6 +24,10 @@ pub(crate) struct Decisions {
     pub comma_is_and: Option<bool>,
     /// ±: whether both statements are meant (or one of them).
     pub both_signs: Option<bool>,
+    /// A number with ± or with digits in parentheses: whether it is a measured value with its uncertainty.
+    pub is_measured: Option<bool>,
+    /// The number of significant digits to which the printed number of this equation is rounded.
+    pub digits: Option<usize>,
     /// Whether e is the base of exponentials.
     pub e_is_base: bool,
 }

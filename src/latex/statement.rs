@@ -283,7 +283,19 @@ impl Reader<'_, '_, '_> {
         let mut count = 0;
         while let Some(token) = self.peek() {
             let place = token.span;
-            if let Some(relation) = relation_of(token) {
+            let is_approximate = token.is("approx");
+            if (is_approximate || relation_of(token) == Some("="))
+                && self.begins_printed(self.at + 1, is_approximate)?
+            {
+                self.at += 1;
+                also.push(self.printed(&left)?);
+                // What stands behind is compared with the printed number, which is not meant.
+                if self.peek().is_some_and(|t| relation_of(t).is_some() || t.is("approx")) {
+                    let span = self.span();
+                    let help = "end the chain with the printed number";
+                    return Err(refused("a chain goes on behind a rounded or measured number", help, span));
+                }
+            } else if let Some(relation) = relation_of(token) {
                 self.at += 1;
                 if relation == "=" && self.peek().is_some_and(|t| t.is("begin")) && self.is_cases() {
                     if count > 0 {
@@ -296,14 +308,6 @@ impl Reader<'_, '_, '_> {
                 text.push(&format!(" {relation} "), place);
                 text.append(&left.text);
                 count += 1;
-            } else if token.is("approx") {
-                self.at += 1;
-                also.push(self.rounded(&left)?);
-                // What stands behind is compared with the rounded number, which is not meant.
-                if self.peek().is_some_and(|t| relation_of(t).is_some() || t.is("approx")) {
-                    let span = self.span();
-                    return Err(refused("a chain goes on behind ≈", "end the chain with the rounded number", span));
-                }
             } else if token.is("in") {
                 self.at += 1;
                 also.push(self.member(&left)?);
@@ -339,50 +343,6 @@ impl Reader<'_, '_, '_> {
         let mut list = if count > 0 { vec![Said { text, level: 6 }] } else { Vec::new() };
         list.append(&mut also);
         Ok(joined(list, " and ", 4, 5))
-    }
-
-    /// A number as a paper rounds it: at most half a unit of its last digit away.
-    fn rounded(&mut self, exact: &Piece) -> Read<Said> {
-        let start = self.span();
-        let help = "write the bound that is meant, as in |x - y| \\le 0.01, or `%carom skip`";
-        let is_negative = self.take_char('-');
-        if !self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit()) {
-            return Err(refused("≈ is read only before a number", help, start));
-        }
-        let number = self.number()?;
-        let digits = number.text.text().to_string();
-        let mut exponent = 0i64;
-        if self.take_command(&["times", "cdot"]) {
-            let base = self.number().map(|piece| piece.text.text() == "10").unwrap_or(false);
-            if !base || !self.take_char('^') {
-                return Err(refused("≈ is read only before a number", help, start));
-            }
-            let (inner, next) = argument(self.tokens, self.at)?;
-            let Ok(power) = words(inner).replace(' ', "").parse::<i64>() else {
-                return Err(refused("≈ is read only before a number", help, start));
-            };
-            exponent = power;
-            self.at = next;
-        }
-        let places = digits.split_once('.').map_or(0, |(_, tail)| tail.len() as i64);
-        if digits.contains('e') {
-            return Err(refused("≈ is read only before a number", help, start));
-        }
-        if places == 0 && digits.len() > 1 && digits.ends_with('0') {
-            let readings = ["a number rounded to its last digit", "one rounded to its last digit other than 0"];
-            let write = ["write |x - y| \\le 0.5", "write it with a power of ten, 3.1 \\times 10^{2}"];
-            return Err(ambiguous("a rounded number that ends in 0", readings, write, start));
-        }
-        if exponent.abs() > 300 {
-            return Err(super::refusal::limit("digits of a power of ten", 300, start));
-        }
-        let unit = exponent - places;
-        let span = self.since(start);
-        let value = if exponent == 0 { digits } else { format!("{digits}e{exponent}") };
-        let mut text = Placed::new("abs(", span);
-        text.append(&exact.text);
-        text.push(&format!(" {} {value}) <= 0.5e{unit}", if is_negative { '+' } else { '-' }), span);
-        Ok(Said { text, level: 6 })
     }
 
     fn is_cases(&mut self) -> bool {

@@ -90,6 +90,7 @@ fn imported(line: &str) -> Vec<String> {
         match first {
             "carom_diagnostic" => Some("diagnostic".to_string()),
             "carom_catalogue" => Some("proofs".to_string()),
+            "carom_unit" => Some("unit".to_string()),
             _ if first == "crate" || first.starts_with("carom_") => rest.split("::").next().map(str::to_string),
             _ => None,
         }

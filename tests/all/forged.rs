@@ -29,6 +29,7 @@ fn binding(names: &[&str]) -> Binding {
         natural: false,
         constraints: Vec::new(),
         indices: None,
+        unit: None,
         span: Span::default(),
     }
 }

@@ -1,5 +1,7 @@
 //! Papers in LaTeX as claim files: what is read, what is refused, and what comes back from print.
 
+mod commands;
 mod example;
+mod planted;
 mod refused;
 mod round_trip;

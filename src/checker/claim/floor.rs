@@ -114,6 +114,7 @@ impl Writer<'_> {
             natural: true,
             constraints: Vec::new(),
             indices: None,
+            unit: None,
             span,
         }]));
         let value = sum(name(&up), Sign::Minus, name(&down));

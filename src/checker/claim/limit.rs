@@ -185,6 +185,7 @@ impl Writer<'_> {
             natural,
             constraints: vec![Constraint::Relation(relation, least)],
             indices: None,
+            unit: None,
             span,
         };
         let relation = if sign == Sign::Plus { Relation::Greater } else { Relation::Less };

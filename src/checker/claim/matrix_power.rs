@@ -92,6 +92,7 @@ impl Writer<'_> {
             natural,
             constraints: Vec::new(),
             indices: None,
+            unit: None,
             span,
         };
         let declared = families.iter().flatten().map(|family| (family.clone(), Some(index.clone()))).collect();

@@ -5,6 +5,7 @@ mod check;
 mod circle;
 mod constants;
 pub mod definedness;
+pub mod dimension;
 mod floor;
 pub mod format;
 pub mod free_names;

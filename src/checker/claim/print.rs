@@ -424,6 +424,13 @@ impl Style {
         if let (Some((a, to)), Some((_, Some(index)))) = (&b.indices, b.names.first()) {
             out.push_str(&format!(" for {} in {}..{}", index.text, self.expr(a), self.expr(to)));
         }
+        if let Some(unit) = &b.unit {
+            out.push_str(&match self {
+                Style::Text => format!(" in {}", unit.text()),
+                Style::Unicode => format!(" in {}", unit.printed()),
+                Style::Latex => format!("\\text{{ in }}{}", unit.latex()),
+            });
+        }
         out
     }
 

@@ -9,6 +9,7 @@
 pub const MAX_DEPTH: usize = 200;
 
 pub use carom_diagnostic::Span;
+pub use carom_unit::Unit;
 
 /// A name with its place.
 #[derive(Clone, Debug)]
@@ -297,6 +298,8 @@ pub struct Binding {
     pub constraints: Vec<Constraint>,
     /// The indices for which a family is defined; `None` means every natural number.
     pub indices: Option<(Expr, Expr)>,
+    /// `in kg`: the unit in which the values are measured. It is no part of the mathematical statement.
+    pub unit: Option<Unit>,
     /// Where it stands.
     pub span: Span,
 }
@@ -417,6 +420,8 @@ pub struct Claim {
     pub expect: Expectation,
     /// The declarations and the goal as their author wrote them, where the reader wrote them out.
     pub written: Option<Box<Written>>,
+    /// The equation as the paper prints it that the claim was read from: LaTeX for mathematics mode.
+    pub typeset: Option<String>,
 }
 
 /// What the author of a claim wrote: declarations and goal before abbreviations, angles, floors and limits are written out.

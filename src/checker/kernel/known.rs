@@ -71,7 +71,7 @@ pub(super) enum Lesson {
     /// The signs that a fraction may have, with the places of the equations that were put in to read it.
     Sign(Fraction, Signs, BTreeSet<usize>),
     /// Something for all values of one natural variable.
-    ForAll(Binding, Prop),
+    ForAll(Box<Binding>, Prop),
 }
 
 /// How much a step knew at some point.
@@ -257,7 +257,7 @@ impl Checker {
                 Lesson::Sign(f, signs, places) => self.note(f, *signs, places, known)?,
                 Lesson::ForAll(binding, body) => {
                     let place = known.source.unwrap_or_default();
-                    known.for_all.push((binding.clone(), body.clone(), place));
+                    known.for_all.push(((**binding).clone(), body.clone(), place));
                 }
             }
         }
@@ -301,7 +301,7 @@ impl Checker {
                     && binding.natural
                     && binding.names.len() == 1
                 {
-                    out.push(Lesson::ForAll(binding.clone(), (**body).clone()));
+                    out.push(Lesson::ForAll(Box::new(binding.clone()), (**body).clone()));
                 }
                 Ok(())
             }

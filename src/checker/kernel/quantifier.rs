@@ -38,6 +38,7 @@ fn domain_of_members(binding: &Binding, family: &Name, index: &Name) -> Option<P
         natural: true,
         constraints: range.collect(),
         indices: None,
+        unit: None,
         span: Span::default(),
     };
     Some(prop(PropKind::ForAll(vec![over], Box::new(body))))

@@ -284,6 +284,7 @@ impl Path<'_> {
                             natural: true,
                             constraints: vec![range],
                             indices: None,
+                            unit: None,
                             span: Span::default(),
                         });
                         path.in_expr(body)

@@ -61,6 +61,9 @@ pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
         out.push(("What was tried", tried(entry)));
         out.push(("What would help", help(entry)));
     }
+    if outcome.verdict == Verdict::Refuted {
+        out.push(("Why it is refuted", outcome.reason.iter().cloned().collect()));
+    }
     if outcome.verdict == Verdict::Proved {
         out.push(("Beside the proof", outcome.reason.iter().cloned().collect()));
     }

@@ -6,6 +6,8 @@
 use super::markup::escape;
 use crate::claim::print::{Style, level, prop_level, reaches};
 use crate::claim::syntax::*;
+use pulldown_latex::config::DisplayMode;
+use pulldown_latex::{Parser, ParserError, RenderConfig, Storage, push_mathml};
 
 /// A proposition on a line of its own.
 pub fn statement(p: &Prop) -> String {
@@ -286,13 +288,42 @@ fn binding(b: &Binding) -> String {
         parts.push(word("for"));
         parts.push(row(&[identifier(&index.text), operator("∈"), expr(a), operator("…"), expr(to)]));
     }
+    if let Some(unit) = &b.unit {
+        parts.push(word("in"));
+        parts.push(format!("<mtext>{}</mtext>", escape(&unit.printed())));
+    }
     row(&parts)
+}
+
+/// A paper's own LaTeX; nothing if a part of it is not known.
+pub fn typeset(latex: &str) -> Option<String> {
+    let storage = Storage::new();
+    let events = Parser::new(latex, &storage).collect::<Result<Vec<_>, _>>().ok()?;
+    let mut out = String::new();
+    let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
+    push_mathml(&mut out, events.into_iter().map(Ok::<_, ParserError>), config).ok()?;
+    // The crate escapes texts, and leaves these two signs as they are.
+    Some(out.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("<mo>></mo>", "<mo>&gt;</mo>"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::claim::parse::parse_prop;
+
+    #[test]
+    fn a_paper_brings_markup_into_the_page() {
+        let said = typeset(r"a < b \text{ if <script>} c > d").unwrap_or_default();
+        assert!(
+            said.contains("<mo>&lt;</mo>") && said.contains("<mo>&gt;</mo>") && !said.contains("<script>"),
+            "{said}"
+        );
+        assert_eq!(typeset(r"\unknown x"), None);
+        assert!(
+            typeset(r"\begin{aligned} a &= b \\ &= c \end{aligned}")
+                .is_some_and(|said| said.matches("<mtr>").count() == 2)
+        );
+    }
 
     fn shown(text: &str) -> String {
         statement(&parse_prop(text).expect("it parses"))

@@ -14,13 +14,14 @@ mod threads;
 use crate::certificate::Certificate;
 use crate::certificate::text::{digest, write};
 use crate::claim::diagnostic::{self, Diagnostic};
+use crate::claim::dimension;
 use crate::claim::print::Style;
 use crate::claim::syntax::{self as claim, Claim, Item, Method, Relation, Span, Step};
 use crate::explain::{self, Document};
 use crate::kernel::Accepted;
 use crate::kernel::statement::{compare, numeral};
 use crate::prove;
-use crate::refute::case::{Case, Stage, beyond};
+use crate::refute::case::{Case, Stage, beyond, differing};
 use crate::refute::catalogue::{Catalogue, Limits};
 use crate::refute::outcome::{Fault, Outcome, Point, Verdict};
 use hand::AtHand;
@@ -183,6 +184,10 @@ pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
 }
 
 fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> Judged {
+    if let Some(mismatch) = dimension::of_goal(claim) {
+        let entry = Entry { claim: claim.clone(), outcome: differing(claim, &mismatch), proof: None, explained: None };
+        return Judged { entry: Ok(entry), accepted: None };
+    }
     let accepted: Vec<&Accepted> = cited.iter().filter_map(|c| c.accepted.as_ref()).collect();
     let held = if settings.anew { None } else { hand.accepted(claim, &accepted) };
     let decided = match with_a_point(claim, &settings.limits) {

@@ -24,7 +24,7 @@ use crate::prove;
 use crate::refute::case::Case;
 use crate::refute::catalogue::Limits;
 use crate::refute::expand;
-use crate::refute::outcome::Verdict;
+use crate::refute::outcome::{DIMENSIONS, Verdict};
 use crate::refute::reading::Reading;
 use crate::refute::{counterexample::falsified, sample::example};
 use std::collections::BTreeSet;
@@ -56,6 +56,8 @@ pub struct Repair {
 pub enum NoRepair {
     /// The claim is not refuted.
     NotRefuted(Verdict),
+    /// Its dimensions differ, which no hypothesis changes.
+    Dimensions,
     /// None of so many candidates was shown to be enough.
     NoneOf(usize),
 }
@@ -67,6 +69,9 @@ pub enum NoRepair {
 pub fn repair(entry: &Entry, limits: &Limits) -> Result<Repair, NoRepair> {
     if entry.outcome.verdict != Verdict::Refuted {
         return Err(NoRepair::NotRefuted(entry.outcome.verdict));
+    }
+    if entry.outcome.method == DIMENSIONS {
+        return Err(NoRepair::Dimensions);
     }
     let claim = &entry.claim;
     let Ok(statement) = Statement::of(claim) else { return Err(NoRepair::NoneOf(0)) };
@@ -119,6 +124,7 @@ impl Search<'_> {
             sample: Vec::new(),
             proof: Proof::default(),
             expect: Expectation::Proved,
+            typeset: None,
             ..self.claim.clone()
         }
     }

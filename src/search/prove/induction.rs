@@ -195,6 +195,7 @@ impl Prover {
             natural: true,
             constraints: constraints.into_iter().collect(),
             indices: None,
+            unit: None,
             span: Span::default(),
         };
         let every = |p: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p)));

@@ -303,6 +303,7 @@ pub(crate) fn natural_binding(variable: &str) -> Binding {
         natural: true,
         constraints: Vec::new(),
         indices: None,
+        unit: None,
         span: Span::default(),
     }
 }

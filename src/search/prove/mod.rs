@@ -42,6 +42,7 @@ mod letters;
 mod limits;
 mod logarithms;
 mod means;
+mod narrowing;
 mod powers;
 mod products;
 mod quadratics;

@@ -39,6 +39,7 @@ fn natural(text: &str) -> Vec<Binding> {
         natural: true,
         constraints: Vec::new(),
         indices: None,
+        unit: None,
         span: Span::default(),
     }]
 }

@@ -213,8 +213,14 @@ impl Prover {
         for (end, relation) in [(low, Relation::Greater), (high, Relation::Less)] {
             constraints.extend(self.number_beyond(end, relation).map(|q| Constraint::Relation(relation, q)));
         }
-        let binding =
-            Binding { names: vec![(word(t), None)], natural: false, constraints, indices: None, span: Span::default() };
+        let binding = Binding {
+            names: vec![(word(t), None)],
+            natural: false,
+            constraints,
+            indices: None,
+            unit: None,
+            span: Span::default(),
+        };
         let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), vec![word(t)]));
         let body = compare(derivative.clone(), slope, numeral(0));
         let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));

@@ -302,6 +302,7 @@ impl Prover {
             natural: true,
             constraints: Vec::new(),
             indices: None,
+            unit: None,
             span: Span::default(),
         };
         let every = prop(PropKind::ForAll(vec![binding], Box::new(positive(product))));

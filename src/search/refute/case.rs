@@ -6,12 +6,13 @@
 use super::Moment;
 use super::catalogue::Limits;
 use super::expand::{Limit, Statement};
-use super::outcome::{Diagnose, Outcome, Point, Verdict, limit_reached};
+use super::outcome::{DIMENSIONS, Diagnose, Outcome, Point, Verdict, limit_reached};
 use super::points::Effort;
 use super::search::Plan;
 use super::shape;
 use super::trial::Trial;
 use super::{dependence, faults, sample};
+use crate::claim::dimension::Mismatch;
 use crate::claim::syntax::Claim;
 use std::rc::Rc;
 use std::time::Duration;
@@ -162,6 +163,13 @@ impl Case {
 /// The outcome of a claim that exceeds a limit before any search.
 pub(crate) fn beyond(claim: &Claim, limit: &'static str) -> Outcome {
     undecided(&claim.name.text, Some(limit_reached(limit)), Some(limit))
+}
+
+/// The outcome of a claim that adds or compares different dimensions: it says nothing of quantities that may be true, whatever
+/// its numbers are.
+pub(crate) fn differing(claim: &Claim, mismatch: &Mismatch) -> Outcome {
+    let reason = Some(mismatch.message());
+    Outcome { verdict: Verdict::Refuted, method: DIMENSIONS.to_string(), ..undecided(&claim.name.text, reason, None) }
 }
 
 fn undecided(name: &str, reason: Option<String>, limit: Option<&'static str>) -> Outcome {

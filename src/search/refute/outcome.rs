@@ -8,7 +8,7 @@ use crate::claim::syntax::{Claim, Expectation, Span};
 pub enum Verdict {
     /// Proved for all values that satisfy the hypotheses.
     Proved,
-    /// False at an exact point that satisfies every hypothesis.
+    /// False at an exact point that satisfies every hypothesis, or adds or compares different dimensions.
     Refuted,
     /// Neither; [`Outcome::reason`] says what was tried or which limit was reached.
     Undecided,
@@ -80,6 +80,9 @@ pub struct Broken {
     pub right: String,
 }
 
+/// The method of a refutation by dimensions that differ.
+pub const DIMENSIONS: &str = "dimensions";
+
 /// The message for a limit that was reached, with the flag that raises it.
 pub fn limit_reached(name: &str) -> String {
     let flag = match name {
@@ -99,7 +102,7 @@ pub struct Outcome {
     pub verdict: Verdict,
     /// The main rule of the argument, or of the refutation: `identity`, `elimination`, `sign`,
     /// `equivalence`, `extremum`, `induction`, `mean inequality`, `tangent`, `limit`, `witness`, `search`,
-    /// `definedness`, …; empty when undecided.
+    /// `definedness`, `dimensions`, …; empty when undecided.
     pub method: String,
     /// The hypotheses that the argument used, as text; hypotheses that only make expressions
     /// defined are included.
@@ -110,7 +113,8 @@ pub struct Outcome {
     pub sample: Option<Point>,
     /// The counterexample of a refutation.
     pub witness: Option<Witness>,
-    /// Why it is undecided: what was tried, what is missing, or the limit reached. Of a proved claim: that no point is known at
+    /// Why it is undecided: what was tried, what is missing, or the limit reached. Of a claim refuted without a witness: which
+    /// dimensions differ. Of a proved claim: that no point is known at
     /// which its hypotheses hold.
     pub reason: Option<String>,
     /// The limit that was reached, if one was.

@@ -39,6 +39,12 @@ fn a_formula_is_read_as_something_else() {
         (r"a = b \text{ if } x > 0", "x > 0 => a = b"),
         (r"x \approx 0.543", "abs(x - 0.543) <= 0.5e-3"),
         (r"x \approx -5.43 \times 10^{-3}", "abs(x + 5.43e-3) <= 0.5e-5"),
+        (r"x \approx 57.1 \pm 0.1", "57.1 - 0.1 <= x <= 57.1 + 0.1"),
+        (r"a b \approx -57.13(12)", "-57.13 - 12e-2 <= a*b <= -57.13 + 12e-2"),
+        (
+            r"x = a + b \approx (5.71 \pm 0.01) \times 10^{-3}",
+            "x = a + b and 5.71e-3 - 0.01e-3 <= a + b <= 5.71e-3 + 0.01e-3",
+        ),
         (r"\begin{vmatrix} a & b \\ c & x \end{vmatrix} = a x - b c", "det([a, b; c, x]) = a*x - b*c"),
         (r"\frac{d}{dx} x^2 = 2x", "derivative(x^2, x) = 2*x"),
         (r"\exp(x) = \mathrm{e}^{x}", "exp(x) = exp(x)"),
@@ -79,6 +85,10 @@ fn an_ambiguity_is_decided_by_guessing() {
         r"\frac{d}{dx} x^2 y = 1",
         r"a > 0 \Rightarrow b > 0 \Rightarrow c > 0",
         r"x \approx 300",
+        r"x = 57.1 \pm 0.1",
+        r"x = 57.1(1)",
+        r"57.1 \pm 0.1 = x",
+        r"x \approx 57.1 \pm 0.1 \times 10^{3}",
         r"[a] = b",
         r"\begin{split} a &= b \\ & -c = x \end{split}",
         r"\begin{split} a &= b \\ & \Rightarrow c = x \end{split}",
@@ -98,7 +108,8 @@ fn what_is_not_read_is_read() {
         (r"\int x = 1", r"\int is not read"),
         (r"\log x = 1", r"\log is not read"),
         (r"a \propto b", r"\propto is not read"),
-        (r"57.1 \pm 0.1 = a", "a measured value"),
+        (r"x \approx 57.1(1) = a", "a chain goes on"),
+        (r"x \approx 57.1 \pm a", "only before a number"),
         (r"x^12 = 1", "an exponent of two digits"),
         (r"1\,000 = a", "separated by a space"),
         (r"{a + b} c = 1", "these braces do not print"),
@@ -124,6 +135,12 @@ fn what_is_not_read_is_read() {
 fn a_comment_does_not_decide() {
     for (formula, wanted) in [
         ("x = a \\pm b %carom pm or", "x = a + b or x = a - b"),
+        ("x = 3 \\pm 2 %carom pm or", "x = 3 + 2 or x = 3 - 2"),
+        ("x = 2(3) %carom pm or", "x = 2*3"),
+        ("x = 57.1 \\pm 0.1 %carom pm interval", "57.1 - 0.1 <= x <= 57.1 + 0.1"),
+        ("x = 57.1(1) %carom pm interval", "57.1 - 1e-1 <= x <= 57.1 + 1e-1"),
+        ("x \\approx 1200 %carom digits 3", "abs(x - 1200) <= 0.5e1"),
+        ("x = 0.543 %carom digits 3", "abs(x - 0.543) <= 0.5e-3"),
         ("a = b, \\quad x > 0 %carom comma if", "x > 0 => a = b"),
         ("a = b, \\quad x > 0 %carom comma and", "a = b and x > 0"),
         ("e^{x} = a %carom e is base", "exp(x) = a"),
@@ -180,4 +197,15 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn a_wrong_number_of_digits_is_taken() {
+    for formula in ["x \\approx 0.5 %carom digits 3", "x \\approx 1234 %carom digits 3", "x \\approx 0 %carom digits 1"]
+    {
+        let fault = read(formula).expect_err(formula);
+        assert!(fault.message().contains("significant digits"), "{formula}: {}", fault.message());
+    }
+    let shared = paper("%carom digits 3\n\\[ 1 = 1 \\]").expect("a paper");
+    assert!(shared.faults[0].message().contains("`digits` is no clause here"));
 }

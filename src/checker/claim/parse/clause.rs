@@ -112,6 +112,7 @@ impl Parser {
             proof: Proof::default(),
             expect: Expectation::Proved,
             written: None,
+            typeset: None,
         };
         let mut proved = false;
         loop {

@@ -82,8 +82,14 @@ impl Parser {
             let index = Name { text: "k".to_string(), span: name.span };
             (name.clone(), Some(equations.iter().find_map(|e| e.index.clone()).unwrap_or(index)))
         });
-        let binding =
-            Binding { names: families.collect(), natural: false, constraints: Vec::new(), indices: None, span };
+        let binding = Binding {
+            names: families.collect(),
+            natural: false,
+            constraints: Vec::new(),
+            indices: None,
+            unit: None,
+            span,
+        };
         let mut out = vec![Item::Given(vec![binding])];
         out.extend(equations.into_iter().map(|e| Item::Assume { label: None, prop: e.written() }));
         Ok(out)
@@ -146,6 +152,7 @@ impl Equation {
                     natural: true,
                     constraints: Vec::new(),
                     indices: None,
+                    unit: None,
                     span,
                 };
                 Prop { kind: PropKind::ForAll(vec![binding], Box::new(body)), span }

@@ -90,9 +90,14 @@ impl Parser {
             }
         });
         self.declared.extend(new.iter().map(|n| n.0.text.clone()));
+        let unit = if self.is_word("in") { Some(self.unit(false)?) } else { None };
+        if new.is_empty() && unit.is_some() {
+            let (span, help) = (self.since(start), "write it where the names are declared: `given a real in kg`");
+            return Err(self.other("a unit stands behind a relation that declares no name", Some(help), span));
+        }
         if !new.is_empty() {
             let span = self.since(start);
-            declare(Binding { names: new, natural: false, constraints: Vec::new(), indices: None, span }, out);
+            declare(Binding { names: new, natural: false, constraints: Vec::new(), indices: None, unit, span }, out);
         }
         out.push(Item::Assume { label: None, prop });
         Ok(())
@@ -101,10 +106,11 @@ impl Parser {
     /// `k integer` is written out: k is the difference of two natural numbers, `k_up` and `k_down`, and what else is
     /// said of k is a hypothesis. Every integer is such a difference, so that the claim says the same.
     fn integers(&mut self, binding: Binding, span: Span, out: &mut Vec<Item>) -> Parsed<()> {
-        if binding.natural || binding.indices.is_some() || binding.names.iter().any(|n| n.1.is_some()) {
+        let is_plain = !binding.natural && binding.indices.is_none() && binding.unit.is_none();
+        if !is_plain || binding.names.iter().any(|n| n.1.is_some()) {
             let help = "write `k integer`, or with bounds `k integer >= -3 and <= 3`";
             return Err(self.other(
-                "`integer` cannot be combined with a family, a range or `natural`",
+                "`integer` cannot be combined with a family, a range, a unit or `natural`",
                 Some(help),
                 span,
             ));
@@ -116,7 +122,17 @@ impl Parser {
             let difference = ExprKind::Sum(vec![(Sign::Plus, value(&up)), (Sign::Minus, value(&down))]);
             self.declared.extend([&up, &down, name].map(|n| n.text.clone()));
             let names = vec![(up, None), (down, None)];
-            declare(Binding { names, natural: true, constraints: Vec::new(), indices: None, span: binding.span }, out);
+            declare(
+                Binding {
+                    names,
+                    natural: true,
+                    constraints: Vec::new(),
+                    indices: None,
+                    unit: None,
+                    span: binding.span,
+                },
+                out,
+            );
             let difference = Expr { kind: difference, span: name.span };
             out.push(Item::Let { name: name.clone(), parameters: Vec::new(), value: difference });
             for constraint in &binding.constraints {
@@ -158,7 +174,7 @@ impl Parser {
             let span = name.span;
             let names = vec![(name, None)];
             let natural = natural.unwrap_or(false);
-            let binding = Binding { names, natural, constraints: Vec::new(), indices: None, span };
+            let binding = Binding { names, natural, constraints: Vec::new(), indices: None, unit: None, span };
             claim.items.insert(0, Item::Given(vec![binding]));
         }
     }

@@ -12,6 +12,7 @@ mod given;
 mod limit;
 mod proof;
 mod proposition;
+mod unit;
 mod well_founded;
 
 use super::diagnostic::{Diagnostic, Fault, nearest};
@@ -124,10 +125,16 @@ pub fn parse_placed(
     let (mut claims, preamble) = clauses_placed(source, folder, place)?;
     super::check::preamble(&preamble, &mut faults);
     if faults.is_empty() {
+        super::dimension::preamble(&preamble, &mut faults);
+    }
+    if faults.is_empty() {
         for claim in &mut claims {
             preamble.put_before(claim, &mut faults);
             super::check::check(claim, &mut faults);
         }
+    }
+    if faults.is_empty() {
+        claims.iter().for_each(|claim| super::dimension::check(claim, &mut faults));
     }
     if faults.is_empty() {
         claims.iter_mut().for_each(|claim| super::write_out::write_out(claim, &mut faults));

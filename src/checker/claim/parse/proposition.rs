@@ -204,6 +204,10 @@ impl Parser {
                 let help = "write a difference of natural numbers: `for all i, j natural` and i - j";
                 return Err(self.other("an `integer` is declared under `given` only", Some(help), span));
             }
+            if let Some(Binding { unit: Some(_), span, .. }) = list.last() {
+                let (span, help) = (*span, "leave it out: it follows from the equations");
+                return Err(self.other("a unit is declared under `given` only", Some(help), span));
+            }
             if !(self.sign(";") || self.constrained(&list) && self.sign(",")) {
                 return Ok(list);
             }
@@ -214,7 +218,7 @@ impl Parser {
     }
 
     pub(super) fn constrained(&self, list: &[Binding]) -> bool {
-        list.last().is_some_and(|b| b.natural || !b.constraints.is_empty())
+        list.last().is_some_and(|b| b.natural || !b.constraints.is_empty() || b.unit.is_some())
     }
 
     pub(super) fn binding(&mut self) -> Parsed<Binding> {
@@ -232,7 +236,7 @@ impl Parser {
                 break;
             }
         }
-        let mut natural = false;
+        let (mut natural, mut unit) = (false, None);
         let mut constraints = Vec::new();
         let mut any = false;
         loop {
@@ -253,6 +257,10 @@ impl Parser {
                     return Err(self.other("two conditions need `and` between them", Some(given::CHAIN), span));
                 }
                 constraints.push(Constraint::Relation(relation, self.expr()?));
+            } else if self.is_word("in") && self.begins_unit(any) {
+                unit = Some(self.unit(natural)?);
+                any = true;
+                break;
             } else if self.word("in") {
                 constraints.push(self.interval(&mut natural)?);
             } else {
@@ -276,7 +284,7 @@ impl Parser {
             self.need_sign("..", "between the first and the last index")?;
             indices = Some((from, self.expr()?));
         }
-        Ok(Binding { names, natural, constraints, indices, span: self.since(start) })
+        Ok(Binding { names, natural, constraints, indices, unit, span: self.since(start) })
     }
 
     fn interval(&mut self, natural: &mut bool) -> Parsed<Constraint> {
@@ -312,7 +320,7 @@ impl Parser {
             && ["R", "Q", "Z", "N"].contains(&set.as_str())
             && !matches!(self.peek(), Kind::Sign(".."))
         {
-            let help = "write `x real`, `x integer`, `x natural`, or an interval such as `x in [0, 1]`";
+            let help = "write `x real`, `x integer`, `x natural`, or an interval such as `x in [0, 1]`; for newton `x real in N`";
             return Err(self.expected_with("`..` between the first and the last value", Some(help.to_string())));
         }
         self.need_sign("..", "between the first and the last value")?;

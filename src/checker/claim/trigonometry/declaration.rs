@@ -89,7 +89,7 @@ impl Writer<'_> {
                 let part = Point::named(&cos, &sin);
                 let value = |text: String| at(name.span, ExprKind::Name(text));
                 let names = [&cos, &sin].map(|n| (Name { text: n.clone(), span: name.span }, None)).to_vec();
-                out.push(Binding { names, natural: false, constraints: Vec::new(), indices: None, span });
+                out.push(Binding { names, natural: false, constraints: Vec::new(), indices: None, unit: None, span });
                 let square = |text: String| {
                     let two = Box::new(numeral(name.span, 2));
                     (Sign::Plus, at(name.span, ExprKind::Power(Box::new(value(text)), two)))

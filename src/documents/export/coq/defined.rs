@@ -100,6 +100,7 @@ fn said(condition: &Condition) -> Option<Prop> {
         natural: true,
         constraints,
         indices: None,
+        unit: None,
         span: name.span,
     };
     Some(condition.guards.iter().rev().fold(need, |body, guard| {

@@ -115,6 +115,11 @@ fn claim(out: &mut String, entry: &Entry, evidence: Option<&Evidence>) {
         out.push_str("; \\textbf{not as expected}");
     }
     out.push_str(".\n");
+    if let Some(latex) = &claim.typeset {
+        out.push_str(&format!(
+            "\n\\noindent\\textit{{In the paper}}\n\\[ {latex} \\]\n\\noindent\\textit{{As it was read}}\n"
+        ));
+    }
     out.push_str(&clauses_latex(claim));
     if let Some(document) = &entry.explained {
         out.push_str(&format!("\n\\textit{{Proof}}\n{}", proof::latex::latex(document)));

@@ -12,7 +12,7 @@ pub mod numbers;
 mod page;
 
 use super::{Audit, counted};
-use crate::refute::outcome::Verdict;
+use crate::refute::outcome::{DIMENSIONS, Verdict};
 use evidence::Evidence;
 use numbers::{Plot, Table};
 use std::collections::BTreeMap;
@@ -97,12 +97,14 @@ impl Handout {
     pub fn vouched(&self) -> Vec<String> {
         let counts = self.counts(self.audit.entries.iter());
         let proved = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Proved).count();
-        let refuted = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Refuted).count();
+        let all_refuted = self.audit.entries.iter().filter(|e| e.outcome.verdict == Verdict::Refuted).count();
+        let differing = self.audit.entries.iter().filter(|e| e.outcome.method == DIMENSIONS).count();
+        let refuted = all_refuted - differing;
         let (has, rests) = match counts.alone {
             1 => ("verdict", "rests"),
             _ => ("verdicts", "rest"),
         };
-        vec![
+        let mut out = vec![
             format!(
                 "The kernel accepted {} of the {}{} in this run.",
                 counts.kernel,
@@ -124,7 +126,15 @@ impl Handout {
                 ),
             },
             format!("{} {has} {rests} only on the evaluation of a witness.", counts.alone),
-        ]
+        ];
+        if differing > 0 {
+            out.push(format!(
+                "{} refuted by {} dimensions.",
+                counted(differing, "claim") + if differing == 1 { " is" } else { " are" },
+                if differing == 1 { "its" } else { "their" }
+            ));
+        }
+        out
     }
 
     /// How to check everything again.

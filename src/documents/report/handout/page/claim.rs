@@ -25,11 +25,7 @@ pub(super) fn section(out: &mut String, entry: &Entry, handout: &Handout) {
         }
         out.push_str("</details>\n");
     }
-    let goal = escape(&print::prop(claim.written_goal()));
-    out.push_str(&format!(
-        "<div class=\"math\" role=\"group\" aria-label=\"{goal}\">{}</div>\n",
-        mathml::statement(claim.written_goal())
-    ));
+    goal(out, claim);
     if let Some(witness) = &outcome.witness {
         fails_at(out, claim, witness);
     }
@@ -49,6 +45,28 @@ pub(super) fn section(out: &mut String, entry: &Entry, handout: &Handout) {
         shown_by(out, &claim.name.text, evidence);
     }
     out.push_str("</section>\n");
+}
+
+/// What is proved; where a paper prints it, beside the paper's own formula.
+fn goal(out: &mut String, claim: &Claim) {
+    let said = escape(&print::prop(claim.written_goal()));
+    let read = format!(
+        "<div class=\"math\" role=\"group\" aria-label=\"{said}\">{}</div>\n",
+        mathml::statement(claim.written_goal())
+    );
+    let Some(latex) = &claim.typeset else {
+        out.push_str(&read);
+        return;
+    };
+    let label = escape(latex);
+    let own = match mathml::typeset(latex) {
+        Some(formula) => format!("<div class=\"math\" role=\"group\" aria-label=\"{label}\">{formula}</div>"),
+        None => format!("<pre>{label}</pre>"),
+    };
+    out.push_str(&format!(
+        "<div class=\"sides\">\n<div><p class=\"meta\">In the paper</p>\n{own}</div>\n\
+         <div><p class=\"meta\">As it was read</p>\n{read}</div>\n</div>\n"
+    ));
 }
 
 /// The title with the verdict, and where the claim stands.

@@ -68,7 +68,7 @@ pub(super) fn page(handout: &Handout) -> String {
     out.push_str(&format!("<nav aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n{body}", links.concat()));
     out.push_str(&format!(
         "<footer><p class=\"meta\">Written by carom {}. <em>Proved</em> means: for all values that the \
-         hypotheses allow. <em>Refuted</em> means: false at the exact point shown.</p></footer>\n</body>\n</html>\n",
+         hypotheses allow. <em>Refuted</em> means: false at the exact point shown, or different dimensions are added or compared.</p></footer>\n</body>\n</html>\n",
         env!("CARGO_PKG_VERSION")
     ));
     out

@@ -1,0 +1,209 @@
+//! Numbers as papers print them: rounded, `0.543`, or with an uncertainty, `57.1 \pm 0.1` and `57.1(1)`.
+//!
+//! Contract: a rounded number says that the exact value is at most half a unit of its last digit away; one with an uncertainty says
+//! that the value lies between its two bounds. Behind `=` a number is exact, and ± may mean two values, unless a comment decides.
+
+use super::expression::{Read, Reader};
+use super::name::argument;
+use super::piece::Piece;
+use super::place::Placed;
+use super::refusal::{ambiguous, limit, refused};
+use super::scope::Decisions;
+use super::statement::Said;
+use super::token::{Token, words};
+use carom_diagnostic::{Diagnostic, Span};
+
+/// The largest power of ten of a printed number, up or down.
+const POWER_LIMIT: i64 = 300;
+
+/// A number as it is printed.
+struct Printed {
+    is_negative: bool,
+    /// The digits, perhaps with a decimal point.
+    digits: String,
+    /// How far the value may be away, as a numeral without its power of ten.
+    uncertainty: Option<String>,
+    /// Whether the uncertainty stands behind ±.
+    has_sign: bool,
+    /// The power of ten behind it.
+    exponent: i64,
+    /// Where it stands.
+    span: Span,
+}
+
+impl Reader<'_, '_, '_> {
+    /// Whether the tokens from `at` on are a rounded or measured number, which is compared with what stands before it.
+    pub(crate) fn begins_printed(&mut self, at: usize, is_approximate: bool) -> Read<bool> {
+        if is_approximate {
+            return Ok(true);
+        }
+        let before = std::mem::replace(&mut self.at, at);
+        let found = self.value().ok().filter(|_| self.ends_side());
+        self.at = before;
+        let Decisions { is_measured, digits, .. } = self.scope.decisions;
+        match (found, is_measured) {
+            (None, _) | (Some(Printed { uncertainty: Some(_), .. }), Some(false)) => Ok(false),
+            (Some(Printed { uncertainty: None, .. }), _) => Ok(digits.is_some()),
+            (Some(_), Some(true)) => Ok(true),
+            (Some(printed), None) => Err(two_readings(printed.has_sign, printed.span)),
+        }
+    }
+
+    /// Whether a side of a comparison ends here.
+    fn ends_side(&mut self) -> bool {
+        self.peek().is_none_or(|t| {
+            matches!(t.char(), Some(',' | ';'))
+                || ["quad", "text", "mbox", "textrm", "textnormal", "land", "wedge", "lor", "vee"]
+                    .iter()
+                    .any(|w| t.is(w))
+        })
+    }
+
+    /// The number that is printed here.
+    fn value(&mut self) -> Read<Printed> {
+        let start = self.span();
+        let not_read = |span| {
+            let help = "write the bound that is meant, as in |x - y| \\le 0.01, or `%carom skip`";
+            refused("≈ is read only before a number", help, span)
+        };
+        let in_parentheses = self.take_char('(');
+        let is_negative = self.take_char('-');
+        if !self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit()) {
+            return Err(not_read(start));
+        }
+        let digits = self.number()?.text.text().to_string();
+        let mut uncertainty = self.last_digits(&digits);
+        let has_sign = uncertainty.is_none() && self.take_command(&["pm"]);
+        if has_sign {
+            if !self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit()) {
+                return Err(not_read(start));
+            }
+            uncertainty = Some(self.number()?.text.text().to_string());
+        }
+        if in_parentheses && (uncertainty.is_none() || !self.take_char(')')) {
+            return Err(not_read(start));
+        }
+        if digits.contains('e') {
+            return Err(not_read(start));
+        }
+        let mut exponent = 0i64;
+
+        let power = self.span();
+        if self.take_command(&["times", "cdot"]) {
+            if has_sign && !in_parentheses {
+                let readings = ["a power of ten for both numbers", "a power of ten for the uncertainty alone"];
+                let write = ["write (57.1 \\pm 0.1) \\times 10^{3}", "write both numbers without it"];
+                return Err(ambiguous("a power of ten behind ±", readings, write, power));
+            }
+            let is_ten = self.number().is_ok_and(|piece| piece.text.text() == "10");
+            if !is_ten || !self.take_char('^') {
+                return Err(not_read(start));
+            }
+            let (inner, next) = argument(self.tokens, self.at)?;
+            exponent = words(inner).replace(' ', "").parse::<i64>().map_err(|_| not_read(start))?;
+            self.at = next;
+        }
+        if exponent.abs() > POWER_LIMIT {
+            return Err(limit("digits of a power of ten", POWER_LIMIT as usize, start));
+        }
+        Ok(Printed { is_negative, digits, uncertainty, has_sign, exponent, span: self.since(start) })
+    }
+
+    /// `(1)` directly behind the digits: the uncertainty in units of the last digit.
+    fn last_digits(&mut self, digits: &str) -> Option<String> {
+        self.tokens.get(self.at).filter(|t| t.is_char('(') && !t.apart)?;
+        let length =
+            self.tokens[self.at + 1..].iter().take_while(|t| t.char().is_some_and(|c| c.is_ascii_digit())).count();
+        let end = self.at + 1 + length;
+        self.tokens.get(end).filter(|t| t.is_char(')') && length > 0)?;
+        let said: String = self.tokens[self.at + 1..end].iter().filter_map(Token::char).collect();
+        self.at = end + 1;
+        Some(match places(digits) {
+            0 => said,
+            places => format!("{said}e-{places}"),
+        })
+    }
+
+    /// What the printed number here says of the exact value.
+    pub(crate) fn printed(&mut self, exact: &Piece) -> Read<Said> {
+        let printed = self.value()?;
+        let span = printed.span;
+        let scaled = |digits: &str| match digits.split_once('e') {
+            Some((digits, power)) => {
+                format!("{digits}e{}", power.parse::<i64>().unwrap_or_default().saturating_add(printed.exponent))
+            }
+            None if printed.exponent == 0 => digits.to_string(),
+            None => format!("{digits}e{}", printed.exponent),
+        };
+        let value = scaled(&printed.digits);
+        let mut text = Placed::default();
+        if let Some(uncertainty) = &printed.uncertainty {
+            let (value, away) = (if printed.is_negative { format!("-{value}") } else { value }, scaled(uncertainty));
+            text.push(&format!("{value} - {away} <= "), span);
+            text.append(&exact.text);
+            text.push(&format!(" <= {value} + {away}"), span);
+        } else {
+            let unit = last_unit(&printed, self.scope.decisions.digits)?;
+            text.push("abs(", span);
+            text.append(&exact.text);
+            text.push(&format!(" {} {value}) <= 0.5e{unit}", if printed.is_negative { '+' } else { '-' }), span);
+        }
+        Ok(Said { text, level: 6 })
+    }
+}
+
+/// The number of digits behind the decimal point.
+fn places(digits: &str) -> i64 {
+    digits.split_once('.').map_or(0, |(_, tail)| tail.len() as i64)
+}
+
+/// The power of ten of the last digit that counts: the last printed one, or the one to which a comment says that it is rounded.
+fn last_unit(printed: &Printed, said: Option<usize>) -> Read<i64> {
+    let Printed { digits, exponent, span, .. } = printed;
+    let places = places(digits);
+    let significant = digits.replace('.', "");
+    let significant = significant.trim_start_matches('0');
+    let Some(said) = said else {
+        if places == 0 && digits.len() > 1 && digits.ends_with('0') {
+            let readings = ["a number rounded to its last digit", "one rounded to its last digit other than 0"];
+            let write = [
+                &*format!("write `%carom digits {}`", digits.len()),
+                &*format!("write `%carom digits {}`", digits.trim_end_matches('0').len()),
+            ];
+            return Err(ambiguous("a rounded number that ends in 0", readings, write, *span));
+        }
+        return Ok(exponent - places);
+    };
+    let beyond = significant
+        .len()
+        .checked_sub(said)
+        .filter(|beyond| *beyond == 0 || (places == 0 && significant.ends_with(&"0".repeat(*beyond))));
+    match beyond {
+        Some(beyond) if !significant.is_empty() => Ok(exponent - places + beyond as i64),
+        _ => {
+            let has = significant.len();
+            let message = format!("a comment says {said} significant digits, and this number has {has}");
+            Err(refused(message, format!("print {said} digits, or write `%carom digits {has}`"), *span))
+        }
+    }
+}
+
+/// `57.1 \pm 0.1` or, without the sign, `57.1(1)`.
+pub(crate) fn two_readings(has_sign: bool, span: Span) -> Diagnostic {
+    match has_sign {
+        true => {
+            let readings = ["a measured value with its uncertainty", "the two values, with + and with -"];
+            let write = ["write `%carom pm interval`", "write `%carom pm or` or `%carom pm and`"];
+            ambiguous("± between two numbers", readings, write, span)
+        }
+        false => {
+            let readings = ["a measured value with the uncertainty of its last digits", "a product"];
+            ambiguous(
+                "a number in parentheses behind a number",
+                readings,
+                ["write `%carom pm interval`", "write \\cdot"],
+                span,
+            )
+        }
+    }
+}
