@@ -59,13 +59,13 @@ fn no_deception_succeeds() {
 }
 
 /// What the procedures decide by themselves is not lost in silence: limits by expansion, sums to n - 1, equations by ideal
-/// membership, nested roots.
+/// membership, nested roots, whole numbers within bounds.
 #[test]
 fn true_statements_of_a_procedures_kind_are_proved() {
     let limits = Limits { time: Duration::from_secs(20), ..Limits::default() };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths");
     let mut lost = Vec::new();
-    for claim in ["limits.claim", "equations.claim", "nested-roots.claim", "existence.claim"]
+    for claim in ["limits.claim", "equations.claim", "nested-roots.claim", "existence.claim", "whole-numbers.claim"]
         .iter()
         .flat_map(|f| claims(&fs::read_to_string(folder.join(f)).unwrap()))
     {

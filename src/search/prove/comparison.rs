@@ -442,11 +442,7 @@ impl Prover {
             quotient.reverse();
             let cofactor = Polynomial::from_coefficients_in(v, &quotient).scale(&(Rational::ONE / &slope));
             let e = self.letters.written(&cofactor);
-            let is_settled = |c: &mut Self| {
-                let sides = [Relation::Greater, Relation::Less];
-                sides.into_iter().any(|side| c.quietly(&compare(e.clone(), side, numeral(0))).is_ok())
-            };
-            if cofactor.is_constant() || !(self.signs_of(&e).within(Signs::NOT_ZERO) || is_settled(self)) {
+            if cofactor.is_constant() || !self.signs_of(&e).within(Signs::NOT_ZERO) {
                 continue;
             }
             let mut factors = rest.to_vec();
