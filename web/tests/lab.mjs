@@ -7,11 +7,11 @@ import { test } from "node:test";
 import { DIST, SHOTS, answered, eta, shoot, shows, visit } from "./browser.mjs";
 
 /** Bytes of all files, compressed by gzip. */
-const MOST_BYTES = 3_650_000;
+const MOST_BYTES = 3_700_000;
 /** Milliseconds from the start of the page to its first answer; a machine that does other work may be slower. */
 const FIRST_ANSWER = Number(process.env.FIRST_ANSWER_MS ?? 1000);
 
-test("the files are at most 3.65 MB when compressed", () => {
+test("the files are at most 3.7 MB when compressed", () => {
   const bytes = readdirSync(DIST).reduce((all, file) => all + gzipSync(readFileSync(DIST + file), { level: 9 }).length, 0);
   console.log(`  ${bytes} bytes`);
   assert.ok(bytes <= MOST_BYTES, `${bytes} bytes`);
