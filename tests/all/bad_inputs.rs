@@ -3,9 +3,8 @@
 //! `bad_inputs.json` lists them: the arguments, files to make in an empty folder, standard input, and a part of what the
 //! error must say. To add one, add a line.
 
+use crate::support::in_folder;
 use serde_json::Value;
-use std::io::Write;
-use std::process::{Command, Stdio};
 
 const INPUTS: &str = include_str!("../bad_inputs.json");
 
@@ -25,17 +24,8 @@ fn each_bad_input_gets_one_error_that_says_what_is_wrong() {
             std::fs::write(path, word(text)).expect("written");
         }
         let arguments: Vec<String> = input["run"].as_array().expect("a list").iter().map(word).collect();
-        let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-            .args(&arguments)
-            .current_dir(folder.path())
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program starts");
-        // A program that refuses its flags does not read.
-        let _ = child.stdin.take().expect("a pipe").write_all(input["stdin"].as_str().unwrap_or("").as_bytes());
-        let out = child.wait_with_output().expect("it ends");
+        let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let out = in_folder(folder.path(), &words, input["stdin"].as_str().unwrap_or(""));
         let said = String::from_utf8_lossy(&out.stderr);
         let errors = said.lines().filter(|line| line.starts_with("error")).count();
         assert_eq!((out.status.code(), errors), (Some(2), 1), "{arguments:?}: {said}");

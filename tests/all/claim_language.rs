@@ -521,3 +521,14 @@ fn a_sample_gives_numbers_to_variables() {
     assert!(fault("claim c \"t\"\ngiven x, y real\nsample x = y\nprove x = x\n").contains("mentions y"));
     assert!(fault("claim c \"t\"\ngiven x real\nsample y = 1\nprove x = x\n").contains("nothing declares the name y"));
 }
+
+#[test]
+fn the_page_lists_other_units_than_are_known() {
+    let faults = parse("claim c \"t\"\ngiven x > 0 in kgg\nprove x = x\n").expect_err("no unit");
+    let help = faults[0].help().expect("a list").to_string();
+    let known: Vec<&str> = help.split_once(": ").expect("a list").1.split(", ").collect();
+    let page = include_str!("../../docs/language.md");
+    let said = page.split_once("Known are ").and_then(|(_, rest)| rest.split_once(". An angle")).expect("the list").0;
+    let said: Vec<&str> = said.split([' ', ';', '\n']).filter(|unit| !unit.is_empty()).collect();
+    assert_eq!(said, known);
+}

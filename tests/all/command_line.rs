@@ -1,6 +1,6 @@
 //! The program as a user meets it.
 
-use crate::support::{carom, text};
+use crate::support::{carom, for_nobody, text};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
@@ -119,14 +119,7 @@ fn nothing_is_written_where_the_input_is_bad() {
 
 #[test]
 fn a_reader_that_goes_away_is_no_error() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-        .args(["help", "language"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    drop(child.stdout.take());
-    let out = child.wait_with_output().expect("it ends");
+    let out = for_nobody(&["help", "language"]);
     assert_eq!(text(&out.stderr), "");
     assert_eq!(out.status.code(), Some(0));
 }
@@ -426,14 +419,7 @@ fn printed_claims_read_back_and_have_three_forms() {
 #[test]
 fn a_reader_of_a_report_may_go_away() {
     for format in ["text", "json", "markdown", "junit"] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-            .args(["audit", "--only", "eq05", "--format", format])
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program starts");
-        drop(child.stdout.take());
-        let out = child.wait_with_output().expect("it ends");
+        let out = for_nobody(&["audit", "--only", "eq05", "--format", format]);
         assert_eq!((text(&out.stderr), out.status.code()), (String::new(), Some(0)), "{format}");
     }
 }

@@ -2,6 +2,7 @@
 //! refuted and `carom explain` shows. `refutations/edges.claim` holds claims that fail where chance does not look.
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
+use crate::support::{carom, text};
 use carom::claim::parse::{parse, parse_expr};
 use carom::claim::print::{Style, statement};
 use carom::claim::syntax::Claim;
@@ -15,7 +16,6 @@ use carom::refute::number::{Missing, Number};
 use carom::refute::outcome::Verdict;
 use carom::report::argument;
 use malachite::Rational;
-use std::process::Command;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -89,10 +89,7 @@ fn the_commands_say_of_a_claim_the_same() {
     let open = "claim open \"t\"\ngiven x, y, z natural >= 1\nprove x^3 + y^3 != z^3\n";
     let wrong = EDGES.split("\n\n").find(|text| text.contains("claim derivative-that-cancels")).unwrap();
     std::fs::write(&path, format!("{open}\n{wrong}\n")).unwrap();
-    let carom = |arguments: &[&str]| {
-        let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap();
-        String::from_utf8(out.stdout).unwrap()
-    };
+    let carom = |arguments: &[&str]| text(&carom(arguments).stdout);
     let counted = |text: &str| {
         let words = text.split_whitespace().collect::<Vec<_>>();
         let place = words.iter().position(|word| word.starts_with("point")).unwrap_or_else(|| panic!("{text}"));

@@ -1,5 +1,6 @@
 //! Exported statements: the committed Coq files are those of the claims, and every one is proved.
 
+use crate::support::{carom, text};
 use carom::certificate::text::{digest, read, refuted_by};
 use carom::claim::embedded;
 use carom::claim::parse::parse;
@@ -9,7 +10,6 @@ use carom::export::smt2;
 use carom::kernel::{self, Accepted, Verdict};
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::Command;
 use std::sync::OnceLock;
 
 fn catalogue() -> Vec<Claim> {
@@ -337,8 +337,7 @@ fn smt_scripts_are_well_formed_and_say_the_hypotheses() {
 
 /// What a run of the program gives: exit code, standard output, standard error.
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let out = Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("it starts");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let out = carom(arguments);
     (out.status.code(), text(&out.stdout), text(&out.stderr))
 }
 

@@ -236,8 +236,8 @@ fn bad_input_gets_one_clear_error() {
 #[test]
 fn flags_of_former_limits_are_accepted() {
     let arguments = ["audit", "--only", "eq01", "--max-terms", "5000", "--max-degree", "100", "--max-bits", "9"];
-    let out = std::process::Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().expect("the program");
-    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let out = carom(&arguments);
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
 }
 
 #[test]

@@ -2,20 +2,14 @@
 //! each number where it belongs, over ordinary and extreme inputs.
 #![allow(missing_docs, clippy::unwrap_used)]
 
+use crate::support::{carom, text};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 fn plot(arguments: &[&str], file: &Path) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_carom"))
-        .arg("plot")
-        .args(arguments)
-        .args(["-o", file.to_str().unwrap()])
-        .env("NO_COLOR", "1")
-        .output()
-        .unwrap();
-    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    let output = carom(&[&["plot"], arguments, &["-o", file.to_str().unwrap()]].concat());
+    (output.status.code(), text(&output.stderr))
 }
 
 /// A text with the rectangle that its letters cover.

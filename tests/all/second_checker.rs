@@ -2,6 +2,7 @@
 //! catalogue's certificates, of the cases in `tests/rules`, and of damaged certificates. Needs Python 3.9 or later;
 //! without it that is said, and nothing is checked.
 
+use crate::support;
 use carom::certificate::text;
 use carom::claim::syntax::Claim;
 use carom::kernel::{Accepted, Verdict, check};
@@ -23,22 +24,6 @@ fn python(arguments: &[&str]) -> Option<String> {
     let (out, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{arguments:?}\n{out}{error}");
     Some(out.into_owned())
-}
-
-fn claims() -> BTreeMap<String, Claim> {
-    let mut claims = BTreeMap::new();
-    for folder in ["lemmas", "ricardo-lee-2015", "beyond"] {
-        for entry in std::fs::read_dir(format!("{ROOT}/proofs/{folder}")).expect("a folder of claims") {
-            let path = entry.expect("an entry").path();
-            if path.extension().is_some_and(|e| e == "claim") {
-                let source = std::fs::read_to_string(&path).expect("a claim file");
-                for claim in carom::claim::parse::parse(&source).expect("claims") {
-                    claims.insert(claim.name.text.clone(), claim);
-                }
-            }
-        }
-    }
-    claims
 }
 
 /// What the kernel says of a certificate's text.
@@ -154,10 +139,33 @@ fn refutes(claim: &Claim, source: &str) -> Option<()> {
     (its && matches!(check(claim, &certificate, &[]), Verdict::Refuted)).then_some(())
 }
 
+/// A damaged certificate that check.py judged.
+struct Damaged {
+    line: String,
+    name: String,
+    source: String,
+    is_accepted: bool,
+}
+
+/// Those of a folder, from its file verdicts.txt: lines `NAME~K.cert VERDICT`.
+fn judged(folder: &Path) -> Vec<Damaged> {
+    let verdicts = std::fs::read_to_string(folder.join("verdicts.txt")).expect("verdicts");
+    let read = |line: &str| {
+        let (file, verdict) = line.split_once(' ').expect("a file and a verdict");
+        Damaged {
+            line: line.to_string(),
+            name: file.split_once('~').expect("NAME~K.cert").0.to_string(),
+            source: std::fs::read_to_string(folder.join(file)).expect("a damaged certificate"),
+            is_accepted: verdict.starts_with("accepted"),
+        }
+    };
+    verdicts.lines().map(read).collect()
+}
+
 #[test]
 fn a_refutation_is_judged_in_another_way() {
     let (certificates, damaged) = (folder("refutations"), folder("damaged-refutations"));
-    let mut claims = claims();
+    let mut claims = support::catalogue();
     let mut count = 0;
     for place in ["", "published/", "redner-2004/"] {
         if !place.is_empty() {
@@ -189,16 +197,12 @@ fn a_refutation_is_judged_in_another_way() {
     let each = std::env::var("CAROM_MUTANTS").unwrap_or_else(|_| "10".to_string());
     let into = damaged.to_str().expect("a path");
     let Some(_) = python(&["tests/second_checker/damage.py", "proofs", certificates, into, &each]) else { return };
-    let verdicts = std::fs::read_to_string(damaged.join("verdicts.txt")).expect("verdicts");
     let (mut tried, mut differ) = (0, Vec::new());
-    for line in verdicts.lines() {
-        let (file, rest) = line.split_once(' ').expect("a file and a verdict");
-        let name = file.split_once('~').expect("NAME~K.cert").0;
-        let source = std::fs::read_to_string(damaged.join(file)).expect("a damaged certificate");
+    for Damaged { line, name, source, is_accepted } in judged(&damaged) {
         tried += 1;
         // What refutes no longer may still be a proof of something else: of that the other test speaks.
-        let refuted = refutes(&claims[name], &source).is_some();
-        if refuted != rest.starts_with("accepted") {
+        let refuted = refutes(&claims[&name], &source).is_some();
+        if refuted != is_accepted {
             differ.push(format!("{line}: the kernel {}", if refuted { "accepts it" } else { "does not" }));
         }
     }
@@ -208,7 +212,7 @@ fn a_refutation_is_judged_in_another_way() {
 
 #[test]
 fn a_certificate_is_judged_in_another_way() {
-    let claims = claims();
+    let claims = support::catalogue();
     let (certificates, damaged) = (folder("certificates"), folder("damaged"));
     let accepted = catalogue(&certificates, &claims);
     let certificates = certificates.to_str().expect("a path");
@@ -219,15 +223,11 @@ fn a_certificate_is_judged_in_another_way() {
     let into = damaged.to_str().expect("a path");
     let Some(out) = python(&["tests/second_checker/damage.py", "proofs", certificates, into, &count]) else { return };
     print!("{out}");
-    let verdicts = std::fs::read_to_string(damaged.join("verdicts.txt")).expect("verdicts");
     let (mut tried, mut differ) = (0, Vec::new());
-    for line in verdicts.lines() {
-        let (file, rest) = line.split_once(' ').expect("a file and a verdict");
-        let name = file.split_once('~').expect("NAME~K.cert").0;
-        let source = std::fs::read_to_string(damaged.join(file)).expect("a damaged certificate");
-        let kernel = verdict(&claims[name], &source, &accepted);
+    for Damaged { line, name, source, is_accepted } in judged(&damaged) {
+        let kernel = verdict(&claims[&name], &source, &accepted);
         tried += 1;
-        if kernel.is_ok() != rest.starts_with("accepted") {
+        if kernel.is_ok() != is_accepted {
             differ.push(format!("{line}: the kernel says {}", kernel.err().unwrap_or_else(|| "accepted".to_string())));
         }
     }

@@ -4,6 +4,7 @@ use carom::claim::embedded;
 use carom::claim::syntax::Claim;
 use std::collections::BTreeMap;
 use std::io::Write;
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// The program with these arguments and nothing to read, in the folder of the project.
@@ -11,10 +12,16 @@ pub(crate) fn carom(arguments: &[&str]) -> Output {
     with_input(arguments, "")
 }
 
-/// The program with these arguments and this text on its standard input.
+/// The program with these arguments and this text on its standard input, in the folder of the project.
 pub(crate) fn with_input(arguments: &[&str], input: &str) -> Output {
+    in_folder(Path::new(env!("CARGO_MANIFEST_DIR")), arguments, input)
+}
+
+/// The same in another folder.
+pub(crate) fn in_folder(folder: &Path, arguments: &[&str], input: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
         .args(arguments)
+        .current_dir(folder)
         .env("NO_COLOR", "1")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -23,6 +30,18 @@ pub(crate) fn with_input(arguments: &[&str], input: &str) -> Output {
         .expect("the program starts");
     // A program that refuses its flags does not read.
     let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
+    child.wait_with_output().expect("it ends")
+}
+
+/// The program for a reader that goes away at once, as `head` does.
+pub(crate) fn for_nobody(arguments: &[&str]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
     child.wait_with_output().expect("it ends")
 }
 

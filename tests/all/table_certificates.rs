@@ -1,7 +1,7 @@
 //! Certificates of tables before the kernel: all kinds accepted, damaged ones refused, and `carom check` as a user meets it.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use crate::support::{carom, said};
+use crate::support::{carom, said, with_input};
 use carom::chain::{Positive, Restitution};
 use carom::number::rational::parse;
 use carom::table::{Place, Quantity, Value, value};
@@ -570,18 +570,10 @@ fn a_table_of_costly_rows_is_declined_as_a_whole() {
 #[cfg(unix)]
 #[test]
 fn a_pipe_is_checked_like_the_file() {
-    use std::process::Stdio;
     let table = table("--want eta --ratio 2 -e 0.5 -n 1 --digits 3");
     let certificate = include_str!("../../proofs/certificates/eq13.cert");
     for (text, sign) in [(table.as_str(), "accepted  -: 1 row"), (certificate, "accepted  eq13")] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-            .args(["check", "--quiet", "-"])
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
-        std::io::Write::write_all(&mut child.stdin.take().unwrap(), text.as_bytes()).unwrap();
-        let output = child.wait_with_output().unwrap();
+        let output = with_input(&["check", "--quiet", "-"], text);
         assert_eq!(output.status.code(), Some(0), "{}", said(&output));
         assert!(said(&output).starts_with(sign), "{}", said(&output));
         // As a shell gives `<(…)`.

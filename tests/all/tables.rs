@@ -1,7 +1,7 @@
 //! Tables: every digit against an independent computation, every form, somebody's table judged, and runs
 //! that are interrupted and resumed.
 
-use crate::support::{carom, text};
+use crate::support::{carom, for_nobody, text};
 use carom::number::decimal::{Decimal, Digits, Rounding};
 use carom::number::rational::parse;
 use carom::table::grid::Grid;
@@ -707,14 +707,7 @@ fn ctrl_c_leaves_whole_rows_or_nothing() {
 
 #[test]
 fn a_reader_of_a_table_may_go_away() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-        .args(["table", "--ratio", "1:100000:1", "-e", "0:1:0.01", "-n", "0:40:1", "--format", "csv"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("it starts");
-    drop(child.stdout.take());
-    let out = child.wait_with_output().expect("it ends");
+    let out = for_nobody(&["table", "--ratio", "1:100000:1", "-e", "0:1:0.01", "-n", "0:40:1", "--format", "csv"]);
     assert_eq!((text(&out.stderr), out.status.code()), (String::new(), Some(0)));
 }
 

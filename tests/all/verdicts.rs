@@ -1,6 +1,7 @@
 //! Verdicts that once were wrong, or right with a wrong word beside them.
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
+use crate::support::{carom, said};
 use carom::claim::embedded;
 use carom::claim::parse::parse;
 use carom::claim::print::Style;
@@ -12,7 +13,6 @@ use carom::refute::catalogue::{Catalogue, Limits};
 use carom::refute::counterexample;
 use carom::refute::expand::Statement;
 use carom::refute::outcome::{Fault, Outcome, Verdict};
-use std::process::Command;
 use std::time::Duration;
 
 fn judged(body: &str) -> Result<Outcome, Fault> {
@@ -206,8 +206,8 @@ fn a_claim_whose_lemma_is_undecided_is_undecided_and_says_so() {
 #[test]
 fn an_audit_without_time_ends_at_a_limit() {
     let audit = |more: &[&str]| {
-        let out = Command::new(env!("CARGO_BIN_EXE_carom")).arg("audit").args(more).output().unwrap();
-        let text = String::from_utf8(out.stdout).unwrap() + &String::from_utf8(out.stderr).unwrap();
+        let out = carom(&[&["audit"], more].concat());
+        let text = said(&out);
         assert!(!text.contains("error"), "{more:?}: {text}");
         (out.status.code(), text)
     };

@@ -1,7 +1,7 @@
 //! The commands that take a paper where they take claim files.
 
+use crate::support::{in_folder, said};
 use std::path::Path;
-use std::process::{Command, Output};
 
 const PAPER: &str = r"\newcommand{\half}{\frac{1}{2}}
 %carom given m, M > 0 in \mathrm{kg};  v real in m/\mathrm{s};  R > 0 in \Omega;  I, U real
@@ -19,10 +19,8 @@ const PAPER: &str = r"\newcommand{\half}{\frac{1}{2}}
 ";
 
 fn run(folder: &Path, arguments: &str) -> (i32, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    let out: Output = command.current_dir(folder).args(arguments.split(' ')).output().expect("it runs");
-    let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
-    (out.status.code().expect("an exit code"), text)
+    let out = in_folder(folder, &arguments.split(' ').collect::<Vec<_>>(), "");
+    (out.status.code().expect("an exit code"), said(&out))
 }
 
 #[test]
