@@ -1,6 +1,6 @@
 //! Dimensions: products of powers of the base quantities of the SI.
 
-use super::exponent::Exponent;
+use super::exponent::{Exponent, add_multiple};
 use std::fmt;
 
 /// The units of the base quantities: mass, length, time, current, temperature, amount, luminous intensity.
@@ -24,9 +24,7 @@ impl Dimension {
     #[must_use]
     pub fn times(&self, other: &Dimension, exponent: Exponent) -> Option<Dimension> {
         let mut out = *self;
-        for (own, other) in out.0.iter_mut().zip(other.0) {
-            *own = own.plus(other.times(exponent)?)?;
-        }
+        add_multiple(&mut out.0, &other.0, exponent)?;
         Some(out)
     }
 

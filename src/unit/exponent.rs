@@ -77,6 +77,14 @@ impl Exponent {
     }
 }
 
+/// Adds a multiple of a list to another of its length; nothing if an exponent becomes too long.
+pub(crate) fn add_multiple(own: &mut [Exponent], other: &[Exponent], factor: Exponent) -> Option<()> {
+    own.iter_mut().zip(other).try_for_each(|(own, other)| {
+        *own = own.plus(other.times(factor)?)?;
+        Some(())
+    })
+}
+
 impl fmt::Display for Exponent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.below == 1 { write!(f, "{}", self.above) } else { write!(f, "{}/{}", self.above, self.below) }

@@ -1,7 +1,7 @@
 //! Units as text: `kg`, `m/s^2`, `J/(kg*K)`, `1/s`.
 
 use super::dimension::{Dimension, raised};
-use super::exponent::Exponent;
+use super::exponent::{Exponent, add_multiple};
 use super::table::{Scale, TABLE};
 use std::ops::Range;
 
@@ -163,16 +163,9 @@ impl Reader<'_> {
     }
 
     fn times(&self, value: &Value, other: &Value, exponent: Exponent, start: usize) -> Result<Value, Fault> {
-        let dimension = value.0.times(&other.0, exponent);
         let mut scale = value.1;
-        let mut fits = true;
-        for (own, other) in scale.iter_mut().zip(other.1) {
-            match other.times(exponent).and_then(|other| own.plus(other)) {
-                Some(sum) => *own = sum,
-                None => fits = false,
-            }
-        }
-        match dimension.filter(|_| fits) {
+        let added = add_multiple(&mut scale, &other.1, exponent);
+        match added.and(value.0.times(&other.0, exponent)) {
             Some(dimension) => Ok((dimension, scale)),
             None => Err(self.fault("an exponent of this unit is too long", "write a simpler unit", start..self.at)),
         }

@@ -5,7 +5,7 @@
 //! `erg` do.
 //! Method: elimination of exponents; each unit is a row of the exponents of its dimension and of its factor.
 
-use super::exponent::Exponent;
+use super::exponent::{Exponent, add_multiple};
 use super::read::Unit;
 use super::table::Scale;
 
@@ -74,19 +74,9 @@ impl System {
 /// `row + factor * other`
 fn added(row: &Row, other: &Row, factor: Exponent) -> Option<Row> {
     let mut out = row.clone();
-    let sum = |own: &mut Exponent, other: &Exponent| -> Option<()> {
-        *own = own.plus(other.times(factor)?)?;
-        Some(())
-    };
-    for (own, other) in out.dimension.iter_mut().zip(&other.dimension) {
-        sum(own, other)?;
-    }
-    for (own, other) in out.scale.iter_mut().zip(&other.scale) {
-        sum(own, other)?;
-    }
-    for (own, other) in out.powers.iter_mut().zip(&other.powers) {
-        sum(own, other)?;
-    }
+    add_multiple(&mut out.dimension, &other.dimension, factor)?;
+    add_multiple(&mut out.scale, &other.scale, factor)?;
+    add_multiple(&mut out.powers, &other.powers, factor)?;
     Some(out)
 }
 
