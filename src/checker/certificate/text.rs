@@ -7,7 +7,7 @@ use super::{Certificate, Label, Refutes, Rule, Show, Step, Term, VERSION};
 use crate::claim::diagnostic::Diagnostic;
 use crate::claim::parse::{parse_expr, parse_prop};
 use crate::claim::print;
-use crate::claim::syntax::{Expr, Name, Prop, Span};
+use crate::claim::syntax::{Expr, Name, Prop};
 use sha2::{Digest, Sha256};
 
 /// The longest certificate, in bytes.
@@ -305,7 +305,7 @@ fn read_field(draft: &mut Draft, field: &str) -> Result<(), Fault> {
             if name.is_empty() || !name.bytes().all(|b| b.is_ascii_alphanumeric() || b"_'".contains(&b)) {
                 return Err(Fault::Expected("a name of letters, digits, `_` and `'`"));
             }
-            draft.with.push((Name { text: name.to_string(), span: Span::default() }, read_expr(value)?));
+            draft.with.push((Name::new(name), read_expr(value)?));
         }
         "times" if draft.times.is_none() => draft.times = Some(read_expr(rest)?),
         "times" => return Err(Fault::Field("times")),

@@ -109,14 +109,7 @@ impl Writer<'_> {
         self.fresh.means(&floor.text, apply(span, "floor", of.clone()));
         let sum = |a: Expr, sign: Sign, b: Expr| at(span, ExprKind::Sum(vec![(Sign::Plus, a), (sign, b)]));
         let names = vec![(up.clone(), None), (down.clone(), None)];
-        self.open.push(Item::Given(vec![Binding {
-            names,
-            natural: true,
-            constraints: Vec::new(),
-            indices: None,
-            unit: None,
-            span,
-        }]));
+        self.open.push(Item::Given(vec![Binding::new(names, true, Vec::new(), span)]));
         let value = sum(name(&up), Sign::Minus, name(&down));
         self.open.push(Item::Let { name: floor.clone(), parameters: Vec::new(), value });
         let sides = vec![name(&floor), of.clone(), sum(name(&floor), Sign::Plus, numeral(span, 1))];

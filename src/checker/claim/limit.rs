@@ -180,13 +180,8 @@ impl Writer<'_> {
         let mut there = Substitution::default();
         there.replace(&variable.text, &value(&later));
         let there = there.expr(&of).map_err(|obstacle| refused(obstacle, variable, of.span))?;
-        let binding = |name: &Name, relation: Relation, least: Expr| Binding {
-            names: vec![(name.clone(), None)],
-            natural,
-            constraints: vec![Constraint::Relation(relation, least)],
-            indices: None,
-            unit: None,
-            span,
+        let binding = |name: &Name, relation: Relation, least: Expr| {
+            Binding::new(vec![(name.clone(), None)], natural, vec![Constraint::Relation(relation, least)], span)
         };
         let relation = if sign == Sign::Plus { Relation::Greater } else { Relation::Less };
         let holds = prop(PropKind::Compare(vec![there, number(0)], vec![relation]));

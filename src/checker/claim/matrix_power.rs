@@ -87,14 +87,7 @@ impl Writer<'_> {
         let next = at(span, ExprKind::Sum(vec![(Sign::Plus, k.clone()), (Sign::Plus, numeral(span, 1))]));
         let member = |family: &Name, index: Expr| at(span, ExprKind::Apply(family.clone(), vec![index]));
         let says = |a: Expr, b: Expr| Prop { kind: PropKind::Compare(vec![a, b], vec![Relation::Equal]), span };
-        let binding = |names: Vec<(Name, Option<Name>)>, natural: bool| Binding {
-            names,
-            natural,
-            constraints: Vec::new(),
-            indices: None,
-            unit: None,
-            span,
-        };
+        let binding = |names: Vec<(Name, Option<Name>)>, natural: bool| Binding::new(names, natural, Vec::new(), span);
         let declared = families.iter().flatten().map(|family| (family.clone(), Some(index.clone()))).collect();
         self.powers.open.push(Item::Given(vec![binding(declared, false)]));
         for (i, row) in families.iter().enumerate() {

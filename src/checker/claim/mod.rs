@@ -1,6 +1,7 @@
 //! The claim language: reading, checking and printing claim files.
 pub(crate) mod abbreviation;
 mod angle;
+mod binding;
 mod check;
 mod circle;
 mod constants;

@@ -8,6 +8,7 @@
 /// The deepest nesting of parentheses, powers, negations and propositions that the parser accepts.
 pub const MAX_DEPTH: usize = 200;
 
+pub use super::binding::{Binding, Constraint};
 pub use carom_diagnostic::Span;
 pub use carom_unit::Unit;
 
@@ -18,6 +19,14 @@ pub struct Name {
     pub text: String,
     /// Where it stands.
     pub span: Span,
+}
+
+impl Name {
+    /// A name that stands in no file.
+    #[must_use]
+    pub fn new(text: impl Into<String>) -> Name {
+        Name { text: text.into(), span: Span::default() }
+    }
 }
 
 /// An expression with its place.
@@ -285,43 +294,6 @@ pub enum Tendency {
     Number(Expr),
     /// Beyond all bounds, upwards (`Plus`) or downwards (`Minus`).
     Infinite(Sign),
-}
-
-/// `m1, m2 > 0`, `e in [0, 1]`, `n natural >= 1`, `mu(k) > 0 for k in 0..n + 1`.
-#[derive(Clone, Debug)]
-pub struct Binding {
-    /// The names with, for a family, its index name: `mu(k)`.
-    pub names: Vec<(Name, Option<Name>)>,
-    /// Whether the values are naturals (0, 1, 2, …) or reals.
-    pub natural: bool,
-    /// Constraints on each name; all of them apply.
-    pub constraints: Vec<Constraint>,
-    /// The indices for which a family is defined; `None` means every natural number.
-    pub indices: Option<(Expr, Expr)>,
-    /// `in kg`: the unit in which the values are measured. It is no part of the mathematical statement.
-    pub unit: Option<Unit>,
-    /// Where it stands.
-    pub span: Span,
-}
-
-/// A constraint of a binding.
-#[derive(Clone, Debug)]
-pub enum Constraint {
-    /// `> 0`, `>= 1`, `!= 0`, `<= b`
-    Relation(Relation, Expr),
-    /// `in [a, b]`, `in (a, b]`; the flags say whether the end belongs to it.
-    Interval {
-        /// Left end.
-        from: Expr,
-        /// Whether the left end is included.
-        from_closed: bool,
-        /// Right end.
-        to: Expr,
-        /// Whether the right end is included.
-        to_closed: bool,
-    },
-    /// `in a..b`: naturals from a to b.
-    Range(Expr, Expr),
 }
 
 /// A declaration of a claim, in the order written.

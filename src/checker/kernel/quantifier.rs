@@ -33,14 +33,7 @@ fn domain_of_members(binding: &Binding, family: &Name, index: &Name) -> Option<P
         (_, None) => return None,
     };
     let range = binding.indices.iter().map(|(from, to)| Constraint::Range(from.clone(), to.clone()));
-    let over = Binding {
-        names: vec![(index.clone(), None)],
-        natural: true,
-        constraints: range.collect(),
-        indices: None,
-        unit: None,
-        span: Span::default(),
-    };
+    let over = Binding::of(index.clone(), true, range.collect());
     Some(prop(PropKind::ForAll(vec![over], Box::new(body))))
 }
 

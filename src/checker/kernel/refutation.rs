@@ -88,9 +88,9 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
     holds.push(denied(parts.fails));
     let free = plain.into_iter().map(|b| Binding { constraints: Vec::new(), ..b });
     let sequences = statement.sequences.into_iter().map(|u| Item::Define {
-        name: named(&u.name),
+        name: Name::new(&u.name),
         initial: u.initial,
-        index: named(&u.index),
+        index: Name::new(&u.index),
         step: u.step,
         span: Span::default(),
     });
@@ -279,14 +279,7 @@ impl Path<'_> {
                 self.in_expr(&index.from)
                     || self.in_expr(&index.to)
                     || self.within(|path| {
-                        path.bindings.push(Binding {
-                            names: vec![(index.name.clone(), None)],
-                            natural: true,
-                            constraints: vec![range],
-                            indices: None,
-                            unit: None,
-                            span: Span::default(),
-                        });
+                        path.bindings.push(Binding::of(index.name.clone(), true, vec![range]));
                         path.in_expr(body)
                     })
             }
@@ -340,10 +333,6 @@ fn says_how_it_grows(p: &Prop, moving: &BTreeSet<String>) -> Result<bool, Refusa
 fn only(binding: &Binding, families: bool) -> Option<Binding> {
     let names: Vec<_> = binding.names.iter().filter(|n| n.1.is_some() == families).cloned().collect();
     (!names.is_empty()).then(|| Binding { names, ..binding.clone() })
-}
-
-fn named(text: &str) -> Name {
-    Name { text: text.to_string(), span: Span::default() }
 }
 
 fn no_place(place: &Expr) -> Refusal {

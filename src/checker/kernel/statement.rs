@@ -139,7 +139,7 @@ pub fn power(base: &Expr, exponent: &Expr) -> Expr {
 
 /// `function(argument)`.
 pub fn apply(function: &str, argument: Expr) -> Expr {
-    expr(ExprKind::Apply(Name { text: function.to_string(), span: Span::default() }, vec![argument]))
+    expr(ExprKind::Apply(Name::new(function), vec![argument]))
 }
 
 /// `1 - p`.

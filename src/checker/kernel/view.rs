@@ -10,7 +10,7 @@ use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};
 use crate::certificate::{Label, Show};
-use crate::claim::syntax::{Expr, ExprKind, Factor, Index, Name, Sign, Span};
+use crate::claim::syntax::{Expr, ExprKind, Factor, Index, Name, Sign};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -165,7 +165,7 @@ impl Checker {
             }
             Some(Atom::Over(over)) => {
                 let range = Index {
-                    name: Name { text: index(over.depth), span: Span::default() },
+                    name: Name::new(index(over.depth)),
                     from: Box::new(self.poly_expr(&over.from)),
                     to: Box::new(self.poly_expr(&over.to)),
                 };

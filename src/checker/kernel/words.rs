@@ -248,7 +248,7 @@ impl Checker {
             }
             Some(Atom::Over(over)) => {
                 let index = Index {
-                    name: Name { text: bound_name(over.depth), span: Span::default() },
+                    name: Name::new(bound_name(over.depth)),
                     from: Box::new(self.poly_words(&over.from)),
                     to: Box::new(self.poly_words(&over.to)),
                 };

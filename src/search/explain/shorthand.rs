@@ -83,9 +83,7 @@ impl Shorthand {
             ExprKind::Sum(terms) => ExprKind::Sum(terms.iter().map(|(s, e)| (*s, self.expr(e))).collect()),
             ExprKind::Product(terms) => ExprKind::Product(terms.iter().map(|(s, e)| (*s, self.expr(e))).collect()),
             ExprKind::Power(base, exponent) => match root(exponent) {
-                Some(root) => {
-                    ExprKind::Apply(Name { text: root.to_string(), span: Span::default() }, vec![self.expr(base)])
-                }
+                Some(root) => ExprKind::Apply(Name::new(root), vec![self.expr(base)]),
                 None => ExprKind::Power(boxed(base), boxed(exponent)),
             },
             ExprKind::SumOver(i, body) => ExprKind::SumOver(index(i), boxed(body)),

@@ -178,7 +178,7 @@ impl Refuter<'_> {
         };
         let by_rule = |attempt: &mut Attempt, p: &Prop| match &atom.kind {
             PropKind::Limit(_) => attempt.step(Rule::Limit { with: Vec::new() }, p, true, false).or_else(|| {
-                let from = Name { text: "from".to_string(), span: Span::default() };
+                let from = Name::new("from");
                 attempt.step(Rule::Limit { with: vec![(from, numeral(1))] }, p, true, false)
             }),
             _ => attempt

@@ -150,8 +150,13 @@ fn by_recurrence(claim: &Claim, statement: &Statement, limits: &Limits) -> Optio
         let constant = || ("k".to_string(), apply(family, name("k")));
         let (index, step) = about.iter().find_map(|p| step_of(p, family)).unwrap_or_else(constant);
         point.push((format!("{family}(0)"), print::expr(&initial)));
-        let called = |text: &str| Name { text: text.to_string(), span: Span::default() };
-        items.push(Item::Define { name: called(family), initial, index: called(&index), step, span: Span::default() });
+        items.push(Item::Define {
+            name: Name::new(family),
+            initial,
+            index: Name::new(&index),
+            step,
+            span: Span::default(),
+        });
     }
     let goal = match about.as_slice() {
         [only] => only.clone(),

@@ -7,9 +7,9 @@
 //!
 //! Limits: [`WHOLES`] numbers, [`POINTS`] points of a box, [`BOXES`] boxes, [`SEARCHES`] searches of a claim.
 
-use super::facts::{minus, opposite};
-use super::letters::Letters;
-use super::narrowing::{ALL, Bound, FAR, Problem, Row, Values, points};
+use super::facts::opposite;
+use super::integers::difference;
+use super::narrowing::{ALL, Bound, FAR, Problem, Values, points};
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -72,18 +72,15 @@ fn is_evaluated(p: &Prop, names: &BTreeSet<&str>) -> bool {
 /// An expression with k_up − k_down written as the name of the integer k.
 fn with_integers(e: &mut Expr, integers: &[(String, Expr)]) {
     if let ExprKind::Sum(list) = &mut e.kind {
-        for (k, difference) in integers {
-            let ExprKind::Sum(parts) = &difference.kind else { continue };
-            let [up, down] = parts.as_slice() else { continue };
+        for (k, whole) in integers {
+            let Some((up, down)) = difference(whole) else { continue };
             for signs in [[Sign::Plus, Sign::Minus], [Sign::Minus, Sign::Plus]] {
-                let at = |part: &Expr, sign: Sign, list: &[(Sign, Expr)]| {
-                    list.iter().position(|(s, e)| {
-                        *s == sign && matches!((&e.kind, &part.kind), (ExprKind::Name(a), ExprKind::Name(b)) if a == b)
-                    })
+                let at = |part: &str, sign: Sign, list: &[(Sign, Expr)]| {
+                    list.iter().position(|(s, e)| *s == sign && matches!(&e.kind, ExprKind::Name(n) if n == part))
                 };
-                while let (Some(_), Some(second)) = (at(&up.1, signs[0], list), at(&down.1, signs[1], list)) {
+                while let (Some(_), Some(second)) = (at(up, signs[0], list), at(down, signs[1], list)) {
                     list.remove(second);
-                    if let Some(first) = at(&up.1, signs[0], list) {
+                    if let Some(first) = at(up, signs[0], list) {
                         list[first].1 = name(k);
                     }
                 }
@@ -146,9 +143,7 @@ impl Prover {
         facts.retain(|p| is_evaluated(p, &all));
         let mut used = BTreeSet::new();
         facts.iter().for_each(|p| crate::kernel::names::names_in_prop(p, &mut used));
-        let is_part = |n: &String| {
-            integers.iter().any(|(_, d)| matches!(&d.kind, ExprKind::Sum(l) if l.iter().any(|(_, e)| matches!(&e.kind, ExprKind::Name(m) if m == n))))
-        };
+        let is_part = |n: &str| integers.iter().filter_map(|k| difference(&k.1)).any(|(up, down)| n == up || n == down);
         let wholes: Vec<(String, Expr)> =
             natural.iter().chain(&integers).filter(|w| used.contains(&w.0) && !is_part(&w.0)).cloned().collect();
         let left: BTreeSet<&str> = wholes.iter().map(|w| w.0.as_str()).collect();
@@ -158,16 +153,7 @@ impl Prover {
         }
         let start =
             wholes.iter().map(|w| if integers.iter().any(|k| k.0 == w.0) { ALL } else { (0.0, ALL.1) }).collect();
-        let (mut letters, mut rows) = (Letters::default(), Vec::new());
-        for fact in &facts {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            for (pair, relation) in sides.windows(2).zip(relations) {
-                if let Some(difference) = letters.polynomial(&minus(&pair[0], &pair[1])) {
-                    rows.push(Row { difference, relation: *relation });
-                }
-            }
-        }
-        Some((Problem { wholes, facts, rows, letters }, start))
+        Some((Problem::new(wholes, facts), start))
     }
 
     /// Proves a goal on a box from facts that no point of it satisfies.
@@ -242,15 +228,10 @@ impl Prover {
 
     /// Adds bounds of the powers with variable exponents, where they are integers.
     fn powers_on(&mut self, of: &Problem, on: &[Values]) {
-        for v in of.rows.iter().flat_map(|r| r.difference.variables()).collect::<BTreeSet<u32>>() {
-            let Some(e) = of.letters.expr(v) else { continue };
-            if of.place(e).is_some() {
-                continue;
-            }
-            let (low, high) = of.of_letter(e, on);
+        for (e, (low, high)) in of.others(on) {
             for (relation, end) in [(Relation::GreaterEqual, low), (Relation::LessEqual, high)] {
                 if end.is_finite() && end.abs() < FAR && end == end.floor() {
-                    let fact = compare(self.in_naturals(e), relation, number(end));
+                    let fact = compare(self.in_naturals(&e), relation, number(end));
                     // By induction, mostly.
                     let before = (std::mem::take(&mut self.splits), std::mem::take(&mut self.inductions));
                     let shown = self.attempt(|c| c.show(&fact));
@@ -277,14 +258,11 @@ impl Prover {
             there.replace(own, &shift(name(&fresh), least));
             let value = shift(whole.clone(), -least);
             here.replace(own, &shift(value.clone(), least));
-            bindings.push(Binding {
-                names: vec![(Name { text: fresh.clone(), span: Span::default() }, None)],
-                natural: true,
-                constraints: vec![Constraint::Range(number(low - least), number(high - least))],
-                indices: None,
-                unit: None,
-                span: Span::default(),
-            });
+            bindings.push(Binding::of(
+                Name::new(&fresh),
+                true,
+                vec![Constraint::Range(number(low - least), number(high - least))],
+            ));
             values.push((fresh, value));
         }
         let absurd = compare(numeral(0), Relation::Greater, numeral(0));

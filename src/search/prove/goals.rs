@@ -395,7 +395,7 @@ impl Prover {
 fn at(point: Vec<(String, Expr)>) -> (Vec<(Name, Expr)>, Substitution) {
     let mut map = Substitution::default();
     point.iter().for_each(|(name, value)| map.replace(name, value));
-    let with = point.into_iter().map(|(text, value)| (Name { text, span: Span::default() }, value));
+    let with = point.into_iter().map(|(text, value)| (Name::new(text), value));
     (with.collect(), map)
 }
 

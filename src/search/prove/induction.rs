@@ -190,14 +190,7 @@ impl Prover {
             c.show(&at_base)
         })?;
         let constraints = base.map(|k| Constraint::Relation(Relation::GreaterEqual, numeral(k)));
-        let binding = Binding {
-            names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
-            natural: true,
-            constraints: constraints.into_iter().collect(),
-            indices: None,
-            unit: None,
-            span: Span::default(),
-        };
+        let binding = Binding::of(Name::new(variable), true, constraints.into_iter().collect());
         let every = |p: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p)));
         let next = at_next(body, variable)?;
         let step = implies(body, &next);

@@ -21,7 +21,7 @@ use std::collections::BTreeSet;
 const INTEGERS: usize = 24;
 
 /// k_up and k_down, where an expression is their difference.
-fn difference(e: &Expr) -> Option<(&str, &str)> {
+pub(super) fn difference(e: &Expr) -> Option<(&str, &str)> {
     let ExprKind::Sum(list) = &e.kind else { return None };
     match list.as_slice() {
         [
@@ -44,7 +44,7 @@ fn differences_in(e: &Expr, out: &mut Vec<Expr>) {
 }
 
 /// The sides of all comparisons in a proposition, those under quantifiers too.
-fn all_sides(p: &Prop, out: &mut Vec<Expr>) {
+pub(super) fn all_sides(p: &Prop, out: &mut Vec<Expr>) {
     match &p.kind {
         PropKind::Exists(_, body) | PropKind::ForAll(_, body) => all_sides(body, out),
         PropKind::Not(inner) => all_sides(inner, out),

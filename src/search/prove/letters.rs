@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::str::FromStr;
 
 /// The letters met so far, each with the expression that it stands for.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Letters {
     exprs: Vec<Expr>,
     index: HashMap<String, u32>,

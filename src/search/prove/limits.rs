@@ -65,7 +65,7 @@ impl Prover {
 
     /// By rule `limit`, the expression having a value from a numeral on.
     fn limit_from(&mut self, least: u32, goal: &Prop) -> Result<Label, Fail> {
-        let with = vec![(Name { text: "from".to_string(), span: Span::default() }, numeral(least))];
+        let with = vec![(Name::new("from"), numeral(least))];
         self.emit(Rule::Limit { with }, goal.clone())
     }
 
@@ -201,7 +201,7 @@ impl Prover {
             vec![minus(power(&q, &name(&k))), power(&r, &name(&k)), power(&q, &name(&k))],
             vec![Relation::LessEqual; 2],
         ));
-        let every = prop(PropKind::ForAll(vec![natural_binding(&k)], Box::new(inside)));
+        let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(inside)));
         let splits = std::mem::replace(&mut self.splits, 0);
         let shown = self.all_by_induction(&every, 0);
         self.splits = splits;
@@ -211,11 +211,7 @@ impl Prover {
     /// `k >= least`, of the kind of the variable that grows.
     pub(crate) fn growing_from(&self, least: &Expr, l: &Limit, k: &str) -> Binding {
         let bound = (natural(least) != Some(0)).then(|| Constraint::Relation(Relation::GreaterEqual, least.clone()));
-        Binding {
-            natural: self.naturals.contains(&l.variable.text),
-            constraints: Vec::from_iter(bound),
-            ..natural_binding(k)
-        }
+        Binding::of(Name::new(k), self.naturals.contains(&l.variable.text), Vec::from_iter(bound))
     }
 
     /// A limit between two expressions with the same limit, as the facts tell for every value from `least` on.
@@ -294,18 +290,6 @@ fn divisors_in(e: &Expr, out: &mut Vec<Expr>) {
         out.extend(list.iter().filter(|f| f.0 == Factor::Over).map(|f| f.1.clone()));
     }
     crate::refute::expand::parts(e, &mut |part| divisors_in(part, out));
-}
-
-/// `k natural`.
-pub(crate) fn natural_binding(variable: &str) -> Binding {
-    Binding {
-        names: vec![(Name { text: variable.to_string(), span: Span::default() }, None)],
-        natural: true,
-        constraints: Vec::new(),
-        indices: None,
-        unit: None,
-        span: Span::default(),
-    }
 }
 
 /// The bases of powers whose exponent is this name.

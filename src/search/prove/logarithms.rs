@@ -98,7 +98,7 @@ impl Prover {
             factors.push(whole_power(argument, if *c < 0 { -k } else { k }));
         }
         let whole = product(factors);
-        let log = expr(ExprKind::Apply(Name { text: "ln".to_string(), span: Span::default() }, vec![whole.clone()]));
+        let log = expr(ExprKind::Apply(Name::new("ln"), vec![whole.clone()]));
         self.define(&log);
         let written = self.letters.written(&scaled);
         let same = self.emit(Rule::Power, compare(written, Relation::Equal, log.clone()))?;

@@ -61,7 +61,7 @@ impl Prover {
         if let Some(label) = self.known(&shown) {
             return Ok(label);
         }
-        let named = |text: &str, e: &Expr| (Name { text: text.to_string(), span: Span::default() }, e.clone());
+        let named = |text: &str, e: &Expr| (Name::new(text), e.clone());
         let with = vec![named("a", a), named("b", b), named("p", p)];
         let label = self.emit(Rule::Mean { with }, shown.clone())?;
         self.take_in(&label, &shown)?;

@@ -191,8 +191,8 @@ pub(crate) struct Prover {
     slopes_open: usize,
     /// Whether powers of facts are tried.
     within_powers: bool,
-    /// The natural number whose remainders are distinguished, if one is.
-    residues: String,
+    /// Whether the remainders of a natural number are distinguished.
+    in_residues: bool,
     /// Whether whole numbers are tried one by one.
     in_boxes: bool,
     /// How many more such searches may fail.
@@ -236,7 +236,7 @@ impl Prover {
             slopes: 0,
             slopes_open: 0,
             within_powers: false,
-            residues: String::new(),
+            in_residues: false,
             in_boxes: false,
             box_searches: boxes::SEARCHES,
         })

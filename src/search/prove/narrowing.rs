@@ -5,10 +5,12 @@
 //!
 //! Limits: [`ROUNDS`] rounds of narrowing, [`FAR`] as the size of a bound.
 
+use super::facts::minus;
 use super::letters::{Letters, natural};
 use crate::algebra::Polynomial;
 use crate::claim::syntax::*;
 use crate::number::double::nearest;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The most rounds of narrowing for one box.
 const ROUNDS: usize = 8;
@@ -33,9 +35,21 @@ pub(super) struct Bound {
 }
 
 /// A comparison of a difference with 0.
-pub(super) struct Row {
-    pub(super) difference: Polynomial,
-    pub(super) relation: Relation,
+struct Row {
+    difference: Polynomial,
+    relation: Relation,
+}
+
+/// What a letter of the rows stands for.
+enum Letter {
+    /// The whole number with this place.
+    Whole(usize),
+    /// n!; nothing is known of an n that is no polynomial in whole numbers.
+    Factorial(Option<Polynomial>),
+    /// A power, of such parts.
+    Power(Option<Polynomial>, Option<Polynomial>),
+    /// What nothing is known of.
+    Open,
 }
 
 /// Whole numbers with what is known of them.
@@ -43,8 +57,9 @@ pub(super) struct Problem {
     /// Each number's name, and what it is in natural numbers.
     pub(super) wholes: Vec<(String, Expr)>,
     pub(super) facts: Vec<Prop>,
-    pub(super) rows: Vec<Row>,
-    pub(super) letters: Letters,
+    rows: Vec<Row>,
+    letters: Letters,
+    meanings: BTreeMap<u32, Letter>,
 }
 
 fn times(a: Values, b: Values) -> Values {
@@ -97,49 +112,50 @@ fn factorial_of(e: &Expr) -> Option<&Expr> {
 }
 
 impl Problem {
-    pub(super) fn place(&self, e: &Expr) -> Option<usize> {
-        let ExprKind::Name(n) = &e.kind else { return None };
-        self.wholes.iter().position(|w| w.0 == *n)
+    /// The comparisons among the facts, read once.
+    pub(super) fn new(wholes: Vec<(String, Expr)>, facts: Vec<Prop>) -> Problem {
+        let (mut letters, mut rows) = (Letters::default(), Vec::new());
+        for fact in &facts {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            for (pair, relation) in sides.windows(2).zip(relations) {
+                if let Some(difference) = letters.polynomial(&minus(&pair[0], &pair[1])) {
+                    rows.push(Row { difference, relation: *relation });
+                }
+            }
+        }
+        let used: BTreeSet<u32> = rows.iter().flat_map(|row| row.difference.variables()).collect();
+        let meanings = used.into_iter().map(|v| (v, meaning(&wholes, &mut letters, v))).collect();
+        Problem { wholes, facts, rows, letters, meanings }
     }
 
-    /// The values of an expression on a box, as far as its form tells.
-    pub(super) fn of_letter(&self, e: &Expr, on: &[Values]) -> Values {
-        if let Some(place) = self.place(e) {
-            return on[place];
-        }
-        if let Some(to) = factorial_of(e) {
-            let factorial = |n: f64| (1..=(n.clamp(0.0, 200.0) as u32)).map(f64::from).product::<f64>();
-            let (low, high) = self.of_expr(to, on);
-            return (factorial(low), if high > 170.0 { f64::INFINITY } else { factorial(high) });
-        }
-        match &e.kind {
-            ExprKind::Power(base, exponent) => {
-                let (base, exponent) = (self.of_expr(base, on), self.of_expr(exponent, on));
+    /// The values of a letter on a box, as far as its form tells.
+    fn of_letter(&self, letter: u32, on: &[Values]) -> Values {
+        let value = |v: u32| place(&self.wholes, &self.letters, v).map_or(ALL, |place| on[place]);
+        let of = |p: &Option<Polynomial>| p.as_ref().map_or(ALL, |p| in_form(p, &value));
+        match self.meanings.get(&letter) {
+            Some(Letter::Whole(place)) => on[*place],
+            Some(Letter::Factorial(n)) => {
+                let factorial = |n: f64| (1..=(n.clamp(0.0, 200.0) as u32)).map(f64::from).product::<f64>();
+                let (low, high) = of(n);
+                (factorial(low), if high > 170.0 { f64::INFINITY } else { factorial(high) })
+            }
+            Some(Letter::Power(base, exponent)) => {
+                let (base, exponent) = (of(base), of(exponent));
                 if base.0 >= 1.0 { (base.0.powf(exponent.0.max(0.0)), base.1.powf(exponent.1)) } else { ALL }
             }
-            _ => ALL,
+            Some(Letter::Open) | None => ALL,
         }
     }
 
-    fn of_expr(&self, e: &Expr, on: &[Values]) -> Values {
-        let mut letters = self.letters.clone();
-        match letters.polynomial(e) {
-            Some(p) if p.as_constant().is_some() => p.as_constant().map_or(ALL, |c| (nearest(&c), nearest(&c))),
-            Some(p) if p.variables().iter().all(|v| letters.expr(*v).is_some_and(|l| self.place(l).is_some())) => {
-                let value = |v: u32| letters.expr(v).and_then(|l| self.place(l)).map_or(ALL, |place| on[place]);
-                in_form(&p, &value)
-            }
-            _ => ALL,
-        }
+    /// The letters that are no whole numbers, each with its values on a box.
+    pub(super) fn others(&self, on: &[Values]) -> Vec<(Expr, Values)> {
+        let others = self.meanings.iter().filter(|(_, m)| !matches!(m, Letter::Whole(_)));
+        others.filter_map(|(v, _)| Some((self.letters.expr(*v)?.clone(), self.of_letter(*v, on)))).collect()
     }
 
     /// The values of a polynomial on a box: of its monomials, and by Horner's scheme in each of its letters.
     fn of_difference(&self, p: &Polynomial, on: &[Values]) -> Values {
-        let known: Vec<(u32, Values)> = p
-            .variables()
-            .into_iter()
-            .map(|v| (v, self.letters.expr(v).map_or(ALL, |e| self.of_letter(e, on))))
-            .collect();
+        let known: Vec<(u32, Values)> = p.variables().into_iter().map(|v| (v, self.of_letter(v, on))).collect();
         let value = |v: u32| known.iter().find(|k| k.0 == v).map_or(ALL, |k| k.1);
         let by_horner = |(v, x): &(u32, Values)| {
             let coefficients = p.coefficients_in(*v);
@@ -157,38 +173,24 @@ impl Problem {
         excludes(row.relation, self.of_difference(&row.difference, &part))
     }
 
-    /// The greatest value that a row leaves to a number, where it is less than the one that is known.
-    fn greatest(&self, row: &Row, on: &[Values], place: usize) -> Option<f64> {
+    /// The greatest or the least value that a row leaves to a number, where it lies within what is known.
+    fn end(&self, row: &Row, on: &[Values], place: usize, at_most: bool) -> Option<f64> {
         let (low, high) = on[place];
-        let (mut inside, mut outside) = (low.max(-FAR), high.min(FAR));
-        if !self.is_excluded(row, on, place, (outside, high)) {
+        let ends = (low.max(-FAR), high.min(FAR));
+        // The end that may move lies outside.
+        let ((mut inside, mut outside), step) = if at_most { (ends, 1.0) } else { ((ends.1, ends.0), -1.0) };
+        let is_excluded_from = |x: f64| self.is_excluded(row, on, place, if at_most { (x, high) } else { (low, x) });
+        if !is_excluded_from(outside) {
             return None;
         }
-        if self.is_excluded(row, on, place, (inside, high)) {
-            return (low > -FAR).then_some(inside - 1.0);
+        if is_excluded_from(inside) {
+            return (step * inside > -FAR).then_some(inside - step);
         }
-        while outside - inside > 1.0 {
-            let middle = ((inside + outside) / 2.0).floor();
-            if self.is_excluded(row, on, place, (middle, high)) { outside = middle } else { inside = middle }
+        while step * (outside - inside) > 1.0 {
+            let middle = step * (step * (inside + outside) / 2.0).floor();
+            if is_excluded_from(middle) { outside = middle } else { inside = middle }
         }
-        Some(outside - 1.0)
-    }
-
-    /// The same for the least value.
-    fn least(&self, row: &Row, on: &[Values], place: usize) -> Option<f64> {
-        let (low, high) = on[place];
-        let (mut outside, mut inside) = (low.max(-FAR), high.min(FAR));
-        if !self.is_excluded(row, on, place, (low, outside)) {
-            return None;
-        }
-        if self.is_excluded(row, on, place, (low, inside)) {
-            return (high < FAR).then_some(inside + 1.0);
-        }
-        while inside - outside > 1.0 {
-            let middle = ((inside + outside) / 2.0).ceil();
-            if self.is_excluded(row, on, place, (low, middle)) { outside = middle } else { inside = middle }
-        }
-        Some(outside + 1.0)
+        Some(outside - step)
     }
 
     /// Narrows a box; the bounds in the order in which they follow from each other.
@@ -199,8 +201,7 @@ impl Problem {
             for row in &self.rows {
                 for place in 0..on.len() {
                     for at_most in [true, false] {
-                        let new = if at_most { self.greatest(row, on, place) } else { self.least(row, on, place) };
-                        let Some(value) = new else { continue };
+                        let Some(value) = self.end(row, on, place, at_most) else { continue };
                         let old = on[place];
                         let new = if at_most { (old.0, value) } else { (value, old.1) };
                         // What narrows little is not worth a proof.
@@ -223,6 +224,28 @@ impl Problem {
     }
 }
 
+/// The place of the whole number that a letter is.
+fn place(wholes: &[(String, Expr)], letters: &Letters, letter: u32) -> Option<usize> {
+    let ExprKind::Name(n) = &letters.expr(letter)?.kind else { return None };
+    wholes.iter().position(|w| w.0 == *n)
+}
+
+fn meaning(wholes: &[(String, Expr)], letters: &mut Letters, letter: u32) -> Letter {
+    if let Some(place) = place(wholes, letters, letter) {
+        return Letter::Whole(place);
+    }
+    let Some(e) = letters.expr(letter).cloned() else { return Letter::Open };
+    let mut read = |e: &Expr| {
+        let p = letters.polynomial(e)?;
+        p.variables().iter().all(|v| place(wholes, letters, *v).is_some()).then_some(p)
+    };
+    match (factorial_of(&e), &e.kind) {
+        (Some(n), _) => Letter::Factorial(read(n)),
+        (None, ExprKind::Power(base, exponent)) => Letter::Power(read(base), read(exponent)),
+        _ => Letter::Open,
+    }
+}
+
 /// The values of a sum of monomials.
 fn in_form(p: &Polynomial, value: &dyn Fn(u32) -> Values) -> Values {
     p.terms().fold((0.0, 0.0), |sum, (monomial, c)| {
@@ -239,25 +262,19 @@ mod tests {
     use crate::kernel::statement::name;
 
     /// The box that is left of these values of x and y.
-    fn left(rows: &[(&str, Relation)], mut on: Vec<Values>) -> Vec<Values> {
-        let mut letters = Letters::default();
-        let wholes: Vec<_> = ["x", "y"].iter().map(|n| ((*n).to_string(), name(n))).collect();
-        let rows = rows.iter().map(|(text, relation)| {
-            let difference = letters.polynomial(&crate::claim::parse::parse_expr(text).unwrap()).unwrap();
-            Row { difference, relation: *relation }
-        });
-        let rows = rows.collect();
-        Problem { wholes, facts: Vec::new(), rows, letters }.narrow(&mut on);
+    fn left(fact: &str, mut on: Vec<Values>) -> Vec<Values> {
+        let wholes = ["x", "y"].iter().map(|n| ((*n).to_string(), name(n))).collect();
+        Problem::new(wholes, vec![crate::claim::parse::parse_prop(fact).unwrap()]).narrow(&mut on);
         on
     }
 
     #[test]
     fn bounds_hold_every_solution_and_little_else() {
         let naturals = vec![(0.0, f64::INFINITY); 2];
-        assert_eq!(left(&[("2^x*3^y - 1296", Relation::Equal)], naturals.clone()), [(0.0, 10.0), (0.0, 6.0)]);
+        assert_eq!(left("2^x*3^y = 1296", naturals.clone()), [(0.0, 10.0), (0.0, 6.0)]);
         // y^2 + 3·x^2·y^2 = 30·x^2 + 517 has the solutions x = ±2, y = ±7.
-        let on = left(&[("y^2 + 3*x^2*y^2 - 30*x^2 - 517", Relation::Equal)], vec![ALL, (4.0, f64::INFINITY)]);
+        let on = left("y^2 + 3*x^2*y^2 = 30*x^2 + 517", vec![ALL, (4.0, f64::INFINITY)]);
         assert!(on[1].0 <= 7.0 && (7.0..=40.0).contains(&on[1].1));
-        assert!(left(&[("x - y", Relation::Equal)], naturals)[0].1.is_infinite());
+        assert!(left("x = y", naturals)[0].1.is_infinite());
     }
 }

@@ -4,6 +4,7 @@
 //!
 //! Limits: moduli from 2 to [`MODULUS`] that occur as numerals in the goal, [`MODULI`] of these for each of [`VARIABLES`] variables.
 
+use super::integers::all_sides;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -34,29 +35,13 @@ fn some_form(n: &Expr, modulus: u32, m: &Expr) -> Prop {
 
 /// A natural variable without a domain.
 fn natural(text: &str) -> Vec<Binding> {
-    vec![Binding {
-        names: vec![(Name { text: text.to_string(), span: Span::default() }, None)],
-        natural: true,
-        constraints: Vec::new(),
-        indices: None,
-        unit: None,
-        span: Span::default(),
-    }]
+    vec![Binding::of(Name::new(text), true, Vec::new())]
 }
 
-/// The numerals of a proposition that may be moduli.
-fn moduli(p: &Prop, out: &mut BTreeSet<u32>) {
-    fn of(e: &Expr, out: &mut BTreeSet<u32>) {
-        out.extend(super::letters::natural(e).filter(|c| (2..=MODULUS).contains(c)));
-        walk::parts(e, &mut |part| of(part, out));
-    }
-    match &p.kind {
-        PropKind::Compare(sides, _) => sides.iter().for_each(|e| of(e, out)),
-        PropKind::And(list) | PropKind::Or(list) => list.iter().for_each(|p| moduli(p, out)),
-        PropKind::Not(inner) | PropKind::Exists(_, inner) | PropKind::ForAll(_, inner) => moduli(inner, out),
-        PropKind::Implies(a, b) => [a, b].into_iter().for_each(|p| moduli(p, out)),
-        _ => {}
-    }
+/// The numerals of an expression that may be moduli.
+fn moduli(e: &Expr, out: &mut BTreeSet<u32>) {
+    out.extend(super::letters::natural(e).filter(|c| (2..=MODULUS).contains(c)));
+    walk::parts(e, &mut |part| moduli(part, out));
 }
 
 impl Prover {
@@ -69,23 +54,24 @@ impl Prover {
 
     /// Proves a goal for each remainder of a natural variable by a numeral of the goal.
     pub(super) fn by_residues(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        if self.splits > 0 || self.inductions > 0 || !self.residues.is_empty() {
+        if self.splits > 0 || self.inductions > 0 || self.in_residues {
             return Err(Fail::No("remainders"));
         }
-        let (mut used, mut numerals) = (BTreeSet::new(), BTreeSet::new());
+        let (mut used, mut numerals, mut sides) = (BTreeSet::new(), BTreeSet::new(), Vec::new());
         crate::kernel::names::names_in_prop(goal, &mut used);
-        moduli(goal, &mut numerals);
+        all_sides(goal, &mut sides);
+        sides.iter().for_each(|e| moduli(e, &mut numerals));
         let names: Vec<String> = self.naturals.iter().filter(|n| used.contains(*n)).take(VARIABLES).cloned().collect();
         // The largest first: n^3 - n = 6*k needs 6, and no other numeral of it does.
         for modulus in numerals.into_iter().rev().take(MODULI) {
             for n in &names {
-                self.residues = n.clone();
+                self.in_residues = true;
                 let shown = self.attempt(|c| {
                     let every = c.remainders(modulus)?;
                     c.instance(&every, &name(n))?;
                     c.show(goal)
                 });
-                self.residues.clear();
+                self.in_residues = false;
                 if shown.is_ok() {
                     return shown;
                 }
@@ -98,7 +84,7 @@ impl Prover {
     fn remainders(&mut self, modulus: u32) -> Result<Label, Fail> {
         let (n, m) = (self.fresh("n"), self.fresh("m"));
         let body = prop(PropKind::Exists(natural(&m), Box::new(some_form(&name(&n), modulus, &name(&m)))));
-        let every = self.induction_by(&n, None, &body, &mut |c, hypothesis, next| {
+        self.induction_by(&n, None, &body, &mut |c, hypothesis, next| {
             let quotient = c.fresh("m");
             let cases = some_form(&name(&n), modulus, &name(&quotient));
             let step = implies(&cases, next);
@@ -116,8 +102,7 @@ impl Prover {
                 })
             })?;
             c.emit(Rule::Existence { some: hypothesis, all }, next.clone())
-        })?;
-        Ok(every)
+        })
     }
 
     /// n + 1 = c·m + (r + 1), or c·(m + 1), from n = c·m + r.

@@ -206,22 +206,14 @@ impl Prover {
         if self.slopes > SLOPES || self.deadline.is_some_and(|d| Moment::now() > d) {
             return Err(Fail::Limit("slopes"));
         }
-        let word = |text: &str| Name { text: text.to_string(), span: Span::default() };
         let mut constraints =
             vec![Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false }];
         // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
         for (end, relation) in [(low, Relation::Greater), (high, Relation::Less)] {
             constraints.extend(self.number_beyond(end, relation).map(|q| Constraint::Relation(relation, q)));
         }
-        let binding = Binding {
-            names: vec![(word(t), None)],
-            natural: false,
-            constraints,
-            indices: None,
-            unit: None,
-            span: Span::default(),
-        };
-        let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), vec![word(t)]));
+        let binding = Binding::of(Name::new(t), false, constraints);
+        let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), vec![Name::new(t)]));
         let body = compare(derivative.clone(), slope, numeral(0));
         let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
         self.define(f);
@@ -230,7 +222,7 @@ impl Prover {
         let source = self.block(&every, |c, _| c.sign_of_derivative(&body, &derivative));
         (self.splits, self.slopes_open) = (splits, open);
         let source = source?;
-        let with = vec![(word("a"), a.clone()), (word("b"), b.clone())];
+        let with = vec![(Name::new("a"), a.clone()), (Name::new("b"), b.clone())];
         let from = Vec::new();
         let label = self.emit(Rule::Slope { source, with, from }, goal.clone())?;
         self.take_in(&label, goal)?;

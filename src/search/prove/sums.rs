@@ -1,7 +1,7 @@
 //! Sums up to a variable in closed form: of polynomials in the index, and geometric ones.
 
 use super::letters::{natural, product};
-use super::limits::{holds, natural_binding, over, powers_of};
+use super::limits::{holds, over, powers_of};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::certificate::Label;
@@ -65,7 +65,7 @@ impl Prover {
         map.replace(variable, &name(&k));
         let at = |e: &Expr| map.expr(e).map_err(Fail::from);
         let body = compare(at(s)?, Relation::Equal, at(value)?);
-        let every = prop(PropKind::ForAll(vec![natural_binding(&k)], Box::new(body)));
+        let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(body)));
         let splits = std::mem::replace(&mut self.splits, 0);
         let shown = self.all_by_induction(&every, 3);
         self.splits = splits;

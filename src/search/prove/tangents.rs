@@ -1,7 +1,6 @@
 //! The inequality 1 + x <= exp(x), tried for the exponentials and logarithms in a goal.
 
 use super::letters::product;
-use super::limits::natural_binding;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -101,7 +100,7 @@ impl Prover {
         if self.known(&shown).is_some() {
             return Err(Fail::No("a new tangent"));
         }
-        let with = vec![(Name { text: "x".to_string(), span: Span::default() }, x.clone())];
+        let with = vec![(Name::new("x"), x.clone())];
         let label = self.emit(Rule::Tangent { with }, shown.clone())?;
         self.take_in(&label, &shown)?;
         Ok(label)
@@ -114,7 +113,7 @@ impl Prover {
         let both = exp(sum(vec![(Sign::Plus, a.clone()), (Sign::Plus, name(&y))]));
         let apart = product(vec![exp(a.clone()), exp(name(&y))]);
         let body = compare(both, Relation::Equal, apart);
-        let binding = Binding { natural: false, ..natural_binding(&y) };
+        let binding = Binding::of(Name::new(&y), false, Vec::new());
         let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
         let all = self.block(&every, |c, _| c.emit(Rule::Power, body.clone()))?;
         self.instance(&all, b)

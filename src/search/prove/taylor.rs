@@ -2,7 +2,6 @@
 
 use super::facts::minus;
 use super::letters::{product, whole_power};
-use super::limits::natural_binding;
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, name, numeral, power, prop, sum};
@@ -80,7 +79,7 @@ impl Function {
             Side::Below => (end(-1), end(0)),
         };
         let domain = Constraint::Interval { from, from_closed: true, to, to_closed: true };
-        let binding = Binding { natural: false, constraints: vec![domain], ..natural_binding(y) };
+        let binding = Binding::of(Name::new(y), false, vec![domain]);
         let y = name(y);
         let s = match self.centre() {
             0 => y.clone(),

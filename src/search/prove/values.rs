@@ -297,14 +297,7 @@ impl Prover {
         let fresh = self.fresh("k");
         let to = Box::new(crate::kernel::statement::name(&fresh));
         let product = expr(ExprKind::ProductOver(Index { to, ..index.clone() }, Box::new(body.clone())));
-        let binding = Binding {
-            names: vec![(Name { text: fresh, span: Span::default() }, None)],
-            natural: true,
-            constraints: Vec::new(),
-            indices: None,
-            unit: None,
-            span: Span::default(),
-        };
+        let binding = Binding::of(Name::new(fresh), true, Vec::new());
         let every = prop(PropKind::ForAll(vec![binding], Box::new(positive(product))));
         let (splits, inductions) = (std::mem::take(&mut self.splits), std::mem::take(&mut self.inductions));
         let shown = self.all_by_induction(&every, 3);

@@ -323,8 +323,7 @@ fn slope_in(e: &Expr, index: &str) -> Option<Expr> {
 
 /// cosh, sinh, tanh and sech by exponentials.
 pub(crate) fn by_exponentials(function: &str, x: &Expr) -> Expr {
-    let name = |text: &str| Name { text: text.to_string(), span: Span::default() };
-    let exp = |x: Expr| expr(ExprKind::Apply(name("exp"), vec![x]));
+    let exp = |x: Expr| expr(ExprKind::Apply(Name::new("exp"), vec![x]));
     let (up, down) = (exp(x.clone()), exp(expr(ExprKind::Negate(Box::new(x.clone())))));
     let of = |sign: Sign| expr(ExprKind::Sum(vec![(Sign::Plus, up.clone()), (sign, down.clone())]));
     let over = |a: Expr, b: Expr| expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]));

@@ -37,11 +37,10 @@ impl Reading {
     /// cannot read the statement.
     pub fn of(statement: &Statement, bindings: &[Binding]) -> Option<Reading> {
         let mut claim = declaring(bindings)?;
-        let word = |text: &str| Name { text: text.to_string(), span: Span::default() };
         claim.items.extend(statement.sequences.iter().map(|u| Item::Define {
-            name: word(&u.name),
+            name: Name::new(&u.name),
             initial: u.initial.clone(),
-            index: word(&u.index),
+            index: Name::new(&u.index),
             step: u.step.clone(),
             span: Span::default(),
         }));

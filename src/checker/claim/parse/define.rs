@@ -82,14 +82,7 @@ impl Parser {
             let index = Name { text: "k".to_string(), span: name.span };
             (name.clone(), Some(equations.iter().find_map(|e| e.index.clone()).unwrap_or(index)))
         });
-        let binding = Binding {
-            names: families.collect(),
-            natural: false,
-            constraints: Vec::new(),
-            indices: None,
-            unit: None,
-            span,
-        };
+        let binding = Binding::new(families.collect(), false, Vec::new(), span);
         let mut out = vec![Item::Given(vec![binding])];
         out.extend(equations.into_iter().map(|e| Item::Assume { label: None, prop: e.written() }));
         Ok(out)
@@ -147,14 +140,7 @@ impl Equation {
             Some(index) => {
                 let k = at(ExprKind::Name(index.text.clone()));
                 let body = says(member(at(ExprKind::Sum(vec![(Sign::Plus, k), (Sign::Plus, shift)]))));
-                let binding = Binding {
-                    names: vec![(index.clone(), None)],
-                    natural: true,
-                    constraints: Vec::new(),
-                    indices: None,
-                    unit: None,
-                    span,
-                };
+                let binding = Binding::new(vec![(index.clone(), None)], true, Vec::new(), span);
                 Prop { kind: PropKind::ForAll(vec![binding], Box::new(body)), span }
             }
         }

@@ -122,17 +122,7 @@ impl Parser {
             let difference = ExprKind::Sum(vec![(Sign::Plus, value(&up)), (Sign::Minus, value(&down))]);
             self.declared.extend([&up, &down, name].map(|n| n.text.clone()));
             let names = vec![(up, None), (down, None)];
-            declare(
-                Binding {
-                    names,
-                    natural: true,
-                    constraints: Vec::new(),
-                    indices: None,
-                    unit: None,
-                    span: binding.span,
-                },
-                out,
-            );
+            declare(Binding::new(names, true, Vec::new(), binding.span), out);
             let difference = Expr { kind: difference, span: name.span };
             out.push(Item::Let { name: name.clone(), parameters: Vec::new(), value: difference });
             for constraint in &binding.constraints {

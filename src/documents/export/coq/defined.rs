@@ -38,11 +38,10 @@ pub(crate) fn companion(claim: &Claim) -> Found<Option<Claim>> {
         (1, Some(only)) => only,
         (_, last) => prop(PropKind::And(goals.into_iter().chain(last).collect())),
     };
-    let named = |text: &str| Name { text: text.to_string(), span: Span::default() };
     let sequences = read.sequences.iter().map(|u| Item::Define {
-        name: named(&u.name),
+        name: Name::new(&u.name),
         initial: u.initial.clone(),
-        index: named(&u.index),
+        index: Name::new(&u.index),
         step: u.step.clone(),
         span: Span::default(),
     });
@@ -95,14 +94,7 @@ fn said(condition: &Condition) -> Option<Prop> {
         }
         Need::Differentiable(..) => return None,
     };
-    let natural = |name: &Name, constraints: Vec<Constraint>| Binding {
-        names: vec![(name.clone(), None)],
-        natural: true,
-        constraints,
-        indices: None,
-        unit: None,
-        span: name.span,
-    };
+    let natural = |name: &Name, constraints: Vec<Constraint>| Binding::of(name.clone(), true, constraints);
     Some(condition.guards.iter().rev().fold(need, |body, guard| {
         let bindings = match guard {
             Guard::Bindings(list) => list.clone(),
