@@ -6,9 +6,9 @@ use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::at_the_point;
-use crate::kernel::statement::{apply, compare, domain, expr, prop};
+use crate::kernel::statement::{compare, domain, name, prop};
 use crate::kernel::substitution::Substitution;
-use crate::refute::literal::{is_zero, literal};
+use crate::refute::literal::literal;
 use crate::refute::sample::example;
 use malachite::Rational;
 
@@ -117,8 +117,8 @@ impl Prover {
                 Some(point) => point,
                 None => {
                     return self
-                        .attempt(|c| c.by_solutions(goal, bindings, body))
-                        .or_else(|_| self.with_solved_equations(|c| c.by_solutions(goal, bindings, body)));
+                        .by_solved_equations(goal, bindings, body)
+                        .or_else(|_| self.with_solved_equations(|c| c.by_solved_equations(goal, bindings, body)));
                 }
             },
         };
@@ -257,64 +257,6 @@ impl Prover {
         shown
     }
 
-    /// Proves `exists t` by solving its equation f = 0 if f or t·f is a polynomial of degree 1 or 2 in t. The coefficients come
-    /// from the values at 1, −1 and 2; the value at 3 tells whether it is such a polynomial.
-    fn by_solutions(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
-        let no = || Fail::No("a witness");
-        let [Binding { names, natural, .. }] = bindings else { return Err(no()) };
-        let [(variable, None)] = names.as_slice() else { return Err(no()) };
-        let PropKind::Compare(sides, relations) = &body.kind else { return Err(no()) };
-        let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
-        let difference = super::facts::minus(a, b);
-        let number = |n: i64, d: i64| literal(&Rational::from_signeds(n, d));
-        let scaled = |n: i64, d: i64, e: &Expr| product(vec![number(n, d), e.clone()]);
-        let plus = |list: Vec<Expr>| expr(ExprKind::Sum(list.into_iter().map(|e| (Sign::Plus, e)).collect()));
-        for times in [false, true] {
-            let mut values = Vec::new();
-            for k in [1, -1, 2, 3] {
-                let mut map = Substitution::default();
-                map.replace(&variable.text, &number(k, 1));
-                let value = map.expr(&difference).map_err(Fail::from)?;
-                values.extend(self.simplified(&if times { scaled(k, 1, &value) } else { value }));
-            }
-            let [at_1, at_minus_1, at_2, at_3] = values.as_slice() else { continue };
-            // g(t) = c2·t² + 2·half·t + c0: g(1) − g(−1) = 4·half, g(1) + g(−1) = 2·(c2 + c0), g(2) = 4·c2 + 4·half + c0.
-            let half = plus(vec![scaled(1, 4, at_1), scaled(-1, 4, at_minus_1)]);
-            let sum = plus(vec![scaled(1, 2, at_1), scaled(1, 2, at_minus_1)]);
-            let c2 = plus(vec![scaled(1, 3, at_2), scaled(-4, 3, &half), scaled(-1, 3, &sum)]);
-            let [Some(half), Some(c2), Some(sum)] = [half, c2, sum].map(|e| self.simplified(&e)) else { continue };
-            let Some(c0) = self.simplified(&plus(vec![sum, scaled(-1, 1, &c2)])) else { continue };
-            let there = plus(vec![scaled(9, 1, &c2), scaled(6, 1, &half), c0.clone(), scaled(-1, 1, at_3)]);
-            if !self.simplified(&there).is_some_and(|e| is_zero(&e)) {
-                continue;
-            }
-            let over =
-                |e: Expr, by: &Expr| expr(ExprKind::Product(vec![(Factor::Times, e), (Factor::Over, by.clone())]));
-            let mut found = Vec::new();
-            if is_zero(&c2) {
-                found.push(over(scaled(-1, 2, &c0), &half));
-            } else {
-                let square = expr(ExprKind::Power(Box::new(half.clone()), Box::new(number(2, 1))));
-                let rest = plus(vec![square, scaled(-1, 1, &product(vec![c2.clone(), c0]))]);
-                let Some(rest) = self.simplified(&rest) else { continue };
-                let root = if is_zero(&rest) { rest } else { apply("sqrt", rest) };
-                found.extend([1, -1].map(|k| over(plus(vec![scaled(-1, 1, &half), scaled(k, 1, &root)]), &c2)));
-            }
-            let whole: Vec<Expr> = found.iter().filter_map(|value| self.whole_by_equations(value)).collect();
-            let found: Vec<Expr> = found.iter().filter_map(|value| self.simplified(value)).collect();
-            for value in whole.into_iter().chain(found) {
-                if *natural && !self.is_whole(&value) {
-                    continue;
-                }
-                let point = vec![(variable.text.clone(), value)];
-                if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point)) {
-                    return Ok(label);
-                }
-            }
-        }
-        Err(no())
-    }
-
     /// A shorter form of an expression.
     pub(super) fn simplified(&mut self, e: &Expr) -> Option<Expr> {
         self.define(e);
@@ -344,9 +286,32 @@ impl Prover {
         if e.unique {
             let there = at_the_point(e).ok_or(Fail::No("a point"))?;
             let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
-            from.push(self.show(&every(implies(&equal, &there)))?);
+            let only = implies(&equal, &there);
+            let shown = self.attempt(|c| c.block(&every(only.clone()), |c, _| c.by_strict_sides(&only, &equal, e)));
+            from.push(shown.or_else(|_| self.show(&every(only)))?);
         }
         self.emit(Rule::Extremum { from }, goal.clone())
+    }
+
+    /// Shows that a greatest or least value is taken at one place only: on either side of it the function lies strictly below or above.
+    fn by_strict_sides(&mut self, only: &Prop, equal: &Prop, e: &Extremum) -> Result<Label, Fail> {
+        let [(x, place)] = e.at.as_slice() else { return Err(Fail::No("one variable")) };
+        let x = name(&x.text);
+        let relation = if e.maximum { Relation::Less } else { Relation::Greater };
+        let strict = compare(e.of.clone(), relation, e.value.clone());
+        let there = compare(x.clone(), Relation::Equal, place.clone());
+        self.block(only, |c, _| {
+            let equal = c.known(equal).ok_or(Fail::No("the value"))?;
+            let mut halves = Vec::new();
+            for half in [Relation::LessEqual, Relation::GreaterEqual] {
+                let half = compare(x.clone(), half, place.clone());
+                halves.push(c.against_opposite(&half, |c, _| {
+                    let strict = c.without_cases(&strict)?;
+                    c.logic(&[&strict, &equal], &half)
+                })?);
+            }
+            c.logic(&[&halves[0], &halves[1]], &there)
+        })
     }
 
     /// An instance of a `for all` fact with one variable.

@@ -25,6 +25,7 @@ mod columns;
 mod comparison;
 mod denesting;
 mod differences;
+mod double_roots;
 mod elimination;
 mod existence;
 mod exponent_lattice;
@@ -51,6 +52,7 @@ mod refutation;
 mod residues;
 mod slopes;
 mod solutions;
+mod solved_equations;
 mod squares;
 mod sums;
 mod sums_of_squares;
@@ -187,8 +189,8 @@ pub(crate) struct Prover {
     unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
     slopes: usize,
-    /// Number of such attempts that are nested now.
-    slopes_open: usize,
+    /// The variables of such attempts that are nested now.
+    slope_variables: Vec<String>,
     /// Whether powers of facts are tried.
     within_powers: bool,
     /// Whether the remainders of a natural number are distinguished.
@@ -234,7 +236,7 @@ impl Prover {
             inductions: 0,
             unfoldings: 0,
             slopes: 0,
-            slopes_open: 0,
+            slope_variables: Vec::new(),
             within_powers: false,
             in_residues: false,
             in_boxes: false,

@@ -103,7 +103,8 @@ impl Prover {
     }
 }
 
-fn conjuncts(p: &Prop, out: &mut Vec<Prop>) {
+/// The parts of a conjunction.
+pub(super) fn conjuncts(p: &Prop, out: &mut Vec<Prop>) {
     match &p.kind {
         PropKind::And(list) => list.iter().for_each(|p| conjuncts(p, out)),
         _ => out.push(p.clone()),
