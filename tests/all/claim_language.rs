@@ -248,7 +248,7 @@ fn a_keyword_used_as_a_name_is_a_fault_at_each_use() {
         ("given all real\nprove all in [0, 1] or all > 0", declared("declare") + "`all`"),
     ] {
         let source = format!("claim c \"t\"\n{clauses}\n");
-        assert_eq!(messages(&source), [said.clone()], "{clauses}");
+        assert_eq!(messages(&source), std::slice::from_ref(&said), "{clauses}");
         // A preamble's is one for all claims of the file; each claim's own is one for it.
         let two = format!("{source}\nclaim d \"t\"\n{clauses}\n");
         assert_eq!(messages(&two), [said.clone(), said.clone()], "{clauses}");
