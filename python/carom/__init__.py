@@ -15,6 +15,7 @@ Bad input raises :class:`ValueError` with the program's message, a stated limit 
 without Python's global lock.
 """
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 from ._engine import LimitReached, __version__, language
@@ -37,7 +38,7 @@ from .chain import (
     threshold,
     velocities,
 )
-from .number import Enclosure, Number, Undecided, UndecidedWarning, WrongType
+from .number import Enclosure, Number, Undecided, UndecidedWarning, WrongType, mean, stdev
 from .rows import Cells
 from .table import Table, table, table_text
 from .tools import (
@@ -67,15 +68,15 @@ from .tools import (
 )
 
 if TYPE_CHECKING:
+    from . import laws
     from .laws import law
 
 
 def __getattr__(name: str) -> Any:
     # Hypothesis is needed for laws only.
-    if name == "law":
-        from .laws import law
-
-        return law
+    if name in ("law", "laws"):
+        laws = importlib.import_module(".laws", __name__)
+        return laws.law if name == "law" else laws
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
@@ -120,9 +121,11 @@ __all__ = [
     "language",
     "last_velocity",
     "law",
+    "laws",
     "losses",
     "masses",
     "matrices",
+    "mean",
     "plot",
     "recollides",
     "referee",
@@ -133,6 +136,7 @@ __all__ = [
     "report",
     "restitution",
     "scene_schema",
+    "stdev",
     "table",
     "table_text",
     "threshold",

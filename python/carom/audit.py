@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterator, List, Optional, Sequence, Union
 
 from . import _engine
 from .number import count_of
-from .source import source_of
+from .source import claims_of
 
 _LONGEST = 400
 """Characters of a value that a display shows."""
@@ -278,7 +278,8 @@ def audit(
 
     A :class:`pathlib.Path` is read as a file, and so is a text of one line that ends in ``.claim``. ``only`` names the
     claims to judge; ``seconds`` limits the time for each; ``file`` is what errors call the text. A fault of the text
-    is a :class:`ValueError` that shows its line with a caret.
+    is a :class:`ValueError` that shows its line with a caret. A text without the line ``claim NAME "Title"`` is one
+    claim that is called ``law``.
 
     >>> audit('claim mine "Mine"\\ngiven m > 0\\nprove m^2 = m')["mine"].verdict
     'refuted'
@@ -286,7 +287,7 @@ def audit(
     names = [only] if isinstance(only, str) else list(only)
     if text is not None and not isinstance(text, (str, os.PathLike)):
         raise ValueError(f"text: claims are a str or a path, not {type(text).__name__}")
-    source = None if text is None else source_of(text, ".claim")
+    source = None if text is None else claims_of(text)
     if source is not None and source.path is not None:
         file = source.path
     found = json.loads(

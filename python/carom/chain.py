@@ -5,17 +5,24 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Tuple, Union, overload
+from typing import Any, List, Optional, Protocol, Sequence, Tuple, Union, overload
 
 from . import _engine
 from .number import Answer, Exact, Number, Rational, count_of, number_of, text_of
 from .rows import Cells, etas, is_column, plain
 
-if TYPE_CHECKING:
-    import numpy
-    import pandas
 
-    Column = Union["numpy.ndarray[Any, Any]", "pandas.Series[Any]"]
+class Column(Protocol):
+    """A NumPy array or a column of a data frame, of which type checkers know this much without stubs for either."""
+
+    @property
+    def ndim(self) -> int:
+        """How many axes it has."""
+
+    @property
+    def dtype(self) -> Any:
+        """The type of its entries."""
+
 
 _DIGITS = 15
 """Digits of the decimal that an enclosure shows; its ends agree to three more at least."""

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from . import _engine, chain
 from .audit import Claim, audit
-from .source import Text, source_of
+from .source import Text, claims_of
 
 _RANDOM = 64
 """Random numbers from which a point is made; what exceeds them is the simplest choice."""
@@ -32,19 +32,13 @@ class Point(Dict[str, Fraction]):
     """Whether the goal holds here; None where that is left open."""
 
 
-def _whole(text: Text) -> str:
-    found = source_of(text, ".claim").text
-    named = any(line.startswith("claim ") for line in found.splitlines())
-    return found if named else f'claim law ""\n{found}\n'
-
-
 def points(text: Text) -> st.SearchStrategy[Point]:
     """Points that satisfy the hypotheses of a claim; simpler ones while a test fails.
 
     >>> points("given m1, m2 > 0;  e in [0, 1]\\nprove m1 > 0").example().keys()  # doctest: +SKIP
     dict_keys(['m1', 'm2', 'e'])
     """
-    claim = _whole(text)
+    claim = claims_of(text).text
     # A fault of the text is told here and now.
     _engine.law_point(claim, [])
 
@@ -65,7 +59,7 @@ class Law:
     """What :func:`law` makes of a test: calling it proves the claim, or tries it."""
 
     def __init__(self, text: str, test: Callable[..., None]) -> None:
-        self.text = _whole(text)
+        self.text = text
         self._test = test
         functools.update_wrapper(self, test)
         # Otherwise test runners would ask for the arguments of the function inside.
@@ -113,7 +107,7 @@ def law(text: Text) -> Callable[[Callable[[Point], None]], Any]:
     """
 
     def made(test: Callable[[Point], None]) -> Any:
-        return _as_function(Law(source_of(text, ".claim").text, test))
+        return _as_function(Law(claims_of(text).text, test))
 
     return made
 

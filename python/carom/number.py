@@ -9,7 +9,7 @@ import operator
 import re
 import warnings
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, Optional, Tuple, Union
 
 from . import _engine
 from ._engine import LimitReached
@@ -245,13 +245,21 @@ class Number:
 
     def __pow__(self, exponent: Any) -> Number:
         if isinstance(exponent, Fraction) and exponent.denominator != 1:
-            return _power_of(self, exponent)
+            return _broken_power(self, exponent)
         if isinstance(exponent, bool) or not isinstance(exponent, (int, Fraction)):
             return NotImplemented
         return _result("**", self, int(exponent))
 
     def __rpow__(self, base: Any) -> Number:
         return NotImplemented
+
+    def sqrt(self) -> Number:
+        """The square root, exact where it is rational.
+
+        >>> mean([4, 9]).sqrt().digits(10)
+        '2.549509757'
+        """
+        return self ** Fraction(1, 2)
 
     def __neg__(self) -> Number:
         return _result("-", 0, self)
@@ -417,6 +425,14 @@ class Enclosure(Number):
     @property
     def exact(self) -> None:
         return None
+
+    def as_integer_ratio(self) -> Tuple[int, int]:
+        """Refused: ``statistics.mean`` and its neighbours ask for it, and an irrational number has none."""
+        # No ValueError: statistics would take that for a sign of infinity.
+        raise TypeError(
+            f"{_short(self)} is no quotient of integers; carom.mean and carom.stdev take any results, "
+            "statistics.fmean takes their nearest doubles"
+        )
 
     def __float__(self) -> float:
         """The nearest double."""
@@ -640,7 +656,7 @@ class Computed(Enclosure):
         try:
             found = _ENDS[operation](*ends)
         except Undecided:
-            # A divisor that is not seen to be apart from 0 yet.
+            # A divisor that is not seen to be apart from 0 yet, or a radicand.
             found = _ENDS[operation](*(side.narrower(_MAX_DIGITS) for side in (left, right)))
         self._ends = _shortened(found, _LONG) if _is_long(found) else found
 
@@ -709,11 +725,11 @@ def _shortened(ends: _Ends, bits: int) -> _Ends:
     return rounded(ends[0], False), rounded(ends[1], True)
 
 
-def _power_of(base: Number, exponent: Fraction) -> Number:
-    """A broken power of a number that is exact and not negative."""
+def _broken_power(base: Number, exponent: Fraction) -> Number:
+    """A broken power of a number that is not negative."""
     exact = base.exact
     if exact is None:
-        return NotImplemented
+        return _result("root", base ** Fraction(exponent.numerator), exponent.denominator)
     if exact < 0:
         raise ValueError(f"{exact} to the power {exponent} is no real number")
     if exact == 0 and exponent < 0:
@@ -747,6 +763,22 @@ def _power(a: _Ends, b: _Ends) -> _Ends:
     return powers[0], powers[1]
 
 
+def _root(a: _Ends, b: _Ends) -> _Ends:
+    if a[0] < 0:
+        if a[1] < 0:
+            raise ValueError(f"a number below 0, {_short(float(a[1]))}, has no real root")
+        raise Undecided("the radicand may be below 0")
+    index = int(b[0])
+    # As many bits as the ends have, and some: a root is less wide than its radicand.
+    bits = 64 + max(max(end.numerator.bit_length(), end.denominator.bit_length()) for end in a)
+
+    def floor(end: Fraction) -> int:
+        scaled = (end.numerator << bits * index) // end.denominator
+        return _floor_root(scaled, index) if scaled else 0
+
+    return Fraction(floor(a[0]), 1 << bits), Fraction(floor(a[1]) + 1, 1 << bits)
+
+
 def _absolute(a: _Ends, _: _Ends) -> _Ends:
     if a[0] < 0 < a[1]:
         return Fraction(0), max(-a[0], a[1])
@@ -760,6 +792,7 @@ _ENDS: Dict[str, Callable[[_Ends, _Ends], _Ends]] = {
     "*": _product,
     "/": _quotient,
     "**": _power,
+    "root": _root,
     "abs": _absolute,
 }
 """For each operation the ends of the result from those of its sides: no possible value is outside."""
@@ -865,6 +898,52 @@ def _formatted(number: Fraction, spec: str) -> str:
         context.prec = min(digits, 100_000)
         context.Emax, context.Emin = decimal.MAX_EMAX, decimal.MIN_EMIN
         return format(decimal.Decimal(number.numerator) / decimal.Decimal(number.denominator), spec)
+
+
+def mean(values: Iterable[Any]) -> Number:
+    """The mean of results and exact numbers; ``statistics.mean`` takes rational ones only.
+
+    >>> mean([1, Fraction(1, 2)])
+    Fraction(3, 4)
+    """
+    numbers_ = _operands(values)
+    if not numbers_:
+        raise ValueError("mean: give at least one number")
+    return _total(numbers_) / len(numbers_)
+
+
+def stdev(values: Iterable[Any]) -> Number:
+    """The standard deviation of a sample.
+
+    It is the root of the sum of the squared distances from the mean, divided by one less than their count.
+
+    >>> stdev([1, 2, 3])
+    Fraction(1, 1)
+    """
+    numbers_ = _operands(values)
+    if len(numbers_) < 2:
+        raise ValueError("stdev: give at least two numbers")
+    middle = _total(numbers_) / len(numbers_)
+    squares = [(number - middle) ** 2 for number in numbers_]
+    return (_total(squares) / (len(numbers_) - 1)).sqrt()
+
+
+def _operands(values: Iterable[Any]) -> List[Number]:
+    found = []
+    for value in values:
+        number = _operand(value)
+        if number is None:
+            raise WrongType(f"{value!r} is no exact number; give results, integers, fractions or decimals")
+        found.append(number)
+    return found
+
+
+def _total(values: List[Number]) -> Number:
+    """A sum, halved again and again: no part of it is deep."""
+    while len(values) > 1:
+        pairs = [a + b for a, b in zip(values[::2], values[1::2])]
+        values = pairs + values[len(values) - len(values) % 2 :]
+    return values[0]
 
 
 def number_of(chain: Chain, quantity: str, place: Tuple[int, ...], found: Found) -> Number:

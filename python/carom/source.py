@@ -18,6 +18,15 @@ class Source:
     path: Optional[str]
 
 
+def claims_of(text: Text) -> Source:
+    """The claims of a text or a file. A text without a head, `claim NAME "Title"`, is one claim called `law`."""
+    found = source_of(text, ".claim")
+    words = {line.split(None, 1)[0] for line in found.text.splitlines() if line.strip()}
+    if "claim" in words or "prove" not in words:
+        return found
+    return Source(f'claim law ""\n{found.text}\n', found.path)
+
+
 def source_of(text: Text, ending: str) -> Source:
     """The text itself, or that of the file; a file that cannot be read is an :class:`OSError`."""
     if isinstance(text, str) and not ("\n" not in text and text.endswith(ending)):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _engine
+from ._engine import LimitReached
 from .number import Exact, count_of, text_of
 
 if TYPE_CHECKING:
@@ -88,6 +89,9 @@ class Table:
         return f"<table>{caption}<thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>{more}"
 
 
+MAX_CELLS = 50_000_000
+"""The most cells of a table in memory: their ends take 800 MB."""
+
 _SHOWN = 12
 """Cells that a notebook shows."""
 
@@ -138,12 +142,17 @@ def table(*, ratio: Grid, e: Optional[Grid] = None, n: Optional[Grid] = None, wa
     """All cells of a grid.
 
     ``want`` is ``"eta"``, which depends on ``ratio`` (m1/m2), ``e`` and ``n``, ``"threshold"`` on ``ratio`` and ``n``,
-    or ``"best-n"`` on ``ratio`` and ``e``. Needs NumPy.
+    or ``"best-n"`` on ``ratio`` and ``e``. Needs NumPy. More than :data:`MAX_CELLS` cells are :class:`LimitReached`.
 
     >>> table(ratio="1:3:1", e=["1/2", 1], n=[0, 1]).lo.shape
     (3, 2, 2)
     """
     found = plan(want, ratio, e, n)
+    if found.rows() > MAX_CELLS:
+        raise LimitReached(
+            f"limit reached: cells of a table in memory: {MAX_CELLS} allowed, {found.rows()} asked for; "
+            "carom.sweep writes tables of any size as files"
+        )
     shape = found.shape()
     lo, hi = ends(found, 0, found.rows())
     axes = {name: found.labels(i, 0, length) for i, (name, length) in enumerate(shape)}

@@ -27,7 +27,7 @@ use carom::report::plot::{pdf, svg};
 use carom::report::referee;
 use carom::report::replay as report;
 use carom::report::worksheet::made::{MAX_VERSIONS, Wanted, sheets};
-use carom::report::worksheet::{Style, html, latex, pages, text};
+use carom::report::worksheet::{Style, Units, html, latex, pages, text};
 use carom::scene::read::{self, ROUNDINGS, SceneFault};
 use carom::scene::replay as bodies;
 use carom::table::check::{Agreement, judge, judge_count};
@@ -252,12 +252,13 @@ pub fn plot(
 pub fn plot_velocities(py: Python<'_>, scene: &str, looks: Looks) -> Result<String, Refusal> {
     detached(py, || {
         let (about, subject) = described(scene)?;
-        let title = about.title.unwrap_or_else(|| "Velocities".to_owned());
+        let title = about.title.clone().unwrap_or_else(|| "Velocities".to_owned());
         let table = match &subject {
             read::Subject::Drop(drop, _) => Worksheet::of_drop(drop)?,
             read::Subject::Chain(scene) => Worksheet::of(scene.inputs.whole("a picture of velocities")?)?,
         };
-        drawn(velocities(&table, &title), &looks)
+        let unit = Units::of(&about, matches!(subject, read::Subject::Drop(..))).velocity;
+        drawn(velocities(&table, &title, unit.as_deref()), &looks)
     })
 }
 

@@ -38,6 +38,14 @@ def test_the_catalogue_is_at_hand():
         carom.audit(only="eq133")
 
 
+def test_a_law_and_an_audit_read_a_claim_without_its_head():
+    text = "given x > 0\nprove x^2 = x"
+    pytest.importorskip("hypothesis")
+    for claim in (carom.audit(text)[0], carom.law(text)(lambda at: None).law.claim):
+        assert (claim.id, claim.verdict) == ("law", "refuted")
+    assert carom.audit(f'# a remark\nclaim mine "Mine"\n{text}')[0].id == "mine"
+
+
 def test_faults_show_their_place():
     with pytest.raises(ValueError) as caught:
         carom.audit('claim a "A"\ngiven x > 0\nprove x = y\n', file="mine.claim")

@@ -7,6 +7,7 @@ import decimal
 import math
 import pickle
 import random
+import statistics
 from fractions import Fraction
 
 import pytest
@@ -121,6 +122,42 @@ def test_broken_powers_of_fractions_are_exact():
     four, two = carom.eta(1, 1, e=1, n=0) * 4, carom.eta(1, 1, e=1, n=0) * 2
     assert repr(four ** Fraction(1, 2)) == "Fraction(2, 1)"
     assert (two ** Fraction(1, 2)).digits(30) == "1.41421356237309504880168872421"
+
+
+def test_means_and_deviations_of_results():
+    shares = [carom.eta(10, 1, e="9/10", n=n) for n in range(8)]
+    floats = [float(share) for share in shares]
+    assert carom.mean(shares).digits(15) == f"{statistics.mean(floats):.15f}"
+    assert abs(float(carom.stdev(shares)) - statistics.stdev(floats)) < 1e-15
+    assert carom.mean([1, Fraction(1, 2)]) == Fraction(3, 4) and carom.stdev([1, 2, 3]) == 1
+    assert carom.mean(share * k for k, share in enumerate(shares * 500)).digits(30)
+    exact = carom.eta(64, 1, e="44/81", n=2)
+    assert statistics.mean([exact, 2 * exact]) == 3 * exact / 2
+    for function in (statistics.mean, statistics.stdev):
+        with pytest.raises(TypeError, match="carom.mean and carom.stdev take any results"):
+            function(shares)
+    with pytest.raises(ValueError, match="at least one"):
+        carom.mean([])
+    with pytest.raises(ValueError, match="at least two"):
+        carom.stdev(shares[:1])
+    with pytest.raises(carom.WrongType, match="0.5"):
+        carom.mean([0.5])
+
+
+def test_roots_of_results_hold_the_true_value():
+    share = carom.eta(10, 1, e="9/10", n=7)
+    for power in (Fraction(1, 2), Fraction(1, 3), Fraction(5, 2), Fraction(-3, 2)):
+        lo, hi = (share**power).narrower(60)
+        below, above = sorted(end**power.denominator for end in (lo, hi))
+        true = (share**power.numerator).narrower(200)
+        assert below <= true[0] and true[1] <= above and hi - lo < Fraction(1, 10**55)
+    assert share.sqrt().digits(25) == "0.6108498275138813318818770"
+    assert carom.eta(64, 1, e="44/81", n=2).sqrt() == Fraction(125000, 531441)
+    measured = carom.eta(10, 1, e="[0.8, 0.9]", n=0)
+    lo, hi = measured.sqrt().exact_lo, measured.sqrt().exact_hi
+    assert lo**2 <= measured.exact_lo and measured.exact_hi <= hi**2 and hi - lo < measured.exact_hi - measured.exact_lo
+    with pytest.raises(ValueError, match="no real root"):
+        (share - 1).sqrt()
 
 
 def test_formats_are_right_in_every_digit():

@@ -92,6 +92,12 @@ def test_bad_tables_are_value_errors(arguments, sign):
         carom.table(ratio="0:1:1e-30", e=1, n=1)
 
 
+def test_a_table_larger_than_memory_is_a_limit():
+    for arguments in ({"ratio": "1:1000000000:1", "e": 1, "n": 1}, {"ratio": "1:10000:1", "e": "0:1:0.0001", "n": 1}):
+        with pytest.raises(carom.LimitReached, match="50000000 allowed.*carom.sweep writes tables of any size"):
+            carom.table(**arguments)
+
+
 def test_the_lock_is_released():
     """A second thread runs Python code while the engine works on one call."""
     ticks = []

@@ -73,6 +73,21 @@ impl Partial {
         Ok(Partial { target: target.to_path_buf(), path, file })
     }
 
+    /// Refuses to begin anew over what an earlier run left, which may be the work of hours.
+    ///
+    /// # Errors
+    /// The file is not empty.
+    pub(super) fn refuse_rows(&self) -> Result<(), Exit> {
+        let length = self.file.get_ref().metadata().map_err(|e| cannot(&self.path, &e))?.len();
+        if length == 0 {
+            return Ok(());
+        }
+        let path = self.path.display();
+        Err(Exit::usage(format!(
+            "error: {path} holds the rows of a run that was interrupted; continue it with --resume, or remove it to start again"
+        )))
+    }
+
     /// How many whole lines stand below the head; `fits` is asked of each, by its number from 0.
     ///
     /// # Errors
@@ -84,7 +99,7 @@ impl Partial {
         let other = |what: String| {
             let path = path.display();
             let message = format!(
-                "error: {path} was written with other settings{what}; remove it, or leave out --resume to start again"
+                "error: {path} was written with other settings{what}; to start again, remove it and leave out --resume"
             );
             Exit::usage(message)
         };

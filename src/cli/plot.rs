@@ -5,7 +5,7 @@ use super::form::place;
 use super::output::write_bytes;
 use super::progress::Progress;
 use super::table_contents::{grid, joined};
-use super::{Exit, print};
+use super::{Exit, print, terminal};
 use crate::chain::best::{Best, best};
 use crate::chain::threshold::threshold;
 use crate::chain::uncertain::Range;
@@ -20,6 +20,7 @@ use crate::report::plot::png::{self, PngError};
 use crate::report::plot::shape::Page;
 use crate::report::plot::unclear::Unclear;
 use crate::report::plot::{pdf, svg};
+use crate::report::worksheet::Units;
 use crate::scene::read::Subject;
 use crate::table::grid::Grid;
 use crate::table::worksheet::Worksheet;
@@ -247,10 +248,9 @@ impl Contents {
                     Subject::Drop(drop, _) => Worksheet::of_drop(drop),
                 };
                 let worksheet = worksheet.map_err(|e| failure(&path.display().to_string(), &e))?;
-                charts::velocities(
-                    &worksheet,
-                    &about.title.unwrap_or_else(|| format!("Velocities: {}", scene_title(path))),
-                )
+                let unit = Units::of(&about, matches!(subject, Subject::Drop(..))).velocity;
+                let title = about.title.unwrap_or_else(|| format!("Velocities: {}", scene_title(path)));
+                charts::velocities(&worksheet, &title, unit.as_deref())
             }
         };
         let mut chart = chart.map_err(|e| unclear(&e))?;
@@ -322,7 +322,8 @@ impl Contents {
             let (decimal, _) = shown(&value).map_err(|e| failure("--at", &e.into()))?;
             let height = f64::rounding_from(&decimal.value(), RoundingMode::Nearest).0;
             chart.dot(place, across, height, true, 4.0);
-            chart.legend_dot(place, true, &decimal.to_string());
+            let text = chart.label(place).map_or(decimal.to_string(), |label| format!("{label}: {decimal}"));
+            chart.legend_dot(place, true, &text);
         }
         Ok(())
     }
@@ -382,6 +383,7 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     }
     let progress = Progress::alone("drawing");
     let page = flags.contents.draw()?;
+    terminal::note_boxes("the picture", std::slice::from_ref(&page));
     let mut bytes = Vec::new();
     for (_, form) in &files {
         bytes.push(match form {

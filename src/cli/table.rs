@@ -30,7 +30,8 @@ pub(super) struct Flags {
     /// The form of the table [default: by the ending of --output (.csv, .json, .md, .tex), else text]
     #[arg(long, value_enum)]
     format: Option<Written>,
-    /// Write the table to a file, - for standard output. An interrupted run with CSV leaves its rows in FILE.partial
+    /// Write the table to a file, - for standard output. An interrupted run with CSV leaves its rows in FILE.partial, which
+    /// no later run overwrites
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Print a cross table: the columns are the values of this axis, the rows those of another. A table too wide for a page
@@ -290,6 +291,8 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
             let belongs = |line: u64| job.rows.start.checked_add(line).filter(|row| *row < job.rows.end);
             let lines = partial.lines(head, |line, text| belongs(line).is_some_and(|row| rows.has(row, text)))?;
             from = from.min(lines);
+        } else {
+            partial.refuse_rows()?;
         }
         open.push(Target::Grows(partial));
     }

@@ -1,6 +1,8 @@
 //! The flags of all commands: colours, and whether progress and notes are printed.
 
 use super::output::message;
+use crate::report::plot::letters::boxes;
+use crate::report::plot::shape::Page;
 use clap::ValueEnum;
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -58,6 +60,20 @@ pub(super) fn note(text: &str) {
         // A note that cannot be printed is not an error.
         let _ = writeln!(anstream::stderr(), "{}", message(text, colour()));
     }
+}
+
+/// The most characters that a note names.
+const NAMED: usize = 8;
+
+/// Notes which characters of a picture or sheet are drawn as empty boxes.
+pub(super) fn note_boxes(what: &str, pages: &[Page]) {
+    let boxes = boxes(pages);
+    if boxes.is_empty() {
+        return;
+    }
+    let named: Vec<String> = boxes.iter().take(NAMED).map(char::to_string).collect();
+    let more = if boxes.len() > NAMED { " and others" } else { "" };
+    note(&format!("note: {what} shows {}{more} as empty boxes: its font, DejaVu Sans, lacks them", named.join(" ")));
 }
 
 /// The columns of the terminal that output goes to, if it is one.

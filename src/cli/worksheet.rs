@@ -2,7 +2,7 @@
 
 use super::eval::{described, scene_title};
 use super::form::{self, form};
-use super::{Exit, deliver};
+use super::{Exit, deliver, terminal};
 use crate::chain::ChainError;
 use crate::number::NumberError;
 use crate::number::decimal::Digits;
@@ -130,6 +130,7 @@ fn written(sheets: &[Sheet], form: Form, flags: &Flags) -> Result<u8, Exit> {
         Form::Html => html::page(sheets, letter),
         Form::Pdf => {
             let pages = crate::report::worksheet::pages::pages(sheets, letter);
+            terminal::note_boxes("the PDF", &pages);
             let bytes = crate::report::plot::pdf::render(&pages);
             let Some(path) = form::place(flags.output.as_deref()) else {
                 return Err(Exit::usage("error: --format pdf: give a file, as in -o sheet.pdf"));

@@ -114,6 +114,7 @@ fn faults_are_said_where_they_are() {
     let cases = [
         ("", "1:1 no claim found in this file (a claim begins with: claim NAME \"Title\")"),
         ("clam c \"t\"", "1:1 expected `claim`, found `clam` (did you mean `claim`?)"),
+        ("given x > 0\nprove x > 0", "2:1 expected `claim`, found `prove` (a claim begins with: claim NAME \"Title\")"),
         (&with("prove (x + y = 1"), "4:1 expected `)` to close the parenthesis, found the end of the file"),
         (
             &with("given z > 0 for k in 1..3\nprove x = y"),
@@ -227,6 +228,45 @@ fn a_fault_in_one_clause_brings_no_other_with_it() {
     let source = "claim c \"t\"\ngiven x > 0\nassume x = = 1\nassume x = = 2\nprove x = x\n";
     assert_eq!(parse(source).expect_err("faulty").len(), 2);
     assert_eq!(parse("claim c \"t\"\ngiven x > 0\nprove x = = 1\n").expect_err("faulty").len(), 1);
+}
+
+/// The messages of all faults of a source.
+fn messages(source: &str) -> Vec<String> {
+    parse(source).expect_err("faulty").iter().map(carom::claim::diagnostic::Diagnostic::message).collect()
+}
+
+#[test]
+fn a_keyword_used_as_a_name_is_a_fault_at_each_use() {
+    let declared = |what: &str| format!("expected a name to {what}, found ");
+    for (clauses, said) in [
+        ("given by > 0, x > 0\nassume by < x\nlet y = by + x\nprove by*x + by > 0", declared("declare") + "`by`"),
+        ("given x > 0, by real\nprove x > by", declared("declare") + "`by`"),
+        ("given by + 1 > 0\nprove by > -1", declared("declare") + "`by`"),
+        ("given prove real, given > 0\nprove prove + given > 0", declared("declare") + "`prove`"),
+        ("given x > 0\nlet sum = 3\nprove sum*x > 0", declared("define") + "`sum`"),
+        ("given x > 0\nlet not = x\nprove not > 0", declared("define") + "`not`"),
+        ("given all real\nprove all in [0, 1] or all > 0", declared("declare") + "`all`"),
+    ] {
+        let source = format!("claim c \"t\"\n{clauses}\n");
+        assert_eq!(messages(&source), std::slice::from_ref(&said), "{clauses}");
+        // A preamble's is one for all claims of the file; each claim's own is one for it.
+        let two = format!("{source}\nclaim d \"t\"\n{clauses}\n");
+        assert_eq!(messages(&two), [said.clone(), said.clone()], "{clauses}");
+    }
+    let shared = "given by > 0\nclaim c \"t\"\nprove by > 0\nclaim d \"t\"\nprove 1 + by > 0\n";
+    assert_eq!(messages(shared).len(), 1, "{:?}", messages(shared));
+    // A keyword where an expression is expected, and no name of the claim, is a fault of its own.
+    assert_eq!(messages("claim c \"t\"\ngiven x > 0\nprove x >\n by ideal\n"), ["expected an expression, found `by`"]);
+}
+
+#[test]
+fn a_character_that_is_no_part_of_the_language_brings_a_second_fault() {
+    for (goal, character) in
+        [("x ≈ 3", '≈'), ("x = 3 ± 1", '±'), ("∫ x > 0", '∫'), ("x > 5%", '%'), ("x*50 % > 0", '%')]
+    {
+        let source = format!("claim c \"t\"\ngiven x > 0\nprove {goal}\n");
+        assert_eq!(messages(&source), [format!("the character {character:?} is not part of the language")], "{goal}");
+    }
 }
 
 /// The statement of the first claim as the kernel reads it.

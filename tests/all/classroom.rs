@@ -28,6 +28,29 @@ fn versions_differ_and_their_seed_gives_them_again() {
 }
 
 #[test]
+fn a_sheet_asks_for_e_and_does_not_say_what_it_is() {
+    for (name, given) in [
+        ("car-chain", "The coefficient of restitution e is 0.2 in collision 1,"),
+        ("stacked-balls", "The coefficient of restitution is e = 0.9 in every collision."),
+    ] {
+        let sheet = good(&["worksheet", &scene(name), "--sheet", "blank"]);
+        let sheet = sheet.split_whitespace().collect::<Vec<_>>().join(" ");
+        let meaning = "It is the speed at which two bodies move apart after a collision, divided by the speed at which they came together.";
+        assert!(sheet.contains(given) && sheet.contains(meaning), "{sheet}");
+    }
+}
+
+#[test]
+fn a_power_of_ten_has_two_notations_on_one_page() {
+    let page = good(&["worksheet", &scene("car-chain"), "--sheet", "key", "--format", "html"]);
+    assert!(page.contains("<td>2.250·10<sup>4</sup></td>"), "a cell");
+    assert!(page.contains("2.250·10<sup>4</sup> kg·m/s both times"), "an answer");
+    assert!(!page.contains("250e4"), "{page}");
+    let latex = good(&["worksheet", &scene("car-chain"), "--sheet", "key", "--format", "latex"]);
+    assert!(latex.contains("$2.250\\cdot 10^{4}$ kg") && !latex.contains("250e4"), "{latex}");
+}
+
+#[test]
 fn a_sheet_is_a_pdf_whose_objects_are_where_its_table_says() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("sheet.pdf");
@@ -278,7 +301,7 @@ fn pictures_have_the_title_the_limits_and_the_own_points_that_are_asked_for() {
     for n in ["0", "1"] {
         let table = good(&["table", "--ratio", "10", "-e", "0.8", "-n", n, "--format", "csv"]);
         let eta = table.lines().last().and_then(|l| l.split(',').nth(3)).expect("a value").to_owned();
-        assert!(svg.contains(&format!("aria-label=\"{eta}\"")), "{eta}: {svg}");
+        assert!(svg.contains(&format!("aria-label=\"n = {n}: {eta}\"")), "{eta}: {svg}");
     }
     // Nothing is drawn outside of the frame, from 78 to 510 across and from 44 to 378 down.
     let (curves, _) = svg.rsplit_once("stroke-width=\"1.8\"").expect("curves");

@@ -132,6 +132,14 @@ fn reports_have_no_colours_outside_a_terminal() {
 }
 
 #[test]
+fn a_long_statement_is_cut_short() {
+    let sum = (1..60).map(|k| format!("x + {k}")).collect::<Vec<_>>().join(" + ");
+    let out = audit_of(format!("claim long \"Long\"\ngiven x > 0\nprove {sum} > 58\n").as_bytes());
+    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+    assert!(text(&out.stdout).contains("+ x + 59 > 58\n"), "{}", text(&out.stdout));
+}
+
+#[test]
 fn every_format_and_the_argument_of_a_claim_are_printed() {
     for (form, sign) in [("markdown", "| claim |"), ("junit", "<testsuite"), ("text", "all as expected")] {
         let out = carom(&["audit", "--only", "eq05", "eq06", "--format", form]);

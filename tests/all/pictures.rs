@@ -294,6 +294,51 @@ fn what_no_picture_can_show_is_refused_with_what_to_write() {
 }
 
 #[test]
+fn a_picture_of_velocities_has_no_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("p.svg");
+    for (scene, axis) in [
+        ("car-chain", "<desc>velocity (m/s) from"),
+        ("stacked-balls", "<desc>velocity (v) from"),
+        ("equal-masses", "<desc>velocity from"),
+    ] {
+        let (code, message) = plot(&["velocities", &format!("examples/scenes/{scene}.toml")], &file);
+        assert_eq!(code, Some(0), "{message}");
+        let picture = std::fs::read_to_string(&file).unwrap();
+        assert!(picture.contains(axis), "{scene}");
+    }
+}
+
+#[test]
+fn dots_without_colours_match_no_curve() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("p.svg");
+    let (code, message) = plot(&["eta-x", "--grey", "--at", "10", "-n", "0,1"], &file);
+    assert_eq!((code, message.as_str()), (Some(0), ""));
+    let picture = std::fs::read_to_string(&file).unwrap();
+    assert!(picture.contains("Legend: n = 0; n = 1; at 10:; n = 0: 0.2"), "{}", &picture[..400]);
+    let circles: Vec<&str> = picture.lines().filter(|line| line.contains("<circle")).collect();
+    assert!(circles.len() >= 4 && circles.iter().all(|line| line.contains("#000000")), "{circles:?}");
+}
+
+#[test]
+fn characters_become_boxes_without_a_word() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("p.svg");
+    let (code, message) = plot(&["eta-n", "--title", "能量 μ₁ ≤ 能"], &file);
+    assert_eq!(code, Some(0));
+    assert_eq!(message, "note: the picture shows 能 量 as empty boxes: its font, DejaVu Sans, lacks them\n");
+    assert_eq!(plot(&["eta-n", "--title", "Énergie, η₁ ≤ ½"], &file), (Some(0), String::new()));
+    let scene = folder.path().join("s.toml");
+    let chain = "title = \"小車\"\n[chain]\nfirst = 10\nlast = 1\ninserted = 1\nrestitution = \"1/2\"\n";
+    std::fs::write(&scene, chain).unwrap();
+    let sheet = folder.path().join("s.pdf");
+    let out = carom(&["worksheet", scene.to_str().unwrap(), "-o", sheet.to_str().unwrap()]);
+    assert_eq!(out.status.code(), Some(0));
+    assert!(text(&out.stderr).starts_with("note: the PDF shows 小 車 as empty boxes"), "{}", text(&out.stderr));
+}
+
+#[test]
 fn the_readme_shows_what_its_command_draws() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("energy.svg");

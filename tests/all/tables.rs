@@ -510,6 +510,28 @@ fn a_run_that_was_cut_off_is_resumed_to_the_same_bytes() {
 }
 
 #[test]
+fn rows_that_an_interrupted_run_left_are_lost_to_a_run_without_resume() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (path, partial) = (folder.path().join("table.csv"), folder.path().join("table.csv.partial"));
+    let certificate = folder.path().join("cells.jsonl");
+    let grown = folder.path().join("cells.jsonl.partial");
+    let arguments = csv(folder.path(), &["--certificate", &certificate.display().to_string()]);
+    for left in [&partial, &grown] {
+        std::fs::write(left, "# the rows of many hours\n").expect("written");
+        let out = run(&arguments);
+        assert_eq!(out.status.code(), Some(2));
+        let said = text(&out.stderr);
+        assert!(said.contains(&left.display().to_string()) && said.contains("--resume"), "{said}");
+        assert_eq!(std::fs::read_to_string(left).expect("there"), "# the rows of many hours\n");
+        assert!(!path.exists() && !certificate.exists());
+        std::fs::remove_file(left).expect("there");
+    }
+    // What was begun and has no row yet is no loss.
+    std::fs::write(&partial, "").expect("written");
+    assert_eq!(run(&arguments).status.code(), Some(0));
+}
+
+#[test]
 fn what_an_earlier_run_left_is_gone_on_with_only_where_every_row_fits() {
     let folder = tempfile::tempdir().expect("a folder");
     let (path, partial) = (folder.path().join("u.csv"), folder.path().join("u.csv.partial"));

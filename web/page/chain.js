@@ -19,7 +19,8 @@ const EXAMPLES = [
   ["Measured restitution", { m1: "57.1 ± 0.1", m2: "1", e: "[0.88, 0.92]", n: "3" }],
   ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
   ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
-  ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1" }],
+  ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", n: "0", velocities: "1, -1" }],
+  ["Two bodies towards a third", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1" }],
 ];
 /** Collisions that are listed. */
 const MOST_ROWS = 300;
@@ -132,6 +133,7 @@ function restore() {
 function layout() {
   $("masses-field").hidden = !$("given").checked;
   $("velocities-field").hidden = !$("moving").checked;
+  $("rest").hidden = $("moving").checked;
   form.querySelector('[data-field="n"]').hidden = $("given").checked;
   showEach();
 }
@@ -436,8 +438,8 @@ export function start() {
   for (const id of ["m1", "m2", "e", "v0", "digits"]) $(id).addEventListener("input", ask);
   for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); ask(); });
   $("moving").addEventListener("change", () => {
-    // Velocities of all bodies go with given masses.
-    if ($("moving").checked && !$("given").checked) $("given").click();
+    // Velocities of all bodies go with given masses; without inserted bodies all masses are given.
+    if ($("moving").checked && !$("given").checked && $("n").value.trim() !== "0") $("given").click();
     fitVelocities();
     layout();
     ask();

@@ -108,8 +108,18 @@ prove m1*(1 + e)/(m1 + m2) >= 0
 
 function template() {
   return make("div", { class: "buttons" }, make("pre", { class: "language" }, TEMPLATE), make("button", {
-    type: "button", onclick: () => { text.value = TEMPLATE; text.focus(); edited(); },
+    type: "button", onclick: begin,
   }, "Begin with this"));
+}
+
+/** Puts the template behind what is typed, which becomes a comment. The browser's undo takes both back. */
+function begin() {
+  const typed = text.value.trim() ? `${text.value.trim().replace(/^/gm, "# ")}\n\n` : "";
+  text.focus();
+  text.select();
+  // The only way to change a field that its undo knows.
+  if (!document.execCommand("insertText", false, typed + TEMPLATE)) text.value = typed + TEMPLATE;
+  edited();
 }
 
 /** The text has changed: what is shown is about another one. */

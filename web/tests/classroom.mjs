@@ -253,6 +253,11 @@ test("an unfinished claim takes no verdict away from the others", async () => {
     await shows(page, "#verdicts button", "Begin with this");
     await page.click("#verdicts button");
     await shows(page, "#verdicts .badge", "proved");
+    // What was typed is kept as a comment, and undo brings it back.
+    assert.match(await page.inputValue("#claim-text"), /^# the energy is conserved\n\nclaim mine/);
+    await page.focus("#claim-text");
+    await page.keyboard.press("Control+z");
+    assert.equal(await page.inputValue("#claim-text"), "the energy is conserved");
     await page.click("summary:has-text('The language in full')");
     const manual = await page.evaluate(() => ({ tables: document.querySelectorAll("#language table").length,
       code: document.querySelectorAll("#language code").length, text: document.getElementById("language").textContent }));
@@ -385,15 +390,34 @@ test("bodies may move towards each other", async () => {
     await answered(page);
     await page.selectOption("#preset", { label: "Two bodies towards each other" });
     await shows(page, "#totals", "Momentum 1,");
+    assert.equal(await page.inputValue("#v0"), "1, -1");
+    assert.equal(await page.locator("#bodies tbody tr").count(), 2, "two bodies, as the example says");
+    await page.selectOption("#preset", { label: "Two bodies towards a third" });
+    await shows(page, "#totals", "Momentum 1,");
     assert.equal(await page.inputValue("#v0"), "1, 0, -1");
     await page.reload();
     await answered(page);
     assert.equal(await page.inputValue("#v0"), "1, 0, -1");
     await shows(page, "#totals", "start 3/2");
+    assert.equal(await page.isVisible("#rest"), false, "nothing says that all others rest");
     await page.fill("#v0", "1, 0");
     await shows(page, "#velocities-error", "3 velocities are needed, 2 are given");
     await page.uncheck("#moving");
     await shows(page, "#totals", "start 1,");
+    assert.equal(await page.isVisible("#rest"), true);
+  });
+});
+
+test("two carts towards each other are set up by hand", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.fill("#n", "0");
+    await page.check("#moving");
+    assert.equal(await page.isChecked("#given"), false, "no inserted mass is asked for");
+    assert.equal(await page.inputValue("#v0"), "1, 0");
+    for (const [id, text] of [["m1", "2"], ["e", "1/2"], ["v0", "1, -1"]]) await page.fill(`#${id}`, text);
+    await shows(page, "#totals", "start 3/2");
+    assert.equal(await page.locator(".error:visible").count(), 0);
   });
 });
 

@@ -86,7 +86,13 @@ fn fenced(inner: &str) -> String {
 /// A name: Greek letters by their signs, digits and what follows `_` as an index.
 fn identifier(name: &str) -> String {
     if let Some((head, tail)) = name.split_once('_') {
-        return format!("<msub>{}{}</msub>", identifier(head), identifier(tail));
+        // One index, however many parts it has: an index of an index is too small to read.
+        let parts: Vec<String> = tail.split('_').map(identifier).collect();
+        let index = match parts.as_slice() {
+            [only] => only.clone(),
+            _ => format!("<mrow>{}</mrow>", parts.join("<mtext>&#160;</mtext>")),
+        };
+        return format!("<msub>{}{index}</msub>", identifier(head));
     }
     let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &name[letters.len()..];
@@ -338,6 +344,14 @@ mod tests {
         assert!(!shown("a*(b/c) = 1").contains("<mo>(</mo><mfrac>"));
         assert!(shown("a*(b + c) = 1").contains("<mo>(</mo>"));
         assert!(shown("a^(1/(n + 1)) = 1").contains("<mn>1</mn><mo>/</mo><mrow><mo>(</mo>"));
+    }
+
+    #[test]
+    fn an_index_has_an_index_of_its_own() {
+        let text = shown("cos_theta_over_2 = m_1");
+        let index = "<mrow><mi>θ</mi><mtext>&#160;</mtext><mi>over</mi><mtext>&#160;</mtext><mn>2</mn></mrow>";
+        assert!(text.contains(&format!("<msub><mi>cos</mi>{index}</msub>")), "{text}");
+        assert!(text.contains("<msub><mi>m</mi><mn>1</mn></msub>"), "{text}");
     }
 
     #[test]

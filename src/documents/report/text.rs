@@ -108,7 +108,6 @@ fn one(out: &mut String, entry: &Entry) {
         visible(&claim.title)
     ));
     let goal = entry.goal(Style::Unicode);
-    let goal = if goal.chars().count() > 150 { goal.chars().take(147).collect::<String>() + "..." } else { goal };
     out.push_str(&format!("                  {DIM}{goal}{PLAIN}\n"));
     if let Some(witness) = &outcome.witness {
         let at = witness.point.in_words(&entry.claim);

@@ -169,8 +169,13 @@ fn document(text: &str) -> Result<Spanned<DeTable<'_>>, SceneFault> {
         let message = format!("limit reached: at most {MAX_BYTES} bytes in a scene file");
         return Err(SceneFault { limit: true, ..fault(0..0, message, None) });
     }
-    DeTable::parse(text).map_err(|e| fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), None))
+    DeTable::parse(text).map_err(|e| {
+        fault(e.span().unwrap_or(0..0), format!("not TOML: {}", e.message().trim()), Some(TOML.to_owned()))
+    })
 }
+
+/// What to write instead of what is no TOML.
+pub(super) const TOML: &str = "a scene is a TOML file; `carom help scene` shows one";
 
 /// Reads a scene. An input that is not there is no fault here: [`Scene::missing`] tells which quantity needs it, and
 /// [`lacking`] says so.

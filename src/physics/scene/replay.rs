@@ -68,9 +68,8 @@ pub fn read(text: &str) -> Result<Scene, SceneError> {
     if text.len() > MAX_BYTES {
         return Err(fault(0..0, format!("limit reached: at most {MAX_BYTES} bytes in a scene"), None));
     }
-    let root = DeTable::parse(text).map_err(|e| {
-        fault(e.span().unwrap_or(0..0), e.message().to_string(), Some("a scene is a TOML file".to_string()))
-    })?;
+    let root = DeTable::parse(text)
+        .map_err(|e| fault(e.span().unwrap_or(0..0), e.message().to_string(), Some(super::read::TOML.to_owned())))?;
     let whole = 0..text.len().min(1);
     let table = Table { text, table: root.get_ref(), span: whole.clone() };
     if let Some(chain) = table.get("chain") {

@@ -55,7 +55,7 @@ pub fn plot(request: &Request) -> Result<Value, Fault> {
                 }
             };
             let worksheet = worksheet.map_err(fault)?;
-            charts::velocities(&worksheet, "Velocities along the chain")
+            charts::velocities(&worksheet, "Velocities along the chain", None)
         }
         other => return Err(Fault::at("picture", format!("no picture is called {other:?}"))),
     };

@@ -19,10 +19,7 @@ impl Parser {
                     self.skip();
                 }
             } else {
-                let help = match self.peek() {
-                    Kind::Word(w) => nearest(w, CLAUSES.iter().copied()).map(|n| format!("did you mean `{n}`?")),
-                    _ => None,
-                };
+                let help = self.clause_meant("a claim begins with: claim NAME \"Title\"");
                 self.expected_with("`claim`", help);
                 self.advance();
                 while self.peek() != &Kind::End && !(self.at_clause() && self.is_word("claim")) {
@@ -43,6 +40,7 @@ impl Parser {
         }
         self.preamble.printed = self.printed.clone();
         self.preamble.names.extend(std::mem::take(&mut self.declared));
+        self.refused_before = self.refused.len();
     }
 
     fn shared(&mut self) -> Parsed<()> {
@@ -76,6 +74,15 @@ impl Parser {
         ))
     }
 
+    /// What to write for the word here, which begins no clause: `known` where it is a clause's word in the wrong place.
+    fn clause_meant(&self, known: &str) -> Option<String> {
+        match self.peek() {
+            Kind::Word(word) if begins_clause(word) => Some(known.to_owned()),
+            Kind::Word(word) => nearest(word, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?")),
+            _ => None,
+        }
+    }
+
     fn end_of_clause(&mut self) -> Parsed<()> {
         if self.at_clause() { Ok(()) } else { Err(self.expected("the end of the clause")) }
     }
@@ -83,6 +90,7 @@ impl Parser {
     fn claim(&mut self, prose: Vec<String>) -> Option<Claim> {
         let before = self.faults.len();
         let name = self.name("the name of the claim").ok();
+        self.refused.truncate(self.refused_before);
         self.printed = self.preamble.printed.clone();
         self.declared = self.preamble.names.clone();
         self.growing.clear();
@@ -120,10 +128,7 @@ impl Parser {
                 break;
             }
             if !self.at_clause() {
-                let help = match self.peek() {
-                    Kind::Word(w) => nearest(w, CLAUSES.iter().copied()).map(|n| format!("did you mean `{n}`?")),
-                    _ => None,
-                };
+                let help = self.clause_meant("begin each clause on a line of its own");
                 self.expected_with("a clause such as `given`, `let`, `assume` or `prove`", help);
                 self.skip();
                 continue;

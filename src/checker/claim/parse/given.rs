@@ -31,6 +31,8 @@ impl Parser {
     /// Whether a comparison of expressions begins here, and not the name that a domain belongs to.
     fn begins_relation(&mut self) -> Parsed<bool> {
         let plain = match (self.peek(), self.peek_at(1)) {
+            // A keyword in the place of a name.
+            (Kind::Word(name), _) if RESERVED.contains(&name.as_str()) => return Ok(false),
             (Kind::Word(name), Kind::Sign("(")) => {
                 // `abs(k) > 0` with a new name k declares a family, as it does for every other name.
                 let is_family = match (self.peek_at(2), self.peek_at(3)) {

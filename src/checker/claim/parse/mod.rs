@@ -254,6 +254,10 @@ struct Parser {
     whole: Option<Span>,
     /// Whether the text comes from a claim file, not from a certificate or a tool.
     file: bool,
+    /// The keywords that the preamble and the claim so far use as names. The first use is a fault, which explains the others.
+    refused: Vec<String>,
+    /// How many of them the preamble uses.
+    refused_before: usize,
     faults: Vec<Diagnostic>,
 }
 
@@ -269,6 +273,8 @@ impl Parser {
             growing: Vec::new(),
             whole: None,
             file: false,
+            refused: Vec::new(),
+            refused_before: 0,
             faults,
         }
     }
@@ -344,7 +350,11 @@ impl Parser {
         self.expected_with(expected, None)
     }
 
+    /// Reports what is expected here, unless a fault that is already reported explains it.
     fn expected_with(&mut self, expected: &str, help: Option<String>) -> Reported {
+        if self.is_explained() {
+            return Reported;
+        }
         let help = help.or_else(|| {
             let previous = self.at.checked_sub(1).map(|i| &self.tokens[i]);
             let is_name = |word: &str| !RESERVED.contains(&word) && !CLAUSES.contains(&word);
@@ -392,6 +402,20 @@ impl Parser {
         let span = self.span();
         self.faults.push(Diagnostic::new(fault, span));
         Reported
+    }
+
+    /// Whether a fault that is already reported explains one here: a keyword that the claim uses as a name, here or just
+    /// before, or a character just before that the language does not have.
+    fn is_explained(&self) -> bool {
+        let before = self.at.checked_sub(1).map(|i| &self.tokens[i]);
+        let is_refused = |token: &Token| match &token.kind {
+            Kind::Word(word) => self.refused.contains(word),
+            _ => false,
+        };
+        let between = before.map_or(0, |token| token.span.end)..self.span().end;
+        let is_stray =
+            |fault: &Diagnostic| matches!(fault.fault, Fault::Stray(_)) && between.contains(&fault.span.start);
+        before.into_iter().chain([&self.tokens[self.at]]).any(is_refused) || self.faults.iter().any(is_stray)
     }
 
     /// What to write for `sin x` or `sin^2(x)` where the fault is behind the name of a function.
@@ -465,7 +489,9 @@ impl Parser {
             }
             Kind::Word(text) => {
                 let help = format!("`{text}` is a keyword; choose another name");
-                Err(self.expected_with(what, Some(help)))
+                let reported = self.expected_with(what, Some(help));
+                self.refused.push(text);
+                Err(reported)
             }
             _ => Err(self.expected(what)),
         }

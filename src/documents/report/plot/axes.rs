@@ -151,6 +151,12 @@ impl Chart {
         self.legend.push((Key::Curve(number), text.to_owned()));
     }
 
+    /// What the legend says of a curve.
+    #[must_use]
+    pub fn label(&self, number: usize) -> Option<&str> {
+        self.legend.iter().find(|(key, _)| matches!(key, Key::Curve(n) if *n == number)).map(|(_, text)| text.as_str())
+    }
+
     /// A dot in the legend.
     pub fn legend_dot(&mut self, number: usize, full: bool, text: &str) {
         self.legend.push((Key::Dot(number, full), text.to_owned()));

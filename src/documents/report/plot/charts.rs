@@ -244,11 +244,11 @@ fn viridis(share: f64) -> Colour {
 }
 
 /// The velocities of a chain's bodies: as each one is about to strike the next, and after the pass. Bars show what measured
-/// inputs leave open.
+/// inputs leave open. The axis names the unit, if there is one.
 ///
 /// # Errors
 /// [`Unclear`].
-pub fn velocities(worksheet: &Worksheet, title: &str) -> Result<Chart, Unclear> {
+pub fn velocities(worksheet: &Worksheet, title: &str, unit: Option<&str>) -> Result<Chart, Unclear> {
     let collisions = &worksheet.collisions;
     let arriving: Vec<Bar> =
         collisions.iter().zip(1u32..).map(|(c, i)| Bar::of(i, &c.bodies[0].velocity.before)).collect();
@@ -263,7 +263,8 @@ pub fn velocities(worksheet: &Worksheet, title: &str) -> Result<Chart, Unclear> 
     }
     let (bottom, top) = from_zero(all, 0.08);
     let x = Scale::whole(0.5, after.len() as f64 + 0.5, "body");
-    let mut chart = Chart::new(title, x, Scale::even(bottom, top, "velocity"), true);
+    let axis = unit.map_or("velocity".to_owned(), |unit| format!("velocity ({unit})"));
+    let mut chart = Chart::new(title, x, Scale::even(bottom, top, &axis), true);
     // Side by side where bars would cover one another.
     let measured = arriving.iter().chain(&after).any(|bar| bar.lo < bar.hi);
     for (place, bars) in [&arriving, &after].into_iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Text as outlines of the font DejaVu Sans.
 
-use super::shape::Anchor;
+use super::shape::{Anchor, Page, Shape};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// DejaVu Sans without what outlines do not need; `build.rs` makes it.
@@ -154,6 +154,22 @@ impl Default for Letters {
     fn default() -> Letters {
         Letters::new()
     }
+}
+
+/// The characters on some pages that the font lacks, each once: an empty box is drawn for each.
+#[must_use]
+pub fn boxes(pages: &[Page]) -> Vec<char> {
+    let letters = Letters::new();
+    let mut out = Vec::new();
+    for shape in pages.iter().flat_map(|page| &page.shapes) {
+        let Shape::Text { text, .. } = shape else { continue };
+        for letter in letters.row(text, 1.0).0 {
+            if letter.glyph == GlyphId(0) && !out.contains(&letter.character) {
+                out.push(letter.character);
+            }
+        }
+    }
+    out
 }
 
 /// A text without its marks for lowering; what is raised stands after `^`.

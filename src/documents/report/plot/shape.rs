@@ -117,8 +117,9 @@ impl Page {
     pub fn grey(mut self) -> Page {
         for shape in &mut self.shapes {
             match shape {
-                // A pale curve would be lost.
+                // A pale curve would be lost, and a dot on it looks like the curve.
                 Shape::Line { colour, width, .. } if *width > 1.6 && *colour != WHITE => *colour = BLACK,
+                Shape::Dot { colour, .. } if *colour != WHITE => *colour = BLACK,
                 Shape::Line { colour, .. } | Shape::Area { colour, .. } | Shape::Dot { colour, .. } => {
                     *colour = colour.grey();
                 }

@@ -3,7 +3,7 @@
 //! Contract: one file without scripts that loads nothing; each sheet begins on a printed page of its own; every field has a
 //! name for screen readers.
 
-use super::{Cell, Part, Sheet, Table};
+use super::{Cell, Part, Sheet, Table, with_powers};
 use crate::report::markup::escape;
 
 const STYLE: &str = include_str!("sheet.css");
@@ -51,9 +51,9 @@ fn one(sheet: &Sheet, place: usize) -> String {
                 out.push_str("</fieldset>\n");
             }
             Part::Open { ask, answer, lines } => {
-                out.push_str(&format!("<p class=\"ask\" id=\"{name}\">{}</p>\n", escape(ask)));
+                out.push_str(&format!("<p class=\"ask\" id=\"{name}\">{}</p>\n", powers(ask)));
                 out.push_str(&match answer {
-                    Some(answer) => format!("<p class=\"answer\">{}</p>\n", escape(answer)),
+                    Some(answer) => format!("<p class=\"answer\">{}</p>\n", powers(answer)),
                     None => format!("<textarea rows=\"{lines}\" aria-labelledby=\"{name}\"></textarea>\n"),
                 });
             }
@@ -67,7 +67,7 @@ fn one(sheet: &Sheet, place: usize) -> String {
 /// Text with the letters of its formulas in italics.
 fn formulas(text: &str) -> String {
     let set = "<i>p</i> = <i>m</i> <i>v</i> is";
-    escape(text).replace("p = m v is", set).replace("E = m v²/2 the", "<i>E</i> = ½ <i>m</i> <i>v</i>² the")
+    powers(text).replace("p = m v is", set).replace("E = m v²/2 the", "<i>E</i> = ½ <i>m</i> <i>v</i>² the")
 }
 
 fn table(table: &Table) -> String {
@@ -101,10 +101,10 @@ fn table(table: &Table) -> String {
 
 /// A number with a true minus sign, and a power of ten raised.
 fn number(text: &str) -> String {
-    match text.rsplit_once('e') {
-        Some((mantissa, exponent)) => {
-            format!("{}·10<sup>{}</sup>", escape(mantissa), exponent.replace('-', "−")).replace("-", "−")
-        }
-        None => escape(text).replace('-', "−"),
-    }
+    powers(text).replace('-', "−")
+}
+
+/// A text with its powers of ten raised.
+fn powers(text: &str) -> String {
+    with_powers(&escape(text), |digits, exponent| format!("{digits}·10<sup>{}</sup>", exponent.replace('-', "−")))
 }

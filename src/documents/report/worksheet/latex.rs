@@ -3,7 +3,7 @@
 //! Contract: nothing is wider than the text: columns have fixed widths, and a number that is longer is set smaller. Each
 //! sheet begins on a page of its own.
 
-use super::{Cell, Part, Sheet, Table};
+use super::{Cell, Part, Sheet, Table, with_powers};
 use crate::report::latex::escape;
 
 /// The document with all sheets.
@@ -59,7 +59,7 @@ fn one(sheet: &Sheet) -> String {
             Part::Open { ask, answer, lines } => {
                 out.push_str(&format!("{}\\par\n", formulas(ask)));
                 match answer {
-                    Some(answer) => out.push_str(&format!("\\hspace*{{6mm}}\\textbf{{{}}}\\par\n", escape(answer))),
+                    Some(answer) => out.push_str(&format!("\\hspace*{{6mm}}\\textbf{{{}}}\\par\n", powers(answer))),
                     None => out.push_str(&"\\rule{0pt}{8mm}\\hrulefill\\par\n".repeat(*lines)),
                 }
             }
@@ -69,9 +69,14 @@ fn one(sheet: &Sheet) -> String {
     out
 }
 
+/// Text with its powers of ten in mathematics mode.
+fn powers(text: &str) -> String {
+    with_powers(&escape(text), |digits, exponent| format!("${digits}\\cdot 10^{{{exponent}}}$"))
+}
+
 /// Text with the formulas of a sheet in mathematics mode.
 fn formulas(text: &str) -> String {
-    escape(text).replace("p = m v is", "$p = mv$ is").replace("E = m v$^2$/2 the", "$E = \\frac12 mv^2$ the")
+    powers(text).replace("p = m v is", "$p = mv$ is").replace("E = m v$^2$/2 the", "$E = \\frac12 mv^2$ the")
 }
 
 fn table(table: &Table) -> String {

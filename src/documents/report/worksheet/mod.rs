@@ -236,6 +236,22 @@ fn table(c: &Collision, place: usize, units: &Units, style: Style, filled: bool)
     })
 }
 
+/// A text with its decimals such as `2.250e4` as `power` writes them, from the digits and the exponent.
+fn with_powers(text: &str, power: impl Fn(&str, &str) -> String) -> String {
+    let natural = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let one = |word: &str| {
+        let number = word.trim_matches(|c: char| !c.is_ascii_alphanumeric());
+        let parts = number.split_once('e').filter(|(digits, exponent)| {
+            natural(&digits.replacen('.', "", 1)) && natural(exponent.strip_prefix('-').unwrap_or(exponent))
+        });
+        match parts {
+            Some((digits, exponent)) => word.replacen(number, &power(digits, exponent), 1),
+            None => word.to_owned(),
+        }
+    };
+    text.split(' ').map(one).collect::<Vec<_>>().join(" ")
+}
+
 /// A given number, as it was written if that is short.
 fn written(entry: &Entry, style: Style) -> Result<String, NumberError> {
     if let Entry::Number(x) = entry

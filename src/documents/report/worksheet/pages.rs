@@ -3,7 +3,7 @@
 //! Contract: every shape lies within the margins; each sheet begins on a page of its own; a table or a question is not cut.
 //! A number that is wider than its column is set smaller. Cells to be filled in are seven millimetres high.
 
-use super::{Cell, Part, Sheet, Table};
+use super::{Cell, Part, Sheet, Table, with_powers};
 use crate::report::plot::letters::Letters;
 use crate::report::plot::shape::{Anchor, BLACK, Colour, Page, Shape};
 
@@ -116,7 +116,7 @@ impl Flow<'_> {
     }
 
     fn lines(&self, text: &str, size: f32, indent: f32) -> Vec<String> {
-        self.letters.lines(text, size, self.room() - indent)
+        self.letters.lines(&with_powers(text, raised), size, self.room() - indent)
     }
 
     fn paragraph(&mut self, text: &str, size: f32, indent: f32) {
@@ -288,11 +288,12 @@ fn height(cells: &[Cell]) -> f32 {
 
 /// A number with true minus signs, and its power of ten raised.
 fn shown(text: &str) -> String {
-    let text = text.replace('-', "−");
-    match text.rsplit_once('e') {
-        Some((mantissa, exponent)) => format!("{mantissa}·10^{{{exponent}}}"),
-        None => text,
-    }
+    with_powers(text, raised).replace('-', "−")
+}
+
+/// A decimal with a power of ten.
+fn raised(digits: &str, exponent: &str) -> String {
+    format!("{digits}·10^{{{}}}", exponent.replace('-', "−"))
 }
 
 #[cfg(test)]

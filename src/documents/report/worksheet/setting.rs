@@ -127,8 +127,11 @@ fn words(subject: &Subject<'_>, units: &Units, style: Style) -> Result<String, N
         (None, None) => String::new(),
     };
     let later = later(subject, style)?;
-    Ok(format!("{start}{later} {}", restitutions(collisions, style)?))
+    Ok(format!("{start}{later} {} {RESTITUTION}", restitutions(collisions, style)?))
 }
+
+/// What the coefficient of restitution is.
+const RESTITUTION: &str = "It is the speed at which two bodies move apart after a collision, divided by the speed at which they came together.";
 
 /// That bodies meet again, and the gaps that decide how.
 fn later(subject: &Subject<'_>, style: Style) -> Result<String, NumberError> {
@@ -158,7 +161,7 @@ fn restitutions(collisions: &[Collision], style: Style) -> Result<String, Number
         list => {
             let list: Vec<String> =
                 list.iter().enumerate().map(|(i, e)| format!("{e} in collision {}", i + 1)).collect();
-            format!("The coefficients of restitution are {}.", list.join(", "))
+            format!("The coefficient of restitution e is {}.", list.join(", "))
         }
     })
 }
