@@ -254,7 +254,7 @@ impl<'l> Assembly<'l> {
         let sign = (0..tokens.len()).find(|i| is_definition(*i));
         match (&said.purpose, sign) {
             (Purpose::Let, None) => {
-                let sign = tokens.iter().position(|t| t.is_char('='));
+                let sign = tokens.iter().position(|t| t.is_char('=') || t.is("equiv"));
                 let sign = sign.ok_or_else(|| one(expected("`=` behind the name", "no such sign", equation.span)))?;
                 self.definition(&tokens, sign, sign + 1, said, local)?;
                 Ok(Outcome::Used("definition"))
@@ -444,6 +444,9 @@ fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Read
         Some(token) => {
             let span = token.span;
             Err(match token.command() {
+                Some(_) if reader.text_here().is_some() => {
+                    super::refusal::unread_words(&reader.text_here().map_or(String::new(), |text| text.0), span)
+                }
                 Some(name) if !super::prepare::is_operator(name) => super::refusal::command(name, span),
                 _ => {
                     expected("an operator, a relation or the end of the formula", &format!("`{}`", token.text()), span)

@@ -30,6 +30,8 @@ pub(crate) struct Decisions {
     pub digits: Option<usize>,
     /// Whether e is the base of exponentials.
     pub e_is_base: bool,
+    /// Whether `\log` without a base is the natural logarithm (or the one to base 10).
+    pub log_is_natural: Option<bool>,
 }
 
 /// What the reader of a formula knows.
