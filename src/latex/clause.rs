@@ -11,7 +11,7 @@ use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
 const VERBS: &[&str] =
-    &["name", "skip", "comma", "pm", "digits", "e", "log", "begin", "end", "continues", "begins", "by"];
+    &["name", "skip", "comma", "pm", "digits", "e", "log", "inline", "begin", "end", "continues", "begins", "by"];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,11 +5,11 @@
 
 use super::binding::relation_of;
 use super::document::{end_of, environment};
-use super::expression::is_space;
+use super::expression::{NESTING_LIMIT, is_space};
 use super::macros::group;
-use super::refusal::{command, refused};
+use super::refusal::{command, limit, refused};
 use super::token::{Kind, Token, words};
-use carom_diagnostic::Diagnostic;
+use carom_diagnostic::{Diagnostic, Span};
 
 /// Commands that change only the space around their argument.
 const CLASSES: &[&str] = &["mathrel", "mathbin", "mathord", "mathopen", "mathclose", "mathinner", "ensuremath"];
@@ -21,8 +21,37 @@ const WIDE: f64 = 8.0;
 /// The tokens in the form that is read.
 ///
 /// # Errors
-/// A box or a brace around what would be read as a group; two `\over` in one group.
+/// A box or a brace around what would be read as a group; two `\over` in one group; a limit of nesting.
 pub(crate) fn one_form(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
+    formed(&without_classes(tokens), 0)
+}
+
+/// The tokens without the commands that only space what is in their braces.
+fn without_classes(tokens: &[Token]) -> Vec<Token> {
+    let mut out: Vec<Token> = Vec::new();
+    // For each brace that is open, whether it is left out.
+    let mut open: Vec<bool> = Vec::new();
+    let mut tokens = tokens.iter().peekable();
+    while let Some(token) = tokens.next() {
+        let is_class = token.command().is_some_and(|name| CLASSES.contains(&name));
+        if is_class && tokens.next_if(|t| t.kind == Kind::Open).is_some() {
+            open.push(true);
+            continue;
+        }
+        match token.kind {
+            Kind::Open => open.push(false),
+            Kind::Close if open.pop() == Some(true) => continue,
+            _ => {}
+        }
+        out.push(token.clone());
+    }
+    out
+}
+
+fn formed(tokens: &[Token], depth: usize) -> Result<Vec<Token>, Diagnostic> {
+    if depth > NESTING_LIMIT {
+        return Err(limit("levels of nesting", NESTING_LIMIT, tokens.first().map_or(Span::default(), |t| t.span)));
+    }
     let mut out: Vec<Token> = Vec::new();
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
@@ -30,10 +59,6 @@ pub(crate) fn one_form(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
         let name = token.command().unwrap_or_default();
         let argument = tokens.get(at + 1).filter(|t| t.kind == Kind::Open).and_then(|_| group(tokens, at + 1).ok());
         match (name, argument) {
-            (name, Some((inner, next))) if CLASSES.contains(&name) => {
-                out.extend(one_form(inner)?);
-                at = next;
-            }
             ("hspace", Some((inner, next))) => {
                 if width(&words(inner)) >= WIDE {
                     out.push(sign(Kind::Command("quad".to_string())));
@@ -49,13 +74,13 @@ pub(crate) fn one_form(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
                 if !stands_alone(&out, inner, &tokens[next..]) {
                     return Err(command(name, token.span));
                 }
-                out.extend(one_form(inner)?);
+                out.extend(formed(inner, depth + 1)?);
                 at = next;
             }
             ("left", _) => match brace_with_array(tokens, at) {
                 Some((inner, next)) => {
                     named(&mut out, "begin", token);
-                    out.extend(one_form(inner)?);
+                    out.extend(formed(inner, depth + 1)?);
                     named(&mut out, "end", token);
                     at = next;
                 }
@@ -66,7 +91,7 @@ pub(crate) fn one_form(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
             },
             _ if token.kind == Kind::Open => match group(tokens, at) {
                 Ok((inner, next)) => {
-                    braces(&mut out, inner, token, &tokens[next - 1])?;
+                    braces(&mut out, inner, [token, &tokens[next - 1]], depth)?;
                     at = next;
                 }
                 Err(_) => {
@@ -92,7 +117,7 @@ fn named(out: &mut Vec<Token>, word: &str, place: &Token) {
 }
 
 /// A group, with `\over` and `\choose` as commands that come first.
-fn braces(out: &mut Vec<Token>, inner: &[Token], open: &Token, close: &Token) -> Result<(), Diagnostic> {
+fn braces(out: &mut Vec<Token>, inner: &[Token], [open, close]: [&Token; 2], depth: usize) -> Result<(), Diagnostic> {
     let mut level = 0i64;
     let mut signs = Vec::new();
     for (place, token) in inner.iter().enumerate() {
@@ -106,7 +131,7 @@ fn braces(out: &mut Vec<Token>, inner: &[Token], open: &Token, close: &Token) ->
             return Err(refused("two fractions in one group", "put braces around each", inner[*second].span));
         }
         out.push(open.clone());
-        out.extend(one_form(inner)?);
+        out.extend(formed(inner, depth + 1)?);
         out.push(close.clone());
         return Ok(());
     };
@@ -123,7 +148,7 @@ fn braces(out: &mut Vec<Token>, inner: &[Token], open: &Token, close: &Token) ->
     out.push(Token { kind: Kind::Command(word.to_string()), ..inner[*place].clone() });
     for part in [&inner[..*place], &inner[place + 1..]] {
         out.push(open.clone());
-        out.extend(one_form(part)?);
+        out.extend(formed(part, depth + 1)?);
         out.push(close.clone());
     }
     if stays {

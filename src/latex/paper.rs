@@ -364,6 +364,9 @@ impl<'l> Assembly<'l> {
             decisions: said.decisions,
             upper: true,
             double_sign: None,
+            signed: 0,
+            splits: false,
+            has_logic: false,
         };
         read(&mut scope).map_err(|fault| vec![fault])
     }
@@ -380,6 +383,15 @@ impl<'l> Assembly<'l> {
                 let readings = ["both statements, with the upper and with the lower signs", "one of the two"];
                 return Err(ambiguous("±", readings, ["write `%carom pm and`", "write `%carom pm or`"], span));
             };
+            if !both && scope.signed == 1 {
+                // One of two values is said where the sign stands, not of all that the formula says.
+                scope.splits = true;
+                return whole(tokens, scope, |reader| reader.statement());
+            }
+            if !both && scope.has_logic {
+                let help = "write the two statements as two formulas";
+                return Err(refused("± in several relations of an implication or a quantifier", help, span));
+            }
             scope.upper = false;
             let lower = whole(tokens, scope, |reader| reader.statement())?;
             let (word, level, least) = if both { (" and ", 4, 5) } else { (" or ", 3, 4) };

@@ -48,6 +48,12 @@ pub(crate) struct Scope<'a> {
     pub upper: bool,
     /// Where ± or ∓ was read.
     pub double_sign: Option<Span>,
+    /// The number of comparisons that hold ± or ∓.
+    pub signed: usize,
+    /// Whether a comparison with ± says one of two things where it stands.
+    pub splits: bool,
+    /// Whether an implication, a quantifier or a negation was read.
+    pub has_logic: bool,
 }
 
 /// What the names are that a claim and its preamble declare.

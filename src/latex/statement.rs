@@ -64,6 +64,7 @@ impl Reader<'_, '_, '_> {
         {
             list.push(self.implication()?);
         }
+        self.scope.has_logic |= list.len() > 1;
         Ok(joined(list, " <=> ", 1, 2))
     }
 
@@ -71,6 +72,7 @@ impl Reader<'_, '_, '_> {
         const ARROWS: &[&str] = &["Rightarrow", "implies", "Longrightarrow"];
         let left = self.disjunction()?;
         if self.take_command(ARROWS) {
+            self.scope.has_logic = true;
             let right = self.disjunction()?;
             let span = self.span();
             if self.take_command(ARROWS) {
@@ -81,10 +83,12 @@ impl Reader<'_, '_, '_> {
             return Ok(joined(vec![left, right], " => ", 2, 3));
         }
         if self.take_text(CONDITIONS) {
+            self.scope.has_logic = true;
             let condition = self.disjunction()?;
             return Ok(joined(vec![condition, left], " => ", 2, 3));
         }
         if self.begins_for_all() {
+            self.scope.has_logic = true;
             let span = self.span();
             match self.text_here() {
                 Some((_, next)) => self.at = next,
@@ -160,6 +164,7 @@ impl Reader<'_, '_, '_> {
         if conditions.is_empty() {
             return Ok(said);
         }
+        self.scope.has_logic = true;
         let condition = joined(conditions, " and ", 4, 5);
         let text = joined(vec![condition, said], " => ", 2, 3).text.between("(", ")");
         Ok(Said { text, level: 6 })
@@ -206,6 +211,7 @@ impl Reader<'_, '_, '_> {
     fn negation(&mut self) -> Read<Said> {
         let span = self.span();
         if self.take_command(&["neg", "lnot"]) || self.take_text(&["not"]) {
+            self.scope.has_logic = true;
             let inner = self.negation()?;
             let mut text = Placed::new("not ", span);
             text.append(&inner.at_least(5));
@@ -271,6 +277,7 @@ impl Reader<'_, '_, '_> {
     }
 
     fn quantified(&mut self, word: &str, span: Span) -> Read<Said> {
+        self.scope.has_logic = true;
         match self.text_here() {
             Some((_, next)) => self.at = next,
             None => self.at += 1,
@@ -350,8 +357,7 @@ impl Reader<'_, '_, '_> {
     fn comparison(&mut self, span: Span) -> Read<Said> {
         let count = self.names_before_relation()?;
         if count < 2 {
-            let left = self.sum()?;
-            return self.compared(left, span);
+            return self.signed(span);
         }
         let mut names = vec![self.symbol()?];
         while self.take_char(',') {
@@ -363,6 +369,29 @@ impl Reader<'_, '_, '_> {
             self.compared(name, span)
         });
         Ok(joined(each.collect::<Read<Vec<Said>>>()?, " and ", 4, 5))
+    }
+
+    /// One comparison; where it holds ± it may say one of two things.
+    fn signed(&mut self, span: Span) -> Read<Said> {
+        let from = self.at;
+        let outside = self.scope.double_sign.take();
+        let read = |reader: &mut Self| {
+            reader.at = from;
+            let left = reader.sum()?;
+            reader.compared(left, span)
+        };
+        let mut said = read(self)?;
+        if self.scope.double_sign.is_some() {
+            self.scope.signed += 1;
+            if self.scope.splits {
+                self.scope.upper = false;
+                let lower = read(self);
+                self.scope.upper = true;
+                said = joined(vec![said, lower?], " or ", 3, 4);
+            }
+        }
+        self.scope.double_sign = self.scope.double_sign.or(outside);
+        Ok(said)
     }
 
     /// How many names with commas between them stand here before `<`, `>`, `\ne` or `\in`.
@@ -480,6 +509,7 @@ impl Reader<'_, '_, '_> {
     /// `f = \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases}`: each case is an implication.
     fn cases(&mut self, left: &Piece) -> Read<Said> {
         let start = self.span();
+        self.scope.has_logic = true;
         let (rows, next) = self.cases_here()?;
         let (mut list, mut before): (Vec<Said>, Vec<Said>) = (Vec::new(), Vec::new());
         for cells in rows {

@@ -55,7 +55,7 @@ fn a_formula_is_read_as_something_else() {
         (r"a = \boxed{b + c}", "a = b + c"),
         (r"a + \underbrace{b + c}_{\text{small}} \mathrel{=} x", "a + b + c = x"),
         (r"\cot \theta = \sec^2 x", "(cos(theta)/sin(theta)) = (1/cos(x))^2"),
-        (r"\csc(2x) \coth x = 1", "(1/sin(2*x))*(cosh(x)/sinh(x)) = 1"),
+        (r"\csc(2x) + \coth y = 1", "1/sin(2*x) + cosh(y)/sinh(y) = 1"),
         (r"\log_2 x = \log_{a + b}^2(y)", "(ln(x)/ln(2)) = (ln(y)/ln(a + b))^2"),
         (r"\sin 30^\circ = \cos 2x", "sin(30*pi/180) = cos(2*x)"),
         (r"f'(x) = f''(x)", "derivative(f(x), x) = derivative(f(x), x, x)"),
@@ -175,6 +175,10 @@ fn what_is_not_read_is_read() {
 fn a_comment_does_not_decide() {
     for (formula, wanted) in [
         ("x = a \\pm b %carom pm or", "x = a + b or x = a - b"),
+        ("a = b \\implies x = \\pm y %carom pm or", "a = b => x = y or x = -y"),
+        ("x = \\pm y \\implies x^2 = y^2 %carom pm or", "x = y or x = -y => x^2 = y^2"),
+        ("x = \\pm y \\implies x^2 = y^2 %carom pm and", "(x = y => x^2 = y^2) and (x = -y => x^2 = y^2)"),
+        ("x = \\pm y \\text{ and } a = \\mp b %carom pm or", "(x = y and a = -b) or (x = -y and a = b)"),
         ("x = 3 \\pm 2 %carom pm or", "x = 3 + 2 or x = 3 - 2"),
         ("x = 2(3) %carom pm or", "x = 2*3"),
         ("x = 57.1 \\pm 0.1 %carom pm interval", "57.1 - 0.1 <= x <= 57.1 + 0.1"),
@@ -197,6 +201,12 @@ fn a_comment_does_not_decide() {
 }
 
 #[test]
+fn two_values_on_both_sides_of_an_arrow_are_guessed() {
+    let fault = read("x = \\pm y \\implies a = \\mp b %carom pm or").expect_err("two readings");
+    assert!(fault.message().contains("± in several relations"), "{}", fault.message());
+}
+
+#[test]
 fn an_equation_is_judged_without_a_hypothesis_that_is_not_read() {
     let source = format!("{DECLARED}\\[ \\int a = b %carom assume\n\\]\n\\[ a = a \\]\n");
     let found = paper(&source).unwrap();
@@ -212,6 +222,8 @@ fn a_limit_has_no_name() {
         "\\newcommand{\\a}{\\a}\n\\[ \\a = 1 \\]".to_string(),
         format!("{doubled}\\newcommand{{\\zz}}{{}}\\[ \\za = 1 \\]"),
         format!("\\[ {}1{} = 1 \\]", "(".repeat(300), ")".repeat(300)),
+        format!("\\[ {}1{} = 1 \\]", "{".repeat(100_000), "}".repeat(100_000)),
+        format!("\\[ {}1{} = 1 \\]", "\\boxed{".repeat(3000), "}".repeat(3000)),
     ] {
         let found = paper(&source).unwrap();
         let Outcome::NotRead(faults) = &found.equations[0].outcome else { panic!("{:?}", found.equations[0]) };
@@ -229,7 +241,7 @@ proptest! {
         "\\mu", "1", ".", ",", "=", "+", "-", "\\left", "\\right", "\\text{and}", "%carom given a real\n", "%carom let\n", "%carom name a as\n",
         "\\newcommand{\\q}[2]{#1#2}", "\\q", "\\sqrt", "[", "]", "\\sin", "\\pm", "\\begin{cases}", "\\end{cases}", "\\lim", "\\to", "é", "\\Delta",
         "\\begin{pmatrix}", "\\end{pmatrix}", "\\partial", "d", "!", "/", "\\cdot", "\\approx", "\\in", "\\quad", "%carom begin\n", "\\over", "\\boxed",
-        "\\underbrace", "\\log", "\\begin{array}", "\\end{array}", "\\{", "\\text{for all}", "\\hspace", "\\choose", "^\\circ", ",",
+        "\\underbrace", "\\log", "\\begin{array}", "\\end{array}", "\\{", "\\text{for all}", "\\hspace", "\\choose", "^\\circ", ",", "$", "%carom inline\n",
     ]), 0..40)) {
         for source in [text.clone(), parts.concat(), format!("\\[{}{text}\\]", parts.concat()), latex_of(&format!("$${text}{}", parts.concat()))] {
             if let Ok(found) = paper(&source) {
@@ -252,4 +264,27 @@ fn a_wrong_number_of_digits_is_taken() {
     }
     let shared = paper("%carom digits 3\n\\[ 1 = 1 \\]").expect("a paper");
     assert!(shared.faults[0].message().contains("`digits` is no clause here"));
+}
+
+#[test]
+fn a_marked_formula_in_running_text_is_passed_over() {
+    let source = format!(
+        "{DECLARED}Since $a = b$ and\n\\(b = c\\), %carom inline assume step\nwe find $a = \n c$. %carom inline claim end\n\
+         Not this: $c = a$.\n$a = b$ and $b = a$ %carom inline\nno formula %carom inline\n"
+    );
+    let found = paper(&source).unwrap();
+    assert_eq!(found.inline, 4);
+    let list = &found.equations;
+    assert_eq!(list.len(), 4, "{list:?}");
+    assert!(matches!(list[0].outcome, Outcome::Used("hypothesis")), "{:?}", list[0]);
+    let Outcome::Read(claim) = &list[1].outcome else { panic!("{:?}", list[1]) };
+    assert_eq!((claim.name.text.as_str(), list[1].line, &list[1].number), ("end", 5, &None));
+    assert_eq!(Style::Text.prop(claim.written_goal()), "a = c");
+    for (equation, says) in
+        [(&list[2], "more than one formula ends on this line"), (&list[3], "no formula in running text")]
+    {
+        let Outcome::NotRead(faults) = &equation.outcome else { panic!("{equation:?}") };
+        assert!(faults[0].message().contains(says), "{}", faults[0].message());
+        assert_eq!(&source[faults[0].span.start..faults[0].span.end], "inline");
+    }
 }
