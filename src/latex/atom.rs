@@ -3,6 +3,7 @@
 use super::expression::{Read, Reader, is_space, top_level};
 use super::name::argument;
 use super::piece::Piece;
+use super::place::Placed;
 use super::refusal::{ambiguous, command, refused};
 use super::token::{Kind, Token};
 
@@ -133,9 +134,23 @@ impl<'t> Reader<'t, '_, '_> {
                 digits(self, &mut text);
             }
         }
+        if let Some(next) = self.degrees() {
+            self.at = next;
+            return Ok(Piece::new(Placed::new(&format!("({text}*pi/180)"), self.since(start)), 5));
+        }
         let mut piece = Piece::atom(&text, self.since(start));
         piece.is_number = true;
         Ok(piece)
+    }
+
+    /// Where to read on behind the sign of degrees, if it stands here.
+    fn degrees(&self) -> Option<usize> {
+        let token = self.tokens.get(self.at)?;
+        if token.is("degree") || token.is_char('°') {
+            return Some(self.at + 1);
+        }
+        let (inner, next) = argument(self.tokens, self.at + 1).ok().filter(|_| token.is_char('^'))?;
+        matches!(inner, [sign] if sign.is("circ") || sign.is("degree")).then_some(next)
     }
 
     /// `|x|`

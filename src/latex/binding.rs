@@ -22,6 +22,20 @@ pub(crate) fn relation_of(token: &Token) -> Option<&'static str> {
     })
 }
 
+/// Where the interval closes whose opening stands before these tokens.
+fn closing(tokens: &[Token]) -> usize {
+    let mut level = 0i64;
+    let end = tokens.iter().position(|t| {
+        level += match t.text().as_str() {
+            "(" | "[" | "{" => 1,
+            ")" | "]" | "}" => -1,
+            _ => 0,
+        };
+        level < 0
+    });
+    end.unwrap_or(tokens.len())
+}
+
 impl Reader<'_, '_, '_> {
     /// A name that is declared here.
     fn declared_name(&mut self) -> Read<(Symbol, String)> {
@@ -112,11 +126,15 @@ impl Reader<'_, '_, '_> {
             let help = "write an interval, \\in [0, 1], or declare the name in a comment: `%carom given n natural`";
             return Err(refused("this set is not read", help, span));
         }
-        let from = self.sum()?;
-        if !self.take_char(',') {
-            return self.expected("`,` between the ends of the interval");
-        }
-        let to = self.sum()?;
+        // The comma between two numbers is no decimal comma here, so the ends are parted before they are read.
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let end = closing(rest);
+        let parts = super::symbol::commas(&rest[..end]);
+        let [from, to] = parts.as_slice() else {
+            return self.expected("two ends with `,` between them");
+        };
+        let (from, to) = (self.sum_in(from)?, self.sum_in(to)?);
+        self.at += end;
         let to_closed = self.is_next_char(']');
         if !(self.take_char(']') || self.take_char(')')) {
             return self.expected("`]` or `)` to close the interval");

@@ -10,7 +10,8 @@ use carom_checker::claim::parse::begins_clause;
 use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
-const VERBS: &[&str] = &["name", "skip", "comma", "pm", "digits", "e", "begin", "end", "continues", "begins", "by"];
+const VERBS: &[&str] =
+    &["name", "skip", "comma", "pm", "digits", "e", "log", "inline", "begin", "end", "continues", "begins", "by"];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,6 +90,10 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             decisions.digits = count.parse().ok();
         }
         ["e", "is", "base"] => decisions.e_is_base = true,
+        ["log", "is", word @ ("natural" | "decimal")] => decisions.log_is_natural = Some(*word == "natural"),
+        ["log", ..] => {
+            return Err(expected("`log is natural` or `log is decimal`", "something else", first.span));
+        }
         ["comma" | "pm", ..] => {
             let wanted = "`and` or `if` behind comma; `and`, `or` or `interval` behind pm";
             return Err(expected(wanted, "something else", first.span));

@@ -1,13 +1,16 @@
 //! A document's parts in order: clauses in comments, and displayed equations with their rows.
 //!
-//! Contract: every displayed formula is a [`Display`] or a fault; formulas in running text are counted. A comment on a line of
+//! Contract: every displayed formula is a [`Display`] or a fault; formulas in running text are counted, unless a comment behind
+//! them, `%carom inline`, makes one a [`Display`]. A comment on a line of
 //! an equation belongs to the row that the line ends, one on a line of its own to the row that follows.
 
+use super::comment::first_word;
 use super::macros::{Macros, defines, group, option};
 use super::number::Numbers;
 use super::refusal::refused;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
+use std::ops::Range;
 
 /// What a comment says, without `%carom`.
 #[derive(Clone, Debug)]
@@ -36,7 +39,7 @@ pub(crate) struct Row {
 /// A displayed formula.
 #[derive(Debug)]
 pub(crate) struct Display {
-    /// The environment, `[` for `\[ … \]`.
+    /// The environment, `[` for `\[ … \]`, `$` for a marked formula in running text.
     pub environment: String,
     /// Its rows.
     pub rows: Vec<Row>,
@@ -71,8 +74,14 @@ const INNER: &[&str] = &["split", "aligned", "gathered", "alignedat"];
 
 /// Reads a document from its tokens; `lines` says in which line a byte stands.
 pub(crate) fn document(tokens: &[Token], lines: &Lines) -> Document {
-    let mut reader =
-        Reader { tokens, lines, macros: Macros::default(), numbers: Numbers::default(), out: Document::default() };
+    let mut reader = Reader {
+        tokens,
+        lines,
+        macros: Macros::default(),
+        numbers: Numbers::default(),
+        inline: Vec::new(),
+        out: Document::default(),
+    };
     let mut at = 0;
     while at < tokens.len() {
         at = reader.part(at).max(at + 1);
@@ -100,6 +109,8 @@ struct Reader<'a> {
     lines: &'a Lines,
     macros: Macros,
     numbers: Numbers,
+    /// Formulas in running text: the tokens of each, its signs included, and the line on which it ends.
+    inline: Vec<(Range<usize>, usize)>,
     out: Document,
 }
 
@@ -112,6 +123,10 @@ impl Reader<'_> {
     fn part(&mut self, at: usize) -> usize {
         let token = &self.tokens[at];
         match &token.kind {
+            Kind::Comment(text) if first_word(text) == "inline" => {
+                self.marked(text, token);
+                at + 1
+            }
             Kind::Comment(text) => {
                 let clause = Clause { text: text.clone(), span: token.span };
                 match self.out.parts.last_mut() {
@@ -161,14 +176,52 @@ impl Reader<'_> {
     fn inline(&mut self, at: usize, ends: impl Fn(&Token) -> bool) -> usize {
         match self.tokens[at + 1..].iter().position(ends) {
             Some(length) => {
-                self.out.inline += 1;
-                at + length + 2
+                let next = at + length + 2;
+                self.seen_inline(at..next);
+                next
             }
             None => {
                 let help = "close it with the same sign; a sign for money is \\$";
                 self.fault(refused("this formula is not closed", help, self.tokens[at].span));
                 self.tokens.len()
             }
+        }
+    }
+
+    /// Counts a formula in running text.
+    fn seen_inline(&mut self, place: Range<usize>) {
+        self.out.inline += 1;
+        let line = self.lines.line(self.tokens[place.end - 1].span.start);
+        self.inline.push((place, line));
+    }
+
+    /// `%carom inline CLAUSE` behind a formula in running text, which is read as a displayed one without a number.
+    fn marked(&mut self, text: &str, comment: &Token) {
+        let line = self.lines.line(comment.span.start);
+        let on_line = self.inline.iter().rev().take_while(|formula| formula.1 == line).count();
+        let Some((place, _)) = self.inline.last().filter(|_| on_line == 1).cloned() else {
+            let (message, help) = match on_line {
+                0 => ("no formula in running text ends on this line", "put the comment on the line that ends with it"),
+                _ => (
+                    "more than one formula ends on this line",
+                    "break the line behind the formula that is meant, and put the comment there",
+                ),
+            };
+            return self.fault(refused(message, help, comment.span));
+        };
+        self.out.inline -= 1;
+        // The signs around it are one token each; those of an environment, `\begin{math}`, are a name in braces as well.
+        let begun = environment(self.tokens, place.start).filter(|_| self.tokens[place.start].is("begin"));
+        let inside = begun.map_or(place.start + 1, |found| found.1);
+        let end = end_of(self.tokens, inside).filter(|end| *end < place.end).unwrap_or(place.end - 1);
+        self.display("$", place.start, inside, end, place.end - 1);
+        let rest = text["inline".len()..].trim_start();
+        if let Some(Part::Display(display)) = self.out.parts.last_mut()
+            && let Some(row) = display.rows.last_mut()
+            && !rest.is_empty()
+        {
+            let span = Span { start: comment.span.start + text.len() - rest.len(), ..comment.span };
+            row.clauses.push(Clause { text: rest.to_string(), span });
         }
     }
 
@@ -209,7 +262,7 @@ impl Reader<'_> {
         }
         let inside = if plain == "alignat" { group(self.tokens, inside).map_or(inside, |g| g.1) } else { inside };
         if plain == "math" {
-            self.out.inline += 1;
+            self.seen_inline(at..next);
         } else {
             self.display(&name, at, inside, end, next.saturating_sub(1));
         }
@@ -255,7 +308,7 @@ impl Reader<'_> {
             return Ok(rows);
         }
         let mut rows = self.split(body)?;
-        let shared = ["equation", "multline", "[", "$$", "displaymath"].contains(&plain);
+        let shared = ["equation", "multline", "[", "$", "$$", "displaymath"].contains(&plain);
         let count = rows.len();
         for (place, row) in rows.iter_mut().enumerate() {
             let has_one = if shared { place + 1 == count } else { true };

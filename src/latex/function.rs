@@ -4,7 +4,7 @@ use super::document::{cells, end_of, environment};
 use super::expression::{Read, Reader, is_upright};
 use super::macros::{group, option};
 use super::name::{argument, base, canonical, is_letter, scripts};
-use super::piece::Piece;
+use super::piece::{Piece, product};
 use super::place::Placed;
 use super::refusal::{ambiguous, command, refused};
 use super::symbol::commas;
@@ -12,7 +12,11 @@ use super::token::{Kind, Token};
 use carom_diagnostic::Span;
 
 /// Functions with one argument, by their commands and as upright words.
-const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "sinh", "cosh", "tanh", "sech", "det"];
+const FUNCTIONS: &[&str] =
+    &["sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln", "log", "sinh", "cosh", "tanh", "coth", "sech", "det"];
+/// Functions that are quotients of others: numerator, which is 1 where none is named, and denominator.
+const QUOTIENTS: &[(&str, Option<&str>, &str)] =
+    &[("cot", Some("cos"), "sin"), ("sec", None, "cos"), ("csc", None, "sin"), ("coth", Some("cosh"), "sinh")];
 /// Functions that LaTeX has no command for.
 const WORDS: &[&str] =
     &["sech", "transpose", "trace", "inverse", "abs", "floor", "ceil", "cbrt", "sqrt", "binomial", "factorial"];
@@ -85,6 +89,8 @@ impl<'t> Reader<'t, '_, '_> {
 
     /// A function's argument and power.
     fn function(&mut self, name: &str, start: Span) -> Read<Piece> {
+        let base = if name == "log" { Some(self.base_of_logarithm(start)?) } else { None };
+        let name = if name == "log" { "ln" } else { name };
         let mut power = None;
         if self.take_char('^') {
             let (inner, next) = argument(self.tokens, self.at)?;
@@ -104,21 +110,44 @@ impl<'t> Reader<'t, '_, '_> {
             return Err(command("log", start));
         }
         let value = if let Some((inner, next)) = self.parenthesis()? {
-            let text = self.call(name, inner, start)?;
+            let text = self.call("", inner, start)?;
             self.at = next;
             if power.is_some() && self.is_next_char('^') {
                 return self.expected("one exponent");
             }
-            Piece::new(text, 5)
+            applied(name, &text)
         } else {
             let of = self.bare_argument(name)?;
             self.reach(name, start)?;
-            of.within(name)
+            applied(name, &of.within("").text)
+        };
+        let value = match base.flatten() {
+            Some(base) => product(vec![(false, value), (true, base.within("ln"))]).closed(),
+            None => value,
         };
         Ok(match power {
             Some(power) => value.to(&power),
             None => value,
         })
+    }
+
+    /// What the logarithm to another base is divided by, behind `\log`; nothing for the natural one.
+    fn base_of_logarithm(&mut self, start: Span) -> Read<Option<Piece>> {
+        if self.take_char('_') {
+            let (inner, next) = argument(self.tokens, self.at)?;
+            let base = self.sum_in(inner)?;
+            self.at = next;
+            return Ok(Some(base));
+        }
+        match self.scope.decisions.log_is_natural {
+            Some(true) => Ok(None),
+            Some(false) => Ok(Some(Piece::atom("10", start))),
+            None => {
+                let readings = ["the natural logarithm", "the logarithm to base 10"];
+                let write = ["write `%carom log is natural`, or \\ln", "write `%carom log is decimal`, or \\log_{10}"];
+                Err(ambiguous("\\log", readings, write, start))
+            }
+        }
     }
 
     /// An argument without parentheses: a name, a numeral, a numeral and a name, a root, a fraction.
@@ -154,7 +183,7 @@ impl<'t> Reader<'t, '_, '_> {
         let is_name = |t: &Token| t.char().is_some_and(char::is_alphabetic) || t.command().is_some_and(is_letter);
         if first.is_number && self.peek().is_some_and(is_name) {
             let second = self.atom()?;
-            return Ok(super::piece::product(vec![(false, first), (false, second)]));
+            return Ok(product(vec![(false, first), (false, second)]));
         }
         Ok(first)
     }
@@ -297,6 +326,13 @@ impl<'t> Reader<'t, '_, '_> {
         if end != equals {
             return Err(refused(format!("the index of this {word} is not read"), range, start));
         }
+        if above.iter().any(|t| t.is("infty")) {
+            let help = format!(
+                "write its limit as a statement: \\lim_{{N \\to \\infty}} \\{}_{{i=1}}^{{N}} … = …",
+                if word == "sum" { "sum" } else { "prod" }
+            );
+            return Err(refused(format!("this {word} is infinite"), help, start));
+        }
         let (from, to) = (self.sum_in(&below[equals + 1..])?, self.sum_in(above)?);
         let name = self.scope.names.of(&index)?;
         self.scope.bound.push((index.key(), name.clone()));
@@ -376,7 +412,18 @@ impl<'t> Reader<'t, '_, '_> {
             return Err(refused("the orders of this derivative differ", help, start));
         }
         self.at = next;
-        let of = if body.is_empty() { self.differentiated(start)? } else { self.sum_in(body)? };
+        let function = if body.is_empty() { None } else { self.function_alone(body)? };
+        let of = match function {
+            Some(function) if by.iter().all(|name| *name == by[0]) => {
+                Piece::atom(&format!("{function}({})", by[0]), start)
+            }
+            Some(_) => {
+                let help = "write the function with its arguments, as in f(x, y)";
+                return Err(refused("a function of one number is differentiated by two", help, start));
+            }
+            None if body.is_empty() => self.differentiated(start)?,
+            None => self.sum_in(body)?,
+        };
         if let Some(name) = of.name.filter(|_| of.level == 5) {
             let help = format!("define it, `%carom let {name} = …` in that variable, or differentiate the expression");
             return Err(refused(format!("{name} is a variable, which depends on no other"), help, of.text.span()));
@@ -409,6 +456,22 @@ impl<'t> Reader<'t, '_, '_> {
             return Err(ambiguous("how far this derivative reaches", readings, write, start));
         }
         Ok(of)
+    }
+}
+
+/// A function of an argument, whose text has its parentheses.
+fn applied(name: &str, argument: &Placed) -> Piece {
+    let of = |function: &str| {
+        let mut text = Placed::new(function, argument.span());
+        text.append(argument);
+        Piece::new(text, 5)
+    };
+    match QUOTIENTS.iter().find(|quotient| quotient.0 == name) {
+        Some((_, above, below)) => {
+            let above = above.map_or_else(|| Piece::atom("1", argument.span()), of);
+            product(vec![(false, above), (true, of(below))]).closed()
+        }
+        None => of(name),
     }
 }
 

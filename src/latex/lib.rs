@@ -12,6 +12,7 @@ mod clause;
 mod comment;
 mod document;
 mod expression;
+mod form;
 mod function;
 mod macros;
 mod markdown;

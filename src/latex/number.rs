@@ -59,7 +59,9 @@ impl Numbers {
     pub(crate) fn row(&mut self, environment: &str, said: Option<String>, is_read: bool) -> Option<String> {
         match said {
             Some(said) => return Some(said).filter(|said| !said.is_empty()),
-            None if environment.ends_with('*') || ["[", "$$", "displaymath"].contains(&environment) => return None,
+            None if environment.ends_with('*') || ["[", "$", "$$", "displaymath"].contains(&environment) => {
+                return None;
+            }
             None => {}
         }
         let letter = match &mut self.sub {

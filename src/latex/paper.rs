@@ -254,7 +254,7 @@ impl<'l> Assembly<'l> {
         let sign = (0..tokens.len()).find(|i| is_definition(*i));
         match (&said.purpose, sign) {
             (Purpose::Let, None) => {
-                let sign = tokens.iter().position(|t| t.is_char('='));
+                let sign = tokens.iter().position(|t| t.is_char('=') || t.is("equiv"));
                 let sign = sign.ok_or_else(|| one(expected("`=` behind the name", "no such sign", equation.span)))?;
                 self.definition(&tokens, sign, sign + 1, said, local)?;
                 Ok(Outcome::Used("definition"))
@@ -364,6 +364,9 @@ impl<'l> Assembly<'l> {
             decisions: said.decisions,
             upper: true,
             double_sign: None,
+            signed: 0,
+            splits: false,
+            has_logic: false,
         };
         read(&mut scope).map_err(|fault| vec![fault])
     }
@@ -380,6 +383,15 @@ impl<'l> Assembly<'l> {
                 let readings = ["both statements, with the upper and with the lower signs", "one of the two"];
                 return Err(ambiguous("±", readings, ["write `%carom pm and`", "write `%carom pm or`"], span));
             };
+            if !both && scope.signed == 1 {
+                // One of two values is said where the sign stands, not of all that the formula says.
+                scope.splits = true;
+                return whole(tokens, scope, |reader| reader.statement());
+            }
+            if !both && scope.has_logic {
+                let help = "write the two statements as two formulas";
+                return Err(refused("± in several relations of an implication or a quantifier", help, span));
+            }
             scope.upper = false;
             let lower = whole(tokens, scope, |reader| reader.statement())?;
             let (word, level, least) = if both { (" and ", 4, 5) } else { (" or ", 3, 4) };
@@ -444,6 +456,9 @@ fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Read
         Some(token) => {
             let span = token.span;
             Err(match token.command() {
+                Some(_) if reader.text_here().is_some() => {
+                    super::refusal::unread_words(&reader.text_here().map_or(String::new(), |text| text.0), span)
+                }
                 Some(name) if !super::prepare::is_operator(name) => super::refusal::command(name, span),
                 _ => {
                     expected("an operator, a relation or the end of the formula", &format!("`{}`", token.text()), span)

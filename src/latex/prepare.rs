@@ -76,6 +76,7 @@ pub(crate) const OPERATORS: &[&str] = &[
 /// # Errors
 /// `\left.`, `\middle`, or space between digits.
 pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
+    let tokens = &super::form::one_form(tokens)?;
     let mut out: Vec<Token> = Vec::new();
     let mut at = 0;
     while let Some(token) = tokens.get(at) {

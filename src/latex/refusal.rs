@@ -26,9 +26,26 @@ pub(crate) fn expected(expected: &str, found: &str, span: Span) -> Diagnostic {
     Diagnostic::new(fault, span)
 }
 
+/// A unit of measurement behind a number.
+pub(crate) fn unit(span: Span) -> Diagnostic {
+    let help = "declare the unit with the name, `%carom given v > 0 in m/s`, and write the number alone";
+    refused("a unit behind a number is not read", help, span)
+}
+
+/// Words that are not read where they stand.
+pub(crate) fn unread_words(said: &str, span: Span) -> Diagnostic {
+    let help = "words that are read: and, or, not, if, for, where, if and only if, for all, exists, maximum of, limit of; \
+                or pass the equation over by `%carom skip`";
+    refused(format!("the words “{said}” are not read here"), help, span)
+}
+
 /// A name of the paper that no comment declares.
 pub(crate) fn undeclared(name: &str, applied: bool, span: Span) -> Diagnostic {
     let message = format!("nothing declares the name {name}");
+    if applied && (name == "O" || name == "\\mathcal{O}") {
+        let help = "write the bound that is meant, as in |x - y| \\le x^2, or `%carom skip`";
+        return refused("an order of magnitude is not read", help, span);
+    }
     let help = match applied {
         true => format!(
             "for a product with the number {name} write `%carom given {name} real`; for a function write \
@@ -45,20 +62,25 @@ pub(crate) fn command(name: &str, span: Span) -> Diagnostic {
         "int" | "iint" | "oint" => {
             "there are no integrals; assume that the derivative of F is f, and write F(b) - F(a); or `%carom skip`"
         }
-        "log" => "write \\ln x for the natural logarithm, \\frac{\\ln x}{\\ln 10} for the one to base 10",
         "lg" => "write \\frac{\\ln x}{\\ln 10}",
-        "cot" => "write \\frac{\\cos x}{\\sin x}",
-        "sec" => "write \\frac{1}{\\cos x}",
-        "csc" => "write \\frac{1}{\\sin x}",
-        "coth" => "write \\frac{1}{\\tanh x}",
-        "arcsin" | "arccos" | "arctan" => {
-            "declare the angle, `%carom given theta in [0, pi]`, and assume the value of its cosine, sine or tangent"
+        "underbrace" | "overbrace" => {
+            "leave the brace out where it does not stand for parentheses, and state what it says as an equation of its own"
+        }
+        "boxed" => "put the whole equation or one whole side into the box, or write parentheses in it",
+        "stackrel" | "overset" | "underset" => "leave out what stands over or under the sign",
+        "therefore" | "because" => "leave the sign out, or write \\Rightarrow between two statements",
+        "|" | "lVert" | "Vert" => "write \\lvert x \\rvert for the absolute value of a number",
+        "pmod" | "bmod" | "mod" => "write a congruence with a multiple, as in n = 2 k + 1",
+        "unit" | "SI" | "si" | "qty" | "num" => {
+            "declare the unit with the name, `%carom given v > 0 in m/s`, and write the number alone"
         }
         "propto" | "sim" | "simeq" | "ll" | "gg" | "lesssim" | "gtrsim" | "cong" => {
             "write the equation or the inequality that is meant, or `%carom skip`"
         }
         "dots" | "ldots" | "cdots" | "vdots" => "write a sum or product with its index, \\sum_{i=1}^{n}",
-        "over" | "atop" | "choose" => "write \\frac{a}{b} or \\binom{n}{k}",
+        "over" | "atop" | "choose" => {
+            "put braces around it, as in {a \\over b}, or write \\frac{a}{b} or \\binom{n}{k}"
+        }
         "mathbb" => "write the domain in a comment: `%carom given x real`",
         "nabla" | "hbar" | "ell" | "vec" | "mathbf" | "boldsymbol" | "hat" | "bar" | "tilde" | "dot" | "ddot" => {
             "if it is a part of a name, declare that name as it is written: `%carom given \\bar{v} real`"

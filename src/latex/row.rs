@@ -35,7 +35,13 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
     let mut waiting: Vec<Clause> = Vec::new();
     for row in &display.rows {
         let filled = row.cells.iter().filter(|cell| cell.iter().any(|t| !is_space(t))).count();
-        if plain != "eqnarray" && filled > 2 {
+        // Words in the cells behind the equation are its condition.
+        let is_condition = |cell: &Vec<Token>| {
+            let first = cell.iter().find(|t| !is_space(t) && !t.is("quad") && !t.is("qquad"));
+            first.is_none_or(|t| ["text", "mbox", "textrm", "textnormal", "forall"].iter().any(|name| t.is(name)))
+        };
+        let has_condition = row.cells.len() > 2 && row.cells[2..].iter().all(is_condition);
+        if plain != "eqnarray" && filled > 2 && !has_condition {
             let help = "give each equation a row of its own";
             return Err(refused("more than one equation stands in this row", help, row.span));
         }
@@ -49,7 +55,11 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
             }
             continue;
         }
-        let tokens: Vec<Token> = row.cells.concat();
+        let mut tokens: Vec<Token> = row.cells.concat();
+        if let Some(condition) = row.cells.iter().skip(2).flatten().next().filter(|_| has_condition) {
+            let at = row.cells[..2].iter().map(Vec::len).sum();
+            tokens.insert(at, Token { kind: Kind::Command("quad".to_string()), ..condition.clone() });
+        }
         let decided = clauses.iter().find_map(|clause| match first_word(&clause.text) {
             "continues" => Some(true),
             "begins" => Some(false),

@@ -30,6 +30,8 @@ pub(crate) struct Decisions {
     pub digits: Option<usize>,
     /// Whether e is the base of exponentials.
     pub e_is_base: bool,
+    /// Whether `\log` without a base is the natural logarithm (or the one to base 10).
+    pub log_is_natural: Option<bool>,
 }
 
 /// What the reader of a formula knows.
@@ -46,6 +48,12 @@ pub(crate) struct Scope<'a> {
     pub upper: bool,
     /// Where ± or ∓ was read.
     pub double_sign: Option<Span>,
+    /// The number of comparisons that hold ± or ∓.
+    pub signed: usize,
+    /// Whether a comparison with ± says one of two things where it stands.
+    pub splits: bool,
+    /// Whether an implication, a quantifier or a negation was read.
+    pub has_logic: bool,
 }
 
 /// What the names are that a claim and its preamble declare.

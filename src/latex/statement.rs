@@ -4,10 +4,10 @@
 
 use super::binding::relation_of;
 use super::expression::{Read, Reader, is_space};
-use super::name::argument;
+use super::name::{argument, base, scripts};
 use super::piece::Piece;
 use super::place::Placed;
-use super::refusal::{ambiguous, command, refused};
+use super::refusal::{ambiguous, command, refused, unit, unread_words};
 use super::token::{Kind, Token, words};
 use carom_diagnostic::Span;
 
@@ -24,7 +24,10 @@ impl Said {
 }
 
 /// Words behind which a condition stands.
-const CONDITIONS: &[&str] = &["if", "for", "when", "whenever", "provided", "provided that", "as long as"];
+const CONDITIONS: &[&str] =
+    &["if", "for", "when", "whenever", "where", "with", "provided", "provided that", "as long as"];
+/// Words that say for which values of a name a statement is true.
+const FOR_ALL: &[&str] = &["for all", "for each", "for every", "for any"];
 
 impl Reader<'_, '_, '_> {
     /// The words of `\text{…}` here, and where to read on.
@@ -61,6 +64,7 @@ impl Reader<'_, '_, '_> {
         {
             list.push(self.implication()?);
         }
+        self.scope.has_logic |= list.len() > 1;
         Ok(joined(list, " <=> ", 1, 2))
     }
 
@@ -68,6 +72,7 @@ impl Reader<'_, '_, '_> {
         const ARROWS: &[&str] = &["Rightarrow", "implies", "Longrightarrow"];
         let left = self.disjunction()?;
         if self.take_command(ARROWS) {
+            self.scope.has_logic = true;
             let right = self.disjunction()?;
             let span = self.span();
             if self.take_command(ARROWS) {
@@ -78,10 +83,33 @@ impl Reader<'_, '_, '_> {
             return Ok(joined(vec![left, right], " => ", 2, 3));
         }
         if self.take_text(CONDITIONS) {
+            self.scope.has_logic = true;
             let condition = self.disjunction()?;
             return Ok(joined(vec![condition, left], " => ", 2, 3));
         }
+        if self.begins_for_all() {
+            self.scope.has_logic = true;
+            let span = self.span();
+            match self.text_here() {
+                Some((_, next)) => self.at = next,
+                None => self.at += 1,
+            }
+            let outside = self.scope.bound.len();
+            let bindings = self.bindings();
+            self.scope.bound.truncate(outside);
+            let mut text = Placed::new("for all ", span);
+            text.append(&bindings?);
+            text.push(": ", span);
+            text.append(&left.text);
+            return Ok(Said { text, level: 1 });
+        }
         Ok(left)
+    }
+
+    /// Whether `\forall` or words for it stand here.
+    fn begins_for_all(&mut self) -> bool {
+        let word = self.text_here();
+        word.is_some_and(|(said, _)| FOR_ALL.contains(&said.as_str())) || self.peek().is_some_and(|t| t.is("forall"))
     }
 
     fn disjunction(&mut self) -> Read<Said> {
@@ -109,8 +137,12 @@ impl Reader<'_, '_, '_> {
                 list.push(self.negation()?);
                 continue;
             }
-            if by_comma && self.text_here().is_some() {
+            if by_comma && (self.text_here().is_some() || self.begins_for_all()) {
                 break;
+            }
+            if by_comma && self.lists_values() {
+                let help = "declare the name, `%carom given n natural`, and say the rest as a condition, n \\ge 1";
+                return Err(refused("a list of values with dots is not read", help, span));
             }
             if by_comma && !self.holds_relation() {
                 let help =
@@ -124,7 +156,7 @@ impl Reader<'_, '_, '_> {
                 (true, None) => {
                     let readings = ["two statements, A and B", "a statement and its condition, A if B"];
                     let write = ["write `%carom comma and`, or \\text{and}", "write `%carom comma if`, or \\text{if}"];
-                    return Err(ambiguous("a comma between two relations", readings, write, span));
+                    return Err(ambiguous("a comma or a space between two relations", readings, write, span));
                 }
             }
         }
@@ -132,19 +164,36 @@ impl Reader<'_, '_, '_> {
         if conditions.is_empty() {
             return Ok(said);
         }
+        self.scope.has_logic = true;
         let condition = joined(conditions, " and ", 4, 5);
         let text = joined(vec![condition, said], " => ", 2, 3).text.between("(", ")");
         Ok(Said { text, level: 6 })
     }
 
-    /// Whether a sign of comparison follows before the next comma.
+    /// Whether what follows is a list such as n = 1, 2, \dots
+    fn lists_values(&mut self) -> bool {
+        self.peek();
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let parts = super::symbol::commas(rest);
+        let is_dots = |part: &&[Token]| {
+            let mut signs = part.iter().filter(|t| !is_space(t));
+            signs.next().is_some_and(|t| ["dots", "ldots", "cdots", "dotsc"].iter().any(|name| t.is(name)))
+                && signs.next().is_none()
+        };
+        parts.iter().any(is_dots) && parts.first().is_some_and(|first| first.iter().any(|t| t.is_char('=')))
+    }
+
+    /// Whether a sign of comparison follows before the next comma, or a statement in parentheses.
     fn holds_relation(&mut self) -> bool {
+        if self.parenthesis().ok().flatten().is_some_and(|(inner, _)| is_statement(inner)) {
+            return true;
+        }
         let mut level = 0i64;
         for token in &self.tokens[self.at..] {
             match &token.kind {
                 Kind::Open | Kind::Char('(' | '[') => level += 1,
                 Kind::Close | Kind::Char(')' | ']') => level -= 1,
-                Kind::Char(',' | ';') if level == 0 => return false,
+                Kind::Char(',' | ';') if level == 0 => return self.begins_list(),
                 _ if level == 0 && (relation_of(token).is_some() || token.is("in") || token.is("approx")) => {
                     return true;
                 }
@@ -154,9 +203,15 @@ impl Reader<'_, '_, '_> {
         false
     }
 
+    /// Whether a list of names with a relation behind it begins here.
+    fn begins_list(&mut self) -> bool {
+        self.names_before_relation().is_ok_and(|count| count > 1)
+    }
+
     fn negation(&mut self) -> Read<Said> {
         let span = self.span();
         if self.take_command(&["neg", "lnot"]) || self.take_text(&["not"]) {
+            self.scope.has_logic = true;
             let inner = self.negation()?;
             let mut text = Placed::new("not ", span);
             text.append(&inner.at_least(5));
@@ -169,7 +224,7 @@ impl Reader<'_, '_, '_> {
         let span = self.span();
         let word = self.text_here();
         let is = |words: &[&str]| word.as_ref().is_some_and(|(said, _)| words.contains(&said.as_str()));
-        if is(&["for all", "for each", "for every"]) || self.peek().is_some_and(|t| t.is("forall")) {
+        if self.begins_for_all() {
             return self.quantified("for all ", span);
         }
         if is(&["exists", "there is", "there exists"]) || self.peek().is_some_and(|t| t.is("exists")) {
@@ -185,8 +240,7 @@ impl Reader<'_, '_, '_> {
             return self.limit(span);
         }
         if let Some((said, _)) = word {
-            let help = "words that are read: and, or, not, if, if and only if, for all, exists, maximum of, limit of";
-            return Err(refused(format!("the words “{said}” are not read here"), help, span));
+            return Err(unread_words(&said, span));
         }
         if let Some((inner, next)) = self.parenthesis()?
             && is_statement(inner)
@@ -195,10 +249,35 @@ impl Reader<'_, '_, '_> {
             self.at = next;
             return Ok(Said { text: said.text.between("(", ")"), level: 6 });
         }
+        if self.peek().is_some_and(|t| t.is("begin")) && self.is_cases() {
+            return self.system();
+        }
         self.comparison(span)
     }
 
+    /// `\begin{cases} a = b \\ c = d \end{cases}` alone: all of these statements.
+    fn system(&mut self) -> Read<Said> {
+        let (rows, next) = self.cases_here()?;
+        let list: Read<Vec<Said>> =
+            rows.iter().map(|row| self.inside(&ended(&row.concat()), |inside| inside.statement())).collect();
+        self.at = next;
+        Ok(joined(list?, " and ", 4, 5))
+    }
+
+    /// The rows of the cases that begin here, each with its cells, and where to read on.
+    fn cases_here(&mut self) -> Read<(Vec<Vec<Vec<Token>>>, usize)> {
+        let Some((_, inside)) = super::document::environment(self.tokens, self.at) else {
+            return self.expected("cases");
+        };
+        let Some(end) = super::document::end_of(self.tokens, inside) else { return self.expected("\\end{cases}") };
+        let next = super::document::environment(self.tokens, end).map_or(end + 1, |found| found.1);
+        let rows = super::function::rows(&self.tokens[inside..end]);
+        let filled = rows.iter().filter(|row| !row.iter().all(is_space));
+        Ok((filled.map(|row| super::document::cells(row)).collect(), next))
+    }
+
     fn quantified(&mut self, word: &str, span: Span) -> Read<Said> {
+        self.scope.has_logic = true;
         match self.text_here() {
             Some((_, next)) => self.at = next,
             None => self.at += 1,
@@ -274,11 +353,72 @@ impl Reader<'_, '_, '_> {
         None
     }
 
-    /// `a = b < c`
+    /// `a = b < c`, or `a, b > 0` for each name
     fn comparison(&mut self, span: Span) -> Read<Said> {
-        let mut text = Placed::default();
-        let mut left = self.sum()?;
-        text.append(&left.text);
+        let count = self.names_before_relation()?;
+        if count < 2 {
+            return self.signed(span);
+        }
+        let mut names = vec![self.symbol()?];
+        while self.take_char(',') {
+            names.push(self.symbol()?);
+        }
+        let from = self.at;
+        let each = names.into_iter().map(|name| {
+            self.at = from;
+            self.compared(name, span)
+        });
+        Ok(joined(each.collect::<Read<Vec<Said>>>()?, " and ", 4, 5))
+    }
+
+    /// One comparison; where it holds ± it may say one of two things.
+    fn signed(&mut self, span: Span) -> Read<Said> {
+        let from = self.at;
+        let outside = self.scope.double_sign.take();
+        let read = |reader: &mut Self| {
+            reader.at = from;
+            let left = reader.sum()?;
+            reader.compared(left, span)
+        };
+        let mut said = read(self)?;
+        if self.scope.double_sign.is_some() {
+            self.scope.signed += 1;
+            if self.scope.splits {
+                self.scope.upper = false;
+                let lower = read(self);
+                self.scope.upper = true;
+                said = joined(vec![said, lower?], " or ", 3, 4);
+            }
+        }
+        self.scope.double_sign = self.scope.double_sign.or(outside);
+        Ok(said)
+    }
+
+    /// How many names with commas between them stand here before `<`, `>`, `\ne` or `\in`.
+    fn names_before_relation(&mut self) -> Read<usize> {
+        let after_space = |at: usize| {
+            let spaces = self.tokens.iter().skip(at).take_while(|t| is_space(t)).count();
+            at + spaces
+        };
+        let (mut at, mut count) = (after_space(self.at), 0);
+        while let Some((first, next)) = base(self.tokens, at)? {
+            let (_, next) = scripts(self.tokens, first, Span::default(), next)?;
+            let next = after_space(next);
+            count += 1;
+            match self.tokens.get(next) {
+                Some(token) if token.is_char(',') => at = after_space(next + 1),
+                Some(token) if token.is("in") || relation_of(token).is_some_and(|sign| sign != "=") => {
+                    return Ok(count);
+                }
+                _ => break,
+            }
+        }
+        Ok(0)
+    }
+
+    /// What is compared with `left`, which stands before the sign here.
+    fn compared(&mut self, mut left: Piece, span: Span) -> Read<Said> {
+        let mut text = left.text.clone();
         let mut also: Vec<Said> = Vec::new();
         let mut count = 0;
         while let Some(token) = self.peek() {
@@ -289,6 +429,15 @@ impl Reader<'_, '_, '_> {
             {
                 self.at += 1;
                 also.push(self.printed(&left)?);
+                let behind = self.span();
+                if self.peek().is_some_and(super::expression::is_upright) {
+                    return Err(unit(behind));
+                }
+                if self.begins_factor() || self.peek().is_some_and(|t| matches!(t.char(), Some('+' | '-' | '/' | '^')))
+                {
+                    let help = "write the bound that is meant, as in |x - y| \\le 0.01, or `%carom skip`";
+                    return Err(refused("≈ is read only before a number that stands alone", help, behind));
+                }
                 // What stands behind is compared with the printed number, which is not meant.
                 if self.peek().is_some_and(|t| relation_of(t).is_some() || t.is("approx")) {
                     let span = self.span();
@@ -311,10 +460,18 @@ impl Reader<'_, '_, '_> {
             } else if token.is("in") {
                 self.at += 1;
                 also.push(self.member(&left)?);
+            } else if let Some(modulo) =
+                self.tokens[self.at..].iter().find(|t| t.is("pmod") || t.is("bmod") || t.is("mod"))
+                && token.is("equiv")
+            {
+                return Err(command(modulo.command().unwrap_or_default(), modulo.span));
             } else if token.is("equiv") {
                 let readings = ["an identity", "a definition"];
                 let write = ["write =", "write := or `%carom let`"];
                 return Err(ambiguous("≡", readings, write, place));
+            } else if token.is_char(':') && !self.tokens.get(self.at + 1).is_some_and(|t| t.is_char('=')) {
+                let help = "write a quotient, \\frac{a}{b}";
+                return Err(refused("a colon between two numbers is not read", help, place));
             } else if token.is_char(':') || token.is("coloneqq") || token.is("defeq") {
                 return Err(refused(
                     "a definition within a statement",
@@ -352,29 +509,15 @@ impl Reader<'_, '_, '_> {
     /// `f = \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases}`: each case is an implication.
     fn cases(&mut self, left: &Piece) -> Read<Said> {
         let start = self.span();
-        let Some((_, inside)) = super::document::environment(self.tokens, self.at) else {
-            return self.expected("cases");
-        };
-        let Some(end) = super::document::end_of(self.tokens, inside) else { return self.expected("\\end{cases}") };
-        let next = super::document::environment(self.tokens, end).map_or(end + 1, |found| found.1);
+        self.scope.has_logic = true;
+        let (rows, next) = self.cases_here()?;
         let (mut list, mut before): (Vec<Said>, Vec<Said>) = (Vec::new(), Vec::new());
-        for row in super::function::rows(&self.tokens[inside..end]) {
-            let cells = super::document::cells(&row);
-            if row.iter().all(is_space) {
-                continue;
-            }
+        for cells in rows {
             let [value, condition] = cells.as_slice() else {
                 let help = "write each case as `value & condition`";
                 return Err(refused("a case without its condition", help, start));
             };
-            let trimmed: Vec<Token> = {
-                let mut value = value.clone();
-                while value.last().is_some_and(|t| t.is_char(',') || is_space(t)) {
-                    value.pop();
-                }
-                value
-            };
-            let value = self.sum_in(&trimmed)?;
+            let value = self.sum_in(&ended(value))?;
             let condition = self.condition(condition, &before, start)?;
             let mut equation = left.text.clone();
             equation.push(" = ", start);
@@ -388,11 +531,7 @@ impl Reader<'_, '_, '_> {
     }
 
     fn condition(&mut self, tokens: &[Token], before: &[Said], start: Span) -> Read<Said> {
-        let mut tokens = tokens.to_vec();
-        while tokens.last().is_some_and(|t| matches!(t.char(), Some(',' | '.' | ';'))) {
-            tokens.pop();
-        }
-        self.inside(&tokens, |inside| {
+        self.inside(&ended(tokens), |inside| {
             if inside.take_text(&["otherwise", "else"]) {
                 let list: Vec<Said> =
                     before.iter().map(|said| Said { text: said.text.clone(), level: said.level }).collect();
@@ -404,6 +543,13 @@ impl Reader<'_, '_, '_> {
             inside.statement()
         })
     }
+}
+
+/// Tokens without the punctuation and the space at their end.
+fn ended(tokens: &[Token]) -> Vec<Token> {
+    let ends = |t: &Token| matches!(t.char(), Some(',' | '.' | ';')) || is_space(t) || t.is("quad");
+    let length = tokens.iter().rposition(|t| !ends(t)).map_or(0, |last| last + 1);
+    tokens[..length].to_vec()
 }
 
 /// Whether tokens in parentheses hold a statement: on their own level, or in a parenthesis with which they begin.

@@ -1,10 +1,10 @@
 //! Names in a formula: which declared name a letter with its index and primes is.
 
-use super::expression::{Read, Reader, top_level};
+use super::expression::{Read, Reader, is_space, is_upright, top_level};
 use super::name::{Symbol, base, scripts};
 use super::piece::Piece;
 use super::place::Placed;
-use super::refusal::{ambiguous, refused, undeclared};
+use super::refusal::{ambiguous, refused, undeclared, unit};
 use super::scope::Role;
 use super::token::{Kind, Token};
 use carom_diagnostic::Span;
@@ -162,9 +162,49 @@ impl Reader<'_, '_, '_> {
         scripts(self.tokens, first, start, next)
     }
 
-    /// What an undeclared name is: π, the base of exponentials, or a fault.
+    /// The function of one number that these tokens are, if they are nothing else.
+    pub(crate) fn function_alone(&self, tokens: &[Token]) -> Read<Option<String>> {
+        let Some((first, next)) = base(tokens, 0)? else { return Ok(None) };
+        let (symbol, next) = scripts(tokens, first, tokens[0].span, next)?;
+        if next < tokens.len() {
+            return Ok(None);
+        }
+        Ok(match self.meaning(&symbol)? {
+            Some(Meaning::Function(name)) if self.scope.roles.get(&name) == Some(&Role::Applied(1)) => Some(name),
+            _ => None,
+        })
+    }
+
+    /// `f'(x)`, a derivative where f is a function of one number and f' is no name of its own.
+    fn primed(&mut self, symbol: &Symbol, next: usize) -> Read<Option<Piece>> {
+        let plain = Symbol { primes: 0, ..symbol.clone() };
+        let name = match self.meaning(&plain)? {
+            Some(Meaning::Function(name)) if symbol.primes > 0 => name,
+            _ => return Ok(None),
+        };
+        let is_applied = self.tokens.get(next).is_some_and(|t| t.is_char('('));
+        if !is_applied || self.scope.roles.get(&name) != Some(&Role::Applied(1)) {
+            return Ok(None);
+        }
+        self.at = next;
+        let Some((inner, after)) = self.parenthesis()? else { return Ok(None) };
+        let Some(variable) = self.sum_in(inner)?.name else {
+            let key = symbol.key();
+            let help = format!("write the derivative at a variable, {key}(x), and its value as a definition of yours");
+            return Err(refused(format!("{key} is read only of a variable"), help, symbol.span));
+        };
+        self.at = after;
+        self.scope.names.seen(&plain.key());
+        let by = vec![variable.as_str(); symbol.primes].join(", ");
+        Ok(Some(Piece::atom(&format!("derivative({name}({variable}), {by})"), symbol.span)))
+    }
+
+    /// What an undeclared name is: π, the base of exponentials, a derivative, or a fault.
     fn unknown(&mut self, symbol: &Symbol, next: usize) -> Read<Piece> {
         let key = symbol.key();
+        if let Some(derivative) = self.primed(symbol, next)? {
+            return Ok(derivative);
+        }
         if key == "\\pi" {
             self.at = next;
             return Ok(Piece::atom("pi", symbol.span));
@@ -184,6 +224,13 @@ impl Reader<'_, '_, '_> {
             let exponent = self.sum_in(inner)?;
             self.at = after;
             return Ok(exponent.within("exp"));
+        }
+        // An upright word behind a number is a unit.
+        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
+        let behind_number =
+            before.is_some_and(|t| t.kind == Kind::Close || t.char().is_some_and(|c| c.is_ascii_digit()));
+        if behind_number && is_upright(&self.tokens[self.at]) {
+            return Err(unit(symbol.span));
         }
         let applied = self.tokens.get(next).is_some_and(|t| t.is_char('('));
         Err(undeclared(&key, applied, symbol.span))

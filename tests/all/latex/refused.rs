@@ -49,6 +49,27 @@ fn a_formula_is_read_as_something_else() {
         (r"\frac{d}{dx} x^2 = 2x", "derivative(x^2, x) = 2*x"),
         (r"\exp(x) = \mathrm{e}^{x}", "exp(x) = exp(x)"),
         (r"\binom{n}{2} = n!", "binomial(n, 2) = n!"),
+        (r"x = {1 \over 2} a b^2", "x = 1/2*a*b^2"),
+        (r"x^{a \over b} = {n \choose k} {a + b \over c}", "x^(a/b) = binomial(n, k)*((a + b)/c)"),
+        (r"\boxed{a = b}", "a = b"),
+        (r"a = \boxed{b + c}", "a = b + c"),
+        (r"a + \underbrace{b + c}_{\text{small}} \mathrel{=} x", "a + b + c = x"),
+        (r"\cot \theta = \sec^2 x", "(cos(theta)/sin(theta)) = (1/cos(x))^2"),
+        (r"\csc(2x) + \coth y = 1", "1/sin(2*x) + cosh(y)/sinh(y) = 1"),
+        (r"\log_2 x = \log_{a + b}^2(y)", "(ln(x)/ln(2)) = (ln(y)/ln(a + b))^2"),
+        (r"\sin 30^\circ = \cos 2x", "sin(30*pi/180) = cos(2*x)"),
+        (r"f'(x) = f''(x)", "derivative(f(x), x) = derivative(f(x), x, x)"),
+        (r"\frac{df}{dx} = 1", "derivative(f(x), x) = 1"),
+        (
+            r"|x| = \left\{ \begin{array}{ll} x, & x \ge 0 \\ -x, & x < 0. \end{array} \right.",
+            "(x >= 0 => abs(x) = x) and (x < 0 => abs(x) = -x)",
+        ),
+        (r"\begin{cases} x + y = a, \\ x - y = b. \end{cases}", "x + y = a and x - y = b"),
+        (r"x \in (0,1) \implies x^2 < 1", "0 < x < 1 => x^2 < 1"),
+        (r"a, b > 0 \Rightarrow a b > 0", "a > 0 and b > 0 => a*b > 0"),
+        (r"x \ge a, \quad \text{where } x > a.", "x > a => x >= a"),
+        (r"x^2 \ge 0 \quad \text{for all } x > 0", "for all x > 0: x^2 >= 0"),
+        (r"x^2 \ge 0 \quad \forall x > 0\text{.}", "for all x > 0: x^2 >= 0"),
     ] {
         let wanted = carom::claim::parse::parse_prop(wanted).map(|prop| Style::Text.prop(&prop)).unwrap();
         let formula = if formula.contains(r"\\ &=") {
@@ -93,6 +114,10 @@ fn an_ambiguity_is_decided_by_guessing() {
         r"\begin{split} a &= b \\ & -c = x \end{split}",
         r"\begin{split} a &= b \\ & \Rightarrow c = x \end{split}",
         r"\lim_{n \to \infty} a + b = 1",
+        r"\log x = 1",
+        r"a = b \quad (x \ne 0)",
+        r"a = b \hspace{2em} (x, y > 0)",
+        r"2 {1 \over 3} = a",
     ] {
         let fault = read(formula).expect_err(formula);
         assert!(fault.message().contains("may be read in two ways"), "{formula}: {}", fault.message());
@@ -106,7 +131,22 @@ fn what_is_not_read_is_read() {
         (r"g(x + 1) = 1", "nothing declares the name g"),
         (r"x_{12} = 1", "nothing declares the name x_{12}"),
         (r"\int x = 1", r"\int is not read"),
-        (r"\log x = 1", r"\log is not read"),
+        (r"\lg x = 1", r"\lg is not read"),
+        (r"2 \boxed{a + b} = x", r"\boxed is not read"),
+        (r"a - \underbrace{b + c} = x", r"\underbrace is not read"),
+        (r"\underbrace{b + c}_{= x} = a", r"\underbrace is not read"),
+        (r"{a \over b \over c} = 1", "two fractions in one group"),
+        (r"a \over b = 1", r"\over is not read"),
+        (r"\sum_{i=1}^\infty a = 1", "this sum is infinite"),
+        (r"n \equiv 1 \pmod 2", r"\pmod is not read"),
+        (r"a : b = c", "a colon between two numbers"),
+        (r"x \approx 2.5 \frac{a}{b}", "a number that stands alone"),
+        (r"x \approx 2.5\,\mathrm{s}", "a unit behind a number"),
+        (r"x = 2.5\,\mathrm{m/s}", "a unit behind a number"),
+        (r"a = b, \quad n = 1, 2, \dots", "a list of values with dots"),
+        (r"f'(2) = 1", "only of a variable"),
+        (r"a = b \text{ unless } x = 1", "the words “unless”"),
+        (r"a = b + \mathcal{O}(x^2)", "an order of magnitude"),
         (r"a \propto b", r"\propto is not read"),
         (r"x \approx 57.1(1) = a", "a chain goes on"),
         (r"x \approx 57.1 \pm a", "only before a number"),
@@ -135,6 +175,10 @@ fn what_is_not_read_is_read() {
 fn a_comment_does_not_decide() {
     for (formula, wanted) in [
         ("x = a \\pm b %carom pm or", "x = a + b or x = a - b"),
+        ("a = b \\implies x = \\pm y %carom pm or", "a = b => x = y or x = -y"),
+        ("x = \\pm y \\implies x^2 = y^2 %carom pm or", "x = y or x = -y => x^2 = y^2"),
+        ("x = \\pm y \\implies x^2 = y^2 %carom pm and", "(x = y => x^2 = y^2) and (x = -y => x^2 = y^2)"),
+        ("x = \\pm y \\text{ and } a = \\mp b %carom pm or", "(x = y and a = -b) or (x = -y and a = b)"),
         ("x = 3 \\pm 2 %carom pm or", "x = 3 + 2 or x = 3 - 2"),
         ("x = 2(3) %carom pm or", "x = 2*3"),
         ("x = 57.1 \\pm 0.1 %carom pm interval", "57.1 - 0.1 <= x <= 57.1 + 0.1"),
@@ -144,6 +188,9 @@ fn a_comment_does_not_decide() {
         ("a = b, \\quad x > 0 %carom comma if", "x > 0 => a = b"),
         ("a = b, \\quad x > 0 %carom comma and", "a = b and x > 0"),
         ("e^{x} = a %carom e is base", "exp(x) = a"),
+        ("\\log x = a %carom log is natural", "ln(x) = a"),
+        ("\\log x = a %carom log is decimal", "(ln(x)/ln(10)) = a"),
+        ("a = b \\quad (x, y > 0) %carom comma if", "(x > 0 and y > 0) => a = b"),
         ("\\mu_{12} = 1 %carom name \\mu_{12} as mu(12)", "mu(12) = 1"),
         ("x = a %carom prove x = b", "x = b"),
         ("\\bar{v} = a %carom given \\bar{v} real", "bar_v = a"),
@@ -151,6 +198,12 @@ fn a_comment_does_not_decide() {
         let wanted = carom::claim::parse::parse_prop(wanted).map(|prop| Style::Text.prop(&prop)).unwrap();
         assert_eq!(read(formula).map_err(|fault| fault.message()), Ok(wanted), "{formula}");
     }
+}
+
+#[test]
+fn two_values_on_both_sides_of_an_arrow_are_guessed() {
+    let fault = read("x = \\pm y \\implies a = \\mp b %carom pm or").expect_err("two readings");
+    assert!(fault.message().contains("± in several relations"), "{}", fault.message());
 }
 
 #[test]
@@ -169,6 +222,8 @@ fn a_limit_has_no_name() {
         "\\newcommand{\\a}{\\a}\n\\[ \\a = 1 \\]".to_string(),
         format!("{doubled}\\newcommand{{\\zz}}{{}}\\[ \\za = 1 \\]"),
         format!("\\[ {}1{} = 1 \\]", "(".repeat(300), ")".repeat(300)),
+        format!("\\[ {}1{} = 1 \\]", "{".repeat(100_000), "}".repeat(100_000)),
+        format!("\\[ {}1{} = 1 \\]", "\\boxed{".repeat(3000), "}".repeat(3000)),
     ] {
         let found = paper(&source).unwrap();
         let Outcome::NotRead(faults) = &found.equations[0].outcome else { panic!("{:?}", found.equations[0]) };
@@ -185,7 +240,8 @@ proptest! {
         "\\[", "\\]", "$$", "{", "}", "(", ")", "|", "\\frac", "\\sum", "_", "^", "'", "&", "\\\\", "\\begin{align}", "\\end{align}", "a",
         "\\mu", "1", ".", ",", "=", "+", "-", "\\left", "\\right", "\\text{and}", "%carom given a real\n", "%carom let\n", "%carom name a as\n",
         "\\newcommand{\\q}[2]{#1#2}", "\\q", "\\sqrt", "[", "]", "\\sin", "\\pm", "\\begin{cases}", "\\end{cases}", "\\lim", "\\to", "é", "\\Delta",
-        "\\begin{pmatrix}", "\\end{pmatrix}", "\\partial", "d", "!", "/", "\\cdot", "\\approx", "\\in", "\\quad", "%carom begin\n",
+        "\\begin{pmatrix}", "\\end{pmatrix}", "\\partial", "d", "!", "/", "\\cdot", "\\approx", "\\in", "\\quad", "%carom begin\n", "\\over", "\\boxed",
+        "\\underbrace", "\\log", "\\begin{array}", "\\end{array}", "\\{", "\\text{for all}", "\\hspace", "\\choose", "^\\circ", ",", "$", "%carom inline\n",
     ]), 0..40)) {
         for source in [text.clone(), parts.concat(), format!("\\[{}{text}\\]", parts.concat()), latex_of(&format!("$${text}{}", parts.concat()))] {
             if let Ok(found) = paper(&source) {
@@ -208,4 +264,27 @@ fn a_wrong_number_of_digits_is_taken() {
     }
     let shared = paper("%carom digits 3\n\\[ 1 = 1 \\]").expect("a paper");
     assert!(shared.faults[0].message().contains("`digits` is no clause here"));
+}
+
+#[test]
+fn a_marked_formula_in_running_text_is_passed_over() {
+    let source = format!(
+        "{DECLARED}Since $a = b$ and\n\\(b = c\\), %carom inline assume step\nwe find $a = \n c$. %carom inline claim end\n\
+         Not this: $c = a$.\n$a = b$ and $b = a$ %carom inline\nno formula %carom inline\n"
+    );
+    let found = paper(&source).unwrap();
+    assert_eq!(found.inline, 4);
+    let list = &found.equations;
+    assert_eq!(list.len(), 4, "{list:?}");
+    assert!(matches!(list[0].outcome, Outcome::Used("hypothesis")), "{:?}", list[0]);
+    let Outcome::Read(claim) = &list[1].outcome else { panic!("{:?}", list[1]) };
+    assert_eq!((claim.name.text.as_str(), list[1].line, &list[1].number), ("end", 5, &None));
+    assert_eq!(Style::Text.prop(claim.written_goal()), "a = c");
+    for (equation, says) in
+        [(&list[2], "more than one formula ends on this line"), (&list[3], "no formula in running text")]
+    {
+        let Outcome::NotRead(faults) = &equation.outcome else { panic!("{equation:?}") };
+        assert!(faults[0].message().contains(says), "{}", faults[0].message());
+        assert_eq!(&source[faults[0].span.start..faults[0].span.end], "inline");
+    }
 }
