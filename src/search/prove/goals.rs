@@ -287,8 +287,14 @@ impl Prover {
             let there = at_the_point(e).ok_or(Fail::No("a point"))?;
             let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
             let only = implies(&equal, &there);
-            let shown = self.attempt(|c| c.block(&every(only.clone()), |c, _| c.by_strict_sides(&only, &equal, e)));
-            from.push(shown.or_else(|_| self.show(&every(only)))?);
+            let every = every(only.clone());
+            // What this takes, if it fails, is not taken from what follows.
+            let before = (self.tries, self.spent, self.slopes);
+            let shown = self.attempt(|c| c.block(&every, |c, _| c.by_strict_sides(&only, &equal, e)));
+            if shown.is_err() {
+                (self.tries, self.spent, self.slopes) = before;
+            }
+            from.push(shown.or_else(|_| self.show(&every))?);
         }
         self.emit(Rule::Extremum { from }, goal.clone())
     }
