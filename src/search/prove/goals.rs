@@ -290,7 +290,9 @@ impl Prover {
             let every = every(only.clone());
             // What this takes, if it fails, is not taken from what follows.
             let before = (self.tries, self.spent, self.slopes);
-            let shown = self.attempt(|c| c.block(&every, |c, _| c.by_strict_sides(&only, &equal, e)));
+            let shown = self
+                .quietly(&every)
+                .or_else(|_| self.attempt(|c| c.block(&every, |c, _| c.by_strict_sides(&only, &equal, e))));
             if shown.is_err() {
                 (self.tries, self.spent, self.slopes) = before;
             }
