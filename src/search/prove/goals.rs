@@ -6,7 +6,7 @@ use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::at_the_point;
-use crate::kernel::statement::{compare, domain, name, prop};
+use crate::kernel::statement::{compare, domain, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use crate::refute::sample::example;
@@ -286,40 +286,9 @@ impl Prover {
         if e.unique {
             let there = at_the_point(e).ok_or(Fail::No("a point"))?;
             let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
-            let only = implies(&equal, &there);
-            let every = every(only.clone());
-            // What this takes, if it fails, is not taken from what follows.
-            let before = (self.tries, self.spent, self.slopes);
-            let shown = self
-                .quietly(&every)
-                .or_else(|_| self.attempt(|c| c.block(&every, |c, _| c.by_strict_sides(&only, &equal, e))));
-            if shown.is_err() {
-                (self.tries, self.spent, self.slopes) = before;
-            }
-            from.push(shown.or_else(|_| self.show(&every))?);
+            from.push(self.show(&every(implies(&equal, &there)))?);
         }
         self.emit(Rule::Extremum { from }, goal.clone())
-    }
-
-    /// Shows that a greatest or least value is taken at one place only: on either side of it the function lies strictly below or above.
-    fn by_strict_sides(&mut self, only: &Prop, equal: &Prop, e: &Extremum) -> Result<Label, Fail> {
-        let [(x, place)] = e.at.as_slice() else { return Err(Fail::No("one variable")) };
-        let x = name(&x.text);
-        let relation = if e.maximum { Relation::Less } else { Relation::Greater };
-        let strict = compare(e.of.clone(), relation, e.value.clone());
-        let there = compare(x.clone(), Relation::Equal, place.clone());
-        self.block(only, |c, _| {
-            let equal = c.known(equal).ok_or(Fail::No("the value"))?;
-            let mut halves = Vec::new();
-            for half in [Relation::LessEqual, Relation::GreaterEqual] {
-                let half = compare(x.clone(), half, place.clone());
-                halves.push(c.against_opposite(&half, |c, _| {
-                    let strict = c.without_cases(&strict)?;
-                    c.logic(&[&strict, &equal], &half)
-                })?);
-            }
-            c.logic(&[&halves[0], &halves[1]], &there)
-        })
     }
 
     /// An instance of a `for all` fact with one variable.

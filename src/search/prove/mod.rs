@@ -189,8 +189,8 @@ pub(crate) struct Prover {
     unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
     slopes: usize,
-    /// The variables of such attempts that are nested now.
-    slope_variables: Vec<String>,
+    /// Number of such attempts that are nested now.
+    slopes_open: usize,
     /// Whether powers of facts are tried.
     within_powers: bool,
     /// Whether the remainders of a natural number are distinguished.
@@ -236,7 +236,7 @@ impl Prover {
             inductions: 0,
             unfoldings: 0,
             slopes: 0,
-            slope_variables: Vec::new(),
+            slopes_open: 0,
             within_powers: false,
             in_residues: false,
             in_boxes: false,

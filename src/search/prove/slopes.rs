@@ -21,7 +21,7 @@ const SLOPES: usize = 40;
 impl Prover {
     /// A comparison a relation b by the mean value theorem.
     pub(crate) fn by_slope(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        if self.slope_variables.len() >= DEPTH {
+        if self.slopes_open >= DEPTH {
             return Err(Fail::No("a sign"));
         }
         if let Ok(label) = self.by_equal_values(goal, a, b) {
@@ -44,30 +44,16 @@ impl Prover {
             return Ok(label);
         }
         let difference = minus(a, b);
-        // Within the sign of a derivative only its own variable is tried.
-        let mut variables = self.reals_in(&difference);
-        variables.retain(|x| self.slope_variables.last().is_none_or(|own| own == x));
-        let mut pairs = Vec::new();
-        for x in variables {
-            let stationary =
-                if self.slope_variables.is_empty() { self.stationary_points(&difference, &x) } else { Vec::new() };
-            let places = self.places(&x).into_iter().filter(|p| !stationary.contains(p)).map(|p| (1, p));
-            for (rank, p) in stationary.iter().map(|p| (0, p.clone())).chain(places.collect::<Vec<_>>()) {
-                let there = put_in(&difference, &x, &p)?;
-                self.define(&there);
-                pairs.push((!self.is_zero(&there), rank, x.clone(), p));
-            }
-        }
-        // Where the two sides meet, first.
-        pairs.sort_by_key(|pair| (pair.0, pair.1));
-        for (_, _, x, p) in pairs {
-            let done = self.attempt(|c| {
-                let t = c.fresh("t");
-                let f = put_in(&difference, &x, &name(&t))?;
-                c.beside_a_place(goal, &f, &t, &x, relation, &p)
-            });
-            if done.is_ok() {
-                return done;
+        for x in self.reals_in(&difference) {
+            for p in self.places(&x) {
+                let done = self.attempt(|c| {
+                    let t = c.fresh("t");
+                    let f = put_in(&difference, &x, &name(&t))?;
+                    c.beside_a_place(goal, &f, &t, &x, relation, &p)
+                });
+                if done.is_ok() {
+                    return done;
+                }
             }
         }
         Err(Fail::No("a slope"))
@@ -164,12 +150,7 @@ impl Prover {
         self.define(&there);
         let reading = self.read(&there, true).ok_or(Fail::No("a value at the place"))?;
         let at_place = compare(there.clone(), relation, numeral(0));
-        // Also where only a fact tells, as for exp(−a²/a²) − exp(−1).
-        let zero = match reading.number == 0 {
-            true => None,
-            false => self.quietly(&compare(there.clone(), Relation::Equal, numeral(0))).ok(),
-        };
-        let is_zero = reading.number == 0 || zero.is_some();
+        let is_zero = reading.number == 0;
         if !is_zero {
             self.quietly(&at_place)?;
         }
@@ -184,7 +165,6 @@ impl Prover {
                 compare(put_in(f, t, &variable)?, if strict { relation } else { weak(relation) }, there.clone());
             let label = c.rises(&shown, f, t, [low, high], slope, [p, &variable])?;
             let mut terms = vec![Term { facts: vec![label], factor: numeral(1) }];
-            terms.extend(zero.iter().map(|zero| Term { facts: vec![zero.clone()], factor: numeral(1) }));
             if !is_zero {
                 terms.push(Term { facts: Vec::new(), factor: there.clone() });
             }
@@ -237,11 +217,10 @@ impl Prover {
         let body = compare(derivative.clone(), slope, numeral(0));
         let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
         self.define(f);
-        let splits = self.splits;
-        self.slope_variables.push(t.to_string());
+        let (splits, open) = (self.splits, self.slopes_open);
+        self.slopes_open += 1;
         let source = self.block(&every, |c, _| c.sign_of_derivative(&body, &derivative));
-        self.slope_variables.pop();
-        self.splits = splits;
+        (self.splits, self.slopes_open) = (splits, open);
         let source = source?;
         let with = vec![(Name::new("a"), a.clone()), (Name::new("b"), b.clone())];
         let from = Vec::new();
