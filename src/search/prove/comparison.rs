@@ -284,9 +284,6 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_quadratic(goal, a, relation, b)) {
             return Ok(label);
         }
-        if let Ok(label) = self.by_double_root(goal, a, relation, b) {
-            return Ok(label);
-        }
         if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }

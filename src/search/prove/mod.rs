@@ -25,7 +25,6 @@ mod columns;
 mod comparison;
 mod denesting;
 mod differences;
-mod double_roots;
 mod elimination;
 mod existence;
 mod exponent_lattice;

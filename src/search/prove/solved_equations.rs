@@ -100,15 +100,6 @@ impl Prover {
         out
     }
 
-    /// The roots of the derivative of a polynomial, as quotients.
-    pub(super) fn stationary_values(&mut self, p: &Polynomial, v: u32) -> Vec<(Polynomial, Polynomial)> {
-        let slope = p.derivative(v);
-        let factors = if slope.term_count() > MOST_TERMS { None } else { factor(&slope).ok() };
-        let factors = factors.map_or_else(Vec::new, |f| f.factors);
-        let values = factors.iter().filter(|f| f.0.contains(v)).filter_map(|f| self.values_in(&f.0, v, &[v]));
-        values.flatten().collect()
-    }
-
     /// Where an expression is stationary in a variable, as far as the factors of its derivative are polynomials in it.
     pub(super) fn stationary_points(&mut self, e: &Expr, x: &str) -> Vec<Expr> {
         let derivative = expr(ExprKind::Derivative(Box::new(e.clone()), vec![Name::new(x)]));
