@@ -259,6 +259,8 @@ struct Parser {
     /// How many of them the preamble uses.
     refused_before: usize,
     faults: Vec<Diagnostic>,
+    /// How many of the faults are the lexer's. They come first, in the order of their places.
+    lexed: usize,
 }
 
 impl Parser {
@@ -275,6 +277,7 @@ impl Parser {
             file: false,
             refused: Vec::new(),
             refused_before: 0,
+            lexed: faults.len(),
             faults,
         }
     }
@@ -413,9 +416,11 @@ impl Parser {
             _ => false,
         };
         let between = before.map_or(0, |token| token.span.end)..self.span().end;
-        let is_stray =
-            |fault: &Diagnostic| matches!(fault.fault, Fault::Stray(_)) && between.contains(&fault.span.start);
-        before.into_iter().chain([&self.tokens[self.at]]).any(is_refused) || self.faults.iter().any(is_stray)
+        let lexed = &self.faults[..self.lexed];
+        let first = lexed.partition_point(|fault| fault.span.start < between.start);
+        let mut strays = lexed[first..].iter().take_while(|fault| fault.span.start < between.end);
+        before.into_iter().chain([&self.tokens[self.at]]).any(is_refused)
+            || strays.any(|fault| matches!(fault.fault, Fault::Stray(_)))
     }
 
     /// What to write for `sin x` or `sin^2(x)` where the fault is behind the name of a function.
