@@ -65,7 +65,7 @@ fn formed(tokens: &[Token], depth: usize) -> Result<Vec<Token>, Diagnostic> {
                 }
                 at = next;
             }
-            ("text" | "mbox" | "textrm" | "textnormal", Some((inner, next))) if is_punctuation(inner) => {
+            (_, Some((inner, next))) if token.is_text() && is_punctuation(inner) => {
                 out.extend(inner.iter().cloned());
                 at = next;
             }
@@ -190,8 +190,7 @@ fn label(tokens: &[Token], at: usize, brace: &Token) -> Result<usize, Diagnostic
         return Ok(at);
     }
     let (inner, next) = super::name::argument(tokens, at + 1)?;
-    let is_words = |t: &Token| ["text", "mbox", "textrm", "textnormal"].iter().any(|name| t.is(name));
-    match inner.first().is_some_and(is_words) {
+    match inner.first().is_some_and(Token::is_text) {
         true => Ok(next),
         false => Err(command("underbrace", brace.span)),
     }

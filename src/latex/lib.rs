@@ -10,6 +10,7 @@ mod atom;
 mod binding;
 mod clause;
 mod comment;
+mod comparison;
 mod document;
 mod expression;
 mod form;

@@ -455,10 +455,10 @@ fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Read
         None => Ok(out),
         Some(token) => {
             let span = token.span;
+            if let Some((said, _)) = reader.text_here() {
+                return Err(super::refusal::unread_words(&said, span));
+            }
             Err(match token.command() {
-                Some(_) if reader.text_here().is_some() => {
-                    super::refusal::unread_words(&reader.text_here().map_or(String::new(), |text| text.0), span)
-                }
                 Some(name) if !super::prepare::is_operator(name) => super::refusal::command(name, span),
                 _ => {
                     expected("an operator, a relation or the end of the formula", &format!("`{}`", token.text()), span)

@@ -168,8 +168,7 @@ fn after_text(tokens: &[Token]) -> bool {
             Kind::Open => {
                 level -= 1;
                 if level == 0 {
-                    let before = place.checked_sub(1).and_then(|i| tokens[i].command());
-                    return before.is_some_and(|name| ["text", "mbox", "textrm", "textnormal"].contains(&name));
+                    return place.checked_sub(1).is_some_and(|before| tokens[before].is_text());
                 }
             }
             _ => {}

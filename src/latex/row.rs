@@ -38,7 +38,7 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
         // Words in the cells behind the equation are its condition.
         let is_condition = |cell: &Vec<Token>| {
             let first = cell.iter().find(|t| !is_space(t) && !t.is("quad") && !t.is("qquad"));
-            first.is_none_or(|t| ["text", "mbox", "textrm", "textnormal", "forall"].iter().any(|name| t.is(name)))
+            first.is_none_or(|t| t.is_text() || t.is("forall"))
         };
         let has_condition = row.cells.len() > 2 && row.cells[2..].iter().all(is_condition);
         if plain != "eqnarray" && filled > 2 && !has_condition {

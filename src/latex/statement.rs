@@ -4,10 +4,9 @@
 
 use super::binding::relation_of;
 use super::expression::{Read, Reader, is_space};
-use super::name::{argument, base, scripts};
-use super::piece::Piece;
+use super::name::argument;
 use super::place::Placed;
-use super::refusal::{ambiguous, command, refused, unit, unread_words};
+use super::refusal::{ambiguous, refused, unread_words};
 use super::token::{Kind, Token, words};
 use carom_diagnostic::Span;
 
@@ -24,7 +23,7 @@ impl Said {
 }
 
 /// Words behind which a condition stands.
-const CONDITIONS: &[&str] =
+pub(crate) const CONDITIONS: &[&str] =
     &["if", "for", "when", "whenever", "where", "with", "provided", "provided that", "as long as"];
 /// Words that say for which values of a name a statement is true.
 const FOR_ALL: &[&str] = &["for all", "for each", "for every", "for any"];
@@ -32,8 +31,7 @@ const FOR_ALL: &[&str] = &["for all", "for each", "for every", "for any"];
 impl Reader<'_, '_, '_> {
     /// The words of `\text{…}` here, and where to read on.
     pub(crate) fn text_here(&mut self) -> Option<(String, usize)> {
-        let is_text = |t: &Token| ["text", "mbox", "textrm", "textnormal", "textit"].iter().any(|name| t.is(name));
-        self.peek().filter(|t| is_text(t))?;
+        self.peek().filter(|t| t.is_text() || t.is("textit"))?;
         let (inner, next) = argument(self.tokens, self.at + 1).ok()?;
         let said = words(inner).to_lowercase();
         Some((said.trim_matches([' ', ',', '.', ';']).split_whitespace().collect::<Vec<_>>().join(" "), next))
@@ -88,20 +86,11 @@ impl Reader<'_, '_, '_> {
             return Ok(joined(vec![condition, left], " => ", 2, 3));
         }
         if self.begins_for_all() {
-            self.scope.has_logic = true;
             let span = self.span();
-            match self.text_here() {
-                Some((_, next)) => self.at = next,
-                None => self.at += 1,
-            }
             let outside = self.scope.bound.len();
-            let bindings = self.bindings();
+            let bindings = self.quantified_names();
             self.scope.bound.truncate(outside);
-            let mut text = Placed::new("for all ", span);
-            text.append(&bindings?);
-            text.push(": ", span);
-            text.append(&left.text);
-            return Ok(Said { text, level: 1 });
+            return Ok(under("for all ", &bindings?, &left, span));
         }
         Ok(left)
     }
@@ -265,7 +254,7 @@ impl Reader<'_, '_, '_> {
     }
 
     /// The rows of the cases that begin here, each with its cells, and where to read on.
-    fn cases_here(&mut self) -> Read<(Vec<Vec<Vec<Token>>>, usize)> {
+    pub(crate) fn cases_here(&mut self) -> Read<(Vec<Vec<Vec<Token>>>, usize)> {
         let Some((_, inside)) = super::document::environment(self.tokens, self.at) else {
             return self.expected("cases");
         };
@@ -277,23 +266,21 @@ impl Reader<'_, '_, '_> {
     }
 
     fn quantified(&mut self, word: &str, span: Span) -> Read<Said> {
-        self.scope.has_logic = true;
-        match self.text_here() {
-            Some((_, next)) => self.at = next,
-            None => self.at += 1,
-        }
         let outside = self.scope.bound.len();
-        let bindings = self.bindings()?;
+        let bindings = self.quantified_names()?;
         if !(self.take_char(':') || self.take_char(',') || self.take_command(&["colon", "quad", ":"])) {
             return self.expected("`:` before what is said to hold");
         }
         let body = self.statement();
         self.scope.bound.truncate(outside);
-        let mut text = Placed::new(word, span);
-        text.append(&bindings);
-        text.push(": ", span);
-        text.append(&body?.text);
-        Ok(Said { text, level: 1 })
+        Ok(under(word, &bindings, &body?, span))
+    }
+
+    /// The names behind the words or the sign of a quantifier, which stand here.
+    fn quantified_names(&mut self) -> Read<Placed> {
+        self.scope.has_logic = true;
+        self.at = self.text_here().map_or(self.at + 1, |(_, next)| next);
+        self.bindings()
     }
 
     /// `maximum of F over x > 0 only at x = A is M`
@@ -352,201 +339,10 @@ impl Reader<'_, '_, '_> {
         }
         None
     }
-
-    /// `a = b < c`, or `a, b > 0` for each name
-    fn comparison(&mut self, span: Span) -> Read<Said> {
-        let count = self.names_before_relation()?;
-        if count < 2 {
-            return self.signed(span);
-        }
-        let mut names = vec![self.symbol()?];
-        while self.take_char(',') {
-            names.push(self.symbol()?);
-        }
-        let from = self.at;
-        let each = names.into_iter().map(|name| {
-            self.at = from;
-            self.compared(name, span)
-        });
-        Ok(joined(each.collect::<Read<Vec<Said>>>()?, " and ", 4, 5))
-    }
-
-    /// One comparison; where it holds ± it may say one of two things.
-    fn signed(&mut self, span: Span) -> Read<Said> {
-        let from = self.at;
-        let outside = self.scope.double_sign.take();
-        let read = |reader: &mut Self| {
-            reader.at = from;
-            let left = reader.sum()?;
-            reader.compared(left, span)
-        };
-        let mut said = read(self)?;
-        if self.scope.double_sign.is_some() {
-            self.scope.signed += 1;
-            if self.scope.splits {
-                self.scope.upper = false;
-                let lower = read(self);
-                self.scope.upper = true;
-                said = joined(vec![said, lower?], " or ", 3, 4);
-            }
-        }
-        self.scope.double_sign = self.scope.double_sign.or(outside);
-        Ok(said)
-    }
-
-    /// How many names with commas between them stand here before `<`, `>`, `\ne` or `\in`.
-    fn names_before_relation(&mut self) -> Read<usize> {
-        let after_space = |at: usize| {
-            let spaces = self.tokens.iter().skip(at).take_while(|t| is_space(t)).count();
-            at + spaces
-        };
-        let (mut at, mut count) = (after_space(self.at), 0);
-        while let Some((first, next)) = base(self.tokens, at)? {
-            let (_, next) = scripts(self.tokens, first, Span::default(), next)?;
-            let next = after_space(next);
-            count += 1;
-            match self.tokens.get(next) {
-                Some(token) if token.is_char(',') => at = after_space(next + 1),
-                Some(token) if token.is("in") || relation_of(token).is_some_and(|sign| sign != "=") => {
-                    return Ok(count);
-                }
-                _ => break,
-            }
-        }
-        Ok(0)
-    }
-
-    /// What is compared with `left`, which stands before the sign here.
-    fn compared(&mut self, mut left: Piece, span: Span) -> Read<Said> {
-        let mut text = left.text.clone();
-        let mut also: Vec<Said> = Vec::new();
-        let mut count = 0;
-        while let Some(token) = self.peek() {
-            let place = token.span;
-            let is_approximate = token.is("approx");
-            if (is_approximate || relation_of(token) == Some("="))
-                && self.begins_printed(self.at + 1, is_approximate)?
-            {
-                self.at += 1;
-                also.push(self.printed(&left)?);
-                let behind = self.span();
-                if self.peek().is_some_and(super::expression::is_upright) {
-                    return Err(unit(behind));
-                }
-                if self.begins_factor() || self.peek().is_some_and(|t| matches!(t.char(), Some('+' | '-' | '/' | '^')))
-                {
-                    let help = "write the bound that is meant, as in |x - y| \\le 0.01, or `%carom skip`";
-                    return Err(refused("≈ is read only before a number that stands alone", help, behind));
-                }
-                // What stands behind is compared with the printed number, which is not meant.
-                if self.peek().is_some_and(|t| relation_of(t).is_some() || t.is("approx")) {
-                    let span = self.span();
-                    let help = "end the chain with the printed number";
-                    return Err(refused("a chain goes on behind a rounded or measured number", help, span));
-                }
-            } else if let Some(relation) = relation_of(token) {
-                self.at += 1;
-                if relation == "=" && self.peek().is_some_and(|t| t.is("begin")) && self.is_cases() {
-                    if count > 0 {
-                        let help = "write the cases as an equation of their own, f(x) = \\begin{cases} … \\end{cases}";
-                        return Err(refused("cases at the end of a chain", help, place));
-                    }
-                    return self.cases(&left);
-                }
-                left = self.sum()?;
-                text.push(&format!(" {relation} "), place);
-                text.append(&left.text);
-                count += 1;
-            } else if token.is("in") {
-                self.at += 1;
-                also.push(self.member(&left)?);
-            } else if let Some(modulo) =
-                self.tokens[self.at..].iter().find(|t| t.is("pmod") || t.is("bmod") || t.is("mod"))
-                && token.is("equiv")
-            {
-                return Err(command(modulo.command().unwrap_or_default(), modulo.span));
-            } else if token.is("equiv") {
-                let readings = ["an identity", "a definition"];
-                let write = ["write =", "write := or `%carom let`"];
-                return Err(ambiguous("≡", readings, write, place));
-            } else if token.is_char(':') && !self.tokens.get(self.at + 1).is_some_and(|t| t.is_char('=')) {
-                let help = "write a quotient, \\frac{a}{b}";
-                return Err(refused("a colon between two numbers is not read", help, place));
-            } else if token.is_char(':') || token.is("coloneqq") || token.is("defeq") {
-                return Err(refused(
-                    "a definition within a statement",
-                    "put `:=` behind the name that is defined, at the front",
-                    place,
-                ));
-            } else {
-                break;
-            }
-        }
-        if count == 0 && also.is_empty() {
-            if let Some(token) = self.peek()
-                && ["propto", "sim", "simeq", "ll", "gg", "cong", "lesssim", "gtrsim", "to", "rightarrow", "mapsto"]
-                    .iter()
-                    .any(|name| token.is(name))
-            {
-                return Err(command(token.command().unwrap_or_default(), token.span));
-            }
-            let message = "this formula compares nothing";
-            return Err(refused(
-                message,
-                "a statement has a sign such as = or \\le; pass the formula over by `%carom skip`",
-                self.since(span),
-            ));
-        }
-        let mut list = if count > 0 { vec![Said { text, level: 6 }] } else { Vec::new() };
-        list.append(&mut also);
-        Ok(joined(list, " and ", 4, 5))
-    }
-
-    fn is_cases(&mut self) -> bool {
-        super::document::environment(self.tokens, self.at).is_some_and(|(name, _)| name == "cases" || name == "dcases")
-    }
-
-    /// `f = \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases}`: each case is an implication.
-    fn cases(&mut self, left: &Piece) -> Read<Said> {
-        let start = self.span();
-        self.scope.has_logic = true;
-        let (rows, next) = self.cases_here()?;
-        let (mut list, mut before): (Vec<Said>, Vec<Said>) = (Vec::new(), Vec::new());
-        for cells in rows {
-            let [value, condition] = cells.as_slice() else {
-                let help = "write each case as `value & condition`";
-                return Err(refused("a case without its condition", help, start));
-            };
-            let value = self.sum_in(&ended(value))?;
-            let condition = self.condition(condition, &before, start)?;
-            let mut equation = left.text.clone();
-            equation.push(" = ", start);
-            equation.append(&value.text);
-            let case = Said { text: condition.text.clone(), level: condition.level };
-            list.push(joined(vec![case, Said { text: equation, level: 6 }], " => ", 2, 3));
-            before.push(condition);
-        }
-        self.at = next;
-        Ok(joined(list, " and ", 4, 5))
-    }
-
-    fn condition(&mut self, tokens: &[Token], before: &[Said], start: Span) -> Read<Said> {
-        self.inside(&ended(tokens), |inside| {
-            if inside.take_text(&["otherwise", "else"]) {
-                let list: Vec<Said> =
-                    before.iter().map(|said| Said { text: said.text.clone(), level: said.level }).collect();
-                let mut text = Placed::new("not ", start);
-                text.append(&joined(list, " or ", 3, 4).at_least(6));
-                return Ok(Said { text, level: 5 });
-            }
-            inside.take_text(CONDITIONS);
-            inside.statement()
-        })
-    }
 }
 
 /// Tokens without the punctuation and the space at their end.
-fn ended(tokens: &[Token]) -> Vec<Token> {
+pub(crate) fn ended(tokens: &[Token]) -> Vec<Token> {
     let ends = |t: &Token| matches!(t.char(), Some(',' | '.' | ';')) || is_space(t) || t.is("quad");
     let length = tokens.iter().rposition(|t| !ends(t)).map_or(0, |last| last + 1);
     tokens[..length].to_vec()
@@ -565,6 +361,15 @@ fn is_statement(tokens: &[Token]) -> bool {
     }
     let leads = |t: &Token| t.is("Rightarrow") || t.is("Leftrightarrow") || t.is("iff") || t.is("land") || t.is("lor");
     tokens.first().is_some_and(|t| t.is_char('(')) && tokens.iter().any(leads)
+}
+
+/// A statement under a quantifier.
+fn under(word: &str, bindings: &Placed, body: &Said, span: Span) -> Said {
+    let mut text = Placed::new(word, span);
+    text.append(bindings);
+    text.push(": ", span);
+    text.append(&body.text);
+    Said { text, level: 1 }
 }
 
 /// Statements with a word between them.

@@ -46,6 +46,11 @@ impl Token {
         matches!(&self.kind, Kind::Command(own) if own == name)
     }
 
+    /// Whether it is a command whose argument is upright words.
+    pub(crate) fn is_text(&self) -> bool {
+        ["text", "mbox", "textrm", "textnormal"].iter().any(|name| self.is(name))
+    }
+
     /// Whether it is this sign.
     pub(crate) fn is_char(&self, sign: char) -> bool {
         self.kind == Kind::Char(sign)
