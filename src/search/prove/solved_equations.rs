@@ -81,7 +81,7 @@ impl Prover {
             }
         }
         let mut out = Vec::new();
-        if self.are_polynomials_in(&polys, &names, &unknown) {
+        if self.are_polynomials_in(&polys, &unknown) {
             if unknown.len() > polys.len() {
                 let slopes = polys.iter().flat_map(|p| unknown.iter().map(|v| p.derivative(*v)));
                 polys = slopes.filter(|p| !p.is_zero()).collect();
@@ -101,29 +101,33 @@ impl Prover {
     }
 
     /// Where an expression is stationary in a variable, as far as the factors of its derivative are polynomials in it.
-    pub(super) fn stationary_points(&mut self, e: &Expr, x: &str) -> Vec<Expr> {
+    fn stationary_points(&mut self, e: &Expr, x: &str) -> Vec<Expr> {
         let derivative = expr(ExprKind::Derivative(Box::new(e.clone()), vec![Name::new(x)]));
         self.define(&derivative);
         let Some(reading) = self.read(&derivative, false) else { return Vec::new() };
         let v = self.letters.of(&name(x));
         let mut out = Vec::new();
-        for f in reading.factors.iter().filter(|f| f.power > 0 && f.poly.contains(v)) {
-            let Ok(parts) = factor(&f.poly) else { continue };
-            for (part, _) in parts.factors.iter().filter(|p| p.0.contains(v)) {
-                if self.are_polynomials_in(std::slice::from_ref(part), &[x.to_string()], &[v]) {
-                    let values = self.values_in(part, v, &[v]).unwrap_or_default();
+        for f in reading.factors.iter().filter(|f| f.power > 0) {
+            for part in factors_with(&f.poly, &[v]) {
+                if self.are_polynomials_in(std::slice::from_ref(&part), &[v]) {
+                    let values = self.values_in(&part, v, &[v]).unwrap_or_default();
                     out.extend(values.iter().map(|(a, b)| over(self.letters.written(a), self.letters.written(b))));
                 }
             }
         }
-        out.into_iter().filter_map(|value| self.simplified(&value)).collect()
+        out
     }
 
-    /// Whether no other letter holds one of the names.
-    fn are_polynomials_in(&self, polys: &[Polynomial], names: &[String], unknown: &[u32]) -> bool {
+    /// Whether no other letter holds the name of an unknown.
+    fn are_polynomials_in(&self, polys: &[Polynomial], unknown: &[u32]) -> bool {
+        let is_apart = |e: &Expr| {
+            unknown.iter().all(|v| match self.letters.expr(*v).map(|own| &own.kind) {
+                Some(ExprKind::Name(own)) => !super::limits::holds(e, own),
+                _ => true,
+            })
+        };
         let others = polys.iter().flat_map(Polynomial::variables).filter(|v| !unknown.contains(v));
-        let mut others = others.filter_map(|v| self.letters.expr(v));
-        others.all(|e| names.iter().all(|n| !super::limits::holds(e, n)))
+        others.filter_map(|v| self.letters.expr(v)).all(is_apart)
     }
 
     /// Adds the solutions of equations for all the unknown; `found` holds those that are eliminated, in others.
@@ -141,20 +145,14 @@ impl Prover {
             out.push(self.put_back(found));
             return;
         }
-        let factors = |p: &Polynomial| -> Vec<Polynomial> {
-            let all = if p.term_count() > MOST_TERMS { None } else { factor(p).ok() };
-            let all = all.map_or_else(|| vec![p.clone()], |f| f.factors.into_iter().map(|f| f.0).collect());
-            all.into_iter().filter(|f| unknown.iter().any(|v| f.contains(*v))).collect()
-        };
-        let lists: Vec<Vec<Polynomial>> = polys.iter().map(factors).collect();
+        let lists: Vec<Vec<Polynomial>> = polys.iter().map(|p| factors_with(p, unknown)).collect();
         let Some(place) = (0..lists.len()).filter(|k| !lists[*k].is_empty()).min_by_key(|k| cost(&lists[*k], unknown))
         else {
             return;
         };
         let rest: Vec<&Polynomial> = polys.iter().enumerate().filter(|p| p.0 != place).map(|p| p.1).collect();
         for f in &lists[place] {
-            let Some((v, values)) = unknown.iter().filter_map(|v| Some((*v, self.values_in(f, *v, unknown)?))).next()
-            else {
+            let Some((v, values)) = unknown.iter().find_map(|v| Some((*v, self.values_in(f, *v, unknown)?))) else {
                 continue;
             };
             let others: Vec<u32> = unknown.iter().copied().filter(|u| *u != v).collect();
@@ -230,9 +228,8 @@ impl Prover {
 
     /// The k-th root of a quotient: the powers that can leave the root, times a letter for what is left.
     fn root_of_quotient(&mut self, above: &Polynomial, below: &Polynomial, k: u32) -> Polynomial {
-        let exact = |p: &Polynomial| exact_root(p, k).ok().flatten();
         if below.is_one()
-            && let Some(root) = exact(above)
+            && let Ok(Some(root)) = exact_root(above, k)
         {
             return root;
         }
@@ -250,6 +247,13 @@ impl Prover {
         };
         outside.mul(&Polynomial::variable(self.letters.of(&root)))
     }
+}
+
+/// The factors of a polynomial that hold an unknown; a long one is its own factor.
+fn factors_with(p: &Polynomial, unknown: &[u32]) -> Vec<Polynomial> {
+    let all = if p.term_count() > MOST_TERMS { None } else { factor(p).ok() };
+    let all = all.map_or_else(|| vec![p.clone()], |f| f.factors.into_iter().map(|f| f.0).collect());
+    all.into_iter().filter(|f| unknown.iter().any(|v| f.contains(*v))).collect()
 }
 
 /// A polynomial as m^k·p, with m a product of letters.
