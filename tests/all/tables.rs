@@ -10,7 +10,7 @@ use carom::table::{Found, Plan, Printing, Quantity};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Pow};
 use proptest::prelude::*;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 fn q(text: &str) -> Rational {
@@ -482,13 +482,30 @@ fn run(arguments: &[String]) -> Output {
     carom(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
+/// A table and its certificate, the files in which an interrupted run leaves their rows, and the arguments that make them.
+struct Growing {
+    path: PathBuf,
+    partial: PathBuf,
+    certificate: PathBuf,
+    grown: PathBuf,
+    arguments: Vec<String>,
+}
+
+fn growing(folder: &Path) -> Growing {
+    let certificate = folder.join("cells.jsonl");
+    Growing {
+        path: folder.join("table.csv"),
+        partial: folder.join("table.csv.partial"),
+        grown: folder.join("cells.jsonl.partial"),
+        arguments: csv(folder, &["--certificate", &certificate.display().to_string()]),
+        certificate,
+    }
+}
+
 #[test]
 fn a_run_that_was_cut_off_is_resumed_to_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (path, partial) = (folder.path().join("table.csv"), folder.path().join("table.csv.partial"));
-    let certificate = folder.path().join("cells.jsonl");
-    let grown = folder.path().join("cells.jsonl.partial");
-    let arguments = csv(folder.path(), &["--certificate", &certificate.display().to_string()]);
+    let Growing { path, partial, certificate, grown, arguments } = growing(folder.path());
     assert_eq!(run(&arguments).status.code(), Some(0));
     assert!(!partial.exists() && !grown.exists());
     let (whole, cells) = (std::fs::read(&path).expect("there"), std::fs::read(&certificate).expect("there"));
@@ -512,10 +529,7 @@ fn a_run_that_was_cut_off_is_resumed_to_the_same_bytes() {
 #[test]
 fn rows_that_an_interrupted_run_left_are_lost_to_a_run_without_resume() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (path, partial) = (folder.path().join("table.csv"), folder.path().join("table.csv.partial"));
-    let certificate = folder.path().join("cells.jsonl");
-    let grown = folder.path().join("cells.jsonl.partial");
-    let arguments = csv(folder.path(), &["--certificate", &certificate.display().to_string()]);
+    let Growing { path, partial, certificate, grown, arguments } = growing(folder.path());
     for left in [&partial, &grown] {
         std::fs::write(left, "# the rows of many hours\n").expect("written");
         let out = run(&arguments);
