@@ -2,13 +2,16 @@
 //! of sequences, of sums and of products.
 
 use super::letters::{natural, whole_power};
+use super::limits::holds;
 use super::{Fail, Prover, put};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule};
 use crate::claim::definedness::{Need, needs};
 use crate::claim::syntax::*;
+use crate::kernel::key;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, numeral, prop};
+use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
 use malachite::Rational;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -48,9 +51,10 @@ impl Prover {
             ExprKind::Sum(list) => list.iter().for_each(|(_, e)| self.define(e)),
             ExprKind::Product(list) => list.iter().for_each(|(_, e)| self.define(e)),
             ExprKind::Power(a, b) => [a, b].into_iter().for_each(|e| self.define(e)),
-            ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
                 self.define(&index.from);
                 self.define(&index.to);
+                self.define_members(index, body);
             }
             ExprKind::Derivative(body, _) => return self.define(body),
             ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| self.define(e)),
@@ -81,6 +85,34 @@ impl Prover {
                     self.sign(&next, Relation::GreaterEqual, &from);
                 }
                 Need::Differentiable(..) => {}
+            }
+        }
+    }
+
+    /// Shows that products over another index, such as factorials, by which the members of a sum divide, are positive.
+    fn define_members(&mut self, index: &Index, body: &Expr) {
+        let mut divisors = Vec::new();
+        products_divided_by(body, &index.name.text, false, &mut divisors);
+        for (at, factor) in divisors {
+            let key = format!("{} in {}", key::expr(&over(false, at.clone(), &factor)), index.name.text);
+            if self.failed.contains(&key) || !self.enriched.insert(key.clone()) {
+                continue;
+            }
+            let own = self.fresh("j");
+            let mut renamed = Substitution::default();
+            renamed.replace(&at.name.text, &name(&own));
+            let Ok(factor) = renamed.expr(&factor) else { continue };
+            let product = over(false, Index { name: Name::new(own), ..at }, &factor);
+            let binding = Binding::of(index.name.clone(), true, Vec::new());
+            let positive = compare(product, Relation::Greater, numeral(0));
+            match self.quietly(&prop(PropKind::ForAll(vec![binding], Box::new(positive)))) {
+                Ok(label) => {
+                    self.own_indices.insert(label);
+                }
+                Err(_) => {
+                    self.enriched.remove(&key);
+                    self.failed.insert(key);
+                }
             }
         }
     }
@@ -135,7 +167,7 @@ impl Prover {
         for _ in 0..12 {
             let mut changed = false;
             for e in self.letters_in(exprs) {
-                let key = crate::kernel::key::expr(&e);
+                let key = key::expr(&e);
                 if matches!(e.kind, ExprKind::Name(_))
                     || self.failed.contains(&key)
                     || !self.enriched.insert(key.clone())
@@ -460,6 +492,17 @@ impl Prover {
 }
 
 /// Whether the first of two sides is a member of a family that does not occur in the other.
+/// The products over an index in what an expression divides by, if they depend on a name.
+fn products_divided_by(e: &Expr, name: &str, divided: bool, out: &mut Vec<(Index, Expr)>) {
+    match &e.kind {
+        ExprKind::Product(list) => {
+            list.iter().for_each(|(f, e)| products_divided_by(e, name, divided || *f == Factor::Over, out));
+        }
+        ExprKind::ProductOver(index, body) if divided && holds(e, name) => out.push((index.clone(), (**body).clone())),
+        _ => crate::claim::walk::parts(e, &mut |part| products_divided_by(part, name, divided, out)),
+    }
+}
+
 fn stands_alone(sides: &[Expr]) -> bool {
     let [left, right] = sides else { return false };
     let ExprKind::Apply(f, list) = &left.kind else { return false };
