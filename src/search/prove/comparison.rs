@@ -61,6 +61,9 @@ impl Prover {
         if let Ok(label) = self.by_linear_programs(goal, a, relation, b) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_linear_unknown(goal) {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_numbers_and_powers(goal, a, relation, b) {
             return Ok(label);
         }

@@ -32,6 +32,7 @@ mod exponents;
 mod facts;
 mod fail;
 mod formulas;
+mod fourier_motzkin;
 mod goals;
 mod ideal;
 mod induction;
@@ -186,6 +187,8 @@ pub(crate) struct Prover {
     opened: Vec<Label>,
     /// Number of nested inductions.
     inductions: usize,
+    /// Number of unknowns that are being eliminated, each within the one before.
+    eliminations: usize,
     /// Number of members that are being unfolded, each within the one before.
     unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
@@ -236,6 +239,7 @@ impl Prover {
             splits: 0,
             opened: Vec::new(),
             inductions: 0,
+            eliminations: 0,
             unfoldings: 0,
             slopes: 0,
             slopes_open: 0,
