@@ -56,9 +56,7 @@ impl Prover {
                 self.logic(&[&label], goal)
             }
             PropKind::Implies(p, q) => {
-                let mut sides = Vec::new();
-                sides_in(p, &mut sides);
-                sides.iter().for_each(|e| self.define(e));
+                self.define_sides(p);
                 self.block(goal, |c, _| {
                     c.solve_equations();
                     c.show(q)
@@ -99,6 +97,13 @@ impl Prover {
             PropKind::Limit(l) => self.limit(goal, l),
             PropKind::WrittenLimit(_) => Err(Fail::No("a limit as it is written")),
         }
+    }
+
+    /// Proves the conditions under which the sides of comparisons have values.
+    pub(super) fn define_sides(&mut self, p: &Prop) {
+        let mut sides = Vec::new();
+        sides_in(p, &mut sides);
+        sides.iter().for_each(|e| self.define(e));
     }
 
     /// Proves `exists` by values: from elimination, small ones, from equations.
@@ -209,9 +214,7 @@ impl Prover {
     }
 
     fn show_or(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {
-        let mut sides = Vec::new();
-        sides_in(goal, &mut sides);
-        sides.iter().for_each(|e| self.define(e));
+        self.define_sides(goal);
         if let Ok(label) = self.logic(&[], goal) {
             return Ok(label);
         }

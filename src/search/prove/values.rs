@@ -54,7 +54,7 @@ impl Prover {
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
                 self.define(&index.from);
                 self.define(&index.to);
-                self.define_members(index, body);
+                self.define_members(&index.name, body);
             }
             ExprKind::Derivative(body, _) => return self.define(body),
             ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| self.define(e)),
@@ -89,12 +89,13 @@ impl Prover {
         }
     }
 
-    /// Shows that products over another index, such as factorials, by which the members of a sum divide, are positive.
-    fn define_members(&mut self, index: &Index, body: &Expr) {
+    /// Shows for all values of a name that products over an index, such as factorials, by which an expression divides, are positive:
+    /// for the index of a sum, and for the variable of an induction.
+    fn define_members(&mut self, bound: &Name, body: &Expr) {
         let mut divisors = Vec::new();
-        products_divided_by(body, &index.name.text, false, &mut divisors);
+        products_divided_by(body, &bound.text, false, &mut divisors);
         for (at, factor) in divisors {
-            let key = format!("{} in {}", key::expr(&over(false, at.clone(), &factor)), index.name.text);
+            let key = format!("{} in {}", key::expr(&over(false, at.clone(), &factor)), bound.text);
             if self.failed.contains(&key) || !self.enriched.insert(key.clone()) {
                 continue;
             }
@@ -103,7 +104,7 @@ impl Prover {
             renamed.replace(&at.name.text, &name(&own));
             let Ok(factor) = renamed.expr(&factor) else { continue };
             let product = over(false, Index { name: Name::new(own), ..at }, &factor);
-            let binding = Binding::of(index.name.clone(), true, Vec::new());
+            let binding = Binding::of(bound.clone(), true, Vec::new());
             let positive = compare(product, Relation::Greater, numeral(0));
             match self.quietly(&prop(PropKind::ForAll(vec![binding], Box::new(positive)))) {
                 Ok(label) => {
@@ -115,6 +116,23 @@ impl Prover {
                 }
             }
         }
+    }
+
+    /// The same for a statement for all values of a name and for what stands under the indices in it.
+    pub(super) fn define_for_all(&mut self, bound: &Name, p: &Prop) {
+        let mut sides = Vec::new();
+        super::goals::sides_in(p, &mut sides);
+        for e in &sides {
+            self.define_members(bound, e);
+            self.define_under_indices(e);
+        }
+    }
+
+    fn define_under_indices(&mut self, e: &Expr) {
+        if let ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) = &e.kind {
+            self.define_members(&index.name, body);
+        }
+        crate::claim::walk::parts(e, &mut |part| self.define_under_indices(part));
     }
 
     fn sign(&mut self, e: &Expr, relation: Relation, bound: &Expr) {
