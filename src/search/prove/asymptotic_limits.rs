@@ -250,10 +250,8 @@ impl Prover {
     /// A statement for all y, with the effort of a claim of its own.
     fn lemma(&mut self, p: &Prop) -> Result<Label, Fail> {
         let splits = std::mem::replace(&mut self.splits, 0);
-        let (tries, spent, slopes) = (self.tries, self.spent, self.slopes);
-        self.renew();
-        let shown = self.attempt(|c| c.show(p));
-        (self.splits, self.tries, self.spent, self.slopes) = (splits, tries, spent, slopes);
+        let shown = self.on_its_own(|c| c.show(p));
+        self.splits = splits;
         shown
     }
 

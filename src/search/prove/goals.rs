@@ -5,7 +5,6 @@ use super::letters::product;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
-use crate::kernel::analysis::at_the_point;
 use crate::kernel::statement::{compare, domain, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
@@ -272,26 +271,6 @@ impl Prover {
             factors.push(super::letters::whole_power(self.letters.written(&f.poly), f.power));
         }
         Some(product(factors))
-    }
-
-    fn extremum(&mut self, goal: &Prop, e: &Extremum) -> Result<Label, Fail> {
-        let mut at = Substitution::default();
-        e.at.iter().for_each(|(n, v)| at.replace(&n.text, v));
-        let mut from = Vec::new();
-        for fact in e.over.iter().flat_map(domain) {
-            from.push(self.show(&at.prop(&fact).map_err(Fail::from)?)?);
-        }
-        let there = at.expr(&e.of).map_err(Fail::from)?;
-        from.push(self.show(&compare(there, Relation::Equal, e.value.clone()))?);
-        let every = |body: Prop| prop(PropKind::ForAll(e.over.clone(), Box::new(body)));
-        let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
-        from.push(self.show(&every(compare(e.of.clone(), relation, e.value.clone())))?);
-        if e.unique {
-            let there = at_the_point(e).ok_or(Fail::No("a point"))?;
-            let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
-            from.push(self.show(&every(implies(&equal, &there)))?);
-        }
-        self.emit(Rule::Extremum { from }, goal.clone())
     }
 
     /// An instance of a `for all` fact with one variable.

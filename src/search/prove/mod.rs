@@ -29,6 +29,7 @@ mod elimination;
 mod existence;
 mod exponent_lattice;
 mod exponents;
+mod extrema;
 mod facts;
 mod fail;
 mod formulas;
@@ -193,6 +194,8 @@ pub(crate) struct Prover {
     unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
     slopes: usize,
+    /// How many more goals may be tried at stationary points.
+    stationary: usize,
     /// Number of such attempts that are nested now.
     slopes_open: usize,
     /// Whether powers of facts are tried.
@@ -242,6 +245,7 @@ impl Prover {
             eliminations: 0,
             unfoldings: 0,
             slopes: 0,
+            stationary: slopes::STATIONARY,
             slopes_open: 0,
             within_powers: false,
             in_residues: false,
@@ -256,6 +260,15 @@ impl Prover {
         self.program_work = sums_of_squares::WORK;
         self.box_searches = boxes::SEARCHES;
         self.ideals.renew();
+    }
+
+    /// Runs a part of the search with the effort of a claim of its own, which is not taken from what follows.
+    fn on_its_own<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        let (tries, spent, slopes) = (self.tries, self.spent, self.slopes);
+        self.renew();
+        let shown = self.attempt(run);
+        (self.tries, self.spent, self.slopes) = (tries, spent, slopes);
+        shown
     }
 
     /// The certificate of a claim whose goal this fact states.

@@ -15,6 +15,9 @@ use std::collections::BTreeSet;
 /// How often the sign of a derivative is shown by that of the next.
 const DEPTH: usize = 4;
 
+/// How many comparisons of one claim are tried at stationary points, each with the effort of a claim of its own.
+pub(super) const STATIONARY: usize = 6;
+
 /// How many comparisons of one claim are tried so.
 const SLOPES: usize = 40;
 
@@ -56,7 +59,33 @@ impl Prover {
                 }
             }
         }
-        Err(Fail::No("a slope"))
+        self.beside_stationary_points(goal, &difference, relation)
+    }
+
+    /// A difference a − b relation 0 from its value where it is stationary in a variable.
+    fn beside_stationary_points(&mut self, goal: &Prop, difference: &Expr, relation: Relation) -> Result<Label, Fail> {
+        if self.slopes_open > 0 || self.stationary == 0 {
+            return Err(Fail::No("a slope outside of slopes"));
+        }
+        self.stationary -= 1;
+        for x in self.reals_in(difference) {
+            let mut points = Vec::new();
+            let _ = self.attempt(|c| {
+                points = c.stationary_points(difference, &x);
+                Err::<(), _>(Fail::No("points alone"))
+            });
+            for p in points {
+                let done = self.on_its_own(|c| {
+                    let t = c.fresh("t");
+                    let f = put_in(difference, &x, &name(&t))?;
+                    c.beside_a_place(goal, &f, &t, &x, relation, &p)
+                });
+                if done.is_ok() {
+                    return done;
+                }
+            }
+        }
+        Err(Fail::No("a stationary point"))
     }
 
     /// The real variables that occur, in the order of their names.
@@ -150,7 +179,12 @@ impl Prover {
         self.define(&there);
         let reading = self.read(&there, true).ok_or(Fail::No("a value at the place"))?;
         let at_place = compare(there.clone(), relation, numeral(0));
-        let is_zero = reading.number == 0;
+        // Also where only a fact tells, as for exp(−a²/a²) − exp(−1).
+        let zero = match reading.number == 0 || self.slopes_open > 0 {
+            true => None,
+            false => self.attempt(|c| c.quietly(&compare(there.clone(), Relation::Equal, numeral(0)))).ok(),
+        };
+        let is_zero = reading.number == 0 || zero.is_some();
         if !is_zero {
             self.quietly(&at_place)?;
         }
@@ -165,6 +199,7 @@ impl Prover {
                 compare(put_in(f, t, &variable)?, if strict { relation } else { weak(relation) }, there.clone());
             let label = c.rises(&shown, f, t, [low, high], slope, [p, &variable])?;
             let mut terms = vec![Term { facts: vec![label], factor: numeral(1) }];
+            terms.extend(zero.iter().map(|zero| Term { facts: vec![zero.clone()], factor: numeral(1) }));
             if !is_zero {
                 terms.push(Term { facts: Vec::new(), factor: there.clone() });
             }

@@ -101,7 +101,7 @@ impl Prover {
     }
 
     /// Where an expression is stationary in a variable, as far as the factors of its derivative are polynomials in it.
-    fn stationary_points(&mut self, e: &Expr, x: &str) -> Vec<Expr> {
+    pub(super) fn stationary_points(&mut self, e: &Expr, x: &str) -> Vec<Expr> {
         let derivative = expr(ExprKind::Derivative(Box::new(e.clone()), vec![Name::new(x)]));
         self.define(&derivative);
         let Some(reading) = self.read(&derivative, false) else { return Vec::new() };
