@@ -436,9 +436,9 @@ class Checker(Logic):
         for e in (a, b):
             self.number_defined(e, known)
         weak = {"<": "<=", ">": ">="}
-        ends = tuple(c[:1] + (weak.get(c[1], c[1]), c[2]) if c[0] == "relation" else (c[0], True, c[2], c[3], True)
-                     for c in limits)
-        for last, interval in enumerate((limits, ends)):
+        some = tuple((c[0], True, c[2], c[3], True) if c[0] == "interval" else c for c in limits)
+        ends = tuple(c[:1] + (weak.get(c[1], c[1]), c[2]) if c[0] == "relation" else c for c in some)
+        for interval in (limits, some, ends):
             domain_of = N("bind", ((t, None),), False, interval, None)
             try:
                 for e in (a, b):
@@ -447,7 +447,7 @@ class Checker(Logic):
                 self.within((domain_of,), known, lambda inner: self.number_defined(derivative, inner))
                 break
             except Refused:
-                if last:
+                if interval is ends:
                     raise
         signs = TIMES[self.signs(self.read(plus(b, a, -1)), known)][SIGNS[slope]]
         need(not signs & ~SIGNS[relation], "the signs do not show this")

@@ -17,8 +17,9 @@ impl Checker {
     /// Rule `slope`: `F(b) relation F(a)` from a fact `for all t …: derivative(F, t) R 0`. The values a and b are given.
     ///
     /// Its domain is an interval I: one real variable, whose bounds are `<`, `<=`, `>`, `>=` and do not mention it. Shown
-    /// is that a and b lie in I, and that F and its derivative have a value for every t in I; or the same of I with its
-    /// ends, where each bound is `<=` or `>=`. The signs of R times those of b − a are among those of the relation.
+    /// is that a and b lie in I, and that F and its derivative have a value for every t in I; or the same of I where bounds
+    /// from…to have their ends, or where each bound is `<=` or `>=`. The signs of R times those of b − a are among those of
+    /// the relation.
     ///
     /// Sound: t is a new name, so nothing else depends on it, and I is convex because its bounds are numbers that do not
     /// move with t. F is made of functions that are differentiable in t wherever the derivative has a value, so F is
@@ -75,7 +76,8 @@ impl Checker {
         Ok(())
     }
 
-    /// The domain in which both points lie and the derivative has a value: the binding as it is, else with its ends.
+    /// The domain in which both points lie and the derivative has a value: the binding as it is, else with the ends of its
+    /// intervals, else with all its ends.
     pub(super) fn slope_domain(
         &mut self,
         binding: &Binding,
@@ -84,14 +86,15 @@ impl Checker {
         from: &[String],
         known: &mut Known,
     ) -> Result<Binding, Refusal> {
-        match self.slopes_on(binding, derivative, points, from, known) {
-            Err(Refusal::Rejected(_)) => {
-                let closed = with_its_ends(binding);
-                self.slopes_on(&closed, derivative, points, from, known)?;
-                Ok(closed)
+        for domain in [binding.clone(), with_its_ends(binding, false)] {
+            match self.slopes_on(&domain, derivative, points, from, known) {
+                Err(Refusal::Rejected(_)) => {}
+                other => return other.map(|()| domain),
             }
-            other => other.map(|()| binding.clone()),
         }
+        let closed = with_its_ends(binding, true);
+        self.slopes_on(&closed, derivative, points, from, known)?;
+        Ok(closed)
     }
 
     /// Whether both points lie in the domain of a binding of one variable, and the derivative has a value everywhere in it.
@@ -130,13 +133,13 @@ pub(super) fn is_bound(constraint: &Constraint, variable: &str) -> bool {
     !names.contains(variable)
 }
 
-/// The binding with `<=` for each `<` and `>=` for each `>`.
-fn with_its_ends(binding: &Binding) -> Binding {
+/// The binding with the ends of its intervals, and, if all are meant, with `<=` for each `<` and `>=` for each `>`.
+fn with_its_ends(binding: &Binding, all: bool) -> Binding {
     let mut out = binding.clone();
     for constraint in &mut out.constraints {
         match constraint {
-            Constraint::Relation(relation @ Relation::Less, _) => *relation = Relation::LessEqual,
-            Constraint::Relation(relation @ Relation::Greater, _) => *relation = Relation::GreaterEqual,
+            Constraint::Relation(relation @ Relation::Less, _) if all => *relation = Relation::LessEqual,
+            Constraint::Relation(relation @ Relation::Greater, _) if all => *relation = Relation::GreaterEqual,
             Constraint::Interval { from_closed, to_closed, .. } => (*from_closed, *to_closed) = (true, true),
             Constraint::Relation(..) | Constraint::Range(..) => {}
         }

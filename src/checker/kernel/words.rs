@@ -143,7 +143,7 @@ impl Checker {
     }
 
     /// The domain in which rule `slope` finds both points and a derivative that has a value: the binding as it is, or
-    /// with its ends.
+    /// with ends.
     ///
     /// # Errors
     /// There is none.

@@ -244,8 +244,8 @@ impl Prover {
         let mut constraints =
             vec![Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false }];
         // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
-        for (end, relation) in [(low, Relation::Greater), (high, Relation::Less)] {
-            constraints.extend(self.number_beyond(end, relation).map(|q| Constraint::Relation(relation, q)));
+        for (end, other, relation) in [(low, high, Relation::Greater), (high, low, Relation::Less)] {
+            constraints.extend(self.number_beyond(end, other, relation).map(|q| Constraint::Relation(relation, q)));
         }
         let binding = Binding::of(Name::new(t), false, constraints);
         let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), vec![Name::new(t)]));
@@ -264,17 +264,25 @@ impl Prover {
         Ok(label)
     }
 
-    /// A number that a fact says to lie below (`>`) or above (`<`) an expression.
-    fn number_beyond(&mut self, end: &Expr, relation: Relation) -> Option<Expr> {
-        let letters = &mut self.letters;
-        if letters.number(end).is_some() {
-            return None;
+    /// A number below (`>`) or above (`<`) the lower or upper end of an interval: one that a fact names, of the end or, where that is a
+    /// number itself, of the other end; or 0, where the sign of the end is known.
+    fn number_beyond(&mut self, end: &Expr, other: &Expr, relation: Relation) -> Option<Expr> {
+        if let Some(c) = self.letters.number(end) {
+            let q = self.number_said(other, relation)?;
+            let far = self.letters.number(&q)?;
+            return (if relation == Relation::Greater { far < c } else { far > c }).then_some(q);
         }
+        self.number_said(end, relation).or_else(|| self.signs_of(end).within(Signs::of(relation)).then(|| numeral(0)))
+    }
+
+    /// A number that a fact says to lie below (`>`) or above (`<`) an expression.
+    fn number_said(&mut self, e: &Expr, relation: Relation) -> Option<Expr> {
+        let letters = &mut self.letters;
         self.checker.facts().find_map(|(_, fact)| {
             let PropKind::Compare(sides, relations) = &fact.kind else { return None };
             let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
             [(a, b, *said), (b, a, said.turned())].into_iter().find_map(|(this, other, said)| {
-                let fits = this == end && weak(said) == weak(relation) && letters.number(other).is_some();
+                let fits = this == e && weak(said) == weak(relation) && letters.number(other).is_some();
                 fits.then(|| other.clone())
             })
         })

@@ -6,6 +6,7 @@
 //!
 //! A value is only proposed here; that it solves the equations is shown by the kernel.
 
+use super::letters::product;
 use super::limits::over;
 use super::{Fail, Prover, facts::minus};
 use crate::algebra::Polynomial;
@@ -108,7 +109,8 @@ impl Prover {
         let v = self.letters.of(&name(x));
         let mut out = Vec::new();
         for f in reading.factors.iter().filter(|f| f.power > 0) {
-            for part in factors_with(&f.poly, &[v]) {
+            let parts = self.without_logarithms(&f.poly, v).unwrap_or_else(|| factors_with(&f.poly, &[v]));
+            for part in parts {
                 if self.are_polynomials_in(std::slice::from_ref(&part), &[v]) {
                     let values = self.values_in(&part, v, &[v]).unwrap_or_default();
                     out.extend(values.iter().map(|(a, b)| over(self.letters.written(a), self.letters.written(b))));
@@ -116,6 +118,30 @@ impl Prover {
             }
         }
         out
+    }
+
+    /// Where c·(ln(u) + … − ln(w) − …) + k is 0, so is u·… − exp(−k/c)·w·…: the factors of this that hold a letter.
+    fn without_logarithms(&mut self, p: &Polynomial, v: u32) -> Option<Vec<Polynomial>> {
+        let mut size: Option<Rational> = None;
+        let mut sides = [Vec::new(), Vec::new()];
+        for (monomial, c) in p.terms().filter(|t| !t.0.is_one()) {
+            let [(letter, 1)] = monomial.powers() else { return None };
+            let ExprKind::Apply(f, list) = &self.letters.expr(*letter)?.kind else { return None };
+            let positive = if *c < 0 { -c } else { c.clone() };
+            if f.text != "ln" || size.get_or_insert_with(|| positive.clone()) != &positive {
+                return None;
+            }
+            sides[usize::from(*c < 0)].extend(list.first().cloned());
+        }
+        let power = -p.constant_term() / size?;
+        let [above, mut below] = sides;
+        if power != 0 {
+            below.push(apply("exp", literal(&power)));
+        }
+        let equation = minus(&product(above), &product(below));
+        self.define(&equation);
+        let reading = self.read(&equation, false)?;
+        Some(reading.factors.iter().filter(|f| f.power > 0).flat_map(|f| factors_with(&f.poly, &[v])).collect())
     }
 
     /// Whether no other letter holds the name of an unknown.
