@@ -61,7 +61,7 @@ impl Prover {
         if let Ok(label) = self.by_linear_programs(goal, a, relation, b) {
             return Ok(label);
         }
-        if let Ok(label) = self.by_linear_unknown(goal) {
+        if !quiet && let Ok(label) = self.by_linear_unknown(goal) {
             return Ok(label);
         }
         if let Ok(label) = self.by_numbers_and_powers(goal, a, relation, b) {

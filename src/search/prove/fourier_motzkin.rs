@@ -5,7 +5,7 @@
 //! so T = (g/h)·K + r/h, where g/h is not negative and r/h has the sign of the goal. An unknown is a letter, or a product of letters
 //! that are no variables: in the step of an induction a power, a sum or a product, and K is the hypothesis.
 //!
-//! Limits: [`PAIRS`], [`NESTED`].
+//! Limits: [`PAIRS`].
 
 use super::comparison::OpenFactors;
 use super::letters::{product, whole_power};
@@ -22,9 +22,6 @@ use malachite::Rational;
 /// The most pairs of an unknown and a fact that are tried for one goal.
 const PAIRS: usize = 6;
 
-/// How many unknowns are eliminated one after the other.
-const NESTED: usize = 2;
-
 /// What is left of a goal T without an unknown: T = (outer/inner)·K + left/inner.
 struct Eliminated {
     outer: Polynomial,
@@ -37,7 +34,7 @@ impl Prover {
     pub(super) fn by_linear_unknown(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("an unknown to eliminate");
         let PropKind::Compare(_, relations) = &goal.kind else { return Err(no()) };
-        if self.eliminations >= NESTED || matches!(relations[0], Relation::Equal | Relation::NotEqual) {
+        if matches!(relations[0], Relation::Equal | Relation::NotEqual) {
             return Err(no());
         }
         let OpenFactors { poly, rest, flip, .. } = self.open_factors(goal, 1)?;
@@ -49,12 +46,10 @@ impl Prover {
         let pairs = unknowns.iter().flat_map(|y| facts.iter().rev().map(move |k| (y, *k)));
         let pairs: Vec<(Eliminated, &Known)> =
             pairs.filter_map(|(y, k)| Some((without(y, &target, &k.poly)?, k))).take(PAIRS).collect();
-        self.eliminations += 1;
-        let shown = pairs.iter().find_map(|(parts, known)| {
-            self.attempt(|c| c.by_eliminated(goal, parts, known, (&rest, flip), strict)).ok()
-        });
-        self.eliminations -= 1;
-        shown.ok_or_else(no)
+        let mut shown = pairs
+            .iter()
+            .map(|(parts, known)| self.attempt(|c| c.by_eliminated(goal, parts, known, (&rest, flip), strict)));
+        shown.find(Result::is_ok).unwrap_or_else(|| Err(no()))
     }
 
     /// What may be eliminated from a polynomial: of each monomial the part of letters that are no variables, then each variable.

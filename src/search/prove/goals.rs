@@ -208,7 +208,10 @@ impl Prover {
     }
 
     fn show_all(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {
-        let from = parts.iter().map(|p| self.show(p)).collect::<Result<Vec<_>, _>>()?;
+        // Outside of cases and inductions each part may cost what a claim may.
+        let whole = self.splits == 0 && self.inductions == 0;
+        let show = |p| if whole { self.on_its_own(|c| c.show(p)) } else { self.show(p) };
+        let from = parts.iter().map(show).collect::<Result<Vec<_>, _>>()?;
         self.emit(Rule::Logic { from }, goal.clone())
     }
 

@@ -188,8 +188,6 @@ pub(crate) struct Prover {
     opened: Vec<Label>,
     /// Number of nested inductions.
     inductions: usize,
-    /// Number of unknowns that are being eliminated, each within the one before.
-    eliminations: usize,
     /// Number of members that are being unfolded, each within the one before.
     unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
@@ -242,7 +240,6 @@ impl Prover {
             splits: 0,
             opened: Vec::new(),
             inductions: 0,
-            eliminations: 0,
             unfoldings: 0,
             slopes: 0,
             stationary: slopes::STATIONARY,

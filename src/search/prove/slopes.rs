@@ -241,14 +241,40 @@ impl Prover {
         if self.slopes > SLOPES || self.deadline.is_some_and(|d| Moment::now() > d) {
             return Err(Fail::Limit("slopes"));
         }
-        let mut constraints =
-            vec![Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false }];
         // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
-        for (end, other, relation) in [(low, high, Relation::Greater), (high, low, Relation::Less)] {
-            constraints.extend(self.number_beyond(end, other, relation).map(|q| Constraint::Relation(relation, q)));
+        let ends = [(low, high, Relation::Greater), (high, low, Relation::Less)];
+        let said = ends.map(|(end, _, relation)| self.number_said(end, relation));
+        let more = [0, 1].map(|k| match &said[k] {
+            Some(q) => Some(q.clone()),
+            None => self.number_beyond(ends[k].0, ends[k].1, ends[k].2),
+        });
+        let mut bounds = vec![said];
+        bounds.extend(Some(more).filter(|more| *more != bounds[0]));
+        let mut shown = Err(Fail::No("a slope"));
+        for bounds in bounds {
+            let relations = ends.iter().zip(bounds).filter_map(|(end, q)| Some(Constraint::Relation(end.2, q?)));
+            let between =
+                Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false };
+            let binding = Binding::of(Name::new(t), false, std::iter::once(between).chain(relations).collect());
+            shown = self.attempt(|c| c.rises_on(goal, f, binding, slope, [a, b]));
+            if shown.is_ok() {
+                break;
+            }
         }
-        let binding = Binding::of(Name::new(t), false, constraints);
-        let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), vec![Name::new(t)]));
+        shown
+    }
+
+    /// The same for an interval of the variable.
+    fn rises_on(
+        &mut self,
+        goal: &Prop,
+        f: &Expr,
+        binding: Binding,
+        slope: Relation,
+        [a, b]: [&Expr; 2],
+    ) -> Result<Label, Fail> {
+        let t: Vec<Name> = binding.names.iter().map(|n| n.0.clone()).collect();
+        let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), t));
         let body = compare(derivative.clone(), slope, numeral(0));
         let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
         self.define(f);
@@ -264,20 +290,23 @@ impl Prover {
         Ok(label)
     }
 
-    /// A number below (`>`) or above (`<`) the lower or upper end of an interval: one that a fact names, of the end or, where that is a
-    /// number itself, of the other end; or 0, where the sign of the end is known.
+    /// A number beyond the lower or upper end of an interval, where no fact names one: that of the other end, where this is a number;
+    /// or 0, where the sign of the end is known.
     fn number_beyond(&mut self, end: &Expr, other: &Expr, relation: Relation) -> Option<Expr> {
         if let Some(c) = self.letters.number(end) {
             let q = self.number_said(other, relation)?;
             let far = self.letters.number(&q)?;
             return (if relation == Relation::Greater { far < c } else { far > c }).then_some(q);
         }
-        self.number_said(end, relation).or_else(|| self.signs_of(end).within(Signs::of(relation)).then(|| numeral(0)))
+        self.signs_of(end).within(Signs::of(relation)).then(|| numeral(0))
     }
 
     /// A number that a fact says to lie below (`>`) or above (`<`) an expression.
     fn number_said(&mut self, e: &Expr, relation: Relation) -> Option<Expr> {
         let letters = &mut self.letters;
+        if letters.number(e).is_some() {
+            return None;
+        }
         self.checker.facts().find_map(|(_, fact)| {
             let PropKind::Compare(sides, relations) = &fact.kind else { return None };
             let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
