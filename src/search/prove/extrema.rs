@@ -1,5 +1,6 @@
 //! Extrema: the value is taken at the point, nothing lies beyond it, and it is taken there only.
 
+use super::slopes::STATIONARY;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -23,6 +24,7 @@ impl Prover {
         let every = |body: Prop| prop(PropKind::ForAll(e.over.clone(), Box::new(body)));
         let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         let bound = every(compare(e.of.clone(), relation, e.value.clone()));
+        self.stationary = STATIONARY;
         from.push(self.on_its_own(|c| c.show(&bound))?);
         if e.unique {
             let there = at_the_point(e).ok_or(Fail::No("a point"))?;
@@ -50,6 +52,7 @@ impl Prover {
             let mut halves = Vec::new();
             for half in [Relation::LessEqual, Relation::GreaterEqual] {
                 let half = compare(x.clone(), half, place.clone());
+                c.stationary = STATIONARY;
                 halves.push(c.against_opposite(&half, |c, _| {
                     let strict = c.on_its_own(|c| c.without_cases(&strict))?;
                     c.logic(&[&strict, &equal], &half)

@@ -15,8 +15,9 @@ use std::collections::BTreeSet;
 /// How often the sign of a derivative is shown by that of the next.
 const DEPTH: usize = 4;
 
-/// How many comparisons of one claim are tried at stationary points, each with the effort of a claim of its own.
-pub(super) const STATIONARY: usize = 6;
+/// How many comparisons of a claim, or of each part of an extremum, are tried at stationary points, each place with the effort of a
+/// claim of its own.
+pub(super) const STATIONARY: usize = 1;
 
 /// How many comparisons of one claim are tried so.
 const SLOPES: usize = 40;
@@ -52,7 +53,7 @@ impl Prover {
                 let done = self.attempt(|c| {
                     let t = c.fresh("t");
                     let f = put_in(&difference, &x, &name(&t))?;
-                    c.beside_a_place(goal, &f, &t, &x, relation, &p)
+                    c.beside_a_place(goal, &f, &t, &x, relation, (&p, false))
                 });
                 if done.is_ok() {
                     return done;
@@ -68,7 +69,9 @@ impl Prover {
             return Err(Fail::No("a slope outside of slopes"));
         }
         self.stationary -= 1;
-        for x in self.reals_in(difference) {
+        // Roots of a variable are squared elsewhere: their derivatives are no simpler.
+        let reals = self.reals_in(difference);
+        for x in reals.into_iter().filter(|x| !has_root_of(difference, x)) {
             let mut points = Vec::new();
             let _ = self.attempt(|c| {
                 points = c.stationary_points(difference, &x);
@@ -78,7 +81,7 @@ impl Prover {
                 let done = self.on_its_own(|c| {
                     let t = c.fresh("t");
                     let f = put_in(difference, &x, &name(&t))?;
-                    c.beside_a_place(goal, &f, &t, &x, relation, &p)
+                    c.beside_a_place(goal, &f, &t, &x, relation, (&p, true))
                 });
                 if done.is_ok() {
                     return done;
@@ -164,7 +167,8 @@ impl Prover {
         Err(Fail::No("the order of two arguments"))
     }
 
-    /// A difference F(x) relation 0 from F at a place p; with cases where the order of x and p is open.
+    /// A difference F(x) relation 0 from F at a place p; with cases where the order of x and p is open. Where it is said so, F(p) may be
+    /// 0 by a fact only, as for exp(−a²/a²) − exp(−1).
     fn beside_a_place(
         &mut self,
         goal: &Prop,
@@ -172,17 +176,16 @@ impl Prover {
         t: &str,
         x: &str,
         relation: Relation,
-        p: &Expr,
+        (p, by_fact): (&Expr, bool),
     ) -> Result<Label, Fail> {
         let variable = name(x);
         let there = put_in(f, t, p)?;
         self.define(&there);
         let reading = self.read(&there, true).ok_or(Fail::No("a value at the place"))?;
         let at_place = compare(there.clone(), relation, numeral(0));
-        // Also where only a fact tells, as for exp(−a²/a²) − exp(−1).
-        let zero = match reading.number == 0 || self.slopes_open > 0 {
-            true => None,
-            false => self.attempt(|c| c.quietly(&compare(there.clone(), Relation::Equal, numeral(0)))).ok(),
+        let zero = match by_fact && reading.number != 0 {
+            false => None,
+            true => self.attempt(|c| c.quietly(&compare(there.clone(), Relation::Equal, numeral(0)))).ok(),
         };
         let is_zero = reading.number == 0 || zero.is_some();
         if !is_zero {
@@ -464,6 +467,19 @@ fn has_function(e: &Expr) -> bool {
         Power(a, b) => !matches!(b.kind, Number(_)) || has_function(a),
         SumOver(..) | ProductOver(..) | Derivative(..) | Matrix(_) => false,
     }
+}
+
+/// Whether a root of something stands in an expression that holds a name.
+fn has_root_of(e: &Expr, x: &str) -> bool {
+    if let Some((base, exponent)) = super::letters::as_power(e)
+        && super::letters::natural(&exponent).is_none()
+        && super::limits::holds(&base, x)
+    {
+        return true;
+    }
+    let mut found = false;
+    crate::claim::walk::parts(e, &mut |part| found |= has_root_of(part, x));
+    found
 }
 
 fn put_in(e: &Expr, old: &str, value: &Expr) -> Result<Expr, Fail> {
