@@ -473,11 +473,13 @@ class Terms:
         need("sequence" not in self.free_in(f), NO_DERIVATIVE)
         terms = []
         for p, k in f.factors.items():
+            by_atom = {}
             for m, c in p:
                 for a, j in m:
                     if x in self.free[a]:
-                        slope = self.atom_derivative(a, x) * monomial(m) * atom(a).power(-1) * F(c * j * k)
-                        terms.append(slope * F(1, {p: -1}) * f)
+                        by_atom.setdefault(a, []).append(monomial(m) * atom(a).power(-1) * F(c * j * k))
+            slope = total([total(parts) * self.atom_derivative(a, x) for a, parts in by_atom.items()])
+            terms.append(slope * F(1, {p: -1}) * f)
         return total(terms)
 
     def atom_derivative(self, a, x):
