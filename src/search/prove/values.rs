@@ -509,7 +509,6 @@ impl Prover {
     }
 }
 
-/// Whether the first of two sides is a member of a family that does not occur in the other.
 /// The products over an index in what an expression divides by, if they depend on a name.
 fn products_divided_by(e: &Expr, name: &str, divided: bool, out: &mut Vec<(Index, Expr)>) {
     match &e.kind {
@@ -521,6 +520,7 @@ fn products_divided_by(e: &Expr, name: &str, divided: bool, out: &mut Vec<(Index
     }
 }
 
+/// Whether the first of two sides is a member of a family that does not occur in the other.
 fn stands_alone(sides: &[Expr]) -> bool {
     let [left, right] = sides else { return false };
     let ExprKind::Apply(f, list) = &left.kind else { return false };
