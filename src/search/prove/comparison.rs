@@ -419,10 +419,8 @@ impl Prover {
         let mut columns = self.columns(std::slice::from_ref(&poly), level);
         if relation == Relation::Equal {
             columns.retain(|k| k.kind == Kind::Zero);
-            for known in columns.iter().filter(|k| k.order == 1) {
-                if let Ok(label) = self.attempt(|c| c.by_cofactor(goal, &poly, known, &rest, false)) {
-                    return Ok(label);
-                }
+            if let Ok(label) = self.by_cofactors(goal, &poly, &columns, &rest, false) {
+                return Ok(label);
             }
         }
         let strict = matches!(relation, Relation::Greater | Relation::Less);
@@ -430,65 +428,6 @@ impl Prover {
         let weights = combination(&target, &columns, strict).ok_or(Fail::No("a combination"))?;
         let terms = Self::terms(&columns, &weights, &rest, flip);
         self.combination(goal.clone(), terms)
-    }
-
-    /// Proves an equation p = 0 from p·h = 0 and h != 0, for p linear in some variable. The kernel decides whether p·h is the
-    /// expression known to be 0, since it knows the powers of roots; with `effort` this and the sign of h are to be shown.
-    fn by_cofactor(
-        &mut self,
-        goal: &Prop,
-        p: &Polynomial,
-        zero: &Known,
-        rest: &[Expr],
-        effort: bool,
-    ) -> Result<Label, Fail> {
-        for v in p.variables() {
-            let Some(Quotient { cofactor, scale, left }) = quotient_in(v, p, &zero.poly)? else { continue };
-            let e = self.letters.written(&cofactor);
-            if cofactor.is_constant() {
-                continue;
-            }
-            let is_signed = self.signs_of(&e).within(Signs::NOT_ZERO);
-            let mut terms = Vec::new();
-            if effort {
-                // p = (scale·q − left)/h.
-                let exact = compare(self.letters.written(&left), Relation::Equal, numeral(0));
-                let Ok(exact) = self.quietly(&exact) else { continue };
-                let mut signs = [Relation::Greater, Relation::Less].into_iter();
-                if !is_signed && !signs.any(|r| self.quietly(&compare(e.clone(), r, numeral(0))).is_ok()) {
-                    continue;
-                }
-                let mut factors = rest.to_vec();
-                factors.extend([whole_power(e.clone(), -1), literal(&Rational::from(-1))]);
-                terms.push(Term { facts: vec![exact], factor: product(factors) });
-            } else if !is_signed {
-                continue;
-            }
-            let mut factors = rest.to_vec();
-            factors.push(whole_power(e, -1));
-            factors.extend(scale.map(|scale| self.letters.written(&scale)));
-            factors.extend(zero.factors.iter().cloned());
-            terms.push(Term { facts: zero.facts.clone(), factor: product(factors) });
-            if let Ok(label) = self.combination(goal.clone(), terms) {
-                return Ok(label);
-            }
-        }
-        Err(Fail::No("a cofactor"))
-    }
-
-    /// Proves an equation p = 0 from a multiple of p that is known to be 0, after the sign of the other factor.
-    fn by_signed_cofactor(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let OpenFactors { poly, rest, .. } = self.open_factors(goal, 1)?;
-        let columns = self.columns(std::slice::from_ref(&poly), 0);
-        let zeros = columns.iter().filter(|k| k.kind == Kind::Zero && k.order == 1);
-        let mut shown = Err(Fail::No("a cofactor"));
-        for known in zeros {
-            shown = self.attempt(|c| c.by_cofactor(goal, &poly, known, &rest, true));
-            if shown.is_ok() {
-                break;
-            }
-        }
-        shown
     }
 
     /// A contradiction among the facts and the opposite of the goal.
@@ -528,47 +467,6 @@ impl Prover {
             _ => Err(Fail::No("powers with one exponent")),
         }
     }
-}
-
-/// The quotient of a polynomial by another: scale·q = cofactor·p + left.
-struct Quotient {
-    cofactor: Polynomial,
-    /// 1 if there is none.
-    scale: Option<Polynomial>,
-    left: Polynomial,
-}
-
-/// The quotient of q by p, where p = slope·v + constant for a variable v, and q has a higher degree d in it.
-///
-/// With w = slope·v: slope^d·q is a polynomial in w, and Horner's scheme at w = −constant divides it by w + constant. A slope that
-/// is a number is divided by.
-fn quotient_in(v: u32, p: &Polynomial, q: &Polynomial) -> Result<Option<Quotient>, Fail> {
-    let parts = p.coefficients_in(v);
-    let ([constant, slope], true) = (parts.as_slice(), q.degree_in(v) > 1) else { return Ok(None) };
-    let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).map_err(|_| Fail::No("a product"));
-    let number = slope.as_constant().map(|slope| Rational::ONE / slope);
-    let (root, base) = match &number {
-        Some(inverse) => (constant.scale(&-inverse.clone()), Polynomial::one()),
-        None => (constant.neg(), slope.clone()),
-    };
-    let (mut scale, mut carried, mut quotient) = (Polynomial::one(), Polynomial::zero(), Vec::new());
-    for (k, c) in q.coefficients_in(v).iter().rev().enumerate() {
-        scale = if k == 0 { scale } else { times(&scale, &base)? };
-        carried = times(&carried, &root)?.add(&times(c, &scale)?);
-        quotient.push(carried.clone());
-    }
-    quotient.pop();
-    quotient.reverse();
-    let mut power = Polynomial::one();
-    for c in &mut quotient {
-        *c = times(c, &power)?;
-        power = times(&power, &base)?;
-    }
-    let cofactor = Polynomial::from_coefficients_in(v, &quotient);
-    Ok(Some(match number {
-        Some(inverse) => Quotient { cofactor: cofactor.scale(&inverse), scale: None, left: carried },
-        None => Quotient { cofactor, scale: Some(scale), left: carried },
-    }))
 }
 
 fn is_one(e: &Expr) -> bool {

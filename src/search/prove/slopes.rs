@@ -50,11 +50,7 @@ impl Prover {
         let difference = minus(a, b);
         for x in self.reals_in(&difference) {
             for p in self.places(&x) {
-                let done = self.attempt(|c| {
-                    let t = c.fresh("t");
-                    let f = put_in(&difference, &x, &name(&t))?;
-                    c.beside_a_place(goal, &f, &t, &x, relation, (&p, false))
-                });
+                let done = self.attempt(|c| c.beside_a_place(goal, &difference, &x, relation, &p, false));
                 if done.is_ok() {
                     return done;
                 }
@@ -78,11 +74,7 @@ impl Prover {
                 Err::<(), _>(Fail::No("points alone"))
             });
             for p in points {
-                let done = self.on_its_own(|c| {
-                    let t = c.fresh("t");
-                    let f = put_in(difference, &x, &name(&t))?;
-                    c.beside_a_place(goal, &f, &t, &x, relation, (&p, true))
-                });
+                let done = self.on_its_own(|c| c.beside_a_place(goal, difference, &x, relation, &p, true));
                 if done.is_ok() {
                     return done;
                 }
@@ -172,20 +164,21 @@ impl Prover {
     fn beside_a_place(
         &mut self,
         goal: &Prop,
-        f: &Expr,
-        t: &str,
+        difference: &Expr,
         x: &str,
         relation: Relation,
-        (p, by_fact): (&Expr, bool),
+        p: &Expr,
+        by_fact: bool,
     ) -> Result<Label, Fail> {
-        let variable = name(x);
+        let (variable, t) = (name(x), self.fresh("t"));
+        let (f, t) = (&put_in(difference, x, &name(&t))?, t.as_str());
         let there = put_in(f, t, p)?;
         self.define(&there);
         let reading = self.read(&there, true).ok_or(Fail::No("a value at the place"))?;
         let at_place = compare(there.clone(), relation, numeral(0));
         let zero = match by_fact && reading.number != 0 {
             false => None,
-            true => self.attempt(|c| c.quietly(&compare(there.clone(), Relation::Equal, numeral(0)))).ok(),
+            true => self.quietly(&compare(there.clone(), Relation::Equal, numeral(0))).ok(),
         };
         let is_zero = reading.number == 0 || zero.is_some();
         if !is_zero {
