@@ -2,7 +2,7 @@
 
 import { compiled } from "./compiled.js";
 
-/** A job that still runs after so many milliseconds is ended when a newer one comes. */
+/** A job that has run for so many milliseconds is ended when a newer one waits. */
 const PATIENCE = 250;
 /** A job is ended after so many seconds. */
 const LONGEST = 60;
@@ -25,13 +25,21 @@ export class Client {
     this.waiting?.resolve(null);
     return new Promise((resolve) => {
       this.waiting = { call, request, resolve };
-      if (!this.running) this.next();
-      else if (performance.now() - this.running.since > PATIENCE) this.end(null);
-      else {
-        clearTimeout(this.patience);
-        this.patience = setTimeout(() => this.waiting && this.running && this.end(null), PATIENCE);
-      }
+      if (this.running) this.hurry();
+      else this.next();
     });
+  }
+
+  /**
+   * Ends the job that runs, once it has had its time, for one that waits. A worker that still starts is left to start: the
+   * next one would have to start as well.
+   */
+  hurry() {
+    clearTimeout(this.patience);
+    if (!this.waiting || !this.running || !this.started) return;
+    const left = this.running.since + PATIENCE - performance.now();
+    if (left > 0) this.patience = setTimeout(() => this.hurry(), left);
+    else this.end(null);
   }
 
   /** Ends the running job. */
@@ -56,6 +64,7 @@ export class Client {
     if (!this.worker) {
       const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
       this.worker = worker;
+      this.started = false;
       worker.onmessage = ({ data }) => worker === this.worker && this.receive(data);
       worker.onerror = (event) => {
         event.preventDefault();
@@ -71,7 +80,13 @@ export class Client {
     if (this.running === job) this.worker.postMessage({ id: job.id, call: job.call, request: job.request });
   }
 
-  receive({ id, answer, crashed }) {
+  receive({ started, id, answer, crashed }) {
+    if (started) {
+      this.started = true;
+      if (this.running) this.running.since = performance.now();
+      this.hurry();
+      return;
+    }
     if (id !== this.running?.id) return;
     if (crashed) {
       const help = "simpler input, or the command line, which has more of both";

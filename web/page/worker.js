@@ -1,4 +1,5 @@
-// The engine's thread. First message: a part of the engine, compiled; then one message for each job.
+// The engine's thread. First message: a part of the engine, compiled, answered when it stands; then one message for each
+// job.
 
 const CALLS = {
   first: ["answers", "predict", "replay"],
@@ -15,6 +16,8 @@ async function begin({ part, module }) {
 self.onmessage = async ({ data }) => {
   if (data.module) {
     ready = begin(data);
+    // What went wrong is said to the first job.
+    ready.then(() => self.postMessage({ started: true }), () => {});
     return;
   }
   const { id, call, request } = data;

@@ -114,6 +114,29 @@ test("long work can be stopped, and newer input ends it", async () => {
   });
 });
 
+test("what is asked while the engine starts waits for it", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.waitForSelector("#stage g");
+    const started = await page.evaluate(async () => {
+      const { Client } = await import("./client.js");
+      let started = 0;
+      // A worker whose engine takes longer to stand than a job may when a newer one waits.
+      window.Worker = class extends Worker {
+        constructor(...given) { super(...given); started += 1; }
+        postMessage(message) { setTimeout(() => super.postMessage(message), message.module ? 500 : 510); }
+      };
+      const client = new Client(undefined, "first");
+      const older = client.ask("replay", {});
+      await new Promise((done) => setTimeout(done, 300));
+      const newer = await client.ask("replay", {});
+      await older;
+      return { started, kind: typeof newer };
+    });
+    assert.deepEqual(started, { started: 1, kind: "object" });
+  });
+});
+
 test("the chain moves from collision to collision", async () => {
   await visit("#m1=2&e=1%2F2&n=2", async (page) => {
     await answered(page);
