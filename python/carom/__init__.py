@@ -19,7 +19,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from ._engine import LimitReached, __version__, language
-from .audit import Audit, Broken, Claim, Line, Witness, audit
+from .audit import Audit, Broken, Claim, Line, Unread, Witness, audit
 from .bounces import Bounces, restitution
 from .chain import (
     BestN,
@@ -105,6 +105,7 @@ __all__ = [
     "Table",
     "Undecided",
     "UndecidedWarning",
+    "Unread",
     "Witness",
     "WrongType",
     "__version__",

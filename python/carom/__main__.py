@@ -40,7 +40,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"carom {__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
     add = commands.add_parser("audit", help="judge claims")
-    add.add_argument("files", nargs="*", type=Path, help="claim files; the built-in catalogue if none is given")
+    add.add_argument("files", nargs="*", type=Path, help="claim files or papers (.tex, .md); the built-in catalogue if none is given")
     add.add_argument("--only", nargs="+", default=[], metavar="ID")
     add = commands.add_parser("explain", help="print the proof of one claim in words")
     add.add_argument("id")
@@ -152,6 +152,8 @@ def _run(arguments: argparse.Namespace) -> int:
     if command == "audit":
         audits = [audit(file, only=arguments.only) for file in arguments.files] or [audit(only=arguments.only)]
         print("\n\n".join(map(str, audits)))
+        if any(one.unread for one in audits):
+            return 2
         return 0 if all(one.as_expected for one in audits) else 1
     if command == "explain":
         found = explain(arguments.file, arguments.id) if arguments.file else audit(only=arguments.id)[0].explanation

@@ -27,9 +27,19 @@ def claims_of(text: Text) -> Source:
     return Source(f'claim law ""\n{found.text}\n', found.path)
 
 
-def source_of(text: Text, ending: str) -> Source:
+PAPERS = (".tex", ".ltx", ".md", ".markdown")
+"""Endings of the names of papers."""
+
+
+def is_paper(text: Text) -> bool:
+    """Whether this is the name of a paper's file."""
+    name = os.fspath(text)
+    return "\n" not in name and name.endswith(PAPERS)
+
+
+def source_of(text: Text, *endings: str) -> Source:
     """The text itself, or that of the file; a file that cannot be read is an :class:`OSError`."""
-    if isinstance(text, str) and not ("\n" not in text and text.endswith(ending)):
+    if isinstance(text, str) and not ("\n" not in text and text.endswith(endings)):
         return Source(text, None)
     path = os.fspath(text)
     with open(path, encoding="utf-8-sig") as file:

@@ -3,7 +3,7 @@
 use crate::refusal::{Refusal, detached_deep};
 use crate::tools::unknown_form;
 use carom::certificate::text::write;
-use carom::claim::diagnostic::{Diagnostic, nearest};
+use carom::claim::diagnostic::{Diagnostic, Span, nearest};
 use carom::claim::parse::parse;
 use carom::claim::print::{self, Style};
 use carom::claim::syntax::{Claim, Expectation};
@@ -11,11 +11,13 @@ use carom::claim::{LANGUAGE, embedded};
 use carom::judge::hand::AtHand;
 use carom::judge::repair::{NoRepair, repair as repaired};
 use carom::judge::{Settings, diagnostic, judge};
+use carom::latex::{Manuscript, Outcome, manuscript, paper_of};
 use carom::refute::catalogue::{Catalogue, Limits};
 use carom::refute::outcome;
 use carom::report::{self, Entry, mathml};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
+use std::path::Path;
 use std::time::Duration;
 
 /// The columns to which an argument is wrapped.
@@ -37,7 +39,53 @@ pub fn audit(
     })
 }
 
-/// The same as the program writes it: `text`, `json` or `markdown`.
+/// Judges the equations of a paper in LaTeX or Markdown; the verdicts and what was not read as JSON. A paper that is a
+/// file calls for others beside it.
+#[pyfunction]
+pub fn audit_paper(
+    py: Python<'_>,
+    text: String,
+    path: Option<String>,
+    only: Vec<String>,
+    seconds: u64,
+) -> Result<String, Refusal> {
+    detached_deep(py, || {
+        let whole = match path {
+            Some(path) => manuscript(Path::new(&path), text),
+            None => Manuscript::alone(&text),
+        };
+        let source = &whole.source;
+        let shown = |faults: &[Diagnostic]| refusal(faults, |fault| source.render(fault, false));
+        let found = paper_of(&whole).map_err(|faults| shown(&faults))?;
+        let unread = |name: &str, span: Span, message: String, faults: &[Diagnostic]| {
+            let (file, line, _) = source.place(span);
+            let text: Vec<String> = faults.iter().map(|fault| source.render(fault, false)).collect();
+            json!({ "id": name, "file": file, "line": line, "message": message, "text": text.join("\n") })
+        };
+        let mut list: Vec<Value> = Vec::new();
+        for fault in &found.faults {
+            list.push(unread("", fault.span, fault.message(), std::slice::from_ref(fault)));
+        }
+        let mut claims = Vec::new();
+        for equation in found.equations {
+            let why = equation.unread(source);
+            let faults = match equation.outcome {
+                Outcome::Read(claim) => {
+                    claims.push(*claim);
+                    continue;
+                }
+                Outcome::NotRead(faults) => faults,
+                _ => Vec::new(),
+            };
+            list.extend(why.map(|why| unread(&equation.name, equation.span, why, &faults)));
+        }
+        let limits = Limits { time: Duration::from_secs(seconds), ..Limits::default() };
+        let (entries, _) = entries(claims, &only, &limits, &shown)?;
+        Ok(json!({ "claims": entries.iter().map(described).collect::<Vec<_>>(), "unread": list }).to_string())
+    })
+}
+
+/// Verdicts of a text, or of the built-in catalogue, as the program writes them: `text`, `json` or `markdown`.
 #[pyfunction]
 pub fn audit_report(
     py: Python<'_>,
@@ -120,11 +168,10 @@ pub fn language() -> &'static str {
 /// The entries of what was asked for, and how many claims were worked on.
 fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> Result<(Vec<Entry>, usize), Refusal> {
     let shown = |faults: &[Diagnostic]| {
-        let one = |fault: &Diagnostic| match text {
+        refusal(faults, |fault| match text {
             Some(text) => fault.render(file, text, false),
             None => fault.message(),
-        };
-        Refusal::Input(faults.iter().map(one).collect::<Vec<_>>().join("\n"))
+        })
     };
     let claims = match text {
         Some(text) => parse(text).map_err(|faults| shown(&faults))?,
@@ -137,6 +184,21 @@ fn judged(text: Option<&str>, file: &str, only: &[String], limits: &Limits) -> R
             }
         },
     };
+    entries(claims, only, limits, &shown)
+}
+
+/// Faults as one refusal.
+fn refusal(faults: &[Diagnostic], one: impl Fn(&Diagnostic) -> String) -> Refusal {
+    Refusal::Input(faults.iter().map(one).collect::<Vec<_>>().join("\n"))
+}
+
+/// The entries of these claims, and how many claims were worked on.
+fn entries(
+    claims: Vec<Claim>,
+    only: &[String],
+    limits: &Limits,
+    shown: &dyn Fn(&[Diagnostic]) -> Refusal,
+) -> Result<(Vec<Entry>, usize), Refusal> {
     let catalogue = Catalogue::new(claims);
     let catalogue = catalogue.map_err(|list| shown(&list.into_iter().map(|f| f.1).collect::<Vec<_>>()))?;
     let all: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();

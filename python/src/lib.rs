@@ -25,7 +25,7 @@ mod _engine {
     #[pymodule_export]
     use super::chain::{Chain, eta};
     #[pymodule_export]
-    use super::claims::{audit, audit_report, catalogue, language, repair};
+    use super::claims::{audit, audit_paper, audit_report, catalogue, language, repair};
     #[pymodule_export]
     use super::number::Found;
     #[pymodule_export]

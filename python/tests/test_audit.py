@@ -103,3 +103,32 @@ def test_latex_holds_a_row_for_each_claim():
     assert latex.startswith("$$\\begin{array}") and latex.count("\\\\\n") == 1 and "\\frac" in latex
     assert "onerror" not in latex
     assert carom.audit(GOOD)[0]._repr_latex_().count("\\text{proved}") == 1
+
+
+PAPER = r"""\input{given}
+\begin{equation}\label{eq:share} \frac{4 m_1 m_2}{(m_1 + m_2)^2} \le 1 \end{equation}
+\begin{equation} m_1 = m_2 \end{equation}
+\begin{equation} \oint m_1 = 0 \end{equation}
+"""
+
+
+def test_a_paper_is_judged_and_what_is_not_read_is_said(tmp_path):
+    (tmp_path / "given.tex").write_text("%carom given m_1, m_2 > 0\n")
+    path = tmp_path / "paper.tex"
+    path.write_text(PAPER)
+    for audit in (carom.audit(path), carom.audit(str(path)), carom.audit(latex=path)):
+        assert [(claim.id, claim.verdict) for claim in audit] == [("share", "proved"), ("eq-2", "refuted")]
+        [unread] = audit.unread
+        assert (unread.id, unread.file, unread.line) == ("eq-3", str(path), 4) and "oint" in unread.message
+        assert "^" in unread.text and "not read" in str(audit) and "1 not read" in repr(audit)
+        assert not audit.as_expected and "oint" in audit._repr_html_()
+    # A text is no file: it calls for none.
+    [missing, integral] = carom.audit(latex=PAPER.replace("m_1 = m_2", "1 = 1").replace("4 m_1 m_2", "1")).unread[::3]
+    assert "input is not followed" in missing.message and "oint" in integral.message
+    assert carom.audit(latex=r"\[ (-1)^2 = 1 \]").as_expected
+    with pytest.raises(ValueError, match="no displayed equation"):
+        carom.audit(latex="Text.")
+    with pytest.raises(ValueError, match="not both"):
+        carom.audit("given x real\nprove x = x", latex="\\[ 1 = 1 \\]")
+    with pytest.raises(ValueError, match="did you mean share"):
+        carom.audit(path, only="shore")

@@ -2,17 +2,18 @@
 
 use super::check::unreadable;
 use super::interrupt::{Interrupt, interrupted};
-use super::load::{self, Broken, Files, Source};
+use super::load::{self, Broken, Files};
 use super::progress::Progress;
 use super::{Exit, Format, print, stream, terminal, write_file};
 use crate::certificate::VERSION;
 use crate::certificate::text::{FILE_LIMIT, Fault as Unread, Malformed, version_of};
-use crate::claim::diagnostic::{self, Diagnostic, nearest};
+use crate::claim::diagnostic::{self, Diagnostic, Source, nearest};
 use crate::claim::dimension;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::judge::hand::AtHand;
 use crate::judge::{self, Judgement, News, Settings, judge};
+use crate::latex::is_paper;
 use crate::refute::catalogue::Catalogue;
 use crate::refute::outcome::{Fault, Verdict};
 use crate::report::{self, Audit, Entry, Problem, counted};
@@ -145,11 +146,7 @@ fn no_match(only: &[String], names: &[&str]) -> Exit {
         .map(|n| match nearest(n, names.iter().copied()) {
             Some(near) => format!("error: no claim is called {n}; did you mean {near}?"),
             // Every word after --only counts as a name, even a path.
-            None if n.contains('/')
-                || n.ends_with(".claim")
-                || super::paper::is_paper(Path::new(n))
-                || Path::new(n).exists() =>
-            {
+            None if n.contains('/') || n.ends_with(".claim") || is_paper(Path::new(n)) || Path::new(n).exists() => {
                 format!(
                     "error: no claim is called {n}; it looks like a path: write paths before --only, \
                  as in `carom audit {n} --only ID`, and behind --from, as in `carom export coq --from {n}`"
@@ -190,11 +187,15 @@ impl Loaded {
     /// The file and the line of a claim; of the built-in catalogue its path there.
     pub(super) fn place(&self, name: &str) -> Option<(String, usize)> {
         let at = self.claims().iter().position(|claim| claim.name.text == name)?;
-        let start = Diagnostic::new(diagnostic::Fault::Empty, self.claims()[at].name.span);
+        let span = self.claims()[at].name.span;
         match self.origin.get(at).and_then(|source| self.sources.get(*source)) {
-            Some(source) => Some((source.path.clone(), start.place(&source.text).0)),
+            Some(source) => {
+                let (path, line, _) = source.place(span);
+                Some((path.to_owned(), line))
+            }
             None => {
                 let file = embedded::files().into_iter().find(|file| embedded::stem(file.path) == name)?;
+                let start = Diagnostic::new(diagnostic::Fault::Empty, span);
                 Some((file.path.to_owned(), start.place(file.text).0))
             }
         }
@@ -211,7 +212,7 @@ impl Loaded {
     /// A certificate has another format version, unless `replaced` says that new ones will be made.
     pub(crate) fn with_certificates(mut self, replaced: bool) -> Result<Loaded, Exit> {
         self.hand = AtHand::of(embedded::certificates());
-        let parents = self.sources.iter().map(|s| match Path::new(&s.path).parent() {
+        let parents = self.sources.iter().map(|s| match Path::new(s.path()).parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
             _ => PathBuf::from("."),
         });

@@ -1,7 +1,6 @@
 //! `carom check`: certificates of claims, and of tables (`table_certificate`).
 
 use super::audit::cited_too;
-use super::paper::is_paper;
 use super::table_certificate::Other;
 use super::{Exit, form, load, print, table_certificate, terminal, write_file};
 use crate::certificate::Certificate;
@@ -11,6 +10,7 @@ use crate::claim::dimension;
 use crate::claim::embedded;
 use crate::claim::syntax::Claim;
 use crate::kernel::{self, Accepted, Verdict};
+use crate::latex::is_paper;
 use crate::report::visible_lines;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

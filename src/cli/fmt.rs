@@ -3,7 +3,7 @@
 use super::interrupt::{Interrupt, interrupted};
 use super::load::{files, is_standard_input, read, rendered};
 use super::{Exit, print, write_file};
-use crate::claim::diagnostic::Diagnostic;
+use crate::claim::diagnostic::{Diagnostic, Source};
 use crate::claim::format::format;
 use crate::claim::parse::text_of;
 use std::path::PathBuf;
@@ -19,7 +19,6 @@ pub(super) fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
     for path in paths {
         let bytes = read(&path)?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
-        let shown = path.display().to_string();
         let formatted = text_of(&bytes).and_then(format);
         match formatted {
             Ok(formatted) if !check && is_standard_input(&path) => return print(&formatted).map(|()| 0),
@@ -27,7 +26,7 @@ pub(super) fn run(paths: &[PathBuf], check: bool) -> Result<u8, Exit> {
             Ok(_) => {}
             Err(faults) => {
                 only_limits &= faults.iter().all(Diagnostic::is_limit);
-                messages.extend(rendered(&faults, &shown, &text));
+                messages.extend(rendered(&faults, &Source::new(path.display().to_string(), text)));
             }
         }
     }

@@ -1,15 +1,16 @@
 //! Claim files from the disk, with every fault reported at once.
 
 use super::Exit;
-use super::paper::{add, is_paper};
+use super::paper::add;
 use super::rest::{Rest, rest};
 use super::terminal::colour;
-use crate::claim::diagnostic::{Diagnostic, Fault};
+use crate::claim::diagnostic::{Diagnostic, Fault, Source};
 use crate::claim::embedded;
 use crate::claim::lex::FILE_LIMIT;
 use crate::claim::parse::{claim_names, parse_under, text_of};
 use crate::claim::preamble::{self, Preamble};
 use crate::claim::syntax::Claim;
+use crate::latex::is_paper;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -121,14 +122,6 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, Exit> {
     Ok(bytes)
 }
 
-/// A file's text for messages; bytes that are not UTF-8 are replaced.
-pub(super) struct Source {
-    /// The path as given.
-    pub path: String,
-    /// The text.
-    pub text: String,
-}
-
 /// The contents of claim files.
 #[derive(Default)]
 pub(super) struct Files {
@@ -204,14 +197,14 @@ pub(super) fn claims(files: &[PathBuf]) -> Files {
                     Err(_) => Rest { claims: Vec::new(), lost: claim_names(&text), faults },
                 };
                 let Rest { claims, lost, faults } = rest;
-                let exit = Exit::faults(&rendered(&faults, &name, &text), faults.iter().all(Diagnostic::is_limit));
+                let exit = exit(&faults, &Source::new(name.clone(), text.clone()));
                 out.broken.push(Broken { name: name.clone(), claims: lost, exit });
                 claims
             }
         };
         out.origin.extend(std::iter::repeat_n(out.sources.len(), list.len()));
         out.claims.extend(list);
-        out.sources.push(Source { path: name, text });
+        out.sources.push(Source::new(name, text));
     }
     let taken = twice(&out);
     for (place, exit) in taken.into_iter().rev() {
@@ -234,21 +227,28 @@ fn shared(path: &Path) -> Result<Preamble, String> {
     let bytes = read(path).map_err(|exit| exit.message)?;
     let text = String::from_utf8_lossy(&bytes);
     let read = text_of(&bytes).and_then(|text| parse_under(text, &Preamble::default()));
-    read.map(|file| file.1).map_err(|faults| rendered(&faults[..1], &path.display().to_string(), &text).concat())
+    let source = || Source::new(path.display().to_string(), text.to_string());
+    read.map(|file| file.1).map_err(|faults| rendered(&faults[..1], &source()).concat())
 }
 
 /// The most faults of one file that are shown.
 const SHOWN: usize = 20;
 
 /// The first faults of a file in full, and how many more there are.
-pub(super) fn rendered(faults: &[Diagnostic], path: &str, text: &str) -> Vec<String> {
-    let mut out: Vec<String> = faults.iter().take(SHOWN).map(|f| f.render(path, text, colour())).collect();
+pub(super) fn rendered(faults: &[Diagnostic], source: &Source) -> Vec<String> {
+    let mut out: Vec<String> = faults.iter().take(SHOWN).map(|fault| source.render(fault, colour())).collect();
+    let path = source.path();
     match faults.len().saturating_sub(SHOWN) {
         0 => {}
         1 => out.push(format!("error: {path}: 1 more fault")),
         more => out.push(format!("error: {path}: {more} more faults")),
     }
     out
+}
+
+/// The failure that shows the faults of a file.
+pub(super) fn exit(faults: &[Diagnostic], source: &Source) -> Exit {
+    Exit::faults(&rendered(faults, source), faults.iter().all(Diagnostic::is_limit))
 }
 
 /// Claims whose name an earlier one has, each shown at its place with the first in the help.
@@ -264,12 +264,11 @@ fn twice(files: &Files) -> Vec<(usize, Exit)> {
         };
         let here = &sources[origin[place]];
         let there = &sources[origin[*before]];
-        let span = claims[*before].name.span;
-        let (line, column) = Diagnostic::new(Fault::Empty, span).place(&there.text);
+        let (path, line, column) = there.place(claims[*before].name.span);
         let message = format!("another claim is already called {name}");
-        let help = Some(format!("the first stands at {}:{line}:{column}; give one of them another name", there.path));
+        let help = Some(format!("the first stands at {path}:{line}:{column}; give one of them another name"));
         let fault = Diagnostic::new(Fault::Other { message, help }, claim.name.span);
-        out.push((place, Exit::usage(fault.render(&here.path, &here.text, colour()))));
+        out.push((place, Exit::usage(here.render(&fault, colour()))));
     }
     out
 }
@@ -285,7 +284,7 @@ pub(super) fn faults(list: &[(String, Diagnostic)], claims: &[Claim], origin: &[
                 .and_then(|i| origin.get(i))
                 .and_then(|s| sources.get(*s));
             match source {
-                Some(source) => fault.render(&source.path, &source.text, colour()),
+                Some(source) => source.render(fault, colour()),
                 None => format!("error: {name}: {}", fault.message()),
             }
         })

@@ -1,48 +1,35 @@
 //! `carom read`, and papers in LaTeX or Markdown wherever claim files are read.
 
-use super::load::{Broken, Files, Source, read, rendered};
+use super::load::{Broken, Files, exit, read, rendered};
 use super::{Exit, terminal};
-use crate::claim::diagnostic::{Diagnostic, Fault, Span};
+use crate::claim::diagnostic::{Diagnostic, Source};
 use crate::claim::parse::text_of;
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::{Claim, Expectation};
-use crate::latex::{Outcome, Paper, latex_of, paper};
+use crate::latex::{Outcome, Paper, is_paper, manuscript, paper_of};
 use crate::report::counted;
 use std::path::Path;
 
-/// Whether a path is that of a paper.
-pub(crate) fn is_paper(path: &Path) -> bool {
-    path.extension().is_some_and(|end| ["tex", "ltx", "md", "markdown"].iter().any(|known| end == *known))
-}
-
-/// The equations of a paper's text.
-fn equations(path: &Path, text: &str) -> Result<Paper, Vec<Diagnostic>> {
-    let is_latex = path.extension().is_some_and(|end| end == "tex" || end == "ltx");
-    let found = if is_latex { paper(text)? } else { paper(&latex_of(text))? };
-    if found.equations.is_empty() && found.faults.is_empty() {
-        let help = "a displayed equation stands in \\begin{equation}, \\begin{align}, \\[ … \\] or $$ … $$".to_string();
-        let message = "no displayed equation found in this file".to_string();
-        return Err(vec![Diagnostic::new(
-            Fault::Other { message, help: Some(help) },
-            Span { start: 0, end: text.len().min(1) },
-        )]);
-    }
-    Ok(found)
+/// A paper's text with the files that it calls for, and its equations.
+fn opened(path: &Path, bytes: &[u8]) -> (Source, Result<Paper, Vec<Diagnostic>>) {
+    let whole = manuscript(path, String::from_utf8_lossy(bytes).into_owned());
+    let found = text_of(bytes).and_then(|_| paper_of(&whole));
+    (whole.source, found)
 }
 
 /// Adds the claims of a paper, and what of it could not be read.
 pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
     let name = path.display().to_string();
-    let text = String::from_utf8_lossy(bytes).into_owned();
-    let exit =
-        |faults: &[Diagnostic]| Exit::faults(&rendered(faults, &name, &text), faults.iter().all(Diagnostic::is_limit));
-    match text_of(bytes).and_then(|text| equations(path, text)) {
+    let (source, found) = opened(path, bytes);
+    match found {
         Ok(found) => {
             terminal::note(&format!("{name}: {}; `carom read {name}` lists them", summary(&found)));
             if !found.faults.is_empty() {
-                out.broken.push(Broken { name: name.clone(), claims: Vec::new(), exit: exit(&found.faults) });
+                let exit = exit(&found.faults, &source);
+                out.broken.push(Broken { name: name.clone(), claims: Vec::new(), exit });
             }
             for equation in found.equations {
+                let why = equation.unread(&source).unwrap_or_default();
                 match equation.outcome {
                     Outcome::Read(claim) => {
                         out.origin.push(out.sources.len());
@@ -50,13 +37,11 @@ pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
                     }
                     Outcome::NotRead(faults) => {
                         let claims = vec![equation.name.clone()];
-                        out.broken.push(Broken { name: equation.name, claims, exit: exit(&faults) });
+                        out.broken.push(Broken { name: equation.name, claims, exit: exit(&faults, &source) });
                     }
-                    Outcome::Waits(line) => {
-                        let message = format!(
-                            "error: {name}:{}: {} waits for line {line}, which is not read",
-                            equation.line, equation.name
-                        );
+                    Outcome::Waits(_) => {
+                        let (file, line, _) = source.place(equation.span);
+                        let message = format!("error: {file}:{line}: {} {why}", equation.name);
                         let claims = vec![equation.name.clone()];
                         out.broken.push(Broken { name: equation.name, claims, exit: Exit::usage(message) });
                     }
@@ -64,9 +49,11 @@ pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
                 }
             }
         }
-        Err(faults) => out.broken.push(Broken { name: name.clone(), claims: Vec::new(), exit: exit(&faults) }),
+        Err(faults) => {
+            out.broken.push(Broken { name: name.clone(), claims: Vec::new(), exit: exit(&faults, &source) });
+        }
     }
-    out.sources.push(Source { path: name, text });
+    out.sources.push(source);
 }
 
 /// How many formulas were read, used, passed over and not read.
@@ -96,10 +83,8 @@ pub(super) fn run(path: &Path) -> Result<(String, u8, Vec<String>), Exit> {
         return Err(Exit::usage(format!("error: {name} is no paper: its name must end in .tex or .md")));
     }
     let bytes = read(path)?;
-    let text = String::from_utf8_lossy(&bytes).into_owned();
-    let exit =
-        |faults: &[Diagnostic]| Exit::faults(&rendered(faults, &name, &text), faults.iter().all(Diagnostic::is_limit));
-    let found = text_of(&bytes).and_then(|text| equations(path, text)).map_err(|faults| exit(&faults))?;
+    let (source, found) = opened(path, &bytes);
+    let found = found.map_err(|faults| exit(&faults, &source))?;
     let mut out = format!("# {name}: {}\n", summary(&found));
     let mut faults = found.faults.clone();
     for equation in &found.equations {
@@ -109,14 +94,14 @@ pub(super) fn run(path: &Path) -> Result<(String, u8, Vec<String>), Exit> {
             Outcome::Used(what) => format!("taken as a {what}"),
             Outcome::Skipped(reason) if reason.is_empty() => "passed over by the author".to_string(),
             Outcome::Skipped(reason) => format!("passed over by the author: {reason}"),
-            Outcome::Waits(line) => format!("not read: waits for line {line}, which is not read"),
-            Outcome::NotRead(list) => {
-                faults.extend(list.iter().cloned());
-                let first = list.first().map(Diagnostic::message).unwrap_or_default();
-                format!("not read: {first}")
+            Outcome::Waits(_) | Outcome::NotRead(_) => {
+                format!("not read: {}", equation.unread(&source).unwrap_or_default())
             }
         };
-        out += &format!("# line {}{number}: {what}\n", equation.line);
+        if let Outcome::NotRead(list) = &equation.outcome {
+            faults.extend(list.iter().cloned());
+        }
+        out += &format!("# {}{number}: {what}\n", source.line(equation.span));
     }
     out += "#\n# Names: in the paper, in the claims, how often in equations\n";
     for (key, spelled, count) in &found.names {
@@ -128,8 +113,8 @@ pub(super) fn run(path: &Path) -> Result<(String, u8, Vec<String>), Exit> {
             out += &format!("\n{}", file(claim));
         }
     }
-    let code = if faults.is_empty() { 0 } else { exit(&faults).code };
-    Ok((out, code, rendered(&faults, &name, &text)))
+    let code = if faults.is_empty() { 0 } else { exit(&faults, &source).code };
+    Ok((out, code, rendered(&faults, &source)))
 }
 
 /// A claim as it stands in a claim file, without its argument.

@@ -1,10 +1,10 @@
 //! `carom print`
 
 use super::audit::load;
-use super::paper::is_paper;
 use super::{Exit, PrintFormat, load};
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::Claim;
+use crate::latex::is_paper;
 use crate::report::argument::statement_latex;
 use std::path::{Path, PathBuf};
 

@@ -3,6 +3,10 @@
 //! The code that detects an error makes a [`Fault`]. [`Diagnostic::render`] turns it into a message with file, line, column,
 //! the source line and a caret. Only this file words these messages.
 
+mod source;
+
+pub use source::Source;
+
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 /// A range of bytes in the source file, `start..end`.
@@ -154,11 +158,7 @@ impl Diagnostic {
 
     /// Line and column, both from 1, the column in characters.
     pub fn place(&self, source: &str) -> (usize, usize) {
-        let start = floor_boundary(source, self.span.start);
-        let before = &source[..start];
-        let line = before.matches('\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
-        (line, column)
+        place(self.span, source)
     }
 
     /// The full message: file, line, column, source line with a caret, help.
@@ -197,6 +197,13 @@ impl Diagnostic {
 /// What to write instead of an integral.
 const NO_INTEGRALS: &str =
     "there are no integrals; assume derivative(F, x) = f for an antiderivative F, and write F(b) - F(a)";
+
+/// The line and the column at which a range of a text begins, both from 1, the column in characters.
+fn place(span: Span, text: &str) -> (usize, usize) {
+    let before = &text[..floor_boundary(text, span.start)];
+    let line = before.matches('\n').count() + 1;
+    (line, before.rsplit('\n').next().unwrap_or("").chars().count() + 1)
+}
 
 fn floor_boundary(text: &str, mut at: usize) -> usize {
     at = at.min(text.len());

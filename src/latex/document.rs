@@ -72,11 +72,12 @@ const DISPLAYS: &[&str] =
 /// Environments in a displayed formula that hold its rows.
 const INNER: &[&str] = &["split", "aligned", "gathered", "alignedat"];
 
-/// Reads a document from its tokens; `lines` says in which line a byte stands.
-pub(crate) fn document(tokens: &[Token], lines: &Lines) -> Document {
+/// Reads a document from its tokens; `lines` says in which line a byte stands, `unread` why a file was not read.
+pub(crate) fn document(tokens: &[Token], lines: &Lines, unread: &[Diagnostic]) -> Document {
     let mut reader = Reader {
         tokens,
         lines,
+        unread,
         macros: Macros::default(),
         numbers: Numbers::default(),
         inline: Vec::new(),
@@ -107,6 +108,7 @@ impl Lines {
 struct Reader<'a> {
     tokens: &'a [Token],
     lines: &'a Lines,
+    unread: &'a [Diagnostic],
     macros: Macros,
     numbers: Numbers,
     /// Formulas in running text: the tokens of each, its signs included, and the line on which it ends.
@@ -152,8 +154,10 @@ impl Reader<'_> {
                 "begin" => self.begin(at),
                 "end" => self.end(at),
                 "input" | "include" => {
-                    let help = "read that file by itself, or put its text here";
-                    self.fault(refused(format!("\\{name} is not followed"), help, token.span));
+                    let why = self.unread.iter().find(|why| why.span.start == token.span.start).cloned();
+                    let help = "audit the paper's main file where it lies, or put the text here";
+                    let here = || refused(format!("this \\{name} is not followed"), help, token.span);
+                    self.fault(why.unwrap_or_else(here));
                     at + 1
                 }
                 name if defines(name) => match self.macros.define(self.tokens, at) {

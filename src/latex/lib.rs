@@ -15,6 +15,7 @@ mod document;
 mod expression;
 mod form;
 mod function;
+mod input;
 mod macros;
 mod markdown;
 mod measured;
@@ -32,6 +33,7 @@ mod symbol;
 mod token;
 mod typeset;
 
+pub use input::{DEPTH_LIMIT, INPUTS_LIMIT, Manuscript, is_paper, manuscript};
 pub use markdown::latex_of;
-pub use paper::{Equation, Outcome, Paper, paper};
+pub use paper::{Equation, Outcome, Paper, paper, paper_of};
 pub use token::FILE_LIMIT;

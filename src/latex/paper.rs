@@ -7,6 +7,7 @@
 use super::clause::{self, Purpose, misplaced};
 use super::document::{Clause, Display, Lines, Part, document};
 use super::expression::{Read, Reader};
+use super::input::Manuscript;
 use super::name::{Names, base, scripts};
 use super::place::Placed;
 use super::prepare::prepared;
@@ -20,7 +21,7 @@ use super::typeset::typeset;
 use carom_checker::claim::parse::{clauses_placed, parse_placed};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
-use carom_diagnostic::{Diagnostic, Span};
+use carom_diagnostic::{Diagnostic, Source, Span};
 
 /// What became of a displayed formula.
 #[derive(Debug)]
@@ -33,8 +34,8 @@ pub enum Outcome {
     Skipped(String),
     /// It was not read.
     NotRead(Vec<Diagnostic>),
-    /// A declaration on this line was not read, and it would be judged without what that says.
-    Waits(usize),
+    /// A declaration at this place was not read, and it would be judged without what that says.
+    Waits(Span),
 }
 
 /// A displayed formula.
@@ -44,10 +45,22 @@ pub struct Equation {
     pub name: String,
     /// Its number in print.
     pub number: Option<String>,
-    /// Its line, from 1.
-    pub line: usize,
+    /// Its place in the text.
+    pub span: Span,
     /// What became of it.
     pub outcome: Outcome,
+}
+
+impl Equation {
+    /// Why it was not read, in one line, if it was not.
+    #[must_use]
+    pub fn unread(&self, source: &Source) -> Option<String> {
+        match &self.outcome {
+            Outcome::NotRead(faults) => Some(faults.first().map(Diagnostic::message).unwrap_or_default()),
+            Outcome::Waits(declaration) => Some(format!("waits for {}, which is not read", source.line(*declaration))),
+            Outcome::Read(_) | Outcome::Used(_) | Outcome::Skipped(_) => None,
+        }
+    }
 }
 
 /// A paper.
@@ -63,15 +76,23 @@ pub struct Paper {
     pub inline: usize,
 }
 
-/// The equations of a LaTeX document.
+/// The equations of a LaTeX document in one text.
 ///
 /// # Errors
-/// A limit of the whole file.
-pub fn paper(source: &str) -> Result<Paper, Vec<Diagnostic>> {
-    let lines = Lines::of(source);
-    let tokens = tokens(source).map_err(|fault| vec![fault])?;
-    let document = document(&tokens, &lines);
-    let mut reader = Assembly::new(&lines);
+/// A limit of the whole text, or no displayed formula.
+pub fn paper(text: &str) -> Result<Paper, Vec<Diagnostic>> {
+    paper_of(&Manuscript::alone(text))
+}
+
+/// The equations of a LaTeX document; all places are places in its whole text.
+///
+/// # Errors
+/// A limit of the whole text, or no displayed formula.
+pub fn paper_of(whole: &Manuscript) -> Result<Paper, Vec<Diagnostic>> {
+    let text = whole.latex();
+    let tokens = tokens(text).map_err(|fault| vec![fault])?;
+    let document = document(&tokens, &Lines::of(text), &whole.unread);
+    let mut reader = Assembly::new(&whole.source);
     reader.out.inline = document.inline;
     let mut waiting: Vec<Clause> = Vec::new();
     for part in document.parts {
@@ -79,8 +100,8 @@ pub fn paper(source: &str) -> Result<Paper, Vec<Diagnostic>> {
             Part::Shared(clause) => waiting.push(clause),
             Part::Fault(fault) => {
                 reader.shared(&std::mem::take(&mut waiting));
-                let line = lines.line(fault.span.start);
-                reader.push(Head { name: format!("line-{line}"), number: None, line }, Outcome::NotRead(vec![fault]));
+                let head = reader.head(None, None, fault.span);
+                reader.push(head, Outcome::NotRead(vec![fault]));
             }
             Part::Display(display) => {
                 reader.shared(&std::mem::take(&mut waiting));
@@ -89,30 +110,38 @@ pub fn paper(source: &str) -> Result<Paper, Vec<Diagnostic>> {
         }
     }
     reader.shared(&waiting);
-    Ok(reader.finished())
+    let found = reader.finished();
+    if found.equations.is_empty() && found.faults.is_empty() {
+        let help = "a displayed equation stands in \\begin{equation}, \\begin{align}, \\[ … \\] or $$ … $$";
+        let place = Span { start: 0, end: text.len().min(1) };
+        return Err(vec![refused("no displayed equation found in this file", help, place)]);
+    }
+    Ok(found)
 }
 
 struct Head {
     name: String,
     number: Option<String>,
-    line: usize,
+    /// Where it stands, in words for a title.
+    line: String,
+    span: Span,
 }
 
 struct Assembly<'l> {
-    lines: &'l Lines,
+    source: &'l Source,
     names: Names,
     preamble: Preamble,
     outer: Vec<Preamble>,
     decisions: Decisions,
-    /// The line of a declaration that could not be read.
-    broken: Option<usize>,
+    /// The place of a declaration that could not be read.
+    broken: Option<Span>,
     out: Paper,
 }
 
 impl<'l> Assembly<'l> {
-    fn new(lines: &'l Lines) -> Assembly<'l> {
+    fn new(source: &'l Source) -> Assembly<'l> {
         Assembly {
-            lines,
+            source,
             names: Names::default(),
             preamble: Preamble::default(),
             outer: Vec::new(),
@@ -130,14 +159,24 @@ impl<'l> Assembly<'l> {
     }
 
     fn push(&mut self, head: Head, outcome: Outcome) {
-        let Head { name, number, line } = head;
-        self.out.equations.push(Equation { name, number, line, outcome });
+        let Head { name, number, span, .. } = head;
+        self.out.equations.push(Equation { name, number, span, outcome });
+    }
+
+    /// What an equation is called.
+    fn head(&self, label: Option<&str>, number: Option<&String>, span: Span) -> Head {
+        let (path, line, _) = self.source.place(span);
+        let stem = std::path::Path::new(path).file_stem().and_then(|stem| stem.to_str());
+        let stem = stem.filter(|_| path != self.source.path());
+        let name = claim_name(label, number.map(String::as_str), stem, line);
+        let line = stem.map_or(format!("Line {line}"), |stem| format!("Line {line} of {stem}"));
+        Head { name, number: number.cloned(), line, span }
     }
 
     /// A declaration was not read: what follows would be judged without it.
     fn breaks(&mut self, faults: Vec<Diagnostic>) {
         if let Some(fault) = faults.first() {
-            self.broken.get_or_insert(self.lines.line(fault.span.start));
+            self.broken.get_or_insert(fault.span);
         }
         self.out.faults.extend(faults);
     }
@@ -189,17 +228,15 @@ impl<'l> Assembly<'l> {
         let list = match equations(display) {
             Ok(list) => list,
             Err(fault) => {
-                let line = self.lines.line(display.span.start);
-                let number = display.rows.iter().find_map(|row| row.number.clone());
-                return self.push(Head { name: format!("line-{line}"), number, line }, Outcome::NotRead(vec![fault]));
+                let number = display.rows.iter().find_map(|row| row.number.as_ref());
+                let head = Head { number: number.cloned(), ..self.head(None, None, display.span) };
+                return self.push(head, Outcome::NotRead(vec![fault]));
             }
         };
         // What the rows of this formula declare holds to its end.
         let mut local: Vec<Placed> = Vec::new();
         for equation in list {
-            let line = self.lines.line(equation.span.start);
-            let name = claim_name(equation.label.as_deref(), equation.number.as_deref(), line);
-            let mut head = Head { name, number: equation.number.clone(), line };
+            let mut head = self.head(equation.label.as_deref(), equation.number.as_ref(), equation.span);
             let said = clause::of(&equation.clauses, self.decisions, &mut self.names);
             let outcome = match said {
                 Ok(said) => {
@@ -210,7 +247,7 @@ impl<'l> Assembly<'l> {
                 }
                 Err(fault) => {
                     // What the equation is remains unknown: it may be a hypothesis.
-                    self.broken.get_or_insert(line);
+                    self.broken.get_or_insert(equation.span);
                     Err(vec![fault])
                 }
             };
@@ -228,13 +265,13 @@ impl<'l> Assembly<'l> {
         if let Purpose::Skip(reason) = said.purpose {
             return Ok(Outcome::Skipped(reason));
         }
-        if let Some(line) = self.broken {
-            return Ok(Outcome::Waits(line));
+        if let Some(place) = self.broken {
+            return Ok(Outcome::Waits(place));
         }
         local.extend(said.items.iter().cloned());
         let outcome = self.read(equation, &said, head, local);
         if outcome.is_err() && said.purpose != Purpose::Prove {
-            self.broken.get_or_insert(head.line);
+            self.broken.get_or_insert(head.span);
         }
         outcome
     }
@@ -262,7 +299,7 @@ impl<'l> Assembly<'l> {
             (Purpose::Let | Purpose::Prove, Some(sign)) => {
                 let behind = sign + if tokens[sign].is("coloneqq") { 1 } else { 2 };
                 let rest = self.definition(&tokens, sign, behind, said, local).inspect_err(|_| {
-                    self.broken.get_or_insert(head.line);
+                    self.broken.get_or_insert(head.span);
                 })?;
                 match rest {
                     false => Ok(Outcome::Used("definition")),
@@ -410,7 +447,7 @@ impl<'l> Assembly<'l> {
         let goal = self.goal(tokens, said, local)?;
         let title = match &head.number {
             Some(number) => format!("Equation ({number})"),
-            None => format!("Line {}", head.line),
+            None => head.line.clone(),
         };
         let mut text = Placed::default();
         match &said.name {

@@ -150,8 +150,8 @@ fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<
     }
 }
 
-/// The name of a claim: its label without `eq:`, else its number, else its line.
-pub(crate) fn claim_name(label: Option<&str>, number: Option<&str>, line: usize) -> String {
+/// The name of a claim: its label without `eq:`, else its number, else its line, in a file of another name with that.
+pub(crate) fn claim_name(label: Option<&str>, number: Option<&str>, stem: Option<&str>, line: usize) -> String {
     let clean = |text: &str| {
         let parts = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
         parts.collect::<Vec<_>>().join("-")
@@ -163,7 +163,10 @@ pub(crate) fn claim_name(label: Option<&str>, number: Option<&str>, line: usize)
     let name = match (label.filter(|label| !label.is_empty()), number) {
         (Some(label), _) => label,
         (None, Some(number)) => format!("eq-{}", clean(number)),
-        (None, None) => format!("line-{line}"),
+        (None, None) => match stem.map(clean).filter(|stem| !stem.is_empty()) {
+            Some(stem) => format!("{stem}-line-{line}"),
+            None => format!("line-{line}"),
+        },
     };
     let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_keyword(&name);
     let name = if is_name { name } else { format!("eq-{name}") };

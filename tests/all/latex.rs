@@ -2,6 +2,7 @@
 
 mod commands;
 mod example;
+mod files;
 mod planted;
 mod refused;
 mod round_trip;

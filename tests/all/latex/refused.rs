@@ -211,7 +211,8 @@ fn an_equation_is_judged_without_a_hypothesis_that_is_not_read() {
     let source = format!("{DECLARED}\\[ \\int a = b %carom assume\n\\]\n\\[ a = a \\]\n");
     let found = paper(&source).unwrap();
     assert!(matches!(found.equations[0].outcome, Outcome::NotRead(_)));
-    assert!(matches!(found.equations[1].outcome, Outcome::Waits(3)), "{:?}", found.equations[1]);
+    let Outcome::Waits(declaration) = found.equations[1].outcome else { panic!("{:?}", found.equations[1]) };
+    assert_eq!(source[..declaration.start].matches('\n').count() + 1, 3);
 }
 
 #[test]
@@ -278,7 +279,8 @@ fn a_marked_formula_in_running_text_is_passed_over() {
     assert_eq!(list.len(), 4, "{list:?}");
     assert!(matches!(list[0].outcome, Outcome::Used("hypothesis")), "{:?}", list[0]);
     let Outcome::Read(claim) = &list[1].outcome else { panic!("{:?}", list[1]) };
-    assert_eq!((claim.name.text.as_str(), list[1].line, &list[1].number), ("end", 5, &None));
+    let line = source[..list[1].span.start].matches('\n').count() + 1;
+    assert_eq!((claim.name.text.as_str(), line, &list[1].number), ("end", 5, &None));
     assert_eq!(Style::Text.prop(claim.written_goal()), "a = c");
     for (equation, says) in
         [(&list[2], "more than one formula ends on this line"), (&list[3], "no formula in running text")]
