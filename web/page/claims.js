@@ -28,8 +28,22 @@ given x, v1 > 0;  e in [0, 1];  i natural
 let u(k) = (x*(1 + e)/(x + 1))^k*v1
 prove u(i + 1)*u(i + 1) = u(i)*u(i + 2)
 `],
+  ["A paper's LaTeX (one proved, one refuted)", String.raw`%carom given m_1, m_2 > 0;  v_1, v_2 real;  e in [0, 1]
+\begin{align}
+  v_1' &:= \frac{m_1 - e m_2}{m_1 + m_2} v_1 + \frac{m_2 (1 + e)}{m_1 + m_2} v_2 \\
+  v_2' &:= \frac{m_1 (1 + e)}{m_1 + m_2} v_1 + \frac{m_2 - e m_1}{m_1 + m_2} v_2
+\end{align}
+\begin{equation}\label{eq:momentum}
+  m_1 v_1' + m_2 v_2' = m_1 v_1 + m_2 v_2
+\end{equation}
+\begin{equation}\label{eq:energy}
+  \frac{1}{2} m_1 v_1'^2 + \frac{1}{2} m_2 v_2'^2 = \frac{1}{2} m_1 v_1^2 + \frac{1}{2} m_2 v_2^2
+\end{equation}
+`],
 ];
 const engine = clientWith($("claims-busy"));
+/** What shows that a text is in the claim language, or in LaTeX. */
+const BEGINS = /^\s*claim\b|\\begin\{|\\\[|\$\$/m;
 const text = $("claim-text");
 let listed = [];
 /** The verdicts of the catalogue, as they come. */
@@ -70,7 +84,7 @@ async function judge() {
   const mine = ++serial;
   const source = text.value;
   state.keep({ claim: source }, { claim: EXAMPLES[0][1] });
-  if (!/\S/.test(source) || !/^\s*claim\b/m.test(source)) {
+  if (!BEGINS.test(source)) {
     engine.stop();
     showFaults({ list: [], more: 0 });
     fresh(true);

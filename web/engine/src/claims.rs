@@ -2,11 +2,12 @@
 
 use crate::request::{Fault, Request};
 use carom_catalogue as embedded;
-use carom_checker::claim::diagnostic::{self, Diagnostic};
+use carom_checker::claim::diagnostic::{self, Diagnostic, Source};
 use carom_checker::claim::parse::parse;
 use carom_checker::claim::print::Style;
 use carom_checker::claim::syntax::{Claim, Expectation};
 use carom_documents::report::{self, Entry, mathml};
+use carom_latex::{Outcome, paper};
 use carom_search::judge::hand::AtHand;
 use carom_search::judge::{Settings, diagnostic, judge};
 use carom_search::refute::catalogue::{Catalogue, Limits};
@@ -24,13 +25,14 @@ const SHOWN: usize = 20;
 /// The longest time for one claim, in seconds.
 const SECONDS: u64 = 10;
 
-/// Judges the claims of a text. A claim with a fault is left out, with those that rest on it; the others are judged.
+/// Judges the claims of a text, or the displayed equations of a paper in LaTeX. A claim with a fault is left out, with
+/// those that rest on it; the others are judged.
 pub fn audit(request: &Request) -> Result<Value, Fault> {
     let text = request.long_text("text");
     if text.len() > MAX_TEXT {
         return Err(Fault::at("text", format!("limit reached: {MAX_TEXT} bytes of claims on this page")).limit());
     }
-    let (read, mut faults) = readable(text);
+    let (read, mut faults) = if is_paper(text) { equations(text) } else { readable(text) };
     let mut claims: Vec<Value> = Vec::new();
     if let Some(catalogue) = read {
         let names: Vec<String> = catalogue.claims().iter().map(|c| c.name.text.clone()).collect();
@@ -39,6 +41,44 @@ pub fn audit(request: &Request) -> Result<Value, Fault> {
         faults.extend(wrong);
     }
     Ok(json!({ "claims": claims, "faults": shown(&faults, text) }))
+}
+
+/// Whether a text is in LaTeX: no claim of the language begins in it, and a displayed formula does.
+fn is_paper(text: &str) -> bool {
+    let is_claim = |line: &str| line.split_whitespace().next() == Some("claim");
+    ["\\begin{", "\\[", "$$"].iter().any(|sign| text.contains(sign)) && !text.lines().any(is_claim)
+}
+
+/// The claims of a paper, and the faults of what cannot be read or waits for that.
+fn equations(text: &str) -> (Option<Catalogue>, Vec<Diagnostic>) {
+    let found = match paper(text) {
+        Ok(found) => found,
+        Err(faults) => return (None, faults),
+    };
+    let source = Source::new("your text".to_string(), text.to_string());
+    let (mut claims, mut faults) = (Vec::new(), found.faults);
+    for equation in found.equations {
+        let waits = equation.unread(&source).map(|why| format!("{} {why}", equation.name));
+        match equation.outcome {
+            Outcome::Read(claim) => claims.push(*claim),
+            Outcome::NotRead(list) => faults.extend(list),
+            Outcome::Waits(_) => {
+                let message = waits.unwrap_or_default();
+                faults.push(Diagnostic::new(diagnostic::Fault::Other { message, help: None }, equation.span));
+            }
+            Outcome::Used(_) | Outcome::Skipped(_) => {}
+        }
+    }
+    for _ in 0..MAX_ROUNDS {
+        let list = match Catalogue::new(claims.clone()) {
+            Ok(catalogue) => return (Some(catalogue), faults),
+            Err(list) => list,
+        };
+        let is_at = |claim: &Claim, place| claim.name.span == place || claim.using.iter().any(|name| name.span == place);
+        claims.retain(|claim| !list.iter().any(|(name, fault)| claim.name.text == *name && is_at(claim, fault.span)));
+        faults.extend(list.into_iter().map(|fault| fault.1));
+    }
+    (None, faults)
 }
 
 /// Rounds of leaving out claims that rest on what was left out.
@@ -291,6 +331,24 @@ mod tests {
         let all = audit(&format!("{good}\nclaim broken \"B\"\ngiven m > 0\nprove m = k\n\n{user}"));
         assert_eq!(all["claims"].as_array().map(Vec::len), Some(1), "{all}");
         assert_eq!(audit("nonsense")["claims"].as_array().map(Vec::len), Some(0));
+    }
+
+    #[test]
+    fn a_pasted_paper_is_taken_for_claims_or_loses_equations() {
+        let paper = "%carom given a, b > 0\n\\begin{equation}\\label{eq:square} (a + b)^2 \\ge 4 a b \\end{equation}\n\
+                     \\[ a = b \\]\n\\[ \\oint a = b \\] %carom assume\n\\[ 1 = 1 \\]\n";
+        let found = audit(paper);
+        let verdicts: Vec<_> = found["claims"].as_array().expect("claims").iter().map(|c| (&c["id"], &c["verdict"])).collect();
+        assert_eq!(verdicts, [(&json!("square"), &json!("proved")), (&json!("line-3"), &json!("refuted"))]);
+        let faults = found["faults"]["list"].as_array().expect("faults");
+        assert!(faults[0]["message"].as_str().is_some_and(|text| text.contains("oint")), "{found}");
+        assert_eq!((&faults[1]["message"], &faults[1]["line"]), (&json!("line-5 waits for line 4, which is not read"), &json!(5)));
+        // The same label twice leaves the first.
+        let found = audit("\\begin{equation}\\label{eq:a} 1 = 1\\end{equation}\n\\begin{equation}\\label{eq:a} 2 = 2\\end{equation}");
+        assert_eq!(found["claims"].as_array().map(Vec::len), Some(1), "{found}");
+        assert!(found["faults"]["list"][0]["message"].as_str().is_some_and(|text| text.contains("twice")), "{found}");
+        // Dollars in a title make no paper.
+        assert_eq!(audit("claim mine \"$$\"\nprove 1 < 2\n")["claims"][0]["verdict"], "proved");
     }
 
     #[test]
