@@ -24,6 +24,7 @@ pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
     match found {
         Ok(found) => {
             terminal::note(&format!("{name}: {}; `carom read {name}` lists them", summary(&found)));
+            to_declare(&found).into_iter().for_each(|text| terminal::note(&format!("{name}: {text}")));
             if !found.faults.is_empty() {
                 let exit = exit(&found.faults, &source);
                 out.broken.push(Broken { name: name.clone(), claims: Vec::new(), exit });
@@ -54,6 +55,21 @@ pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
         }
     }
     out.sources.push(source);
+}
+
+/// A comment to begin with, for the names that nothing declares.
+fn to_declare(found: &Paper) -> Option<String> {
+    let (functions, numbers): (Vec<&String>, Vec<&String>) =
+        found.undeclared.keys().partition(|name| name.ends_with("(…)"));
+    let list = |names: &[&String]| names.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ");
+    let mut out = Vec::new();
+    if !numbers.is_empty() {
+        out.push(format!("`%carom given {} real`", list(&numbers)));
+    }
+    if !functions.is_empty() {
+        out.push(format!("functions or factors: {}", list(&functions)));
+    }
+    (!out.is_empty()).then(|| format!("nothing declares these names; to begin with: {}", out.join("; ")))
 }
 
 /// How many formulas were read, used, passed over and not read.
@@ -107,6 +123,9 @@ pub(super) fn run(path: &Path) -> Result<(String, u8, Vec<String>), Exit> {
     for (key, spelled, count) in &found.names {
         let once = if *count == 1 { "   (once: a misprint?)" } else { "" };
         out += &format!("#   {key}   {spelled}   {count}{once}\n");
+    }
+    if let Some(text) = to_declare(&found) {
+        out += &format!("#\n# {text}\n");
     }
     for equation in &found.equations {
         if let Outcome::Read(claim) = &equation.outcome {

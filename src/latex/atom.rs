@@ -185,7 +185,7 @@ impl<'t> Reader<'t, '_, '_> {
 }
 
 /// The places of the bars on the level of the one at `at`, from there on.
-fn bars(tokens: &[Token], at: usize) -> Vec<usize> {
+pub(crate) fn bars(tokens: &[Token], at: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut level = 0usize;
     for (place, token) in tokens.iter().enumerate().skip(at) {

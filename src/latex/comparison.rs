@@ -40,6 +40,11 @@ impl Reader<'_, '_, '_> {
         };
         let mut said = read(self)?;
         if self.scope.double_sign.is_some() {
+            let is_other = |t: &Token| relation_of(t).is_some_and(|relation| relation != "=");
+            if self.scope.decisions.both_signs == Some(false) && self.tokens[from..self.at].iter().any(is_other) {
+                let help = "write the statement that is meant, such as x \\ne 1 \\text{ and } x \\ne -1";
+                return Err(refused("one of two values in an inequality is not read", help, span));
+            }
             self.scope.signed += 1;
             if self.scope.splits {
                 self.scope.upper = false;
@@ -164,19 +169,22 @@ impl Reader<'_, '_, '_> {
         super::document::environment(self.tokens, self.at).is_some_and(|(name, _)| name == "cases" || name == "dcases")
     }
 
-    /// `f = \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases}`: each case is an implication.
+    /// `f = \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases}`: each case is an implication, and one of them holds,
+    /// since the right side has no value elsewhere.
     fn cases(&mut self, left: &Piece) -> Read<Said> {
         let start = self.span();
         self.scope.has_logic = true;
         let (rows, next) = self.cases_here()?;
         let (mut list, mut before): (Vec<Said>, Vec<Said>) = (Vec::new(), Vec::new());
+        let mut covers = false;
         for cells in rows {
             let [value, condition] = cells.as_slice() else {
                 let help = "write each case as `value & condition`";
                 return Err(refused("a case without its condition", help, start));
             };
             let value = self.sum_in(&ended(value))?;
-            let condition = self.condition(condition, &before, start)?;
+            let (condition, is_rest) = self.condition(condition, &before, start)?;
+            covers = covers || is_rest;
             let mut equation = left.text.clone();
             equation.push(" = ", start);
             equation.append(&value.text);
@@ -185,20 +193,24 @@ impl Reader<'_, '_, '_> {
             before.push(condition);
         }
         self.at = next;
+        if !covers {
+            list.push(joined(before, " or ", 3, 4));
+        }
         Ok(joined(list, " and ", 4, 5))
     }
 
-    fn condition(&mut self, tokens: &[Token], before: &[Said], start: Span) -> Read<Said> {
+    /// The condition of a case, and whether it is that no other holds.
+    fn condition(&mut self, tokens: &[Token], before: &[Said], start: Span) -> Read<(Said, bool)> {
         self.inside(&ended(tokens), |inside| {
             if inside.take_text(&["otherwise", "else"]) {
                 let list: Vec<Said> =
                     before.iter().map(|said| Said { text: said.text.clone(), level: said.level }).collect();
                 let mut text = Placed::new("not ", start);
                 text.append(&joined(list, " or ", 3, 4).at_least(6));
-                return Ok(Said { text, level: 5 });
+                return Ok((Said { text, level: 5 }, true));
             }
             inside.take_text(CONDITIONS);
-            inside.statement()
+            Ok((inside.statement()?, false))
         })
     }
 }

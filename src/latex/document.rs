@@ -69,6 +69,10 @@ pub(crate) struct Document {
 /// Environments of displayed formulas.
 const DISPLAYS: &[&str] =
     &["equation", "align", "gather", "multline", "eqnarray", "flalign", "alignat", "displaymath", "math"];
+/// Environments of other packages that are written like one of these.
+const ALIKE: &[(&str, &str)] = &[("IEEEeqnarray", "eqnarray"), ("dmath", "equation"), ("xalignat", "alignat")];
+/// Environments of displayed formulas that are not read.
+const NOT_READ: &[&str] = &["empheq", "darray", "dseries", "dgroup"];
 /// Environments in a displayed formula that hold its rows.
 const INNER: &[&str] = &["split", "aligned", "gathered", "alignedat"];
 
@@ -124,6 +128,10 @@ impl Reader<'_> {
     /// Reads the part that begins at a token, and returns where to read on.
     fn part(&mut self, at: usize) -> usize {
         let token = &self.tokens[at];
+        let is_environment = token.is("begin") || token.is("end");
+        if !is_environment {
+            self.macros.passes(token);
+        }
         match &token.kind {
             Kind::Comment(text) if first_word(text) == "inline" => {
                 self.marked(text, token);
@@ -247,10 +255,20 @@ impl Reader<'_> {
     fn begin(&mut self, at: usize) -> usize {
         let Some((name, inside)) = environment(self.tokens, at) else { return at + 1 };
         let plain = name.trim_end_matches('*').to_string();
+        if NOT_READ.contains(&plain.as_str()) {
+            let help = "use an environment of amsmath, such as align";
+            self.fault(refused(format!("the environment {name} is not read"), help, self.tokens[at].span));
+            self.macros.passes(&self.tokens[at]);
+            return end_of(self.tokens, inside).unwrap_or(inside);
+        }
+        let alike = ALIKE.iter().find(|pair| pair.0 == plain).map(|pair| pair.1);
+        let has_argument = ["alignat", "xalignat", "IEEEeqnarray"].contains(&plain.as_str());
+        let plain = alike.map_or(plain, str::to_string);
         if plain == "subequations" {
             self.numbers.begin_sub();
         }
         if !DISPLAYS.contains(&plain.as_str()) {
+            self.macros.passes(&self.tokens[at]);
             return inside;
         }
         let Some(end) = end_of(self.tokens, inside) else {
@@ -264,11 +282,12 @@ impl Reader<'_> {
             self.fault(refused(message, "close the environments in the order of their nesting", self.tokens[end].span));
             return next.max(end + 1);
         }
-        let inside = if plain == "alignat" { group(self.tokens, inside).map_or(inside, |g| g.1) } else { inside };
+        let inside = if has_argument { group(self.tokens, inside).map_or(inside, |g| g.1) } else { inside };
         if plain == "math" {
             self.seen_inline(at..next);
         } else {
-            self.display(&name, at, inside, end, next.saturating_sub(1));
+            let star = if name.ends_with('*') { "*" } else { "" };
+            self.display(&format!("{plain}{star}"), at, inside, end, next.saturating_sub(1));
         }
         next
     }
@@ -277,6 +296,7 @@ impl Reader<'_> {
         if environment(self.tokens, at).is_some_and(|(name, _)| name == "subequations") {
             self.numbers.end_sub();
         }
+        self.macros.passes(&self.tokens[at]);
         at + 1
     }
 

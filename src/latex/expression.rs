@@ -3,7 +3,8 @@
 //! Contract: an expression is read as what it says in print, or refused. Where print leaves two readings the refusal shows both.
 //! Limit: [`NESTING_LIMIT`].
 
-use super::name::{UPRIGHT, argument};
+use super::atom::bars;
+use super::name::{UPRIGHT, argument, canonical};
 use super::piece::{Piece, product};
 use super::place::Placed;
 use super::prepare::SPACES;
@@ -197,6 +198,9 @@ impl<'t> Reader<'t, '_, '_> {
                 let write = ["write a sum, 2 + \\frac{1}{3}", "write 2 \\cdot \\frac{1}{3}"];
                 return Err(ambiguous("a number before a fraction of numbers", readings, write, span));
             }
+            if token.is("times") && factors.last().is_some_and(|(_, before)| before.is_vector) {
+                return Err(product_of_vectors(span));
+            }
             if let Some(operator) = self.operator()? {
                 // A large operator reaches to the end of the product.
                 factors.push((divides, operator));
@@ -211,6 +215,9 @@ impl<'t> Reader<'t, '_, '_> {
                 match divides && !rest.is_empty() {
                     true => factors.push((true, product([(false, first)].into_iter().chain(rest).collect()).closed())),
                     false => {
+                        if first.is_vector && factors.iter().any(|(_, before)| before.is_vector) {
+                            return Err(product_of_vectors(span));
+                        }
                         factors.push((divides, first));
                         factors.extend(rest);
                     }
@@ -224,6 +231,8 @@ impl<'t> Reader<'t, '_, '_> {
     pub(crate) fn begins_factor(&mut self) -> bool {
         let Some(token) = self.peek() else { return false };
         match &token.kind {
+            // Of bars that pair up the first one opens.
+            Kind::Char('|') => bars(self.tokens, self.at).len().is_multiple_of(2),
             Kind::Char(c) => c.is_alphanumeric() || matches!(c, '(' | '['),
             Kind::Open => true,
             Kind::Command(name) => !matches!(
@@ -302,7 +311,7 @@ impl<'t> Reader<'t, '_, '_> {
     }
 
     /// A factor with its power; a fraction contributes several.
-    fn factor(&mut self) -> Read<Vec<(bool, Piece)>> {
+    pub(crate) fn factor(&mut self) -> Read<Vec<(bool, Piece)>> {
         let start = self.span();
         let Some(token) = self.peek() else { return self.expected("a factor") };
         if let Some("frac" | "dfrac" | "tfrac" | "cfrac" | "nicefrac" | "sfrac") = token.command() {
@@ -374,9 +383,12 @@ impl<'t> Reader<'t, '_, '_> {
         let Some(token) = self.peek() else { return self.expected("an exponent") };
         let (inner, next) = argument(self.tokens, self.at)?;
         let said = words(inner);
-        if let Some("top" | "intercal" | "mathsf") = inner.first().and_then(Token::command)
-            && inner.first().is_some_and(|t| !t.is("mathsf"))
-        {
+        let is_transpose = match inner {
+            [sign] if sign.is("top") || sign.is("intercal") => true,
+            // Behind a matrix in print; behind a name it may be a power.
+            _ => base.is_matrix && matches!(canonical(inner).as_str(), "T" | "t"),
+        };
+        if is_transpose {
             self.at = next;
             return Ok(base.within("transpose"));
         }
@@ -386,13 +398,13 @@ impl<'t> Reader<'t, '_, '_> {
             let help = "give the name another one: `%carom name x^* as y` is not read; write y in the formula";
             return Err(refused(format!("the upper sign {said} is not read"), help, span));
         }
-        if inner.first().is_some_and(|t| t.is_char('('))
-            && inner.last().is_some_and(|t| t.is_char(')'))
-            && closes_at_end(inner)
-        {
+        let is_pair = |open, close| {
+            inner.first().is_some_and(|t| t.is_char(open)) && inner.last().is_some_and(|t| t.is_char(close))
+        };
+        if is_pair('[', ']') || (is_pair('(', ')') && closes_at_end(inner)) {
             let readings = ["a power", "an upper index or the order of a derivative"];
             let write = ["leave the parentheses out", "write another name"];
-            return Err(ambiguous("an exponent in parentheses", readings, write, span));
+            return Err(ambiguous("an exponent in parentheses or brackets", readings, write, span));
         }
         let digit = |t: &Token| t.char().is_some_and(|c| c.is_ascii_digit());
         if token.kind != Kind::Open && digit(token) && self.tokens.get(next).is_some_and(|t| digit(t) && !t.apart) {
@@ -403,6 +415,12 @@ impl<'t> Reader<'t, '_, '_> {
         self.at = next;
         Ok(base.to(&exponent))
     }
+}
+
+/// A product of two names that are marked as vectors.
+fn product_of_vectors(span: Span) -> Diagnostic {
+    let help = "write it with components or lengths, as in v w \\cos \\theta; a name without its mark is a number";
+    refused("a product of vectors is not read", help, span)
 }
 
 /// Whether a token only spaces.

@@ -12,9 +12,15 @@ use super::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
 
 /// Commands that change only the space around their argument.
-const CLASSES: &[&str] = &["mathrel", "mathbin", "mathord", "mathopen", "mathclose", "mathinner", "ensuremath"];
+pub(crate) const CLASSES: &[&str] =
+    &["mathrel", "mathbin", "mathord", "mathopen", "mathclose", "mathinner", "ensuremath"];
 /// Commands that draw around their argument.
 const DRAWN: &[&str] = &["boxed", "underbrace", "overbrace", "underline"];
+/// Whether an equation may stand in the braces behind this command.
+pub(crate) fn shows_its_argument(token: &Token) -> bool {
+    token.command().is_some_and(|name| CLASSES.contains(&name) || DRAWN.contains(&name) || name == "Aboxed")
+}
+
 /// A space of so many points parts two statements; a smaller one parts two factors.
 const WIDE: f64 = 8.0;
 
@@ -65,6 +71,13 @@ fn formed(tokens: &[Token], depth: usize) -> Result<Vec<Token>, Diagnostic> {
                 }
                 at = next;
             }
+            (_, Some(([], next))) if token.is_text() => {
+                // Of words that are blank the space prints.
+                if tokens[next - 1].span.start > tokens[at + 1].span.end {
+                    out.push(sign(Kind::Command(" ".to_string())));
+                }
+                at = next;
+            }
             (_, Some((inner, next))) if token.is_text() && is_punctuation(inner) => {
                 out.extend(inner.iter().cloned());
                 at = next;
@@ -89,7 +102,12 @@ fn formed(tokens: &[Token], depth: usize) -> Result<Vec<Token>, Diagnostic> {
                     at += 1;
                 }
             },
+            ("not", _) if tokens.get(at + 1).is_some_and(|t| t.is_char('=')) => {
+                out.push(sign(Kind::Command("ne".to_string())));
+                at += 2;
+            }
             _ if token.kind == Kind::Open => match group(tokens, at) {
+                Ok(([], next)) if prints_nothing(out.last(), tokens.get(next)) => at = next,
                 Ok((inner, next)) => {
                     braces(&mut out, inner, [token, &tokens[next - 1]], depth)?;
                     at = next;
@@ -106,6 +124,22 @@ fn formed(tokens: &[Token], depth: usize) -> Result<Vec<Token>, Diagnostic> {
         }
     }
     Ok(out)
+}
+
+/// Whether an empty group between these two is no argument, and bears no index or exponent.
+fn prints_nothing(before: Option<&Token>, after: Option<&Token>) -> bool {
+    let takes = before.is_some_and(|t| match &t.kind {
+        Kind::Command(name) => !(is_space(t) || name.ends_with("quad") || super::name::is_letter(name)),
+        kind => matches!(kind, Kind::Close | Kind::Char('_' | '^' | ']')),
+    });
+    let bears = after.is_some_and(|t| matches!(t.char(), Some('_' | '^' | '\'')));
+    !takes && !bears
+}
+
+/// The command that sets what is in its braces as the older one sets the rest of a group.
+fn font(token: Option<&Token>) -> Option<&'static str> {
+    let fonts = [("rm", "mathrm"), ("it", "mathit"), ("bf", "mathbf"), ("sf", "mathsf"), ("cal", "mathcal")];
+    fonts.iter().find(|(old, _)| token.is_some_and(|t| t.is(old))).map(|(_, new)| *new)
 }
 
 /// `\begin{cases}` or `\end{cases}`, where a sign stands for it.
@@ -129,6 +163,20 @@ fn braces(out: &mut Vec<Token>, inner: &[Token], [open, close]: [&Token; 2], dep
     let [place] = signs.as_slice() else {
         if let Some(second) = signs.get(1) {
             return Err(refused("two fractions in one group", "put braces around each", inner[*second].span));
+        }
+        let mut inner = inner;
+        if let Some(new) = font(inner.first()) {
+            // As an argument the group stays one.
+            let is_argument = out.last().is_some_and(|t| matches!(t.kind, Kind::Command(_) | Kind::Char('_' | '^')));
+            if is_argument {
+                out.push(open.clone());
+            }
+            out.push(Token { kind: Kind::Command(new.to_string()), ..open.clone() });
+            inner = &inner[1..];
+            out.push(open.clone());
+            out.extend(formed(inner, depth + 1)?);
+            out.extend(std::iter::repeat_n(close.clone(), if is_argument { 2 } else { 1 }));
+            return Ok(());
         }
         out.push(open.clone());
         out.extend(formed(inner, depth + 1)?);

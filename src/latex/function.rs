@@ -47,6 +47,10 @@ impl<'t> Reader<'t, '_, '_> {
                 if let Some((_, next)) = order {
                     self.at = next;
                 }
+                if self.is_next_char('(') {
+                    let help = "write \\sqrt{…}: without braces the root is over the parenthesis alone";
+                    return Err(refused("\\sqrt has no argument in braces", help, start));
+                }
                 let (inner, next) = argument(self.tokens, self.at)?;
                 let of = self.sum_in(inner)?;
                 self.at = next;
@@ -280,7 +284,7 @@ impl<'t> Reader<'t, '_, '_> {
         self.at = next;
         text.push("]", start);
         let piece = Piece::new(text, 5);
-        Ok(if name == "vmatrix" { piece.within("det") } else { piece })
+        Ok(if name == "vmatrix" { piece.within("det") } else { Piece { is_matrix: true, ..piece } })
     }
 
     /// A sum, a product or a derivative, with all that it reaches.
@@ -424,7 +428,7 @@ impl<'t> Reader<'t, '_, '_> {
             None if body.is_empty() => self.differentiated(start)?,
             None => self.sum_in(body)?,
         };
-        if let Some(name) = of.name.filter(|_| of.level == 5) {
+        if let Some(name) = of.name.filter(|name| of.level == 5 && by.iter().any(|by| by != name)) {
             let help = format!("define it, `%carom let {name} = …` in that variable, or differentiate the expression");
             return Err(refused(format!("{name} is a variable, which depends on no other"), help, of.text.span()));
         }
@@ -442,11 +446,7 @@ impl<'t> Reader<'t, '_, '_> {
                 self.at = next;
                 piece
             }
-            None => {
-                let atom = self.span();
-                let piece = self.atom()?;
-                self.raised(piece, atom)?
-            }
+            None => product(self.factor()?),
         };
         let follows = self.peek().is_some_and(|t| t.is_char('^') || t.is_char('/') || t.is("cdot") || t.is("times"));
         if follows || self.begins_factor() {

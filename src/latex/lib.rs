@@ -29,6 +29,7 @@ mod refusal;
 mod row;
 mod scope;
 mod statement;
+mod structure;
 mod symbol;
 mod token;
 mod typeset;

@@ -20,12 +20,16 @@ struct Macro {
     arguments: usize,
     default: Option<Vec<Token>>,
     body: Vec<Token>,
+    /// Whether it begins or ends a displayed formula or an environment.
+    is_structure: bool,
 }
 
 /// The macros that are defined so far.
 #[derive(Default)]
 pub(crate) struct Macros {
     list: BTreeMap<String, Macro>,
+    /// For each group that is open: the macros before it, if it defines one.
+    groups: Vec<Option<BTreeMap<String, Macro>>>,
 }
 
 /// Whether a command defines a macro.
@@ -85,9 +89,50 @@ impl Macros {
             body.push(sign(Kind::Close));
         }
         if command != "providecommand" || !self.list.contains_key(&name) {
-            self.list.insert(name, Macro { arguments, default, body });
+            // `\gdef` alone reaches beyond its group.
+            if command == "gdef" {
+                self.groups.iter_mut().for_each(|group| *group = None);
+            } else if let Some(group) = self.groups.last_mut() {
+                group.get_or_insert_with(|| self.list.clone());
+            }
+            let is_structure = body.iter().any(|t| self.is_structure(t));
+            self.list.insert(name, Macro { arguments, default, body, is_structure });
         }
         Ok(end)
+    }
+
+    /// Takes note of what begins or ends a group: a macro that is defined in it ends with it.
+    pub(crate) fn passes(&mut self, token: &Token) {
+        match &token.kind {
+            Kind::Open => self.groups.push(None),
+            Kind::Command(name) if name == "begingroup" || name == "bgroup" || name == "begin" => {
+                self.groups.push(None)
+            }
+            Kind::Close => self.close(),
+            Kind::Command(name) if name == "endgroup" || name == "egroup" || name == "end" => self.close(),
+            _ => {}
+        }
+    }
+
+    fn close(&mut self) {
+        if let Some(Some(before)) = self.groups.pop() {
+            self.list = before;
+        }
+    }
+
+    /// Whether a token begins or ends a displayed formula or an environment.
+    fn is_structure(&self, token: &Token) -> bool {
+        let known = |name: &str| self.list.get(name).is_some_and(|known| known.is_structure);
+        token.kind == Kind::Dollar(2)
+            || token.command().is_some_and(|name| ["begin", "end", "[", "]"].contains(&name) || known(name))
+    }
+
+    /// What the macro at `at` stands for, if that begins or ends a formula, and where to read on.
+    pub(crate) fn structure(&self, tokens: &[Token], at: usize) -> Option<(Vec<Token>, usize)> {
+        let token = tokens.get(at)?;
+        let known = self.list.get(token.command()?).filter(|known| known.is_structure)?;
+        let (_, next) = arguments(known, tokens, at).ok()?;
+        Some((self.expand(&tokens[at..next]).ok()?, next))
     }
 
     /// The tokens without macros.
@@ -130,38 +175,44 @@ impl Macros {
             if *uses > USES_LIMIT {
                 return Err(limit("uses of macros in an equation", USES_LIMIT, span));
             }
-            at += 1;
-            let mut arguments: Vec<Vec<Token>> = Vec::new();
-            let mut end = token.span.end;
-            for number in 0..known.arguments {
-                if number == 0
-                    && let Some(default) = &known.default
-                {
-                    match option(tokens, at) {
-                        Some((inner, next)) => {
-                            arguments.push(inner.to_vec());
-                            at = next;
-                        }
-                        None => arguments.push(default.clone()),
-                    }
-                } else if tokens.get(at).is_some_and(|t| t.kind == Kind::Open) {
-                    let (inner, next) = group(tokens, at)?;
-                    arguments.push(inner.to_vec());
-                    at = next;
-                } else if let Some(one) = tokens.get(at) {
-                    arguments.push(vec![one.clone()]);
-                    at += 1;
-                } else {
-                    return Err(expected(&format!("an argument of {}", token.text()), "the end of the formula", span));
-                }
-                end = tokens[at - 1].span.end.max(end);
-            }
+            let (arguments, next) = arguments(known, tokens, at).map_err(|fault| Diagnostic { span, ..fault })?;
+            at = next;
+            let end = tokens[at - 1].span.end.max(token.span.end);
             let span = place.unwrap_or(Span { start: token.span.start, end });
             let body = filled(&known.body, &arguments, token.apart, span)?;
             self.expand_into(&body, Some(span), depth + 1, uses, out)?;
         }
         Ok(())
     }
+}
+
+/// The arguments of the macro that stands at `at`, and where to read on.
+fn arguments(known: &Macro, tokens: &[Token], at: usize) -> Result<(Vec<Vec<Token>>, usize), Diagnostic> {
+    let (token, mut at) = (&tokens[at], at + 1);
+    let mut out: Vec<Vec<Token>> = Vec::new();
+    for number in 0..known.arguments {
+        if number == 0
+            && let Some(default) = &known.default
+        {
+            match option(tokens, at) {
+                Some((inner, next)) => {
+                    out.push(inner.to_vec());
+                    at = next;
+                }
+                None => out.push(default.clone()),
+            }
+        } else if tokens.get(at).is_some_and(|t| t.kind == Kind::Open) {
+            let (inner, next) = group(tokens, at)?;
+            out.push(inner.to_vec());
+            at = next;
+        } else if let Some(one) = tokens.get(at) {
+            out.push(vec![one.clone()]);
+            at += 1;
+        } else {
+            return Err(expected(&format!("an argument of {}", token.text()), "the end of the formula", token.span));
+        }
+    }
+    Ok((out, at))
 }
 
 /// The body of a macro with its arguments in place.

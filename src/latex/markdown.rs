@@ -1,7 +1,8 @@
 //! A Markdown file as LaTeX: its displayed formulas and its comments, at the same places.
 //!
 //! Contract: the result has as many bytes as the source, and each formula and comment stands where it stands there. Formulas
-//! are `$$ … $$` and code blocks with the word `math`; a comment is `<!-- carom … -->` on one line. Code is passed over.
+//! are `$$ … $$` and code blocks with the word `math`; a comment is `<!-- carom … -->` on one line. Code and other
+//! comments are passed over.
 
 /// The LaTeX in a Markdown file; everything else is spaces.
 #[must_use]
@@ -13,6 +14,8 @@ pub fn latex_of(source: &str) -> String {
         }
     };
     let mut at = 0;
+    // Whether a comment for people goes on.
+    let mut is_comment = false;
     // The fence of a code block, and whether it holds a formula.
     let mut fence: Option<(&str, bool)> = None;
     let mut is_formula = false;
@@ -21,6 +24,12 @@ pub fn latex_of(source: &str) -> String {
         at += line.len();
         let trimmed = line.trim();
         let indent = line.len() - line.trim_start().len();
+        let mut rest = 0;
+        if is_comment {
+            let Some(end) = line.find("-->") else { continue };
+            is_comment = false;
+            rest = end + 3;
+        }
         if let Some((mark, is_math)) = fence {
             if trimmed.starts_with(mark) {
                 fence = None;
@@ -40,7 +49,6 @@ pub fn latex_of(source: &str) -> String {
             }
             continue;
         }
-        let mut rest = 0;
         while rest < line.len() {
             if is_formula {
                 let end = line[rest..].find("$$").map_or(line.len(), |end| rest + end + 2);
@@ -49,8 +57,10 @@ pub fn latex_of(source: &str) -> String {
                 rest = end;
                 continue;
             }
-            let next =
-                ["$$", "<!-- carom", "`"].into_iter().filter_map(|mark| Some((line[rest..].find(mark)?, mark))).min();
+            let next = ["$$", "<!-- carom", "<!--", "`"]
+                .into_iter()
+                .filter_map(|mark| Some((line[rest..].find(mark)?, mark)))
+                .min_by_key(|(place, mark)| (*place, std::cmp::Reverse(mark.len())));
             let Some((place, mark)) = next else { break };
             let place = rest + place;
             match mark {
@@ -60,6 +70,13 @@ pub fn latex_of(source: &str) -> String {
                     rest = place + 2;
                 }
                 "`" => rest = line[place + 1..].find('`').map_or(line.len(), |end| place + 1 + end + 1),
+                "<!--" => match line[place..].find("-->") {
+                    Some(end) => rest = place + end + 3,
+                    None => {
+                        is_comment = true;
+                        break;
+                    }
+                },
                 _ => {
                     let said = place + mark.len();
                     let end = line[said..].find("-->").map_or(line.len(), |end| said + end);

@@ -8,13 +8,14 @@ use super::clause::{self, Purpose, misplaced};
 use super::document::{Clause, Display, Lines, Part, document};
 use super::expression::{Read, Reader};
 use super::input::Manuscript;
-use super::name::{Names, base, scripts};
+use super::name::{Names, Symbol, base, scripts};
 use super::place::Placed;
 use super::prepare::prepared;
 use super::refusal::{ambiguous, expected, refused};
 use super::row::{Joined, claim_name, equations};
-use super::scope::{Decisions, Scope, roles};
+use super::scope::{Decisions, Missing, Role, Scope, roles};
 use super::statement::{Said, joined};
+use super::structure::structured;
 use super::symbol::commas;
 use super::token::{Token, tokens};
 use super::typeset::typeset;
@@ -22,6 +23,7 @@ use carom_checker::claim::parse::{clauses_placed, parse_placed};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
 use carom_diagnostic::{Diagnostic, Source, Span};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What became of a displayed formula.
 #[derive(Debug)]
@@ -72,9 +74,15 @@ pub struct Paper {
     pub faults: Vec<Diagnostic>,
     /// The paper's names in its equations: as printed, in the claim language, and how often each occurs.
     pub names: Vec<(String, String, usize)>,
+    /// The names in its equations that nothing declares, as printed, and in how many equations each is missing. What is
+    /// written like a function of a number has an argument.
+    pub undeclared: BTreeMap<String, usize>,
     /// The number of formulas in running text, which are not read.
     pub inline: usize,
 }
+
+/// The most names of one equation that are looked for behind the first that is missing.
+const MISSING_LIMIT: usize = 50;
 
 /// The equations of a LaTeX document in one text.
 ///
@@ -90,7 +98,7 @@ pub fn paper(text: &str) -> Result<Paper, Vec<Diagnostic>> {
 /// A limit of the whole text, or no displayed formula.
 pub fn paper_of(whole: &Manuscript) -> Result<Paper, Vec<Diagnostic>> {
     let text = whole.latex();
-    let tokens = tokens(text).map_err(|fault| vec![fault])?;
+    let tokens = structured(&tokens(text).map_err(|fault| vec![fault])?);
     let document = document(&tokens, &Lines::of(text), &whole.unread);
     let mut reader = Assembly::new(&whole.source);
     reader.out.inline = document.inline;
@@ -135,6 +143,12 @@ struct Assembly<'l> {
     decisions: Decisions,
     /// The place of a declaration that could not be read.
     broken: Option<Span>,
+    /// Names whose definition could not be read, and its place: an equation without them says the same.
+    undefined: BTreeMap<String, Span>,
+    /// The place of such a definition that the equation being read needs.
+    needed: Option<Span>,
+    /// Names that equations have got from their numbers and lines.
+    taken: BTreeSet<String>,
     out: Paper,
 }
 
@@ -147,6 +161,9 @@ impl<'l> Assembly<'l> {
             outer: Vec::new(),
             decisions: Decisions::default(),
             broken: None,
+            undefined: BTreeMap::new(),
+            needed: None,
+            taken: BTreeSet::new(),
             out: Paper::default(),
         }
     }
@@ -163,12 +180,19 @@ impl<'l> Assembly<'l> {
         self.out.equations.push(Equation { name, number, span, outcome });
     }
 
-    /// What an equation is called.
-    fn head(&self, label: Option<&str>, number: Option<&String>, span: Span) -> Head {
+    /// What an equation is called. Of two with the same number the second is called by its line as well.
+    fn head(&mut self, label: Option<&str>, number: Option<&String>, span: Span) -> Head {
         let (path, line, _) = self.source.place(span);
         let stem = std::path::Path::new(path).file_stem().and_then(|stem| stem.to_str());
         let stem = stem.filter(|_| path != self.source.path());
-        let name = claim_name(label, number.map(String::as_str), stem, line);
+        let mut name = claim_name(label, number.map(String::as_str), stem, line);
+        if label.is_none() && !self.taken.insert(name.clone()) {
+            if number.is_some() {
+                name = format!("{name}-line-{line}");
+            }
+            let numbered = std::iter::once(name.clone()).chain((2..).map(|count| format!("{name}-{count}")));
+            name = numbered.into_iter().find(|name| self.taken.insert(name.clone())).unwrap_or_default();
+        }
         let line = stem.map_or(format!("Line {line}"), |stem| format!("Line {line} of {stem}"));
         Head { name, number: number.cloned(), line, span }
     }
@@ -268,12 +292,24 @@ impl<'l> Assembly<'l> {
         if let Some(place) = self.broken {
             return Ok(Outcome::Waits(place));
         }
+        if let Some(fault) = &equation.fault {
+            if said.purpose != Purpose::Prove {
+                self.broken.get_or_insert(head.span);
+            }
+            return Err(vec![fault.clone()]);
+        }
         local.extend(said.items.iter().cloned());
+        let is_defined = self.undefined.len();
         let outcome = self.read(equation, &said, head, local);
-        if outcome.is_err() && said.purpose != Purpose::Prove {
+        // A definition that was not read is known by its name.
+        let is_open = self.undefined.len() == is_defined;
+        if outcome.is_err() && said.purpose != Purpose::Prove && is_open {
             self.broken.get_or_insert(head.span);
         }
-        outcome
+        match self.needed.take() {
+            Some(definition) if outcome.is_err() => Ok(Outcome::Waits(definition)),
+            _ => outcome,
+        }
     }
 
     fn read(
@@ -293,15 +329,12 @@ impl<'l> Assembly<'l> {
             (Purpose::Let, None) => {
                 let sign = tokens.iter().position(|t| t.is_char('=') || t.is("equiv"));
                 let sign = sign.ok_or_else(|| one(expected("`=` behind the name", "no such sign", equation.span)))?;
-                self.definition(&tokens, sign, sign + 1, said, local)?;
+                self.definition(&tokens, sign, sign + 1, said, head, local)?;
                 Ok(Outcome::Used("definition"))
             }
             (Purpose::Let | Purpose::Prove, Some(sign)) => {
                 let behind = sign + if tokens[sign].is("coloneqq") { 1 } else { 2 };
-                let rest = self.definition(&tokens, sign, behind, said, local).inspect_err(|_| {
-                    self.broken.get_or_insert(head.span);
-                })?;
-                match rest {
+                match self.definition(&tokens, sign, behind, said, head, local)? {
                     false => Ok(Outcome::Used("definition")),
                     true => self.claim(&tokens[behind..], equation, said, head, local),
                 }
@@ -327,14 +360,28 @@ impl<'l> Assembly<'l> {
         sign: usize,
         behind: usize,
         said: &clause::Said,
+        head: &Head,
         local: &mut Vec<Placed>,
     ) -> Result<bool, Vec<Diagnostic>> {
+        let (symbol, next) = self.defined_symbol(tokens, sign)?;
+        let outcome = self.defined(tokens, sign, behind, (&symbol, next), said, local);
+        if outcome.is_err() {
+            let spelled = self.names.spelled(&symbol.key()).map(str::to_string);
+            let is_known = self.with_scope(said, local, |scope| {
+                Ok(spelled.as_ref().is_some_and(|name| scope.roles.contains_key(name)))
+            });
+            match is_known {
+                Ok(false) => self.undefined.insert(symbol.key(), head.span),
+                _ => Some(*self.broken.get_or_insert(head.span)),
+            };
+        }
+        outcome
+    }
+
+    /// The name before the sign of a definition, and where it ends.
+    fn defined_symbol(&mut self, tokens: &[Token], sign: usize) -> Result<(Symbol, usize), Vec<Diagnostic>> {
         let one = |fault: Diagnostic| vec![fault];
         let span = tokens.first().map_or(Span::default(), |t| t.span);
-        let wrong = || {
-            let help = "define a name, as in \\eta := …, or a function, as in f(x) := …; or write `%carom let` with its definition";
-            one(refused("what stands before this sign is no name", help, span))
-        };
         // Only a name can be defined, so letters side by side are one.
         let run = tokens
             .iter()
@@ -342,9 +389,25 @@ impl<'l> Assembly<'l> {
             .take_while(|(i, t)| t.char().is_some_and(|c| c.is_ascii_alphabetic()) && (*i == 0 || !t.apart));
         let run: String = run.filter_map(|(_, t)| t.char()).collect();
         let found = if run.len() > 1 { Some((run.clone(), run.len())) } else { base(tokens, 0).map_err(one)? };
-        let Some((first, next)) = found else { return Err(wrong()) };
-        let (symbol, next) = scripts(tokens, first, span, next).map_err(one)?;
-        let name = self.names.of(&symbol).map_err(one)?;
+        let Some((first, next)) = found.filter(|found| found.1 <= sign) else {
+            return Err(one(no_name(span)));
+        };
+        scripts(tokens, first, span, next).map_err(one)
+    }
+
+    fn defined(
+        &mut self,
+        tokens: &[Token],
+        sign: usize,
+        behind: usize,
+        (symbol, next): (&Symbol, usize),
+        said: &clause::Said,
+        local: &mut Vec<Placed>,
+    ) -> Result<bool, Vec<Diagnostic>> {
+        let one = |fault: Diagnostic| vec![fault];
+        let span = tokens.first().map_or(Span::default(), |t| t.span);
+        let wrong = || one(no_name(span));
+        let name = self.names.of(symbol).map_err(one)?;
         self.names.seen(&symbol.key());
         let mut parameters: Vec<(String, String)> = Vec::new();
         if next < sign {
@@ -369,7 +432,7 @@ impl<'l> Assembly<'l> {
         }
         let bound = parameters.clone();
         let value = self.with_scope(said, local, |scope| {
-            scope.bound = bound;
+            scope.bound = bound.clone();
             whole(&value[..end], scope, |reader| reader.sum())
         })?;
         let mut text = lines_of(local);
@@ -387,25 +450,51 @@ impl<'l> Assembly<'l> {
         &mut self,
         said: &clause::Said,
         local: &[Placed],
-        read: impl FnOnce(&mut Scope<'_>) -> Read<T>,
+        read: impl Fn(&mut Scope<'_>) -> Read<T>,
     ) -> Result<T, Vec<Diagnostic>> {
         let mut text = Placed::new("claim x \"\"\n", Span::default());
         text.append(&lines_of(local));
         text.push("prove 0 = 0", Span::default());
         let (claims, preamble) = clauses_placed(text.text(), &self.preamble, &|span| text.place(span))?;
-        let roles = claims.first().map(|claim| roles(claim, &preamble)).unwrap_or_default();
-        let mut scope = Scope {
-            names: &mut self.names,
-            roles,
-            bound: Vec::new(),
-            decisions: said.decisions,
-            upper: true,
-            double_sign: None,
-            signed: 0,
-            splits: false,
-            has_logic: false,
-        };
-        read(&mut scope).map_err(|fault| vec![fault])
+        let mut roles = claims.first().map(|claim| roles(claim, &preamble)).unwrap_or_default();
+        let (names, mut first): (Names, Option<Diagnostic>) = (self.names.clone(), None);
+        // Behind a name that is missing the others are looked for.
+        for _ in 0..MISSING_LIMIT {
+            let mut scope = Scope {
+                names: &mut self.names,
+                roles: roles.clone(),
+                bound: Vec::new(),
+                decisions: said.decisions,
+                upper: true,
+                double_sign: None,
+                signed: 0,
+                splits: false,
+                has_logic: false,
+                missing: None,
+            };
+            let read = read(&mut scope);
+            let missing = scope.missing.take();
+            let fault = match (read, &first) {
+                (Ok(value), None) => return Ok(value),
+                (Ok(_), Some(_)) => break,
+                (Err(fault), _) => fault,
+            };
+            let is_first = first.is_none();
+            first.get_or_insert(fault);
+            let Some(Missing { symbol, applied }) = missing else { break };
+            let key = symbol.key();
+            if let Some(definition) = self.undefined.get(&key) {
+                self.needed = is_first.then_some(*definition);
+                break;
+            }
+            let printed = if applied { format!("{key}(…)") } else { key };
+            *self.out.undeclared.entry(printed).or_default() += 1;
+            self.names.count.clone_from(&names.count);
+            let Ok(name) = self.names.of(&symbol) else { break };
+            roles.insert(name, if applied { Role::Applied(1) } else { Role::Variable });
+        }
+        self.names = names;
+        Err(first.into_iter().collect())
     }
 
     /// The statement of an equation.
@@ -480,6 +569,13 @@ impl<'l> Assembly<'l> {
             None => Err(vec![refused("this formula is no claim", "pass it over by `%carom skip`", equation.span)]),
         }
     }
+}
+
+/// What stands before the sign of a definition is no name.
+fn no_name(span: Span) -> Diagnostic {
+    let help =
+        "define a name, as in \\eta := …, or a function, as in f(x) := …; or write `%carom let` with its definition";
+    refused("what stands before this sign is no name", help, span)
 }
 
 /// Reads all tokens of a formula.

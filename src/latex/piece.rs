@@ -19,12 +19,17 @@ pub(crate) struct Piece {
     pub is_number: bool,
     /// The name alone that it is.
     pub name: Option<String>,
+    /// Whether it is a name that is marked as a vector.
+    pub is_vector: bool,
+    /// Whether it is a matrix in print.
+    pub is_matrix: bool,
 }
 
 impl Piece {
     /// A part of this precedence.
     pub(crate) fn new(text: Placed, level: Level) -> Piece {
-        Piece { text, level, factors: Vec::new(), is_number: false, name: None }
+        let factors = Vec::new();
+        Piece { text, level, factors, is_number: false, name: None, is_vector: false, is_matrix: false }
     }
 
     /// A single sign or name.

@@ -3,6 +3,7 @@
 //! Contract: what is left is read sign by sign. `\quad` stays where it stands between two statements. Space between digits is
 //! refused, since it prints as one number and may be two.
 
+use super::binding::relation_of;
 use super::macros::group;
 use super::refusal::refused;
 use super::token::{Kind, Token};
@@ -71,6 +72,37 @@ pub(crate) const OPERATORS: &[&str] = &[
     "textnormal",
 ];
 
+/// Commands whose argument does not print.
+const BLANK: &[&str] = &["phantom", "hspace", "vspace", "vphantom", "hphantom", "color", "hspace*"];
+
+/// The tokens without what only spaces, sizes or groups: the first and the last are what a reader sees first and last.
+pub(crate) fn printed(tokens: &[Token]) -> impl Iterator<Item = &Token> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        while let Some(token) = tokens.get(at) {
+            let Some(name) = token.command() else {
+                at += 1;
+                match token.kind {
+                    Kind::Open | Kind::Close => continue,
+                    _ if token.is_char('~') => continue,
+                    _ => return Some(token),
+                }
+            };
+            at += 1;
+            if BLANK.contains(&name) {
+                at += usize::from(tokens.get(at).is_some_and(|t| t.is_char('*')));
+                at = group(tokens, at).map_or(at, |found| found.1);
+                continue;
+            }
+            let spaces = SPACES.contains(&name) || LOOKS.contains(&name) || name.ends_with("quad");
+            if !spaces && !super::form::CLASSES.contains(&name) && name != "left" && name != "right" {
+                return Some(token);
+            }
+        }
+        None
+    })
+}
+
 /// The tokens that are read.
 ///
 /// # Errors
@@ -78,20 +110,43 @@ pub(crate) const OPERATORS: &[&str] = &[
 pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
     let tokens = &super::form::one_form(tokens)?;
     let mut out: Vec<Token> = Vec::new();
+    // In a chain of comparisons a smaller space may part two of them.
+    let wide = if tokens.iter().filter(|t| relation_of(t).is_some()).count() > 1 { 3.0 } else { 5.0 };
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
+        if let Some((first, mut next)) = blank(tokens, at) {
+            let mut points = first;
+            while let Some((more, behind)) = blank(tokens, next) {
+                (points, next) = (points + more, behind);
+            }
+            let is_single = next == at + 1 && SPACES.contains(&token.command().unwrap_or_default());
+            let thin = |name: &str| Token { kind: Kind::Command(name.to_string()), ..token.clone() };
+            match points >= wide {
+                true if parts(&out, &tokens[next..]) => out.push(thin("quad")),
+                true => {}
+                false if is_single => out.push(token.clone()),
+                false if points > 0.0 => out.push(thin(",")),
+                false => {}
+            }
+            at = next;
+            continue;
+        }
         at += 1;
         let Some(name) = token.command() else {
-            if token.is_char('~') {
-                out.push(Token { kind: Kind::Command(",".to_string()), ..token.clone() });
-            } else {
-                out.push(token.clone());
-            }
+            out.push(token.clone());
             continue;
         };
         match name {
             "left" | "right" => {
                 if tokens.get(at).is_some_and(|t| t.is_char('.')) {
+                    // Where a formula is broken, both signs print nothing.
+                    let blank = |t: &&Token| !t.command().is_some_and(|n| SPACES.contains(&n) || n.ends_with("quad"));
+                    let next = tokens[at + 1..].iter().position(|t| blank(&t)).map(|skipped| at + 1 + skipped);
+                    let again = next.filter(|next| name == "right" && tokens[*next].is("left"));
+                    if let Some(next) = again.filter(|next| tokens.get(next + 1).is_some_and(|t| t.is_char('.'))) {
+                        at = next + 2;
+                        continue;
+                    }
                     let help = "write the two values, as in F(b) - F(a)";
                     return Err(refused("a parenthesis with one side left out is not read", help, token.span));
                 }
@@ -102,28 +157,6 @@ pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
                 }
             }
             "middle" => return Err(refused("\\middle is not read", "write the relation that is meant", token.span)),
-            "phantom" | "hspace" | "vspace" | "vphantom" | "hphantom" | "color" | "hspace*" => {
-                at += usize::from(tokens.get(at).is_some_and(|t| t.is_char('*')));
-                if tokens.get(at).is_some_and(|t| t.kind == Kind::Open) {
-                    at = group(tokens, at)?.1;
-                }
-            }
-            "quad" | "qquad" => {
-                let operator = |t: &Token| {
-                    t.command().is_some_and(|name| OPERATORS.contains(&name))
-                        || matches!(t.char(), Some('=' | '<' | '>' | '+' | '-' | ',' | ';' | '.' | ':'))
-                };
-                let next = tokens[at..]
-                    .iter()
-                    .find(|t| !t.command().is_some_and(|n| SPACES.contains(&n) || n.ends_with("quad")));
-                let opens = |t: &Token| t.kind == Kind::Open || t.is("quad");
-                if next.is_some_and(|t| !operator(t))
-                    && out.last().is_some_and(|t| !operator(t) && !opens(t))
-                    && !after_text(&out)
-                {
-                    out.push(Token { kind: Kind::Command("quad".to_string()), ..token.clone() });
-                }
-            }
             _ if LOOKS.contains(&name) => {}
             _ => out.push(token.clone()),
         }
@@ -147,6 +180,51 @@ pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
         out.pop();
     }
     Ok(out)
+}
+
+/// The width in points, about, of what does not print at this place, and where to read on.
+fn blank(tokens: &[Token], at: usize) -> Option<(f64, usize)> {
+    let token = tokens.get(at)?;
+    if token.is_char('~') {
+        return Some((3.3, at + 1));
+    }
+    let name = token.command()?;
+    if BLANK.contains(&name) {
+        let at = at + 1 + usize::from(tokens.get(at + 1).is_some_and(|t| t.is_char('*')));
+        let inner = tokens.get(at).filter(|t| t.kind == Kind::Open).and_then(|_| group(tokens, at).ok());
+        let is_wide = name.ends_with("phantom") && name != "vphantom";
+        return Some(match inner {
+            Some((inner, next)) => (if is_wide && !inner.is_empty() { 10.0 } else { 0.0 }, next),
+            None => (0.0, at),
+        });
+    }
+    let points = match name {
+        "quad" => 10.0,
+        "qquad" => 20.0,
+        "hfill" | "hfil" => 100.0,
+        "enspace" => 5.0,
+        " " => 3.3,
+        ";" => 2.8,
+        ":" => 2.2,
+        "!" => 0.0,
+        _ if SPACES.contains(&name) => 1.7,
+        _ => return None,
+    };
+    Some((points, at + 1))
+}
+
+/// Whether a wide space between these stands between two statements, or parts of one.
+fn parts(before: &[Token], after: &[Token]) -> bool {
+    let operator = |t: &Token| {
+        t.command().is_some_and(|name| OPERATORS.contains(&name))
+            || matches!(t.char(), Some('=' | '<' | '>' | '+' | '-' | ',' | ';' | '.' | ':'))
+    };
+    let opens = |t: &Token| t.kind == Kind::Open || t.is("quad");
+    let is_digit = |t: Option<&Token>| t.and_then(Token::char).is_some_and(|c| c.is_ascii_digit());
+    let is_decimal = after.first().is_some_and(|t| t.is_char('.')) && is_digit(after.get(1));
+    after.first().is_some_and(|t| is_decimal || !operator(t))
+        && before.last().is_some_and(|t| !operator(t) && !opens(t))
+        && !after_text(before)
 }
 
 /// `{,}` as in `1{,}000`.

@@ -7,10 +7,18 @@ use super::binding::relation_of;
 use super::comment::first_word;
 use super::document::{Clause, Display};
 use super::expression::is_space;
+use super::form::shows_its_argument;
+use super::prepare::printed;
 use super::refusal::{ambiguous, refused};
 use super::token::{Kind, Token};
 use carom_checker::claim::parse::is_keyword;
 use carom_diagnostic::{Diagnostic, Span};
+
+/// Signs of comparison that have no relation of the claim language, or another meaning in it.
+const RELATIONS: &[&str] = &[
+    "approx", "equiv", "propto", "sim", "simeq", "ll", "gg", "cong", "lesssim", "gtrsim", "in", "mapsto", "iff",
+    "implies",
+];
 
 /// An equation: one row, or several that go on.
 #[derive(Debug, Default)]
@@ -22,6 +30,8 @@ pub(crate) struct Joined {
     pub label: Option<String>,
     pub number: Option<String>,
     pub span: Span,
+    /// Why it may not be whole.
+    pub fault: Option<Diagnostic>,
 }
 
 /// The equations of a displayed formula.
@@ -55,11 +65,7 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
             }
             continue;
         }
-        let mut tokens: Vec<Token> = row.cells.concat();
-        if let Some(condition) = row.cells.iter().skip(2).flatten().next().filter(|_| has_condition) {
-            let at = row.cells[..2].iter().map(Vec::len).sum();
-            tokens.insert(at, Token { kind: Kind::Command("quad".to_string()), ..condition.clone() });
-        }
+        let tokens = side_by_side(&row.cells);
         let decided = clauses.iter().find_map(|clause| match first_word(&clause.text) {
             "continues" => Some(true),
             "begins" => Some(false),
@@ -70,8 +76,19 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
             (Some(decided), _) => decided,
             (None, Some(before)) => plain == "multline" || continues(&row.cells, &tokens, before)?,
         };
+        // A row without a sign of comparison is no equation: whether the one before ends with it is not known.
+        if let Some(before) = out.last_mut().filter(|_| !goes_on && decided.is_none() && !compares(&tokens)) {
+            let help = "write `%carom continues` or `%carom begins` in the row below";
+            let message = "the row below compares nothing, and this equation may go on in it";
+            before.fault = Some(refused(message, help, before.span));
+        }
         match out.last_mut().filter(|_| goes_on) {
             Some(before) => {
+                // A row of `multline` may be one more equation.
+                let goes = decided == Some(true) || links(&before.tokens, &tokens);
+                if let Some(first) = tokens.first() {
+                    before.tokens.push(space(if goes { "," } else { "quad" }, first));
+                }
                 before.tokens.extend(tokens);
                 before.rows.push(row.cells.clone());
                 before.clauses.extend(clauses);
@@ -91,6 +108,7 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
                 label: row.label.clone(),
                 number: row.number.clone(),
                 span: row.span,
+                fault: None,
             }),
         }
     }
@@ -101,18 +119,50 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
     Ok(out)
 }
 
+/// The tokens of cells in one row. Where no sign links two cells, what stands in them is apart.
+pub(crate) fn side_by_side(cells: &[Vec<Token>]) -> Vec<Token> {
+    let mut out: Vec<Token> = Vec::new();
+    for cell in cells {
+        if let Some(first) = printed(cell).next()
+            && printed(&out).next().is_some()
+            && !links(&out, cell)
+        {
+            out.push(space("quad", first));
+        }
+        out.extend_from_slice(cell);
+    }
+    out
+}
+
+fn space(name: &str, place: &Token) -> Token {
+    Token { kind: Kind::Command(name.to_string()), ..place.clone() }
+}
+
+/// Whether a sign between two parts of a formula, or a parenthesis around it, makes them one.
+fn links(before: &[Token], after: &[Token]) -> bool {
+    let is_sign =
+        |t: &Token| opens(t) || t.is("mp") || t.is("approx") || t.is("in") || t.is("coloneqq") || t.is_char(':');
+    printed(before).last().is_some_and(is_sign) || printed(after).next().is_some_and(is_sign) || is_open(before)
+}
+
+/// Whether a token compares, in a way that is read or not.
+fn is_relation(token: &Token) -> bool {
+    relation_of(token).is_some() || token.command().is_some_and(|name| RELATIONS.contains(&name))
+}
+
+/// Whether a sign stands between two parts of a formula.
+fn opens(token: &Token) -> bool {
+    relation_of(token).is_some()
+        || matches!(token.char(), Some('+' | '-' | '*' | '/'))
+        || token.is("cdot")
+        || token.is("times")
+        || token.is("pm")
+}
+
 /// Whether a row goes on with the one before it.
 fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<bool, Diagnostic> {
-    let is_look = |t: &&Token| !is_space(t) && !t.is("quad") && !t.is("qquad") && !t.is("displaystyle");
-    let Some(first) = tokens.iter().find(is_look) else { return Ok(true) };
-    let open = |t: &Token| {
-        relation_of(t).is_some()
-            || matches!(t.char(), Some('+' | '-' | '*' | '/'))
-            || t.is("cdot")
-            || t.is("times")
-            || t.is("pm")
-    };
-    if before.tokens.iter().rev().find(is_look).is_some_and(open) {
+    let Some(first) = printed(tokens).next() else { return Ok(true) };
+    if printed(&before.tokens).last().is_some_and(opens) || is_open(&before.tokens) {
         return Ok(true);
     }
     if relation_of(first).is_some() || first.is("approx") {
@@ -125,21 +175,12 @@ fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<
         let write = ["write `%carom continues`", "leave the arrow out"];
         return Err(ambiguous("an arrow at the beginning of a row", readings, write, first.span));
     }
-    let is_sign = open(first) || first.is("mp");
+    let is_sign = opens(first) || first.is("mp");
     if !is_sign {
         return Ok(false);
     }
-    let mut level = 0i64;
-    let compares = tokens.iter().any(|t| {
-        level += match t.kind {
-            Kind::Open | Kind::Char('(') => 1,
-            Kind::Close | Kind::Char(')') => -1,
-            _ => 0,
-        };
-        level == 0 && relation_of(t).is_some()
-    });
     let at_left = cells.len() > 1 && cells.first().is_some_and(|cell| cell.iter().any(|t| !is_space(t)));
-    match (first.is_char('-'), compares) {
+    match (first.is_char('-'), compares(tokens)) {
         (true, true) if at_left => Ok(false),
         (true, true) => {
             let readings = ["the end of the row before", "an equation of its own"];
@@ -148,6 +189,33 @@ fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<
         }
         _ => Ok(true),
     }
+}
+
+/// Whether a sign of comparison stands outside of parentheses; a box around an equation is none.
+fn compares(tokens: &[Token]) -> bool {
+    // For each brace or parenthesis that is open, whether an equation may stand in it.
+    let mut open: Vec<bool> = Vec::new();
+    let mut before: Option<&Token> = None;
+    for token in tokens {
+        match token.kind {
+            Kind::Open => open.push(before.is_some_and(shows_its_argument)),
+            Kind::Char('(') => open.push(false),
+            Kind::Close | Kind::Char(')') => drop(open.pop()),
+            _ if open.iter().all(|shows| *shows) && (is_relation(token) || token.is("to")) => return true,
+            _ => {}
+        }
+        before = Some(token);
+    }
+    false
+}
+
+/// Whether a parenthesis is open at the end.
+fn is_open(tokens: &[Token]) -> bool {
+    tokens.iter().fold(0i64, |level, t| match t.kind {
+        Kind::Char('(' | '[') => level + 1,
+        Kind::Char(')' | ']') => level - 1,
+        _ => level,
+    }) > 0
 }
 
 /// The name of a claim: its label without `eq:`, else its number, else its line, in a file of another name with that.
@@ -162,7 +230,7 @@ pub(crate) fn claim_name(label: Option<&str>, number: Option<&str>, stem: Option
     });
     let name = match (label.filter(|label| !label.is_empty()), number) {
         (Some(label), _) => label,
-        (None, Some(number)) => format!("eq-{}", clean(number)),
+        (None, Some(number)) => format!("eq-{}", clean(&number.replace('\'', "-prime"))),
         (None, None) => match stem.map(clean).filter(|stem| !stem.is_empty()) {
             Some(stem) => format!("{stem}-line-{line}"),
             None => format!("line-{line}"),

@@ -1,6 +1,6 @@
 //! What the names of an equation are, and what its comments decide.
 
-use super::name::Names;
+use super::name::{Names, Symbol};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::{Claim, Item};
 use carom_diagnostic::Span;
@@ -54,6 +54,17 @@ pub(crate) struct Scope<'a> {
     pub splits: bool,
     /// Whether an implication, a quantifier or a negation was read.
     pub has_logic: bool,
+    /// The name that nothing declares, where the reading ended for want of it.
+    pub missing: Option<Missing>,
+}
+
+/// A name that nothing declares.
+#[derive(Clone, Debug)]
+pub(crate) struct Missing {
+    /// The name.
+    pub symbol: Symbol,
+    /// Whether a parenthesis follows it, as behind a function.
+    pub applied: bool,
 }
 
 /// What the names are that a claim and its preamble declare.

@@ -7,6 +7,7 @@ use super::expression::{Read, Reader, is_space};
 use super::name::argument;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused, unread_words};
+use super::row::side_by_side;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::Span;
 
@@ -120,6 +121,7 @@ impl Reader<'_, '_, '_> {
             if !by_word && !by_comma {
                 break;
             }
+            let sign = if self.peek().is_some_and(|t| t.is("quad")) { "wide space" } else { "comma" };
             while by_comma && (self.take_char(',') || self.take_char(';') || self.take_command(&["quad"])) {}
             // A comma before a word: the word says what it means.
             if self.take_text(&["and"]) {
@@ -136,7 +138,7 @@ impl Reader<'_, '_, '_> {
             if by_comma && !self.holds_relation() {
                 let help =
                     "write each statement as an equation of its own; a range of an index is a sum's or a declaration's";
-                return Err(refused("what follows this comma is no statement", help, span));
+                return Err(refused(format!("what follows this {sign} is no statement"), help, span));
             }
             let next = self.negation()?;
             match (by_comma, self.scope.decisions.comma_is_and) {
@@ -248,7 +250,7 @@ impl Reader<'_, '_, '_> {
     fn system(&mut self) -> Read<Said> {
         let (rows, next) = self.cases_here()?;
         let list: Read<Vec<Said>> =
-            rows.iter().map(|row| self.inside(&ended(&row.concat()), |inside| inside.statement())).collect();
+            rows.iter().map(|row| self.inside(&ended(&side_by_side(row)), |inside| inside.statement())).collect();
         self.at = next;
         Ok(joined(list?, " and ", 4, 5))
     }

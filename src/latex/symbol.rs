@@ -1,12 +1,13 @@
 //! Names in a formula: which declared name a letter with its index and primes is.
 
 use super::expression::{Read, Reader, is_space, is_upright, top_level};
-use super::name::{Symbol, base, scripts};
+use super::name::{Symbol, argument, base, scripts};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused, undeclared, unit};
-use super::scope::Role;
+use super::scope::{Missing, Role};
 use super::token::{Kind, Token};
+use carom_checker::claim::syntax::Unit;
 use carom_diagnostic::Span;
 
 /// What a name of the formula is.
@@ -21,6 +22,8 @@ enum Meaning {
     Said(String),
 }
 
+/// Marks of names that are vectors.
+const VECTORS: &[&str] = &["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"];
 /// Functions that are often written without a backslash.
 const WORDS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "log", "sqrt", "sinh", "cosh", "tanh", "max", "min", "det"];
 
@@ -61,12 +64,15 @@ impl Reader<'_, '_, '_> {
         let (symbol, next) = self.whole_symbol()?;
         let Some(meaning) = self.meaning(&symbol)? else { return self.unknown(&symbol, next) };
         self.scope.names.seen(&symbol.key());
+        let at = self.at;
         self.at = next;
         match meaning {
             Meaning::Number(name, is_variable) => {
                 self.no_application(&symbol)?;
+                self.no_unit(&symbol, at)?;
                 let mut piece = Piece::atom(&name, symbol.span);
                 piece.name = is_variable.then_some(name);
+                piece.is_vector = VECTORS.iter().any(|mark| symbol.base.starts_with(mark));
                 Ok(piece)
             }
             Meaning::Said(said) => Ok(Piece::new(Placed::new(&format!("({said})"), symbol.span), 5)),
@@ -225,15 +231,20 @@ impl Reader<'_, '_, '_> {
             self.at = after;
             return Ok(exponent.within("exp"));
         }
-        // An upright word behind a number is a unit.
-        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
-        let behind_number =
-            before.is_some_and(|t| t.kind == Kind::Close || t.char().is_some_and(|c| c.is_ascii_digit()));
-        if behind_number && is_upright(&self.tokens[self.at]) {
+        if self.is_behind_number(self.at) && is_upright(&self.tokens[self.at]) {
             return Err(unit(symbol.span));
         }
-        let applied = self.tokens.get(next).is_some_and(|t| t.is_char('('));
-        Err(undeclared(&key, applied, symbol.span))
+        let mut missing =
+            Missing { symbol: symbol.clone(), applied: self.tokens.get(next).is_some_and(|t| t.is_char('(')) };
+        // The change of a quantity is one name.
+        if key == "\\Delta"
+            && let Some((second, after)) = base(self.tokens, next)?
+        {
+            missing.symbol = scripts(self.tokens, format!("{key} {second}"), symbol.span, after)?.0;
+        }
+        let fault = undeclared(&missing.symbol.key(), missing.applied, missing.symbol.span);
+        self.scope.missing = Some(missing);
+        Err(fault)
     }
 
     /// The arguments of a function.
@@ -262,16 +273,44 @@ impl Reader<'_, '_, '_> {
         Ok(Piece::new(text, 5))
     }
 
-    /// Refuses a parenthesis behind a number that looks like an argument: `v(t)`.
-    fn no_application(&mut self, symbol: &Symbol) -> Read<()> {
-        if !self.tokens.get(self.at).is_some_and(|t| t.is_char('(')) {
+    /// Whether what stands before a place ends a number, or a group that may.
+    fn is_behind_number(&self, at: usize) -> bool {
+        let before = self.tokens[..at].iter().rev().find(|t| !is_space(t));
+        before.is_some_and(|t| t.kind == Kind::Close || t.char().is_some_and(|c| c.is_ascii_digit()))
+    }
+
+    /// Refuses an upright name behind a number that is a unit's as well: `5\,\mathrm{m}`.
+    fn no_unit(&self, symbol: &Symbol, at: usize) -> Read<()> {
+        if !is_upright(&self.tokens[at]) || !self.is_behind_number(at) || Unit::read(&symbol.base).is_err() {
             return Ok(());
         }
-        let Some((inner, _)) = self.parenthesis()? else { return Ok(()) };
-        let symbols = base(inner, 0)?.map(|(first, next)| scripts(inner, first, symbol.span, next)).transpose()?;
-        let is_single = symbols.is_some_and(|(_, end)| end == inner.len())
-            || inner.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit() || c == '.'));
-        if is_single || top_level(inner, ',') {
+        let key = symbol.key();
+        let readings = [format!("the unit {key}"), format!("a product with the number {key}")];
+        let write =
+            ["declare the unit with the name, `%carom given x > 0 in m`, and write the number alone", "write \\cdot"];
+        Err(ambiguous("an upright name behind a number", readings.each_ref().map(String::as_str), write, symbol.span))
+    }
+
+    /// Refuses a parenthesis behind a number that looks like an argument: `v(t)`.
+    fn no_application(&mut self, symbol: &Symbol) -> Read<()> {
+        let behind =
+            self.tokens.get(self.at).filter(|t| t.is_char('^')).and_then(|_| argument(self.tokens, self.at + 1).ok());
+        let (is_inverse, at) = behind.map_or((false, self.at), |(inner, next)| {
+            (matches!(inner, [sign, one] if sign.is_char('-') && one.is_char('1')), next)
+        });
+        if !self.tokens.get(at).is_some_and(|t| t.is_char('(')) {
+            return Ok(());
+        }
+        let here = std::mem::replace(&mut self.at, at);
+        let parenthesis = self.parenthesis();
+        self.at = here;
+        let Some((inner, _)) = parenthesis? else { return Ok(()) };
+        // Nobody puts a single term into parentheses to multiply by it.
+        let rest =
+            inner.strip_prefix(&inner[..usize::from(inner.first().is_some_and(|t| t.is_char('-')))]).unwrap_or(inner);
+        let is_single = !top_level(rest, '+') && !top_level(rest, '-');
+        let is_change = symbol.base == "\\Delta" || symbol.base == "\\delta";
+        if is_single || is_change || is_inverse || top_level(inner, ',') {
             let key = symbol.key();
             let readings = ["a product", "the value of a function"];
             let write = [

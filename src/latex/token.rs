@@ -188,9 +188,9 @@ fn read(source: &str, from: usize, has_comments: bool) -> Result<Vec<Token>, Dia
     Ok(out)
 }
 
-/// What a comment says to Carom: the text behind `carom`.
+/// What a comment says to Carom: the text behind `carom`. A second `%` makes it a comment for people alone.
 pub(crate) fn clause(comment: &str) -> Option<&str> {
-    let rest = comment.trim_start_matches(['%', ' ', '\t']).strip_prefix("carom")?;
+    let rest = comment.trim_start_matches([' ', '\t']).strip_prefix("carom")?;
     (rest.is_empty() || rest.starts_with([' ', '\t', '{', ':'])).then(|| rest.trim_start_matches([':', ' ', '\t']))
 }
 

@@ -62,8 +62,24 @@ fn a_formula_is_read_as_something_else() {
         (r"\frac{df}{dx} = 1", "derivative(f(x), x) = 1"),
         (
             r"|x| = \left\{ \begin{array}{ll} x, & x \ge 0 \\ -x, & x < 0. \end{array} \right.",
-            "(x >= 0 => abs(x) = x) and (x < 0 => abs(x) = -x)",
+            "(x >= 0 => abs(x) = x) and (x < 0 => abs(x) = -x) and (x >= 0 or x < 0)",
         ),
+        (
+            r"|x| = \begin{cases} x & \text{if } x > 0 \\ -x & \text{otherwise} \end{cases}",
+            "(x > 0 => abs(x) = x) and (not x > 0 => abs(x) = -x)",
+        ),
+        (r"|a b| = |a||b|", "abs(a*b) = abs(a)*abs(b)"),
+        (r"2|a|\,|b| \not= |c|", "2*abs(a)*abs(b) != abs(c)"),
+        (r"a ={} b + {}c", "a = b + c"),
+        (r"\frac{d}{dx} \frac{1}{x} = \frac{d}{dx} x", "derivative(1/x, x) = derivative(x, x)"),
+        (
+            r"\begin{pmatrix} a & b \end{pmatrix}^{\mathsf T} = \begin{pmatrix} a \\ b \end{pmatrix}",
+            "transpose([a, b]) = [a; b]",
+        ),
+        (r"{\rm m} + m_{\rm x} = 1 %carom given m_x real", "m + m_x = 1"),
+        (r"x = \left( a \right. \\ & \left. {} + b \right) c", "x = (a + b)*c"),
+        (r"(b + c)^2 &= b^2 + 2 b c \\ &\phantom{=} + c^2", "(b + c)^2 = b^2 + 2*b*c + c^2"),
+        (r"a &= b \\ &\mathrel{\phantom{=}} \hspace{1em} \times c", "a = b*c"),
         (r"\begin{cases} x + y = a, \\ x - y = b. \end{cases}", "x + y = a and x - y = b"),
         (r"x \in (0,1) \implies x^2 < 1", "0 < x < 1 => x^2 < 1"),
         (r"a, b > 0 \Rightarrow a b > 0", "a > 0 and b > 0 => a*b > 0"),
@@ -72,7 +88,7 @@ fn a_formula_is_read_as_something_else() {
         (r"x^2 \ge 0 \quad \forall x > 0\text{.}", "for all x > 0: x^2 >= 0"),
     ] {
         let wanted = carom::claim::parse::parse_prop(wanted).map(|prop| Style::Text.prop(&prop)).unwrap();
-        let formula = if formula.contains(r"\\ &=") {
+        let formula = if formula.contains(r"\\ &") {
             format!(r"\begin{{split}} {formula} \end{{split}}")
         } else {
             formula.into()
@@ -118,6 +134,19 @@ fn an_ambiguity_is_decided_by_guessing() {
         r"a = b \quad (x \ne 0)",
         r"a = b \hspace{2em} (x, y > 0)",
         r"2 {1 \over 3} = a",
+        "v(2x) = 1",
+        "v(-x) = v",
+        r"m(a b) = 1",
+        r"\Delta(x + y) = 1 %carom given \Delta real",
+        r"x^{[2]} = 1",
+        r"x = 5\,\mathrm{m}",
+        r"v^{-1}(x) = 1",
+        r"a = 2 \enspace b = 6",
+        r"a = 2 \;\; b = 6",
+        r"a = 2 ~ b = 6",
+        r"a = 2 \phantom{xxx} b = 6",
+        r"a = 2 \hfill b = 6",
+        r"a = 2 \text{ } b = 6",
     ] {
         let fault = read(formula).expect_err(formula);
         assert!(fault.message().contains("may be read in two ways"), "{formula}: {}", fault.message());
@@ -165,9 +194,19 @@ fn what_is_not_read_is_read() {
         (r"a + b", "compares nothing"),
         (r"a -- b = 1", "two signs"),
         (r"x \to 0", r"\to is not read"),
+        (r"\sqrt(x) = 1", "no argument in braces"),
+        (r"x = 6 \phantom{0} 1", "what follows this wide space is no statement"),
+        (r"\begin{cases} x = 6 & 1 > 0 \end{cases}", "in two ways"),
+        (r"\begin{cases} a = 2 & x > 1 \\ a = 2 & x > 0 \end{cases}", "in two ways"),
+        (r"\vec{u} \cdot \vec{w} = 1 %carom given \vec{u}, \vec{w} real", "a product of vectors"),
+        (r"\mathbf{u} \times \mathbf{w} = \mathbf{w} %carom given \mathbf{u}, \mathbf{w} real", "a product of vectors"),
+        (r"|\vec{u} m \vec{w}| = 1 %carom given \vec{u}, \vec{w} real", "a product of vectors"),
+        (r"x \ne \pm 1 %carom pm or", "one of two values in an inequality"),
+        (r"\Delta x = 1", r"nothing declares the name \Delta x"),
     ] {
         let fault = read(formula).expect_err(formula);
-        assert!(fault.message().contains(says), "{formula}: {}", fault.message());
+        let said = format!("{}; {}", fault.message(), fault.help().unwrap_or_default());
+        assert!(said.contains(says), "{formula}: {said}");
     }
 }
 

@@ -74,7 +74,8 @@ fn equations(text: &str) -> (Option<Catalogue>, Vec<Diagnostic>) {
             Ok(catalogue) => return (Some(catalogue), faults),
             Err(list) => list,
         };
-        let is_at = |claim: &Claim, place| claim.name.span == place || claim.using.iter().any(|name| name.span == place);
+        let is_at =
+            |claim: &Claim, place| claim.name.span == place || claim.using.iter().any(|name| name.span == place);
         claims.retain(|claim| !list.iter().any(|(name, fault)| claim.name.text == *name && is_at(claim, fault.span)));
         faults.extend(list.into_iter().map(|fault| fault.1));
     }
@@ -338,13 +339,19 @@ mod tests {
         let paper = "%carom given a, b > 0\n\\begin{equation}\\label{eq:square} (a + b)^2 \\ge 4 a b \\end{equation}\n\
                      \\[ a = b \\]\n\\[ \\oint a = b \\] %carom assume\n\\[ 1 = 1 \\]\n";
         let found = audit(paper);
-        let verdicts: Vec<_> = found["claims"].as_array().expect("claims").iter().map(|c| (&c["id"], &c["verdict"])).collect();
+        let verdicts: Vec<_> =
+            found["claims"].as_array().expect("claims").iter().map(|c| (&c["id"], &c["verdict"])).collect();
         assert_eq!(verdicts, [(&json!("square"), &json!("proved")), (&json!("line-3"), &json!("refuted"))]);
         let faults = found["faults"]["list"].as_array().expect("faults");
         assert!(faults[0]["message"].as_str().is_some_and(|text| text.contains("oint")), "{found}");
-        assert_eq!((&faults[1]["message"], &faults[1]["line"]), (&json!("line-5 waits for line 4, which is not read"), &json!(5)));
+        assert_eq!(
+            (&faults[1]["message"], &faults[1]["line"]),
+            (&json!("line-5 waits for line 4, which is not read"), &json!(5))
+        );
         // The same label twice leaves the first.
-        let found = audit("\\begin{equation}\\label{eq:a} 1 = 1\\end{equation}\n\\begin{equation}\\label{eq:a} 2 = 2\\end{equation}");
+        let found = audit(
+            "\\begin{equation}\\label{eq:a} 1 = 1\\end{equation}\n\\begin{equation}\\label{eq:a} 2 = 2\\end{equation}",
+        );
         assert_eq!(found["claims"].as_array().map(Vec::len), Some(1), "{found}");
         assert!(found["faults"]["list"][0]["message"].as_str().is_some_and(|text| text.contains("twice")), "{found}");
         // Dollars in a title make no paper.

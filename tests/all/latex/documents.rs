@@ -1,0 +1,119 @@
+//! Documents: what LaTeX reaches, what its macros mean, which rows are one equation, which names are missing.
+
+use carom::claim::print::Style;
+use carom::latex::{Outcome, Paper, latex_of, paper};
+
+fn read(text: &str) -> Paper {
+    paper(text).unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
+}
+
+/// The equations, each as it was read, or as the first fault's message.
+fn said(found: &Paper) -> Vec<String> {
+    let one = |outcome: &Outcome| match outcome {
+        Outcome::Read(claim) => Style::Text.prop(claim.written_goal()),
+        Outcome::Used(what) => (*what).to_string(),
+        Outcome::Skipped(reason) => format!("skipped: {reason}"),
+        Outcome::NotRead(faults) => format!("not read: {}", faults[0].message()),
+        Outcome::Waits(_) => "waits".to_string(),
+    };
+    found.equations.iter().map(|equation| one(&equation.outcome)).collect()
+}
+
+#[test]
+fn what_does_not_print_is_read() {
+    for text in [
+        "\\iffalse \\[ x = 1 \\] %carom assume\n\\fi \\[ x = x \\]",
+        "\\iffalse \\ifx\\a\\b \\[ x = 1 \\] %carom assume\n\\fi \\fi \\[ x = x \\]",
+        "\\iffalse \\[ x = 1 \\] \\else \\[ x = x \\] \\fi",
+        "\\[ x = x \\] \\end{document} \\[ x = 1 \\]",
+        "% %carom assume x = 1\n%%carom assume x = 1\n\\[ x = x \\]",
+        "\\begin{comment}\n%carom assume x = 1\n\\[ x = 1 \\]\\end{comment}\\[ x = x \\]",
+    ] {
+        let found = read(&format!("%carom given x real\n{text}\n"));
+        assert_eq!(said(&found), ["x = x"], "{text}");
+        let Outcome::Read(claim) = &found.equations[0].outcome else { panic!() };
+        assert_eq!(claim.written_items().len(), 1, "{text}: {claim:?}");
+    }
+    let markdown =
+        "<!-- carom given x real -->\n<!--\n$$ x = 2 $$\n-->\n<!-- <!-- carom assume x = 1 -->\n$$ x = x $$\n";
+    assert_eq!(said(&read(&latex_of(markdown))), ["x = x"]);
+}
+
+#[test]
+fn a_formula_between_macros_vanishes() {
+    for (macros, formula) in [
+        ("\\newcommand{\\be}{\\begin{equation}}\\newcommand{\\ee}{\\end{equation}}", "\\be x = 2 x \\ee"),
+        ("\\def\\be{\\begin{align}}\\def\\ee{\\end{align}}", "\\be x &= 2 x \\ee"),
+        ("\\newcommand{\\eq}[1]{\\begin{equation}#1\\end{equation}}", "\\eq{x = 2 x}"),
+        ("\\newcommand{\\open}{\\begin}\\newcommand{\\be}{\\open{equation}}", "\\be x = 2 x \\end{equation}"),
+        ("", "\\begin{IEEEeqnarray}{rCl} x &=& 2 x \\end{IEEEeqnarray}"),
+        ("", "\\begin{dmath} x = 2 x \\end{dmath}"),
+    ] {
+        let found =
+            read(&format!("%carom given x real\n{macros}\n{formula}\n\\begin{{equation}} x = x \\end{{equation}}"));
+        assert_eq!(said(&found), ["x = 2*x", "x = x"], "{formula}");
+        let numbers: Vec<_> = found.equations.iter().map(|equation| equation.number.as_deref()).collect();
+        assert_eq!(numbers, [Some("1"), Some("2")], "{formula}");
+    }
+    let found = read("\\begin{empheq}{align} 1 = 1 \\end{empheq} \\[ 2 = 2 \\]");
+    assert_eq!(said(&found), ["not read: the environment empheq is not read", "2 = 2"]);
+}
+
+#[test]
+fn a_macro_reaches_beyond_its_group() {
+    let define = "%carom given x real\n\\newcommand{\\one}{2}";
+    for (text, wanted) in [
+        ("{\\renewcommand{\\one}{1}} \\[ x = \\one x \\]", "x = 2*x"),
+        ("\\begingroup\\renewcommand{\\one}{1}\\endgroup \\[ x = \\one x \\]", "x = 2*x"),
+        ("\\begin{center}\\renewcommand{\\one}{1}\\end{center} \\[ x = \\one x \\]", "x = 2*x"),
+        ("\\begin{center}\\renewcommand{\\one}{1} \\[ x = \\one x \\]\\end{center}", "x = 1*x"),
+        ("{\\gdef\\one{1}} \\[ x = \\one x \\]", "x = 1*x"),
+    ] {
+        assert_eq!(said(&read(&format!("{define}\n{text}"))), [wanted], "{text}");
+    }
+}
+
+#[test]
+fn a_row_is_judged_without_the_rest_of_its_equation() {
+    let rows =
+        |text: &str| said(&read(&format!("%carom given a, b, c real\n\\begin{{align*}} {text} \\end{{align*}}")));
+    for begin in
+        ["\\phantom{=} +", "{} +", "\\hphantom{=} -", "\\mathrel{\\phantom{=}} +", "\\hspace{1em} \\cdot", "\\quad{} +"]
+    {
+        let found = rows(&format!("a &= b \\\\ &{begin} c"));
+        assert!(found.len() == 1 && found[0].ends_with('c'), "{begin}: {found:?}");
+    }
+    let found = rows("a &= b \\\\ & (c + 1) \\\\ a &= a");
+    assert!(found[0].starts_with("not read: the row below compares nothing"), "{found:?}");
+    assert_eq!((found.len(), found[2].as_str()), (3, "a = a"), "{found:?}");
+    // A box around an equation is no parenthesis.
+    assert_eq!(rows("\\boxed{a = b} \\\\ \\boxed{b = a}"), ["a = b", "b = a"]);
+    for text in ["b = 2 \\\\ a = 6", "a = 6 \\\\ 1", "a = 6 \\\\ (b + c)"] {
+        let found = said(&read(&format!("%carom given a, b, c real\n\\begin{{multline*}} {text} \\end{{multline*}}")));
+        assert!(found.len() == 1 && found[0].starts_with("not read"), "{text}: {found:?}");
+    }
+}
+
+#[test]
+fn equations_that_need_no_unread_definition_wait_for_it() {
+    let found = read("%carom given a, b real\n\\[ L := \\lim_{n \\to \\infty} n \\]\n\\[ a = b \\]\n\\[ L = a \\]\n");
+    let found = said(&found);
+    assert!(found[0].starts_with("not read"), "{found:?}");
+    assert_eq!(found[1..], ["a = b", "waits"]);
+}
+
+#[test]
+fn only_the_first_missing_name_is_said() {
+    let found = read("%carom given a real\n\\[ a = b + f(c) \\]\n\\[ \\Delta x = v_1 c \\]\n");
+    let names: Vec<&str> = found.undeclared.keys().map(String::as_str).collect();
+    assert_eq!(names, ["\\Delta x", "b", "c", "f(…)", "v_{1}"]);
+}
+
+#[test]
+fn two_equations_get_one_name() {
+    let found = read(
+        "\\begin{align} 1 &= 1 \\tag{2} \\\\ 2 &= 2 \\tag{2'} \\\\ 3 &= 3 \\tag{2} \\end{align} $$ 4 = 4 $$ $$ 5 = 5 $$",
+    );
+    let names: Vec<&str> = found.equations.iter().map(|equation| equation.name.as_str()).collect();
+    assert_eq!(names, ["eq-2", "eq-2-prime", "eq-2-line-1", "line-1", "line-1-2"]);
+}
