@@ -4,6 +4,7 @@ from .author import Author, SHARED
 from .claims import Claim, need, need_new_names, NotCovered, Refused
 from .making import need_constants
 from .preamble import free_of_claim, Preamble
+from .recurrences import need_values
 from .walk import Fresh
 
 TOO_LARGE = (RecursionError, MemoryError, OverflowError)
@@ -58,6 +59,7 @@ def statement(written, shared):
     """Writes a claim out, in the order of the page."""
     shared.put_before(written)
     need(free_of_claim(written) <= {"pi"}, "a name is not declared")
+    need_values(written.items)
     fresh = Fresh(written)
     written.items = [new for item in written.items for new in integer(item, fresh)]
     for step in (angles, limits, floors, abbreviations):

@@ -7,7 +7,7 @@ use super::definedness::{needs, number};
 use super::preamble::applied;
 use super::syntax::*;
 use super::walk;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
 /// and by what is positive by its form, and nothing in it has another condition. `named` says of a name whether what it
@@ -61,9 +61,20 @@ pub(crate) struct Values {
     partial: BTreeSet<String>,
     /// Variables that are declared positive.
     positive: BTreeSet<String>,
+    /// Variables that are natural numbers.
+    natural: BTreeSet<String>,
+    /// Families with a member at each natural number, and whether the members are positive, and natural numbers.
+    families: BTreeMap<String, (bool, bool)>,
 }
 
 impl Values {
+    /// What these items tell.
+    pub(crate) fn of(items: &[Item]) -> Values {
+        let mut out = Values::default();
+        items.iter().for_each(|item| out.learn(item));
+        out
+    }
+
     /// Learns what an item says of the names that it declares.
     pub(crate) fn learn(&mut self, item: &Item) {
         self.partial.extend(applied(item).into_iter().map(|n| n.text.clone()));
@@ -72,9 +83,19 @@ impl Values {
                 self.partial.insert(name.text.clone());
             }
             Item::Given(bindings) => {
-                let positive = bindings.iter().filter(|b| b.constraints.iter().any(is_above_zero));
-                let names = positive.flat_map(|b| &b.names).filter(|n| n.1.is_none());
-                self.positive.extend(names.map(|n| n.0.text.clone()));
+                for binding in bindings {
+                    let is_positive = binding.constraints.iter().any(is_above_zero);
+                    for (name, index) in &binding.names {
+                        let text = name.text.clone();
+                        if index.is_some() && binding.indices.is_none() {
+                            self.families.insert(text, (is_positive, binding.natural));
+                        } else if index.is_none() && is_positive {
+                            self.positive.insert(text);
+                        } else if index.is_none() && binding.natural {
+                            self.natural.insert(text);
+                        }
+                    }
+                }
             }
             _ => {}
         }
@@ -83,5 +104,110 @@ impl Values {
     /// Whether an expression has a value wherever the hypotheses hold.
     pub(crate) fn exist_for(&self, e: &Expr) -> bool {
         has_a_value(e, &|name| !self.partial.contains(name), &|name| self.positive.contains(name))
+    }
+
+    /// Whether the right side of a recurrence has a value by its form. `members` are the sequences that it defines, real numbers
+    /// at every natural number; `index` and what sums in it bind are natural numbers.
+    pub(crate) fn exist_in_recurrence(&self, e: &Expr, members: &[Name], index: Option<&Name>) -> bool {
+        let index = index.into_iter().map(|name| name.text.as_str()).collect();
+        Recurrence { values: self, members, index }.exists(e)
+    }
+}
+
+/// What is known within the equations of a recurrence.
+struct Recurrence<'a> {
+    values: &'a Values,
+    members: &'a [Name],
+    /// Names that are natural numbers here.
+    index: Vec<&'a str>,
+}
+
+impl<'a> Recurrence<'a> {
+    fn exists(&self, e: &'a Expr) -> bool {
+        const EVERYWHERE: [&str; 10] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh", "sin", "cos"];
+        let own = match &e.kind {
+            ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
+            ExprKind::Name(name) => self.is_natural(e) || !self.values.partial.contains(name),
+            ExprKind::Product(list) => list.iter().all(|(factor, a)| *factor == Factor::Times || self.is_not_zero(a)),
+            ExprKind::Power(base, exponent) => match number(exponent) {
+                Some((top, below)) if below == 1 => top >= 0 || self.is_not_zero(base),
+                Some((top, _)) if top > 0 => self.is_not_negative(base),
+                _ => self.is_positive(base) || self.is_natural(exponent),
+            },
+            ExprKind::Apply(f, arguments) => match f.text.as_str() {
+                "sqrt" | "cbrt" => arguments.iter().all(|a| self.is_not_negative(a)),
+                "ln" => arguments.iter().all(|a| self.is_positive(a)),
+                word if EVERYWHERE.contains(&word) => !self.values.partial.contains(word),
+                word if self.members.iter().any(|u| u.text == word) => true,
+                word => self.values.families.contains_key(word) && arguments.iter().all(|a| self.is_natural(a)),
+            },
+            ExprKind::SumOver(over, body) | ExprKind::ProductOver(over, body) => {
+                let begins = number(&over.from).is_some_and(|(top, below)| below == 1 && (0..=1).contains(&top));
+                let mut index = self.index.clone();
+                index.push(&over.name.text);
+                let inside = Recurrence { index, ..*self };
+                return begins && self.is_natural(&over.to) && inside.exists(body);
+            }
+            ExprKind::Derivative(..) | ExprKind::Matrix(_) => false,
+        };
+        let mut all = own;
+        walk::parts(e, &mut |part| all = all && self.exists(part));
+        all
+    }
+
+    fn is_not_zero(&self, e: &Expr) -> bool {
+        match &e.kind {
+            ExprKind::Number(_) => number(e).is_some_and(|(top, _)| top != 0),
+            ExprKind::Negate(a) => self.is_not_zero(a),
+            ExprKind::Product(list) => list.iter().all(|(_, a)| self.is_not_zero(a)),
+            ExprKind::Power(base, _) => self.is_not_zero(base),
+            _ => self.is_positive(e),
+        }
+    }
+
+    fn is_positive(&self, e: &Expr) -> bool {
+        match &e.kind {
+            ExprKind::Number(_) => number(e).is_some_and(|(top, _)| top > 0),
+            ExprKind::Name(name) => self.values.positive.contains(name),
+            ExprKind::Sum(list) => {
+                list.iter().all(|(sign, a)| *sign == Sign::Plus && self.is_not_negative(a))
+                    && list.iter().any(|(_, a)| self.is_positive(a))
+            }
+            ExprKind::Product(list) => list.iter().all(|(_, a)| self.is_positive(a)),
+            ExprKind::Power(base, _) => self.is_positive(base),
+            ExprKind::Apply(f, arguments) => match f.text.as_str() {
+                "exp" | "cosh" | "sech" => true,
+                "sqrt" | "cbrt" => arguments.iter().all(|a| self.is_positive(a)),
+                word => self.values.families.get(word).is_some_and(|known| known.0),
+            },
+            _ => false,
+        }
+    }
+
+    fn is_not_negative(&self, e: &Expr) -> bool {
+        match &e.kind {
+            ExprKind::Number(_) => number(e).is_some_and(|(top, _)| top >= 0),
+            ExprKind::Sum(list) => list.iter().all(|(sign, a)| *sign == Sign::Plus && self.is_not_negative(a)),
+            ExprKind::Product(list) => list.iter().all(|(_, a)| self.is_not_negative(a)),
+            ExprKind::Power(base, exponent) => {
+                let is_square = number(exponent).is_some_and(|(top, below)| below == 1 && top % 2 == 0);
+                is_square || self.is_not_negative(base)
+            }
+            ExprKind::Apply(f, _) if f.text == "abs" || f.text == "sqrt" => true,
+            _ => self.is_natural(e) || self.is_positive(e),
+        }
+    }
+
+    /// Whether an expression is a natural number by its form.
+    fn is_natural(&self, e: &Expr) -> bool {
+        match &e.kind {
+            ExprKind::Number(_) => number(e).is_some_and(|(top, below)| below == 1 && top >= 0),
+            ExprKind::Name(name) => self.index.contains(&name.as_str()) || self.values.natural.contains(name),
+            ExprKind::Sum(list) => list.iter().all(|(sign, a)| *sign == Sign::Plus && self.is_natural(a)),
+            ExprKind::Product(list) => list.iter().all(|(factor, a)| *factor == Factor::Times && self.is_natural(a)),
+            ExprKind::Power(base, exponent) => self.is_natural(base) && self.is_natural(exponent),
+            ExprKind::Apply(f, _) => self.values.families.get(&f.text).is_some_and(|known| known.1),
+            _ => false,
+        }
     }
 }

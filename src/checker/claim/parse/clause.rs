@@ -32,6 +32,7 @@ impl Parser {
 
     /// The clauses before the first claim, which all claims share.
     fn preamble(&mut self) {
+        self.values = Values::of(&self.preamble.items);
         while self.at_clause() && PREAMBLE.iter().any(|word| self.is_word(word)) {
             self.preamble.is_said = true;
             if self.shared().is_err() {
@@ -53,6 +54,7 @@ impl Parser {
             "reading" => self.preamble.reading = Some(self.reading()?),
             _ => {
                 let items = self.items(word)?;
+                items.iter().for_each(|item| self.values.learn(item));
                 self.preamble.items.extend(items);
             }
         }
@@ -93,6 +95,7 @@ impl Parser {
         self.refused.truncate(self.refused_before);
         self.printed = self.preamble.printed.clone();
         self.declared = self.preamble.names.clone();
+        self.values = Values::of(&self.preamble.items);
         self.growing.clear();
         let title = match self.peek() {
             Kind::Text(_) => self.text().unwrap_or_default(),
@@ -190,6 +193,7 @@ impl Parser {
             },
             "given" | "let" | "define" | "assume" => {
                 let items = self.items(word)?;
+                items.iter().for_each(|item| self.values.learn(item));
                 claim.items.extend(items);
             }
             "prove" => {

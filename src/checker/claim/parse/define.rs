@@ -78,6 +78,12 @@ impl Parser {
                 })
                 .collect());
         }
+        for equation in &equations {
+            if !self.values.exist_in_recurrence(&equation.value, &names, equation.index.as_ref()) {
+                self.faults.push(no_value(equation));
+                return Err(Reported);
+            }
+        }
         let families = names.iter().map(|name| {
             let index = Name { text: "k".to_string(), span: name.span };
             (name.clone(), Some(equations.iter().find_map(|e| e.index.clone()).unwrap_or(index)))
@@ -117,6 +123,17 @@ impl Parser {
     }
 }
 
+/// The fault of an equation whose right side may have no value: as a hypothesis it would say more than a definition does.
+fn no_value(equation: &Equation) -> Diagnostic {
+    let name = &equation.name.text;
+    let message = format!("a member of {name} may have no value by this definition");
+    let help = format!(
+        "a divisor must be positive by its form; or declare the sequence, `given {name}(k) real`, and assume its equations and \
+         that the divisors are not 0"
+    );
+    Diagnostic::new(Fault::Other { message, help: Some(help) }, equation.value.span)
+}
+
 impl Equation {
     /// How much is added to the index, or the index of the first value; at most [`ORDER_LIMIT`].
     pub(super) fn last(&self) -> i64 {
@@ -144,5 +161,50 @@ impl Equation {
                 Prop { kind: PropKind::ForAll(vec![binding], Box::new(body)), span }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::claim::parse::parse;
+
+    #[test]
+    fn a_recurrence_without_a_value_becomes_a_hypothesis() {
+        let read = |given: &str, step: &str| {
+            let text =
+                format!("claim c \"t\"\n{given}\ndefine u by u(0) = 1, u(1) = 2, u(k + 2) = {step}\nprove u(0) = 1\n");
+            parse(&text).map_err(|faults| faults[0].message())
+        };
+        for (given, step) in [
+            ("given M, m > 0", "(M - m)/(M + m)*u(k) + u(k + 1)^2/3"),
+            ("given x real; c(k) > 0", "u(k)/(x^2 + 1) + x/c(k + 1) - u(k)/(-2)"),
+            ("given n natural", "u(k)/(k + 1) + sqrt(k*n) + ln(2*k + 3) + 2^k + u(k + 1)/(k + 1)^2"),
+            ("given theta real", "2*cos(theta)*u(k + 1) - exp(u(k))/cosh(u(k)) + abs(u(k))"),
+            ("given q natural", "sum(i = 0..k, u(i))/(q^2 + 1/2)"),
+        ] {
+            assert!(read(given, step).is_ok(), "{given}; {step}: {:?}", read(given, step));
+        }
+        for (given, step) in [
+            ("given x real", "1/u(k)"),
+            ("given x real", "u(k)/x"),
+            ("given x > 0", "u(k)/(x - 1)"),
+            ("given x > 0", "u(k)/k"),
+            ("given x > 0", "sqrt(u(k))"),
+            ("given x real", "ln(x^2)"),
+            ("given x real", "u(k)^(-1)"),
+            ("given x real", "u(k)^x"),
+            ("given x real; c(k) real", "u(k)/c(k)"),
+            ("given n natural; c(k) > 0 for k in 0..n", "c(k)"),
+            ("given x real\nlet f(t) = 1/t", "f(u(k))"),
+            ("given x real", "sum(i = 2..k, u(i))"),
+        ] {
+            let found = read(given, step);
+            assert!(
+                found.as_ref().is_err_and(|message| message.contains("may have no value")),
+                "{given}; {step}: {found:?}"
+            );
+        }
+        // One sequence by the member before is a declaration, which the kernel asks for its values.
+        assert!(parse("claim c \"t\"\ndefine u by u(0) = 1, u(k + 1) = 1/u(k)\nprove u(0) = 1\n").is_ok());
     }
 }

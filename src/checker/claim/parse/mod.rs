@@ -20,6 +20,7 @@ use super::lex::{FILE_LIMIT, Kind, Token, tokens};
 use super::preamble::Preamble;
 use super::print::Style;
 use super::syntax::*;
+use super::total::Values;
 use proposition::relation_of;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -248,6 +249,8 @@ struct Parser {
     preamble: Preamble,
     /// The names that the claim, or the preamble, has declared so far.
     declared: BTreeSet<String>,
+    /// What the preamble's declarations and those of the claim so far tell of names.
+    values: Values,
     /// The variables of limits, and whether they are natural numbers, if the file says so.
     growing: Vec<(Name, Option<bool>)>,
     /// The word `integer` of the declaration that was just read.
@@ -272,6 +275,7 @@ impl Parser {
             printed: BTreeMap::new(),
             preamble: Preamble::default(),
             declared: BTreeSet::new(),
+            values: Values::default(),
             growing: Vec::new(),
             whole: None,
             file: false,
