@@ -327,8 +327,14 @@ struct LimitFlags {
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
     /// Largest number of seconds for each claim, on one core
-    #[arg(long, value_name = "SECONDS", default_value_t = 10)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = seconds)]
     time: u64,
+}
+
+/// Whole seconds, with or without their unit.
+fn seconds(text: &str) -> Result<u64, String> {
+    let number = text.trim().trim_end_matches('s').trim();
+    number.parse().map_err(|_| "write whole seconds, as in 2".to_string())
 }
 
 impl LimitFlags {

@@ -35,7 +35,7 @@ pub(super) struct Flags {
     #[arg(long, value_name = "ID", num_args = 1.., value_delimiter = ',')]
     only: Vec<String>,
     /// Largest number of seconds for each claim, on one core
-    #[arg(long, value_name = "SECONDS", default_value_t = 10)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = super::seconds)]
     time: u64,
     /// Save each counterexample in this folder as a claim file: the statement, with the variables' values as hypotheses
     #[arg(long, value_name = "FOLDER")]

@@ -60,7 +60,7 @@ fn words(entry: &Entry, repair: &Repair) -> String {
     let mut out = format!("{name} {holds} {hypothesis}\n");
     if let Some(witness) = entry.outcome.witness.as_ref().filter(|w| !w.point.values.is_empty()) {
         let at = witness.point.in_words(&entry.claim);
-        out += &format!("without H, it fails at {}\n", at.join(", "));
+        out += &format!("without this hypothesis it fails at {}\n", at.join(", "));
     }
     out += "proved: the kernel accepted a certificate of this claim\n\n";
     out + &statements::one(&repair.claim, PrintFormat::Text)

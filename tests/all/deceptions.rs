@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
+use carom::algebra::Moment;
 use carom::claim::parse::parse;
 use carom::judge::outcome_of;
 use carom::refute::catalogue::{Catalogue, Limits};
@@ -158,5 +159,22 @@ fn hypotheses_that_are_used_in_parts_are_used() {
             outcome.unused.iter().all(|u| !u.contains("h: ")) && outcome.unused.iter().any(|u| u.contains("y > 3")),
             "{said}"
         );
+    }
+}
+
+#[test]
+fn an_evaluation_takes_longer_than_its_claim_may() {
+    let limits = Limits { time: Duration::from_secs(1), ..Limits::default() };
+    for goal in [
+        "sum(i = 1..1000000000, i) > 0",
+        "exists i in 1..100, j in 1..100, k in 1..100: i^3 + j^3 = k^3",
+        "for all i in 1..1000, j in 1..1000: i^2 + j^2 != 3",
+    ] {
+        let catalogue = Catalogue::new(parse(&format!("claim c \"t\"\nprove {goal}\n")).unwrap()).unwrap();
+        // The time that this thread works, not that of others.
+        let begun = Moment::now();
+        let _ = outcome_of(&catalogue, "c", &limits);
+        let took = begun.elapsed();
+        assert!(took < Duration::from_secs(4), "{goal}: {took:?}");
     }
 }

@@ -107,3 +107,21 @@ fn a_hypothesis_that_cannot_hold_is_no_repair() {
     let claim = parse("claim t \"t\"\ngiven x > 0\nprove 0 > 1/x\n").unwrap().remove(0);
     assert!(found(&claim).unwrap().1.is_none());
 }
+
+#[test]
+fn a_hypothesis_about_an_angle_or_a_floor_is_lost_in_print() {
+    for (given, goal) in [
+        ("theta real", "tan(theta) = sin(theta)/cos(theta)"),
+        ("x real", "floor(x)/x <= 1"),
+        ("a, b real", "tan(a)*tan(b) = sin(a)*sin(b)/(cos(a)*cos(b))"),
+        ("x real", "abs(x)/x = 1"),
+    ] {
+        let claim = parse(&format!("claim t \"t\"\ngiven {given}\nprove {goal}\n")).unwrap().remove(0);
+        let Some(repair) = found(&claim).unwrap().1 else { panic!("{goal}: nothing is found") };
+        let printed =
+            format!("claim t-repaired \"t\"\n{}\n", print::statement(&repair.claim, print::Style::Text).join("\n"));
+        let read = parse(&printed).unwrap_or_else(|faults| panic!("{printed}: {faults:?}")).remove(0);
+        assert_eq!(judged(&read).unwrap().outcome.verdict, Verdict::Proved, "{printed}");
+        assert!(printed.contains(&print::prop(&repair.hypothesis)), "{printed}");
+    }
+}

@@ -29,25 +29,40 @@ pub(crate) const EXPONENT_LIMIT: i64 = 1_000;
 /// The most bits of a numerator or denominator.
 pub(crate) const BITS_LIMIT: u64 = 100_000;
 
-/// Counts work. A cell, so that what only reads the state of a check counts as well.
-#[derive(Clone, Debug, Default)]
-pub struct Work(Cell<u64>);
+/// Counts work. Cells, so that what only reads the state of a check counts as well.
+#[derive(Clone, Debug)]
+pub struct Work {
+    done: Cell<u64>,
+    /// How much may be done, at most [`WORK_LIMIT`].
+    allowed: Cell<u64>,
+}
+
+impl Default for Work {
+    fn default() -> Work {
+        Work { done: Cell::new(0), allowed: Cell::new(WORK_LIMIT) }
+    }
+}
 
 impl Work {
+    /// Allows so much more work from now on, within the limit: for a search that has little time left.
+    pub fn allow(&self, more: u64) {
+        self.allowed.set(self.done.get().saturating_add(more).min(WORK_LIMIT));
+    }
+
     /// Counts some work; whether it was too much, the next [`Work::count`] says.
     pub fn spend(&self, amount: usize) {
-        self.0.set(self.0.get().saturating_add(u64::try_from(amount).unwrap_or(u64::MAX)));
+        self.done.set(self.done.get().saturating_add(u64::try_from(amount).unwrap_or(u64::MAX)));
     }
 
     /// How much was counted.
     pub fn done(&self) -> u64 {
-        self.0.get()
+        self.done.get()
     }
 
     /// Counts some work.
     pub fn count(&self, amount: usize) -> Result<(), Refusal> {
         self.spend(amount);
-        if self.0.get() > WORK_LIMIT { Err(Refusal::Limit("work")) } else { Ok(()) }
+        if self.done.get() > self.allowed.get() { Err(Refusal::Limit("work")) } else { Ok(()) }
     }
 }
 

@@ -363,6 +363,11 @@ impl Checker {
         self.cited.iter().map(|accepted| &accepted.statement).find(|statement| statement.name == name)
     }
 
+    /// Allows so much more work from now on, within the limit of a check. A certificate is checked with the whole limit.
+    pub fn allow(&self, work: u64) {
+        self.work.allow(work);
+    }
+
     /// The facts, with their labels.
     pub fn facts(&self) -> impl DoubleEndedIterator<Item = (&str, &Rc<Prop>)> {
         self.facts.iter().map(|fact| (fact.label.as_str(), &fact.prop))

@@ -16,6 +16,11 @@ impl Moment {
         Moment(worked())
     }
 
+    /// How much later it is than another moment; nothing if it is earlier.
+    pub fn after(self, earlier: Moment) -> Duration {
+        self.0.saturating_sub(earlier.0)
+    }
+
     /// The moment after so much more work; `None` where that is beyond all numbers.
     pub fn checked_add(self, time: Duration) -> Option<Moment> {
         self.0.checked_add(time).map(Moment)

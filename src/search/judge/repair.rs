@@ -13,7 +13,8 @@ use crate::algebra::Polynomial;
 use crate::algebra::factor::factor;
 use crate::certificate::{Certificate, Rule, Show};
 use crate::claim::definedness::{Need, needs};
-use crate::claim::parse::parse_expr;
+use crate::claim::parse::{parse, parse_expr};
+use crate::claim::print::{Style, statement};
 use crate::claim::syntax::*;
 use crate::kernel::names::names_in_prop;
 use crate::kernel::order::Signs;
@@ -148,7 +149,7 @@ impl Search<'_> {
         }
         let claim = self.with_goal(prop(PropKind::Equivalent(vec![self.claim.goal.clone(), h.clone()])));
         let certificate = self.proved(&claim)?;
-        Some(Repair { hypothesis: h.clone(), exact: true, claim, certificate })
+        self.as_written(claim, certificate, h, true)
     }
 
     /// The goal holds where H does, which is somewhere.
@@ -160,7 +161,32 @@ impl Search<'_> {
         claim.items.push(Item::Assume { label: None, prop: h.clone() });
         let certificate = self.proved(&claim)?;
         let somewhere = Case::new(&claim, &self.limits).is_ok_and(|case| !case.has_no_point());
-        somewhere.then(|| Repair { hypothesis: h.clone(), exact: false, claim, certificate })
+        if somewhere { self.as_written(claim, certificate, h, false) } else { None }
+    }
+
+    /// The repair in the words of the claim's author. Where the reader wrote something out, what it makes of these words is
+    /// proved instead.
+    fn as_written(&self, claim: Claim, certificate: Certificate, h: &Prop, exact: bool) -> Option<Repair> {
+        let Some(written) = &self.claim.written else {
+            return Some(Repair { hypothesis: h.clone(), exact, claim, certificate });
+        };
+        let mut hypothesis = h.clone();
+        // What a name stands for may have names that were made before it.
+        for (name, meaning) in written.made.iter().rev() {
+            let mut map = Substitution::default();
+            map.replace(name, meaning);
+            hypothesis = map.prop(&hypothesis).ok()?;
+        }
+        let mut plain = Claim { items: written.items.clone(), goal: written.goal.clone(), written: None, ..claim };
+        match exact {
+            true => plain.goal = prop(PropKind::Equivalent(vec![plain.goal, hypothesis.clone()])),
+            false => plain.items.push(Item::Assume { label: None, prop: hypothesis.clone() }),
+        }
+        let text = format!("claim {} \"\"\n{}\n", plain.name.text, statement(&plain, Style::Text).join("\n"));
+        let read = parse(&text).ok()?.pop()?;
+        let claim = Claim { items: read.items, goal: read.goal, written: read.written, ..plain };
+        let certificate = self.proved(&claim)?;
+        Some(Repair { hypothesis, exact, claim, certificate })
     }
 }
 

@@ -72,7 +72,7 @@ use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::{Claim, Expr, Proof, Prop, PropKind, Relation};
 use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
-use crate::kernel::{Accepted, Checker};
+use crate::kernel::{Accepted, Checker, Refusal};
 use crate::refute::catalogue::Limits;
 use crate::refute::expand;
 use argument::Named;
@@ -81,6 +81,7 @@ pub use fail::Fail;
 use letters::Letters;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
+use std::time::Duration;
 
 /// How many search steps ([`Limits::steps`]) one step that is tried counts as.
 const STEPS_OF_A_TRY: usize = 20;
@@ -174,6 +175,8 @@ pub(crate) struct Prover {
     /// The powers by which others are written.
     powers: Rc<powers::Powers>,
     deadline: Option<Moment>,
+    /// An evaluation was not carried out, since the time was not enough.
+    is_short: bool,
     tries: usize,
     most_tries: usize,
     /// Total size of the linear programs so far, limited by [`PROGRAMS`].
@@ -208,6 +211,14 @@ pub(crate) struct Prover {
     box_searches: usize,
 }
 
+/// The kernel's work of evaluation for which the time until a deadline is enough: the kernel itself looks at no clock. A step is checked
+/// about five times until its certificate is written, and a quick machine does 3,000 units in a millisecond.
+pub(crate) fn work_until(deadline: Option<Moment>) -> u64 {
+    const IN_A_MILLISECOND: u64 = 600;
+    let left = deadline.map_or(Duration::MAX, |deadline| deadline.after(Moment::now()));
+    u64::try_from(left.as_millis()).unwrap_or(u64::MAX).saturating_mul(IN_A_MILLISECOND)
+}
+
 impl Prover {
     /// A search that knows the hypotheses of a claim.
     fn new(claim: &Claim, cited: &[&Accepted], limits: &Limits, deadline: Option<Moment>) -> Result<Prover, Fail> {
@@ -233,6 +244,7 @@ impl Prover {
             roots: Vec::new(),
             powers: Rc::default(),
             deadline,
+            is_short: false,
             tries: 0,
             most_tries: limits.steps.div_ceil(STEPS_OF_A_TRY).min(TRIES),
             spent: 0,
@@ -301,7 +313,7 @@ impl Prover {
 
     /// The limit that ended the search, if the user's own did.
     fn exhausted(&self) -> Option<Fail> {
-        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
+        if self.is_short || self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
             return Some(Fail::Limit("time"));
         }
         (self.tries > self.most_tries && self.most_tries < TRIES).then_some(Fail::Limit("steps"))
@@ -310,12 +322,20 @@ impl Prover {
     /// Adds a step if the kernel accepts it, citing only what the kernel looks at. Returns the label of the new fact.
     fn emit(&mut self, rule: Rule, shown: Prop) -> Result<Label, Fail> {
         self.tick()?;
+        let evaluates = matches!(rule, Rule::Evaluate);
+        if evaluates {
+            self.checker.allow(work_until(self.deadline));
+        }
         let by = self.signs();
         let show = Show { label: self.next_label(), rule, prop: shown, by, using: self.equations.clone() };
         let step = match brief::take(&mut self.checker, show.clone()) {
             Err(_) if !show.using.is_empty() => brief::take(&mut self.checker, Show { using: Vec::new(), ..show }),
             other => other,
         };
+        if evaluates {
+            self.checker.allow(u64::MAX);
+            self.is_short = self.is_short || matches!(step, Err(Refusal::Limit(_)));
+        }
         Ok(self.taken(step.map_err(Fail::from)?))
     }
 

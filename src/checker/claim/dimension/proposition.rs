@@ -134,6 +134,14 @@ impl<'c> Checker<'c> {
             }),
             PropKind::Limit(limit) => self.same(prop, &limit.of, &limit.value),
             PropKind::WrittenLimit(limit) => {
+                // The author need not declare what moves.
+                if !self.names.contains_key(limit.variable.text.as_str()) {
+                    let size = match limit.natural {
+                        true => Size::number(),
+                        false => self.unknowns.fresh(Some(&limit.variable.text)),
+                    };
+                    self.names.insert(limit.variable.text.clone(), Meaning::Quantity(Some(size)));
+                }
                 if let Towards::Point(point, _) = &limit.towards {
                     self.is_like(prop, &limit.variable, point)?;
                 }
