@@ -28,6 +28,8 @@ pub(super) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
     if found.is_empty() {
         check::check(claim, &mut found);
     }
+    // What a stage writes out twice is at fault once.
+    found.dedup();
     faults.append(&mut found);
     claim.written = Some(Box::new(Written { made: fresh.made(), ..written }));
 }

@@ -249,13 +249,22 @@ pub fn contradictory(claim: &Claim, limits: &Limits) -> bool {
     prove::certificate(&absurd, &[], &Limits { time: limits.time / CONTRADICTION, ..limits.clone() }).is_ok()
 }
 
-/// The fault of a claim whose hypotheses contradict each other.
+/// The fault of a claim whose hypotheses contradict each other; without hypotheses its domains do.
 pub fn contradiction(claim: &Claim) -> Fault {
-    let assumed = claim.items.iter().filter_map(|item| match item {
+    let of = |print: &dyn Fn(&Item) -> Option<String>| claim.items.iter().filter_map(print).collect::<Vec<_>>();
+    let mut list = of(&|item| match item {
         Item::Assume { prop, .. } => Some(crate::claim::print::prop(prop)),
         _ => None,
     });
-    Fault::Contradictory { hypotheses: assumed.collect::<Vec<_>>().join("; ") }
+    if list.is_empty() {
+        list = of(&|item| match item {
+            Item::Given(bindings) if bindings.iter().any(|b| !b.constraints.is_empty()) => {
+                Some(crate::claim::print::Style::Text.item(item))
+            }
+            _ => None,
+        });
+    }
+    Fault::Contradictory { hypotheses: list.join("; ") }
 }
 
 /// What the search says of a claim.
