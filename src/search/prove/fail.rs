@@ -59,6 +59,15 @@ impl Fail {
         if self.names_what() { self } else { Fail::Goal(prop(goal), Box::new(self)) }
     }
 
+    /// The same failure for want of something that the search needs, such as time.
+    pub(crate) fn for_want_of(self, limit: Fail) -> Fail {
+        match self {
+            Fail::NotShown(goal) | Fail::Goal(goal, _) => Fail::Goal(goal, Box::new(limit)),
+            Fail::Within(part, inner) => Fail::Within(part, Box::new(inner.for_want_of(limit))),
+            _ => limit,
+        }
+    }
+
     /// Whether it names the proposition that was not proved.
     fn names_what(&self) -> bool {
         match self {

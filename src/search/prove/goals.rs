@@ -210,8 +210,9 @@ impl Prover {
     fn show_all(&mut self, goal: &Prop, parts: &[Prop]) -> Result<Label, Fail> {
         // Outside of cases and inductions each part may cost what a claim may.
         let whole = self.splits == 0 && self.inductions == 0;
-        let show = |p| if whole { self.on_its_own(|c| c.show(p)) } else { self.show(p) };
-        let from = parts.iter().map(show).collect::<Result<Vec<_>, _>>()?;
+        let mut show = |p| if whole { self.on_its_own(|c| c.show(p)) } else { self.show(p) };
+        // The part that remains is named.
+        let from = parts.iter().map(|p| show(p).map_err(|fail| fail.of_goal(p))).collect::<Result<Vec<_>, _>>()?;
         self.emit(Rule::Logic { from }, goal.clone())
     }
 

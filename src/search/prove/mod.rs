@@ -129,7 +129,13 @@ pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> 
         }
         let shown = match prover.follow(&goal, proof, &Named::hypotheses(labels)) {
             Ok(shown) => shown,
-            Err(fail) => return Err(prover.exhausted().unwrap_or(fail).of_goal(&goal)),
+            Err(fail) => {
+                let fail = match prover.exhausted() {
+                    Some(limit) => fail.for_want_of(limit),
+                    None => fail,
+                };
+                return Err(fail.of_goal(&goal));
+            }
         };
         prover.concluded(claim, &shown, cited, limits)
     };
