@@ -40,7 +40,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"carom {__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
     add = commands.add_parser("audit", help="judge claims")
-    add.add_argument("files", nargs="*", type=Path, help="claim files or papers (.tex, .md); the built-in catalogue if none is given")
+    add.add_argument("files", nargs="*", type=Path, help="claim files or papers; if none, the built-in catalogue")
     add.add_argument("--only", nargs="+", default=[], metavar="ID")
     add = commands.add_parser("explain", help="print the proof of one claim in words")
     add.add_argument("id")

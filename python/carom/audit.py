@@ -156,7 +156,7 @@ class Audit:
         return _counts(self.summary) + unread
 
     def __str__(self) -> str:
-        """The verdicts, a claim on each line, with what a counterexample shows or a proof lacks below it; what was not read."""
+        """The verdicts, a claim on each line, with its counterexample or what its proof lacks; what was not read."""
         width = max((len(claim.id) for claim in self.claims), default=0)
         lines = []
         for claim in self.claims:

@@ -86,7 +86,12 @@ impl<'t> Reader<'t, '_, '_> {
         }
         let slashed = top_level(inner, '/');
         let piece = self.sum_in(inner)?;
-        if piece.level < 3 || slashed {
+        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
+        let after = self.tokens[next..].iter().find(|t| !is_space(t));
+        let bears = after.is_some_and(|t| matches!(t.char(), Some('^' | '!'))) && piece.level < 5;
+        let is_divisor = before.is_some_and(|t| t.is_char('/') || t.is("div")) && piece.level < 4;
+        let is_numeral = piece.is_number && before.and_then(Token::char).is_some_and(char::is_alphanumeric);
+        if piece.level < 3 || slashed || bears || is_divisor || is_numeral {
             let message = "these braces do not print, and what they hold would be read as a group";
             return Err(refused(message, "write parentheses that print, or leave the braces out", start));
         }
@@ -126,13 +131,26 @@ impl<'t> Reader<'t, '_, '_> {
             && let [letter] = inner
             && letter.is_char('e')
         {
+            let is_name = self.scope.decisions.e_is_base
+                || self.scope.names.spelled("e").is_some_and(|name| self.scope.roles.contains_key(name));
             let negative = self.tokens.get(next).is_some_and(|t| t.is_char('-'));
+            if negative && digit_at(self, next + 1) && (is_name || self.tokens[next].apart) {
+                let readings = ["a numeral with its exponent", "a product with e"];
+                let write = ["write \\times 10^{-3}", "write \\cdot \\mathrm{e}"];
+                return Err(ambiguous("a number before \\mathrm{e}", readings, write, self.since(start)));
+            }
             next += usize::from(negative);
             if digit_at(self, next) {
                 text.push_str(if negative { "e-" } else { "e" });
                 self.at = next;
                 digits(self, &mut text);
             }
+        }
+        if self.tokens.get(self.at).is_some_and(|t| t.is_char('.'))
+            && self.tokens.get(self.at + 1).is_some_and(|t| t.is_char('.'))
+        {
+            let help = "write the exact number, as \\frac{1}{3}, or \\approx 0.333";
+            return Err(refused("a number that goes on with dots is not read", help, self.since(start)));
         }
         if let Some(next) = self.degrees() {
             self.at = next;
@@ -167,10 +185,13 @@ impl<'t> Reader<'t, '_, '_> {
                 matches!(t.char(), Some('=' | '<' | '>' | ','))
                     || ["le", "ge", "leq", "geq", "ne", "neq", "text"].iter().any(|n| t.is(n))
             };
-            let alone = between.iter().filter(|t| !is_space(t)).count() <= 1
-                && between
-                    .iter()
-                    .all(|t| is_space(t) || matches!(t.char(), Some('+' | '-')) || t.is("cdot") || t.is("times"));
+            // Within bars stands no expression that begins with an exponent or ends with a sign.
+            let sign = |t: &Token, signs: &[char]| {
+                t.char().is_some_and(|c| signs.contains(&c)) || t.is("cdot") || t.is("times") || t.is("div")
+            };
+            let printed: Vec<&Token> = between.iter().filter(|t| !is_space(t)).collect();
+            let alone = printed.first().is_none_or(|t| sign(t, &['^', '_', '!', '+', '-', '/', '*']))
+                || printed.last().is_none_or(|t| sign(t, &['^', '_', '+', '-', '/', '*']));
             if !alone && !between.iter().any(separated) {
                 let readings = ["bars side by side, |a| b |c|", "bars one within the other, | a |b| c |"];
                 let write =

@@ -8,6 +8,7 @@ use super::comment::first_word;
 use super::macros::{Macros, defines, group, option};
 use super::number::Numbers;
 use super::refusal::refused;
+use super::structure::is_unknown_condition;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
 use std::ops::Range;
@@ -72,7 +73,7 @@ const DISPLAYS: &[&str] =
 /// Environments of other packages that are written like one of these.
 const ALIKE: &[(&str, &str)] = &[("IEEEeqnarray", "eqnarray"), ("dmath", "equation"), ("xalignat", "alignat")];
 /// Environments of displayed formulas that are not read.
-const NOT_READ: &[&str] = &["empheq", "darray", "dseries", "dgroup"];
+const NOT_READ: &[&str] = &["empheq", "darray", "dseries", "dgroup", "numcases", "subnumcases"];
 /// Environments in a displayed formula that hold its rows.
 const INNER: &[&str] = &["split", "aligned", "gathered", "alignedat"];
 
@@ -166,6 +167,16 @@ impl Reader<'_> {
                     let help = "audit the paper's main file where it lies, or put the text here";
                     let here = || refused(format!("this \\{name} is not followed"), help, token.span);
                     self.fault(why.unwrap_or_else(here));
+                    at + 1
+                }
+                "import" | "subimport" | "subfile" | "InputIfFileExists" | "includeonly" => {
+                    let help = "write \\input for files that are read";
+                    self.fault(refused(format!("\\{name} is not followed"), help, token.span));
+                    at + 1
+                }
+                name if is_unknown_condition(name) => {
+                    let help = "remove the condition, or what is not meant to print";
+                    self.fault(refused("what stands in this condition may not print", help, token.span));
                     at + 1
                 }
                 name if defines(name) => match self.macros.define(self.tokens, at) {

@@ -94,7 +94,7 @@ impl<'t> Reader<'t, '_, '_> {
         let mut text = Placed::default();
         let mut count = 0;
         let mut only = None;
-        let mut before_is_number = false;
+        let (mut before_is_number, mut is_vector) = (false, false);
         loop {
             let span = self.span();
             let sign = self.sign(before_is_number)?;
@@ -110,6 +110,7 @@ impl<'t> Reader<'t, '_, '_> {
             }
             let term = self.term()?;
             before_is_number = term.is_number;
+            is_vector = is_vector || term.is_vector;
             match sign {
                 Some('-') if count == 0 => text.push("-", span),
                 Some(sign) if count > 0 => text.push(&format!(" {sign} "), span),
@@ -120,9 +121,9 @@ impl<'t> Reader<'t, '_, '_> {
             only = Some((sign, term));
         }
         match only {
-            Some((Some('-'), _)) if count == 1 => Ok(Piece::new(text, 2)),
+            Some((Some('-'), _)) if count == 1 => Ok(Piece { is_vector, ..Piece::new(text, 2) }),
             Some((_, term)) if count == 1 => Ok(term),
-            _ => Ok(Piece::new(text, 1)),
+            _ => Ok(Piece { is_vector, ..Piece::new(text, 1) }),
         }
     }
 
@@ -200,6 +201,14 @@ impl<'t> Reader<'t, '_, '_> {
             }
             if token.is("times") && factors.last().is_some_and(|(_, before)| before.is_vector) {
                 return Err(product_of_vectors(span));
+            }
+            if !is_explicit
+                && factors.last().is_some_and(|(_, before)| before.is_number)
+                && self.scope.decisions.is_measured != Some(false)
+                && let Some((inner, _)) = self.parenthesis()?
+                && inner.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()))
+            {
+                return Err(super::measured::two_readings(false, span));
             }
             if let Some(operator) = self.operator()? {
                 // A large operator reaches to the end of the product.

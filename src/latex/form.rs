@@ -8,7 +8,7 @@ use super::document::{end_of, environment};
 use super::expression::{NESTING_LIMIT, is_space};
 use super::macros::group;
 use super::refusal::{command, limit, refused};
-use super::token::{Kind, Token, words};
+use super::token::{Kind, Token};
 use carom_diagnostic::{Diagnostic, Span};
 
 /// Commands that change only the space around their argument.
@@ -65,12 +65,6 @@ fn formed(tokens: &[Token], depth: usize) -> Result<Vec<Token>, Diagnostic> {
         let name = token.command().unwrap_or_default();
         let argument = tokens.get(at + 1).filter(|t| t.kind == Kind::Open).and_then(|_| group(tokens, at + 1).ok());
         match (name, argument) {
-            ("hspace", Some((inner, next))) => {
-                if width(&words(inner)) >= WIDE {
-                    out.push(sign(Kind::Command("quad".to_string())));
-                }
-                at = next;
-            }
             (_, Some(([], next))) if token.is_text() => {
                 // Of words that are blank the space prints.
                 if tokens[next - 1].span.start > tokens[at + 1].span.end {
@@ -167,7 +161,11 @@ fn braces(out: &mut Vec<Token>, inner: &[Token], [open, close]: [&Token; 2], dep
         let mut inner = inner;
         if let Some(new) = font(inner.first()) {
             // As an argument the group stays one.
-            let is_argument = out.last().is_some_and(|t| matches!(t.kind, Kind::Command(_) | Kind::Char('_' | '^')));
+            let before = out.iter().rev().find(|t| !is_space(t));
+            let is_argument = before.is_some_and(|t| match &t.kind {
+                Kind::Command(name) => !super::name::is_letter(name),
+                kind => matches!(kind, Kind::Char('_' | '^')),
+            });
             if is_argument {
                 out.push(open.clone());
             }
@@ -276,7 +274,7 @@ fn is_punctuation(inner: &[Token]) -> bool {
 }
 
 /// A length in points, about; one that is not known is wide.
-fn width(said: &str) -> f64 {
+pub(crate) fn width(said: &str) -> f64 {
     const UNITS: &[(&str, f64)] =
         &[("em", 10.0), ("ex", 4.3), ("cm", 28.5), ("mm", 2.85), ("in", 72.3), ("pt", 1.0), ("mu", 0.56), ("bp", 1.0)];
     let said = said.replace(' ', "");

@@ -415,6 +415,11 @@ impl<'t> Reader<'t, '_, '_> {
             let help = "write the same order above and below, as in \\frac{d^2 f}{d x^2}";
             return Err(refused("the orders of this derivative differ", help, start));
         }
+        if !body.is_empty() && self.tokens.get(next).is_some_and(|t| t.is_char('(')) {
+            let readings = ["its value at a place", "a product"];
+            let write = ["define the derivative, `%carom let g(x) = derivative(f(x), x)`", "write \\cdot"];
+            return Err(ambiguous("a parenthesis behind a derivative", readings, write, start));
+        }
         self.at = next;
         let function = if body.is_empty() { None } else { self.function_alone(body)? };
         let of = match function {
@@ -479,11 +484,16 @@ fn applied(name: &str, argument: &Placed) -> Piece {
 pub(crate) fn rows(body: &[Token]) -> Vec<Vec<Token>> {
     let mut out = vec![Vec::new()];
     let mut level = 0usize;
-    for token in body {
+    let mut at = 0;
+    while let Some(token) = body.get(at) {
+        at += 1;
         level += usize::from(token.kind == Kind::Open || token.is("begin"));
         level = level.saturating_sub(usize::from(token.kind == Kind::Close || token.is("end")));
-        if level == 0 && token.is("\\") {
+        if level == 0 && (token.is("\\") || token.is("newline") || token.is("cr")) {
             out.push(Vec::new());
+            // The space behind a row is no part of the next one.
+            at += usize::from(body.get(at).is_some_and(|t| t.is_char('*') && !t.apart));
+            at = option(body, at).filter(|_| !body[at].apart).map_or(at, |found| found.1);
         } else if let Some(row) = out.last_mut() {
             row.push(token.clone());
         }

@@ -84,7 +84,13 @@ impl Joiner {
         // A text with a fault of its own is added as it is; the reader reports the fault.
         let list = if calls(text) { tokens(text).unwrap_or_default() } else { Vec::new() };
         let mut done = 0;
+        let mut text_end = text.len();
         for at in 0..list.len() {
+            // What stands behind is not read.
+            if list[at].is("endinput") {
+                text_end = list[at].span.start;
+                break;
+            }
             let Some((name, end)) = called(&list, at, text) else { continue };
             let start = list[at].span.start;
             self.source.put(file, done, start);
@@ -103,7 +109,7 @@ impl Joiner {
                 }
             }
         }
-        self.source.put(file, done, text.len());
+        self.source.put(file, done, text_end.max(done));
     }
 
     /// The path and the text, which ends with a line, of the file that a command names: the name with `.tex`, else the name
@@ -175,7 +181,7 @@ impl Unread {
 
 /// Whether a text may call for files.
 fn calls(text: &str) -> bool {
-    text.contains("\\input") || text.contains("\\include")
+    ["\\input", "\\include", "\\endinput"].iter().any(|command| text.contains(command))
 }
 
 /// The file that a command at this token calls for, and where the command ends in the text.

@@ -28,15 +28,28 @@ struct Macro {
 #[derive(Default)]
 pub(crate) struct Macros {
     list: BTreeMap<String, Macro>,
-    /// For each group that is open: the macros before it, if it defines one.
-    groups: Vec<Option<BTreeMap<String, Macro>>>,
+    /// For each group that is open: what the macros that it defines were before.
+    groups: Vec<Vec<(String, Option<Macro>)>>,
 }
 
 /// Whether a command defines a macro.
 pub(crate) fn defines(command: &str) -> bool {
-    let plain =
-        ["newcommand", "renewcommand", "providecommand", "def", "gdef", "DeclareMathOperator", "newenvironment"];
-    plain.contains(&command) || command == "renewenvironment"
+    const DEFINING: [&str; 13] = [
+        "newcommand",
+        "renewcommand",
+        "providecommand",
+        "DeclareRobustCommand",
+        "def",
+        "gdef",
+        "let",
+        "DeclareMathOperator",
+        "newenvironment",
+        "renewenvironment",
+        "NewDocumentCommand",
+        "RenewDocumentCommand",
+        "DeclareDocumentCommand",
+    ];
+    DEFINING.contains(&command)
 }
 
 impl Macros {
@@ -52,6 +65,10 @@ impl Macros {
             let help = "use the environments of amsmath, whose equations are read";
             return Err(refused("an environment of the document's own is not read", help, span));
         }
+        if command.ends_with("DocumentCommand") {
+            let help = "define macros as \\newcommand{\\name}[1]{…}";
+            return Err(refused(format!("\\{command} is not read"), help, span));
+        }
         let (name, mut next) = match tokens.get(next) {
             Some(Token { kind: Kind::Open, .. }) => {
                 let (inner, end) = group(tokens, next)?;
@@ -63,6 +80,17 @@ impl Macros {
         let Some(name) = name.map(str::to_string) else {
             return Err(expected("the name of a macro", "something else", span));
         };
+        if command == "let" {
+            next += usize::from(tokens.get(next).is_some_and(|t| t.is_char('=')));
+            let Some(meaning) = tokens.get(next) else {
+                return Err(expected("the meaning of a macro", "the end of the document", span));
+            };
+            let known = meaning.command().and_then(|meaning| self.list.get(meaning)).cloned();
+            let is_structure = self.is_structure(meaning);
+            let plain = || Macro { arguments: 0, default: None, body: vec![meaning.clone()], is_structure };
+            self.insert(command, name, known.unwrap_or_else(plain));
+            return Ok(next + 1);
+        }
         let (mut arguments, mut default) = (0, None);
         if command.ends_with("def") {
             while tokens.get(next).is_some_and(|t| t.is_char('#')) {
@@ -89,24 +117,28 @@ impl Macros {
             body.push(sign(Kind::Close));
         }
         if command != "providecommand" || !self.list.contains_key(&name) {
-            // `\gdef` alone reaches beyond its group.
-            if command == "gdef" {
-                self.groups.iter_mut().for_each(|group| *group = None);
-            } else if let Some(group) = self.groups.last_mut() {
-                group.get_or_insert_with(|| self.list.clone());
-            }
             let is_structure = body.iter().any(|t| self.is_structure(t));
-            self.list.insert(name, Macro { arguments, default, body, is_structure });
+            self.insert(command, name, Macro { arguments, default, body, is_structure });
         }
         Ok(end)
+    }
+
+    fn insert(&mut self, command: &str, name: String, defined: Macro) {
+        // `\gdef` alone reaches beyond its group.
+        if command == "gdef" {
+            self.groups.iter_mut().for_each(|group| group.retain(|before| before.0 != name));
+        } else if let Some(group) = self.groups.last_mut() {
+            group.push((name.clone(), self.list.get(&name).cloned()));
+        }
+        self.list.insert(name, defined);
     }
 
     /// Takes note of what begins or ends a group: a macro that is defined in it ends with it.
     pub(crate) fn passes(&mut self, token: &Token) {
         match &token.kind {
-            Kind::Open => self.groups.push(None),
+            Kind::Open => self.groups.push(Vec::new()),
             Kind::Command(name) if name == "begingroup" || name == "bgroup" || name == "begin" => {
-                self.groups.push(None)
+                self.groups.push(Vec::new());
             }
             Kind::Close => self.close(),
             Kind::Command(name) if name == "endgroup" || name == "egroup" || name == "end" => self.close(),
@@ -115,8 +147,11 @@ impl Macros {
     }
 
     fn close(&mut self) {
-        if let Some(Some(before)) = self.groups.pop() {
-            self.list = before;
+        for (name, before) in self.groups.pop().into_iter().flatten().rev() {
+            match before {
+                Some(before) => self.list.insert(name, before),
+                None => self.list.remove(&name),
+            };
         }
     }
 
@@ -179,11 +214,40 @@ impl Macros {
             at = next;
             let end = tokens[at - 1].span.end.max(token.span.end);
             let span = place.unwrap_or(Span { start: token.span.start, end });
-            let body = filled(&known.body, &arguments, token.apart, span)?;
+            let mut body = filled(&known.body, &arguments, token.apart, span)?;
+            // As an argument without braces it is one, whatever it stands for.
+            if body.len() > 1 && takes_an_argument(out) {
+                let brace = |kind: Kind| Token { kind, span, apart: false };
+                body.insert(0, brace(Kind::Open));
+                body.push(brace(Kind::Close));
+            }
             self.expand_into(&body, Some(span), depth + 1, uses, out)?;
         }
         Ok(())
     }
+}
+
+/// Whether the command that ends these tokens, perhaps with its first argument, takes what follows as an argument.
+fn takes_an_argument(before: &[Token]) -> bool {
+    const ONE: [&str; 12] =
+        ["sqrt", "bar", "overline", "tilde", "hat", "vec", "dot", "ddot", "mathrm", "mathbf", "boldsymbol", "text"];
+    const TWO: [&str; 8] = ["frac", "dfrac", "tfrac", "cfrac", "binom", "dbinom", "tbinom", "nicefrac"];
+    let is =
+        |token: Option<&Token>, list: &[&str]| token.and_then(Token::command).is_some_and(|name| list.contains(&name));
+    let Some(last) = before.last() else { return false };
+    if is(Some(last), &ONE) || is(Some(last), &TWO) {
+        return true;
+    }
+    if last.kind != Kind::Close {
+        return last.kind != Kind::Open && before.len() > 1 && is(before.get(before.len() - 2), &TWO);
+    }
+    let mut level = 0usize;
+    let open = before.iter().rposition(|token| {
+        level += usize::from(token.kind == Kind::Close);
+        level = level.saturating_sub(usize::from(token.kind == Kind::Open));
+        level == 0
+    });
+    open.and_then(|open| open.checked_sub(1)).is_some_and(|at| is(before.get(at), &TWO))
 }
 
 /// The arguments of the macro that stands at `at`, and where to read on.

@@ -5,6 +5,7 @@
 //! would be judged without it. All places are places in the document.
 
 use super::clause::{self, Purpose, misplaced};
+use super::comment::first_word;
 use super::document::{Clause, Display, Lines, Part, document};
 use super::expression::{Read, Reader};
 use super::input::Manuscript;
@@ -252,6 +253,11 @@ impl<'l> Assembly<'l> {
         let list = match equations(display) {
             Ok(list) => list,
             Err(fault) => {
+                // It may be a hypothesis.
+                let mut words = display.rows.iter().flat_map(|row| &row.clauses).map(|c| first_word(&c.text));
+                if words.any(|word| ["assume", "let", "define", "given"].contains(&word)) {
+                    self.broken.get_or_insert(display.span);
+                }
                 let number = display.rows.iter().find_map(|row| row.number.as_ref());
                 let head = Head { number: number.cloned(), ..self.head(None, None, display.span) };
                 return self.push(head, Outcome::NotRead(vec![fault]));
@@ -388,7 +394,13 @@ impl<'l> Assembly<'l> {
             .enumerate()
             .take_while(|(i, t)| t.char().is_some_and(|c| c.is_ascii_alphabetic()) && (*i == 0 || !t.apart));
         let run: String = run.filter_map(|(_, t)| t.char()).collect();
-        let found = if run.len() > 1 { Some((run.clone(), run.len())) } else { base(tokens, 0).map_err(one)? };
+        let mut found = if run.len() > 1 { Some((run.clone(), run.len())) } else { base(tokens, 0).map_err(one)? };
+        // The change of a quantity is one name.
+        if let Some(("\\Delta", at)) = found.as_ref().map(|(first, at)| (first.as_str(), *at))
+            && let Some((second, next)) = base(tokens, at).map_err(one)?
+        {
+            found = Some((format!("\\Delta {second}"), next));
+        }
         let Some((first, next)) = found.filter(|found| found.1 <= sign) else {
             return Err(one(no_name(span)));
         };
@@ -433,7 +445,14 @@ impl<'l> Assembly<'l> {
         let bound = parameters.clone();
         let value = self.with_scope(said, local, |scope| {
             scope.bound = bound.clone();
-            whole(&value[..end], scope, |reader| reader.sum())
+            let read = whole(&value[..end], scope, |reader| reader.sum())?;
+            match scope.double_sign {
+                Some(span) => {
+                    let help = "define each of the two values by a name of its own";
+                    Err(refused("one of two values in a definition", help, span))
+                }
+                None => Ok(read),
+            }
         })?;
         let mut text = lines_of(local);
         let list: Vec<&str> = parameters.iter().map(|p| p.1.as_str()).collect();
@@ -475,7 +494,15 @@ impl<'l> Assembly<'l> {
             let read = read(&mut scope);
             let missing = scope.missing.take();
             let fault = match (read, &first) {
-                (Ok(value), None) => return Ok(value),
+                (Ok(value), None) => {
+                    // What a comment declares behind a definition that was not read is not what the paper means.
+                    let is_more = |key: &String| self.names.count.get(key) > names.count.get(key);
+                    let Some((_, definition)) = self.undefined.iter().find(|(key, _)| is_more(key)) else {
+                        return Ok(value);
+                    };
+                    self.needed = Some(*definition);
+                    return Err(vec![refused("its definition is not read", "correct the definition", *definition)]);
+                }
                 (Ok(_), Some(_)) => break,
                 (Err(fault), _) => fault,
             };

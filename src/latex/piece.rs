@@ -81,5 +81,6 @@ pub(crate) fn product(mut factors: Vec<(bool, Piece)>) -> Piece {
         }
         text.append(&factor.at_least(4));
     }
-    Piece { factors, ..Piece::new(text, 3) }
+    let is_vector = factors.iter().any(|(_, factor)| factor.is_vector);
+    Piece { factors, is_vector, ..Piece::new(text, 3) }
 }

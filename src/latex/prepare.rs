@@ -6,7 +6,7 @@
 use super::binding::relation_of;
 use super::macros::group;
 use super::refusal::refused;
-use super::token::{Kind, Token};
+use super::token::{Kind, Token, words};
 use carom_diagnostic::Diagnostic;
 
 /// Spaces; they separate a factor from a parenthesis that follows it.
@@ -172,6 +172,11 @@ pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
             }
         }
     }
+    let dots = out.iter().rev().take_while(|t| t.is_char('.')).count();
+    if let Some(last) = out.last().filter(|_| dots > 1) {
+        let help = "write what is meant, a sum with its index or a number";
+        return Err(refused("dots at the end of a formula are not read", help, last.span));
+    }
     // A full stop or a comma ends the sentence that the formula belongs to.
     while out.last().is_some_and(|t| {
         matches!(t.char(), Some('.' | ',' | ';'))
@@ -194,6 +199,7 @@ fn blank(tokens: &[Token], at: usize) -> Option<(f64, usize)> {
         let inner = tokens.get(at).filter(|t| t.kind == Kind::Open).and_then(|_| group(tokens, at).ok());
         let is_wide = name.ends_with("phantom") && name != "vphantom";
         return Some(match inner {
+            Some((inner, next)) if name.starts_with("hspace") => (super::form::width(&words(inner)).max(0.0), next),
             Some((inner, next)) => (if is_wide && !inner.is_empty() { 10.0 } else { 0.0 }, next),
             None => (0.0, at),
         });

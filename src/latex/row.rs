@@ -82,8 +82,15 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
             let message = "the row below compares nothing, and this equation may go on in it";
             before.fault = Some(refused(message, help, before.span));
         }
+        let is_stray = !goes_on && decided.is_none() && !out.is_empty() && !compares(&tokens);
         match out.last_mut().filter(|_| goes_on) {
             Some(before) => {
+                let is_behind = decided.is_none() && plain != "multline" && has_condition_behind(&before.tokens);
+                if is_behind && opens_row(&tokens) {
+                    let readings = ["the equation before the condition", "the condition"];
+                    let write = ["put the condition behind the last row", "write `%carom continues`"];
+                    return Err(ambiguous("what this row goes on with", readings, write, row.span));
+                }
                 // A row of `multline` may be one more equation.
                 let goes = decided == Some(true) || links(&before.tokens, &tokens);
                 if let Some(first) = tokens.first() {
@@ -108,7 +115,10 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
                 label: row.label.clone(),
                 number: row.number.clone(),
                 span: row.span,
-                fault: None,
+                fault: is_stray.then(|| {
+                    let help = "write `%carom continues` or `%carom begins`";
+                    refused("this row compares nothing, and it may belong to the row above", help, row.span)
+                }),
             }),
         }
     }
@@ -162,6 +172,10 @@ fn opens(token: &Token) -> bool {
 /// Whether a row goes on with the one before it.
 fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<bool, Diagnostic> {
     let Some(first) = printed(tokens).next() else { return Ok(true) };
+    // Words and signs between statements belong to both rows.
+    if joins(first) || printed(&before.tokens).last().is_some_and(joins) || ends_with_words(&before.tokens) {
+        return Ok(true);
+    }
     if printed(&before.tokens).last().is_some_and(opens) || is_open(&before.tokens) {
         return Ok(true);
     }
@@ -189,6 +203,45 @@ fn continues(cells: &[Vec<Token>], tokens: &[Token], before: &Joined) -> Result<
         }
         _ => Ok(true),
     }
+}
+
+/// Whether a token stands between two statements.
+fn joins(token: &Token) -> bool {
+    const SIGNS: [&str; 8] = ["land", "lor", "wedge", "vee", "forall", "impliedby", "Leftarrow", "Longleftarrow"];
+    token.is_text() || token.is_char(':') || token.command().is_some_and(|name| SIGNS.contains(&name))
+}
+
+/// Whether the last thing in a row is words in braces, as in `x > 0 \\text{ or}`.
+fn ends_with_words(tokens: &[Token]) -> bool {
+    let mut level = 0usize;
+    for (place, token) in tokens.iter().enumerate().rev() {
+        match token.kind {
+            Kind::Close => level += 1,
+            Kind::Open if level == 1 => return place.checked_sub(1).is_some_and(|at| tokens[at].is_text()),
+            Kind::Open => level = level.saturating_sub(1),
+            _ if level == 0 && !is_space(token) => return false,
+            _ => {}
+        }
+    }
+    false
+}
+
+/// Whether words or a comma part a condition or another statement from an equation.
+fn has_condition_behind(tokens: &[Token]) -> bool {
+    let mut level = 0i64;
+    tokens.iter().any(|token| {
+        level += match token.kind {
+            Kind::Open | Kind::Char('(' | '[') => 1,
+            Kind::Close | Kind::Char(')' | ']') => -1,
+            _ => 0,
+        };
+        level == 0 && (token.is_text() || token.is_char(',') || token.is_char(';'))
+    })
+}
+
+/// Whether a row begins with a sign that goes on with an expression.
+fn opens_row(tokens: &[Token]) -> bool {
+    printed(tokens).next().is_some_and(|first| opens(first) || first.is("mp") || is_relation(first))
 }
 
 /// Whether a sign of comparison stands outside of parentheses; a box around an equation is none.

@@ -103,8 +103,14 @@ impl Reader<'_, '_, '_> {
     }
 
     fn disjunction(&mut self) -> Read<Said> {
+        let from = self.at;
         let mut list = vec![self.conjunction()?];
         while self.take_command(&["lor", "vee"]) || self.take_text(&["or"]) {
+            let read = &self.tokens[from..self.at];
+            if read.iter().any(|t| t.is("quad")) || super::expression::top_level(read, ',') {
+                let help = "put parentheses around what belongs together, or write two formulas";
+                return Err(refused("a comma or a wide space before `or`", help, self.since(self.tokens[from].span)));
+            }
             list.push(self.conjunction()?);
         }
         Ok(joined(list, " or ", 3, 4))
@@ -249,6 +255,14 @@ impl Reader<'_, '_, '_> {
     /// `\begin{cases} a = b \\ c = d \end{cases}` alone: all of these statements.
     fn system(&mut self) -> Read<Said> {
         let (rows, next) = self.cases_here()?;
+        let begins = |row: &Vec<Vec<Token>>| {
+            let first = row.iter().flat_map(|cell| super::prepare::printed(cell)).next();
+            first.filter(|t| matches!(t.char(), Some('+' | '-')) || t.is("pm") || t.is("mp")).map(|t| t.span)
+        };
+        if let Some(span) = rows.iter().skip(1).find_map(begins) {
+            let help = "end the row before with the sign, or write the equation the other way round";
+            return Err(refused("a row of a system that begins with a sign", help, span));
+        }
         let list: Read<Vec<Said>> =
             rows.iter().map(|row| self.inside(&ended(&side_by_side(row)), |inside| inside.statement())).collect();
         self.at = next;

@@ -20,6 +20,22 @@ pub(crate) fn structured(tokens: &[Token]) -> Vec<Token> {
         }
         let next = match name {
             "iffalse" => passed_over(tokens, at),
+            "iftrue" => {
+                let (end, last) = branch(tokens, at);
+                out.extend(structured(&tokens[at + 1..end]));
+                last
+            }
+            // Of some packages a condition has its branches in braces, and no `\fi`.
+            name if is_condition(name) && branch(tokens, at).1 < tokens.len() => {
+                let (_, last) = branch(tokens, at);
+                // What may not print is not read; if it is a formula or a comment to Carom, that is a fault.
+                let shows =
+                    |t: &Token| matches!(t.kind, Kind::Comment(_) | Kind::Dollar(2)) || t.is("[") || t.is("begin");
+                if tokens[at + 1..last].iter().any(shows) {
+                    out.push(Token { kind: Kind::Command(UNKNOWN.to_string()), ..token.clone() });
+                }
+                last
+            }
             _ if defines(name) => {
                 let next = macros.define(tokens, at).unwrap_or(at + 1);
                 out.extend_from_slice(&tokens[at..next]);
@@ -42,6 +58,27 @@ pub(crate) fn structured(tokens: &[Token]) -> Vec<Token> {
     out
 }
 
+/// What stands for a condition that is not known, with a formula in it.
+const UNKNOWN: &str = "if…";
+
+/// Whether a command stands for a condition that is not known.
+pub(crate) fn is_unknown_condition(name: &str) -> bool {
+    name == UNKNOWN
+}
+
+/// Whether a command begins a condition that ends with `\fi`.
+fn is_condition(name: &str) -> bool {
+    name.starts_with("if") && name != "iff" && name != "ifthenelse"
+}
+
+/// Where the first branch of a condition at `at` ends, and where to read on behind its `\fi`.
+fn branch(tokens: &[Token], at: usize) -> (usize, usize) {
+    let end = passed_over(tokens, at);
+    let is_else = end.checked_sub(1).is_some_and(|at| tokens[at].is("else"));
+    let last = if is_else { passed_over(tokens, end - 1) } else { end };
+    (end.saturating_sub(1).max(at + 1).min(tokens.len()), last)
+}
+
 /// Where to read on behind an `\iffalse`: behind its `\else` or its `\fi`.
 fn passed_over(tokens: &[Token], at: usize) -> usize {
     let mut level = 0usize;
@@ -52,7 +89,7 @@ fn passed_over(tokens: &[Token], at: usize) -> usize {
             "else" if level == 0 => return place + 1,
             "fi" => level -= 1,
             // `\iff` and `\ifthenelse` have no `\fi`.
-            _ if name.starts_with("if") && name != "iff" && name != "ifthenelse" => level += 1,
+            _ if is_condition(name) => level += 1,
             _ => {}
         }
     }

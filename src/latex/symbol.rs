@@ -72,7 +72,7 @@ impl Reader<'_, '_, '_> {
                 self.no_unit(&symbol, at)?;
                 let mut piece = Piece::atom(&name, symbol.span);
                 piece.name = is_variable.then_some(name);
-                piece.is_vector = VECTORS.iter().any(|mark| symbol.base.starts_with(mark));
+                piece.is_vector = VECTORS.iter().any(|mark| symbol.base.contains(mark));
                 Ok(piece)
             }
             Meaning::Said(said) => Ok(Piece::new(Placed::new(&format!("({said})"), symbol.span), 5)),
@@ -276,12 +276,14 @@ impl Reader<'_, '_, '_> {
     /// Whether what stands before a place ends a number, or a group that may.
     fn is_behind_number(&self, at: usize) -> bool {
         let before = self.tokens[..at].iter().rev().find(|t| !is_space(t));
-        before.is_some_and(|t| t.kind == Kind::Close || t.char().is_some_and(|c| c.is_ascii_digit()))
+        before.is_some_and(|t| t.kind == Kind::Close || t.char().is_some_and(|c| c.is_ascii_digit() || c == ')'))
     }
 
     /// Refuses an upright name behind a number that is a unit's as well: `5\,\mathrm{m}`.
     fn no_unit(&self, symbol: &Symbol, at: usize) -> Read<()> {
-        if !is_upright(&self.tokens[at]) || !self.is_behind_number(at) || Unit::read(&symbol.base).is_err() {
+        let is_set_upright = is_upright(&self.tokens[at])
+            || (self.tokens[at].kind == Kind::Open && self.tokens.get(at + 1).is_some_and(is_upright));
+        if !is_set_upright || !self.is_behind_number(at) || Unit::read(&symbol.base).is_err() {
             return Ok(());
         }
         let key = symbol.key();
@@ -298,7 +300,14 @@ impl Reader<'_, '_, '_> {
         let (is_inverse, at) = behind.map_or((false, self.at), |(inner, next)| {
             (matches!(inner, [sign, one] if sign.is_char('-') && one.is_char('1')), next)
         });
-        if !self.tokens.get(at).is_some_and(|t| t.is_char('(')) {
+        let mut at = at;
+        // A space parts a factor from a parenthesis, but `\!` takes space away.
+        while self.tokens.get(at).is_some_and(|t| t.is("!")) {
+            at += 1;
+        }
+        // Braces do not print.
+        at += usize::from(self.tokens.get(at).is_some_and(|t| t.kind == Kind::Open));
+        if !self.tokens.get(at).is_some_and(|t| matches!(t.char(), Some('(' | '[')) || t.is("{") || t.is("lbrace")) {
             return Ok(());
         }
         let here = std::mem::replace(&mut self.at, at);

@@ -80,7 +80,8 @@ impl Token {
 }
 
 /// Environments whose text is no LaTeX.
-const VERBATIM: &[&str] = &["verbatim", "verbatim*", "lstlisting", "minted", "comment", "Verbatim"];
+const VERBATIM: &[&str] =
+    &["verbatim", "verbatim*", "lstlisting", "minted", "comment", "Verbatim", "filecontents", "filecontents*"];
 
 /// Signs, and the commands that print alike.
 const SIGNS: &[(char, &str)] = &[

@@ -130,7 +130,7 @@ impl<'a> Recurrence<'a> {
             ExprKind::Name(name) => self.is_natural(e) || !self.values.partial.contains(name),
             ExprKind::Product(list) => list.iter().all(|(factor, a)| *factor == Factor::Times || self.is_not_zero(a)),
             ExprKind::Power(base, exponent) => match number(exponent) {
-                Some((top, below)) if below == 1 => top >= 0 || self.is_not_zero(base),
+                Some((top, 1)) => top >= 0 || self.is_not_zero(base),
                 Some((top, _)) if top > 0 => self.is_not_negative(base),
                 _ => self.is_positive(base) || self.is_natural(exponent),
             },
