@@ -34,6 +34,11 @@ fn found(drop: &Drop) -> Result<Found, ChainError> {
     Ok(Found { velocities, rise: ends(drop.rise()?), height: drop.rises_to()?.map(ends), last })
 }
 
+/// Whether no other ball can hit the highest one again, so that its rise after one pass is its rise.
+pub(crate) fn rises_for_good(drop: &Drop) -> bool {
+    found(drop).is_ok_and(|found| found.last)
+}
+
 /// A number, or a centre with its reach.
 fn shown((lo, hi): &(Rational, Rational), digits: u64) -> Result<String, ChainError> {
     match plus_minus(lo, hi) {

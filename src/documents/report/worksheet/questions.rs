@@ -8,6 +8,7 @@ use super::setting::length;
 use super::{Part, Style, Subject, Units, number};
 use crate::number::NumberError;
 use crate::number::decimal::{Decimal, Rounding, bits_of_digits};
+use crate::report::drop::rises_for_good;
 use crate::table::later::Later;
 use crate::table::worksheet::{Entry, Worksheet};
 use malachite::Rational;
@@ -152,7 +153,7 @@ fn lost(subject: &Subject<'_>) -> Option<Question> {
 
 /// To how many times the height the highest ball rises.
 fn rise(subject: &Subject<'_>) -> Option<Question> {
-    let rise = subject.drop?.rise().ok()?;
+    let rise = subject.drop.filter(|drop| rises_for_good(drop))?.rise().ok()?;
     let bounds = [0u32, 1, 2, 4].map(Rational::from);
     let [_, one, two, four] = &bounds;
     let (lo, hi) = (rise.lo(), rise.hi());
@@ -226,7 +227,8 @@ pub(super) fn comparison(
         let ask = format!("How much kinetic energy do {} turn into other forms?", which(subject.worksheet));
         asked.extend(answer.map(|answer| (ask, answer)));
     }
-    if let Some(drop) = subject.drop
+    // Where another ball hits it again, its rise after one pass is not how high it rises.
+    if let Some(drop) = subject.drop.filter(|drop| rises_for_good(drop))
         && let Ok(rise) = drop.rise()
     {
         let height = match drop.rises_to() {

@@ -55,18 +55,28 @@ impl Words<'_> {
             return;
         }
         let put_in = self.put_in(seen);
+        // Facts that give the factors their signs are a part of it.
+        let mut all: Vec<Label> = Vec::new();
+        let signs = seen.used.by.iter().filter(|label| !put_in.contains(label) && !self.absurd.contains(*label));
+        for label in facts.iter().chain(signs) {
+            // Parts of one fact are cited once.
+            let said = |label: &Label| format!("{:?}", self.cited(label));
+            if !all.iter().any(|known| known == label || said(known) == said(label)) {
+                all.push(label.clone());
+            }
+        }
         let mut lead = Vec::new();
-        if facts.len() > 1 && put_in.is_empty() {
-            lead.extend(self.cited_all(facts));
+        if !put_in.is_empty() {
+            lead.push(say("With "));
+            lead.extend(self.cited_all(&put_in));
+            lead.push(say(" substituted, "));
+        }
+        if all.len() > 1 {
+            lead.extend(self.cited_all(&all));
             lead.push(say(" contradict each other"));
         } else {
-            lead.push(say("But "));
-            if !put_in.is_empty() {
-                lead.push(say("with "));
-                lead.extend(self.cited_all(&put_in));
-                lead.push(say(" substituted, "));
-            }
-            lead.extend(self.cited_all(facts));
+            lead.push(say(if put_in.is_empty() { "But " } else { "" }));
+            lead.extend(self.cited_all(&all));
             lead.push(say(" becomes "));
             lead.push(Piece::Prop(seen.show.prop.clone()));
         }
