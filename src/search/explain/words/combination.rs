@@ -67,7 +67,7 @@ impl Words<'_> {
         }
         let mut lead = Vec::new();
         if !put_in.is_empty() {
-            lead.push(say("With "));
+            lead.push(say("But with "));
             lead.extend(self.cited_all(&put_in));
             lead.push(say(" substituted, "));
         }
