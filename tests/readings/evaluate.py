@@ -246,13 +246,15 @@ class Evaluator(Values):
     def one_sided(self, body, name, natural, center, side, target, env):
         """Whether the values come to the target; None where that is not clear."""
         scales = [LONG, STEEP] if natural and is_long(self.claim, body) else [FAR, LONG, STEEP]
+        # Powers of a number so near to 1 show only far out where they go: x/1.001^x grows at first.
+        slow = any(isinstance(v, (int, mpf)) and 0 < abs(v - 1) < mpf("0.05") for v in env.values())
         for scale in scales:
             before, self.in_limit = self.in_limit, True
             try:
                 held = self.along(scale, body, name, natural, center, side, target, env)
             finally:
                 self.in_limit = before
-            if held is not None:
+            if held or held is False and (scale is FAR or not slow):
                 return held
         return None
 
