@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Optional, Union
+from typing import Optional, Tuple, Union
 
 Text = Union[str, "os.PathLike[str]"]
 """A text, or a file that holds it: a :class:`pathlib.Path`, or a name of one line with the right ending."""
@@ -33,13 +33,17 @@ PAPERS = (".tex", ".ltx", ".md", ".markdown")
 
 def is_paper(text: Text) -> bool:
     """Whether this is the name of a paper's file."""
-    name = os.fspath(text)
-    return "\n" not in name and name.endswith(PAPERS)
+    return _is_name(os.fspath(text), PAPERS)
+
+
+def _is_name(text: str, endings: Tuple[str, ...]) -> bool:
+    """Whether a text is the name of a file: one line with such an ending."""
+    return "\n" not in text and text.endswith(endings)
 
 
 def source_of(text: Text, *endings: str) -> Source:
     """The text itself, or that of the file; a file that cannot be read is an :class:`OSError`."""
-    if isinstance(text, str) and not ("\n" not in text and text.endswith(endings)):
+    if isinstance(text, str) and not _is_name(text, endings):
         return Source(text, None)
     path = os.fspath(text)
     with open(path, encoding="utf-8-sig") as file:

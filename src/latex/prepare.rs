@@ -79,27 +79,20 @@ const BLANK: &[&str] = &["phantom", "hspace", "vspace", "vphantom", "hphantom", 
 pub(crate) fn printed(tokens: &[Token]) -> impl Iterator<Item = &Token> {
     let mut at = 0;
     std::iter::from_fn(move || {
-        while let Some(token) = tokens.get(at) {
-            let Some(name) = token.command() else {
-                at += 1;
-                match token.kind {
-                    Kind::Open | Kind::Close => continue,
-                    _ if token.is_char('~') => continue,
-                    _ => return Some(token),
-                }
-            };
-            at += 1;
-            if BLANK.contains(&name) {
-                at += usize::from(tokens.get(at).is_some_and(|t| t.is_char('*')));
-                at = group(tokens, at).map_or(at, |found| found.1);
+        loop {
+            if let Some((_, next)) = blank(tokens, at) {
+                at = next;
                 continue;
             }
-            let spaces = SPACES.contains(&name) || LOOKS.contains(&name) || name.ends_with("quad");
-            if !spaces && !super::form::CLASSES.contains(&name) && name != "left" && name != "right" {
+            let token = tokens.get(at)?;
+            at += 1;
+            let is_form = |name: &str| {
+                LOOKS.contains(&name) || super::form::CLASSES.contains(&name) || name == "left" || name == "right"
+            };
+            if !matches!(token.kind, Kind::Open | Kind::Close) && !token.command().is_some_and(is_form) {
                 return Some(token);
             }
         }
-        None
     })
 }
 
@@ -241,7 +234,7 @@ fn braced_comma(tokens: &[Token], at: usize) -> bool {
 }
 
 /// Whether the last token closes a `\text{…}`.
-fn after_text(tokens: &[Token]) -> bool {
+pub(crate) fn after_text(tokens: &[Token]) -> bool {
     if tokens.last().is_none_or(|t| t.kind != Kind::Close) {
         return false;
     }

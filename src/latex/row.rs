@@ -8,7 +8,7 @@ use super::comment::first_word;
 use super::document::{Clause, Display};
 use super::expression::is_space;
 use super::form::shows_its_argument;
-use super::prepare::printed;
+use super::prepare::{after_text, printed};
 use super::refusal::{ambiguous, refused};
 use super::token::{Kind, Token};
 use carom_checker::claim::parse::is_keyword;
@@ -213,17 +213,8 @@ fn joins(token: &Token) -> bool {
 
 /// Whether the last thing in a row is words in braces, as in `x > 0 \\text{ or}`.
 fn ends_with_words(tokens: &[Token]) -> bool {
-    let mut level = 0usize;
-    for (place, token) in tokens.iter().enumerate().rev() {
-        match token.kind {
-            Kind::Close => level += 1,
-            Kind::Open if level == 1 => return place.checked_sub(1).is_some_and(|at| tokens[at].is_text()),
-            Kind::Open => level = level.saturating_sub(1),
-            _ if level == 0 && !is_space(token) => return false,
-            _ => {}
-        }
-    }
-    false
+    let end = tokens.iter().rposition(|token| !is_space(token)).map_or(0, |last| last + 1);
+    after_text(&tokens[..end])
 }
 
 /// Whether words or a comma part a condition or another statement from an equation.

@@ -85,8 +85,7 @@ fn passed_over(tokens: &[Token], at: usize) -> usize {
     for (place, token) in tokens.iter().enumerate().skip(at + 1) {
         let Kind::Command(name) = &token.kind else { continue };
         match name.as_str() {
-            "fi" if level == 0 => return place + 1,
-            "else" if level == 0 => return place + 1,
+            "fi" | "else" if level == 0 => return place + 1,
             "fi" => level -= 1,
             // `\iff` and `\ifthenelse` have no `\fi`.
             _ if is_condition(name) => level += 1,

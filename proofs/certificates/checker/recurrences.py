@@ -4,10 +4,8 @@ A hypothesis says of its expressions that they have values, which a definition d
 """
 from .author import MADE
 from .claims import need, nodes
-from .everywhere import is_above_zero, Values
+from .everywhere import EVERYWHERE, is_above_zero, Values
 from .signs import number
-
-EVERYWHERE = ("abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh", "sin", "cos")
 
 
 def need_values(items):
@@ -60,7 +58,7 @@ class Known:
                 here = all(self.not_negative(a, index) for a in arguments)
             elif word == "ln":
                 here = all(self.positive(a, index) for a in arguments)
-            elif word in EVERYWHERE:
+            elif word in EVERYWHERE or word in ("sin", "cos"):
                 here = word not in self.values.partial
             else:
                 here = word in self.members or word in self.families and all(self.whole(a, index) for a in arguments)

@@ -9,12 +9,14 @@ use super::syntax::*;
 use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Functions with a value at every real number.
+const EVERYWHERE: [&str; 8] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh"];
+
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
 /// and by what is positive by its form, and nothing in it has another condition. `named` says of a name whether what it
 /// stands for has a value, `positive` whether it is declared positive; families, definitions with parameters, sums and products
 /// are taken to have conditions.
 pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool, positive: &dyn Fn(&str) -> bool) -> bool {
-    const EVERYWHERE: [&str; 8] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh"];
     let mut all = match &e.kind {
         ExprKind::Product(list) => list.iter().all(|(factor, a)| {
             *factor == Factor::Times || number(a).is_some_and(|(top, _)| top != 0) || is_positive(a, positive)
@@ -124,7 +126,6 @@ struct Recurrence<'a> {
 
 impl<'a> Recurrence<'a> {
     fn exists(&self, e: &'a Expr) -> bool {
-        const EVERYWHERE: [&str; 10] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh", "sin", "cos"];
         let own = match &e.kind {
             ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
             ExprKind::Name(name) => self.is_natural(e) || !self.values.partial.contains(name),
@@ -137,7 +138,9 @@ impl<'a> Recurrence<'a> {
             ExprKind::Apply(f, arguments) => match f.text.as_str() {
                 "sqrt" | "cbrt" => arguments.iter().all(|a| self.is_not_negative(a)),
                 "ln" => arguments.iter().all(|a| self.is_positive(a)),
-                word if EVERYWHERE.contains(&word) => !self.values.partial.contains(word),
+                word if EVERYWHERE.contains(&word) || word == "sin" || word == "cos" => {
+                    !self.values.partial.contains(word)
+                }
                 word if self.members.iter().any(|u| u.text == word) => true,
                 word => self.values.families.contains_key(word) && arguments.iter().all(|a| self.is_natural(a)),
             },

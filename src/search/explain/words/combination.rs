@@ -70,13 +70,13 @@ impl Words<'_> {
             lead.push(say("But with "));
             lead.extend(self.cited_all(&put_in));
             lead.push(say(" substituted, "));
+        } else if all.len() <= 1 {
+            lead.push(say("But "));
         }
+        lead.extend(self.cited_all(&all));
         if all.len() > 1 {
-            lead.extend(self.cited_all(&all));
             lead.push(say(" contradict each other"));
         } else {
-            lead.push(say(if put_in.is_empty() { "But " } else { "" }));
-            lead.extend(self.cited_all(&all));
             lead.push(say(" becomes "));
             lead.push(Piece::Prop(seen.show.prop.clone()));
         }
