@@ -23,7 +23,7 @@ from checker.claims import (
     num, Parser, plus, put, Refused, same, single, subtrees, text,
 )
 from checker.logic import Logic
-from checker.signs import NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES
+from checker.signs import ANY, NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES
 from checker.terms import atom, coefficients, F, ONE, primes, total, ZERO
 
 sys.setrecursionlimit(20000)
@@ -69,10 +69,26 @@ class Checker(Logic):
             need(n in FUNCTIONS or self.is_declared(n), f"{n} is not declared here")
         for p in facts:
             self.know(f"h{next(count)}", p)
-        for u, initial, k, step in claim.sequences:
-            known = self.known(self.facts, ())
-            self.defined(initial, known)
-            self.inside({k: self.variable(k, True)}, lambda: self.defined(step, known))
+        for sequence in claim.sequences:
+            for signs in (ANY, POSITIVE, NOT_NEGATIVE):
+                try:
+                    self.members(*sequence, signs)
+                    self.signs_of_members[sequence[0]] = signs
+                    break
+                except Refused:
+                    if signs == NOT_NEGATIVE:
+                        raise
+
+    def members(self, u, initial, k, step, signs):
+        """Whether each member of a sequence has a value and one of these signs, by induction."""
+        known = self.known(self.facts, ())
+        self.defined(initial, known)
+        self.show(initial, signs, known)
+        def inside():
+            self.note(self.read(N("call", u, (N("name", k),))), signs, known)
+            self.defined(step, known)
+            self.show(step, signs, known)
+        self.inside({k: self.variable(k, True)}, inside)
 
     def domains(self, b):
         yield from domain([b])

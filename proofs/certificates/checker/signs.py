@@ -1,13 +1,14 @@
 """Signs, and when an expression has a value: sections 6 and 7 of docs/certificates.md."""
+from copy import copy
 from fractions import Fraction as Q
 
 from checker.claims import conjuncts, constraints, domain, N, need, nodes, Refused, single, text
-from checker.terms import atom, F, factored, ONE, size, Terms, the_atom, total
+from checker.terms import atom, F, factored, ONE, poly_product, size, Terms, the_atom, total
 
 # A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
 SIGNS = {"=": 2, "!=": 5, "<": 1, "<=": 3, ">": 4, ">=": 6}
 NOT_ZERO, POSITIVE, NOT_NEGATIVE, ANY = 5, 4, 6, 7
-SHOWN = {5: "other than 0", 4: "positive", 6: "at least 0"}
+SHOWN = {5: "other than 0", 4: "positive", 6: "at least 0", 7: "a number"}
 
 
 def sign(q):
@@ -32,11 +33,19 @@ def sign_power(s, k):
 class Known:
     """What a step reads from the facts under `by` and `using`."""
 
-    def __init__(self, notes=(), equations=(), for_all=()):
+    def __init__(self, notes=(), equations=(), for_all=(), ranges=()):
         self.notes, self.equations, self.for_all = dict(notes), list(equations), list(for_all)
+        # (the atom of an index, its first value, its last)
+        self.ranges = list(ranges)
 
     def copy(self):
-        return Known(self.notes, self.equations, self.for_all)
+        return Known(self.notes, self.equations, self.for_all, self.ranges)
+
+    def under(self, *range_):
+        """The same with one more range, to read signs only."""
+        out = copy(self)
+        out.ranges = self.ranges + [range_]
+        return out
 
 
 class TooLong(Refused):
@@ -116,6 +125,22 @@ def whole_by_form(e, is_whole_name):
         return inner(e[1]) and k is not None and k >= 0 and k.denominator == 1
     divides = e[0] == "prod" and any(operator == "/" for operator, _ in e[1])
     return e[0] in ("neg", "sum", "prod") and not divides and all(map(inner, nodes(e)))
+
+
+def put_in(p, atom, value, degree=20):
+    """The polynomial p with another for an atom, if its degree in the atom is at most this."""
+    out = {}
+    for m, c in p:
+        powers = dict(m)
+        k = powers.pop(atom, 0)
+        if k > degree:
+            return None
+        term = {tuple(sorted(powers.items())): c}
+        for _ in range(k):
+            term = poly_product(term, value)
+        for m, d in term.items():
+            out[m] = out.get(m, 0) + d
+    return out
 
 
 class Values(Terms):
@@ -214,15 +239,28 @@ class Values(Terms):
         return out
 
     def poly_signs(self, p, known, found):
-        if the_atom(p) is not None:
-            return self.atom_signs(the_atom(p), known, found)
+        one = the_atom(p)
+        out = self.sum_signs(p, known, found) if one is None else self.atom_signs(one, known, found)
+        out &= known.notes.get(p, ANY)
+        for index, *ends in known.ranges:
+            atoms = F(1, {p: 1}).atoms()
+            if out not in (1, 2, 4) and index in atoms and not any(index in self.free_in(atom(a)) for a in atoms - {index}):
+                # index = first + j = last - k with natural j and k; its atom stands for them.
+                for end, one in zip(ends, (1, -1)):
+                    c, end = end.expanded()
+                    read = put_in(p, index, {((index, 1),): one, **{m: c * d for m, d in end.items()}})
+                    if read is not None:
+                        out &= self.sum_signs(read.items(), known, {**found, index: NOT_NEGATIVE})
+        return out
+
+    def sum_signs(self, terms, known, found):
         out = 2
-        for m, c in p:
+        for m, c in terms:
             term = sign(c)
             for a, k in m:
                 term = TIMES[term][sign_power(self.atom_signs(a, known, found), k)]
             out = PLUS[out][term]
-        return out & known.notes.get(p, ANY)
+        return out
 
     def atom_signs(self, a, known, found):
         if a not in found:
@@ -243,11 +281,16 @@ class Values(Terms):
                 return POSITIVE if not base & 2 or inner[1].factors else NOT_NEGATIVE
             return next((s for s in (POSITIVE, NOT_NEGATIVE, NOT_ZERO) if not base & ~s), ANY)
         if kind == "over":
-            body = self.fraction_signs(inner[4], known, found)
-            kinds = (NOT_NEGATIVE,) if inner[0] == "sum" else (POSITIVE, NOT_NEGATIVE, NOT_ZERO)
+            kind, depth, low, high, body = inner
+            index = self.intern(("index", depth))
+            if any(r[0] == index for r in known.ranges):
+                return ANY
+            body = self.fraction_signs(body, known.under(index, low, high), {})
+            kinds = (NOT_NEGATIVE,) if kind == "sum" else (POSITIVE, NOT_NEGATIVE, NOT_ZERO)
             return next((s for s in kinds if not body & ~s), ANY)
         out = ANY
         if kind == "member":
+            out = self.signs_of_members.get(inner[0], ANY)
             indices = self.families[inner[0]][4] if inner[0] in self.families else None
             whole = [("range", True, *indices, True)] if indices else []
             for _, (binding,), body in known.for_all:
@@ -330,6 +373,7 @@ class Values(Terms):
     def at_index(self, name, low, high, known, run):
         """Runs something where a name is a natural number between low and high."""
         index = self.variable(name, True)
+        known.ranges.append((index, low, high))
         for f in (atom(index) - low, high - atom(index)):
             self.learn_signs(f, NOT_NEGATIVE, known)
         self.learn_for_all(index, known)

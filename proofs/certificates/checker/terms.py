@@ -186,6 +186,7 @@ class Terms:
         self.equations, self.depth, self.serial = [], 0, 0
         self.families = {n: b for b in claim.given for n, i in b[1] if i is not None}
         self.sequences = {u[0]: u for u in claim.sequences}
+        self.signs_of_members = {}
 
     # Names and atoms.
     def is_declared(self, n):

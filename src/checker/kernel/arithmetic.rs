@@ -408,31 +408,15 @@ impl Checker {
         }
         // Every index of the range lies in the domain of the fact.
         let (low, high) = (self.fraction(&i.from)?, self.fraction(&i.to)?);
-        self.binders += 1;
-        let (bound, before) = (self.binders, known.mark());
-        let place = Fraction::atom(self.intern(Atom::Bound(bound)));
-        let mut inside = || -> Result<bool, Refusal> {
-            for difference in [place.minus(&low, &self.work)?, high.minus(&place, &self.work)?] {
-                self.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
-            }
-            self.scope.push(super::Variable { name: variable.text.clone(), natural: true, atom: Atom::Bound(bound) });
+        self.at_index(&variable.text, &low, &high, known, |checker, known| {
             for fact in constraints(binding, &name(&variable.text)) {
-                let (difference, relation) = self.difference(&fact, known)?;
-                if !self.signs_of(&difference, known)?.within(Signs::of(relation)) {
-                    return Ok(false);
+                let (difference, relation) = checker.difference(&fact, known)?;
+                if !checker.signs_of(&difference, known)?.within(Signs::of(relation)) {
+                    return rejected(Reason::NotTermwise);
                 }
             }
-            Ok(true)
-        };
-        let result = inside();
-        // The index leaves the scope with the step; see `step`.
-        known.back_to(before);
-        self.binders -= 1;
-        self.scope.retain(|v| v.atom != Atom::Bound(bound));
-        match result? {
-            true => Ok(()),
-            false => rejected(Reason::NotTermwise),
-        }
+            Ok(())
+        })
     }
 
     /// Rule `name`: `E = r`, where r is a name that is not in use; from here on it stands for that number, to the end of

@@ -5,7 +5,7 @@
 //! edge of what has a value, the kernel asks for more.
 
 use super::fraction::Fraction;
-use super::known::Known;
+use super::known::{Known, Range};
 use super::order::Signs;
 use super::statement::{constraints, domain, name};
 use super::term::Atom;
@@ -43,7 +43,7 @@ impl Checker {
         Ok(self.signs_of_expr(e, known)?.within(signs))
     }
 
-    fn need(&mut self, e: &Expr, signs: Signs, known: &Known) -> Result<(), Refusal> {
+    pub(super) fn need(&mut self, e: &Expr, signs: Signs, known: &Known) -> Result<(), Refusal> {
         if self.is(e, signs, known)? {
             return Ok(());
         }
@@ -72,19 +72,8 @@ impl Checker {
                 if !self.signs_of(&room, known)?.within(Signs::NOT_NEGATIVE) {
                     return rejected(Reason::Range(e.clone()));
                 }
-                self.binders += 1;
-                let (bound, before) = (self.binders, known.mark());
-                let result = self.under(&index.name.text, bound, |checker| {
-                    let place = Fraction::atom(checker.intern(Atom::Bound(bound)));
-                    for difference in [place.minus(&from, &checker.work)?, to.minus(&place, &checker.work)?] {
-                        checker.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
-                    }
-                    checker.learn_for_all(&Atom::Bound(bound), known)?;
-                    checker.defined(body, known)
-                });
-                self.binders -= 1;
-                known.back_to(before);
-                return result;
+                return self
+                    .at_index(&index.name.text, &from, &to, known, |checker, known| checker.defined(body, known));
             }
             ExprKind::Derivative(body, _) => self.defined(body, known)?,
             ExprKind::Apply(f, arguments) if self.is_member(&f.text) => {
@@ -128,6 +117,32 @@ impl Checker {
             }
         }
         Ok(())
+    }
+
+    /// Runs something where a name is a natural number of a range, as the index of a sum.
+    pub(super) fn at_index(
+        &mut self,
+        name: &str,
+        from: &Fraction,
+        to: &Fraction,
+        known: &mut Known,
+        run: impl FnOnce(&mut Checker, &mut Known) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        self.binders += 1;
+        let (bound, before) = (self.binders, known.mark());
+        let result = self.under(name, bound, |checker| {
+            let index = checker.intern(Atom::Bound(bound));
+            known.ranges.push(Range { index, from: checker.whole(from)?, to: checker.whole(to)? });
+            let place = Fraction::atom(index);
+            for difference in [place.minus(from, &checker.work)?, to.minus(&place, &checker.work)?] {
+                checker.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
+            }
+            checker.learn_for_all(&Atom::Bound(bound), known)?;
+            run(checker, known)
+        });
+        self.binders -= 1;
+        known.back_to(before);
+        result
     }
 
     /// Whether an expression that has a value can be differentiated by a variable, however often: bases of powers

@@ -1,6 +1,11 @@
 //! The first facts: the domains and hypotheses of a claim, and that its sequences have values.
 
+use super::fraction::Poly;
+use super::known::Known;
 use super::names::names_in;
+use super::order::Signs;
+use super::statement::Sequence;
+use super::term::Atom;
 use super::{Checker, Reason, Refusal, cited, quantifier, rejected, statement, term};
 use crate::certificate::Label;
 use std::collections::BTreeSet;
@@ -40,19 +45,50 @@ impl Checker {
         // Every member has a value, so that a member is one wherever its index is a natural number.
         let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
         for u in &statement.sequences {
-            let mut known = self.known(&all, &[])?;
-            let of_member = |refusal: Refusal| match refusal {
-                Refusal::Rejected(because) => Refusal::Rejected(Reason::Member(u.name.clone(), Box::new(because))),
-                limit => limit,
-            };
-            self.defined(&u.initial, &mut known).map_err(of_member)?;
-            self.binders += 1;
-            let bound = self.binders;
-            let result = self.under(&u.index, bound, |checker| checker.defined(&u.step, &mut known));
-            self.binders -= 1;
-            result.map_err(of_member)?;
-            self.assumed.extend(cited(known.used().0, &all));
+            let (scope, binders) = (self.scope.len(), self.binders);
+            let mut refused = None;
+            for signs in [Signs::ANY, Signs::POSITIVE, Signs::NOT_NEGATIVE] {
+                let mut known = self.known(&all, &[])?;
+                match self.members(u, signs, &mut known) {
+                    Ok(()) => {
+                        self.assumed.extend(cited(known.used().0, &all));
+                        self.signs_of_members.insert(u.name.clone(), signs);
+                        refused = None;
+                        break;
+                    }
+                    Err(Refusal::Rejected(because)) => refused = refused.or(Some(because)),
+                    Err(limit) => return Err(limit),
+                }
+                self.scope.truncate(scope);
+                self.binders = binders;
+            }
+            if let Some(because) = refused {
+                return rejected(Reason::Member(u.name.clone(), Box::new(because)));
+            }
         }
         Ok(())
+    }
+
+    /// Shows that every member of a sequence has a value and one of these signs.
+    ///
+    /// Sound: by induction. u(0) has a value and such a sign; if u(k) has, then the step has, so that u(k + 1) has.
+    fn members(&mut self, u: &Sequence, signs: Signs, known: &mut Known) -> Result<(), Refusal> {
+        self.defined(&u.initial, known)?;
+        self.need(&u.initial, signs, known)?;
+        self.binders += 1;
+        let bound = self.binders;
+        let before = known.mark();
+        let result = self.under(&u.index, bound, |checker| {
+            let index = checker.intern(Atom::Bound(bound));
+            let member = checker.atom_fraction(Atom::Member(u.name.clone(), Poly::atom(index)));
+            if signs != Signs::ANY {
+                checker.learn_signs(&member, signs, known)?;
+            }
+            checker.defined(&u.step, known)?;
+            checker.need(&u.step, signs, known)
+        });
+        self.binders -= 1;
+        known.back_to(before);
+        result
     }
 }

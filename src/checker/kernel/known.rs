@@ -22,6 +22,8 @@ pub(super) struct Known {
     /// The places among them of the signs of each polynomial, in order.
     pub(super) places: BTreeMap<Poly, Vec<usize>>,
     pub(super) equations: Rc<Vec<Equation>>,
+    /// The ranges of the indices in scope.
+    pub(super) ranges: Vec<Range>,
     /// Cited facts for all values of one natural variable, with their places under `by`.
     pub(super) for_all: Vec<(Binding, Prop, usize)>,
     /// The places under `by` that the answers so far rest on.
@@ -66,6 +68,14 @@ pub(super) struct Sign {
     pub(super) put_in: Rc<BTreeSet<usize>>,
 }
 
+/// The whole numbers that an index takes: its atom, and the first and the last of them.
+#[derive(Clone)]
+pub(super) struct Range {
+    pub(super) index: usize,
+    pub(super) from: Poly,
+    pub(super) to: Poly,
+}
+
 /// What a fact says.
 pub(super) enum Lesson {
     /// The signs that a fraction may have, with the places of the equations that were put in to read it.
@@ -78,6 +88,7 @@ pub(super) enum Lesson {
 #[derive(Clone, Copy, Default)]
 pub(super) struct Mark {
     signs: usize,
+    ranges: usize,
     for_all: usize,
 }
 
@@ -138,7 +149,7 @@ impl Known {
 
     /// How much is known, to go back to.
     pub(super) fn mark(&self) -> Mark {
-        Mark { signs: self.signs.len(), for_all: self.for_all.len() }
+        Mark { signs: self.signs.len(), ranges: self.ranges.len(), for_all: self.for_all.len() }
     }
 
     /// Forgets what was learned since.
@@ -148,6 +159,7 @@ impl Known {
                 places.pop();
             }
         }
+        self.ranges.truncate(mark.ranges);
         self.for_all.truncate(mark.for_all);
     }
 

@@ -67,6 +67,7 @@ use crate::claim::definedness::TooLong;
 use crate::claim::syntax::{Claim, Item, Prop};
 use fraction::Work;
 use known::Known;
+use order::Signs;
 use scope::Variable;
 use statement::Statement;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -273,6 +274,8 @@ pub struct Checker {
     rests_on: BTreeSet<String>,
     /// The hypotheses that are used without being cited ([`Accepted::assumed`]).
     assumed: BTreeSet<Label>,
+    /// The signs that all members of a sequence have.
+    signs_of_members: BTreeMap<String, Signs>,
     facts: Vec<Fact>,
     /// The places of the facts by label.
     labels: HashMap<Label, usize>,
@@ -334,6 +337,7 @@ impl Checker {
             cited: Rc::new(cited),
             rests_on: BTreeSet::new(),
             assumed: BTreeSet::new(),
+            signs_of_members: BTreeMap::new(),
             facts: Vec::new(),
             labels: HashMap::new(),
             blocks: Vec::new(),

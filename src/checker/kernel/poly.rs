@@ -163,6 +163,24 @@ impl Poly {
         Poly::collected(pairs.map(|(m, c, n, d)| Ok((monomial_product(m, n)?, product(c, d, work)?))), work)
     }
 
+    /// The polynomial with another in the place of an atom that it holds; none if its degree in the atom is above a limit.
+    pub(super) fn with(&self, atom: usize, value: &Poly, degree: u32, work: &Work) -> Result<Option<Poly>, Refusal> {
+        let mut terms = Vec::new();
+        for (monomial, c) in self.terms() {
+            let k = monomial.iter().find(|p| p.0 == atom).map_or(0, |p| p.1);
+            if k > degree {
+                return Ok(None);
+            }
+            let others = monomial.iter().filter(|p| p.0 != atom).copied().collect();
+            let mut term = Poly::term(others, c.clone());
+            for _ in 0..k {
+                term = term.times(value, work)?;
+            }
+            terms.push(term);
+        }
+        Poly::sum(&terms, work).map(Some)
+    }
+
     /// The partial derivative.
     pub fn derivative(&self, atom: usize) -> Poly {
         let lowered = self.0.iter().filter_map(|(monomial, c)| {

@@ -5,12 +5,13 @@
 //! atom's form says: naturals and roots are not negative, exponentials are positive.
 
 use super::fraction::{Fraction, Poly};
-use super::known::{Known, Sign};
+use super::known::{Known, Range, Sign};
 use super::order::Signs;
 use super::term::Atom;
 use super::tree::{conjuncts, single};
 use super::{Checker, Refusal, key};
 use crate::claim::syntax::*;
+use num_rational::BigRational;
 use num_traits::Signed;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -18,8 +19,20 @@ use std::rc::Rc;
 /// How deep signs of products over an index may nest.
 pub(super) const NESTING: usize = 20;
 
-/// The signs of atoms found so far in one question.
-pub(super) type Found = BTreeMap<usize, Signs>;
+/// Up to which degree in an index a factor is read with the ends of the range put in.
+const RANGE_DEGREE: u32 = 20;
+
+/// One question: the signs of atoms found so far, and the ranges of the indices that what it reads may hold.
+pub(super) struct Found {
+    signs: BTreeMap<usize, Signs>,
+    ranges: Vec<Range>,
+}
+
+impl Found {
+    pub(super) fn new(known: &Known) -> Found {
+        Found { signs: BTreeMap::new(), ranges: known.ranges.clone() }
+    }
+}
 
 impl Checker {
     /// Notes what a sign of a fraction says of the one factor whose sign is open; as it stands, and with the equations.
@@ -45,7 +58,7 @@ impl Checker {
         let mut rest = Signs::of_number(&f.coefficient);
         let mut open = Vec::new();
         for (poly, k) in &f.factors {
-            let signs = self.poly_signs(poly, known, NESTING, &mut Found::new())?.power(*k);
+            let signs = self.poly_signs(poly, known, NESTING, &mut Found::new(known))?.power(*k);
             let strict = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
             if strict { rest = rest.times(signs) } else { open.push((poly.clone(), *k)) }
         }
@@ -123,7 +136,7 @@ impl Checker {
 
     /// The signs of a fraction as it is.
     pub(super) fn signs_as_read(&self, f: &Fraction, known: &Known) -> Result<Signs, Refusal> {
-        self.fraction_signs(f, known, NESTING, &mut Found::new())
+        self.fraction_signs(f, known, NESTING, &mut Found::new(known))
     }
 
     fn fraction_signs(&self, f: &Fraction, known: &Known, depth: usize, found: &mut Found) -> Result<Signs, Refusal> {
@@ -149,7 +162,11 @@ impl Checker {
         Ok(all)
     }
 
-    /// The signs of a polynomial: those noted of it, and those of the sum of its terms.
+    /// The signs of a polynomial: those noted of it, and those of the sum of its terms, also with the ranges of indices
+    /// put in.
+    ///
+    /// Sound: an index i of a range a..b is a + j and b - k for natural numbers j and k. The atom of i stands for them in
+    /// what is read then, and of it nothing is known but that it is natural.
     pub(super) fn poly_signs(
         &self,
         poly: &Poly,
@@ -157,9 +174,40 @@ impl Checker {
         depth: usize,
         found: &mut Found,
     ) -> Result<Signs, Refusal> {
-        if let Some(atom) = poly.single_atom() {
-            return self.atom_signs(atom, known, depth, found);
+        let mut signs = match poly.single_atom() {
+            Some(atom) => self.atom_signs(atom, known, depth, found)?,
+            None => self.sum_signs(poly, known, depth, found)?,
+        };
+        let is_settled =
+            |s: Signs| s.within(Signs::POSITIVE) || s.within(Signs::of(Relation::Less)) || s.within(Signs::ZERO);
+        // What follows from the terms alone need not be asked for.
+        if !is_settled(signs) && poly.single_atom().is_none() {
+            signs = signs.and(self.noted(poly, known)?);
         }
+        for place in 0..found.ranges.len() {
+            let Some(Range { index, from, to }) = found.ranges.get(place).cloned() else { continue };
+            let inside = |atom: usize| self.occurring.get(atom).is_some_and(|all| all.binary_search(&index).is_ok());
+            let alone = poly.atoms().any(|a| a == index) && !poly.atoms().any(|a| a != index && inside(a));
+            if is_settled(signs) || !alone {
+                continue;
+            }
+            let one = |c: i64| Poly::term(vec![(index, 1)], BigRational::from_integer(c.into()));
+            for value in [Poly::sum(&[from, one(1)], &self.work)?, Poly::sum(&[to, one(-1)], &self.work)?] {
+                let Some(read) = poly.with(index, &value, RANGE_DEGREE, &self.work)? else { continue };
+                let of_index = found.signs.insert(index, Signs::NOT_NEGATIVE);
+                let read = self.sum_signs(&read, known, depth, found);
+                match of_index {
+                    Some(before) => found.signs.insert(index, before),
+                    None => found.signs.remove(&index),
+                };
+                signs = signs.and(read?);
+            }
+        }
+        Ok(signs)
+    }
+
+    /// The signs of the sum of a polynomial's terms.
+    fn sum_signs(&self, poly: &Poly, known: &Known, depth: usize, found: &mut Found) -> Result<Signs, Refusal> {
         let mut sum = Signs::ZERO;
         for (monomial, c) in poly.terms() {
             let mut term = Signs::of_number(c);
@@ -168,18 +216,16 @@ impl Checker {
             }
             sum = sum.plus(term);
         }
-        // What follows from the terms alone need not be asked for.
-        let strict = sum.within(Signs::POSITIVE) || sum.within(Signs::of(Relation::Less)) || sum.within(Signs::ZERO);
-        if strict { Ok(sum) } else { Ok(sum.and(self.noted(poly, known)?)) }
+        Ok(sum)
     }
 
     /// The signs of an atom, sought once in each question: an atom may stand in every term.
     fn atom_signs(&self, atom: usize, known: &Known, depth: usize, found: &mut Found) -> Result<Signs, Refusal> {
-        if let Some(signs) = found.get(&atom) {
+        if let Some(signs) = found.signs.get(&atom) {
             return Ok(*signs);
         }
         let signs = self.noted(&Poly::atom(atom), known)?.and(self.structural(atom, known, depth, found)?);
-        found.insert(atom, signs);
+        found.signs.insert(atom, signs);
         Ok(signs)
     }
 
@@ -210,11 +256,19 @@ impl Checker {
                 self.fraction_signs(&shifted, known, depth, found)?
             }
             Some(Atom::Member(name, _)) => self.member_signs(name, known)?,
-            // What is known of an index of this number is said of another sum or product, which is read right now; the
-            // one in this atom, which an equation put in, has all values of its own range.
-            Some(Atom::Over(over)) if self.is_index_known(over.depth, known)? => Signs::ANY,
             Some(Atom::Over(over)) => {
-                let body = self.fraction_signs(&over.body, known, depth, found)?;
+                let Some(index) = self.atom_index.get(&Atom::Bound(over.depth)).copied() else {
+                    return Ok(Signs::ANY);
+                };
+                // What is known of an index of this number is said of another sum or product, which is read right now; the
+                // one in this atom, which an equation put in, has all values of its own range.
+                if found.ranges.iter().any(|r| r.index == index) || self.is_index_known(over.depth, known)? {
+                    return Ok(Signs::ANY);
+                }
+                let mut ranges = found.ranges.clone();
+                ranges.push(Range { index, from: over.from.clone(), to: over.to.clone() });
+                let mut inside = Found { signs: BTreeMap::new(), ranges };
+                let body = self.fraction_signs(&over.body, known, depth, &mut inside)?;
                 // A range may be empty: an empty sum is 0, an empty product 1.
                 let kinds = if over.sum {
                     vec![Signs::NOT_NEGATIVE]
@@ -237,11 +291,11 @@ impl Checker {
         Ok(false)
     }
 
-    /// The signs that cited facts `for all k natural: f(k) relation numeral` give to every member of a family or
-    /// sequence. Such a fact may be for the indices of the family's declaration: other members do not exist.
+    /// The signs that the definition gives to every member of a sequence, and cited facts `for all k natural: f(k) relation
+    /// numeral` to every member of a family or sequence. Such a fact may be for the indices of the family's declaration: other members do not exist.
     fn member_signs(&self, member: &str, known: &Known) -> Result<Signs, Refusal> {
         let indices = self.family(member).and_then(|b| b.indices.as_ref());
-        let mut signs = Signs::ANY;
+        let mut signs = self.signs_of_members.get(member).copied().unwrap_or(Signs::ANY);
         for (binding, body, place) in &known.for_all {
             let for_every_index = match (binding.constraints.as_slice(), indices) {
                 ([], _) => true,

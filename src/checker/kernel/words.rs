@@ -46,8 +46,8 @@ pub enum Form {
     Exponential(Fraction),
     /// A logarithm.
     Logarithm(Fraction),
-    /// A member of a family or sequence.
-    Member,
+    /// A member of a family or sequence; whether the definition of a sequence gives its sign.
+    Member(bool),
     /// A sum, or a product.
     Over(bool),
     /// A variable.
@@ -131,7 +131,7 @@ impl Checker {
     /// # Errors
     /// It is too large.
     pub fn factor_signs(&self, factor: &Poly, signed: &Signed) -> Result<Signs, Refusal> {
-        self.poly_signs(factor, &signed.known, NESTING, &mut Found::new())
+        self.poly_signs(factor, &signed.known, NESTING, &mut Found::new(&signed.known))
     }
 
     /// The signs of a fraction.
@@ -170,7 +170,9 @@ impl Checker {
             }
             Some(Atom::Exponential(inner)) => Form::Exponential(inner.clone()),
             Some(Atom::Logarithm(inner)) => Form::Logarithm(inner.clone()),
-            Some(Atom::Member(..)) => Form::Member,
+            Some(Atom::Member(name, _)) => {
+                Form::Member(self.signs_of_members.get(name).is_some_and(|signs| *signs != Signs::ANY))
+            }
             Some(Atom::Over(over)) => Form::Over(over.sum),
             _ => Form::Variable,
         }

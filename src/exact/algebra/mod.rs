@@ -12,6 +12,7 @@ mod division;
 pub mod factor;
 pub mod gcd;
 mod geobucket;
+pub mod gosper;
 pub mod ideal;
 pub(crate) mod monomial;
 pub(crate) mod polynomial;

@@ -47,7 +47,7 @@ impl Prover {
         if let Ok(label) = self.by_chain(goal, a, relation, b) {
             return Ok(label);
         }
-        if let Ok(label) = self.by_written_absolute_values(goal, a, b) {
+        if let Ok(label) = self.by_written_absolute_values(goal, a, relation, b) {
             return Ok(label);
         }
         // With little effort: no cases, and small programs only.
@@ -275,8 +275,11 @@ impl Prover {
         both
     }
 
-    /// A comparison from inequalities between means, tangents, sums or slopes.
+    /// A comparison from bounds of roots, and inequalities between means, tangents, sums or slopes.
     fn by_known_inequalities(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        if let Ok(label) = self.attempt(|c| c.by_root_bounds(goal, a, relation, b)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| {
             c.means(goal)?;
             c.quietly(goal)

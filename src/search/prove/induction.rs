@@ -194,7 +194,6 @@ impl Prover {
         let every = |p: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p)));
         let next = at_next(body, variable)?;
         let step = implies(body, &next);
-        self.define_for_all(&Name::new(variable), &step);
         let advance = self.block(&every(step.clone()), |c, _| {
             c.define_sides(&step);
             c.block(&step, |c, block| advance(c, format!("{block}s"), &next))

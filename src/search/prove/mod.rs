@@ -53,6 +53,7 @@ mod quadratics;
 mod radicals;
 mod refutation;
 mod residues;
+mod root_bounds;
 mod slopes;
 mod solutions;
 mod solved_equations;
@@ -158,8 +159,6 @@ pub(crate) struct Prover {
     readings: HashMap<(Label, Vec<Label>), Option<facts::Reading>>,
     /// Whether a step may use the signs of the fact with this label (`signs`).
     speaking: HashMap<Label, bool>,
-    /// Labels of `for all` facts whose indices have names of their own, so that the kernel may apply them inside every sum.
-    own_indices: HashSet<Label>,
     /// Labels of the equations that the kernel substitutes in every step.
     equations: Vec<Label>,
     /// The variables that are natural numbers.
@@ -242,7 +241,6 @@ impl Prover {
             letters: Letters::default(),
             readings: HashMap::new(),
             speaking: HashMap::new(),
-            own_indices: HashSet::new(),
             equations: Vec::new(),
             enriched: BTreeSet::new(),
             failed: BTreeSet::new(),
@@ -466,16 +464,16 @@ impl Prover {
     /// The facts whose signs a step may use. A `for all` fact that contains a sum is left out, because the kernel applies
     /// such a fact inside every sum, where its index may be in use. Only its instances are useful.
     fn signs(&mut self) -> Vec<Label> {
-        let speaks = |label: &str, p: &Prop| match &p.kind {
+        let speaks = |p: &Prop| match &p.kind {
             PropKind::Compare(..) | PropKind::And(_) => true,
-            PropKind::ForAll(_, body) => self.own_indices.contains(label) || !has_an_index(body),
+            PropKind::ForAll(_, body) => !has_an_index(body),
             _ => false,
         };
         let mut labels = Vec::new();
         for (label, fact) in self.checker.facts() {
             let speaking = match self.speaking.get(label) {
                 Some(speaking) => *speaking,
-                None => *self.speaking.entry(label.to_string()).or_insert(speaks(label, fact)),
+                None => *self.speaking.entry(label.to_string()).or_insert(speaks(fact)),
             };
             if speaking {
                 labels.push(label.to_string());

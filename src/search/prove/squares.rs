@@ -107,7 +107,9 @@ impl Prover {
         let squares = compare((**base).clone(), own, square.clone());
         let from = self.quietly(&squares).or_else(|first| {
             let PropKind::Compare(sides, _) = &squares.kind else { return Err(first) };
-            self.attempt(|c| c.by_radicals(&squares, &sides[0], own, &sides[1]))
+            let shown = self.attempt(|c| c.by_radicals(&squares, &sides[0], own, &sides[1]));
+            // Where effort is left: what remains has a root less.
+            if shown.is_err() && self.splits < 2 { self.show(&squares) } else { shown }
         })?;
         let even = expr(ExprKind::Power(Box::new(square), exponent.clone()));
         let roots = self.emit(Rule::Monotone { from }, compare(radical.root.clone(), own, even.clone()))?;

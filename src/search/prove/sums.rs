@@ -1,20 +1,21 @@
-//! Sums up to a variable in closed form: of polynomials in the index, and geometric ones.
+//! Sums up to a variable in closed form, by an antidifference of what is summed (`algebra::gosper`).
 
-use super::letters::{natural, product};
-use super::limits::{holds, over, powers_of};
+use super::letters::natural;
+use super::limits::holds;
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
+use crate::algebra::gcd::gcd;
+use crate::algebra::gosper::antidifference;
 use crate::certificate::Label;
 use crate::claim::syntax::*;
 use crate::claim::walk::{parts, parts_mut};
 use crate::kernel::key;
-use crate::kernel::statement::{compare, name, power, prop, sum};
+use crate::kernel::statement::{compare, expr, name, numeral, prop, sum};
 use crate::kernel::substitution::Substitution;
-use malachite::Rational;
-use malachite::base::num::basic::traits::One;
 
-/// The largest exponent of the index in a sum.
-const DEGREE: usize = 8;
+/// The largest exponent of a polynomial in the index, and the steepest exponent of a power.
+const DEGREE: u32 = 12;
+const SLOPE: u64 = 3;
 
 impl Prover {
     /// An expression with closed forms in the place of the sums up to a variable, and the facts that these are equal for
@@ -27,12 +28,11 @@ impl Prover {
         sums_to(e, variable, &mut sums);
         let (mut closed, mut facts) = (e.clone(), Vec::new());
         for s in sums {
-            for value in self.closed_sum(&s, variable) {
-                if let Ok(fact) = self.attempt(|c| c.is_closed_form(&s, &value, variable)) {
-                    replace(&mut closed, &s, &value);
-                    facts.push(fact);
-                    break;
-                }
+            if let Some(value) = self.closed_sum(&s, variable)
+                && let Ok(fact) = self.attempt(|c| c.is_closed_form(&s, &value, variable))
+            {
+                replace(&mut closed, &s, &value);
+                facts.push(fact);
             }
         }
         if facts.is_empty() { Err(Fail::No("a sum in closed form")) } else { Ok((closed, facts)) }
@@ -72,86 +72,153 @@ impl Prover {
         shown
     }
 
-    /// What a sum from 0 or 1 to a variable n may come to.
-    fn closed_sum(&mut self, s: &Expr, variable: &str) -> Vec<Expr> {
-        let ExprKind::SumOver(index, body) = &s.kind else { return Vec::new() };
-        let Some(from) = natural(&index.from).filter(|from| *from <= 1) else { return Vec::new() };
-        let n = name(variable);
-        let mut out = Vec::new();
-        if let Some(value) = self.sum_of_polynomial(&index.name.text, body, from, &n) {
-            out.push(value);
+    /// What a sum from 0 or 1 to a variable n comes to, as a whole or term by term.
+    fn closed_sum(&mut self, s: &Expr, variable: &str) -> Option<Expr> {
+        let ExprKind::SumOver(index, body) = &s.kind else { return None };
+        let from = natural(&index.from).filter(|from| *from <= 1)?;
+        if let Some(value) = self.telescoped(&index.name.text, body, from, variable) {
+            return Some(value);
         }
-        let mut ratios = Vec::new();
-        if is_geometric(body, &index.name.text) {
-            powers_of(body, &index.name.text, &mut ratios);
-        }
-        let mut first = Substitution::default();
-        first.replace(&index.name.text, &crate::kernel::statement::numeral(from));
-        if let Ok(first) = first.expr(body) {
-            for r in ratios {
-                // a + a·r + … + a·r^(m - 1) = a·(1 − r^m)/(1 − r), where r^m = r^n·r for m = n + 1.
-                let mut last = vec![power(&r, &n)];
-                if from == 0 {
-                    last.push(r.clone());
-                }
-                let one = || crate::kernel::statement::numeral(1);
-                let less = |e: Expr| sum(vec![(Sign::Plus, one()), (Sign::Minus, e)]);
-                out.push(product(vec![first.clone(), over(less(product(last)), less(r))]));
-            }
-        }
-        out
+        let ExprKind::Sum(list) = &body.kind else { return None };
+        let parts = list.iter().map(|(sign, e)| Some((*sign, self.telescoped(&index.name.text, e, from, variable)?)));
+        parts.collect::<Option<Vec<_>>>().map(sum)
     }
 
-    /// Σ c_j·i^j for i = from … n, with the sums of powers as polynomials in n.
-    fn sum_of_polynomial(&mut self, index: &str, body: &Expr, from: u32, n: &Expr) -> Option<Expr> {
+    /// Σ t(i) for i = from … n, as T(n + 1) − T(1) for an antidifference T of t, and t(0) where it begins there.
+    fn telescoped(&mut self, index: &str, body: &Expr, from: u32, variable: &str) -> Option<Expr> {
         let i = self.letters.of(&name(index));
-        let poly = self.letters.polynomial(body).filter(|p| p.degree_in(i) as usize <= DEGREE)?;
-        let nowhere_else = poly.variables().into_iter().filter(|v| *v != i).all(|v| {
-            let mut names = std::collections::BTreeSet::new();
-            self.letters.expr(v).inspect(|e| crate::kernel::names::names_in(e, &mut names));
-            !names.contains(index)
-        });
-        let place = self.letters.of(n);
-        let mut total = Polynomial::zero();
-        for (j, c) in poly.coefficients_in(i).into_iter().enumerate() {
-            let mut powers = sum_of_powers(j, place)?;
-            if from == 0 && j == 0 {
-                powers = powers.add(&Polynomial::one());
+        let mut term = Term::default();
+        self.term_of(body, index, i, false, &mut term)?;
+        let next = |p: &Polynomial| p.substitute(i, &Polynomial::variable(i).add(&Polynomial::one())).ok();
+        let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
+        let (above, below) = (&term.above, &term.below);
+        let step_above = times(&times(&term.ratio.0, &next(above)?)?, below)?;
+        let step_below = times(&times(&term.ratio.1, above)?, &next(below)?)?;
+        let (top, bottom) = antidifference(&step_above, &step_below, i)?;
+        let (top, bottom) = (times(&top, above)?, times(&bottom, below)?);
+        let common = gcd(&top, &bottom).ok()?;
+        let (top, bottom) = (top.exact_divide(&common)?, bottom.exact_divide(&common)?);
+        let mut whole = vec![(Factor::Times, self.letters.written(&top))];
+        whole.extend(term.rest);
+        if !bottom.is_one() {
+            whole.push((Factor::Over, self.letters.written(&bottom)));
+        }
+        let whole = expr(ExprKind::Product(whole));
+        let at = |e: &Expr, place: &Expr| {
+            let mut map = Substitution::default();
+            map.replace(index, place);
+            map.expr(e).ok()
+        };
+        let after = sum(vec![(Sign::Plus, name(variable)), (Sign::Plus, numeral(1))]);
+        let mut parts = vec![(Sign::Plus, at(&whole, &after)?), (Sign::Minus, at(&whole, &numeral(1))?)];
+        if from == 0 {
+            parts.push((Sign::Plus, at(body, &numeral(0))?));
+        }
+        Some(sum(parts))
+    }
+
+    /// Takes in a factor of a term, or a divisor: as a quotient of polynomials in the index, as a power whose exponent is linear in it,
+    /// or as a product up to it.
+    fn term_of(&mut self, e: &Expr, index: &str, i: u32, divides: bool, term: &mut Term) -> Option<()> {
+        let take = |into: &mut (Polynomial, Polynomial), (above, below): (Polynomial, Polynomial)| {
+            let (above, below) = if divides { (below, above) } else { (above, below) };
+            *into = (into.0.try_mul(&above).ok()?, into.1.try_mul(&below).ok()?);
+            Some(())
+        };
+        if let Some(quotient) = self.quotient(e, index) {
+            let mut both = (std::mem::take(&mut term.above), std::mem::take(&mut term.below));
+            take(&mut both, quotient)?;
+            (term.above, term.below) = both;
+            return Some(());
+        }
+        let step = match &e.kind {
+            ExprKind::Negate(a) => {
+                term.above = term.above.neg();
+                return self.term_of(a, index, i, divides, term);
             }
-            total = total.add(&powers.try_mul(&c).ok()?);
-        }
-        (nowhere_else && !poly.is_constant()).then(|| self.letters.written(&total))
+            ExprKind::Product(list) => {
+                return list
+                    .iter()
+                    .try_for_each(|(f, e)| self.term_of(e, index, i, divides != (*f == Factor::Over), term));
+            }
+            ExprKind::Power(base, exponent) if !holds(base, index) => {
+                let slope = self.letters.polynomial(exponent)?.derivative(i).as_constant()?;
+                let slope = i64::try_from(&slope).ok().filter(|k| k.unsigned_abs() <= SLOPE)?;
+                let (above, below) = self.quotient(base, index)?;
+                let k = u32::try_from(slope.unsigned_abs()).ok()?;
+                let (above, below) = (above.pow(k).ok()?, below.pow(k).ok()?);
+                if slope < 0 { (below, above) } else { (above, below) }
+            }
+            ExprKind::ProductOver(inner, body) if !holds(body, index) && !holds(&inner.from, index) => {
+                let end = self.letters.polynomial(&inner.to)?;
+                let slope = u32::try_from(&end.derivative(i).as_constant()?).ok()?;
+                let mut step = (Polynomial::one(), Polynomial::one());
+                for k in 1..=slope.min(SLOPE as u32 + 1) {
+                    let place = self.letters.written(&end.add(&Polynomial::integer(i64::from(k))));
+                    let mut map = Substitution::default();
+                    map.replace(&inner.name.text, &place);
+                    let (above, below) = self.quotient(&map.expr(body).ok()?, index)?;
+                    step = (step.0.try_mul(&above).ok()?, step.1.try_mul(&below).ok()?);
+                }
+                step
+            }
+            _ => return None,
+        };
+        take(&mut term.ratio, step)?;
+        term.rest.push((if divides { Factor::Over } else { Factor::Times }, e.clone()));
+        Some(())
+    }
+
+    /// A quotient of polynomials in the index, with letters that do not depend on it.
+    fn quotient(&mut self, e: &Expr, index: &str) -> Option<(Polynomial, Polynomial)> {
+        let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
+        Some(match &e.kind {
+            ExprKind::Negate(a) => {
+                let (above, below) = self.quotient(a, index)?;
+                (above.neg(), below)
+            }
+            ExprKind::Sum(list) => {
+                let mut all = (Polynomial::zero(), Polynomial::one());
+                for (sign, e) in list {
+                    let (above, below) = self.quotient(e, index)?;
+                    let above = times(&if *sign == Sign::Plus { above } else { above.neg() }, &all.1)?;
+                    all = (times(&all.0, &below)?.add(&above), times(&all.1, &below)?);
+                }
+                all
+            }
+            ExprKind::Product(list) => {
+                let mut all = (Polynomial::one(), Polynomial::one());
+                for (f, e) in list {
+                    let (above, below) = self.quotient(e, index)?;
+                    let (above, below) = if *f == Factor::Over { (below, above) } else { (above, below) };
+                    all = (times(&all.0, &above)?, times(&all.1, &below)?);
+                }
+                all
+            }
+            ExprKind::Power(base, exponent) if natural(exponent).is_some_and(|k| k <= DEGREE) => {
+                let (above, below) = self.quotient(base, index)?;
+                let k = natural(exponent)?;
+                (above.pow(k).ok()?, below.pow(k).ok()?)
+            }
+            ExprKind::Number(_) | ExprKind::Name(_) => (self.letters.polynomial(e)?, Polynomial::one()),
+            _ if holds(e, index) => return None,
+            _ => (self.letters.polynomial(e)?, Polynomial::one()),
+        })
     }
 }
 
-/// 1^j + 2^j + … + n^j as a polynomial in n, from (k + 1)^(j + 1) − k^(j + 1) summed over k.
-fn sum_of_powers(j: usize, n: u32) -> Option<Polynomial> {
-    let mut sums: Vec<Polynomial> = Vec::new();
-    for m in 0..=j {
-        // (n + 1)^(m + 1) − 1 = Σ binomial(m + 1, i)·S_i over i = 0 … m.
-        let next = Polynomial::variable(n).add(&Polynomial::one());
-        let mut rest = next.pow(u32::try_from(m + 1).ok()?).ok()?.sub(&Polynomial::one());
-        let mut binomial = Rational::ONE;
-        for (i, s) in sums.iter().enumerate() {
-            rest = rest.sub(&s.scale(&binomial));
-            binomial *= Rational::from(m + 1 - i) / Rational::from(i + 1);
-        }
-        let whole = rest.scale(&(Rational::ONE / binomial));
-        sums.push(whole);
-    }
-    sums.pop()
+/// A member of a sum: above/below, polynomials in the index, times the rest, which the quotient `ratio` leads on from one index to the next.
+struct Term {
+    above: Polynomial,
+    below: Polynomial,
+    rest: Vec<(Factor, Expr)>,
+    ratio: (Polynomial, Polynomial),
 }
 
-/// Whether an expression holds the index in one factor only, a power: r^i times what does not depend on i.
-fn is_geometric(e: &Expr, index: &str) -> bool {
-    match &e.kind {
-        ExprKind::Power(base, _) => !holds(base, index),
-        ExprKind::Negate(a) => is_geometric(a, index),
-        ExprKind::Product(list) => {
-            let mut with = list.iter().filter(|(_, e)| holds(e, index));
-            matches!((with.next(), with.next()), (Some((Factor::Times, e)), None) if is_geometric(e, index))
-        }
-        _ => false,
+impl Default for Term {
+    fn default() -> Self {
+        let one = Polynomial::one;
+        Term { above: one(), below: one(), rest: Vec::new(), ratio: (one(), one()) }
     }
 }
 
@@ -174,29 +241,5 @@ pub(super) fn replace(e: &mut Expr, old: &Expr, value: &Expr) {
         *e = value.clone();
     } else {
         parts_mut(e, &mut |part| replace(part, old, value));
-    }
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)] // a test stops where it fails
-mod tests {
-    use super::*;
-    use malachite::base::num::basic::traits::Zero;
-
-    #[test]
-    fn sums_of_powers_are_those_that_are_added_up() {
-        for j in 0..=DEGREE {
-            let closed = sum_of_powers(j, 0).unwrap();
-            let mut sum = Rational::ZERO;
-            for n in 1..=12u32 {
-                sum += Rational::from(u64::from(n).pow(u32::try_from(j).unwrap()));
-                let coefficients = closed.coefficients_in(0);
-                let value = coefficients
-                    .iter()
-                    .rev()
-                    .fold(Rational::ZERO, |sum, c| sum * Rational::from(n) + c.as_constant().unwrap());
-                assert_eq!(value, sum, "j = {j}, n = {n}");
-            }
-        }
     }
 }

@@ -171,9 +171,6 @@ impl Prover {
             let first = member(index, body, &index.from)?;
             joined(is_sum, first, over(is_sum, later, body))
         } else {
-            if !is_sum {
-                let _ = self.attempt(|c| c.positive_product(e, index, body));
-            }
             return self.learn_longer(e, is_sum, index, body, (&from, &to));
         };
         self.define(&right);

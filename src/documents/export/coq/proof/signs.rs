@@ -151,7 +151,10 @@ impl Writer<'_> {
                 let h = self.sign(&format!("{inner} - 1"), &side, &[], &shifted, wanted, given)?;
                 Some((wanted, format!("{tactic}apply ln_sign; [pos | exact {h}]")))
             }
-            Form::Member if wanted != Signs::ANY => Some((wanted, format!("family {text}"))),
+            Form::Member(true) if wanted != Signs::ANY => {
+                return Err(Open::Untranslated(text, "the sign that a definition gives to the members of a sequence"));
+            }
+            Form::Member(false) if wanted != Signs::ANY => Some((wanted, format!("family {text}"))),
             Form::Over(false) if wanted.within(Signs::POSITIVE) => Some((wanted, "over_positive".to_string())),
             Form::Over(true) if wanted.within(Signs::NOT_NEGATIVE) => {
                 Some((Signs::NOT_NEGATIVE, "over_not_negative".to_string()))
