@@ -22,6 +22,7 @@
 //! [`crate::chain::replay::MAX_BODIES`] bodies.
 
 use super::keys;
+use crate::chain::Restitution;
 use crate::chain::replay::{Body, Line, LineError, Wall};
 use crate::number::{rational, typed};
 use malachite::Rational;
@@ -99,19 +100,16 @@ pub fn read(text: &str) -> Result<Scene, SceneError> {
             spans.cloned().unwrap_or_else(|| wall_span.clone())
         };
         let (span, help) = match &e {
-            LineError::Empty | LineError::TooMany { .. } => (of(0), None),
+            // A restitution was checked when it was read.
+            LineError::Empty | LineError::TooMany { .. } | LineError::Restitution { .. } => (of(0), None),
             LineError::Mass { body } => (of(*body), Some("a mass must be above 0".to_string())),
             LineError::Length { body } => (of(*body), Some("write 0 for a point-like body".to_string())),
             LineError::Order { body, .. } => {
                 let help = "list the bodies from left to right, between the walls; they may touch".to_string();
                 (of(*body), Some(help))
             }
-            LineError::Restitution { left } => {
-                let span = if *left == 0 || *left == bodies.len() { wall_span.clone() } else { pair_span.clone() };
-                (span, Some("a coefficient of restitution lies between 0 and 1, both included".to_string()))
-            }
             LineError::Pairs { .. } => (
-                pair_span.clone(),
+                pair_span,
                 Some("give one number for all pairs, or a list with one for each pair of neighbours".to_string()),
             ),
         };
@@ -193,14 +191,16 @@ fn number(value: &Spanned<DeValue>, key: &str, text: &str) -> Result<Rational, S
     }
 }
 
-/// One number, or a list of them.
-fn numbers(value: &Spanned<DeValue>, key: &str, text: &str) -> Result<(bool, Vec<Rational>), SceneError> {
+/// One coefficient of restitution, or a list of them, each checked whether or not something collides with it.
+fn coefficients(value: &Spanned<DeValue>, text: &str) -> Result<(bool, Vec<Rational>), SceneError> {
+    let one = |value: &Spanned<DeValue>| {
+        let e = number(value, "restitution", text)?;
+        Restitution::new(e.clone()).map_err(|error| fault(value.span(), error.to_string(), None))?;
+        Ok(e)
+    };
     match value.get_ref() {
-        DeValue::Array(list) => {
-            let list: Result<Vec<Rational>, SceneError> = list.iter().map(|v| number(v, key, text)).collect();
-            Ok((true, list?))
-        }
-        _ => Ok((false, vec![number(value, key, text)?])),
+        DeValue::Array(list) => Ok((true, list.iter().map(one).collect::<Result<_, _>>()?)),
+        _ => Ok((false, vec![one(value)?])),
     }
 }
 
@@ -236,7 +236,7 @@ fn restitution(root: &Table, bodies: usize) -> Result<Vec<Rational>, SceneError>
             Err(fault(root.span.clone(), "restitution is missing".to_string(), help))
         }
         Some(value) => {
-            let (list, mut all) = numbers(value, "restitution", root.text)?;
+            let (list, mut all) = coefficients(value, root.text)?;
             if !list {
                 all = vec![all[0].clone(); pairs];
             }
@@ -262,7 +262,7 @@ fn walls(root: &Table) -> Result<Walls, SceneError> {
         let help = Some("add restitution = \"1\" for elastic walls".to_string());
         return Err(fault(value.span(), "the restitution of the wall is missing".to_string(), help));
     };
-    let (list, all) = numbers(given, "restitution", root.text)?;
+    let (list, all) = coefficients(given, root.text)?;
     let (at_left, at_right) = match (list, all.as_slice()) {
         (false, [one]) => (one.clone(), one.clone()),
         (true, [one, two]) if left.is_some() && right.is_some() => (one.clone(), two.clone()),
