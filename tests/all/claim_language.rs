@@ -441,7 +441,11 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("x + cos_x = sin(x)", "nothing declares the name cos_x"),
         ("exists t in (0, 1): sin(t) = y", "an angle cannot be used here"),
         ("derivative(sin(x)^n, x) = y", "this cannot be differentiated with respect to an angle"),
-        ("maximum of cos(t) over t real only at t = 0 is 1", "an extremum over all angles has more than one place"),
+        ("maximum of cos(t) over t real only at t = 0 is 1", "t takes angles a whole turn apart, which `only`"),
+        (
+            "maximum of cos(t) over t in [-3*pi, 2*pi] only at t = 0 is 1",
+            "t takes angles a whole turn apart, which `only`",
+        ),
         ("maximum of cos(t) over t in [0, pi] at t = 2*pi is 1", "this cannot be the place of an extremum"),
         ("log(x) = y", "write the natural logarithm as ln(x)"),
         ("floor(1/(x - y)) = n", "the argument of a floor must have a value everywhere"),

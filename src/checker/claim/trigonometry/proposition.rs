@@ -91,7 +91,8 @@ impl Writer<'_> {
             };
             if e.unique && !bounds.are_less_than_a_turn() {
                 let help = "give the angle bounds at most one turn apart, such as `theta in [0, 2*pi)`";
-                self.fault("an extremum over all angles has more than one place".to_string(), help, span);
+                let message = format!("{} takes angles a whole turn apart, which `only` cannot tell apart", name.text);
+                self.fault(message, help, span);
             }
             for (name, value) in self.cosine_and_sine(name, &angle, value.span) {
                 place.replace(&name.text, &value);
