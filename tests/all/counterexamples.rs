@@ -2,7 +2,7 @@
 //! refuted and `carom explain` shows. `refutations/edges.claim` holds claims that fail where chance does not look.
 #![allow(clippy::unwrap_used)] // a test stops where it fails
 
-use crate::support::{carom, text};
+use crate::support::{carom, text, with_input};
 use carom::claim::parse::{parse, parse_expr};
 use carom::claim::print::{Style, statement};
 use carom::claim::syntax::Claim;
@@ -41,6 +41,30 @@ fn tried(claim: &Claim, cases: u32, seed: u64) -> Outcome {
     let text = statement(claim, Style::Text).join("\n");
     let text = format!("claim {} \"t\"\n{text}\n", claim.name.text);
     law(&text).unwrap_or_else(|_| panic!("{text}")).tried(&law::Settings { cases, seed, ..law::Settings::default() })
+}
+
+#[test]
+fn both_sides_are_shown_with_digits_that_are_certain_and_differ() {
+    let cube = "claim c \"t\"\ngiven x real\nassume x^2 = 2\nassume x > 0\nprove x^3 = 3\n";
+    let near = "claim c \"t\"\nprove sqrt(2) = 1.41421356237309504880\n";
+    let small = "claim c \"t\"\nprove 10^-30*sqrt(2) = 10^-30*sqrt(3)\n";
+    // An enclosure from 0 to 0.018 has no more digits.
+    let wide = "claim c \"t\"\nprove (99/100)^1000000 = 1/2\n";
+    for (claim, left, right) in [
+        (cube, "2.828427124746...", "3"),
+        (near, "1.414213562373095048801688...", "1767766952966368811/1250000000000000000"),
+        (small, "1.41421356237...e-30", "1.73205080756...e-30"),
+        (wide, "0.0...", "1/2"),
+    ] {
+        let json = with_input(&["audit", "-", "--format", "json"], claim);
+        let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+        let broken = &json["claims"][0]["broken"][0];
+        assert_eq!((broken["left"].as_str(), broken["right"].as_str()), (Some(left), Some(right)), "{claim}: {json}");
+        for form in ["text", "junit"] {
+            let shown = text(&with_input(&["audit", "-", "--format", form], claim).stdout);
+            assert!(shown.contains(&format!("left side {left}, right side {right}")), "{claim}: {shown}");
+        }
+    }
 }
 
 #[test]

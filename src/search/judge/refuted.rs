@@ -19,6 +19,8 @@ use crate::kernel::substitution::Substitution;
 use crate::kernel::{self, Checker, Reason, Refusal, check, key, refutation};
 use crate::prove;
 use crate::refute::catalogue::Limits;
+use crate::refute::counterexample::broken;
+use crate::refute::expand;
 use crate::refute::outcome::{Broken, Outcome, Point, Verdict, Witness};
 
 /// How many expressions are tried for one without value, each at several indices.
@@ -49,11 +51,15 @@ pub fn certificate(claim: &Claim, witness: &Point, limits: &Limits) -> Option<Ce
 pub fn outcome(undecided: Outcome, claim: &Claim, certificate: &Certificate) -> Outcome {
     let refutes = certificate.refutes.clone().unwrap_or_default();
     let values = refutes.point.iter().map(|(place, value)| (print::expr(place), print::expr(value))).collect();
-    let (statement, left, method) = match &refutes.undefined {
-        Some(e) => (format!("{} has no value", print::expr(e)), "no value", "definedness"),
-        None => (print::prop(claim.written_goal()), "", "search"),
+    let single = |statement, left: &str| vec![Broken { statement, left: left.to_string(), right: String::new() }];
+    let (broken, method) = match &refutes.undefined {
+        Some(e) => (single(format!("{} has no value", print::expr(e)), "no value"), "definedness"),
+        None => {
+            let sides = expand::Statement::of(claim).map_or_else(|_| Vec::new(), |s| broken(&s, &refutes.point));
+            let whole = || single(print::prop(claim.written_goal()), "");
+            (if sides.is_empty() { whole() } else { sides }, "search")
+        }
     };
-    let broken = vec![Broken { statement, left: left.to_string(), right: String::new() }];
     Outcome {
         verdict: Verdict::Refuted,
         method: method.to_string(),

@@ -35,6 +35,8 @@ const TICK: u32 = 128;
 pub struct Assignment {
     /// Variables.
     pub values: HashMap<String, Rational>,
+    /// Variables with irrational values.
+    pub numbers: Rc<HashMap<String, Number>>,
     /// Bound indices: they hide variables in what they bind, but not in the definitions of sequences and ranges.
     pub indices: HashMap<String, Rational>,
     /// Variables and families that are natural numbers by their declaration.
@@ -68,6 +70,7 @@ impl Default for Assignment {
     fn default() -> Assignment {
         Assignment {
             values: HashMap::default(),
+            numbers: Rc::default(),
             indices: HashMap::default(),
             naturals: Rc::default(),
             families: HashMap::default(),
@@ -105,8 +108,9 @@ impl Assignment {
         Ok(Value::Scalar(match &e.kind {
             Number(text) => self::Number::Exact(rational::parse(text).map_err(|_| Missing::Unknown)?),
             Name(name) => {
-                let value = self.indices.get(name).or_else(|| self.values.get(name));
-                self::Number::Exact(value.cloned().ok_or(Missing::Unknown)?)
+                let value = self.indices.get(name).or_else(|| self.values.get(name)).cloned();
+                let value = value.map(self::Number::Exact).or_else(|| self.numbers.get(name).cloned());
+                value.ok_or(Missing::Unknown)?
             }
             Negate(a) => return self.value(a).map(Value::negated),
             Sum(list) => return self.sum(list),

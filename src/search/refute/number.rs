@@ -6,6 +6,7 @@
 
 use super::closed::Closed;
 use crate::claim::syntax::*;
+use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::{elementary, rational};
 use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -93,27 +94,48 @@ impl Number {
         }
     }
 
-    /// The number as p/q, or as a decimal.
+    /// The number as p/q, or as a decimal with as many digits as are certain, [`SHOWN`] places at most, or between its ends.
     pub fn text(&self) -> String {
+        if let Some(cut) = (0..=SHOWN).rev().find_map(|places| self.cut(Digits::Places(places))) {
+            return self.shown(&cut);
+        }
+        let end = |q: &Rational, rounding| {
+            let found = Decimal::of_rational(q, Digits::Significant(3), rounding);
+            found.map_or_else(|_| q.to_string(), |decimal| decimal.to_string())
+        };
         match self {
             Number::Exact(q) => q.to_string(),
-            Number::Between(a, b, _) => {
-                let middle = (a + b) / Rational::from(2);
-                let value = f64_text(&middle);
-                format!("{value}...")
+            Number::Between(low, high, _) => {
+                format!("between {} and {}", end(low, Rounding::Down), end(high, Rounding::Up))
             }
+        }
+    }
+
+    /// Its decimal, cut off rather than rounded, where all of these digits are certain.
+    fn cut(&self, digits: Digits) -> Option<String> {
+        let (low, high) = self.ends();
+        let cut = |q| Decimal::of_rational(q, digits, Rounding::Zero).ok().map(|decimal| decimal.to_string());
+        cut(low).filter(|text| cut(high).as_ref() == Some(text))
+    }
+
+    /// The number as p/q, or this decimal of it with the sign that more digits follow.
+    fn shown(&self, cut: &str) -> String {
+        match (self, cut.split_once('e')) {
+            (Number::Exact(q), _) => q.to_string(),
+            (_, None) => format!("{cut}..."),
+            (_, Some((digits, exponent))) => format!("{digits}...e{exponent}"),
         }
     }
 }
 
-/// A few digits, cut off rather than rounded.
-fn f64_text(q: &Rational) -> String {
-    let scale = Rational::from(10).pow(12i64);
-    let (negative, size) = if *q < 0 { (true, -q) } else { (false, q.clone()) };
-    let digits = malachite::base::num::arithmetic::traits::Floor::floor(size * scale).to_string();
-    let padded = format!("{digits:0>13}");
-    let (whole, part) = padded.split_at(padded.len() - 12);
-    format!("{}{whole}.{part}", if negative { "-" } else { "" })
+/// The most places after the point of an enclosed number that is shown alone.
+const SHOWN: u64 = 12;
+
+/// Two numbers as texts, with enough digits to see which is greater where enclosures tell.
+pub(super) fn sides(a: &Number, b: &Number) -> (String, String) {
+    let more = [Digits::Places(SHOWN), Digits::Significant(12), Digits::Significant(25), Digits::Significant(50)];
+    let told = more.into_iter().find_map(|digits| Some((a.cut(digits)?, b.cut(digits)?)).filter(|(x, y)| x != y));
+    told.map_or_else(|| (a.text(), b.text()), |(x, y)| (a.shown(&x), b.shown(&y)))
 }
 
 fn rounded(q: &Rational, up: bool) -> Rational {

@@ -5,7 +5,7 @@
 
 use super::evaluate::Assignment;
 use super::matrix::{Value, same_size};
-use super::number::{Missing, Number, Result, holds};
+use super::number::{self, Missing, Number, Result, holds};
 use super::outcome::Broken;
 use crate::claim::print;
 use crate::claim::syntax::*;
@@ -190,7 +190,8 @@ impl Assignment {
                 for (pair, relation) in sides.windows(2).zip(relations) {
                     let single = Prop { kind: PropKind::Compare(pair.to_vec(), vec![*relation]), span: prop.span };
                     if let (Ok(a), Ok(b)) = (self.number(&pair[0]), self.number(&pair[1])) {
-                        into.push(Broken { statement: print::prop(&single), left: a.text(), right: b.text() });
+                        let (left, right) = number::sides(&a, &b);
+                        into.push(Broken { statement: print::prop(&single), left, right });
                     }
                 }
             }
