@@ -32,6 +32,7 @@ enum Outcome {
 
 /// Runs the command: exit 1 if a certificate is rejected, 3 if a limit was reached.
 pub(super) fn run(paths: &[PathBuf], claims: &[PathBuf], output: Option<&Path>) -> Result<u8, Exit> {
+    form::ending::<()>(output, &[])?;
     let quiet = terminal::quiet();
     let Some(path) = form::place(output) else { return check(paths, claims, quiet, &mut print) };
     let mut report = String::new();

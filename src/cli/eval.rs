@@ -71,7 +71,8 @@ pub(super) struct EvalFlags {
     explain: bool,
     /// Read chains from a CSV file (- for standard input) with columns m1, m2, e and n in any order, and write one CSV
     /// row for each. Without a heading, the columns are m1,m2,e,n. A field that no wanted quantity needs may be empty, and
-    /// its column missing. A bad row gives an error message, empty cells and exit code 2; the other rows are still answered
+    /// its column missing. A bad row gives an error message, empty cells and exit code 2; the other rows are still answered. Cells may
+    /// hold measured values; an answer then has its ends, and a decimal only where both round to it. No row is an error
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "m1", "m2", "e", "n", "masses", "speed",
         "explain"])]
     batch: Option<PathBuf>,

@@ -1,13 +1,10 @@
 //! The form in which a command writes: from `--format`, or from the name of the output file.
 //!
-//! Contract: `--format` decides; without it the ending of the `--output` file; without that the form is text. The ending
-//! of a form that the command does not write is an error, so that no `.svg` file holds a table.
+//! Contract: `--format` decides; without it the ending of the `--output` file; without that the form is text. Any other
+//! ending is an error, so that no `.svg` or `.docx` file holds a table.
 
 use super::Exit;
 use std::path::Path;
-
-/// Endings of file names that stand for a form.
-const KNOWN: [&str; 12] = ["txt", "csv", "json", "md", "markdown", "tex", "xml", "html", "htm", "svg", "png", "pdf"];
 
 /// The forms of a command.
 pub(super) trait Form: Copy + 'static {
@@ -25,25 +22,31 @@ pub(super) fn place(output: Option<&Path>) -> Option<&Path> {
 /// The form to write.
 ///
 /// # Errors
-/// The file's ending stands for a form that the command does not have.
+/// The file's ending stands for no form of the command.
 pub(super) fn form<F: Form>(format: Option<F>, output: Option<&Path>) -> Result<F, Exit> {
-    if let Some(format) = format {
-        return Ok(format);
+    match format {
+        Some(format) => Ok(format),
+        None => Ok(ending(output, F::ENDINGS)?.unwrap_or(F::DEFAULT)),
     }
-    let end = place(output).and_then(Path::extension).map(|end| end.to_string_lossy().to_ascii_lowercase());
-    let Some(end) = end else { return Ok(F::DEFAULT) };
-    if let Some((_, form)) = F::ENDINGS.iter().find(|(known, _)| *known == end) {
-        return Ok(*form);
+}
+
+/// What the ending of a file stands for; `None` for `.txt`, without an ending, and for standard output.
+///
+/// # Errors
+/// Any other ending.
+pub(super) fn ending<F: Copy>(output: Option<&Path>, endings: &[(&str, F)]) -> Result<Option<F>, Exit> {
+    let Some((path, end)) = place(output).and_then(|path| Some((path, path.extension()?))) else { return Ok(None) };
+    let end = end.to_string_lossy().to_ascii_lowercase();
+    match endings.iter().find(|(known, _)| *known == end) {
+        Some((_, form)) => Ok(Some(*form)),
+        None if end == "txt" => Ok(None),
+        None => {
+            let known: Vec<String> = endings.iter().map(|(end, _)| format!(".{end}")).collect();
+            let known = if known.is_empty() { String::new() } else { known.join(", ") + " or " };
+            let shown = path.display();
+            Err(Exit::usage(format!("error: --output {shown}: this command writes no .{end} file; use {known}.txt")))
+        }
     }
-    if end == "txt" || !KNOWN.contains(&end.as_str()) {
-        return Ok(F::DEFAULT);
-    }
-    let endings: Vec<String> = F::ENDINGS.iter().map(|(end, _)| format!(".{end}")).collect();
-    let shown = output.map_or(String::new(), |path| path.display().to_string());
-    Err(Exit::usage(format!(
-        "error: --output {shown}: this command writes no .{end} file; use {} or .txt",
-        endings.join(", ")
-    )))
 }
 
 impl Form for super::Format {
@@ -65,7 +68,7 @@ impl Form for super::ExplainFormat {
 
 impl Form for super::PrintFormat {
     const DEFAULT: Self = Self::Text;
-    const ENDINGS: &'static [(&'static str, Self)] = &[("tex", Self::Latex)];
+    const ENDINGS: &'static [(&'static str, Self)] = &[("tex", Self::Latex), ("claim", Self::Text)];
 }
 
 impl Form for super::replay::ReplayFormat {

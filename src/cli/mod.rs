@@ -381,6 +381,11 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
+/// The ending of claim files.
+const CLAIMS: &[(&str, ())] = &[("claim", ())];
+/// The endings of files for other provers.
+const PROVERS: &[(&str, ())] = &[("v", ()), ("smt2", ())];
+
 fn dispatch(command: Command) -> Result<u8, Exit> {
     interrupt::at_once()?;
     match command {
@@ -390,6 +395,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             audit::run(&paths, &only, format, output, certificates.as_deref(), &settings)
         }
         Command::Read { path, output } => {
+            form::ending(output.as_deref(), CLAIMS)?;
             let (text, code, faults) = paper::run(&path)?;
             deliver(output.as_deref(), &text)?;
             if faults.is_empty() { Ok(code) } else { Err(Exit { code, message: faults.join("\n") }) }
@@ -400,6 +406,7 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             deliver(output.as_deref(), &text.0).map(|()| text.1)
         }
         Command::Repair { id, paths, certificates, output, limits } => {
+            form::ending(output.as_deref(), CLAIMS)?;
             let text = repair::run(&id, &paths, certificates.as_deref(), &limits.limits())?;
             deliver(output.as_deref(), &text.0).map(|()| text.1)
         }
@@ -423,10 +430,12 @@ fn dispatch(command: Command) -> Result<u8, Exit> {
             theorems::run(language, &ids, &from, output.as_deref(), &limits.limits())
         }
         Command::Export { language, ids, from, theorems: true, proofs: _, list: _, output, limits } => {
+            form::ending(output.as_deref(), PROVERS)?;
             let text = theorems::page(language, &ids, &from, &limits.limits())?;
             deliver(output.as_deref(), &text).map(|()| 0)
         }
         Command::Export { language, ids, from, theorems: false, proofs: false, list, output, limits: _ } => {
+            form::ending(output.as_deref(), PROVERS)?;
             let text = export::run(language, &ids, &from, list)?;
             deliver(output.as_deref(), &text).map(|()| 0)
         }

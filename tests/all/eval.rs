@@ -427,6 +427,28 @@ fn batches_answer_line_by_line() {
 }
 
 #[test]
+fn a_batch_reads_measured_cells_as_flags_do_and_needs_a_row() {
+    let rows = "57.1±0.1,40(1),0.9,2\n57.1 ± 1 %,40,0.9±0.01,1\n\"[57, 58]\",40,0.9,1\n64 ± 1,1,0.9,2\n";
+    for heading in ["m1,m2,e,n\n", ""] {
+        let flags = ["eval", "--batch", "-", "--want", "eta,helps,best-n", "--digits", "6"];
+        let out = with_input(&flags, &format!("{heading}{rows}"));
+        assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
+        let rows = text(&out.stdout);
+        let one = carom(&["eval", "--m1", "57.1±0.1", "--m2", "40(1)", "-e", "0.9", "-n", "2", "--digits", "6"]);
+        for end in ["0.726167145", "0.728475269"] {
+            assert!(rows.lines().nth(1).unwrap().contains(end) && text(&one.stdout).contains(end), "{rows}");
+        }
+        assert!(rows.lines().nth(1).unwrap().ends_with(",no,0,false"), "{rows}");
+        assert!(rows.lines().nth(4).unwrap().ends_with("yes,5,false"), "{rows}");
+    }
+    for input in ["", "m1,m2,e,n\n", "# nothing\n"] {
+        let out = with_input(&["eval", "--batch", "-"], input);
+        assert_eq!(out.status.code(), Some(2), "{input}");
+        assert!(text(&out.stderr).contains("there is no row to answer"), "{}", text(&out.stderr));
+    }
+}
+
+#[test]
 fn columns_of_a_batch_go_by_their_names() {
     let ask = |table: &str| with_input(&["eval", "--batch", "-", "--digits", "6"], table);
     let answered = ask("m1,m2,e,n\n10,1,9/10,7\n1,2,1/2,3\n");

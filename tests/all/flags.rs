@@ -17,7 +17,7 @@ fn every_command_that_prints_writes_to_a_file_in_the_form_of_its_name() {
     std::fs::write(&scene, SCENE).expect("written");
     std::fs::write(&line, LINE).expect("written");
     let eval = ["eval", "--m1", "10", "--m2", "1", "-e", "1/2", "-n", "2"];
-    let cases: [(&[&str], &str, &str); 20] = [
+    let cases: [(&[&str], &str, &str); 21] = [
         (&["audit", "--only", "eq13"], "a.json", "{"),
         (&["audit", "--only", "eq13"], "a.xml", "<?xml"),
         (&["audit", "--only", "eq13"], "a.md", "#"),
@@ -25,6 +25,7 @@ fn every_command_that_prints_writes_to_a_file_in_the_form_of_its_name() {
         (&["explain", "eq13"], "e.tex", "\\documentclass"),
         (&["explain", "eq13"], "e.md", "#"),
         (&["print", "eq13"], "p.tex", "\\"),
+        (&["print", "eq13"], "p.claim", "claim"),
         (&["list"], "l.json", "["),
         (&["list"], "l.txt", "1 Two bodies"),
         (&["check"], "c.txt", "accepted"),
@@ -207,6 +208,12 @@ fn bad_input_gets_one_clear_error() {
         (vec!["audit", "--only", "eq13,eq114"], "no claim is called eq114; did you mean"),
         (vec!["audit", "--only", "eq13", "-o", &svg], "this command writes no .svg file"),
         (vec!["list", "-o", &svg], "use .json or .txt"),
+        (vec!["check", "-o", "t.docx"], "writes no .docx file; use .txt"),
+        (vec!["eval", "--batch", "-", "-o", "t.docx"], "use .csv or .txt"),
+        (vec!["repair", "eq13", "-o", "t.docx"], "use .claim or .txt"),
+        (vec!["read", "t.tex", "-o", "t.docx"], "use .claim or .txt"),
+        (vec!["export", "coq", "eq13", "-o", "t.docx"], "use .v, .smt2 or .txt"),
+        (vec!["worksheet", "s.toml", "-o", "t.docx"], "use .md, .markdown, .tex, .html, .htm, .pdf or .txt"),
         (vec!["audit", "--only", "eq13", "-o", &nowhere], "cannot write"),
         (vec!["audit", "--color", "green"], "invalid value 'green'"),
         (vec!["audit", "/no/such.claim"], "cannot read /no/such.claim"),

@@ -1,12 +1,9 @@
 //! A stream of chains, a row of CSV each; memory stays flat.
 
 use super::columns::{Columns, NAMES};
-use super::{EvalFlags, bad, digits, failure, natural, rounding, wants};
-use crate::chain::best::Best;
+use super::{EvalFlags, coefficient, digits, failure, mass, natural, rounding, wants};
 use crate::chain::threshold::Helps;
-use crate::chain::uncertain::{Range, RangeError};
-use crate::chain::{Positive, Restitution};
-use crate::cli::form::place;
+use crate::cli::form::{ending, place};
 use crate::cli::interrupt::{INTERRUPTED, Interrupt, interrupted};
 use crate::cli::output::Output;
 use crate::cli::partial::Target;
@@ -14,7 +11,7 @@ use crate::cli::progress::Progress;
 use crate::cli::table_contents::joined;
 use crate::cli::{Exit, ValueFormat, load};
 use crate::number::decimal::{Digits, Rounding};
-use crate::number::typed;
+use crate::report::answers::best;
 use crate::report::table::csv::quoted;
 use crate::scene::answer::{Answers, Number, Value};
 use crate::scene::quantity::{Input, Quantity};
@@ -31,6 +28,7 @@ pub(super) fn run(flags: &EvalFlags, path: &Path) -> Result<u8, Exit> {
     if let Some(ValueFormat::Json) = flags.format {
         return Err(Exit::usage("error: --batch writes CSV: leave --format json out"));
     }
+    ending(flags.output.as_deref(), &[("csv", ())])?;
     let want = joined(&flags.want).as_deref().map_or(Ok(vec![Quantity::Eta]), wants)?;
     let streamed = [Quantity::Eta, Quantity::Threshold, Quantity::Helps, Quantity::BestN];
     if let Some(other) = want.iter().find(|q| !streamed.contains(q)) {
@@ -153,6 +151,9 @@ impl Batch {
                 progress.now(0, &format!("{number} rows"));
             }
             let row = match table.row() {
+                Ok(None) if number == 0 => {
+                    return Err(Stop::Input(fault(None, Exit::usage("there is no row to answer"))));
+                }
                 Ok(None) => break,
                 Ok(Some(row)) => row,
                 Err(error @ (ForeignError::NotText { .. } | ForeignError::Fields { .. })) => {
@@ -199,20 +200,15 @@ impl Batch {
 
     fn answer(&self, fields: [&str; 4]) -> Result<String, Exit> {
         let [m1, m2, e, n] = fields;
-        let number =
-            |name: &str, text: &str| typed::read(text).map_err(|error| bad(name, text, &RangeError::Numeral(error)));
-        let positive = |name: &str, text: &str| Positive::new(number(name, text)?).map_err(|e| failure(name, &e));
-        let (first, last) = (positive("m1", m1)?, positive("m2", m2)?);
         // A field that no wanted quantity needs may be empty.
         let is_given = |text: &&str| !text.is_empty();
-        let e =
-            Some(e).filter(is_given).map(|e| Restitution::new(number("e", e)?).map_err(|error| failure("e", &error)));
+        let e = Some(e).filter(is_given).map(|e| coefficient("e", e)).transpose()?;
         let n = Some(n).filter(is_given).map(|n| natural("n", n)).transpose()?;
         let inputs = Inputs::new(
-            Range::point(first),
-            Range::point(last),
+            mass("m1", m1)?,
+            mass("m2", m2)?,
             n.map(Inserted::Optimal),
-            e.transpose()?.map(|e| Coefficients::Same(Range::point(e))),
+            e.map(Coefficients::Same),
             Start::unit(),
         );
         let inputs = inputs.map_err(|error| failure("n", &error))?;
@@ -248,11 +244,10 @@ fn field(value: &Value) -> String {
             format!("{},{lower},{upper}", decimal.as_deref().unwrap_or(""))
         }
         Value::Helps(answer) => answer.map_or("depends", Helps::text).to_owned(),
-        Value::Best(best, _) => match best {
-            Best::Finite { count, tie } => format!("{count},{tie}"),
-            Best::Infinite => "infinite,false".to_owned(),
-            Best::Any => "any,false".to_owned(),
-        },
+        Value::Best(least, greatest) => {
+            let (text, tie) = best(least, greatest);
+            format!("{text},{tie}")
+        }
         _ => String::new(),
     }
 }

@@ -12,6 +12,7 @@ use crate::number::real::Level;
 use crate::scene::Scene;
 use crate::scene::answer::{Answers, Number, Value};
 use crate::scene::quantity::Quantity;
+use crate::table::count_text;
 use serde_json::{Map, Value as Json, json};
 use std::fmt::Write;
 
@@ -44,16 +45,12 @@ fn depends(answer: Option<&'static str>) -> &'static str {
     answer.unwrap_or("depends")
 }
 
-fn best_text(best: &Best) -> String {
-    match best {
-        Best::Finite { count, .. } => count.to_string(),
-        Best::Infinite => "infinite".to_owned(),
-        Best::Any => "any".to_owned(),
-    }
-}
-
-fn is_tie(best: &Best) -> bool {
-    matches!(best, Best::Finite { tie: true, .. })
+/// The best number of bodies, or the range of it, and whether one body fewer transfers exactly as much.
+#[must_use]
+pub fn best(least: &Best, greatest: &Best) -> (String, bool) {
+    let (low, high) = (count_text(least).0, count_text(greatest).0);
+    let text = if low == high { low } else { format!("from {low} to {high}") };
+    (text, least == greatest && matches!(least, Best::Finite { tie: true, .. }))
 }
 
 /// The answers as text.
@@ -96,13 +93,9 @@ pub fn text(scene: &Scene, answers: &Answers<'_>, explain: bool) -> Result<Strin
                 }
             }
             Value::Best(least, greatest) => {
-                let range = if least == greatest {
-                    best_text(least)
-                } else {
-                    format!("from {} to {}", best_text(least), best_text(greatest))
-                };
-                line(&mut out, name, &range);
-                if is_tie(least) && least == greatest {
+                let (text, tie) = best(least, greatest);
+                line(&mut out, name, &text);
+                if tie {
                     line(&mut out, "", "tie: one body fewer transfers exactly as much");
                 }
             }
@@ -279,7 +272,7 @@ fn number_json(number: &Number, digits: u64) -> Json {
 }
 
 fn best_json(least: &Best, greatest: &Best) -> Json {
-    let (low, high) = (best_text(least), best_text(greatest));
+    let (low, high) = (count_text(least).0, count_text(greatest).0);
     let same = (least == greatest).then(|| low.clone());
     json!({
         "exact": same,
@@ -287,6 +280,6 @@ fn best_json(least: &Best, greatest: &Best) -> Json {
         "enclosure": [low, high],
         "decimal": same,
         "digits": same.as_ref().map(String::len),
-        "tie": is_tie(least) && least == greatest,
+        "tie": best(least, greatest).1,
     })
 }

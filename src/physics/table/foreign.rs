@@ -6,7 +6,7 @@
 
 use super::Quantity;
 use super::records::{MAX_RECORD, Records};
-use crate::number::typed;
+use crate::chain::uncertain::Range;
 use std::fmt;
 use std::io::{self, BufRead};
 
@@ -173,7 +173,7 @@ impl<R: BufRead> Foreign<R> {
         let usual = || names.iter().map(|name| (*name).to_owned()).collect();
         match records.next()? {
             None => Foreign::named(records, usual(), None),
-            Some(row) if row.fields.iter().any(|field| typed::read(field).is_ok()) => {
+            Some(row) if row.fields.iter().any(|field| Range::read(field).is_ok()) => {
                 Foreign::named(records, usual(), Some(row))
             }
             Some(heading) => Foreign::named(records, heading.fields, None),
