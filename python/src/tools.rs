@@ -30,9 +30,9 @@ use carom::report::worksheet::made::{MAX_VERSIONS, Wanted, sheets};
 use carom::report::worksheet::{Style, Units, html, latex, pages, text};
 use carom::scene::read::{self, ROUNDINGS, SceneFault};
 use carom::scene::replay as bodies;
-use carom::table::check::{Agreement, judge, judge_count};
+use carom::table::check::{Agreement, judge};
 use carom::table::worksheet::Worksheet;
-use carom::table::{Place, Quantity, Value, count_text, value};
+use carom::table::{Place, Quantity};
 use malachite::Rational;
 use malachite::base::num::conversion::traits::{FromStringBase, RoundingFrom};
 use malachite::base::rounding_modes::RoundingMode;
@@ -327,14 +327,8 @@ pub fn judged(
             .ok_or_else(|| Refusal::Input(format!("no column is called {quantity:?}: eta, threshold or best-n")))?;
         let e = e.map(|e| Ok::<_, Refusal>(Restitution::new(rational("e", &e)?)?)).transpose()?;
         let place = Place { ratio: Positive::new(rational("ratio", ratio)?)?, e, n };
-        let (agreement, certified) = match value(quantity, &place)? {
-            Value::Count(best) => {
-                let certified = count_text(&best).0;
-                (judge_count(written, &certified)?, certified)
-            }
-            Value::Real(real) => judge(written, &real, rounding(direction)?)?,
-        };
-        Ok((agreement == Agreement::Right, agreement.text(), certified))
+        let found = judge(written, quantity, &place, rounding(direction)?)?;
+        Ok((found.agreement == Agreement::Right, found.text(), found.certified))
     })
 }
 

@@ -58,7 +58,7 @@ pub(super) struct Flags {
         "round", "extra", "format", "certificate", "resume", "check", "shard"])]
     merge: Vec<PathBuf>,
     /// Compare every cell of somebody else's table (CSV, - for standard input) with the certified value; exit 1 if a cell
-    /// is wrong
+    /// is wrong. A threshold for n = 0 does not exist: there nothing, or none, is right
     #[arg(long, value_name = "FILE.csv")]
     check: Option<PathBuf>,
 }

@@ -360,6 +360,25 @@ fn somebodys_table_is_judged_cell_by_cell() {
 }
 
 #[test]
+fn a_threshold_without_bodies_is_right_where_it_is_empty_and_a_tie_is_said() {
+    let (code, shown, said) = checked("ratio,n,threshold\n4,0,\n4,1,0.8\n4,0,None\n4,1,\n", &[]);
+    assert_eq!(code, Some(0), "{shown}{said}");
+    assert!(shown.contains("3 cells: 3 right") && shown.contains("1 empty"), "{shown}");
+    let (code, shown, _) = checked("ratio,n,threshold\n4,0,0.8\n4,1,none\n", &[]);
+    assert_eq!(code, Some(1), "{shown}");
+    assert!(shown.contains("0 right, 0 rounded otherwise, 1 wrong; 1 unreadable"), "{shown}");
+    let (code, shown, _) = checked("ratio,e,best-n\n64,44/81,2\n64,44/81,1\n64,0.55,2\n", &[]);
+    assert_eq!(code, Some(1), "{shown}");
+    assert!(
+        shown.contains("right; a tie: one body fewer") && shown.contains("wrong; a tie: one body fewer"),
+        "{shown}"
+    );
+    assert_eq!(shown.matches("tie: ").count(), 2, "{shown}");
+    let (_, shown, _) = checked("ratio,e,n,eta\n1,0,0,0.3\n64,0.9,2,0.1926\n", &[]);
+    assert!(shown.contains("rounded up; a tie: the exact value lies midway") && shown.matches("midway").count() == 1);
+}
+
+#[test]
 fn what_the_program_writes_it_finds_right() {
     for want in [&["--want", "threshold", "-n", "1,2,3"][..], &["--want", "eta", "-n", "0:3:1", "-e", "0.25:1:0.25"]] {
         for round in ["nearest-even", "up", "zero"] {

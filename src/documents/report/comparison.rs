@@ -4,7 +4,7 @@ use super::counted;
 use super::table::{Column, Entry, Head};
 use crate::number::decimal::Rounding;
 use crate::table::Quantity;
-use crate::table::check::Agreement;
+use crate::table::check::Judgement;
 use crate::table::comparison::{Judged, Tally};
 use crate::table::grid::decimal_or_fraction;
 
@@ -38,7 +38,7 @@ pub fn entries(cell: &Judged) -> Vec<Entry> {
         entry(&cell.n),
         plain(cell.quantity.name()),
         plain(&cell.written),
-        plain(&cell.certified),
+        plain(cell.judgement.as_ref().map_or("", |judgement| &judgement.certified)),
         plain(&judgement(cell)),
     ]
 }
@@ -46,7 +46,7 @@ pub fn entries(cell: &Judged) -> Vec<Entry> {
 /// The judgement of a cell, in words.
 #[must_use]
 pub fn judgement(cell: &Judged) -> String {
-    cell.agreement.as_ref().map_or_else(|| "empty".to_owned(), Agreement::text)
+    cell.judgement.as_ref().map_or_else(|| "empty".to_owned(), Judgement::text)
 }
 
 /// All cells in a line.

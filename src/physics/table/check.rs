@@ -2,10 +2,12 @@
 //!
 //! **Contract.** A written decimal is compared with the correctly rounded value *to as many places as are
 //! written*, in the given direction of rounding: it is right, or right if rounded in another direction, or
-//! wrong from a digit on. A written fraction must be the exact value.
+//! wrong from a digit on. A written fraction must be the exact value. Where there is no value, nothing or `none` is right.
 
 use super::grid::beyond_limits;
-use super::rounded;
+use super::{Place, Quantity, Value, count_text, rounded, value};
+use crate::chain::ChainError;
+use crate::chain::best::Best;
 use crate::number::NumberError;
 use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::rational::{self, NumeralError};
@@ -43,11 +45,47 @@ impl Agreement {
     }
 }
 
-/// A written number judged, and the certified value to as many places, or exactly.
+/// A written number beside the certified one.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// What is to be said of it.
+    pub agreement: Agreement,
+    /// The certified value, to as many places or exactly; `none` where there is none.
+    pub certified: String,
+    /// The tie in the certified value, in words, where it matters; else empty.
+    pub tie: &'static str,
+}
+
+impl Judgement {
+    fn new(agreement: Agreement, certified: String) -> Judgement {
+        Judgement { agreement, certified, tie: "" }
+    }
+
+    /// In words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.agreement.text() + self.tie
+    }
+}
+
+/// A written number judged beside a quantity at its place.
 ///
 /// # Errors
-/// [`NumberError::LimitReached`], also where the written number is too long to be read: it may be right.
-pub fn judge(written: &str, value: &Real, rounding: Rounding) -> Result<(Agreement, String), NumberError> {
+/// As of [`value`]; a limit, also where the written number is too long to be read: it may be right.
+pub fn judge(written: &str, quantity: Quantity, place: &Place, rounding: Rounding) -> Result<Judgement, ChainError> {
+    // Without an inserted body there is none that could help.
+    if quantity == Quantity::Threshold && place.n == Some(0) {
+        let right = written.is_empty() || written.eq_ignore_ascii_case("none");
+        let agreement = if right { Agreement::Right } else { Agreement::Wrong(None) };
+        return Ok(Judgement::new(agreement, "none".to_owned()));
+    }
+    Ok(match value(quantity, place)? {
+        Value::Count(best) => judge_count(written, &best)?,
+        Value::Real(real) => judge_real(written, &real, rounding)?,
+    })
+}
+
+fn judge_real(written: &str, value: &Real, rounding: Rounding) -> Result<Judgement, NumberError> {
     let plain = typed::number(written).map_err(|Unclear(what)| NumeralError::Unclear { what });
     let (number, written) = match plain.and_then(|plain| Ok((rational::parse(&plain)?, plain))) {
         Ok(read) => read,
@@ -56,7 +94,7 @@ pub fn judge(written: &str, value: &Real, rounding: Rounding) -> Result<(Agreeme
                 return Err(limit);
             }
             let (decimal, _) = rounded(value, Digits::Significant(10), rounding)?;
-            return Ok((Agreement::Unreadable(error), decimal.to_string()));
+            return Ok(Judgement::new(Agreement::Unreadable(error), decimal.to_string()));
         }
     };
     if written.contains('/') {
@@ -64,38 +102,47 @@ pub fn judge(written: &str, value: &Real, rounding: Rounding) -> Result<(Agreeme
             Some(exact) => (*exact == number, exact.to_string()),
             None => (false, rounded(value, Digits::Significant(10), rounding)?.0.to_string()),
         };
-        return Ok((if right { Agreement::Right } else { Agreement::Wrong(None) }, shown));
+        return Ok(Judgement::new(if right { Agreement::Right } else { Agreement::Wrong(None) }, shown));
     }
     let places = places(&written);
     let to = |direction| Ok::<Decimal, NumberError>(rounded(value, Digits::Places(places), direction)?.0);
     let certified = to(rounding)?;
     let shown = certified.to_string();
     if certified.value() == number {
-        return Ok((Agreement::Right, shown));
+        return Ok(Judgement::new(Agreement::Right, shown));
     }
     for direction in Rounding::ALL {
         if direction != rounding && to(direction)?.value() == number {
-            return Ok((Agreement::Rounded(direction), shown));
+            let middle = (to(Rounding::Up)?.value() + to(Rounding::Down)?.value()) / Rational::from(2);
+            let tie = if value.as_rational() == Some(&middle) {
+                "; a tie: the exact value lies midway between two"
+            } else {
+                ""
+            };
+            return Ok(Judgement { agreement: Agreement::Rounded(direction), certified: shown, tie });
         }
     }
-    Ok((Agreement::Wrong(first_difference(&number, &certified.value(), places)), shown))
+    Ok(Judgement::new(Agreement::Wrong(first_difference(&number, &certified.value(), places)), shown))
 }
 
 /// A written number of bodies judged beside the certified one, which may be `infinite`.
-///
-/// # Errors
-/// As of [`judge`].
-pub fn judge_count(written: &str, certified: &str) -> Result<Agreement, NumberError> {
+fn judge_count(written: &str, best: &Best) -> Result<Judgement, NumberError> {
+    let certified = count_text(best).0;
     let agreement = |same| if same { Agreement::Right } else { Agreement::Wrong(None) };
-    match written.to_lowercase().as_str() {
-        "infinite" | "infinity" | "inf" | "∞" => Ok(agreement(certified == "infinite")),
-        other if other == certified => Ok(Agreement::Right),
+    let agreement = match written.to_lowercase().as_str() {
+        "infinite" | "infinity" | "inf" | "∞" => agreement(certified == "infinite"),
+        other if other == certified => Agreement::Right,
         other => match typed::read(other) {
-            Ok(number) => Ok(agreement(number.to_string() == certified)),
-            Err(error) => beyond_limits(&error).map_or(Ok(Agreement::Unreadable(error)), Err),
+            Ok(number) => agreement(number.to_string() == certified),
+            Err(error) => beyond_limits(&error).map_or(Ok(Agreement::Unreadable(error)), Err)?,
         },
-    }
+    };
+    let tie = if let Best::Finite { tie: true, .. } = best { TIE } else { "" };
+    Ok(Judgement { agreement, certified, tie })
 }
+
+/// What is said of a best number beside which one body fewer is as good.
+const TIE: &str = "; a tie: one body fewer than n* transfers exactly as much";
 
 /// How many places after the point a decimal is written to; `2.50e-3` has five.
 fn places(written: &str) -> u64 {
@@ -127,7 +174,7 @@ mod tests {
 
     fn said(written: &str, value: &str) -> String {
         let value = Real::rational(rational::parse(value).expect("a number"));
-        judge(written, &value, Rounding::Nearest).expect("no limit").0.text()
+        judge_real(written, &value, Rounding::Nearest).expect("no limit").text()
     }
 
     #[test]
@@ -137,7 +184,9 @@ mod tests {
         }
         // A tie goes to the even digit, exactly.
         assert_eq!(said("0.2", "1/4"), "right");
-        assert_eq!(said("0.3", "1/4"), "not rounded as requested: it is the value rounded up");
+        let tie =
+            "not rounded as requested: it is the value rounded up; a tie: the exact value lies midway between two";
+        assert_eq!(said("0.3", "1/4"), tie);
         assert_eq!(said("0.666", "2/3"), "not rounded as requested: it is the value rounded down");
         assert_eq!(said("0.100", "0.09996"), "right");
         assert_eq!(said("0.0999", "0.09996"), "not rounded as requested: it is the value rounded down");
@@ -145,7 +194,12 @@ mod tests {
 
     #[test]
     fn numbers_of_bodies_are_compared_as_numbers() {
-        let said = |written: &str, certified: &str| judge_count(written, certified).map(|a| a.text());
+        let best = |certified: &str| match certified {
+            "infinite" => Best::Infinite,
+            "any" => Best::Any,
+            count => Best::Finite { count: count.parse::<u32>().expect("a number").into(), tie: false },
+        };
+        let said = |written: &str, certified: &str| judge_count(written, &best(certified)).map(|a| a.text());
         for (written, certified) in [("5", "5"), ("5.0", "5"), ("10/2", "5"), ("INF", "infinite"), ("any", "any")] {
             assert_eq!(said(written, certified), Ok("right".to_owned()), "{written}");
         }
@@ -173,7 +227,7 @@ mod tests {
         assert_eq!(said("4/8", "4/9"), "wrong");
         assert_eq!(said(".4444", "4/9"), "right");
         assert_eq!(said("-.44", "4/9"), "wrong");
-        let beyond = |text: &str| judge(text, &Real::rational(Rational::from(1)), Rounding::Nearest).is_err();
+        let beyond = |text: &str| judge_real(text, &Real::rational(Rational::from(1)), Rounding::Nearest).is_err();
         assert!(beyond("1e99999") && beyond(&format!("0.{}", "3".repeat(20_000))));
         assert_eq!([said("0,44", "4/9"), said("44 %", "4/9")], ["right", "right"]);
         assert!(said("4,444", "4444").starts_with("not a number"));

@@ -4,10 +4,10 @@
 //! restitution and number of bodies of its row. A value that has no column may be given once for all rows. Rows are read one
 //! at a time.
 
-use super::check::{Agreement, judge, judge_count};
+use super::check::{Agreement, Judgement, judge};
 use super::foreign::{Fields, Foreign, ForeignError, Role};
 use super::grid::{Grid, beyond_limits};
-use super::{Place, Quantity, Value, count_text, value};
+use super::{Place, Quantity};
 use crate::chain::{ChainError, MAX_INSERTED, Positive, Restitution};
 use crate::number::decimal::Rounding;
 use crate::number::{NumberError, typed};
@@ -90,10 +90,8 @@ pub struct Judged {
     pub quantity: Quantity,
     /// The cell.
     pub written: String,
-    /// The certified value, to as many places; nothing for an empty cell.
-    pub certified: String,
-    /// What is to be said; `None` for an empty cell.
-    pub agreement: Option<Agreement>,
+    /// What is to be said; `None` for an empty cell where there is a value.
+    pub judgement: Option<Judgement>,
 }
 
 /// Counts of cells.
@@ -114,7 +112,7 @@ pub struct Tally {
 impl Tally {
     /// Counts a cell.
     pub fn count(&mut self, cell: &Judged) {
-        match &cell.agreement {
+        match cell.judgement.as_ref().map(|judgement| &judgement.agreement) {
             Some(Agreement::Right) => self.right += 1,
             Some(Agreement::Rounded(_)) => self.rounded += 1,
             Some(Agreement::Wrong(_)) => self.wrong += 1,
@@ -297,25 +295,12 @@ fn cell(
         n: count,
     };
     let written = row.fields.get(column).map_or("", String::as_str);
-    let number = |e: NumberError| match e {
-        NumberError::LimitReached { .. } => Failure::Limit(e.to_string()),
-        NumberError::Undefined { .. } => Failure::Input(e.to_string()),
-    };
     let chain = |e: ChainError| match e {
-        ChainError::Number(e) => number(e),
+        ChainError::Number(NumberError::LimitReached { .. }) => Failure::Limit(e.to_string()),
         e => Failure::Input(e.to_string()),
     };
-    let (agreement, certified) = match value(quantity, &place).map_err(chain)? {
-        _ if written.is_empty() => (None, String::new()),
-        Value::Count(best) => {
-            let certified = count_text(&best).0;
-            (Some(judge_count(written, &certified).map_err(number)?), certified)
-        }
-        Value::Real(real) => {
-            let (agreement, certified) = judge(written, &real, rounding).map_err(number)?;
-            (Some(agreement), certified)
-        }
-    };
+    let found = judge(written, quantity, &place, rounding).map_err(chain)?;
+    let judgement = Some(found).filter(|found| !written.is_empty() || found.agreement == Agreement::Right);
     Ok(Judged {
         line: row.line,
         ratio,
@@ -323,7 +308,6 @@ fn cell(
         n: n.filter(|_| quantity.needs_n()),
         quantity,
         written: written.to_owned(),
-        certified,
-        agreement,
+        judgement,
     })
 }

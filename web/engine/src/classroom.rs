@@ -199,7 +199,8 @@ pub fn check_table(request: &Request) -> Result<Value, Fault> {
             }
             tally.count(&cell);
             let shown: Vec<String> = comparison::entries(&cell).iter().map(|entry| entry.plain().to_owned()).collect();
-            cells.push(json!({ "entries": shown, "mark": mark(cell.agreement.as_ref()) }));
+            cells
+                .push(json!({ "entries": shown, "mark": mark(cell.judgement.as_ref().map(|found| &found.agreement)) }));
         }
     }
     if tally.judged() == 0 {
