@@ -143,7 +143,8 @@ enum Command {
     /// Find a hypothesis that a refuted claim lacks, and prove the claim with it
     #[command(
         after_help = "It tries the signs of the factors of left side - right side, the conditions under which both sides have \
-                      values, bounds on one variable, the order of two variables, and a least natural number.\n\n\
+                      values, the signs of differences in them, bounds on one variable, the order of two variables, and a \
+                      least natural number.\n\n\
                       `holds where H` means: the goal is proved with the hypothesis H added. `holds exactly where H` means: \
                       goal <=> H is proved. The exit code is 1 if the claim is not refuted, or if the goal is not proved with \
                       any of these hypotheses."

@@ -96,6 +96,17 @@ fn the_printed_finality_of_a_pass_lacks_what_its_repair_says() {
 }
 
 #[test]
+fn a_claim_lacks_the_order_of_two_of_its_products() {
+    for (goal, exact, hypothesis) in
+        [("(M - e*m)/(M + m) > 0", true, "m*e < M"), ("sqrt((M - e*m)^2) = M - e*m", false, "M >= e*m")]
+    {
+        let text = format!("claim t \"t\"\ngiven M > 0; m > 0; e in [0, 1]\nprove {goal}\n");
+        let repair = found(&parse(&text).unwrap().remove(0)).unwrap().1.unwrap();
+        assert_eq!((repair.exact, print::prop(&repair.hypothesis).as_str()), (exact, hypothesis), "{goal}");
+    }
+}
+
+#[test]
 fn a_claim_that_is_proved_is_not_repaired() {
     let claim = parse("claim t \"t\"\ngiven x > 0\nprove x + 1 > 1\n").unwrap().remove(0);
     assert!(repair(&judged(&claim).unwrap(), &limits()).is_err());

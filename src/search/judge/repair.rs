@@ -37,6 +37,8 @@ const AT_POINTS: Duration = Duration::from_millis(250);
 const ONE_PROOF: u32 = 6;
 /// How many factors without a known sign are put together.
 const FACTORS: usize = 3;
+/// How many signs of differences in a goal's sides are tried.
+const DIFFERENCES: usize = 4;
 /// The greatest first natural number that is tried.
 const NATURALS: u32 = 6;
 
@@ -202,6 +204,9 @@ fn candidates(claim: &Claim, statement: &Statement) -> (Vec<Prop>, Vec<Prop>) {
         for side in [a, b] {
             needed(side, &mut enough);
         }
+        let mut own = Vec::new();
+        [a, b].into_iter().for_each(|side| differences(side, &mut own));
+        enough.extend(own.into_iter().take(DIFFERENCES));
     }
     let own: Vec<Prop> = exact.iter().rev().cloned().collect();
     enough.extend(own);
@@ -210,17 +215,19 @@ fn candidates(claim: &Claim, statement: &Statement) -> (Vec<Prop>, Vec<Prop>) {
     bounds(statement, &names, &mut enough);
     let mut reading = expand::Statement::of(claim).ok().and_then(|s| Reading::of(&s, &statement.bindings));
     let mut form = |a: &Expr, b: &Expr| {
-        let above = reading.as_mut()?.difference(a, b)?.0.primitive_part().1;
-        Some(if above.leading_coefficient() < 0 { above.neg() } else { above })
+        let (above, below) = reading.as_mut()?.difference(a, b)?;
+        let above = above.primitive_part().1;
+        Some((if above.leading_coefficient() < 0 { above.neg() } else { above }, below.is_constant()))
     };
-    let goals: Vec<Polynomial> = atoms.iter().filter_map(|(a, _, b)| form(a, b)).collect();
+    // The sign of a quotient's numerator is no such comparison.
+    let goals: Vec<Polynomial> = atoms.iter().filter_map(|(a, _, b)| form(a, b)).filter(|f| f.1).map(|f| f.0).collect();
     for list in [&mut exact, &mut enough] {
         let mut seen = BTreeSet::new();
         list.retain(|p| {
             // A comparison of the goal in other words says nothing of what is missing.
             let mut parts = Vec::new();
             comparisons(p, &mut parts);
-            let restated = parts.iter().any(|(a, _, b)| form(a, b).is_some_and(|f| goals.contains(&f)));
+            let restated = parts.iter().any(|(a, _, b)| form(a, b).is_some_and(|f| goals.contains(&f.0)));
             !restated && seen.insert(key::prop(p))
         });
     }
@@ -258,6 +265,18 @@ fn needed(e: &Expr, out: &mut Vec<Prop>) {
     }
     if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..)) {
         expand::parts(e, &mut |part| needed(part, out));
+    }
+}
+
+/// The two signs of each difference in an expression.
+fn differences(e: &Expr, out: &mut Vec<Prop>) {
+    if let ExprKind::Sum(terms) = &e.kind
+        && terms.iter().any(|term| term.0 != terms[0].0)
+    {
+        out.extend([Relation::GreaterEqual, Relation::LessEqual].map(|relation| side(e, relation)));
+    }
+    if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..)) {
+        expand::parts(e, &mut |part| differences(part, out));
     }
 }
 
