@@ -1,6 +1,6 @@
 //! What a teacher makes and reads: versions of sheets, measured balls, readings of bounces, cross tables, own points.
 
-use crate::support::{carom, good, text};
+use crate::support::{carom, good, text, with_input};
 use carom::number::rational::parse;
 use malachite::Rational;
 use std::process::Command;
@@ -30,13 +30,48 @@ fn versions_differ_and_their_seed_gives_them_again() {
 #[test]
 fn a_sheet_asks_for_e_and_does_not_say_what_it_is() {
     for (name, given) in [
-        ("car-chain", "The coefficient of restitution e is 0.2 in collision 1,"),
-        ("stacked-balls", "The coefficient of restitution is e = 0.9 in every collision."),
+        ("car-chain", "The coefficient of restitution is e = 0.2 in collision 1,"),
+        ("stacked-balls", "The coefficient of restitution of two balls is e = 0.9 in every collision."),
     ] {
         let sheet = good(&["worksheet", &scene(name), "--sheet", "blank"]);
         let sheet = sheet.split_whitespace().collect::<Vec<_>>().join(" ");
         let meaning = "It is the speed at which two bodies move apart after a collision, divided by the speed at which they came together.";
         assert!(sheet.contains(given) && sheet.contains(meaning), "{sheet}");
+    }
+}
+
+#[test]
+fn a_sheet_says_what_cannot_happen() {
+    let sheet = |scene: &str| {
+        let out = with_input(&["worksheet", "-", "--sheet", "key"], scene);
+        assert_eq!(out.status.code(), Some(0), "{scene}: {}", text(&out.stderr));
+        text(&out.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let chain = |rest: &str| sheet(&format!("[chain]\nfirst = \"1\"\nlast = \"1\"\n{rest}"));
+    let drop = |rest: &str| sheet(&format!("[drop]\nmasses = [\"3\", \"1\"]\n{rest}"));
+    for (shown, right, wrong) in [
+        // A ball that does not leave the floor; its collision with the floor is not elastic.
+        (
+            drop("floor = \"0\"\nrestitution = \"1\"\n"),
+            "and stays there. The ball above, which still falls, strikes it",
+            "comes back up",
+        ),
+        (drop("floor = \"0\"\nrestitution = \"1\"\n"), "body 1 and body 2 collide", "downwards"),
+        (drop("floor = \"1\"\nrestitution = \"1\"\n"), "will collision 1 turn into heat", "all collisions"),
+        (drop("floor = \"[0, 0.1]\"\nrestitution = \"0.5\"\n"), "or stays there if e is 0", "downwards"),
+        // Infinitely many collisions have no last one, and no order to be written down.
+        (
+            chain("inserted = [\"1\"]\nrestitution = \"0.05\"\n"),
+            "fastest in the end? [ ] body 1 [ ] body 2 [ ] body 3 [x] all",
+            "last collision",
+        ),
+        (chain("inserted = [\"1\"]\nrestitution = \"0.05\"\n"), "How often?", "in which order"),
+        // Two bodies never meet again.
+        (chain("restitution = \"[0, 1]\"\n"), "turned into other forms by the collision?", "meet again"),
+        // To the left, the body in front strikes the one behind.
+        (chain("restitution = \"1\"\nvelocities = [\"-1\", \"-3\"]\n"), "body 1 and body 2 collide", "strikes"),
+    ] {
+        assert!(shown.contains(right) && !shown.contains(wrong), "{right}, not {wrong}: {shown}");
     }
 }
 

@@ -13,6 +13,7 @@ pub mod comparison;
 pub mod foreign;
 pub mod grid;
 pub mod later;
+mod measured;
 mod records;
 pub mod shard;
 pub mod shared;

@@ -4,20 +4,19 @@
 //! it is rational; or, where inputs are measured, a range that holds all its values. Totals obey the laws exactly: the
 //! total momentum does not change, and the total energy changes by the loss of the collision.
 //!
-//! **Measured inputs.** The velocities are those of [`Given`], whose ends are attained. Momenta, energies and changes follow
-//! from them by interval arithmetic: sound, and wider than need be where a mass and a velocity depend on each other.
+//! Measured inputs are the matter of `measured`.
 
 use crate::chain::optimum::Optimum;
 use crate::chain::pass::Pass;
-use crate::chain::uncertain::given::Given;
-use crate::chain::uncertain::{Coefficients, Range, Reals};
-use crate::chain::{ChainError, Positive, Restitution, Restitutions, recollision};
+use crate::chain::uncertain::Range;
+use crate::chain::{ChainError, Restitution, Restitutions, recollision};
 use crate::number::NumberError;
 use crate::number::interval::Interval;
 use crate::number::real::Real;
 use crate::scene::drop::Drop;
 use crate::scene::{Chain, Inserted, Start};
 use crate::table::later::{Later, later};
+use crate::table::measured::{self, Frame};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::basic::traits::{One, Two, Zero};
@@ -27,7 +26,7 @@ use std::sync::Arc;
 /// The most collisions of a worksheet.
 pub const MAX_COLLISIONS: u64 = 1_000;
 /// Bits of an enclosure by which two irrational entries are compared.
-const BITS: u64 = 192;
+pub(super) const BITS: u64 = 192;
 
 /// A number that several entries are made of.
 type Shared = Arc<Real>;
@@ -85,8 +84,8 @@ impl Entry {
     pub fn negated(&self) -> Entry {
         let minus = -Rational::ONE;
         match self {
-            Entry::Number(x) => x.scaled(&minus).entry(),
-            Entry::Between(range) => Arithmetic::scaled(range, &minus).entry(),
+            Entry::Number(x) => Entry::Number(scaled(x, &minus)),
+            Entry::Between(range) => Entry::range(range.scaled(&minus)),
         }
     }
 
@@ -94,7 +93,7 @@ impl Entry {
     #[must_use]
     pub fn plus(&self, other: &Entry) -> Entry {
         match (self, other) {
-            (Entry::Number(a), Entry::Number(b)) => Entry::Number(a.plus(b)),
+            (Entry::Number(a), Entry::Number(b)) => Entry::Number(sum(a, b)),
             // Bounds of finite numbers are there.
             _ => match (self.bounds(), other.bounds()) {
                 (Some((a, b)), Some((c, d))) => Range::new(a + c, b + d).map_or_else(|_| self.clone(), Entry::range),
@@ -167,7 +166,7 @@ impl Worksheet {
                 return Err(ChainError::Measured { quantity: MEASURED });
             };
             let frame = Frame { speed: Range::point(speed.clone()), shift: Rational::ZERO };
-            return of_measured(&masses, chain.coefficients(), &frame);
+            return measured::worksheet(&masses, chain.coefficients(), &frame);
         }
         let restitutions = chain.restitutions().0;
         match (chain.inserted(), chain.start()) {
@@ -205,7 +204,7 @@ impl Worksheet {
             return of_pass(&Pass::new(masses, restitutions.clone(), before)?, &restitutions);
         }
         let frame = Frame { speed: drop.approach(), shift: -Rational::ONE };
-        of_measured(drop.masses(), drop.coefficients(), &frame)
+        measured::worksheet(drop.masses(), drop.coefficients(), &frame)
     }
 
     /// The velocity of each body after all collisions, those after the pass included; `None` where they are not known.
@@ -227,7 +226,8 @@ impl Worksheet {
 }
 
 /// What a worksheet or a picture of velocities does not take.
-const MEASURED: &str = "a worksheet or picture of velocities of optimal masses, or of velocities of all bodies,";
+pub(super) const MEASURED: &str =
+    "a worksheet or picture of velocities of optimal masses, or of velocities of all bodies,";
 
 fn limit(collisions: u64) -> Result<(), ChainError> {
     if collisions > MAX_COLLISIONS {
@@ -235,73 +235,6 @@ fn limit(collisions: u64) -> Result<(), ChainError> {
         return Err(NumberError::LimitReached { limit, allowed: MAX_COLLISIONS, needed: collisions.to_string() }.into());
     }
     Ok(())
-}
-
-/// From the frame in which the first body alone moves, with velocity 1, to the one that is shown: `v·speed + shift`.
-struct Frame {
-    speed: Range<Rational>,
-    shift: Rational,
-}
-
-impl Frame {
-    fn shown(&self, v: &Range<Rational>) -> Range<Rational> {
-        let shift = Range::point(self.shift.clone());
-        v.times(&self.speed).plus(&shift)
-    }
-}
-
-/// The pass of bodies of which some mass, coefficient or the approach may be measured.
-fn of_measured(
-    masses: &[Range<Positive>],
-    coefficients: &Coefficients,
-    frame: &Frame,
-) -> Result<Worksheet, ChainError> {
-    if *frame.speed.lo() <= Rational::ZERO {
-        return Err(ChainError::NotAtRest);
-    }
-    let ends = |found: Reals| match (found.least.as_rational(), found.greatest.as_rational()) {
-        (Some(lo), Some(hi)) => Range::new(lo.clone(), hi.clone()).map_err(|_| ChainError::NotAtRest),
-        // Bounds of given masses are rational.
-        _ => Err(ChainError::Measured { quantity: MEASURED }),
-    };
-    // Enough for the digits of any sheet: what is rounded is far below any uncertainty.
-    let given = |count: usize| {
-        let coefficients = match coefficients {
-            Coefficients::Each(list) => Coefficients::Each(list.iter().take(count - 1).cloned().collect()),
-            same => same.clone(),
-        };
-        Given::new(masses[..count].to_vec(), coefficients, Rational::ONE, BITS)
-    };
-    let whole = given(masses.len())?;
-    let after = whole.velocities()?.into_iter().map(ends).collect::<Result<Vec<_>, _>>()?;
-    let mut arrivals = vec![Range::point(Rational::ONE)];
-    for count in 2..=masses.len() {
-        arrivals.push(ends(given(count)?.last_velocity()?)?);
-    }
-    let square = frame.speed.times(&frame.speed);
-    let losses = whole.losses()?.into_iter().map(ends).collect::<Result<Vec<_>, _>>()?;
-    let rest = Range::point(Rational::ZERO);
-    let mut collisions = Vec::new();
-    for (i, ((pair, loss), left)) in masses.windows(2).zip(&losses).zip(&after).enumerate() {
-        let ([m1, m2], Some(e)) = (pair, coefficients.at(i)) else { continue };
-        let mass = |m: &Range<Positive>| m.clone().map(|m| Ok::<_, ChainError>(m.value().clone()));
-        let velocities = [[&arrivals[i], left], [&rest, &arrivals[i + 1]]].map(|pair| pair.map(|v| frame.shown(v)));
-        let mut found = collision(i as u64, Entry::range(value(e)), [mass(m1)?, mass(m2)?], velocities);
-        found.energy.change = Entry::range(loss.times(&square).times(&Range::point(-Rational::ONE)));
-        if found.energy.change.bounds() == Some((Rational::ZERO, Rational::ZERO)) {
-            found.energy.after = found.energy.before.clone();
-        }
-        collisions.push(found);
-    }
-    let pairs = || after.windows(2);
-    let never = pairs().all(|pair| pair[0].hi() <= pair[1].lo());
-    let always = pairs().any(|pair| pair[0].lo() > pair[1].hi());
-    Ok(Worksheet { collisions, again: if never { Some(false) } else { always.then_some(true) }, later: None })
-}
-
-fn value(e: &Range<Restitution>) -> Range<Rational> {
-    let end = |e: &Restitution| e.value().clone();
-    Range::new(end(e.lo()), end(e.hi())).unwrap_or_else(|_| Range::point(end(e.lo())))
 }
 
 fn exact(x: &Rational) -> Shared {
@@ -356,104 +289,59 @@ fn known_energies(found: &mut Collision, optimum: &Optimum, i: u64, speed: &Rati
             found.bodies[0].energy.change = Entry::exact(&change);
         }
     }
-    found.energy.change = Entry::Number(Arc::new(loss).scaled(&-Rational::ONE));
+    found.energy.change = Entry::Number(scaled(&Arc::new(loss), &-Rational::ONE));
 }
 
-/// What entries are computed with.
-trait Arithmetic: Clone {
-    fn plus(&self, other: &Self) -> Self;
-    fn product(&self, other: &Self) -> Self;
-    fn scaled(&self, by: &Rational) -> Self;
-    /// Half of the product with the square.
-    fn energy(&self, velocity: &Self) -> Self;
-    fn entry(&self) -> Entry;
+fn scaled(x: &Shared, by: &Rational) -> Shared {
+    product(x, &exact(by))
 }
 
-impl Arithmetic for Shared {
-    fn plus(&self, other: &Shared) -> Shared {
-        sum(self, other)
-    }
-
-    fn product(&self, other: &Shared) -> Shared {
-        product(self, other)
-    }
-
-    fn scaled(&self, by: &Rational) -> Shared {
-        product(self, &exact(by))
-    }
-
-    fn energy(&self, v: &Shared) -> Shared {
-        product(self, &product(v, v)).scaled(&(Rational::ONE / Rational::TWO))
-    }
-
-    fn entry(&self) -> Entry {
-        Entry::Number(self.clone())
-    }
-}
-
-impl Arithmetic for Range<Rational> {
-    fn plus(&self, other: &Self) -> Self {
-        Range::plus(self, other)
-    }
-
-    fn product(&self, other: &Self) -> Self {
-        self.times(other)
-    }
-
-    fn scaled(&self, by: &Rational) -> Self {
-        self.times(&Range::point(by.clone()))
-    }
-
-    fn energy(&self, v: &Self) -> Self {
-        self.times(&v.square()).scaled(&(Rational::ONE / Rational::TWO))
-    }
-
-    fn entry(&self) -> Entry {
-        Entry::range(self.clone())
-    }
+fn kinetic(m: &Shared, v: &Shared) -> Shared {
+    scaled(&product(m, &product(v, v)), &(Rational::ONE / Rational::TWO))
 }
 
 /// A quantity before, after, and its change.
-struct Pair<T> {
-    before: T,
-    after: T,
-    change: T,
+struct Pair {
+    before: Shared,
+    after: Shared,
+    change: Shared,
 }
 
-impl<T: Arithmetic> Pair<T> {
-    fn new([before, after]: [T; 2]) -> Pair<T> {
-        Pair { change: after.plus(&before.scaled(&-Rational::ONE)), before, after }
+impl Pair {
+    fn new([before, after]: [Shared; 2]) -> Pair {
+        Pair { change: sum(&after, &scaled(&before, &-Rational::ONE)), before, after }
     }
 
     fn entries(&self) -> Change {
-        Change { before: self.before.entry(), after: self.after.entry(), change: self.change.entry() }
+        let [before, after, change] = [&self.before, &self.after, &self.change].map(|x| Entry::Number(x.clone()));
+        Change { before, after, change }
     }
 
-    fn plus(&self, other: &Pair<T>) -> Pair<T> {
+    fn plus(&self, other: &Pair) -> Pair {
         Pair {
-            before: self.before.plus(&other.before),
-            after: self.after.plus(&other.after),
-            change: self.change.plus(&other.change),
+            before: sum(&self.before, &other.before),
+            after: sum(&self.after, &other.after),
+            change: sum(&self.change, &other.change),
         }
     }
 }
 
 /// The entries of one collision.
-fn collision<T: Arithmetic>(i: u64, e: Entry, masses: [T; 2], velocities: [[T; 2]; 2]) -> Collision {
+fn collision(i: u64, e: Entry, masses: [Shared; 2], velocities: [[Shared; 2]; 2]) -> Collision {
     let [m1, m2] = masses;
     let [first, second] = velocities;
-    let momenta = [(&m1, &first), (&m2, &second)].map(|(m, v)| Pair::new([m.product(&v[0]), m.product(&v[1])]));
-    let energies = [(&m1, &first), (&m2, &second)].map(|(m, v)| Pair::new([m.energy(&v[0]), m.energy(&v[1])]));
+    let momenta = [(&m1, &first), (&m2, &second)].map(|(m, v)| Pair::new([product(m, &v[0]), product(m, &v[1])]));
+    let energies = [(&m1, &first), (&m2, &second)].map(|(m, v)| Pair::new([kinetic(m, &v[0]), kinetic(m, &v[1])]));
     let (momentum, energy) = (momenta[0].plus(&momenta[1]), energies[0].plus(&energies[1]));
-    let body = |number: u64, mass: &T, velocity: [T; 2], place: usize| Body {
+    let body = |number: u64, mass: Shared, velocity: [Shared; 2], place: usize| Body {
         number,
-        mass: mass.entry(),
+        mass: Entry::Number(mass),
         velocity: Pair::new(velocity).entries(),
         momentum: momenta[place].entries(),
         energy: energies[place].entries(),
     };
-    let bodies = [body(i + 1, &m1, first, 0), body(i + 2, &m2, second, 1)];
-    let before = momentum.before.entry();
+    let bodies = [body(i + 1, m1, first, 0), body(i + 2, m2, second, 1)];
+    let before = Entry::Number(momentum.before);
     let momentum = Change { after: before.clone(), before, change: Entry::exact(&Rational::ZERO) };
     Collision { e, momentum, energy: energy.entries(), bodies }
 }

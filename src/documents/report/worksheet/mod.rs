@@ -21,7 +21,10 @@ use crate::scene::About;
 use crate::scene::drop::Drop;
 use crate::table::grid::decimal_or_fraction;
 use crate::table::worksheet::{Change, Collision, Entry, Worksheet};
+use malachite::Rational;
+use malachite::base::num::basic::traits::Zero;
 pub use setting::Units;
+use std::cmp::Ordering;
 
 /// How entries are written.
 #[derive(Clone, Copy, Debug)]
@@ -229,8 +232,13 @@ fn table(c: &Collision, place: usize, units: &Units, style: Style, filled: bool)
     ];
     let (behind, front) = (a.number, b.number);
     let e = written(&c.e, style)?;
+    let moves = a.velocity.before.compared(&Entry::exact(&Rational::ZERO)) == Some(Ordering::Greater);
+    let meeting = match moves {
+        true => format!("body {behind} strikes body {front}"),
+        false => format!("body {behind} and body {front} collide"),
+    };
     Ok(Table {
-        title: format!("Collision {}: body {behind} strikes body {front}, e = {e}", place + 1),
+        title: format!("Collision {}: {meeting}, e = {e}", place + 1),
         columns: vec![format!("body {behind}"), format!("body {front}"), "both".to_owned()],
         groups,
     })

@@ -23,7 +23,7 @@ const NAMED: usize = 20;
 /// When a question is about: the end, or a moment before bodies meet again.
 struct Moment {
     velocities: Vec<Entry>,
-    /// `after the last collision`.
+    /// `after the last collision`, where there is one.
     words: String,
 }
 
@@ -34,7 +34,15 @@ fn moment(subject: &Subject<'_>) -> Moment {
         _ if subject.drop.is_some() => {
             Moment { velocities: pass(), words: "right after the highest ball has been struck".to_owned() }
         }
-        Some(velocities) => Moment { velocities, words: "after the last collision".to_owned() },
+        Some(velocities) => {
+            let endless = sheet.later.as_ref().is_some_and(|later| later.pairs.is_none());
+            let words = match sheet.collisions.len() {
+                _ if endless => "in the end",
+                1 => "after the collision",
+                _ => "after the last collision",
+            };
+            Moment { velocities, words: words.to_owned() }
+        }
         None => {
             let words = format!("right after collision {}", sheet.collisions.len());
             Moment { velocities: pass(), words }
@@ -45,7 +53,7 @@ fn moment(subject: &Subject<'_>) -> Moment {
 /// What pupils guess before they compute.
 pub(crate) fn predictions(subject: &Subject<'_>, filled: bool) -> Vec<Part> {
     let moment = moment(subject);
-    let asked = [fastest(&moment), backwards(subject, &moment), lost(subject), rise(subject)];
+    let asked = [fastest(subject, &moment), backwards(subject, &moment), lost(subject), rise(subject)];
     let asked: Vec<(String, Vec<(String, bool)>)> = asked.into_iter().flatten().collect();
     if asked.is_empty() {
         return Vec::new();
@@ -65,9 +73,9 @@ pub(crate) fn predictions(subject: &Subject<'_>, filled: bool) -> Vec<Part> {
 type Question = (String, Vec<(String, bool)>);
 
 /// Which body is the fastest afterwards.
-fn fastest(moment: &Moment) -> Option<Question> {
+fn fastest(subject: &Subject<'_>, moment: &Moment) -> Option<Question> {
     let velocities = &moment.velocities;
-    if velocities.len() > LISTED {
+    if velocities.len() > LISTED || may_stay_down(subject) {
         return None;
     }
     let size = |v: &Entry| {
@@ -105,7 +113,7 @@ fn backwards(subject: &Subject<'_>, moment: &Moment) -> Option<Question> {
     // What may be zero or above is as good as known.
     let lowest = moment.velocities.iter().map(Entry::bounds).collect::<Option<Vec<_>>>()?;
     let none = lowest.iter().all(|(lo, _)| *lo >= 0u32);
-    if !some && !none {
+    if !some && !none || may_stay_down(subject) {
         return None;
     }
     let way = if subject.drop.is_some() { "downwards" } else { "backwards" };
@@ -113,11 +121,18 @@ fn backwards(subject: &Subject<'_>, moment: &Moment) -> Option<Question> {
     Some((ask, vec![("yes".to_owned(), some), ("no".to_owned(), none)]))
 }
 
-/// Which collisions the sheet computes, where there are more.
-fn which(worksheet: &Worksheet) -> String {
-    match (worksheet.again, worksheet.collisions.len()) {
-        (Some(false), _) => "all collisions together".to_owned(),
-        (_, count) => format!("collisions 1 to {count} together"),
+/// Whether the lowest ball may lie on the floor when it is struck: there it does not move as the table says.
+fn may_stay_down(subject: &Subject<'_>) -> bool {
+    subject.drop.is_some_and(|drop| *drop.floor().lo().value() == 0u32)
+}
+
+/// Which collisions the sheet computes: of balls that fall, there are more with the floor.
+fn which(subject: &Subject<'_>) -> String {
+    match (subject.drop, subject.worksheet.again, subject.worksheet.collisions.len()) {
+        (None, Some(false), 1) => "the collision".to_owned(),
+        (None, Some(false), _) => "all collisions together".to_owned(),
+        (.., 1) => "collision 1".to_owned(),
+        (.., count) => format!("collisions 1 to {count} together"),
     }
 }
 
@@ -145,7 +160,7 @@ fn lost(subject: &Subject<'_>) -> Option<Question> {
         return None;
     }
     let options = ["none", "less than a quarter", "from a quarter to half", "more than half"];
-    let which = which(subject.worksheet);
+    let which = which(subject);
     let ask = format!("How much of the kinetic energy will {which} turn into heat, sound and deformation?");
     let options = options.into_iter().zip(right).map(|(text, right)| (text.to_owned(), right)).collect();
     Some((ask, options))
@@ -171,9 +186,8 @@ fn end(later: &Later, collisions: usize, units: &Units, style: Style) -> Option<
     let velocities = later.velocities.iter().map(|v| number(&Entry::exact(v), style).ok());
     let velocities = velocities.collect::<Option<Vec<String>>>()?.join(", ");
     let unit = units.velocity.as_deref().map_or(String::new(), |unit| format!(" {unit}"));
-    let ask = format!(
-        "Bodies meet again after collision {collisions}. Which ones, in which order? How fast is each of them in the end?"
-    );
+    let ask = if later.pairs.is_some() { "Which ones, in which order?" } else { "How often?" };
+    let ask = format!("Bodies meet again after collision {collisions}. {ask} How fast is each of them in the end?");
     let then = match &later.pairs {
         Some(pairs) if pairs.len() <= NAMED => {
             let pairs: Vec<String> = pairs.iter().map(|pair| format!("{pair}–{}", pair + 1)).collect();
@@ -218,13 +232,16 @@ pub(super) fn comparison(
     let mut asked: Vec<(String, String)> = answer.map(|answer| (ask, answer)).into_iter().collect();
     if let Some((before, change)) = energies(subject.worksheet) {
         let answer = match change.bounds() {
-            Some((lo, hi)) if lo == 0u32 && hi == 0u32 => Some("None: every collision is elastic.".to_owned()),
+            Some((lo, hi)) if lo == 0u32 && hi == 0u32 => {
+                Some(format!("None: {} elastic.", if rest.is_empty() { "it is" } else { "each of them is" }))
+            }
             _ => {
                 let (lost, before) = (with(&change.negated(), &units.energy), with(&before, &units.energy));
                 lost.zip(before).map(|(lost, before)| format!("{lost} of {before}."))
             }
         };
-        let ask = format!("How much kinetic energy do {} turn into other forms?", which(subject.worksheet));
+        let which = which(subject);
+        let ask = format!("How much kinetic energy is turned into other forms by {which}?");
         asked.extend(answer.map(|answer| (ask, answer)));
     }
     // Where another ball hits it again, its rise after one pass is not how high it rises.

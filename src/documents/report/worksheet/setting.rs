@@ -94,12 +94,16 @@ fn words(subject: &Subject<'_>, units: &Units, style: Style) -> Result<String, N
                 let shown = plus_minus(lo, hi).unwrap_or_else(|| decimal_or_fraction(lo));
                 format!(" from a height of {shown}{unit}")
             });
-            let e = drop.floor();
-            let e = plus_minus(e.lo().value(), e.hi().value()).unwrap_or_else(|| decimal_or_fraction(e.lo().value()));
+            let (lo, hi) = (drop.floor().lo().value(), drop.floor().hi().value());
+            let e = plus_minus(lo, hi).unwrap_or_else(|| decimal_or_fraction(lo));
+            let then = match (*lo == 0u32, *hi == 0u32) {
+                (_, true) => "and stays there. The ball above, which still falls, strikes it",
+                (true, _) => "and comes back up, or stays there if e is 0. It meets the ball above, which still falls",
+                _ => "and comes back up. It strikes the ball above, which still falls",
+            };
             format!(
                 "{bodies} balls are dropped together{height}, one right above the other. They reach the floor with the speed v. \
-                 The lowest ball, body 1, strikes the floor first (e = {e}) and comes back up. It strikes the ball above, which \
-                 still falls, and so on up to the highest."
+                 The lowest ball, body 1, strikes the floor first (e = {e}) {then}, and so on up to the highest."
             )
         }
         (None, Some(first)) => {
@@ -116,18 +120,17 @@ fn words(subject: &Subject<'_>, units: &Units, style: Style) -> Result<String, N
                     "{bodies} bodies stand in a row on a straight track. Body 1 moves with a velocity of {speed}{unit} towards the others, \
                      which are at rest. Each body strikes the next one once."
                 ),
-                (false, 1) => "Two bodies move along a straight track. Body 1 strikes body 2.".to_owned(),
-                (false, _) => {
-                    format!(
-                        "{bodies} bodies move along a straight track, body 1 behind. Each body strikes the next one once."
-                    )
-                }
+                (false, 1) => "Two bodies move along a straight track, body 1 on the left. They collide.".to_owned(),
+                (false, _) => format!(
+                    "{bodies} bodies move along a straight track, body 1 on the left. Each body collides with the next one once."
+                ),
             }
         }
         (None, None) => String::new(),
     };
     let later = later(subject, style)?;
-    Ok(format!("{start}{later} {} {RESTITUTION}", restitutions(collisions, style)?))
+    let of = if subject.drop.is_some() { " of two balls" } else { "" };
+    Ok(format!("{start}{later} {} {RESTITUTION}", restitutions(collisions, of, style)?))
 }
 
 /// What the coefficient of restitution is.
@@ -151,17 +154,17 @@ fn later(subject: &Subject<'_>, style: Style) -> Result<String, NumberError> {
     Ok(format!(" After that, bodies meet again. {gaps}"))
 }
 
-fn restitutions(collisions: &[Collision], style: Style) -> Result<String, NumberError> {
+fn restitutions(collisions: &[Collision], of: &str, style: Style) -> Result<String, NumberError> {
     let all = collisions.iter().map(|c| written(&c.e, style)).collect::<Result<Vec<String>, _>>()?;
     let same = all.windows(2).all(|pair| pair[0] == pair[1]);
     Ok(match all.as_slice() {
         [] => String::new(),
-        [only] => format!("The coefficient of restitution is e = {only}."),
-        [first, ..] if same => format!("The coefficient of restitution is e = {first} in every collision."),
+        [only] => format!("The coefficient of restitution{of} is e = {only}."),
+        [first, ..] if same => format!("The coefficient of restitution{of} is e = {first} in every collision."),
         list => {
             let list: Vec<String> =
                 list.iter().enumerate().map(|(i, e)| format!("{e} in collision {}", i + 1)).collect();
-            format!("The coefficient of restitution e is {}.", list.join(", "))
+            format!("The coefficient of restitution{of} is e = {}.", list.join(", "))
         }
     })
 }

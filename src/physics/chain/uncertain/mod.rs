@@ -136,6 +136,25 @@ impl Range<Rational> {
         Range { lo, hi: a.max(b).max(c).max(d) }
     }
 
+    /// All products with one number.
+    #[must_use]
+    pub fn scaled(&self, by: &Rational) -> Range<Rational> {
+        self.times(&Range::point(by.clone()))
+    }
+
+    /// The least range that holds both.
+    #[must_use]
+    pub fn hull(&self, other: &Range<Rational>) -> Range<Rational> {
+        Range { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() }
+    }
+
+    /// What lies in both, where something does.
+    #[must_use]
+    pub fn meet(&self, other: &Range<Rational>) -> Range<Rational> {
+        let (lo, hi) = ((&self.lo).max(&other.lo).clone(), (&self.hi).min(&other.hi).clone());
+        if lo <= hi { Range { lo, hi } } else { self.clone() }
+    }
+
     /// All squares.
     #[must_use]
     pub fn square(&self) -> Range<Rational> {
