@@ -1,96 +1,239 @@
 //! A Markdown file as LaTeX: its displayed formulas and its comments, at the same places.
 //!
 //! Contract: the result has as many bytes as the source, and each formula and comment stands where it stands there. Formulas
-//! are `$$ … $$` and code blocks with the word `math`; a comment is `<!-- carom … -->` on one line. Code and other
-//! comments are passed over.
+//! are `$$ … $$` and code blocks with the word `math`, in block quotes and lists as well; a comment is `<!-- carom … -->`. A
+//! comment of several lines is one line, whose parts [`NEXT_LINE`] separates. Other code and other comments are passed over.
+//! Formulas in running text are kept on lines with `<!-- carom inline`.
+
+use super::token::NEXT_LINE;
 
 /// The LaTeX in a Markdown file; everything else is spaces.
 #[must_use]
 pub fn latex_of(source: &str) -> String {
-    let mut out: Vec<u8> = source.bytes().map(|b| if b == b'\n' { b'\n' } else { b' ' }).collect();
-    let mut keep = |from: usize, text: &str| {
-        if let Some(place) = out.get_mut(from..from + text.len()) {
+    let out = source.bytes().map(|b| if b == b'\n' { b'\n' } else { b' ' }).collect();
+    let mut page = Page { source, out, inside: Inside::Text, lists: Vec::new(), is_blank: true, quotes: 0 };
+    let mut at = 0;
+    for line in source.split_inclusive('\n') {
+        page.line(at, line);
+        at += line.len();
+    }
+    // Only whole parts of the source were copied, so this is text.
+    String::from_utf8(page.out).unwrap_or_default()
+}
+
+/// What a line begins in.
+#[derive(Clone, Copy)]
+enum Inside<'s> {
+    Text,
+    Formula,
+    /// A comment, and the byte at which its clause begins, if it is one.
+    Comment(Option<usize>),
+    /// Code up to a fence of this sign and length, and whether it is a formula.
+    Fence(&'s str, bool),
+    /// Code in running text, up to a byte of the source.
+    Code(usize),
+}
+
+struct Page<'s> {
+    source: &'s str,
+    out: Vec<u8>,
+    inside: Inside<'s>,
+    /// Where the text of each list begins that is open.
+    lists: Vec<usize>,
+    /// Whether the line before was blank, or code by its indent.
+    is_blank: bool,
+    /// The signs of quotation before the text in which a formula, a comment or a block of code began.
+    quotes: usize,
+}
+
+impl<'s> Page<'s> {
+    fn keep(&mut self, from: usize, text: &str) {
+        if let Some(place) = self.out.get_mut(from..from + text.len()) {
             place.copy_from_slice(text.as_bytes());
         }
-    };
-    let mut at = 0;
-    // Whether a comment for people goes on.
-    let mut is_comment = false;
-    // The fence of a code block, and whether it holds a formula.
-    let mut fence: Option<(&str, bool)> = None;
-    let mut is_formula = false;
-    for line in source.split_inclusive('\n') {
-        let start = at;
-        at += line.len();
-        let trimmed = line.trim();
-        let indent = line.len() - line.trim_start().len();
-        let mut rest = 0;
-        if is_comment {
-            let Some(end) = line.find("-->") else { continue };
-            is_comment = false;
-            rest = end + 3;
+    }
+
+    /// Reads a line that begins at a byte of the source.
+    fn line(&mut self, start: usize, line: &'s str) {
+        let most = if matches!(self.inside, Inside::Text) { usize::MAX } else { self.quotes };
+        let (quotes, quoted) = quotation(line, most);
+        if quotes < self.quotes && matches!(self.inside, Inside::Fence(..)) {
+            self.inside = Inside::Text;
         }
-        if let Some((mark, is_math)) = fence {
-            if trimmed.starts_with(mark) {
-                fence = None;
+        self.is_blank |= quotes > self.quotes;
+        self.quotes = quotes;
+        let (start, line) = (start + quoted, &line[quoted..]);
+        let trimmed = line.trim();
+        let indent = columns(line);
+        if let Inside::Fence(mark, is_math) = self.inside {
+            if trimmed.starts_with(mark) && trimmed.trim_start_matches(&mark[..1]).is_empty() {
+                (self.inside, self.is_blank) = (Inside::Text, true);
                 if is_math {
-                    keep(start + indent, "$$");
+                    self.keep(start + line.len() - line.trim_start().len(), "$$");
                 }
             } else if is_math {
-                keep(start, line);
+                self.keep(start, line);
             }
-            continue;
+            return;
         }
-        if let Some(mark) = ["```", "~~~"].into_iter().find(|mark| trimmed.starts_with(mark)).filter(|_| !is_formula) {
-            let is_math = trimmed[mark.len()..].trim() == "math";
-            fence = Some((mark, is_math));
-            if is_math {
-                keep(start + indent, "$$");
+        if matches!(self.inside, Inside::Text) {
+            if trimmed.is_empty() {
+                self.is_blank = true;
+                return;
             }
-            continue;
-        }
-        while rest < line.len() {
-            if is_formula {
-                let end = line[rest..].find("$$").map_or(line.len(), |end| rest + end + 2);
-                keep(start + rest, &line[rest..end]);
-                is_formula = !line[rest..end].ends_with("$$");
-                rest = end;
-                continue;
+            let before = self.is_blank;
+            while before && self.lists.last().is_some_and(|text| indent < *text) {
+                self.lists.pop();
             }
-            let next = ["$$", "<!-- carom", "<!--", "`"]
-                .into_iter()
-                .filter_map(|mark| Some((line[rest..].find(mark)?, mark)))
-                .min_by_key(|(place, mark)| (*place, std::cmp::Reverse(mark.len())));
-            let Some((place, mark)) = next else { break };
-            let place = rest + place;
-            match mark {
-                "$$" => {
-                    keep(start + place, "$$");
-                    is_formula = true;
-                    rest = place + 2;
+            let base = self.lists.last().copied().unwrap_or(0);
+            // Code by its indent follows a blank line, and code.
+            if before && indent >= base + 4 {
+                return;
+            }
+            self.is_blank = trimmed.starts_with('#') || (trimmed.starts_with("<!--") && trimmed.ends_with("-->"));
+            if let Some(text) = item(trimmed) {
+                self.lists.retain(|outer| *outer <= indent);
+                self.lists.push(indent + text);
+            }
+            let mark = trimmed.len() - trimmed.trim_start_matches(['`', '~']).len();
+            let is_fence = mark >= 3 && trimmed[..mark].chars().all(|c| trimmed.starts_with(c));
+            if is_fence && !(trimmed.starts_with('`') && trimmed[mark..].contains('`')) {
+                let is_math = trimmed[mark..].trim() == "math";
+                self.inside = Inside::Fence(&trimmed[..mark], is_math);
+                if is_math {
+                    self.keep(start + line.len() - line.trim_start().len(), "$$");
                 }
-                "`" => rest = line[place + 1..].find('`').map_or(line.len(), |end| place + 1 + end + 1),
-                "<!--" => match line[place..].find("-->") {
-                    Some(end) => rest = place + end + 3,
-                    None => {
-                        is_comment = true;
-                        break;
+                return;
+            }
+            // What LaTeX would read as a comment is none here, but it is meant as one.
+            if trimmed.starts_with("%carom") {
+                return self.keep(start, line);
+            }
+        }
+        self.text(start, line);
+    }
+
+    /// Reads the text of a line.
+    fn text(&mut self, start: usize, line: &'s str) {
+        let mut at = 0;
+        while at < line.len() {
+            let rest = &line[at..];
+            match self.inside {
+                Inside::Formula => {
+                    let end = rest.find("$$").map(|end| end + 2);
+                    self.keep(start + at, &rest[..end.unwrap_or(rest.len())]);
+                    at = end.map_or(line.len(), |end| at + end);
+                    self.inside = if end.is_some() { Inside::Text } else { Inside::Formula };
+                }
+                Inside::Comment(clause) => {
+                    let end = rest.find("-->");
+                    if let Some(from) = clause.filter(|from| *from < start + line.len()) {
+                        let said = rest[..end.unwrap_or(rest.len())].trim_end();
+                        if let Some(before) = self.source[..start].rfind('\n').filter(|before| from < *before) {
+                            self.keep(before, NEXT_LINE);
+                        }
+                        let skipped = from.saturating_sub(start + at).min(said.len());
+                        self.keep(start + at + skipped, &said[skipped..]);
+                        // The comment ends here; what follows it on the line is text.
+                        end.into_iter().for_each(|end| self.keep(start + at + end, "\n"));
                     }
-                },
-                _ => {
-                    let said = place + mark.len();
-                    let end = line[said..].find("-->").map_or(line.len(), |end| said + end);
-                    keep(start + place, "    %carom");
-                    keep(start + said, line[said..end].trim_end_matches('\n'));
-                    // The comment ends here; what follows it on the line is text.
-                    if end < line.len() && line[end..].starts_with("-->") {
-                        keep(start + end, "\n");
+                    at = end.map_or(line.len(), |end| at + end + 3);
+                    self.inside = if end.is_some() { Inside::Text } else { Inside::Comment(clause) };
+                }
+                Inside::Code(end) => {
+                    at = end.saturating_sub(start).clamp(at, line.len());
+                    if start + at >= end {
+                        self.inside = Inside::Text;
                     }
-                    rest = (end + 3).min(line.len());
+                }
+                Inside::Text | Inside::Fence(..) => {
+                    let marks: &[&str] =
+                        if line.contains("carom inline") { &["$$", "$", "<!--", "`"] } else { &["$$", "<!--", "`"] };
+                    let found = marks.iter().filter_map(|mark| Some((rest.find(mark)?, *mark)));
+                    let Some((place, mark)) = found.min_by_key(|(place, mark)| (*place, std::cmp::Reverse(mark.len())))
+                    else {
+                        return;
+                    };
+                    at += place;
+                    at += self.mark(start + at, &line[at..], mark);
                 }
             }
         }
     }
-    // Only whole parts of the source were copied, so this is text.
-    String::from_utf8(out).unwrap_or_default()
+
+    /// Reads what begins with a sign at a byte of the source, and returns the length that is read.
+    fn mark(&mut self, at: usize, rest: &'s str, mark: &str) -> usize {
+        match mark {
+            "$$" => {
+                self.keep(at, "$$");
+                self.inside = Inside::Formula;
+                2
+            }
+            "$" => {
+                let end = rest[1..].find('$').map_or(1, |end| end + 2);
+                self.keep(at, &rest[..end]);
+                end
+            }
+            "`" => {
+                let length = rest.len() - rest.trim_start_matches('`').len();
+                let lines = self.source[at..].split_inclusive('\n');
+                let rest_of = lines.take_while(|line| !line.trim_matches(['>', ' ', '\t', '\r', '\n']).is_empty());
+                let paragraph = &self.source[at..at + rest_of.map(str::len).sum::<usize>()];
+                let mut end = length;
+                // Code ends with as many signs as it begins with, or it is none.
+                while let Some(next) = paragraph[end..].find('`') {
+                    let signs = &paragraph[end + next..];
+                    let count = signs.len() - signs.trim_start_matches('`').len();
+                    end += next + count;
+                    if count == length {
+                        self.inside = Inside::Code(at + end);
+                        break;
+                    }
+                }
+                length
+            }
+            _ => {
+                let said =
+                    self.source[at + mark.len()..].trim_start_matches(|c: char| c.is_whitespace() || "-%".contains(c));
+                let word = self.source.len() - said.len();
+                let is_clause = said.starts_with("carom");
+                if is_clause {
+                    self.keep(word - 1, "%carom");
+                }
+                self.inside = Inside::Comment(is_clause.then_some(word + "carom".len()));
+                mark.len()
+            }
+        }
+    }
+}
+
+/// How many signs of quotation, `most` of them, begin a line, and the bytes that they take.
+fn quotation(line: &str, most: usize) -> (usize, usize) {
+    let (mut count, mut at) = (0, 0);
+    while count < most {
+        let rest = line[at..].trim_start_matches(' ');
+        let indent = line.len() - at - rest.len();
+        if indent > 3 || !rest.starts_with('>') {
+            break;
+        }
+        at += indent + 1;
+        at += usize::from(line[at..].starts_with(' '));
+        count += 1;
+    }
+    (count, at)
+}
+
+/// The columns before the text of a line.
+fn columns(line: &str) -> usize {
+    let blank = line.chars().take_while(|c| *c == ' ' || *c == '\t');
+    blank.fold(0, |column, c| if c == '\t' { column / 4 * 4 + 4 } else { column + 1 })
+}
+
+/// How far behind its sign the text of a list begins, if the line is an item.
+fn item(trimmed: &str) -> Option<usize> {
+    let digits = trimmed.len() - trimmed.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let rest = &trimmed[digits..];
+    let is_sign = if digits > 0 { rest.starts_with(['.', ')']) } else { rest.starts_with(['-', '*', '+']) };
+    let spaces = rest.get(1..).filter(|_| is_sign).map(|rest| rest.len() - rest.trim_start_matches(' ').len())?;
+    (spaces > 0 || rest.len() == 1).then_some(digits + 1 + if (1..5).contains(&spaces) { spaces } else { 1 })
 }

@@ -9,6 +9,8 @@ use carom_diagnostic::{Diagnostic, Fault, Span};
 
 /// The largest document in bytes.
 pub const FILE_LIMIT: usize = 1 << 20;
+/// Separates the lines of a comment of several lines.
+pub(crate) const NEXT_LINE: &str = "\u{c}";
 /// The most tokens of a document, and of an equation after its macros are expanded.
 pub(crate) const TOKENS_LIMIT: usize = 500_000;
 
@@ -149,10 +151,16 @@ fn read(source: &str, from: usize, has_comments: bool) -> Result<Vec<Token>, Dia
                 let begin = line - said.map_or(0, str::len);
                 at = line;
                 apart = true;
-                let Some(said) = said else { continue };
-                let text = said.trim_end();
-                let span = Span { start: from + begin, end: from + begin + text.len() };
-                out.push(Token { kind: Kind::Comment(text.to_string()), span, apart });
+                let mut begin = from + begin;
+                for said in said.into_iter().flat_map(|said| said.split(NEXT_LINE)) {
+                    let text = said.trim();
+                    let start = begin + said.len() - said.trim_start().len();
+                    begin += said.len() + NEXT_LINE.len();
+                    let span = Span { start, end: start + text.len() };
+                    if !text.is_empty() {
+                        out.push(Token { kind: Kind::Comment(text.to_string()), span, apart });
+                    }
+                }
                 continue;
             }
             '\\' => {
@@ -189,10 +197,13 @@ fn read(source: &str, from: usize, has_comments: bool) -> Result<Vec<Token>, Dia
     Ok(out)
 }
 
-/// What a comment says to Carom: the text behind `carom`. A second `%` makes it a comment for people alone.
+/// What a comment says to Carom: the text behind `carom`, with that word where it is joined to another, which is then no
+/// clause. A second `%` makes it a comment for people alone.
 pub(crate) fn clause(comment: &str) -> Option<&str> {
-    let rest = comment.trim_start_matches([' ', '\t']).strip_prefix("carom")?;
-    (rest.is_empty() || rest.starts_with([' ', '\t', '{', ':'])).then(|| rest.trim_start_matches([':', ' ', '\t']))
+    let said = comment.trim_start();
+    let rest = said.strip_prefix("carom")?;
+    let is_word = rest.is_empty() || rest.starts_with(|c: char| c.is_whitespace() || "{:".contains(c));
+    Some(if is_word { rest.trim_start_matches(|c: char| c.is_whitespace() || c == ':') } else { said })
 }
 
 /// The length of the verbatim passage that a command begins, if it begins one.
