@@ -44,17 +44,25 @@ pub(crate) struct Said {
     pub proof: Option<Placed>,
     /// `expect`
     pub expect: Option<Placed>,
+    /// Whether a comment says that it is a claim.
+    pub is_claim: bool,
     /// What is decided.
     pub decisions: Decisions,
 }
 
-/// Clauses with the lines that continue them.
+/// Clauses with the lines that continue them; a word of a paper's own comments has one line, but for a reason or an argument.
 pub(crate) fn whole(clauses: &[Clause]) -> Vec<(String, Vec<Clause>)> {
     let mut out: Vec<(String, Vec<Clause>)> = Vec::new();
     for clause in clauses {
         let word = first_word(&clause.text);
         match out.last_mut() {
-            Some((_, lines)) if !begins_clause(word) && !VERBS.contains(&word) && !clause.text.starts_with('{') => {
+            Some((before, lines))
+                if !(begins_clause(word)
+                    || VERBS.contains(&word)
+                    || clause.text.starts_with('{')
+                    || word.starts_with("carom"))
+                    && (["skip", "by"].contains(&before.as_str()) || !VERBS.contains(&before.as_str())) =>
+            {
                 lines.push(clause.clone());
             }
             _ => out.push((word.to_string(), vec![clause.clone()])),
@@ -121,21 +129,37 @@ pub(crate) fn of(clauses: &[Clause], decisions: Decisions, names: &mut Names) ->
         statement: None,
         proof: None,
         expect: None,
+        is_claim: false,
         decisions,
     };
+    let mut purpose = None;
     for (word, lines) in whole(clauses) {
         let Some(first) = lines.first() else { continue };
         let rest = first.text[word.len()..].trim();
         if decides(&lines, &mut out.decisions)? {
             continue;
         }
+        out.is_claim |= ["claim", "expect", "prove", "by", "using", ""].contains(&word.as_str());
+        let once = |slot: &mut Option<Placed>, said: Placed| match slot.replace(said) {
+            None => Ok(()),
+            Some(_) => {
+                Err(refused(format!("`{word}` is said twice of one equation"), "leave one of them out", first.span))
+            }
+        };
+        let mut is = |what: Purpose| match purpose.replace(what) {
+            None => Ok(()),
+            Some(_) => Err(refused("comments say twice what this equation is", "leave one of them out", first.span)),
+        };
         match word.as_str() {
-            "skip" => out.purpose = Purpose::Skip(rest.to_string()),
-            "continues" | "begins" => {}
+            "skip" => {
+                let more = lines[1..].iter().map(|line| format!(" {}", line.text));
+                is(Purpose::Skip(rest.to_string() + &more.collect::<String>()))?;
+            }
+            "continues" | "begins" if rest.is_empty() => {}
             "name" => super::comment::rename(first, names)?,
-            "let" if rest.is_empty() => out.purpose = Purpose::Let,
+            "let" if rest.is_empty() && lines.len() == 1 => is(Purpose::Let)?,
             "assume" if rest.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && lines.len() == 1 => {
-                out.purpose = Purpose::Assume(Some(rest.to_string()).filter(|label| !label.is_empty()));
+                is(Purpose::Assume(Some(rest.to_string()).filter(|label| !label.is_empty())))?;
             }
             "prove" if rest.is_empty() && lines.len() == 1 => {}
             "prove" | "by" | "" => {
@@ -144,10 +168,10 @@ pub(crate) fn of(clauses: &[Clause], decisions: Decisions, names: &mut Names) ->
                 let said = text.text()[start..].trim_start();
                 let is_argument = said.starts_with('{') || said.starts_with("by ");
                 let part = tail(&text, text.text().len() - said.len());
-                if is_argument { out.proof = Some(part) } else { out.statement = Some(part) }
+                once(if is_argument { &mut out.proof } else { &mut out.statement }, part)?;
             }
-            "claim" => out.name = Some(read(&lines, names)?),
-            "expect" => out.expect = Some(read(&lines, names)?),
+            "claim" => once(&mut out.name, read(&lines, names)?)?,
+            "expect" => once(&mut out.expect, read(&lines, names)?)?,
             "given" | "let" | "define" | "assume" => out.items.push(read(&lines, names)?),
             "number" | "source" | "section" | "reading" | "note" | "using" | "sample" => {
                 out.has_number |= word == "number";
@@ -156,7 +180,21 @@ pub(crate) fn of(clauses: &[Clause], decisions: Decisions, names: &mut Names) ->
             _ => return Err(misplaced(&word, first.span)),
         }
     }
+    out.purpose = purpose.unwrap_or(out.purpose);
     Ok(out)
+}
+
+impl Said {
+    /// Nothing that is said of a claim may be said of what is none.
+    ///
+    /// # Errors
+    /// Such a clause.
+    pub(crate) fn of_no_claim(&self) -> Result<(), Diagnostic> {
+        let statement = self.statement.iter().filter(|_| !matches!(self.purpose, Purpose::Assume(_)));
+        let said = self.about.iter().chain(&self.proof).chain(&self.expect).chain(statement).next();
+        let help = "leave this clause out, or write the equation once more as a claim";
+        said.map_or(Ok(()), |said| Err(refused("a hypothesis or a definition is not proved", help, said.span())))
+    }
 }
 
 /// A clause that does not belong where it stands.

@@ -135,7 +135,7 @@ fn latex_name(tokens: &[Token], at: usize) -> Result<Option<(super::name::Symbol
     }
     if token.char().is_some_and(|c| c.is_ascii_alphabetic()) {
         let length = identifier(tokens, at);
-        let is_command = |t: &Token| matches!(t.kind, Kind::Open | Kind::Command(_));
+        let is_command = |t: &Token| matches!(t.kind, Kind::Open | Kind::Command(_) | Kind::Char('+' | '-'));
         let below = tokens.get(at + length).is_some_and(|t| t.is_char('_') && !t.apart)
             && tokens.get(at + length + 1).is_some_and(is_command);
         let above = tokens.get(at + length).is_some_and(|t| t.is_char('^'))

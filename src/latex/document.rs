@@ -8,7 +8,7 @@ use super::comment::first_word;
 use super::macros::{Macros, defines, group, option};
 use super::number::Numbers;
 use super::refusal::refused;
-use super::structure::is_unknown_condition;
+use super::structure::unknown_condition;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
 use std::ops::Range;
@@ -35,6 +35,8 @@ pub(crate) struct Row {
     pub number: Option<String>,
     /// Where it stands.
     pub span: Span,
+    /// Why its formula is not read.
+    pub fault: Option<Diagnostic>,
 }
 
 /// A displayed formula.
@@ -54,8 +56,8 @@ pub(crate) enum Part {
     Shared(Clause),
     /// A displayed formula, macros expanded.
     Display(Display),
-    /// What could not be read.
-    Fault(Diagnostic),
+    /// What could not be read, and whether that may be a hypothesis or a declaration.
+    Fault(Diagnostic, bool),
 }
 
 /// A document's parts.
@@ -122,8 +124,8 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn fault(&mut self, fault: Diagnostic) {
-        self.out.parts.push(Part::Fault(fault));
+    fn fault(&mut self, fault: Diagnostic, declares: bool) {
+        self.out.parts.push(Part::Fault(fault, declares));
     }
 
     /// Reads the part that begins at a token, and returns where to read on.
@@ -166,23 +168,24 @@ impl Reader<'_> {
                     let why = self.unread.iter().find(|why| why.span.start == token.span.start).cloned();
                     let help = "audit the paper's main file where it lies, or put the text here";
                     let here = || refused(format!("this \\{name} is not followed"), help, token.span);
-                    self.fault(why.unwrap_or_else(here));
+                    self.fault(why.unwrap_or_else(here), true);
                     at + 1
                 }
                 "import" | "subimport" | "subfile" | "InputIfFileExists" | "includeonly" => {
                     let help = "write \\input for files that are read";
-                    self.fault(refused(format!("\\{name} is not followed"), help, token.span));
+                    self.fault(refused(format!("\\{name} is not followed"), help, token.span), true);
                     at + 1
                 }
-                name if is_unknown_condition(name) => {
+                name if unknown_condition(name).is_some() => {
+                    let declares = unknown_condition(name) == Some(true);
                     let help = "remove the condition, or what is not meant to print";
-                    self.fault(refused("what stands in this condition may not print", help, token.span));
+                    self.fault(refused("what stands in this condition may not print", help, token.span), declares);
                     at + 1
                 }
                 name if defines(name) => match self.macros.define(self.tokens, at) {
                     Ok(next) => next,
                     Err(fault) => {
-                        self.fault(fault);
+                        self.fault(fault, false);
                         at + 1
                     }
                 },
@@ -205,7 +208,7 @@ impl Reader<'_> {
             }
             None => {
                 let help = "close it with the same sign; a sign for money is \\$";
-                self.fault(refused("this formula is not closed", help, self.tokens[at].span));
+                self.fault(refused("this formula is not closed", help, self.tokens[at].span), false);
                 self.tokens.len()
             }
         }
@@ -230,7 +233,7 @@ impl Reader<'_> {
                     "break the line behind the formula that is meant, and put the comment there",
                 ),
             };
-            return self.fault(refused(message, help, comment.span));
+            return self.fault(refused(message, help, comment.span), declares(comment));
         };
         self.out.inline -= 1;
         // The signs around it are one token each; those of an environment, `\begin{math}`, are a name in braces as well.
@@ -257,7 +260,8 @@ impl Reader<'_> {
                 end + 1
             }
             None => {
-                self.fault(refused("this formula is not closed", "close it with the same sign", self.tokens[at].span));
+                let fault = refused("this formula is not closed", "close it with the same sign", self.tokens[at].span);
+                self.fault(fault, false);
                 self.tokens.len()
             }
         }
@@ -268,9 +272,11 @@ impl Reader<'_> {
         let plain = name.trim_end_matches('*').to_string();
         if NOT_READ.contains(&plain.as_str()) {
             let help = "use an environment of amsmath, such as align";
-            self.fault(refused(format!("the environment {name} is not read"), help, self.tokens[at].span));
+            let fault = refused(format!("the environment {name} is not read"), help, self.tokens[at].span);
             self.macros.passes(&self.tokens[at]);
-            return end_of(self.tokens, inside).unwrap_or(inside);
+            let end = end_of(self.tokens, inside).unwrap_or(inside);
+            self.unread(&name, &self.tokens[inside..end], self.tokens[at].span, fault);
+            return end;
         }
         let alike = ALIKE.iter().find(|pair| pair.0 == plain).map(|pair| pair.1);
         let has_argument = ["alignat", "xalignat", "IEEEeqnarray"].contains(&plain.as_str());
@@ -284,13 +290,15 @@ impl Reader<'_> {
         }
         let Some(end) = end_of(self.tokens, inside) else {
             let message = format!("\\begin{{{name}}} has no \\end{{{name}}}");
-            self.fault(refused(message, "close the environment", self.tokens[at].span));
+            self.fault(refused(message, "close the environment", self.tokens[at].span), false);
             return self.tokens.len();
         };
         let (closed, next) = environment(self.tokens, end).unwrap_or_default();
         if closed != name {
             let message = format!("\\begin{{{name}}} is closed by \\end{{{closed}}}");
-            self.fault(refused(message, "close the environments in the order of their nesting", self.tokens[end].span));
+            let help = "close the environments in the order of their nesting";
+            let fault = refused(message, help, self.tokens[end].span);
+            self.unread(&name, &self.tokens[inside..end], self.tokens[at].span, fault);
             return next.max(end + 1);
         }
         let inside = if has_argument { group(self.tokens, inside).map_or(inside, |g| g.1) } else { inside };
@@ -323,13 +331,28 @@ impl Reader<'_> {
             }
             Err(fault) => {
                 self.numbers.row(environment, None, false);
-                self.fault(fault);
+                self.unread(environment, &self.tokens[inside..end], span, fault);
             }
         }
     }
 
+    /// A displayed formula that is not read, with its comments: it may be a hypothesis, or passed over. In one of several rows
+    /// a comment passes over no more than that row, which is not known.
+    fn unread(&mut self, environment: &str, body: &[Token], span: Span, fault: Diagnostic) {
+        let has_rows = body.iter().any(|t| t.is("\\"));
+        let clauses = body.iter().filter_map(|token| match &token.kind {
+            Kind::Comment(text) => Some(Clause { text: text.clone(), span: token.span }),
+            _ => None,
+        });
+        let clauses = clauses.filter(|clause| !has_rows || first_word(&clause.text) != "skip").collect();
+        let cells = vec![vec![Token { kind: Kind::Char('='), span, apart: true }]];
+        let row = Row { cells, clauses, span, fault: Some(fault), ..Row::default() };
+        self.out.parts.push(Part::Display(Display { environment: environment.to_string(), rows: vec![row], span }));
+    }
+
     fn rows(&mut self, environment: &str, body: &[Token]) -> Result<Vec<Row>, Diagnostic> {
         let plain = environment.trim_end_matches('*');
+        let body = &unboxed(body);
         let mut whole = Row::default();
         let bare = self.without_marks(body, &mut whole)?;
         // The rows of `split` within `equation` share its number.
@@ -441,6 +464,40 @@ impl Reader<'_> {
         }
         Ok(out)
     }
+}
+
+/// Whether a token is a comment that says what holds for others.
+pub(crate) fn declares(token: &Token) -> bool {
+    let Kind::Comment(text) = &token.kind else { return false };
+    let word = first_word(text.strip_prefix("inline").unwrap_or(text).trim_start());
+    ["given", "let", "define", "assume"].contains(&word)
+}
+
+/// The tokens without the boxes of `\Aboxed{a &= b}`, each of which holds an equation with its cells.
+fn unboxed(tokens: &[Token]) -> Vec<Token> {
+    let ends = |token: Option<&Token>| {
+        token.is_none_or(|t| {
+            matches!(t.kind, Kind::Char('&' | '.' | ',' | ';') | Kind::Comment(_))
+                || ["\\", "label", "tag", "notag", "nonumber", "quad", "qquad", "end"].iter().any(|name| t.is(name))
+        })
+    };
+    let mut out: Vec<Token> = Vec::new();
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        let is_box = token.is("Aboxed") && tokens.get(at + 1).is_some_and(|t| t.kind == Kind::Open) && ends(out.last());
+        let inner = if is_box { group(tokens, at + 1).ok() } else { None };
+        match inner.filter(|(_, next)| ends(tokens.get(*next))) {
+            Some((inner, next)) => {
+                out.extend_from_slice(inner);
+                at = next;
+            }
+            None => {
+                out.push(token.clone());
+                at += 1;
+            }
+        }
+    }
+    out
 }
 
 /// The name of the environment that `\begin` or `\end` at `at` names, and where to read on.

@@ -94,7 +94,7 @@ impl<'t> Reader<'t, '_, '_> {
         let mut text = Placed::default();
         let mut count = 0;
         let mut only = None;
-        let (mut before_is_number, mut is_vector) = (false, false);
+        let (mut before_is_number, mut is_vector, mut is_matrix) = (false, false, false);
         loop {
             let span = self.span();
             let sign = self.sign(before_is_number)?;
@@ -111,6 +111,7 @@ impl<'t> Reader<'t, '_, '_> {
             let term = self.term()?;
             before_is_number = term.is_number;
             is_vector = is_vector || term.is_vector;
+            is_matrix = is_matrix || term.is_matrix;
             match sign {
                 Some('-') if count == 0 => text.push("-", span),
                 Some(sign) if count > 0 => text.push(&format!(" {sign} "), span),
@@ -121,9 +122,9 @@ impl<'t> Reader<'t, '_, '_> {
             only = Some((sign, term));
         }
         match only {
-            Some((Some('-'), _)) if count == 1 => Ok(Piece { is_vector, ..Piece::new(text, 2) }),
+            Some((Some('-'), _)) if count == 1 => Ok(Piece { is_vector, is_matrix, ..Piece::new(text, 2) }),
             Some((_, term)) if count == 1 => Ok(term),
-            _ => Ok(Piece { is_vector, ..Piece::new(text, 1) }),
+            _ => Ok(Piece { is_vector, is_matrix, ..Piece::new(text, 1) }),
         }
     }
 
@@ -392,14 +393,21 @@ impl<'t> Reader<'t, '_, '_> {
         let Some(token) = self.peek() else { return self.expected("an exponent") };
         let (inner, next) = argument(self.tokens, self.at)?;
         let said = words(inner);
+        let key = canonical(inner);
         let is_transpose = match inner {
             [sign] if sign.is("top") || sign.is("intercal") => true,
-            // Behind a matrix in print; behind a name it may be a power.
-            _ => base.is_matrix && matches!(canonical(inner).as_str(), "T" | "t"),
+            // Behind a matrix; behind a number it is a power.
+            _ => base.is_matrix && matches!(key.as_str(), "T" | "t"),
         };
+        let is_declared = self.scope.names.spelled(&key).is_some_and(|name| self.scope.roles.contains_key(name));
+        if is_transpose && is_declared && !inner.first().is_some_and(is_upright) {
+            let readings = ["the transposed matrix", "a power of the matrix"];
+            let write = ["write ^{\\mathrm{T}} or ^\\top", "give the number another name"];
+            return Err(ambiguous(&format!("{key} above a matrix"), readings, write, span));
+        }
         if is_transpose {
             self.at = next;
-            return Ok(base.within("transpose"));
+            return Ok(Piece { is_matrix: true, ..base.within("transpose") });
         }
         let is_mark = said.is_empty()
             || ["*", "\\dagger", "\\circ", "\\ast", "+", "-", "\\star", "\\degree"].contains(&said.as_str());

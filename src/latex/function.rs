@@ -7,18 +7,19 @@ use super::name::{argument, base, canonical, is_letter, scripts};
 use super::piece::{Piece, product};
 use super::place::Placed;
 use super::refusal::{ambiguous, command, refused};
+use super::scope::Role;
 use super::symbol::commas;
 use super::token::{Kind, Token};
 use carom_diagnostic::Span;
 
 /// Functions with one argument, by their commands and as upright words.
-const FUNCTIONS: &[&str] =
+pub(crate) const FUNCTIONS: &[&str] =
     &["sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln", "log", "sinh", "cosh", "tanh", "coth", "sech", "det"];
 /// Functions that are quotients of others: numerator, which is 1 where none is named, and denominator.
 const QUOTIENTS: &[(&str, Option<&str>, &str)] =
     &[("cot", Some("cos"), "sin"), ("sec", None, "cos"), ("csc", None, "sin"), ("coth", Some("cosh"), "sinh")];
 /// Functions that LaTeX has no command for.
-const WORDS: &[&str] =
+pub(crate) const WORDS: &[&str] =
     &["sech", "transpose", "trace", "inverse", "abs", "floor", "ceil", "cbrt", "sqrt", "binomial", "factorial"];
 
 impl<'t> Reader<'t, '_, '_> {
@@ -338,8 +339,7 @@ impl<'t> Reader<'t, '_, '_> {
             return Err(refused(format!("this {word} is infinite"), help, start));
         }
         let (from, to) = (self.sum_in(&below[equals + 1..])?, self.sum_in(above)?);
-        let name = self.scope.names.of(&index)?;
-        self.scope.bound.push((index.key(), name.clone()));
+        let name = self.scope.bind(&index)?;
         let body = self.term();
         self.scope.bound.pop();
         let body = body?;
@@ -433,6 +433,14 @@ impl<'t> Reader<'t, '_, '_> {
             None if body.is_empty() => self.differentiated(start)?,
             None => self.sum_in(body)?,
         };
+        let mentioned =
+            of.text.text().split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).collect::<Vec<_>>();
+        let depends = |name: &&str| self.scope.roles.get(*name).is_some_and(|role| *role != Role::Variable);
+        let is_constant = |by: &String| !mentioned.contains(&by.as_str()) && !mentioned.iter().any(depends);
+        if of.name.is_none() && by.iter().any(is_constant) {
+            let help = "define what depends on it by its formula, or declare the derivative as a name of its own";
+            return Err(refused("what is differentiated does not mention the variable", help, self.since(start)));
+        }
         if let Some(name) = of.name.filter(|name| of.level == 5 && by.iter().any(|by| by != name)) {
             let help = format!("define it, `%carom let {name} = …` in that variable, or differentiate the expression");
             return Err(refused(format!("{name} is a variable, which depends on no other"), help, of.text.span()));

@@ -155,6 +155,17 @@ impl Macros {
         }
     }
 
+    /// The macro that this one is another name of, which then takes what stands behind it.
+    fn meant<'m>(&'m self, known: &'m Macro) -> &'m Macro {
+        let mut meant = known;
+        for _ in 0..DEPTH_LIMIT {
+            let (0, [alone]) = (meant.arguments, meant.body.as_slice()) else { break };
+            let Some(next) = alone.command().and_then(|name| self.list.get(name)) else { break };
+            meant = next;
+        }
+        meant
+    }
+
     /// Whether a token begins or ends a displayed formula or an environment.
     fn is_structure(&self, token: &Token) -> bool {
         let known = |name: &str| self.list.get(name).is_some_and(|known| known.is_structure);
@@ -179,7 +190,7 @@ impl Macros {
             return Ok(tokens.to_vec());
         }
         let mut out = Vec::new();
-        self.expand_into(tokens, None, 0, &mut 0, &mut out)?;
+        self.expand_into(tokens, None, (None, 0), &mut 0, &mut out)?;
         Ok(out)
     }
 
@@ -187,15 +198,14 @@ impl Macros {
         &self,
         tokens: &[Token],
         place: Option<Span>,
-        depth: usize,
+        (behind, depth): (Option<&Token>, usize),
         uses: &mut usize,
         out: &mut Vec<Token>,
     ) -> Result<(), Diagnostic> {
         let mut at = 0;
         while let Some(token) = tokens.get(at) {
             let span = place.unwrap_or(token.span);
-            let known = token.command().and_then(|name| self.list.get(name));
-            let Some(known) = known else {
+            let Some(known) = token.command().and_then(|name| self.list.get(name)) else {
                 if out.len() >= TOKENS_LIMIT {
                     return Err(limit("tokens after macros are expanded", TOKENS_LIMIT, span));
                 }
@@ -210,8 +220,18 @@ impl Macros {
             if *uses > USES_LIMIT {
                 return Err(limit("uses of macros in an equation", USES_LIMIT, span));
             }
+            let known = self.meant(known);
             let (arguments, next) = arguments(known, tokens, at).map_err(|fault| Diagnostic { span, ..fault })?;
             at = next;
+            let follows = tokens.get(at).or(behind);
+            if known.default.is_some()
+                && at == tokens.len()
+                && arguments.len() == 1
+                && behind.is_some_and(|t| t.is_char('['))
+            {
+                let help = "write its argument within the definition, \\newcommand{\\q}[1]{\\p[#1]}";
+                return Err(refused(format!("{} may take what stands behind another macro", token.text()), help, span));
+            }
             let end = tokens[at - 1].span.end.max(token.span.end);
             let span = place.unwrap_or(Span { start: token.span.start, end });
             let mut body = filled(&known.body, &arguments, token.apart, span)?;
@@ -221,7 +241,7 @@ impl Macros {
                 body.insert(0, brace(Kind::Open));
                 body.push(brace(Kind::Close));
             }
-            self.expand_into(&body, Some(span), depth + 1, uses, out)?;
+            self.expand_into(&body, Some(span), (follows, depth + 1), uses, out)?;
         }
         Ok(())
     }

@@ -143,6 +143,7 @@ impl Reader<'_, '_, '_> {
             text.append(&exact.text);
             text.push(&format!(" <= {value} + {away}"), span);
         } else {
+            self.scope.has_printed = true;
             let unit = last_unit(&printed, self.scope.decisions.digits)?;
             text.push("abs(", span);
             text.append(&exact.text);

@@ -8,9 +8,10 @@ use super::macros::group;
 use super::refusal::{expected, refused};
 use super::token::{Kind, Token};
 use carom_checker::claim::lex::GREEK;
+use carom_checker::claim::parse::parse_expr;
 use carom_checker::claim::print::Style;
 use carom_diagnostic::{Diagnostic, Span};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Signs over a letter, which make another name of it.
 pub(crate) const ACCENTS: &[&str] = &[
@@ -203,6 +204,8 @@ pub(crate) struct Names {
     meaning: BTreeMap<String, String>,
     /// How often each key occurs in equations.
     pub count: BTreeMap<String, usize>,
+    /// Spellings of functions that a formula defines, as f(x): an index below such a name is no argument.
+    pub functions: BTreeSet<String>,
 }
 
 impl Names {
@@ -248,6 +251,10 @@ impl Names {
     /// Gives a key its spelling, or the expression that it stands for.
     pub(crate) fn set(&mut self, key: &str, spelling: &str, span: Span) -> Result<(), Diagnostic> {
         if !spelling.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'') {
+            parse_expr(spelling).map_err(|_| {
+                let help = format!("write a name or an expression behind `as`: `%carom name {key} as x1`");
+                refused(format!("what {key} stands for is no expression of the claim language"), help, span)
+            })?;
             self.meaning.insert(key.to_string(), spelling.to_string());
             return Ok(());
         }
@@ -271,6 +278,7 @@ impl Names {
 fn spelling(key: &str) -> Option<String> {
     let bare = key.trim_end_matches('\'');
     let marks = &key[bare.len()..];
+    let bare = &bare.replace("_{+}", "_plus").replace("_{-}", "_minus");
     if !bare.chars().all(|c| c.is_ascii_alphanumeric() || "\\{}_, ".contains(c)) {
         return None;
     }

@@ -9,7 +9,7 @@ use super::comment::first_word;
 use super::document::{Clause, Display, Lines, Part, document};
 use super::expression::{Read, Reader};
 use super::input::Manuscript;
-use super::name::{Names, Symbol, base, scripts};
+use super::name::Names;
 use super::place::Placed;
 use super::prepare::prepared;
 use super::refusal::{ambiguous, expected, refused};
@@ -17,7 +17,6 @@ use super::row::{Joined, claim_name, equations};
 use super::scope::{Decisions, Missing, Role, Scope, roles};
 use super::statement::{Said, joined};
 use super::structure::structured;
-use super::symbol::commas;
 use super::token::{Token, tokens};
 use super::typeset::typeset;
 use carom_checker::claim::parse::{clauses_placed, parse_placed};
@@ -25,6 +24,8 @@ use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
 use carom_diagnostic::{Diagnostic, Source, Span};
 use std::collections::{BTreeMap, BTreeSet};
+
+mod definition;
 
 /// What became of a displayed formula.
 #[derive(Debug)]
@@ -107,9 +108,12 @@ pub fn paper_of(whole: &Manuscript) -> Result<Paper, Vec<Diagnostic>> {
     for part in document.parts {
         match part {
             Part::Shared(clause) => waiting.push(clause),
-            Part::Fault(fault) => {
+            Part::Fault(fault, declares) => {
                 reader.shared(&std::mem::take(&mut waiting));
                 let head = reader.head(None, None, fault.span);
+                if declares {
+                    reader.broken.get_or_insert(fault.span);
+                }
                 reader.push(head, Outcome::NotRead(vec![fault]));
             }
             Part::Display(display) => {
@@ -148,7 +152,7 @@ struct Assembly<'l> {
     undefined: BTreeMap<String, Span>,
     /// The place of such a definition that the equation being read needs.
     needed: Option<Span>,
-    /// Names that equations have got from their numbers and lines.
+    /// Names that equations have got.
     taken: BTreeSet<String>,
     out: Paper,
 }
@@ -187,8 +191,8 @@ impl<'l> Assembly<'l> {
         let stem = std::path::Path::new(path).file_stem().and_then(|stem| stem.to_str());
         let stem = stem.filter(|_| path != self.source.path());
         let mut name = claim_name(label, number.map(String::as_str), stem, line);
-        if label.is_none() && !self.taken.insert(name.clone()) {
-            if number.is_some() {
+        if !self.taken.insert(name.clone()) {
+            if label.is_some() || number.is_some() {
                 name = format!("{name}-line-{line}");
             }
             let numbered = std::iter::once(name.clone()).chain((2..).map(|count| format!("{name}-{count}")));
@@ -225,8 +229,8 @@ impl<'l> Assembly<'l> {
             return Ok(());
         }
         match word {
-            "begin" => self.outer.push(self.preamble.clone()),
-            "end" => match self.outer.pop() {
+            "begin" if first.text == word => self.outer.push(self.preamble.clone()),
+            "end" if first.text == word => match self.outer.pop() {
                 Some(outer) => self.preamble = outer,
                 None => {
                     return Err(one(refused("`end` without `begin`", "write `%carom begin` before it", first.span)));
@@ -327,25 +331,18 @@ impl<'l> Assembly<'l> {
     ) -> Result<Outcome, Vec<Diagnostic>> {
         let one = |fault: Diagnostic| vec![fault];
         let tokens = prepared(&equation.tokens).map_err(one)?;
-        let is_definition = |i: usize| {
-            tokens[i].is("coloneqq") || (tokens[i].is_char(':') && tokens.get(i + 1).is_some_and(|t| t.is_char('=')))
+        let sign = match said.purpose {
+            Purpose::Let | Purpose::Prove => self.sign_of_definition(&tokens, said, local)?,
+            Purpose::Assume(_) | Purpose::Skip(_) => None,
         };
-        let sign = (0..tokens.len()).find(|i| is_definition(*i));
         match (&said.purpose, sign) {
-            (Purpose::Let, None) => {
-                let sign = tokens.iter().position(|t| t.is_char('=') || t.is("equiv"));
-                let sign = sign.ok_or_else(|| one(expected("`=` behind the name", "no such sign", equation.span)))?;
-                self.definition(&tokens, sign, sign + 1, said, head, local)?;
-                Ok(Outcome::Used("definition"))
-            }
-            (Purpose::Let | Purpose::Prove, Some(sign)) => {
-                let behind = sign + if tokens[sign].is("coloneqq") { 1 } else { 2 };
-                match self.definition(&tokens, sign, behind, said, head, local)? {
-                    false => Ok(Outcome::Used("definition")),
-                    true => self.claim(&tokens[behind..], equation, said, head, local),
-                }
-            }
+            (_, Some((sign, behind))) => match self.definition(&tokens, sign, behind, said, head, local)? {
+                false => Ok(Outcome::Used("definition")),
+                true => self.claim(&tokens[behind..], equation, said, head, local),
+            },
+            (Purpose::Let, None) => Err(one(expected("`=` behind the name", "no such sign", equation.span))),
             (Purpose::Assume(label), _) => {
+                said.of_no_claim().map_err(one)?;
                 let goal = self.goal(&tokens, said, local)?;
                 let mut text = lines_of(local);
                 let label = label.as_ref().map_or(String::new(), |label| format!("{label}: "));
@@ -357,111 +354,6 @@ impl<'l> Assembly<'l> {
             }
             _ => self.claim(&tokens, equation, said, head, local),
         }
-    }
-
-    /// Reads `x := A` and takes it for all equations that follow; whether a relation follows behind A.
-    fn definition(
-        &mut self,
-        tokens: &[Token],
-        sign: usize,
-        behind: usize,
-        said: &clause::Said,
-        head: &Head,
-        local: &mut Vec<Placed>,
-    ) -> Result<bool, Vec<Diagnostic>> {
-        let (symbol, next) = self.defined_symbol(tokens, sign)?;
-        let outcome = self.defined(tokens, sign, behind, (&symbol, next), said, local);
-        if outcome.is_err() {
-            let spelled = self.names.spelled(&symbol.key()).map(str::to_string);
-            let is_known = self.with_scope(said, local, |scope| {
-                Ok(spelled.as_ref().is_some_and(|name| scope.roles.contains_key(name)))
-            });
-            match is_known {
-                Ok(false) => self.undefined.insert(symbol.key(), head.span),
-                _ => Some(*self.broken.get_or_insert(head.span)),
-            };
-        }
-        outcome
-    }
-
-    /// The name before the sign of a definition, and where it ends.
-    fn defined_symbol(&mut self, tokens: &[Token], sign: usize) -> Result<(Symbol, usize), Vec<Diagnostic>> {
-        let one = |fault: Diagnostic| vec![fault];
-        let span = tokens.first().map_or(Span::default(), |t| t.span);
-        // Only a name can be defined, so letters side by side are one.
-        let run = tokens
-            .iter()
-            .enumerate()
-            .take_while(|(i, t)| t.char().is_some_and(|c| c.is_ascii_alphabetic()) && (*i == 0 || !t.apart));
-        let run: String = run.filter_map(|(_, t)| t.char()).collect();
-        let mut found = if run.len() > 1 { Some((run.clone(), run.len())) } else { base(tokens, 0).map_err(one)? };
-        // The change of a quantity is one name.
-        if let Some(("\\Delta", at)) = found.as_ref().map(|(first, at)| (first.as_str(), *at))
-            && let Some((second, next)) = base(tokens, at).map_err(one)?
-        {
-            found = Some((format!("\\Delta {second}"), next));
-        }
-        let Some((first, next)) = found.filter(|found| found.1 <= sign) else {
-            return Err(one(no_name(span)));
-        };
-        scripts(tokens, first, span, next).map_err(one)
-    }
-
-    fn defined(
-        &mut self,
-        tokens: &[Token],
-        sign: usize,
-        behind: usize,
-        (symbol, next): (&Symbol, usize),
-        said: &clause::Said,
-        local: &mut Vec<Placed>,
-    ) -> Result<bool, Vec<Diagnostic>> {
-        let one = |fault: Diagnostic| vec![fault];
-        let span = tokens.first().map_or(Span::default(), |t| t.span);
-        let wrong = || one(no_name(span));
-        let name = self.names.of(symbol).map_err(one)?;
-        self.names.seen(&symbol.key());
-        let mut parameters: Vec<(String, String)> = Vec::new();
-        if next < sign {
-            let is_list = tokens[next].is_char('(') && tokens[sign - 1].is_char(')');
-            if !is_list {
-                return Err(wrong());
-            }
-            for part in commas(&tokens[next + 1..sign - 1]) {
-                let Some((first, end)) = base(part, 0).map_err(one)? else { return Err(wrong()) };
-                let (symbol, end) = scripts(part, first, part[0].span, end).map_err(one)?;
-                if end < part.len() {
-                    return Err(wrong());
-                }
-                parameters.push((symbol.key(), self.names.of(&symbol).map_err(one)?));
-            }
-        }
-        let value = &tokens[behind..];
-        let end = relation_at(value);
-        if end < value.len() && !parameters.is_empty() {
-            let help = "write the definition and the equation as two formulas";
-            return Err(one(refused("an equation behind the definition of a function", help, span)));
-        }
-        let bound = parameters.clone();
-        let value = self.with_scope(said, local, |scope| {
-            scope.bound = bound.clone();
-            let read = whole(&value[..end], scope, |reader| reader.sum())?;
-            match scope.double_sign {
-                Some(span) => {
-                    let help = "define each of the two values by a name of its own";
-                    Err(refused("one of two values in a definition", help, span))
-                }
-                None => Ok(read),
-            }
-        })?;
-        let mut text = lines_of(local);
-        let list: Vec<&str> = parameters.iter().map(|p| p.1.as_str()).collect();
-        let list = if list.is_empty() { String::new() } else { format!("({})", list.join(", ")) };
-        text.push(&format!("let {name}{list} = "), span);
-        text.append(&value.text);
-        self.declare(&text)?;
-        local.clear();
-        Ok(end < tokens.len() - behind)
     }
 
     /// What the names of an equation are.
@@ -488,6 +380,7 @@ impl<'l> Assembly<'l> {
                 double_sign: None,
                 signed: 0,
                 splits: false,
+                has_printed: false,
                 has_logic: false,
                 missing: None,
             };
@@ -531,6 +424,10 @@ impl<'l> Assembly<'l> {
         }
         self.with_scope(said, local, |scope| {
             let upper = whole(tokens, scope, |reader| reader.statement())?;
+            if said.decisions.digits.is_some() && !scope.has_printed {
+                let help = "write the number alone behind = or \\approx, or leave `digits` out";
+                return Err(refused("`digits` is said of no printed number", help, tokens[0].span));
+            }
             let Some(span) = scope.double_sign else { return Ok(upper) };
             let Some(both) = scope.decisions.both_signs else {
                 let readings = ["both statements, with the upper and with the lower signs", "one of the two"];
@@ -598,13 +495,6 @@ impl<'l> Assembly<'l> {
     }
 }
 
-/// What stands before the sign of a definition is no name.
-fn no_name(span: Span) -> Diagnostic {
-    let help =
-        "define a name, as in \\eta := …, or a function, as in f(x) := …; or write `%carom let` with its definition";
-    refused("what stands before this sign is no name", help, span)
-}
-
 /// Reads all tokens of a formula.
 fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Reader<'_, '_, '_>) -> Read<T>) -> Read<T> {
     let start = tokens.first().map_or(0, |t| t.span.start);
@@ -626,22 +516,6 @@ fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Read
             })
         }
     }
-}
-
-/// Where the first sign of comparison stands outside of parentheses.
-fn relation_at(tokens: &[Token]) -> usize {
-    let mut level = 0i64;
-    for (place, token) in tokens.iter().enumerate() {
-        level += match token.text().as_str() {
-            "{" | "(" | "[" | "\\{" | "\\begin" => 1,
-            "}" | ")" | "]" | "\\}" | "\\end" => -1,
-            _ => 0,
-        };
-        if level == 0 && super::binding::relation_of(token).is_some() {
-            return place;
-        }
-    }
-    tokens.len()
 }
 
 /// Clauses, each on a line of its own.

@@ -21,7 +21,7 @@ pub(crate) struct Piece {
     pub name: Option<String>,
     /// Whether it is a name that is marked as a vector.
     pub is_vector: bool,
-    /// Whether it is a matrix in print.
+    /// Whether it is a matrix.
     pub is_matrix: bool,
 }
 
@@ -58,7 +58,7 @@ impl Piece {
         let mut text = self.at_least(5);
         text.push("^", exponent.text.span());
         text.append(&exponent.at_least(5));
-        Piece::new(text, 4)
+        Piece { is_matrix: self.is_matrix, ..Piece::new(text, 4) }
     }
 
     /// The factors that a numerator contributes.
@@ -82,5 +82,6 @@ pub(crate) fn product(mut factors: Vec<(bool, Piece)>) -> Piece {
         text.append(&factor.at_least(4));
     }
     let is_vector = factors.iter().any(|(_, factor)| factor.is_vector);
-    Piece { factors, is_vector, ..Piece::new(text, 3) }
+    let is_matrix = factors.iter().any(|(_, factor)| factor.is_matrix);
+    Piece { factors, is_vector, is_matrix, ..Piece::new(text, 3) }
 }

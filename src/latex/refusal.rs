@@ -60,7 +60,8 @@ pub(crate) fn undeclared(name: &str, applied: bool, span: Span) -> Diagnostic {
 pub(crate) fn command(name: &str, span: Span) -> Diagnostic {
     let help = match name {
         "int" | "iint" | "oint" => {
-            "there are no integrals; assume that the derivative of F is f, and write F(b) - F(a); or `%carom skip`"
+            "the kernel has no rule for integrals: define an antiderivative, F(x) := …, state \\frac{d}{dx} F(x) = f(x), and write \
+             F(b) - F(a) for the integral; or `%carom skip`"
         }
         "lg" => "write \\frac{\\ln x}{\\ln 10}",
         "underbrace" | "overbrace" => {

@@ -51,7 +51,12 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
             first.is_none_or(|t| t.is_text() || t.is("forall"))
         };
         let has_condition = row.cells.len() > 2 && row.cells[2..].iter().all(is_condition);
-        if plain != "eqnarray" && filled > 2 && !has_condition {
+        // Columns of one equation, as those of a system are set.
+        let is_one = row.cells.iter().flatten().filter(|t| is_relation(t)).count() == 1 && {
+            let cells: Vec<&Vec<Token>> = row.cells.iter().filter(|cell| printed(cell).next().is_some()).collect();
+            cells.windows(2).all(|pair| links(pair[0], pair[1]))
+        };
+        if plain != "eqnarray" && filled > 2 && !has_condition && !is_one {
             let help = "give each equation a row of its own";
             return Err(refused("more than one equation stands in this row", help, row.span));
         }
@@ -115,10 +120,10 @@ pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
                 label: row.label.clone(),
                 number: row.number.clone(),
                 span: row.span,
-                fault: is_stray.then(|| {
+                fault: row.fault.clone().or(is_stray.then(|| {
                     let help = "write `%carom continues` or `%carom begins`";
                     refused("this row compares nothing, and it may belong to the row above", help, row.span)
-                }),
+                })),
             }),
         }
     }

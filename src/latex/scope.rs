@@ -2,8 +2,9 @@
 
 use super::name::{Names, Symbol};
 use carom_checker::claim::preamble::Preamble;
-use carom_checker::claim::syntax::{Claim, Item};
-use carom_diagnostic::Span;
+use carom_checker::claim::syntax::{Claim, Expr, ExprKind, Item};
+use carom_checker::claim::walk;
+use carom_diagnostic::{Diagnostic, Span};
 use std::collections::BTreeMap;
 
 /// What a declared name is.
@@ -13,6 +14,8 @@ pub(crate) enum Role {
     Variable,
     /// A definition without parameters.
     Definition,
+    /// The same, of a matrix.
+    Matrix,
     /// A definition with so many parameters, a family or a sequence.
     Applied(usize),
 }
@@ -52,10 +55,24 @@ pub(crate) struct Scope<'a> {
     pub signed: usize,
     /// Whether a comparison with ± says one of two things where it stands.
     pub splits: bool,
+    /// Whether a rounded or measured number was read.
+    pub has_printed: bool,
     /// Whether an implication, a quantifier or a negation was read.
     pub has_logic: bool,
     /// The name that nothing declares, where the reading ended for want of it.
     pub missing: Option<Missing>,
+}
+
+impl Scope<'_> {
+    /// The spelling of a name that is bound from here on: a new one where what is declared around it has its own.
+    pub(crate) fn bind(&mut self, symbol: &Symbol) -> Result<String, Diagnostic> {
+        let mut name = self.names.of(symbol)?;
+        while self.roles.contains_key(&name) || self.bound.iter().any(|bound| bound.1 == name) {
+            name = format!("{}_in", name.trim_end_matches('\''));
+        }
+        self.bound.push((symbol.key(), name.clone()));
+        Ok(name)
+    }
 }
 
 /// A name that nothing declares.
@@ -78,8 +95,12 @@ pub(crate) fn roles(claim: &Claim, preamble: &Preamble) -> BTreeMap<String, Role
                     out.insert(name.text.clone(), role);
                 }
             }
-            Item::Let { name, parameters, .. } => {
-                let role = if parameters.is_empty() { Role::Definition } else { Role::Applied(parameters.len()) };
+            Item::Let { name, parameters, value } => {
+                let role = match parameters.len() {
+                    0 if is_matrix(value, &out) => Role::Matrix,
+                    0 => Role::Definition,
+                    count => Role::Applied(count),
+                };
                 out.insert(name.text.clone(), role);
             }
             Item::Define { name, .. } => {
@@ -89,4 +110,19 @@ pub(crate) fn roles(claim: &Claim, preamble: &Preamble) -> BTreeMap<String, Role
         }
     }
     out
+}
+
+/// Whether an expression is a matrix by its form.
+fn is_matrix(value: &Expr, roles: &BTreeMap<String, Role>) -> bool {
+    match &value.kind {
+        ExprKind::Matrix(_) => true,
+        ExprKind::Name(name) => roles.get(name) == Some(&Role::Matrix),
+        ExprKind::Apply(name, _) => name.text == "transpose" || name.text == "inverse",
+        ExprKind::Negate(_) | ExprKind::Sum(_) | ExprKind::Product(_) | ExprKind::Power(..) => {
+            let mut found = false;
+            walk::parts(value, &mut |part| found = found || is_matrix(part, roles));
+            found
+        }
+        _ => false,
+    }
 }

@@ -4,7 +4,7 @@
 //! Contract: a formula that prints is in sight: `\be … \ee` where these stand for an environment. What stands behind
 //! `\end{document}` or between `\iffalse` and `\fi` is not.
 
-use super::document::environment;
+use super::document::{declares, environment};
 use super::macros::{Macros, defines};
 use super::token::{Kind, Token};
 
@@ -32,7 +32,8 @@ pub(crate) fn structured(tokens: &[Token]) -> Vec<Token> {
                 let shows =
                     |t: &Token| matches!(t.kind, Kind::Comment(_) | Kind::Dollar(2)) || t.is("[") || t.is("begin");
                 if tokens[at + 1..last].iter().any(shows) {
-                    out.push(Token { kind: Kind::Command(UNKNOWN.to_string()), ..token.clone() });
+                    let name = UNKNOWN[usize::from(tokens[at + 1..last].iter().any(declares))];
+                    out.push(Token { kind: Kind::Command(name.to_string()), ..token.clone() });
                 }
                 last
             }
@@ -58,12 +59,12 @@ pub(crate) fn structured(tokens: &[Token]) -> Vec<Token> {
     out
 }
 
-/// What stands for a condition that is not known, with a formula in it.
-const UNKNOWN: &str = "if…";
+/// What stands for a condition that is not known, with a formula in it, or with a hypothesis or a declaration.
+const UNKNOWN: [&str; 2] = ["if…", "if… given"];
 
-/// Whether a command stands for a condition that is not known.
-pub(crate) fn is_unknown_condition(name: &str) -> bool {
-    name == UNKNOWN
+/// Whether a command stands for a condition that is not known, and may declare something.
+pub(crate) fn unknown_condition(name: &str) -> Option<bool> {
+    UNKNOWN.iter().position(|known| *known == name).map(|found| found == 1)
 }
 
 /// Whether a command begins a condition that ends with `\fi`.

@@ -12,8 +12,8 @@ use carom_diagnostic::Span;
 
 /// What a name of the formula is.
 enum Meaning {
-    /// A number, by its spelling; whether it is a variable.
-    Number(String, bool),
+    /// A number or a matrix, by its spelling, and what it is.
+    Number(String, Role),
     /// A function, a family or a sequence.
     Function(String),
     /// A member of a family: what stands below is the index.
@@ -35,16 +35,17 @@ impl Reader<'_, '_, '_> {
         let known =
             |key: &str| scope.names.spelled(key).and_then(|name| Some((name.to_string(), *scope.roles.get(name)?)));
         let whole = if let Some((_, name)) = scope.bound.iter().rev().find(|bound| bound.0 == key) {
-            Some(Meaning::Number(name.clone(), true))
+            Some(Meaning::Number(name.clone(), Role::Variable))
         } else if let Some(said) = scope.names.meaning(&key) {
             Some(Meaning::Said(said.to_string()))
         } else {
             known(&key).map(|(name, role)| match role {
                 Role::Applied(_) => Meaning::Function(name),
-                role => Meaning::Number(name, role == Role::Variable),
+                role => Meaning::Number(name, role),
             })
         };
         let family = symbol.below.as_ref().and_then(|_| known(&symbol.upper_key()));
+        let family = family.filter(|(name, _)| !scope.names.functions.contains(name));
         match (whole, family) {
             (Some(Meaning::Number(name, _)), Some((family, Role::Applied(_)))) => {
                 let readings = [format!("the number {name}"), format!("a member of the family {family}")];
@@ -62,16 +63,18 @@ impl Reader<'_, '_, '_> {
     pub(crate) fn symbol(&mut self) -> Read<Piece> {
         let start = self.span();
         let (symbol, next) = self.whole_symbol()?;
+        let symbol = self.with_sign(symbol)?;
         let Some(meaning) = self.meaning(&symbol)? else { return self.unknown(&symbol, next) };
         self.scope.names.seen(&symbol.key());
         let at = self.at;
         self.at = next;
         match meaning {
-            Meaning::Number(name, is_variable) => {
+            Meaning::Number(name, role) => {
                 self.no_application(&symbol)?;
                 self.no_unit(&symbol, at)?;
                 let mut piece = Piece::atom(&name, symbol.span);
-                piece.name = is_variable.then_some(name);
+                piece.name = (role == Role::Variable).then_some(name);
+                piece.is_matrix = role == Role::Matrix;
                 piece.is_vector = VECTORS.iter().any(|mark| symbol.base.contains(mark));
                 Ok(piece)
             }
@@ -98,6 +101,30 @@ impl Reader<'_, '_, '_> {
                 Ok(Piece::new(text, 5))
             }
         }
+    }
+
+    /// The name with the sign that is read for ± below it: it stands for two names, and both statements are meant.
+    fn with_sign(&mut self, symbol: Symbol) -> Read<Symbol> {
+        let [sign] = symbol.below.as_deref().unwrap_or_default() else { return Ok(symbol) };
+        if !(sign.is("pm") || sign.is("mp")) {
+            return Ok(symbol);
+        }
+        if !*self.scope.decisions.both_signs.get_or_insert(true) {
+            let help = "write `%carom pm and`, or two formulas";
+            return Err(refused(
+                "a name with ± below it stands for two, and one of two values is said",
+                help,
+                symbol.span,
+            ));
+        }
+        self.scope.double_sign = Some(symbol.span);
+        let kind = Kind::Char(if sign.is("pm") == self.scope.upper { '+' } else { '-' });
+        Ok(Symbol { below: Some(vec![Token { kind, ..sign.clone() }]), ..symbol })
+    }
+
+    /// Whether a name is known here.
+    pub(crate) fn is_known(&self, symbol: &Symbol) -> Read<bool> {
+        Ok(self.meaning(symbol)?.is_some())
     }
 
     /// The name that begins here, of one letter or of several, whatever is declared.

@@ -36,9 +36,129 @@ fn what_does_not_print_is_read() {
         let Outcome::Read(claim) = &found.equations[0].outcome else { panic!() };
         assert_eq!(claim.written_items().len(), 1, "{text}: {claim:?}");
     }
-    let markdown =
-        "<!-- carom given x real -->\n<!--\n$$ x = 2 $$\n-->\n<!-- <!-- carom assume x = 1 -->\n$$ x = x $$\n";
-    assert_eq!(said(&read(&latex_of(markdown))), ["x = x"]);
+    for markdown in [
+        "<!--\n$$ x = 2 $$\n-->\n<!-- <!-- carom assume x = 1 -->\n$$ x = x $$\n",
+        "    $$ x = 2 $$\n\nText\n\n\t$$ x = 2 $$\n\n- item\n\n  $$ x = x $$\n\n      $$ x = 2 $$\n",
+        "````\n```\n$$ x = 2 $$\n```math\nx = 2\n```\n````\n~~~\n$$ x = 2 $$\n```\n~~~\n$$ x = x $$",
+        "> ```\n> $$ x = 2 $$\n> ```\n>     $$ x = 2 $$\n\n> $$ x\n> = x $$",
+        "``a ` $$ x = 2 $$`` and `b\n$$ x = 2 $$` and a lone ` $$ x = x $$",
+    ] {
+        assert_eq!(
+            said(&read(&latex_of(&format!("<!-- carom given x real -->\n{markdown}")))),
+            ["x = x"],
+            "{markdown}"
+        );
+    }
+}
+
+#[test]
+fn a_comment_in_markdown_is_passed_over() {
+    for comments in [
+        "<!-- carom given x > 0\n  ; y > 0\nassume x > 1 -->",
+        "<!--carom given x, y > 0--><!-- carom: assume x > 1 -->",
+        "<!--\ncarom given x, y > 0\nassume x > 1\n-->",
+        "> <!-- carom given x, y > 0\n> assume x > 1 -->",
+        "%carom given x, y > 0\n<!-- %carom assume x > 1 -->",
+        "<!-- carom given x, y > 0 -->\nSince $x > 1$, <!-- carom inline assume -->",
+    ] {
+        let latex = latex_of(&format!("{comments}\n\n$$ x y > y $$ <!-- carom claim last -->\n"));
+        let found = read(&latex);
+        let Some(Outcome::Read(claim)) = found.equations.last().map(|e| &e.outcome) else {
+            panic!("{latex}: {found:?}")
+        };
+        assert_eq!((claim.name.text.as_str(), claim.written_items().len()), ("last", 2), "{comments}");
+    }
+    for comments in ["<!-- caromgiven x > 0 -->", "<!--carom giben x > 0 -->", "<!-- carom given x > 0\nwhatever -->"] {
+        assert!(!read(&latex_of(&format!("{comments}\n$$ 1 = 1 $$"))).faults.is_empty(), "{comments}");
+    }
+}
+
+#[test]
+fn a_function_is_something_else_than_its_formula_says() {
+    let rows = |text: &str| {
+        said(&read(&format!(
+            "%carom given t, a, b, v_0, c real; n natural\n{}",
+            text.replace("; ", "\\]\n\\[").replace('<', "\\[") + "\\]"
+        )))
+    };
+    for (text, wanted) in [
+        ("<v(t) = v_0 + a t; v(0) = v_0; v(2t) = a", &["definition", "v(0) = v_0", "v(2*t) = a"] as &[&str]),
+        ("<v(t) = v_0 + a t; v(t) = a", &["definition", "v(t) = a"]),
+        (
+            "<v(s) = a s; v'(t) = a; \\frac{dv}{dt} = a",
+            &["definition", "derivative(v(t), t) = a", "derivative(v(t), t) = a"],
+        ),
+        ("<p(t) = a t = b t; p(a) = 1", &["a*t = b*t", "p(a) = 1"]),
+        ("<f(x, y) = x - y; f(a, b) = a - b", &["definition", "f(a, b) = a - b"]),
+        ("<S(n) = \\sum_{k=1}^{n} k; S(2) = 3", &["definition", "S(2) = 3"]),
+    ] {
+        assert_eq!(rows(text), wanted, "{text}");
+    }
+    for text in [
+        "<E(t) = a b",
+        "<\\dot y(t) = a t",
+        "<f'(x) = 2 x",
+        "<mv(t) = a t",
+        "<O(t) = t",
+        "<\\delta(t) = t",
+        "<e(s) = 1 - s",
+        "<q(t) = a t %carom prove\n",
+        "<q(0) = a",
+        "<q(a t) = a t",
+        "<q(t, t) = t",
+        "<q(t) > t",
+        "<1 + q(t) = t",
+        "<q(t) = q(0) + t",
+        "<\\mathrm{sin}(s) = s/2",
+        "<v(t) = a t; v_n = 1",
+        "<x(t) = a t; x = 1",
+    ] {
+        let found = rows(text);
+        assert!(found.last().is_some_and(|last| last.starts_with("not read")), "{text}: {found:?}");
+    }
+    // What is said of a function before its formula may be what the formula follows from.
+    let found = rows("<u(0) = 1; u(t) = 1 + a t; u(0) = 1");
+    assert!(found.iter().all(|said| said.starts_with("not read")), "{found:?}");
+}
+
+#[test]
+fn a_formula_that_is_broken_may_be_passed_over_with_its_hypothesis() {
+    for (text, wanted) in [
+        ("\\[ {a = b %carom skip why\n\\] \\[ 1 = 1 \\]", &["skipped: why", "1 = 1"] as &[&str]),
+        ("\\[ {a = b %carom assume\n\\] \\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("\\[ {a = b \\] %carom assume\n\\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("\\begin{align} {a = b %carom skip\n\\\\ a = a \\end{align} \\[ 1 = 1 \\]", &["not read", "1 = 1"]),
+        ("\\begin{numcases}{a} b %carom assume\n\\end{numcases} \\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("\\ifdraft \\[ a = b \\] %carom assume\n\\fi \\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("%carom inline assume\n\\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("\\input{macros} \\[ 1 = 1 \\]", &["not read", "waits"]),
+    ] {
+        let found = said(&read(&format!("%carom given a, b real\n{text}")));
+        let short: Vec<&str> =
+            found.iter().map(|said| if said.starts_with("not read") { "not read" } else { said }).collect();
+        assert_eq!(short, wanted, "{text}");
+    }
+}
+
+#[test]
+fn an_alias_of_a_macro_takes_no_argument() {
+    let define = "\\newcommand{\\p}[1][7]{x + #1}\\newcommand{\\q}{\\p}\\newcommand{\\r}{2 \\p}";
+    for (formula, wanted) in [
+        ("\\q[2] = \\q", "x + 2 = x + 7"),
+        ("\\r = 1", "2*x + 7 = 1"),
+        ("\\r[2] = 1", "not read: \\p may take what stands behind another macro"),
+    ] {
+        assert_eq!(said(&read(&format!("%carom given x real\n{define}\\[ {formula} \\]"))), [wanted], "{formula}");
+    }
+}
+
+#[test]
+fn a_box_around_an_equation_with_its_cells_hides_it() {
+    let found =
+        said(&read("%carom given a, b real\n\\begin{align*} \\Aboxed{a &= b} \\\\ \\Aboxed{b &= a}. \\end{align*}"));
+    assert_eq!(found, ["a = b", "b = a"]);
+    let found = said(&read("%carom given a, b real\n\\begin{align*} \\Aboxed{a &= b} + 1 \\end{align*}"));
+    assert!(found[0].starts_with("not read"), "{found:?}");
 }
 
 #[test]
@@ -162,4 +282,7 @@ fn two_equations_get_one_name() {
     );
     let names: Vec<&str> = found.equations.iter().map(|equation| equation.name.as_str()).collect();
     assert_eq!(names, ["eq-2", "eq-2-prime", "eq-2-line-1", "line-1", "line-1-2"]);
+    let found = read("\\begin{align} 1 &= 1 \\label{eq:a-b} \\\\ 2 &= 2 \\label{eq:a_b} \\end{align}");
+    let names: Vec<&str> = found.equations.iter().map(|equation| equation.name.as_str()).collect();
+    assert_eq!(names, ["a-b", "a-b-line-1"]);
 }

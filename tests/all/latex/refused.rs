@@ -81,6 +81,14 @@ fn a_formula_is_read_as_something_else() {
             "transpose([a, b]) = [a; b]",
         ),
         (r"{\rm m} + m_{\rm x} = 1 %carom given m_x real", "m + m_x = 1"),
+        (
+            r"M^{\mathrm T} M = M^\top M^{\intercal} %carom let M = [a, b; c, x]",
+            "transpose(M)*M = transpose(M)*transpose(M)",
+        ),
+        (r"(2 M)^{\mathsf{T}} = 2 M^T %carom let M = [a, b; c, x]", "transpose(2*M) = 2*transpose(M)"),
+        (r"v_\pm = a \mp b %carom given v_+, v_{-} real", "v_plus = a - b and v_minus = a + b"),
+        (r"\sum_{k=1}^{k} k \sum_{k=1}^{k} k = n", "sum(k_in = 1..k, k_in*sum(k_in_in = 1..k_in, k_in_in)) = n"),
+        (r"\begin{alignedat}{3} 2x & + {} & 3 y & = {} & 5 a \end{alignedat}", "2*x + 3*y = 5*a"),
         (r"x = \left( a \right. \\ & \left. {} + b \right) c", "x = (a + b)*c"),
         (r"(b + c)^2 &= b^2 + 2 b c \\ &\phantom{=} + c^2", "(b + c)^2 = b^2 + 2*b*c + c^2"),
         (r"a &= b \\ &\mathrel{\phantom{=}} \hspace{1em} \times c", "a = b*c"),
@@ -226,6 +234,14 @@ fn what_is_not_read_is_read() {
         (r"|\vec{u} m \vec{w}| = 1 %carom given \vec{u}, \vec{w} real", "a product of vectors"),
         (r"x \ne \pm 1 %carom pm or", "one of two values in an inequality"),
         (r"\Delta x = 1", r"nothing declares the name \Delta x"),
+        (r"M^T = M %carom let M = [a, b; c, x]; T = 2", "the end of the clause"),
+        ("M^n = M^T %carom let M = [a, b; c, x]\n%carom given T natural", "T above a matrix may be read in two ways"),
+        ("v_\\pm = \\pm a %carom given v_+, v_- real\n%carom pm or", "one of two values is said"),
+        (r"\frac{d}{dx} (m v) = a", "does not mention the variable"),
+        (r"\int_0^1 x dx = a", "define an antiderivative"),
+        (r"q := 1/x \quad \text{where } x > 0", "a condition behind a definition"),
+        (r"q(t) = a t, \quad t > 0", "a condition behind a definition"),
+        (r"x = a/3 %carom digits 3", "`digits` is said of no printed number"),
     ] {
         let fault = read(formula).expect_err(formula);
         let said = format!("{}; {}", fault.message(), fault.help().unwrap_or_default());
@@ -350,5 +366,70 @@ fn a_marked_formula_in_running_text_is_passed_over() {
         let Outcome::NotRead(faults) = &equation.outcome else { panic!("{equation:?}") };
         assert!(faults[0].message().contains(says), "{}", faults[0].message());
         assert_eq!(&source[faults[0].span.start..faults[0].span.end], "inline");
+    }
+}
+
+#[test]
+fn a_comment_is_ignored_in_silence() {
+    let words = "skip let assume prove by claim expect given define name comma pm digits e log continues begins number source \
+                 section reading note using sample";
+    let whole = [
+        "assume",
+        "assume step",
+        "let",
+        "prove",
+        "by algebra",
+        "expect refuted",
+        "comma and",
+        "pm interval",
+        "digits 3",
+        "e is base",
+        "log is natural",
+        "continues",
+        "begins",
+        "name b_1 as b1",
+        "claim one \"One\"",
+        "number 3",
+        "note \"x\"",
+        "using eq19",
+        "source \"x\"",
+        "prove a = b",
+        "reading as printed",
+        "sample a = 1",
+    ];
+    let said = |comments: &str| {
+        let source = format!("{DECLARED}\\begin{{equation}} x = 0.500\n{comments}\n\\end{{equation}}\n\\[ a = a \\]");
+        let found = paper(&source).unwrap_or_else(|faults| panic!("{comments}: {faults:?}"));
+        format!("{:?}", found.equations)
+    };
+    let known: Vec<&str> = words.split_whitespace().collect();
+    for clause in whole {
+        let word = clause.split(' ').next().unwrap_or_default();
+        assert!(known.contains(&word), "{word}");
+        // The name of what a definition defines is declared already.
+        assert_eq!(said(&format!("%carom {clause}")).contains("NotRead"), clause == "let", "{clause}");
+        for rest in [" , but rubbish", "; m > 0", "\n%carom but rubbish", "\n%carom= 1"] {
+            assert!(said(&format!("%carom {clause}{rest}")).contains("NotRead"), "{clause}{rest}");
+        }
+    }
+    for clause in ["begin", "end", "name b_1 as b1", "comma and", "pm or", "e is base", "log is decimal"] {
+        for rest in [" but rubbish", "; m > 0", "\n%carom but rubbish"] {
+            let found = paper(&format!("%carom begin\n%carom {clause}{rest}\n\\[ 1 = 1 \\]")).expect("a paper");
+            assert!(!found.faults.is_empty(), "{clause}{rest}");
+        }
+    }
+    for twice in [
+        "assume\n%carom let",
+        "skip x\n%carom assume",
+        "by algebra\n%carom by algebra",
+        "expect refuted\n%carom expect proved",
+        "let\n%carom by algebra",
+        "assume\n%carom expect refuted",
+        "claim b \"\"\n%carom claim c \"\"",
+    ] {
+        assert!(said(&format!("%carom {twice}")).contains("NotRead"), "{twice}");
+    }
+    for source in ["%caromgiven a real\n\\[ 1 = 1 \\]", "%carom, given a real\n\\[ 1 = 1 \\]"] {
+        assert!(!paper(source).expect("a paper").faults.is_empty(), "{source}");
     }
 }
