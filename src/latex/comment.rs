@@ -5,7 +5,7 @@
 
 use super::document::Clause;
 use super::macros::group;
-use super::name::{Names, base, is_letter, scripts};
+use super::name::{Names, base, canonical, is_letter, scripts};
 use super::place::Placed;
 use super::refusal::{expected, refused};
 use super::token::{Kind, Token, raw_tokens};
@@ -109,12 +109,21 @@ pub(crate) fn rename(said: &Clause, names: &mut Names) -> Result<(), Diagnostic>
         _ => (first, next),
     };
     let (symbol, next) = scripts(&tokens, first, tokens[4].span, next)?;
+    let mut key = symbol.key();
+    let mut next = next;
+    // The value of a function at one place.
+    if tokens.get(next).is_some_and(|t| t.is_char('('))
+        && let Some(length) = tokens[next..].iter().position(|t| t.is_char(')'))
+    {
+        key = format!("{key}({})", canonical(&tokens[next + 1..next + length]));
+        next += length + 1;
+    }
     let is_as =
         tokens.get(next).is_some_and(|t| t.is_char('a')) && tokens.get(next + 1).is_some_and(|t| t.is_char('s'));
     let Some(from) = tokens.get(next + 2).filter(|_| is_as).map(|t| t.span.start - said.span.start) else {
         return Err(expected(wanted, "something else", said.span));
     };
-    names.set(&symbol.key(), said.text[from..].trim(), said.span)
+    names.set(&key, said.text[from..].trim(), said.span)
 }
 
 /// The name in LaTeX at `at`, if one stands there: a letter by its command, or a letter with braces below.

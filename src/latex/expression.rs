@@ -396,8 +396,11 @@ impl<'t> Reader<'t, '_, '_> {
         let key = canonical(inner);
         let is_transpose = match inner {
             [sign] if sign.is("top") || sign.is("intercal") => true,
-            // Behind a matrix; behind a number it is a power.
-            _ => base.is_matrix && matches!(key.as_str(), "T" | "t"),
+            // Behind a matrix; behind a number it is a power. A slanted t may be a time.
+            _ if key == "t" => {
+                base.is_matrix && (inner.first().is_some_and(is_upright) || base.text.text().starts_with('['))
+            }
+            _ => base.is_matrix && key == "T",
         };
         let is_declared = self.scope.names.spelled(&key).is_some_and(|name| self.scope.roles.contains_key(name));
         if is_transpose && is_declared && !inner.first().is_some_and(is_upright) {

@@ -193,6 +193,17 @@ pub(crate) fn canonical(tokens: &[Token]) -> String {
     out
 }
 
+/// Whether a name stands somewhere in these tokens.
+pub(crate) fn mentions(tokens: &[Token], key: &str) -> bool {
+    (0..tokens.len()).any(|at| begin(&tokens[at..]).is_some_and(|found| found.0.key() == key))
+}
+
+/// The name that begins these tokens, and where it ends.
+pub(crate) fn begin(tokens: &[Token]) -> Option<(Symbol, usize)> {
+    let (first, next) = base(tokens, 0).ok()??;
+    scripts(tokens, first, tokens[0].span, next).ok()
+}
+
 /// What a name of the paper is in the claim language.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
@@ -266,6 +277,12 @@ impl Names {
         self.spelling.insert(key.to_string(), spelling.to_string());
         self.key.insert(spelling.to_string(), key.to_string());
         Ok(())
+    }
+
+    /// Whether a comment names a value of this function, as v(t) is one of v, or of any.
+    pub(crate) fn has_values(&self, of: Option<&str>) -> bool {
+        let is = |key: &str| of.is_none_or(|of| key.strip_prefix(of).is_some_and(|rest| rest.starts_with('(')));
+        self.spelling.keys().any(|key| key.ends_with(')') && is(key))
     }
 
     /// Counts an occurrence in an equation.

@@ -49,11 +49,19 @@ pub(crate) fn undeclared(name: &str, applied: bool, span: Span) -> Diagnostic {
     let help = match applied {
         true => format!(
             "for a product with the number {name} write `%carom given {name} real`; for a function write \
-             `%carom let {name}(x) = …`, or `%carom given {name}(k) real` for a family"
+             `%carom let {name}(x) = …`, or `%carom given {name}(k) real` for a family; for its value at one place `%carom name \
+             {name}(x) as x1`"
         ),
         false => format!("declare it in a comment: `%carom given {name} > 0` or `%carom given {name} real`"),
     };
     refused(message, help, span)
+}
+
+/// A value of a function that is known at one place alone, where it is asked for at others.
+pub(crate) fn one_value(what: &str, span: Span) -> Diagnostic {
+    let help =
+        "give the function a formula, as in v(t) := …; a name of its value says nothing of others, or of its change";
+    refused(format!("{what} is known at one place alone"), help, span)
 }
 
 /// What to write instead of a command that is not read.

@@ -1,6 +1,8 @@
 //! What the names of an equation are, and what its comments decide.
 
-use super::name::{Names, Symbol};
+use super::name::{Names, Symbol, mentions};
+use super::refusal::one_value;
+use super::token::Token;
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::{Claim, Expr, ExprKind, Item};
 use carom_checker::claim::walk;
@@ -57,6 +59,8 @@ pub(crate) struct Scope<'a> {
     pub splits: bool,
     /// Whether a rounded or measured number was read.
     pub has_printed: bool,
+    /// Where a value with a name, such as v(t), was read.
+    pub value: Option<Span>,
     /// Whether an implication, a quantifier or a negation was read.
     pub has_logic: bool,
     /// The name that nothing declares, where the reading ended for want of it.
@@ -72,6 +76,15 @@ impl Scope<'_> {
         }
         self.bound.push((symbol.key(), name.clone()));
         Ok(name)
+    }
+
+    /// Takes note of a value with a name; it is one number, so its argument must not vary here.
+    pub(crate) fn values_at(&mut self, argument: &[Token], key: &str, span: Span) -> Result<(), Diagnostic> {
+        self.value = Some(span);
+        match self.bound.iter().any(|(bound, _)| mentions(argument, bound)) {
+            true => Err(one_value(key, span)),
+            false => Ok(()),
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::binding::relation_of;
 use super::expression::{Read, Reader, is_space};
 use super::name::argument;
 use super::place::Placed;
-use super::refusal::{ambiguous, refused, unread_words};
+use super::refusal::{ambiguous, one_value, refused, unread_words};
 use super::row::side_by_side;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::Span;
@@ -91,6 +91,9 @@ impl Reader<'_, '_, '_> {
             let outside = self.scope.bound.len();
             let bindings = self.quantified_names();
             self.scope.bound.truncate(outside);
+            if let Some(value) = self.scope.value {
+                return Err(one_value("a function with a named value", value));
+            }
             return Ok(under("for all ", &bindings?, &left, span));
         }
         Ok(left)

@@ -1,7 +1,7 @@
 //! Names in a formula: which declared name a letter with its index and primes is.
 
 use super::expression::{Read, Reader, is_space, is_upright, top_level};
-use super::name::{Symbol, argument, base, scripts};
+use super::name::{Symbol, argument, base, canonical, scripts};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused, undeclared, unit};
@@ -64,6 +64,9 @@ impl Reader<'_, '_, '_> {
         let start = self.span();
         let (symbol, next) = self.whole_symbol()?;
         let symbol = self.with_sign(symbol)?;
+        if let Some(value) = self.named_value(&symbol, next)? {
+            return Ok(value);
+        }
         let Some(meaning) = self.meaning(&symbol)? else { return self.unknown(&symbol, next) };
         self.scope.names.seen(&symbol.key());
         let at = self.at;
@@ -104,22 +107,41 @@ impl Reader<'_, '_, '_> {
     }
 
     /// The name with the sign that is read for ± below it: it stands for two names, and both statements are meant.
-    fn with_sign(&mut self, symbol: Symbol) -> Read<Symbol> {
-        let [sign] = symbol.below.as_deref().unwrap_or_default() else { return Ok(symbol) };
-        if !(sign.is("pm") || sign.is("mp")) {
-            return Ok(symbol);
+    fn with_sign(&mut self, mut symbol: Symbol) -> Read<Symbol> {
+        for token in symbol.below.iter_mut().flatten().filter(|t| t.is("pm") || t.is("mp")) {
+            if !*self.scope.decisions.both_signs.get_or_insert(true) {
+                let message = "a name with ± below it stands for two, and one of two values is said";
+                return Err(refused(message, "write `%carom pm and`, or two formulas", symbol.span));
+            }
+            self.scope.double_sign = Some(symbol.span);
+            token.kind = Kind::Char(if token.is("pm") == self.scope.upper { '+' } else { '-' });
         }
-        if !*self.scope.decisions.both_signs.get_or_insert(true) {
-            let help = "write `%carom pm and`, or two formulas";
-            return Err(refused(
-                "a name with ± below it stands for two, and one of two values is said",
-                help,
-                symbol.span,
-            ));
+        Ok(symbol)
+    }
+
+    /// `v(t)`, where a comment gives this value a name: the function is known at that place alone.
+    fn named_value(&mut self, symbol: &Symbol, next: usize) -> Read<Option<Piece>> {
+        if !self.tokens.get(next).is_some_and(|t| t.is_char('(')) {
+            return Ok(None);
         }
-        self.scope.double_sign = Some(symbol.span);
-        let kind = Kind::Char(if sign.is("pm") == self.scope.upper { '+' } else { '-' });
-        Ok(Symbol { below: Some(vec![Token { kind, ..sign.clone() }]), ..symbol })
+        let here = std::mem::replace(&mut self.at, next);
+        let parenthesis = self.parenthesis();
+        self.at = here;
+        let Some((inner, after)) = parenthesis? else { return Ok(None) };
+        let key = format!("{}({})", symbol.key(), canonical(inner));
+        let Some(name) = self.scope.names.spelled(&key).map(str::to_string) else { return Ok(None) };
+        if !self.scope.roles.contains_key(&name) {
+            return Err(undeclared(&name, false, symbol.span));
+        }
+        if self.is_known(symbol)? {
+            let readings = [format!("the value {name}"), format!("what the declared {} says", symbol.key())];
+            let write = ["give the declared one another name", "leave out the comment that names the value"];
+            return Err(ambiguous(&key, readings.each_ref().map(String::as_str), write, symbol.span));
+        }
+        self.scope.values_at(inner, &key, symbol.span)?;
+        self.scope.names.seen(&key);
+        self.at = after;
+        Ok(Some(Piece::atom(&name, self.since(symbol.span))))
     }
 
     /// Whether a name is known here.

@@ -5,9 +5,9 @@ use crate::binding::relation_of;
 use crate::clause::{Purpose, Said};
 use crate::expression::{Read, Reader};
 use crate::function::{FUNCTIONS, WORDS};
-use crate::name::{Symbol, base, scripts};
+use crate::name::{Symbol, base, begin, mentions, scripts};
 use crate::place::Placed;
-use crate::refusal::refused;
+use crate::refusal::{one_value, refused};
 use crate::symbol::commas;
 use crate::token::Token;
 use carom_diagnostic::{Diagnostic, Span};
@@ -44,7 +44,7 @@ impl Assembly<'_> {
             Reader { tokens, at: 0, depth: 0, whole, scope }.is_known(&symbol)
         })?;
         let key = symbol.key();
-        if is_known || self.undefined.contains_key(&key) {
+        if is_known || self.undefined.contains_key(&key) || self.names.has_values(Some(&key)) {
             return Ok(None);
         }
         if self.out.undeclared.contains_key(&format!("{key}(…)")) {
@@ -123,6 +123,9 @@ impl Assembly<'_> {
         let mut parameters: Vec<Symbol> = Vec::new();
         if next < sign {
             parameters = self::parameters(&tokens[next..sign]).ok_or_else(wrong)?;
+            if self.names.has_values(Some(&symbol.key())) {
+                return Err(one(one_value(&symbol.key(), span)));
+            }
         }
         let value = &tokens[behind..];
         let end = relation_at(value);
@@ -171,7 +174,7 @@ fn no_name(span: Span) -> Diagnostic {
 /// and of derivatives, such as `\dot{x}` and f', are no names for a new function.
 fn application(tokens: &[Token]) -> Option<(Symbol, Vec<Symbol>, usize)> {
     const OTHERS: [&str; 7] = ["\\Delta", "\\delta", "\\pi", "\\mathcal{O}", "O", "e", "d"];
-    let (symbol, open) = name(tokens)?;
+    let (symbol, open) = begin(tokens)?;
     let base = symbol.base.as_str();
     let is_known = OTHERS.contains(&base) || FUNCTIONS.contains(&base) || WORDS.contains(&base);
     if is_known || base.starts_with("\\dot{") || base.starts_with("\\ddot{") || symbol.primes > 0 {
@@ -186,21 +189,10 @@ fn application(tokens: &[Token]) -> Option<(Symbol, Vec<Symbol>, usize)> {
 fn parameters(tokens: &[Token]) -> Option<Vec<Symbol>> {
     let [open, list @ .., close] = tokens else { return None };
     (open.is_char('(') && close.is_char(')')).then_some(())?;
-    let alone = |part: &[Token]| name(part).filter(|found| found.1 == part.len()).map(|found| found.0);
+    let alone = |part: &[Token]| begin(part).filter(|found| found.1 == part.len()).map(|found| found.0);
     let parameters: Vec<Symbol> = commas(list).into_iter().map(alone).collect::<Option<_>>()?;
     let keys: BTreeSet<String> = parameters.iter().map(Symbol::key).collect();
     (keys.len() == parameters.len()).then_some(parameters)
-}
-
-/// The name that begins these tokens, and where it ends.
-fn name(tokens: &[Token]) -> Option<(Symbol, usize)> {
-    let (first, next) = base(tokens, 0).ok()??;
-    scripts(tokens, first, tokens[0].span, next).ok()
-}
-
-/// Whether a name stands somewhere in these tokens.
-fn mentions(tokens: &[Token], key: &str) -> bool {
-    (0..tokens.len()).any(|at| name(&tokens[at..]).is_some_and(|found| found.0.key() == key))
 }
 
 /// Where the first sign of comparison stands outside of parentheses.

@@ -122,6 +122,41 @@ fn a_function_is_something_else_than_its_formula_says() {
 }
 
 #[test]
+fn a_value_of_a_function_is_taken_for_another_or_for_a_constant() {
+    let rows = |text: &str| {
+        let names = "%carom name v(t) as v_now\n%carom name v(0) as v_start\n%carom given m, a, t, s, v_now, v_start real; n natural\n";
+        said(&read(&format!("{names}\\[ {text} \\]")))
+    };
+    for (text, wanted) in [
+        ("m v(t) = v(0)", "m*v_now = v_start"),
+        ("v(t) = v(0) + a t", "v_now = v_start + a*t"),
+        ("v \\left( t \\right)^2 (a + t) = 1", "v_now^2*(a + t) = 1"),
+    ] {
+        assert_eq!(rows(text), [wanted], "{text}");
+    }
+    for text in [
+        "v(s) = a",
+        "v(2t) = a",
+        "v = a",
+        "v'(t) = a",
+        "\\frac{d v(t)}{dt} = a",
+        "\\frac{d}{dt} (t v(t)) = a",
+        "\\sum_{t=1}^{n} v(t) = a",
+        "q(t) = t v(t)",
+        "v(t) := a t",
+        "v(t) > 0 \\quad \\text{for all } t > 0",
+        "\\forall t > 0: v(t) > 0",
+        "\\lim_{t \\to \\infty} v(t) = a",
+        "q := m v(t) \\] \\[ \\frac{d}{dt} (q t) = a",
+        "\\text{maximum of } v(t) \\text{ over } t > 0 \\text{ is } a",
+        "v(t) = a %carom given v real\n",
+    ] {
+        let found = rows(text);
+        assert!(found.last().is_some_and(|last| last.starts_with("not read")), "{text}: {found:?}");
+    }
+}
+
+#[test]
 fn a_formula_that_is_broken_may_be_passed_over_with_its_hypothesis() {
     for (text, wanted) in [
         ("\\[ {a = b %carom skip why\n\\] \\[ 1 = 1 \\]", &["skipped: why", "1 = 1"] as &[&str]),
