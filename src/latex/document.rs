@@ -184,7 +184,10 @@ impl Reader<'_> {
                     at + 1
                 }
                 name if defines(name) => match self.macros.define(self.tokens, at) {
-                    Ok(next) => next,
+                    Ok(next) => {
+                        self.unheard(at..next);
+                        next
+                    }
                     Err(fault) => {
                         self.fault(fault, false);
                         at + 1
@@ -215,8 +218,17 @@ impl Reader<'_> {
         }
     }
 
+    /// Comments where none is read.
+    fn unheard(&mut self, place: Range<usize>) {
+        for comment in self.tokens[place].iter().filter(|t| matches!(t.kind, Kind::Comment(_))) {
+            let message = "a comment within a formula in running text, or a macro, is not read";
+            self.fault(refused(message, "put it before that, or behind it", comment.span), declares(comment));
+        }
+    }
+
     /// Counts a formula in running text.
     fn seen_inline(&mut self, place: Range<usize>) {
+        self.unheard(place.clone());
         self.out.inline += 1;
         let line = self.lines.line(self.tokens[place.end - 1].span.start);
         self.inline.push((place, line));

@@ -15,7 +15,7 @@ impl Reader<'_> {
         let plain = environment.trim_end_matches('*');
         let body = &unboxed(body);
         let mut whole = Row::default();
-        let bare = self.without_marks(body, &mut whole)?;
+        let bare = self.without_marks(body, &mut whole, false)?;
         // The rows of `split` within `equation` share its number.
         if let Some(inner) = inner(&bare) {
             let mut rows = self.split(inner)?;
@@ -83,7 +83,7 @@ impl Reader<'_> {
         }
         for piece in pieces {
             let mut row = Row::default();
-            let bare = self.without_marks(&piece, &mut row)?;
+            let bare = self.without_marks(&piece, &mut row, true)?;
             if bare.is_empty() && row.label.is_none() && row.clauses.is_empty() {
                 continue;
             }
@@ -96,14 +96,16 @@ impl Reader<'_> {
         Ok(rows)
     }
 
-    /// The tokens without labels, numbers and comments, which go into the row.
-    fn without_marks(&mut self, body: &[Token], row: &mut Row) -> Result<Vec<Token>, Diagnostic> {
+    /// The tokens without labels, numbers and comments, which go into the row; comments in an environment of rows belong to these.
+    fn without_marks(&mut self, body: &[Token], row: &mut Row, is_row: bool) -> Result<Vec<Token>, Diagnostic> {
         let mut out = Vec::new();
         let mut at = 0;
         let mut level = 0usize;
         while let Some(token) = body.get(at) {
             match &token.kind {
-                Kind::Comment(text) => row.clauses.push(Clause { text: text.clone(), span: token.span }),
+                Kind::Comment(text) if is_row || level == 0 => {
+                    row.clauses.push(Clause { text: text.clone(), span: token.span })
+                }
                 Kind::Command(name) if ["label", "tag"].contains(&name.as_str()) && level == 0 => {
                     let star = usize::from(body.get(at + 1).is_some_and(|t| t.is_char('*')));
                     let (inner, next) = group(body, at + 1 + star)?;

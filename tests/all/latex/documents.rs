@@ -167,6 +167,8 @@ fn a_formula_that_is_broken_may_be_passed_over_with_its_hypothesis() {
         ("\\ifdraft \\[ a = b \\] %carom assume\n\\fi \\[ 1 = 1 \\]", &["not read", "waits"]),
         ("%carom inline assume\n\\[ 1 = 1 \\]", &["not read", "waits"]),
         ("\\input{macros} \\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("Since $a %carom assume a = b\n= b$, \\[ 1 = 1 \\]", &["not read", "waits"]),
+        ("\\newcommand{\\x}{a %carom given c real\n} \\[ 1 = 1 \\]", &["not read", "waits"]),
     ] {
         let found = said(&read(&format!("%carom given a, b real\n{text}")));
         let short: Vec<&str> =
@@ -250,6 +252,12 @@ fn a_row_is_judged_without_the_rest_of_its_equation() {
     assert_eq!((found.len(), found[2].as_str()), (3, "a = a"), "{found:?}");
     // A box around an equation is no parenthesis.
     assert_eq!(rows("\\boxed{a = b} \\\\ \\boxed{b = a}"), ["a = b", "b = a"]);
+    // A comment within an environment of rows belongs to its row.
+    for inner in ["split", "aligned", "gathered"] {
+        let rows = format!("\\begin{{{inner}}} a = b \\\\\n c = a %carom assume\n\\end{{{inner}}}");
+        let found = said(&read(&format!("%carom given a, b, c real\n\\begin{{equation}} {rows} \\end{{equation}}")));
+        assert_eq!(found, ["a = b", "hypothesis"], "{inner}");
+    }
     for text in ["b = 2 \\\\ a = 6", "a = 6 \\\\ 1", "a = 6 \\\\ (b + c)"] {
         let found = said(&read(&format!("%carom given a, b, c real\n\\begin{{multline*}} {text} \\end{{multline*}}")));
         assert!(found.len() == 1 && found[0].starts_with("not read"), "{text}: {found:?}");
