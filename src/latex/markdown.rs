@@ -6,12 +6,22 @@
 //! Formulas in running text are kept on lines with `<!-- carom inline`.
 
 use super::token::NEXT_LINE;
+use std::collections::BTreeMap;
 
 /// The LaTeX in a Markdown file; everything else is spaces.
 #[must_use]
 pub fn latex_of(source: &str) -> String {
     let out = source.bytes().map(|b| if b == b'\n' { b'\n' } else { b' ' }).collect();
-    let mut page = Page { source, out, inside: Inside::Text, lists: Vec::new(), is_blank: true, quotes: 0 };
+    let mut page = Page {
+        source,
+        out,
+        inside: Inside::Text,
+        lists: Vec::new(),
+        is_blank: true,
+        paragraph: 0,
+        last: BTreeMap::new(),
+        quotes: 0,
+    };
     let mut at = 0;
     for line in source.split_inclusive('\n') {
         page.line(at, line);
@@ -42,6 +52,10 @@ struct Page<'s> {
     lists: Vec<usize>,
     /// Whether the line before was blank, or code by its indent.
     is_blank: bool,
+    /// Where the paragraph ends in which code was looked for.
+    paragraph: usize,
+    /// Where the last signs of code of each number stand in it.
+    last: BTreeMap<usize, usize>,
     /// The signs of quotation before the text in which a formula, a comment or a block of code began.
     quotes: usize,
 }
@@ -116,6 +130,7 @@ impl<'s> Page<'s> {
     /// Reads the text of a line.
     fn text(&mut self, start: usize, line: &'s str) {
         let mut at = 0;
+        let has_inline = line.contains("carom inline");
         while at < line.len() {
             let rest = &line[at..];
             match self.inside {
@@ -147,15 +162,11 @@ impl<'s> Page<'s> {
                     }
                 }
                 Inside::Text | Inside::Fence(..) => {
-                    let marks: &[&str] =
-                        if line.contains("carom inline") { &["$$", "$", "<!--", "`"] } else { &["$$", "<!--", "`"] };
-                    let found = marks.iter().filter_map(|mark| Some((rest.find(mark)?, *mark)));
-                    let Some((place, mark)) = found.min_by_key(|(place, mark)| (*place, std::cmp::Reverse(mark.len())))
-                    else {
-                        return;
-                    };
+                    let Some(place) = rest.find(['$', '<', '`']) else { return };
                     at += place;
-                    at += self.mark(start + at, &line[at..], mark);
+                    let signs = ["$$", "<!--", "`", if has_inline { "$" } else { "$$" }];
+                    let mark = signs.into_iter().find(|mark| line[at..].starts_with(mark));
+                    at += mark.map_or(1, |mark| self.mark(start + at, &line[at..], mark));
                 }
             }
         }
@@ -176,19 +187,17 @@ impl<'s> Page<'s> {
             }
             "`" => {
                 let length = rest.len() - rest.trim_start_matches('`').len();
-                let lines = self.source[at..].split_inclusive('\n');
-                let rest_of = lines.take_while(|line| !line.trim_matches(['>', ' ', '\t', '\r', '\n']).is_empty());
-                let paragraph = &self.source[at..at + rest_of.map(str::len).sum::<usize>()];
-                let mut end = length;
+                // Looked for once, or many signs would take for ever.
+                if at >= self.paragraph {
+                    let lines = self.source[at..].split_inclusive('\n');
+                    let is_blank = |line: &str| line.trim_matches(['>', ' ', '\t', '\r', '\n']).is_empty();
+                    self.paragraph = at + lines.take_while(|line| !is_blank(line)).map(str::len).sum::<usize>();
+                    self.last = runs(self.source, at, self.paragraph).collect();
+                }
                 // Code ends with as many signs as it begins with, or it is none.
-                while let Some(next) = paragraph[end..].find('`') {
-                    let signs = &paragraph[end + next..];
-                    let count = signs.len() - signs.trim_start_matches('`').len();
-                    end += next + count;
-                    if count == length {
-                        self.inside = Inside::Code(at + end);
-                        break;
-                    }
+                if self.last.get(&length).is_some_and(|last| *last > at) {
+                    let found = runs(self.source, at + length, self.paragraph).find(|run| run.0 == length);
+                    self.inside = found.map_or(Inside::Text, |(length, at)| Inside::Code(at + length));
                 }
                 length
             }
@@ -205,6 +214,16 @@ impl<'s> Page<'s> {
             }
         }
     }
+}
+
+/// The signs of code in a part of a text that stand side by side: how many, and where they begin.
+fn runs(text: &str, from: usize, to: usize) -> impl Iterator<Item = (usize, usize)> {
+    let mut at = from;
+    std::iter::from_fn(move || {
+        let begin = at + text[at..to].find('`')?;
+        at = begin + text[begin..to].bytes().take_while(|b| *b == b'`').count();
+        Some((at - begin, begin))
+    })
 }
 
 /// How many signs of quotation, `most` of them, begin a line, and the bytes that they take.

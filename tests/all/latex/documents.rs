@@ -298,6 +298,11 @@ fn many_groups_and_macros_take_for_ever() {
     text += &"{\\def\\xa{b}}".repeat(20_000);
     let begun = std::time::Instant::now();
     assert_eq!(said(&read(&format!("{text}\\[ 1 = 1 \\]"))), ["1 = 1"]);
+    // Signs of code in Markdown, in pairs and alone, and comments.
+    let alone: Vec<String> = (2..1000).map(|length| "`".repeat(length)).collect();
+    for long in ["`a` ".repeat(100_000), "<!-- x -->".repeat(50_000), alone.join(" ")] {
+        assert_eq!(said(&read(&latex_of(&format!("$$ 1 = 1 $$\n\n{long}")))), ["1 = 1"]);
+    }
     assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
 }
 

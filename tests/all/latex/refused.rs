@@ -321,8 +321,11 @@ proptest! {
         "\\newcommand{\\q}[2]{#1#2}", "\\q", "\\sqrt", "[", "]", "\\sin", "\\pm", "\\begin{cases}", "\\end{cases}", "\\lim", "\\to", "é", "\\Delta",
         "\\begin{pmatrix}", "\\end{pmatrix}", "\\partial", "d", "!", "/", "\\cdot", "\\approx", "\\in", "\\quad", "%carom begin\n", "\\over", "\\boxed",
         "\\underbrace", "\\log", "\\begin{array}", "\\end{array}", "\\{", "\\text{for all}", "\\hspace", "\\choose", "^\\circ", ",", "$", "%carom inline\n",
+        "<!-- carom", "<!--", "-->", "> ", "\n", "```", "math", "    ", "`", "- ", "\u{a0}", "f(x) = x", "_\\pm", "%carom name a(b) as c\n", "a(b)", "\\Aboxed",
     ]), 0..40)) {
-        for source in [text.clone(), parts.concat(), format!("\\[{}{text}\\]", parts.concat()), latex_of(&format!("$${text}{}", parts.concat()))] {
+        let markdown = parts.concat() + &text;
+        prop_assert_eq!(latex_of(&markdown).len(), markdown.len());
+        for source in [text.clone(), parts.concat(), format!("\\[{}{text}\\]", parts.concat()), latex_of(&format!("$${text}{}", parts.concat())), latex_of(&markdown)] {
             if let Ok(found) = paper(&source) {
                 for equation in &found.equations {
                     if let Outcome::NotRead(faults) = &equation.outcome {
