@@ -140,6 +140,9 @@ fn double(r: &Rational, n: u64) -> Option<Double> {
     Some(half_sum(n.checked_add(1)?).divide(half_sum(n)).multiply(Double::exact(2.0)))
 }
 
+/// The largest `d/n` for which [`by_series`] is asked. Beyond it [`double`], which loses `n·2^-100`, tells about as much.
+const NEAR: f64 = 1e-4;
+
 /// The order of `1 + e` and `L_n + 1` for large `n`, in double-double; `None` where that does not tell.
 ///
 /// With `d = ln(r)/2`, `(L_n + 1)/2 = exp(−S)`, `S = n·ln cosh(d/n) − (n+1)·ln cosh(d/(n+1))`. For `φ(t) = ln cosh(d·t)/t`,
@@ -151,11 +154,15 @@ fn by_series(e_plus_one: &Rational, r: &Rational, n: &Natural) -> Option<Orderin
     let double = |n: &Natural| Double::from_rational(&Rational::from(n));
     let one = Double::exact(1.0);
     let (here, next) = (one.divide(double(n)), one.divide(double(&(n + Natural::ONE))));
+    // What is refused below is refused before the logarithm is taken, but for a hair.
+    if guess_ln(r).abs() * here.guess() > 3.0 * NEAR {
+        return None;
+    }
     let d = Double::ln(r).multiply(Double::exact(0.5));
     let square = d.multiply(d);
     let x = square.multiply(here).multiply(here);
-    // Otherwise the rest is not small; NaN fails it, too.
-    let near = x.ends().is_some_and(|(_, most)| most <= 0.01);
+    // Otherwise the rest is no smaller than what [`double`] loses; NaN fails it, too.
+    let near = x.ends().is_some_and(|(_, most)| most <= NEAR * NEAR);
     if !near {
         return None;
     }
