@@ -60,16 +60,26 @@ fn no_deception_succeeds() {
 }
 
 /// What the procedures decide by themselves is not lost in silence: limits by expansion, sums to n - 1, equations by ideal
-/// membership, nested roots, whole numbers within bounds.
+/// membership, nested roots, whole numbers within bounds, roots between means, members that are positive, sums in closed form,
+/// logarithms of both sides, squares of absolute values.
 #[test]
 fn true_statements_of_a_procedures_kind_are_proved() {
     let limits = Limits { time: Duration::from_secs(20), ..Limits::default() };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths");
     let mut lost = Vec::new();
-    for claim in ["limits.claim", "equations.claim", "nested-roots.claim", "existence.claim", "whole-numbers.claim"]
-        .iter()
-        .flat_map(|f| claims(&fs::read_to_string(folder.join(f)).unwrap()))
-    {
+    let files = [
+        "limits",
+        "equations",
+        "nested-roots",
+        "existence",
+        "whole-numbers",
+        "root-bounds",
+        "sequences",
+        "sums",
+        "logarithms",
+        "absolute-values",
+    ];
+    for claim in files.iter().flat_map(|f| claims(&fs::read_to_string(folder.join(format!("{f}.claim"))).unwrap())) {
         let name = claim.split_whitespace().nth(1).unwrap().to_owned();
         let catalogue = Catalogue::new(parse(&claim).unwrap()).unwrap();
         if outcome_of(&catalogue, &name, &limits).unwrap().verdict != Verdict::Proved {

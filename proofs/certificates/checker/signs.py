@@ -286,7 +286,7 @@ class Values(Terms):
             if any(r[0] == index for r in known.ranges):
                 return ANY
             body = self.fraction_signs(body, known.under(index, low, high), {})
-            kinds = (NOT_NEGATIVE,) if kind == "sum" else (POSITIVE, NOT_NEGATIVE, NOT_ZERO)
+            kinds = (NOT_NEGATIVE, 3) if kind == "sum" else (POSITIVE, NOT_NEGATIVE, NOT_ZERO)
             return next((s for s in kinds if not body & ~s), ANY)
         out = ANY
         if kind == "member":

@@ -271,7 +271,7 @@ impl Checker {
                 let body = self.fraction_signs(&over.body, known, depth, &mut inside)?;
                 // A range may be empty: an empty sum is 0, an empty product 1.
                 let kinds = if over.sum {
-                    vec![Signs::NOT_NEGATIVE]
+                    vec![Signs::NOT_NEGATIVE, Signs::of(Relation::LessEqual)]
                 } else {
                     vec![Signs::POSITIVE, Signs::NOT_NEGATIVE, Signs::NOT_ZERO]
                 };

@@ -48,7 +48,7 @@ impl Prover {
     }
 
     /// Proves a comparison in which absolute values are written. Cases cost less here than products of facts. A side that is an
-    /// absolute value is squared, or taken with both signs, each with the effort of a goal.
+    /// absolute value is squared as well, with the effort of a goal.
     pub(crate) fn by_written_absolute_values(
         &mut self,
         goal: &Prop,
@@ -60,29 +60,10 @@ impl Prover {
             return Err(Fail::No("an absolute value"));
         }
         let first = self.by_absolute_values(goal);
-        let is_less = matches!(relation, Relation::Less | Relation::LessEqual);
-        let (less, greater) = if is_less { (a, b) } else { (b, a) };
-        if first.is_ok() || self.splits > 0 || matches!(relation, Relation::Equal | Relation::NotEqual) {
+        if first.is_ok() || self.splits > 0 || !(is_absolute(a) || is_absolute(b)) {
             return first;
         }
-        if is_absolute(less) || is_absolute(greater) {
-            if let Ok(label) = self.attempt(|c| c.by_squares(goal, a, relation, b)) {
-                return Ok(label);
-            }
-            if let Some(inside) = inside_absolute(less) {
-                let order = if matches!(relation, Relation::Less | Relation::Greater) {
-                    Relation::Less
-                } else {
-                    Relation::LessEqual
-                };
-                return self.attempt(|c| {
-                    c.show(&compare(inside.clone(), order, greater.clone()))?;
-                    c.show(&compare(expr(ExprKind::Negate(Box::new(inside.clone()))), order, greater.clone()))?;
-                    c.by_absolute_values(goal)
-                });
-            }
-        }
-        first
+        self.attempt(|c| c.by_squares(goal, a, relation, b)).or(first)
     }
 
     /// Proves a goal after the signs inside some absolute values are known; `known` holds the keys of these.
@@ -181,15 +162,9 @@ impl Prover {
     }
 }
 
-/// The q of sqrt(q^2).
-fn inside_absolute(e: &Expr) -> Option<Expr> {
-    let (base, _) = as_power(e).filter(|(_, exponent)| natural(exponent).is_none())?;
-    let (inside, square) = as_power(&base)?;
-    (natural(&square) == Some(2)).then_some(inside)
-}
-
 fn is_absolute(e: &Expr) -> bool {
-    inside_absolute(e).is_some()
+    let is_square = |e: &Expr| as_power(e).is_some_and(|(_, k)| natural(&k) == Some(2));
+    as_power(e).is_some_and(|(base, exponent)| natural(&exponent).is_none() && is_square(&base))
 }
 
 /// Whether a square root of a square is part of an expression.

@@ -275,11 +275,8 @@ impl Prover {
         both
     }
 
-    /// A comparison from bounds of roots, and inequalities between means, tangents, sums or slopes.
+    /// A comparison from inequalities between means, tangents, sums or slopes.
     fn by_known_inequalities(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        if let Ok(label) = self.attempt(|c| c.by_root_bounds(goal, a, relation, b)) {
-            return Ok(label);
-        }
         if let Ok(label) = self.attempt(|c| {
             c.means(goal)?;
             c.quietly(goal)
@@ -299,10 +296,34 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_logarithms(goal, a, relation, b)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.without_divisors(goal, a, relation, b)) {
+            return Ok(label);
+        }
         self.attempt(|c| c.by_slope(goal, a, relation, b))
+    }
+
+    /// Proves a comparison of quotients with exponentials, logarithms or roots, multiplied by its divisors.
+    fn without_divisors(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("a divisor of known sign");
+        if self.splits > 0 || self.inductions > 0 || self.slopes_open > 0 {
+            return Err(no());
+        }
+        let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
+        let divides = reading.factors.iter().any(|f| f.power < 0);
+        let open = super::squares::Open::of(self, &reading).filter(|_| divides).ok_or_else(no)?;
+        let own = super::squares::own_relation(open.signs, relation).ok_or_else(no)?;
+        let whole = self.letters.written(&open.poly);
+        if !super::slopes::has_function(&whole) {
+            return Err(no());
+        }
+        let shown = self.show(&compare(whole, own, numeral(0)))?;
+        self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: product(open.rest) }])
     }
 
     /// Proves a comparison that contains roots.
@@ -315,7 +336,7 @@ impl Prover {
             .attempt(|c| c.by_squares(goal, a, relation, b))
             .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)));
         self.splits = splits;
-        shown
+        shown.or_else(|_| self.attempt(|c| c.by_root_bounds(goal, a, relation, b)))
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.

@@ -2,7 +2,7 @@
 //!
 //! Method: a fact A = B about products of positive powers is exp(t) = 1 for t = ln A − ln B, where ln b^E is E·ln b and numbers are
 //! split into primes. The exponential lies above its tangent, at t and at −t, so t <= exp(t) − 1 = 0 and −t <= 0. Of A < B it gives
-//! t < 0. What is left is polynomial in the exponents and in logarithms of primes.
+//! t < 0, and a goal A < B follows from it. What is left is polynomial in the exponents and in logarithms of primes.
 //!
 //! Certificate: two steps `tangent`, two combinations. Cost: of four steps for each fact. Limits: [`ROUNDS`], [`PRIME`].
 
@@ -45,7 +45,7 @@ fn primes(n: &Natural) -> Vec<(Natural, i64)> {
 }
 
 /// The sum of terms with signs; the first has none.
-fn total(mut terms: Vec<(Sign, Expr)>) -> Expr {
+pub(super) fn total(mut terms: Vec<(Sign, Expr)>) -> Expr {
     terms.sort_by_key(|(sign, _)| *sign == Sign::Minus);
     if let Some((sign @ Sign::Minus, first)) = terms.first_mut() {
         *sign = Sign::Plus;
@@ -89,6 +89,42 @@ impl Prover {
             }
         }
         Err(no())
+    }
+
+    /// Proves A < B for two products with exponents from ln A < ln B: B − A = A·(exp(t) − 1) for t = ln B − ln A, and exp(t) lies
+    /// above 1 + t.
+    pub(super) fn by_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("two products with exponents");
+        let (less, greater, sign) = match relation {
+            Relation::Less | Relation::LessEqual => (a, b, -1),
+            Relation::Greater | Relation::GreaterEqual => (b, a, 1),
+            _ => return Err(no()),
+        };
+        let (below, above) = (factors_of(less), factors_of(greater));
+        if self.within_logarithms || !below.iter().chain(&above).any(|(_, e)| has_exponent(e)) {
+            return Err(no());
+        }
+        let mut parts = Vec::new();
+        for (side, factors) in [(1, above), (-1, below)] {
+            for (factor, e) in factors {
+                parts.extend(signed(self.logarithm_of(&e)?, if factor == Factor::Over { -side } else { side }));
+            }
+        }
+        let t = total(parts);
+        let order = if matches!(relation, Relation::Less | Relation::Greater) {
+            Relation::Greater
+        } else {
+            Relation::GreaterEqual
+        };
+        self.define(&t);
+        self.within_logarithms = true;
+        let shown = self.show(&compare(t.clone(), order, numeral(0)));
+        self.within_logarithms = false;
+        let shown = shown?;
+        let tangent = self.tangent_fact(&t)?;
+        let factor = |k: i64| product(vec![literal(&Rational::from(k)), less.clone()]);
+        let line = Term { facts: vec![tangent], factor: factor(-sign) };
+        self.combination(goal.clone(), vec![line, Term { facts: vec![shown], factor: factor(sign) }])
     }
 
     /// Adds ln A = ln B, or an inequality, for a fact about two products with exponents.
@@ -151,35 +187,54 @@ impl Prover {
 
     /// The logarithm of a monomial with a positive number, times 1 or −1, as a sum.
     fn logarithm(&mut self, (m, q): &(Monomial, Rational), sign: i64) -> Result<Vec<(Sign, Expr)>, Fail> {
-        let mut out = Vec::new();
-        let mut add = |k: i64, e: Expr| {
-            let size = literal(&Rational::from(k.abs()));
-            out.push((if k < 0 { Sign::Minus } else { Sign::Plus }, product(vec![size, e])));
-        };
-        let log = |e: Expr| apply("ln", e);
-        for (numbers, side) in [(primes(q.numerator_ref()), 1), (primes(q.denominator_ref()), -1)] {
-            for (p, k) in numbers {
-                add(side * sign * k, log(literal(&Rational::from(p))));
-            }
-        }
+        let mut out = signed(logarithm_of_number(q.numerator_ref()), sign);
+        out.extend(signed(logarithm_of_number(q.denominator_ref()), -sign));
         for (v, k) in m.powers() {
             let e = self.letters.expr(*v).cloned().ok_or(Fail::No("a letter"))?;
-            let k = sign * i64::from(*k);
-            match (&e.kind, as_power(&e)) {
-                (ExprKind::Apply(f, list), _) if f.text == "exp" && list.len() == 1 => add(k, list[0].clone()),
-                (_, Some((base, exponent))) if self.signs_of(&base).within(Signs::POSITIVE) => match natural(&base) {
-                    Some(n) => {
-                        for (p, j) in primes(&Natural::from(n)) {
-                            add(k * j, product(vec![exponent.clone(), log(literal(&Rational::from(p)))]));
-                        }
-                    }
-                    None => add(k, product(vec![exponent, log(base)])),
-                },
-                _ if self.signs_of(&e).within(Signs::POSITIVE) => add(k, log(e)),
-                _ => return Err(Fail::No("a positive factor")),
-            }
+            out.extend(signed(self.logarithm_of(&e)?, sign * i64::from(*k)));
         }
         Ok(out)
+    }
+
+    /// The logarithm of a positive factor, as whole multiples.
+    fn logarithm_of(&mut self, e: &Expr) -> Result<Vec<(i64, Expr)>, Fail> {
+        if let Some(n) = natural(e).filter(|n| *n > 0) {
+            return Ok(logarithm_of_number(&Natural::from(n)));
+        }
+        Ok(match (&e.kind, as_power(e)) {
+            (ExprKind::Apply(f, list), _) if f.text == "exp" && list.len() == 1 => vec![(1, list[0].clone())],
+            (_, Some((base, exponent))) if self.signs_of(&base).within(Signs::POSITIVE) => {
+                let of_base = match natural(&base) {
+                    Some(n) => logarithm_of_number(&Natural::from(n)),
+                    None => vec![(1, apply("ln", base))],
+                };
+                of_base.into_iter().map(|(k, log)| (k, product(vec![exponent.clone(), log]))).collect()
+            }
+            _ if self.signs_of(e).within(Signs::POSITIVE) => vec![(1, apply("ln", e.clone()))],
+            _ => return Err(Fail::No("a positive factor")),
+        })
+    }
+}
+
+/// The logarithm of a number by its primes.
+fn logarithm_of_number(n: &Natural) -> Vec<(i64, Expr)> {
+    primes(n).into_iter().map(|(p, k)| (k, apply("ln", literal(&Rational::from(p))))).collect()
+}
+
+/// Multiples times a whole number, as terms.
+fn signed(list: Vec<(i64, Expr)>, by: i64) -> Vec<(Sign, Expr)> {
+    let term = |(k, e): (i64, Expr)| {
+        let size = literal(&Rational::from((k * by).abs()));
+        (if k * by < 0 { Sign::Minus } else { Sign::Plus }, product(vec![size, e]))
+    };
+    list.into_iter().map(term).collect()
+}
+
+/// The factors of a product, or the expression alone.
+fn factors_of(e: &Expr) -> Vec<(Factor, Expr)> {
+    match &e.kind {
+        ExprKind::Product(list) => list.clone(),
+        _ => vec![(Factor::Times, e.clone())],
     }
 }
 

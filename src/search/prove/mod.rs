@@ -208,6 +208,8 @@ pub(crate) struct Prover {
     slopes_open: usize,
     /// Whether powers of facts are tried.
     within_powers: bool,
+    /// Whether the logarithms of a goal's sides are compared.
+    within_logarithms: bool,
     /// Whether the remainders of a natural number are distinguished.
     in_residues: bool,
     /// Whether whole numbers are tried one by one.
@@ -263,6 +265,7 @@ impl Prover {
             stationary: slopes::STATIONARY,
             slopes_open: 0,
             within_powers: false,
+            within_logarithms: false,
             in_residues: false,
             in_boxes: false,
             box_searches: boxes::SEARCHES,

@@ -9,6 +9,7 @@
 //!
 //! Limits: [`VARIABLES`] positive variables, [`TERMS`] terms with a root, [`CHOICES`] choices of Y for each side.
 
+use super::exponents::total;
 use super::letters::{as_power, product, whole_power};
 use super::limits::over;
 use super::{Fail, Prover};
@@ -89,7 +90,7 @@ impl Prover {
                 let bounded: Vec<Expr> =
                     parts.iter().map(|p| p.bounded(if p.negative { below } else { above })).collect();
                 let signed = |e: &Expr, p: &Part| (if p.negative { Sign::Minus } else { Sign::Plus }, e.clone());
-                let total = sum(bounded.iter().zip(&parts).map(|(e, p)| signed(e, p)).collect());
+                let total = total(bounded.iter().zip(&parts).map(|(e, p)| signed(e, p)).collect());
                 let order = if strict { Relation::Greater } else { Relation::GreaterEqual };
                 let without = compare(total, order, numeral(0));
                 let shown = self.attempt(|c| {
@@ -117,11 +118,15 @@ impl Prover {
         Err(no())
     }
 
-    /// An inequality of rational functions in positive variables.
+    /// An inequality of rational functions in positive variables. No equation is put in: those of roots would bring these back.
     fn without_roots(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        self.attempt(|c| c.without_cases(goal))
+        let equations = std::mem::take(&mut self.equations);
+        let shown = self
+            .attempt(|c| c.without_cases(goal))
             .or_else(|_| self.attempt(|c| c.by_differences(goal, 1..=3)))
-            .or_else(|_| self.attempt(|c| c.by_sums_of_squares(goal)))
+            .or_else(|_| self.attempt(|c| c.by_sums_of_squares(goal)));
+        self.equations = equations;
+        shown
     }
 
     /// The value of all variables where they are equal, by an equation between them, or 1.
@@ -216,6 +221,14 @@ impl Prover {
 impl Part {
     /// What lies below the term, or above where it is subtracted, with one choice of Y.
     fn bounded(&self, choice: usize) -> Expr {
+        if let [(Factor::Times, root)] = self.roots.as_slice()
+            && self.plain.is_empty()
+        {
+            return root.bound(choice, self.negative);
+        }
+        if self.roots.is_empty() {
+            return self.written.clone();
+        }
         let mut factors = self.plain.clone();
         for (factor, root) in &self.roots {
             let up = self.negative == (*factor == Factor::Times);

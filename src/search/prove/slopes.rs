@@ -449,7 +449,7 @@ fn common(a: &Expr, b: &Expr, pair: &mut Option<(Expr, Expr)>) -> Option<Expr> {
 }
 
 /// Whether a function other than the four operations and whole powers occurs.
-fn has_function(e: &Expr) -> bool {
+pub(super) fn has_function(e: &Expr) -> bool {
     use ExprKind::*;
     match &e.kind {
         Number(_) | Name(_) => false,

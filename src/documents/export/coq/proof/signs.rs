@@ -159,6 +159,9 @@ impl Writer<'_> {
             Form::Over(true) if wanted.within(Signs::NOT_NEGATIVE) => {
                 Some((Signs::NOT_NEGATIVE, "over_not_negative".to_string()))
             }
+            Form::Over(true) if wanted != Signs::ANY => {
+                return Err(Open::Untranslated(text, "the sign of a sum that is not positive"));
+            }
             _ => None,
         };
         let mut noted: Vec<usize> = (0..given.signed.notes.len().min(limit))
