@@ -19,11 +19,11 @@ from fractions import Fraction as Q
 from checker import reading, refutation
 from checker.numbers import evaluate
 from checker.claims import (
-    as_power, bound_once, compare, conjuncts, constraints, domain, FUNCTIONS, mentioned, N, names_in, need, nodes, NotCovered,
-    num, Parser, plus, put, Refused, same, single, subtrees, text,
+    as_power, bindings_of, bound_once, compare, conjuncts, constraints, domain, FUNCTIONS, mentioned, N, names_in, need,
+    nodes, NotCovered, num, Parser, plus, put, Refused, same, single, subtrees, text,
 )
 from checker.logic import Logic
-from checker.signs import ANY, NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES
+from checker.signs import ANY, NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES, whole_by_form
 from checker.terms import atom, coefficients, F, ONE, primes, total, ZERO
 
 sys.setrecursionlimit(20000)
@@ -33,6 +33,28 @@ MEAN_VALUE = "the mean value theorem"
 NO_FACT = "no fact and no accepted claim under `using` is called {}"
 ONE_VALUE = "each variable has one value, and nothing else has any"
 ONE_VARIABLE = "a statement `for all` one variable is needed"
+
+
+def is_natural(e, naturals):
+    """Whether an expression is whole by its form, and no minus sign stands in it."""
+    if e[0] in ("sum", "prod"):
+        return all(sign in (1, "*") and is_natural(x, naturals) for sign, x in e[1])
+    if e[0] == "pow":
+        return is_natural(e[1], naturals) and whole_by_form(e, lambda x: x[1] in naturals)
+    return (e[0] in ("num", "name", "call")) and whole_by_form(e, lambda x: x[1] in naturals)
+
+
+def begins(x, naturals):
+    """The sums and products over an index below x: each with its lower end, and the names of natural numbers there."""
+    inner = naturals | {n for b in bindings_of(x) if b[2] for n, _ in b[1]}
+    if x[0] == "over":
+        yield x, x[3], naturals
+        yield from begins(x[3], naturals)
+        yield from begins(x[4], naturals)
+        yield from begins(x[5], naturals | {x[2]})
+    else:
+        for y in nodes(x):
+            yield from begins(y, inner)
 
 
 class Checker(Logic):
@@ -69,6 +91,7 @@ class Checker(Logic):
             need(n in FUNCTIONS or self.is_declared(n), f"{n} is not declared here")
         for p in facts:
             self.know(f"h{next(count)}", p)
+        self.begin_at_naturals(facts)
         for sequence in claim.sequences:
             for signs in (ANY, POSITIVE, NOT_NEGATIVE):
                 try:
@@ -78,6 +101,20 @@ class Checker(Logic):
                 except Refused:
                     if signs == NOT_NEGATIVE:
                         raise
+
+    def begin_at_naturals(self, facts):
+        """Sums and products in hypotheses begin at natural numbers: by their form, or by hypotheses without sums."""
+        sums = lambda p: any(x[0] == "over" for x in subtrees(p))
+        known = self.known([label for label, p in self.facts.items() if not sums(p)], ())
+        claimed = {n for b in self.claim.given if b[2] for n, _ in b[1]}
+        for p in facts:
+            for e, low, naturals in begins(p, frozenset(claimed)):
+                shown = is_natural(low, naturals)
+                try:
+                    shown = shown or self.has(low, NOT_NEGATIVE, known)
+                except Refused:
+                    pass
+                need(shown, f"the range or index of {text(e)} is not shown to be one")
 
     def members(self, u, initial, k, step, signs):
         """Whether each member of a sequence has a value and one of these signs, by induction."""

@@ -39,7 +39,7 @@ impl Checker {
         if is_whole(e, &|name| natural.contains(name)) { Ok(()) } else { rejected(Reason::NotWhole) }
     }
 
-    fn is(&mut self, e: &Expr, signs: Signs, known: &Known) -> Result<bool, Refusal> {
+    pub(super) fn is(&mut self, e: &Expr, signs: Signs, known: &Known) -> Result<bool, Refusal> {
         Ok(self.signs_of_expr(e, known)?.within(signs))
     }
 

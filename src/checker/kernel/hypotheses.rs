@@ -4,11 +4,15 @@ use super::fraction::Poly;
 use super::known::Known;
 use super::names::names_in;
 use super::order::Signs;
-use super::statement::Sequence;
+use super::statement::{Sequence, Statement};
 use super::term::Atom;
+use super::tree::parts;
 use super::{Checker, Reason, Refusal, cited, quantifier, rejected, statement, term};
 use crate::certificate::Label;
+use crate::claim::definedness::is_natural;
+use crate::claim::syntax::*;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 impl Checker {
     /// Declares what the claim declares, and takes its domains and hypotheses as facts. A hypothesis is understood to
@@ -42,6 +46,7 @@ impl Checker {
             let label = format!("h{}", self.facts.len() + 1);
             self.know(&label, prop)?;
         }
+        self.begin_at_naturals(&statement)?;
         // Every member has a value, so that a member is one wherever its index is a natural number.
         let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
         for u in &statement.sequences {
@@ -69,6 +74,40 @@ impl Checker {
         Ok(())
     }
 
+    /// Checks that the sums and products over an index in domains and hypotheses begin at a natural number: by its form, or by
+    /// the signs that hypotheses without sums give.
+    ///
+    /// An index is read as a natural number. In a goal or a definition this is shown where the sum is asked for a value
+    /// (`defined`), which nobody asks of a hypothesis.
+    fn begin_at_naturals(&mut self, statement: &Statement) -> Result<(), Refusal> {
+        let facts: Vec<(Label, Rc<Prop>)> = self.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
+        let of_claim = statement.bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names);
+        let naturals: Vec<String> = of_claim.map(|n| n.0.text.clone()).collect();
+        let (mut plain, mut all) = (Vec::new(), Vec::new());
+        for (label, fact) in &facts {
+            let before = all.len();
+            begins_of_prop(fact, &mut naturals.clone(), &mut all);
+            if all.len() == before {
+                plain.push(label.clone());
+            }
+        }
+        let known = self.known(&plain, &[])?;
+        for Begin { of, from, naturals } in all {
+            let by_form = is_natural(&from, &|name| naturals.iter().any(|n| n == name));
+            let shown = by_form
+                || match self.is(&from, Signs::NOT_NEGATIVE, &known) {
+                    // A name that the proposition binds is not known here.
+                    Err(Refusal::Rejected(_)) => false,
+                    other => other?,
+                };
+            if !shown {
+                return rejected(Reason::Range(of));
+            }
+        }
+        self.assumed.extend(cited(known.used().0, &plain));
+        Ok(())
+    }
+
     /// Shows that every member of a sequence has a value and one of these signs.
     ///
     /// Sound: by induction. u(0) has a value and such a sign; if u(k) has, then the step has, so that u(k + 1) has.
@@ -91,4 +130,57 @@ impl Checker {
         known.back_to(before);
         result
     }
+}
+
+/// A sum or product over an index, where it begins, and the names of natural numbers there.
+struct Begin {
+    of: Expr,
+    from: Expr,
+    naturals: Vec<String>,
+}
+
+/// The sums and products over an index in an expression.
+fn begins(e: &Expr, naturals: &mut Vec<String>, out: &mut Vec<Begin>) {
+    match &e.kind {
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+            out.push(Begin { of: e.clone(), from: (*index.from).clone(), naturals: naturals.clone() });
+            begins(&index.from, naturals, out);
+            begins(&index.to, naturals, out);
+            naturals.push(index.name.text.clone());
+            begins(body, naturals, out);
+            naturals.pop();
+        }
+        _ => parts(e).into_iter().for_each(|part| begins(part, naturals, out)),
+    }
+}
+
+/// Those in a proposition.
+fn begins_of_prop(p: &Prop, naturals: &mut Vec<String>, out: &mut Vec<Begin>) {
+    let under = |bindings: &[Binding], naturals: &mut Vec<String>, out: &mut Vec<Begin>| {
+        let names = bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names);
+        naturals.extend(names.map(|n| n.0.text.clone()));
+        bindings.iter().flat_map(statement::domain).for_each(|p| begins_of_prop(&p, naturals, out));
+    };
+    let length = naturals.len();
+    match &p.kind {
+        PropKind::Compare(sides, _) => sides.iter().for_each(|e| begins(e, naturals, out)),
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+            list.iter().for_each(|p| begins_of_prop(p, naturals, out));
+        }
+        PropKind::Not(inner) => begins_of_prop(inner, naturals, out),
+        PropKind::Implies(a, b) => [a, b].into_iter().for_each(|p| begins_of_prop(p, naturals, out)),
+        PropKind::Exists(bindings, body) | PropKind::ForAll(bindings, body) => {
+            under(bindings, naturals, out);
+            begins_of_prop(body, naturals, out);
+        }
+        PropKind::Extremum(e) => {
+            e.at.iter().map(|a| &a.1).chain([&e.value]).for_each(|e| begins(e, naturals, out));
+            under(&e.over, naturals, out);
+            begins(&e.of, naturals, out);
+        }
+        PropKind::Limit(l) => [&l.of, &l.value].into_iter().for_each(|e| begins(e, naturals, out)),
+        // Refused elsewhere.
+        PropKind::WrittenLimit(_) => {}
+    }
+    naturals.truncate(length);
 }
