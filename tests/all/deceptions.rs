@@ -60,7 +60,7 @@ fn no_deception_succeeds() {
 }
 
 /// What the procedures decide by themselves is not lost in silence: limits by expansion, sums to n - 1, equations by ideal
-/// membership, nested roots, whole numbers within bounds, roots between means, members that are positive, sums in closed form,
+/// membership, nested roots, whole numbers within bounds and by remainders, quantifiers, roots between means, members that are positive, sums in closed form,
 /// logarithms of both sides, squares of absolute values.
 #[test]
 fn true_statements_of_a_procedures_kind_are_proved() {
@@ -78,6 +78,7 @@ fn true_statements_of_a_procedures_kind_are_proved() {
         "sums",
         "logarithms",
         "absolute-values",
+        "quantifiers",
     ];
     for claim in files.iter().flat_map(|f| claims(&fs::read_to_string(folder.join(format!("{f}.claim"))).unwrap())) {
         let name = claim.split_whitespace().nth(1).unwrap().to_owned();

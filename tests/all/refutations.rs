@@ -135,6 +135,18 @@ fn a_refuted_claim_without_a_certificate_is_listed() {
     });
 }
 
+#[test]
+fn what_a_quantifier_decides_at_a_point_is_refuted_with_a_certificate() {
+    deep(|| {
+        for claim in parse(include_str!("../refutations/quantifiers.claim")).unwrap() {
+            let entry = judged(&claim);
+            assert_eq!(entry.outcome.verdict, Verdict::Refuted, "{}", claim.name.text);
+            let certificate = read(&entry.proof.unwrap_or_else(|| panic!("{}", claim.name.text)).certificate).unwrap();
+            assert!(matches!(check(&claim, &certificate, &[]), Checked::Refuted), "{}", claim.name.text);
+        }
+    });
+}
+
 /// Small points for the variables of a claim, of its quantifiers and of its extrema.
 fn points(claim: &Claim) -> Vec<Point> {
     let Ok(statement) = Statement::of(claim) else { return Vec::new() };

@@ -7,7 +7,7 @@ use crate::claim::syntax::*;
 use std::collections::BTreeSet;
 
 /// The names that occur free in a proposition.
-pub(super) fn free_names(p: &Prop, out: &mut BTreeSet<String>) {
+pub fn free_names(p: &Prop, out: &mut BTreeSet<String>) {
     match &p.kind {
         PropKind::Compare(sides, _) => sides.iter().for_each(|e| names_in(e, out)),
         PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {

@@ -20,7 +20,9 @@ use crate::kernel::{self, Checker, Reason, Refusal, check, key, refutation};
 use crate::prove;
 use crate::refute::catalogue::Limits;
 use crate::refute::counterexample::broken;
+use crate::refute::evaluate::Assignment;
 use crate::refute::expand;
+use crate::refute::number::Number;
 use crate::refute::outcome::{Broken, Outcome, Point, Verdict, Witness};
 
 /// How many expressions are tried for one without value, each at several indices.
@@ -152,9 +154,13 @@ impl Refuter<'_> {
         if let Some(label) = attempt.evaluate(part) {
             return Some(label);
         }
-        if let PropKind::ForAll(..) = &part.kind {
+        if let PropKind::ForAll(..) | PropKind::Exists(..) = &part.kind {
             // Mostly a few members do not tell of all.
-            return self.searched(attempt, part, FOR_ALL);
+            let families = self.claim.items.iter().any(|item| match item {
+                Item::Given(bindings) => bindings.iter().flat_map(|b| &b.names).any(|n| n.1.is_some()),
+                _ => false,
+            });
+            return self.searched(attempt, part, if families { FOR_ALL } else { 1 });
         }
         let mut atoms = Vec::new();
         atoms_of(part, &mut atoms);
@@ -169,7 +175,7 @@ impl Refuter<'_> {
         attempt.logic(part, shown)
     }
 
-    /// Shows a comparison or limit that stands in this part of the goal, or that it is false.
+    /// Shows a comparison, limit or quantified part that stands in this part of the goal, or that it is false.
     fn atom(&self, attempt: &mut Attempt, atom: &Prop, part: &Prop) -> Option<Label> {
         let denied = match &atom.kind {
             PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
@@ -180,6 +186,11 @@ impl Refuter<'_> {
         };
         // A search for what the part does not ask for has no end but its limit.
         let sides = match &part.kind {
+            _ if matches!(atom.kind, PropKind::Exists(..) | PropKind::ForAll(..)) => match attempt.truth(atom) {
+                Some(true) => vec![atom],
+                Some(false) => vec![&denied],
+                None => return None,
+            },
             PropKind::Compare(..) | PropKind::Limit(_) => vec![atom],
             PropKind::Not(p) if matches!(p.kind, PropKind::Compare(..) | PropKind::Limit(_)) => vec![&denied],
             _ => vec![&denied, atom],
@@ -206,7 +217,15 @@ impl Refuter<'_> {
         if self.is_late() {
             return None;
         }
-        let own = Claim { goal: p.clone(), ..attempt.claim.clone() };
+        let mut own = Claim { goal: p.clone(), ..attempt.claim.clone() };
+        // Names that steps before it gave are taken.
+        for show in attempt.steps.iter().filter_map(Step::show).filter(|show| matches!(show.rule, Rule::Name)) {
+            if let PropKind::Compare(sides, _) = &show.prop.kind
+                && let Some(Expr { kind: ExprKind::Name(given), .. }) = sides.last()
+            {
+                own.items.push(Item::Given(vec![Binding::of(Name::new(given), false, Vec::new())]));
+            }
+        }
         let limits = Limits { time: self.limits.time / part, ..self.limits.clone() };
         let (found, _) = prove::certificate(&own, &[], &limits).ok()?;
         // Its labels are new here.
@@ -294,6 +313,17 @@ impl Attempt {
         self.step(Rule::Logic { from }, p, true, true)
     }
 
+    /// The truth of a quantified part at the point, if the evaluator knows it.
+    fn truth(&self, p: &Prop) -> Option<bool> {
+        let mut here = Assignment::default();
+        for (place, value) in &self.refutes.point {
+            if let (ExprKind::Name(n), Ok(Number::Exact(q))) = (&place.kind, here.number(value)) {
+                here.values.insert(n.clone(), q);
+            }
+        }
+        here.truth(p).ok()
+    }
+
     fn shows(&self, label: &str, p: &Prop) -> bool {
         self.checker.facts().any(|(known, fact)| known == label && key::prop(fact) == key::prop(p))
     }
@@ -353,7 +383,7 @@ impl Attempt {
     }
 }
 
-/// The comparisons, each of two sides, and the limits of a proposition.
+/// The comparisons, each of two sides, the limits and the quantified parts of a proposition.
 fn atoms_of(p: &Prop, out: &mut Vec<Prop>) {
     let mut add = |p: Prop| {
         if !out.iter().any(|q| key::prop(q) == key::prop(&p)) {
@@ -368,13 +398,13 @@ fn atoms_of(p: &Prop, out: &mut Vec<Prop>) {
                 }
             }
         }
-        PropKind::Limit(_) => add(p.clone()),
+        PropKind::Limit(_) | PropKind::Exists(..) | PropKind::ForAll(..) => add(p.clone()),
         PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
             list.iter().for_each(|p| atoms_of(p, out));
         }
         PropKind::Not(p) => atoms_of(p, out),
         PropKind::Implies(p, q) => [p, q].into_iter().for_each(|p| atoms_of(p, out)),
-        PropKind::Exists(..) | PropKind::ForAll(..) | PropKind::Extremum(_) | PropKind::WrittenLimit(_) => {}
+        PropKind::Extremum(_) | PropKind::WrittenLimit(_) => {}
     }
 }
 

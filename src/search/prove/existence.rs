@@ -1,13 +1,14 @@
 //! Hypotheses that something exists: it gets a name, and what it has becomes a hypothesis.
 //!
-//! Certificate: the goal for all such values, in a block, and the rule `existence`.
+//! Certificate: the goal for all such values, in a block, and the rule `existence`. That nothing of a kind exists is shown in the
+//! same way, from what all values lack.
 //!
 //! Limit: [`OPEN`] statements that something exists, each once within the other.
 
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{name, prop};
+use crate::kernel::statement::{compare, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use std::rc::Rc;
 
@@ -31,6 +32,27 @@ impl Prover {
         let shown = self.attempt(|c| c.opened_existence(goal, &label, &fact));
         self.opened.pop();
         Some(shown)
+    }
+
+    /// Shows that nothing has a property: everything lacks it.
+    pub(super) fn by_no_example(&mut self, goal: &Prop, some: &Prop) -> Result<Label, Fail> {
+        let PropKind::Exists(bindings, body) = &some.kind else { return Err(Fail::No("what exists")) };
+        let every = |body: Prop| prop(PropKind::ForAll(bindings.clone(), Box::new(body)));
+        let none = self.show(&every(prop(PropKind::Not(body.clone()))))?;
+        let absurd = compare(numeral(0), Relation::Greater, numeral(0));
+        let own = |n: &(Name, Option<Name>)| (n.0.text.clone(), name(&n.0.text));
+        let point: Vec<(String, Expr)> = bindings.iter().flat_map(|b| &b.names).map(own).collect();
+        let has_it = implies(body, &absurd);
+        let block = self.block(&implies(some, &absurd), |c, supposed| {
+            let all = c.block(&every(has_it.clone()), |c, _| {
+                c.block(&has_it, |c, block| {
+                    let lacks = c.instance_at(&none, point)?;
+                    c.logic(&[&lacks, &format!("{block}s")], &absurd)
+                })
+            })?;
+            c.emit(Rule::Existence { some: format!("{supposed}s"), all }, absurd.clone())
+        })?;
+        self.logic(&[&block], goal)
     }
 
     fn opened_existence(&mut self, goal: &Prop, some: &str, fact: &Prop) -> Result<Label, Fail> {

@@ -5,7 +5,8 @@ use super::letters::product;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{compare, domain, prop};
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, domain, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use crate::refute::sample::example;
@@ -49,6 +50,7 @@ impl Prover {
             },
             PropKind::Or(parts) => self.show_or(goal, parts),
             PropKind::Not(inner) if matches!(inner.kind, PropKind::ForAll(..)) => self.by_failing_instance(goal, inner),
+            PropKind::Not(inner) if matches!(inner.kind, PropKind::Exists(..)) => self.by_no_example(goal, inner),
             PropKind::Not(inner) => {
                 let p = opposite(inner).ok_or(Fail::No("a negation that is not followed"))?;
                 let label = self.show(&p)?;
@@ -84,13 +86,15 @@ impl Prover {
                 {
                     return Ok(label);
                 }
-                // Remainders tell nothing of exponents and of the ends of sums.
-                if !self.naturals.iter().any(|n| super::induction::is_bound_within(together(bindings, body).1, n))
-                    && let Ok(label) = self.by_residues(goal)
-                {
+                // Of exponents and of the ends of sums induction mostly tells more.
+                let is_bound =
+                    self.naturals.iter().any(|n| super::induction::is_bound_within(together(bindings, body).1, n));
+                if !is_bound && let Ok(label) = self.by_residues(goal) {
                     return Ok(label);
                 }
-                self.by_induction(goal).map_err(|_| first)
+                let shown = self.by_induction(goal);
+                let shown = if is_bound { shown.or_else(|_| self.by_residues(goal)) } else { shown };
+                shown.map_err(|_| first)
             }
             PropKind::Extremum(e) => self.extremum(goal, e),
             PropKind::Limit(l) => self.limit(goal, l),
@@ -114,20 +118,43 @@ impl Prover {
             return Ok(label);
         }
         let (all, inner) = together(bindings, body);
-        let mut point: Vec<(String, Expr)> = match example(&all, inner, self.deadline) {
-            Some(point) => point.into_iter().map(|(n, v)| (n, literal(&v))).collect(),
+        let mut point: Vec<(String, Expr)> = match self.example(&all, inner) {
+            Some(point) => point,
             None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
             None => match self.solved(&all, inner) {
                 Some(point) => point,
                 None => {
                     return self
-                        .by_solved_equations(goal, bindings, body)
-                        .or_else(|_| self.with_solved_equations(|c| c.by_solved_equations(goal, bindings, body)));
+                        .by_equations(goal, bindings, body)
+                        .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)));
                 }
             },
         };
         point.retain(|(n, _)| bindings.iter().flat_map(|b| &b.names).any(|own| own.0.text == *n));
         self.by_values(goal, bindings, body, point)
+    }
+
+    /// Proves `exists` by values from its equations.
+    pub(super) fn by_equations(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        self.by_solved_equations(goal, bindings, body).or_else(|_| self.by_solved_difference(goal, bindings, body))
+    }
+
+    /// Numbers for the variables of an `exists` that make its body true, where facts give other variables as numbers.
+    pub(super) fn example(&self, bindings: &[Binding], body: &Prop) -> Option<Vec<(String, Expr)>> {
+        let mut map = Substitution::default();
+        for (_, fact) in self.checker.facts() {
+            if let PropKind::Compare(sides, relations) = &fact.kind
+                && let ([Expr { kind: ExprKind::Name(n), .. }, value], [Relation::Equal]) =
+                    (sides.as_slice(), relations.as_slice())
+                && crate::claim::definedness::number(value).is_some()
+            {
+                map.replace(n, value);
+            }
+        }
+        let said = map.prop(&prop(PropKind::Exists(bindings.to_vec(), Box::new(body.clone())))).ok()?;
+        let PropKind::Exists(bindings, body) = &said.kind else { return None };
+        let point = example(bindings, body, self.deadline)?;
+        Some(point.into_iter().map(|(n, v)| (n, literal(&v))).collect())
     }
 
     /// Proves `exists` with these values.
@@ -138,12 +165,42 @@ impl Prover {
         body: &Prop,
         point: Vec<(String, Expr)>,
     ) -> Result<Label, Fail> {
+        let natural = |n: &str| bindings.iter().any(|b| b.natural && b.names.iter().any(|own| own.0.text == *n));
+        for (_, value) in point.iter().filter(|p| natural(&p.0)) {
+            // The step reads its sign.
+            if self.signs_of(value).within(Signs::NOT_NEGATIVE) {
+                continue;
+            }
+            let sign = compare(value.clone(), Relation::GreaterEqual, numeral(0));
+            let label = self.show(&sign)?;
+            // That of q*(36*q^2 - 1) is read where q is 0, and where it is not.
+            if !self.signs_of(value).within(Signs::NOT_NEGATIVE)
+                && let Some(factor) = self.open_factor(value)
+            {
+                let mut from = Vec::new();
+                for relation in [Relation::Equal, Relation::NotEqual] {
+                    let case = compare(factor.clone(), relation, numeral(0));
+                    from.push(self.block(&implies(&case, goal), |c, _| {
+                        c.logic(&[&label], &sign)?;
+                        c.by_values(goal, bindings, body, point.clone())
+                    })?);
+                }
+                return self.emit(Rule::Logic { from }, goal.clone());
+            }
+        }
         let (with, map) = at(point);
         let mut from = Vec::new();
         for fact in bindings.iter().flat_map(domain).chain([body.clone()]) {
             from.push(self.show(&map.prop(&fact).map_err(Fail::from)?)?);
         }
         self.emit(Rule::Witness { with, from }, goal.clone())
+    }
+
+    /// A factor of an expression that is not negative, and perhaps 0.
+    fn open_factor(&mut self, e: &Expr) -> Option<Expr> {
+        let reading = self.read(e, true)?;
+        let mut open = reading.factors.iter().filter(|f| f.signs == Signs::NOT_NEGATIVE && !f.poly.is_constant());
+        open.next().map(|f| self.letters.written(&f.poly))
     }
 
     /// Proves `exists N: for all n …`. Trying values of n cannot find such an N, so a few values of N are tried.
@@ -181,7 +238,8 @@ impl Prover {
             return Ok(label);
         }
         let shown = if self.inductions > 0 { self.by_induction(goal) } else { Err(Fail::No("cases")) };
-        if Self::has_a_floor(goal) { shown.or_else(|_| self.by_residues(goal)) } else { shown }
+        let is_order = matches!(&goal.kind, PropKind::Compare(_, r) if !matches!(r.as_slice(), [Relation::Equal | Relation::NotEqual]));
+        if is_order && !Self::has_a_floor(goal) { shown } else { shown.or_else(|_| self.by_residues(goal)) }
     }
 
     /// Proves an equation of matrices by those of its entries.

@@ -41,29 +41,26 @@ impl Prover {
         let mut poly = self.letters.polynomial(&value)?;
         let known = self.all_known(std::slice::from_ref(&poly));
         let zeros: Vec<&Polynomial> = known.iter().filter(|k| k.kind == Kind::Zero).map(|k| &k.poly).collect();
-        let broken = |p: &Polynomial| p.terms().filter(|t| !t.1.is_integer()).count();
         for _ in 0..2 * zeros.len() + 2 {
-            let now = broken(&poly);
-            if now == 0 {
+            if broken(&poly) == (0, 0) {
                 let letters = poly.variables();
                 return (self.whole_letters(letters.iter().copied()).len() == letters.len())
                     .then(|| self.letters.written(&poly));
             }
-            poly = zeros.iter().find_map(|zero| self.with_less_broken(&poly, zero, now))?;
+            poly = zeros.iter().find_map(|zero| self.with_less_broken(&poly, zero))?;
         }
         None
     }
 
     /// The polynomial less a multiple of one that is 0, or with a variable put in, where fewer coefficients are not whole.
-    fn with_less_broken(&self, poly: &Polynomial, zero: &Polynomial, now: usize) -> Option<Polynomial> {
-        let broken = |p: &Polynomial| p.terms().filter(|t| !t.1.is_integer()).count();
+    fn with_less_broken(&self, poly: &Polynomial, zero: &Polynomial) -> Option<Polynomial> {
         let multiple = poly.terms().filter(|t| !t.1.is_integer()).find_map(|(monomial, c)| {
             let own = zero.coefficient(monomial);
             let less = (own != 0).then(|| poly.sub(&zero.scale(&(c / own))))?;
-            (broken(&less) < now).then_some(less)
+            (broken(&less) < broken(poly)).then_some(less)
         });
         multiple.or_else(|| {
-            let is_integral = |p: &Polynomial| broken(p) == 0;
+            let is_integral = |p: &Polynomial| broken(p) == (0, 0);
             let v = poly.variables().into_iter().find(|v| {
                 let some = poly.coefficients_in(*v).iter().skip(1).any(|c| !is_integral(c));
                 some && zero.degree_in(*v) == 1
@@ -101,6 +98,12 @@ impl Prover {
             others.iter().all(|p| holds(self, p)).then_some(point)
         })
     }
+}
+
+/// How many coefficients are not whole, without that of 1 and with it: it may become whole when the others are.
+fn broken(p: &Polynomial) -> (usize, usize) {
+    let open = || p.terms().filter(|t| !t.1.is_integer());
+    (open().filter(|t| !t.0.is_one()).count(), open().count())
 }
 
 /// The parts of a conjunction.

@@ -13,7 +13,7 @@ use crate::algebra::Polynomial;
 use crate::algebra::factor::{exact_root, factor};
 use crate::certificate::Label;
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, expr, name, prop};
+use crate::kernel::statement::{apply, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -34,16 +34,7 @@ impl Prover {
         bindings: &[Binding],
         body: &Prop,
     ) -> Result<Label, Fail> {
-        let mut points = Vec::new();
-        // The equations have values in the domain of the variables, so they are read in a block.
-        let every = prop(PropKind::ForAll(bindings.to_vec(), Box::new(body.clone())));
-        let _ = self.attempt(|c| {
-            c.block(&every, |c, _| {
-                points = c.roots_of(bindings, body);
-                Err(Fail::No("the values are all that was asked"))
-            })
-        });
-        points.truncate(MOST_POINTS);
+        let points = self.solutions_of(bindings, body);
         let is_natural = |name: &str| bindings.iter().any(|b| b.natural && b.names.iter().any(|n| n.0.text == name));
         for point in points {
             let whole = point.iter().map(|(n, value)| {
@@ -57,6 +48,52 @@ impl Prover {
             }
         }
         Err(Fail::No("a witness"))
+    }
+
+    /// Proves an `exists` of two natural numbers whose equations give their difference: its terms with positive coefficients, and
+    /// the others.
+    pub(super) fn by_solved_difference(
+        &mut self,
+        goal: &Prop,
+        bindings: &[Binding],
+        body: &Prop,
+    ) -> Result<Label, Fail> {
+        let no = || Fail::No("a difference");
+        let names: Vec<&Name> = bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names).map(|n| &n.0).collect();
+        let [up, down] = names.as_slice() else { return Err(no()) };
+        let mut map = Substitution::default();
+        map.replace(&down.text, &numeral(0));
+        let alone = map.prop(body).map_err(Fail::from)?;
+        let points = self.solutions_of(&[Binding::of((*up).clone(), true, Vec::new())], &alone);
+        let values = points.into_iter().flatten().map(|(_, value)| value);
+        for value in values.collect::<Vec<_>>() {
+            let Some(whole) = self.whole_by_equations(&value) else { continue };
+            let Some(whole) = self.letters.polynomial(&self.in_naturals(&whole)) else { continue };
+            let part = |sign: i32| {
+                let terms = whole.terms().filter(|t| (*t.1 > 0) == (sign > 0));
+                Polynomial::from_terms(terms.map(|(m, c)| (m.clone(), c * Rational::from(sign))))
+            };
+            let point = [(up, part(1)), (down, part(-1))].map(|(n, p)| (n.text.clone(), self.letters.written(&p)));
+            if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point.to_vec())) {
+                return Ok(label);
+            }
+        }
+        Err(no())
+    }
+
+    /// Points at which the equations of a conjunction may hold.
+    fn solutions_of(&mut self, bindings: &[Binding], body: &Prop) -> Vec<Point> {
+        let mut points = Vec::new();
+        // The equations have values in the domain of the variables, so they are read in a block.
+        let every = prop(PropKind::ForAll(bindings.to_vec(), Box::new(body.clone())));
+        let _ = self.attempt(|c| {
+            c.block(&every, |c, _| {
+                points = c.roots_of(bindings, body);
+                Err::<Label, Fail>(Fail::No("the values are all that was asked"))
+            })
+        });
+        points.truncate(MOST_POINTS);
+        points
     }
 
     /// Points at which the equations of a conjunction may hold, in the block of its variables.

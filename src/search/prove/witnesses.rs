@@ -12,7 +12,7 @@ use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
 use crate::certificate::Label;
 use crate::claim::syntax::*;
-use crate::kernel::statement::{compare, name, numeral, sum};
+use crate::kernel::statement::{compare, name, numeral, prop, sum};
 
 /// The most values that are tried for a variable.
 const CANDIDATES: usize = 40;
@@ -135,17 +135,25 @@ impl Prover {
     /// Proves `not for all` by values for which the body fails.
     pub(super) fn by_failing_instance(&mut self, goal: &Prop, every: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a linear instance that fails");
-        let PropKind::ForAll(bindings, _) = &every.kind else { return Err(no()) };
-        let mut reader = Reader::default();
-        let f = reader.read(goal, true).ok_or_else(no)?;
-        let count = bindings.iter().map(|b| b.names.len()).sum();
-        let plan = self.planned(&mut reader, f, &[], count).ok_or_else(no)?;
+        let PropKind::ForAll(bindings, body) = &every.kind else { return Err(no()) };
         let absurd = compare(numeral(0), Relation::Greater, numeral(0));
+        let at = |c: &mut Prover, block: &str, point| {
+            c.instance_at(&format!("{block}s"), point)?;
+            c.refuted(&absurd)
+        };
+        let mut reader = Reader::default();
+        let count = bindings.iter().map(|b| b.names.len()).sum();
+        let plan = reader.read(goal, true).and_then(|f| self.planned(&mut reader, f, &[], count));
+        let mut points = self.natural_points(goal, bindings, body);
+        points.extend(self.example(bindings, &prop(PropKind::Not(body.clone()))));
         let block = self.block(&implies(every, &absurd), |c, block| {
-            c.follow_plan(&absurd, &reader, &plan, &mut |c, point| {
-                c.instance_at(&format!("{block}s"), point)?;
-                c.refuted(&absurd)
-            })
+            if let Some(plan) = &plan
+                && let Ok(label) =
+                    c.attempt(|c| c.follow_plan(&absurd, &reader, plan, &mut |c, point| at(c, block, point)))
+            {
+                return Ok(label);
+            }
+            points.into_iter().find_map(|point| c.attempt(|c| at(c, block, point)).ok()).ok_or_else(no)
         })?;
         self.logic(&[&block], goal)
     }
@@ -192,20 +200,29 @@ impl Prover {
         }
     }
 
-    /// Proves `exists` over natural numbers by a few values: numbers, the variables in reach, and one more than these.
-    pub(super) fn by_natural_values(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
-        let no = || Fail::No("a natural witness");
-        let [Binding { names, natural: true, .. }] = bindings else { return Err(no()) };
-        let [(variable, None)] = names.as_slice() else { return Err(no()) };
+    /// A few values for a natural number: numbers, the variables in reach, what the variable is compared with, and one more
+    /// than these.
+    fn natural_points(&self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Vec<Vec<(String, Expr)>> {
+        let [Binding { names, natural: true, .. }] = bindings else { return Vec::new() };
+        let [(variable, None)] = names.as_slice() else { return Vec::new() };
         let mut used = std::collections::BTreeSet::new();
         crate::kernel::names::names_in_prop(goal, &mut used);
         let plus_one = |e: &Expr| sum(vec![(Sign::Plus, e.clone()), (Sign::Plus, numeral(1))]);
         let mut values = vec![numeral(0), numeral(1), numeral(2)];
-        for n in self.naturals.iter().filter(|n| used.contains(*n)).take(3) {
-            values.extend([name(n), plus_one(&name(n))]);
+        let reach = self.naturals.iter().filter(|n| used.contains(*n)).take(3).map(|n| name(n));
+        let mut sides = Vec::new();
+        super::integers::all_sides(body, &mut sides);
+        let is_value = |e: &Expr| !matches!(e.kind, ExprKind::Name(_)) && !super::limits::holds(e, &variable.text);
+        let compared = sides.into_iter().filter(|e| is_value(e) && self.is_whole(e)).take(3);
+        for e in reach.chain(compared) {
+            values.extend([e.clone(), plus_one(&e)]);
         }
-        for value in values {
-            let point = vec![(variable.text.clone(), value)];
+        values.into_iter().map(|value| vec![(variable.text.clone(), value)]).collect()
+    }
+
+    /// Proves `exists` over natural numbers by a few values.
+    pub(super) fn by_natural_values(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        for point in self.natural_points(goal, bindings, body) {
             let splits = std::mem::replace(&mut self.splits, 9);
             let shown = self.attempt(|c| c.by_values(goal, bindings, body, point));
             self.splits = splits;
@@ -213,6 +230,6 @@ impl Prover {
                 return shown;
             }
         }
-        Err(no())
+        Err(Fail::No("a natural witness"))
     }
 }

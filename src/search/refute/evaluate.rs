@@ -10,6 +10,7 @@ use super::number::{
     LARGEST, Missing, Number, Result, add, exponential, hyperbolic, invert, large_power, logarithm, multiply,
     of_some_size, root, whole_power,
 };
+use super::quantified::QUANTIFIERS;
 use super::recurrence::{Members, Recurrence};
 use crate::claim::definedness::{self, Exponent, Need};
 use crate::claim::syntax::*;
@@ -64,6 +65,8 @@ pub struct Assignment {
     pub steps: Rc<Cell<u32>>,
     /// When no more are evaluated.
     pub until: Option<Moment>,
+    /// How many quantifiers may still be decided, here and at the other points of a search.
+    pub quantifiers: Rc<Cell<u32>>,
 }
 
 impl Default for Assignment {
@@ -84,6 +87,7 @@ impl Default for Assignment {
             seen: RefCell::default(),
             steps: Rc::new(Cell::new(STEPS)),
             until: None,
+            quantifiers: Rc::new(Cell::new(QUANTIFIERS)),
         }
     }
 }

@@ -33,6 +33,7 @@ mod draw;
 pub(crate) mod edges;
 mod matrix;
 pub mod points;
+mod quantified;
 pub(crate) mod random;
 mod series;
 mod shrink;

@@ -10,6 +10,7 @@ use super::outcome::Broken;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
+use crate::kernel::statement::prop;
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
 
@@ -27,9 +28,9 @@ impl Assignment {
         }
     }
 
-    /// The truth of a proposition, if certain. Quantifiers and extrema are not decided here.
-    pub fn truth(&self, prop: &Prop) -> Result<bool> {
-        match &prop.kind {
+    /// The truth of a proposition, if certain. Extrema are not decided here.
+    pub fn truth(&self, said: &Prop) -> Result<bool> {
+        match &said.kind {
             PropKind::Compare(sides, relations) => self.compared(sides, relations),
             PropKind::And(list) => self.conjunction(list),
             PropKind::Or(list) => self.disjunction(list),
@@ -50,7 +51,11 @@ impl Assignment {
                 }
                 Ok(true)
             }
-            PropKind::ForAll(bindings, body) => self.for_all_indices(bindings, body),
+            PropKind::Exists(bindings, body) => self.exists(bindings, body),
+            PropKind::ForAll(bindings, body) => match self.for_all_indices(bindings, body) {
+                Err(Missing::Unknown) => self.exists(bindings, &prop(PropKind::Not(body.clone()))).map(|some| !some),
+                known => known,
+            },
             _ => Err(Missing::Unknown),
         }
     }
@@ -205,6 +210,9 @@ impl Assignment {
             PropKind::Implies(p, q) => {
                 self.broken(p, into);
                 self.broken(q, into);
+            }
+            PropKind::Exists(..) | PropKind::ForAll(..) => {
+                into.push(Broken { statement: print::prop(prop), left: String::new(), right: String::new() });
             }
             _ => {}
         }
