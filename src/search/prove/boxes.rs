@@ -93,11 +93,13 @@ fn with_integers(e: &mut Expr, integers: &[(String, Expr)]) {
     walk::parts_mut(e, &mut |part| with_integers(part, integers));
 }
 
-fn prop_with_integers(p: &mut Prop, integers: &[(String, Expr)]) {
+pub(super) fn prop_with_integers(p: &mut Prop, integers: &[(String, Expr)]) {
     match &mut p.kind {
         PropKind::Compare(sides, _) => sides.iter_mut().for_each(|e| with_integers(e, integers)),
         PropKind::And(list) | PropKind::Or(list) => list.iter_mut().for_each(|p| prop_with_integers(p, integers)),
-        PropKind::Not(inner) => prop_with_integers(inner, integers),
+        PropKind::Not(inner) | PropKind::Exists(_, inner) | PropKind::ForAll(_, inner) => {
+            prop_with_integers(inner, integers)
+        }
         PropKind::Implies(a, b) => [a, b].into_iter().for_each(|p| prop_with_integers(p, integers)),
         _ => {}
     }

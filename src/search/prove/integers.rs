@@ -8,7 +8,7 @@
 
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
-use crate::certificate::{Label, Rule, Term};
+use crate::certificate::{Rule, Term};
 use crate::claim::definedness::is_whole;
 use crate::claim::syntax::*;
 use crate::kernel::key;
@@ -75,17 +75,20 @@ impl Prover {
         alone.truncate(INTEGERS);
         for (d, [up, down]) in alone {
             let stem = up.trim_end_matches("up").trim_end_matches('_').to_string();
-            let _ = self.attempt(|c| {
-                let fresh = c.fresh(if stem.is_empty() { "k" } else { &stem });
-                let named = c.emit(Rule::Name, compare(d.clone(), Relation::Equal, name(&fresh)))?;
-                let whole = sum(vec![(Sign::Plus, name(&fresh)), (Sign::Plus, name(&down))]);
-                let shown = compare(name(&up), Relation::Equal, whole);
-                let label = c.combination(shown, vec![Term { facts: vec![named], factor: numeral(1) }])?;
-                c.put_in(&label);
-                c.integers.push((fresh, d));
-                Ok::<Label, Fail>(label)
-            });
+            let _ = self.attempt(|c| c.name_integer(if stem.is_empty() { "k" } else { &stem }, &up, &down, d));
         }
+    }
+
+    /// Gives a real name, which is returned, to the difference of two natural numbers.
+    pub(super) fn name_integer(&mut self, stem: &str, up: &str, down: &str, d: Expr) -> Result<String, Fail> {
+        let fresh = self.fresh(stem);
+        let named = self.emit(Rule::Name, compare(d.clone(), Relation::Equal, name(&fresh)))?;
+        let whole = sum(vec![(Sign::Plus, name(&fresh)), (Sign::Plus, name(down))]);
+        let shown = compare(name(up), Relation::Equal, whole);
+        let label = self.combination(shown, vec![Term { facts: vec![named], factor: numeral(1) }])?;
+        self.put_in(&label);
+        self.integers.push((fresh.clone(), d));
+        Ok(fresh)
     }
 
     /// An expression with every named integer as the difference of natural numbers that it is.
