@@ -339,7 +339,10 @@ impl Prover {
             let says = compare(power, Relation::Equal, form(left?, &name(&j), 1));
             let some = prop(PropKind::Exists(natural(&j), Box::new(says)));
             let every = prop(PropKind::ForAll(natural(&q), Box::new(some)));
+            // The base of an induction counts as a case.
+            let splits = self.splits;
             out.push(self.all_by_induction(&every, 3)?);
+            self.splits = splits;
         }
         Ok(out)
     }
