@@ -196,7 +196,7 @@ impl Prover {
             wholes.push(f.poly.clone());
         }
         let value = |p: &Polynomial| p.evaluate(&|_| at.clone());
-        let root = value(&top).checked_root(u64::from(q))?;
+        let root = Some(value(&top)).filter(|v| *v > 0)?.checked_root(u64::from(q))?;
         let degree = top.degree() / q;
         let all = variables.iter().fold(Polynomial::zero(), |s, v| s.add(&Polynomial::variable(*v)));
         let mut forms = vec![all.pow(degree).ok()?];
