@@ -1,5 +1,6 @@
 //! Sums up to a variable in closed form, by an antidifference of what is summed (`algebra::gosper`).
 
+use super::exponents::total;
 use super::letters::natural;
 use super::limits::holds;
 use super::{Fail, Prover};
@@ -81,7 +82,7 @@ impl Prover {
         }
         let ExprKind::Sum(list) = &body.kind else { return None };
         let parts = list.iter().map(|(sign, e)| Some((*sign, self.telescoped(&index.name.text, e, from, variable)?)));
-        parts.collect::<Option<Vec<_>>>().map(sum)
+        parts.collect::<Option<Vec<_>>>().map(total)
     }
 
     /// Σ t(i) for i = from … n, as T(n + 1) − T(1) for an antidifference T of t, and t(0) where it begins there.
@@ -103,7 +104,10 @@ impl Prover {
         if !bottom.is_one() {
             whole.push((Factor::Over, self.letters.written(&bottom)));
         }
-        let whole = expr(ExprKind::Product(whole));
+        let whole = match whole.as_slice() {
+            [(_, one)] => one.clone(),
+            _ => expr(ExprKind::Product(whole)),
+        };
         let at = |e: &Expr, place: &Expr| {
             let mut map = Substitution::default();
             map.replace(index, place);
@@ -153,7 +157,7 @@ impl Prover {
                 let end = self.letters.polynomial(&inner.to)?;
                 let slope = u32::try_from(&end.derivative(i).as_constant()?).ok()?;
                 let mut step = (Polynomial::one(), Polynomial::one());
-                for k in 1..=slope.min(SLOPE as u32 + 1) {
+                for k in 1..=Some(slope).filter(|s| u64::from(*s) <= SLOPE)? {
                     let place = self.letters.written(&end.add(&Polynomial::integer(i64::from(k))));
                     let mut map = Substitution::default();
                     map.replace(&inner.name.text, &place);
