@@ -113,7 +113,9 @@ impl Checker {
     /// Sound: by induction. u(0) has a value and such a sign; if u(k) has, then the step has, so that u(k + 1) has.
     fn members(&mut self, u: &Sequence, signs: Signs, known: &mut Known) -> Result<(), Refusal> {
         self.defined(&u.initial, known)?;
-        self.need(&u.initial, signs, known)?;
+        if signs != Signs::ANY {
+            self.need(&u.initial, signs, known)?;
+        }
         self.binders += 1;
         let bound = self.binders;
         let before = known.mark();
@@ -124,7 +126,7 @@ impl Checker {
                 checker.learn_signs(&member, signs, known)?;
             }
             checker.defined(&u.step, known)?;
-            checker.need(&u.step, signs, known)
+            if signs == Signs::ANY { Ok(()) } else { checker.need(&u.step, signs, known) }
         });
         self.binders -= 1;
         known.back_to(before);

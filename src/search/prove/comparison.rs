@@ -322,7 +322,7 @@ impl Prover {
         if !super::slopes::has_function(&whole) {
             return Err(no());
         }
-        let shown = self.show(&compare(whole, own, numeral(0)))?;
+        let shown = self.without_cases(&compare(whole, own, numeral(0)))?;
         self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: product(open.rest) }])
     }
 

@@ -118,7 +118,7 @@ impl Prover {
         };
         self.define(&t);
         self.within_logarithms = true;
-        let shown = self.show(&compare(t.clone(), order, numeral(0)));
+        let shown = self.without_cases(&compare(t.clone(), order, numeral(0)));
         self.within_logarithms = false;
         let shown = shown?;
         let tangent = self.tangent_fact(&t)?;
