@@ -300,7 +300,6 @@ fn limits_are_told_from_bad_input() {
             3,
             "line 2: limit reached: digits of a numeral",
         ),
-        ("ratio,n,threshold\n64,0,0.5\n", 2, "n >= 1"),
         ("ratio,n,threshold\n64,1/2,0.5\n", 2, "n is a number of bodies"),
     ] {
         let (found, _, said) = checked(content, &[]);
