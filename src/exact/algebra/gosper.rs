@@ -7,7 +7,7 @@
 //! and b(i + h) have no factor in common for h = 0, 1, 2, …; then T = b(i − 1)·x(i)/c(i)·t for a polynomial x with
 //! a(i)·x(i + 1) − b(i − 1)·x(i) = c(i), whose degree is bounded. What is not found proves nothing: factors may be reducible.
 //!
-//! Limits: [`SHIFT`], [`DEGREE`].
+//! Limits: `SHIFT`, `DEGREE`.
 
 use super::factor::factor;
 use super::gcd::gcd;

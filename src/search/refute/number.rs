@@ -94,7 +94,7 @@ impl Number {
         }
     }
 
-    /// The number as p/q, or as a decimal with as many digits as are certain, [`SHOWN`] places at most, or between its ends.
+    /// The number as p/q, or as a decimal with as many digits as are certain, 12 places at most, or between its ends.
     pub fn text(&self) -> String {
         if let Some(cut) = (0..=SHOWN).rev().find_map(|places| self.cut(Digits::Places(places))) {
             return self.shown(&cut);
