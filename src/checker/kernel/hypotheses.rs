@@ -12,7 +12,6 @@ use crate::certificate::Label;
 use crate::claim::definedness::is_natural;
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;
-use std::rc::Rc;
 
 impl Checker {
     /// Declares what the claim declares, and takes its domains and hypotheses as facts. A hypothesis is understood to
@@ -51,9 +50,10 @@ impl Checker {
         let all: Vec<Label> = self.facts.iter().map(|f| f.label.clone()).collect();
         for u in &statement.sequences {
             let (scope, binders) = (self.scope.len(), self.binders);
+            let mut known = self.known(&all, &[])?;
             let mut refused = None;
             for signs in [Signs::ANY, Signs::POSITIVE, Signs::NOT_NEGATIVE] {
-                let mut known = self.known(&all, &[])?;
+                known.forget_used();
                 match self.members(u, signs, &mut known) {
                     Ok(()) => {
                         self.assumed.extend(cited(known.used().0, &all));
@@ -80,26 +80,27 @@ impl Checker {
     /// An index is read as a natural number. In a goal or a definition this is shown where the sum is asked for a value
     /// (`defined`), which nobody asks of a hypothesis.
     fn begin_at_naturals(&mut self, statement: &Statement) -> Result<(), Refusal> {
-        let facts: Vec<(Label, Rc<Prop>)> = self.facts.iter().map(|f| (f.label.clone(), f.prop.clone())).collect();
         let of_claim = statement.bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names);
-        let naturals: Vec<String> = of_claim.map(|n| n.0.text.clone()).collect();
-        let (mut plain, mut all) = (Vec::new(), Vec::new());
-        for (label, fact) in &facts {
-            let before = all.len();
-            begins_of_prop(fact, &mut naturals.clone(), &mut all);
-            if all.len() == before {
-                plain.push(label.clone());
+        let mut naturals: Vec<String> = of_claim.map(|n| n.0.text.clone()).collect();
+        let (mut plain, mut open) = (Vec::new(), Vec::new());
+        for fact in &self.facts {
+            let mut found = Vec::new();
+            begins_of_prop(&fact.prop, &mut naturals, &mut found);
+            if found.is_empty() {
+                plain.push(fact.label.clone());
             }
+            open.extend(found.into_iter().filter(|begin| !begin.by_form));
+        }
+        if open.is_empty() {
+            return Ok(());
         }
         let known = self.known(&plain, &[])?;
-        for Begin { of, from, naturals } in all {
-            let by_form = is_natural(&from, &|name| naturals.iter().any(|n| n == name));
-            let shown = by_form
-                || match self.is(&from, Signs::NOT_NEGATIVE, &known) {
-                    // A name that the proposition binds is not known here.
-                    Err(Refusal::Rejected(_)) => false,
-                    other => other?,
-                };
+        for Begin { of, from, .. } in open {
+            let shown = match self.is(&from, Signs::NOT_NEGATIVE, &known) {
+                // A name that the proposition binds is not known here.
+                Err(Refusal::Rejected(_)) => false,
+                other => other?,
+            };
             if !shown {
                 return rejected(Reason::Range(of));
             }
@@ -134,18 +135,19 @@ impl Checker {
     }
 }
 
-/// A sum or product over an index, where it begins, and the names of natural numbers there.
+/// A sum or product over an index, where it begins, and whether that is a natural number by its form.
 struct Begin {
     of: Expr,
     from: Expr,
-    naturals: Vec<String>,
+    by_form: bool,
 }
 
-/// The sums and products over an index in an expression.
+/// The sums and products over an index in an expression, where these names stand for natural numbers.
 fn begins(e: &Expr, naturals: &mut Vec<String>, out: &mut Vec<Begin>) {
     match &e.kind {
         ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
-            out.push(Begin { of: e.clone(), from: (*index.from).clone(), naturals: naturals.clone() });
+            let by_form = is_natural(&index.from, &|name| naturals.iter().any(|n| n == name));
+            out.push(Begin { of: e.clone(), from: (*index.from).clone(), by_form });
             begins(&index.from, naturals, out);
             begins(&index.to, naturals, out);
             naturals.push(index.name.text.clone());

@@ -174,16 +174,16 @@ impl Checker {
         depth: usize,
         found: &mut Found,
     ) -> Result<Signs, Refusal> {
-        let mut signs = match poly.single_atom() {
-            Some(atom) => self.atom_signs(atom, known, depth, found)?,
-            None => self.sum_signs(poly, known, depth, found)?,
-        };
         let is_settled =
             |s: Signs| s.within(Signs::POSITIVE) || s.within(Signs::of(Relation::Less)) || s.within(Signs::ZERO);
-        // What follows from the terms alone need not be asked for.
-        if !is_settled(signs) && poly.single_atom().is_none() {
-            signs = signs.and(self.noted(poly, known)?);
-        }
+        let mut signs = match poly.single_atom() {
+            Some(atom) => self.atom_signs(atom, known, depth, found)?,
+            None => match self.sum_signs(poly, known, depth, found)? {
+                // What follows from the terms alone need not be asked for.
+                sum if is_settled(sum) => sum,
+                sum => sum.and(self.noted(poly, known)?),
+            },
+        };
         for place in 0..found.ranges.len() {
             let Some(Range { index, from, to }) = found.ranges.get(place).cloned() else { continue };
             let inside = |atom: usize| self.occurring.get(atom).is_some_and(|all| all.binary_search(&index).is_ok());
@@ -292,7 +292,8 @@ impl Checker {
     }
 
     /// The signs that the definition gives to every member of a sequence, and cited facts `for all k natural: f(k) relation
-    /// numeral` to every member of a family or sequence. Such a fact may be for the indices of the family's declaration: other members do not exist.
+    /// numeral` to every member of a family or sequence. Such a fact may be for the indices of the family's declaration:
+    /// other members do not exist.
     fn member_signs(&self, member: &str, known: &Known) -> Result<Signs, Refusal> {
         let indices = self.family(member).and_then(|b| b.indices.as_ref());
         let mut signs = self.signs_of_members.get(member).copied().unwrap_or(Signs::ANY);
