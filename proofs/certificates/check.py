@@ -104,17 +104,16 @@ class Checker(Logic):
 
     def begin_at_naturals(self, facts):
         """Sums and products in hypotheses begin at natural numbers: by their form, or by hypotheses without sums."""
-        sums = lambda p: any(x[0] == "over" for x in subtrees(p))
-        known = self.known([label for label, p in self.facts.items() if not sums(p)], ())
-        claimed = {n for b in self.claim.given if b[2] for n, _ in b[1]}
-        for p in facts:
-            for e, low, naturals in begins(p, frozenset(claimed)):
-                shown = is_natural(low, naturals)
-                try:
-                    shown = shown or self.has(low, NOT_NEGATIVE, known)
-                except Refused:
-                    pass
-                need(shown, f"the range or index of {text(e)} is not shown to be one")
+        claimed = frozenset(n for b in self.claim.given if b[2] for n, _ in b[1])
+        left = [(e, low) for p in facts for e, low, naturals in begins(p, claimed) if not is_natural(low, naturals)]
+        without_sums = [label for label, p in self.facts.items() if not any(x[0] == "over" for x in subtrees(p))]
+        known = self.known(without_sums if left else [], ())
+        for e, low in left:
+            try:
+                shown = self.has(low, NOT_NEGATIVE, known)
+            except Refused:
+                shown = False
+            need(shown, f"the range or index of {text(e)} is not shown to be one")
 
     def members(self, u, initial, k, step, signs):
         """Whether each member of a sequence has a value and one of these signs, by induction."""

@@ -169,6 +169,15 @@ impl Relation {
         }
     }
 
+    /// Whether it is `>` or `>=`, and not `<` or `<=`; `=` and `!=` are neither.
+    pub fn is_greater(self) -> Option<bool> {
+        match self {
+            Relation::Greater | Relation::GreaterEqual => Some(true),
+            Relation::Less | Relation::LessEqual => Some(false),
+            Relation::Equal | Relation::NotEqual => None,
+        }
+    }
+
     /// The negated relation.
     pub fn negated(self) -> Relation {
         match self {

@@ -28,11 +28,7 @@ struct Link {
 impl Prover {
     /// Shows a comparison as the sum of a chain of facts.
     pub(super) fn by_chain(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        let up = match relation {
-            Relation::Greater | Relation::GreaterEqual => true,
-            Relation::Less | Relation::LessEqual => false,
-            _ => return Err(Fail::No("an order")),
-        };
+        let up = relation.is_greater().ok_or(Fail::No("an order"))?;
         let (a, b) = (key::expr(a), key::expr(b));
         let (from, to) = if up { (a, b) } else { (b, a) };
         let mut links = Vec::new();

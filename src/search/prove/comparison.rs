@@ -421,12 +421,7 @@ impl Prover {
                 rest.push(whole_power(e, f.power - 1));
             }
         }
-        let up = match relation {
-            Relation::Greater | Relation::GreaterEqual => true,
-            Relation::Less | Relation::LessEqual => false,
-            Relation::Equal => true,
-            Relation::NotEqual => return Err(Fail::No("a sign")),
-        };
+        let up = relation == Relation::Equal || relation.is_greater().ok_or(Fail::No("a sign"))?;
         let flip = relation != Relation::Equal && signs.within(Signs::NOT_NEGATIVE) != up;
         Ok(OpenFactors { poly, number: reading.number, rest, flip })
     }

@@ -6,7 +6,7 @@
 //!
 //! Certificate: two steps `tangent`, two combinations. Cost: of four steps for each fact. Limits: [`ROUNDS`], [`PRIME`].
 
-use super::letters::{as_power, natural, product};
+use super::letters::{as_power, natural, product, total};
 use super::limits::over;
 use super::products::{Kind, Known};
 use super::{Fail, Prover};
@@ -14,7 +14,7 @@ use crate::algebra::{Monomial, Polynomial};
 use crate::certificate::{Label, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, compare, expr, numeral, sum};
+use crate::kernel::statement::{apply, compare, expr, numeral};
 use crate::refute::literal::literal;
 use malachite::{Natural, Rational};
 
@@ -42,20 +42,6 @@ fn primes(n: &Natural) -> Vec<(Natural, i64)> {
         out.push((rest, 1));
     }
     out
-}
-
-/// The sum of terms with signs; the first has none.
-pub(super) fn total(mut terms: Vec<(Sign, Expr)>) -> Expr {
-    terms.sort_by_key(|(sign, _)| *sign == Sign::Minus);
-    if let Some((sign @ Sign::Minus, first)) = terms.first_mut() {
-        *sign = Sign::Plus;
-        *first = expr(ExprKind::Negate(Box::new(first.clone())));
-    }
-    match terms.as_slice() {
-        [] => numeral(0),
-        [(_, one)] => one.clone(),
-        _ => sum(terms),
-    }
 }
 
 /// Whether an expression is an exponential or a power whose exponent is no number.
@@ -95,11 +81,8 @@ impl Prover {
     /// above 1 + t.
     pub(super) fn by_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("two products with exponents");
-        let (less, greater, sign) = match relation {
-            Relation::Less | Relation::LessEqual => (a, b, -1),
-            Relation::Greater | Relation::GreaterEqual => (b, a, 1),
-            _ => return Err(no()),
-        };
+        let is_greater = relation.is_greater().ok_or_else(no)?;
+        let (less, greater, sign, order) = if is_greater { (b, a, 1, relation) } else { (a, b, -1, relation.turned()) };
         let (below, above) = (factors_of(less), factors_of(greater));
         if self.within_logarithms || !below.iter().chain(&above).any(|(_, e)| has_exponent(e)) {
             return Err(no());
@@ -111,11 +94,6 @@ impl Prover {
             }
         }
         let t = total(parts);
-        let order = if matches!(relation, Relation::Less | Relation::Greater) {
-            Relation::Greater
-        } else {
-            Relation::GreaterEqual
-        };
         self.define(&t);
         self.within_logarithms = true;
         let shown = self.without_cases(&compare(t.clone(), order, numeral(0)));

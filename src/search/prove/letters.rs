@@ -3,7 +3,7 @@
 use crate::algebra::{Monomial, Polynomial};
 use crate::claim::syntax::*;
 use crate::kernel::key;
-use crate::kernel::statement::{expr, numeral};
+use crate::kernel::statement::{expr, numeral, sum};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -41,6 +41,20 @@ pub(super) fn product(mut list: Vec<Expr>) -> Expr {
             list.push(last);
             expr(ExprKind::Product(list.into_iter().map(|e| (Factor::Times, e)).collect()))
         }
+    }
+}
+
+/// The sum of terms with signs; the first has none.
+pub(super) fn total(mut terms: Vec<(Sign, Expr)>) -> Expr {
+    terms.sort_by_key(|(sign, _)| *sign == Sign::Minus);
+    if let Some((sign @ Sign::Minus, first)) = terms.first_mut() {
+        *sign = Sign::Plus;
+        *first = expr(ExprKind::Negate(Box::new(first.clone())));
+    }
+    match terms.as_slice() {
+        [] => numeral(0),
+        [(_, one)] => one.clone(),
+        _ => sum(terms),
     }
 }
 
@@ -142,19 +156,7 @@ impl Letters {
             list.extend(self.monomial(monomial));
             terms.push((sign, product(list)));
         }
-        terms.sort_by_key(|(sign, _)| *sign == Sign::Minus);
-        match terms.as_slice() {
-            [] => numeral(0),
-            [(Sign::Plus, one)] => one.clone(),
-            [(Sign::Minus, one)] => expr(ExprKind::Negate(Box::new(one.clone()))),
-            _ => {
-                if let Some((sign @ Sign::Minus, first)) = terms.first_mut() {
-                    *sign = Sign::Plus;
-                    *first = expr(ExprKind::Negate(Box::new(first.clone())));
-                }
-                expr(ExprKind::Sum(terms))
-            }
-        }
+        total(terms)
     }
 
     fn monomial(&self, m: &Monomial) -> Vec<Expr> {

@@ -80,11 +80,7 @@ impl Prover {
         b: &Expr,
     ) -> Result<Label, Fail> {
         let no = || Fail::No("a mean of monomials");
-        let up = match relation {
-            Relation::Greater | Relation::GreaterEqual => true,
-            Relation::Less | Relation::LessEqual => false,
-            _ => return Err(no()),
-        };
+        let up = relation.is_greater().ok_or_else(no)?;
         let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
         let (mut signs, mut open) = (sign_of(&reading.number), None);
         let mut rest = vec![literal(&reading.number)];

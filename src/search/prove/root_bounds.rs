@@ -9,8 +9,7 @@
 //!
 //! Limits: [`VARIABLES`] positive variables, [`TERMS`] terms with a root, [`CHOICES`] choices of Y for each side.
 
-use super::exponents::total;
-use super::letters::{as_power, product, whole_power};
+use super::letters::{as_power, product, total, whole_power};
 use super::limits::over;
 use super::{Fail, Prover};
 use crate::algebra::{Polynomial, Univariate};
@@ -54,12 +53,9 @@ impl Prover {
         b: &Expr,
     ) -> Result<Label, Fail> {
         let no = || Fail::No("roots of positive variables");
-        let is_greater = matches!(relation, Relation::Greater | Relation::GreaterEqual);
+        let is_greater = relation.is_greater().ok_or_else(no)?;
         // The bounds themselves are shown with less effort.
-        if self.splits >= 3
-            || matches!(relation, Relation::Equal | Relation::NotEqual)
-            || self.roots_in(&super::facts::minus(a, b)).is_empty()
-        {
+        if self.splits >= 3 || self.roots_in(&super::facts::minus(a, b)).is_empty() {
             return Err(no());
         }
         let mut names = std::collections::BTreeSet::new();
@@ -80,7 +76,12 @@ impl Prover {
         if rooted == 0 || rooted > TERMS {
             return Err(no());
         }
-        let strict = matches!(relation, Relation::Greater | Relation::Less);
+        // The difference of the greater side and the other.
+        let order = if is_greater { relation } else { relation.turned() };
+        let term = |fact: Label, negative: bool| Term {
+            facts: vec![fact],
+            factor: literal(&Rational::from(if negative == is_greater { -1 } else { 1 })),
+        };
         let choices = |negative: bool| {
             let roots = parts.iter().filter(|p| p.negative == negative).flat_map(|p| &p.roots);
             roots.map(|r| r.1.forms.len()).max().unwrap_or(1).min(CHOICES)
@@ -91,24 +92,15 @@ impl Prover {
                     parts.iter().map(|p| p.bounded(if p.negative { below } else { above })).collect();
                 let signed = |e: &Expr, p: &Part| (if p.negative { Sign::Minus } else { Sign::Plus }, e.clone());
                 let total = total(bounded.iter().zip(&parts).map(|(e, p)| signed(e, p)).collect());
-                let order = if strict { Relation::Greater } else { Relation::GreaterEqual };
                 let without = compare(total, order, numeral(0));
                 let shown = self.attempt(|c| {
-                    let rest = c.without_roots(&without)?;
-                    let mut facts = vec![rest];
+                    let mut terms = vec![term(c.without_roots(&without)?, false)];
                     for (part, bound) in parts.iter().zip(&bounded).filter(|(p, _)| !p.roots.is_empty()) {
                         let order = if part.negative { Relation::LessEqual } else { Relation::GreaterEqual };
-                        facts.push(c.without_cases(&compare(part.written.clone(), order, bound.clone()))?);
+                        let fact = c.without_cases(&compare(part.written.clone(), order, bound.clone()))?;
+                        terms.push(term(fact, part.negative));
                     }
-                    let negative = |place: usize| {
-                        place > 0
-                            && parts.iter().filter(|p| !p.roots.is_empty()).nth(place - 1).is_some_and(|p| p.negative)
-                    };
-                    let term = |(place, fact): (usize, Label)| Term {
-                        facts: vec![fact],
-                        factor: literal(&Rational::from(if negative(place) == is_greater { -1 } else { 1 })),
-                    };
-                    c.combination(goal.clone(), facts.into_iter().enumerate().map(term).collect())
+                    c.combination(goal.clone(), terms)
                 });
                 if shown.is_ok() {
                     return shown;

@@ -1,7 +1,6 @@
 //! Sums up to a variable in closed form, by an antidifference of what is summed (`algebra::gosper`).
 
-use super::exponents::total;
-use super::letters::natural;
+use super::letters::{natural, total};
 use super::limits::holds;
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
@@ -92,7 +91,7 @@ impl Prover {
         self.term_of(body, index, i, false, &mut term)?;
         let next = |p: &Polynomial| p.substitute(i, &Polynomial::variable(i).add(&Polynomial::one())).ok();
         let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
-        let (above, below) = (&term.above, &term.below);
+        let (above, below) = (&term.plain.0, &term.plain.1);
         let step_above = times(&times(&term.ratio.0, &next(above)?)?, below)?;
         let step_below = times(&times(&term.ratio.1, above)?, &next(below)?)?;
         let (top, bottom) = antidifference(&step_above, &step_below, i)?;
@@ -124,20 +123,17 @@ impl Prover {
     /// Takes in a factor of a term, or a divisor: as a quotient of polynomials in the index, as a power whose exponent is linear in it,
     /// or as a product up to it.
     fn term_of(&mut self, e: &Expr, index: &str, i: u32, divides: bool, term: &mut Term) -> Option<()> {
-        let take = |into: &mut (Polynomial, Polynomial), (above, below): (Polynomial, Polynomial)| {
+        let take = |into: &mut Quotient, (above, below): Quotient| {
             let (above, below) = if divides { (below, above) } else { (above, below) };
             *into = (into.0.try_mul(&above).ok()?, into.1.try_mul(&below).ok()?);
             Some(())
         };
         if let Some(quotient) = self.quotient(e, index) {
-            let mut both = (std::mem::take(&mut term.above), std::mem::take(&mut term.below));
-            take(&mut both, quotient)?;
-            (term.above, term.below) = both;
-            return Some(());
+            return take(&mut term.plain, quotient);
         }
         let step = match &e.kind {
             ExprKind::Negate(a) => {
-                term.above = term.above.neg();
+                term.plain.0 = term.plain.0.neg();
                 return self.term_of(a, index, i, divides, term);
             }
             ExprKind::Product(list) => {
@@ -174,7 +170,7 @@ impl Prover {
     }
 
     /// A quotient of polynomials in the index, with letters that do not depend on it.
-    fn quotient(&mut self, e: &Expr, index: &str) -> Option<(Polynomial, Polynomial)> {
+    fn quotient(&mut self, e: &Expr, index: &str) -> Option<Quotient> {
         let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
         Some(match &e.kind {
             ExprKind::Negate(a) => {
@@ -204,25 +200,26 @@ impl Prover {
                 let k = natural(exponent)?;
                 (above.pow(k).ok()?, below.pow(k).ok()?)
             }
-            ExprKind::Number(_) | ExprKind::Name(_) => (self.letters.polynomial(e)?, Polynomial::one()),
-            _ if holds(e, index) => return None,
+            kind if !matches!(kind, ExprKind::Name(_)) && holds(e, index) => return None,
             _ => (self.letters.polynomial(e)?, Polynomial::one()),
         })
     }
 }
 
-/// A member of a sum: above/below, polynomials in the index, times the rest, which the quotient `ratio` leads on from one index to the next.
+/// A polynomial over another.
+type Quotient = (Polynomial, Polynomial);
+
+/// A member of a sum: a quotient in the index times the rest, and by what the rest is multiplied where the index is one more.
 struct Term {
-    above: Polynomial,
-    below: Polynomial,
+    plain: Quotient,
     rest: Vec<(Factor, Expr)>,
-    ratio: (Polynomial, Polynomial),
+    ratio: Quotient,
 }
 
 impl Default for Term {
     fn default() -> Self {
-        let one = Polynomial::one;
-        Term { above: one(), below: one(), rest: Vec::new(), ratio: (one(), one()) }
+        let one = || (Polynomial::one(), Polynomial::one());
+        Term { plain: one(), rest: Vec::new(), ratio: one() }
     }
 }
 

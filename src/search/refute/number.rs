@@ -96,6 +96,10 @@ impl Number {
 
     /// The number as p/q, or as a decimal with as many digits as are certain, 12 places at most, or between its ends.
     pub fn text(&self) -> String {
+        let (low, high) = match self {
+            Number::Exact(q) => return q.to_string(),
+            Number::Between(low, high, _) => (low, high),
+        };
         if let Some(cut) = (0..=SHOWN).rev().find_map(|places| self.cut(Digits::Places(places))) {
             return self.shown(&cut);
         }
@@ -103,12 +107,7 @@ impl Number {
             let found = Decimal::of_rational(q, Digits::Significant(3), rounding);
             found.map_or_else(|_| q.to_string(), |decimal| decimal.to_string())
         };
-        match self {
-            Number::Exact(q) => q.to_string(),
-            Number::Between(low, high, _) => {
-                format!("between {} and {}", end(low, Rounding::Down), end(high, Rounding::Up))
-            }
-        }
+        format!("between {} and {}", end(low, Rounding::Down), end(high, Rounding::Up))
     }
 
     /// Its decimal, cut off rather than rounded, where all of these digits are certain.
