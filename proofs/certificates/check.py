@@ -16,15 +16,15 @@ import re
 import sys
 from fractions import Fraction as Q
 
-from checker import reading, refutation
+from checker import circle, reading, refutation
 from checker.numbers import evaluate
 from checker.claims import (
     as_power, bindings_of, bound_once, compare, conjuncts, constraints, domain, FUNCTIONS, mentioned, N, names_in, need,
-    nodes, NotCovered, num, Parser, plus, put, Refused, same, single, subtrees, text,
+    nodes, NotCovered, num, Parser, PI, plus, put, Refused, same, single, subtrees, text,
 )
 from checker.logic import Logic
 from checker.signs import ANY, NOT_NEGATIVE, NOT_ZERO, PLUS, POSITIVE, sign, SIGNS, TIMES, whole_by_form
-from checker.terms import atom, coefficients, F, ONE, primes, total, ZERO
+from checker.terms import atom, coefficients, F, multiple, ONE, primes, total, ZERO
 
 sys.setrecursionlimit(20000)
 LEMMA = "the weighted mean inequality for two values"
@@ -80,15 +80,13 @@ class Checker(Logic):
             same = sum(x == N("call", u, (N("name", "!"),)) for x in subtrees(free))
             need(u not in names_in(initial) and same == len(once) and not names & later and not names & moving,
                  f"the sequence {u} is not defined by the member before")
-            for n in names:
-                need(n in FUNCTIONS or self.is_declared(n), f"{n} is not declared here")
+            self.need_declared(names, initial, step)
         for v in moving:
             need(v in self.scope, f"{v} is not declared here")
             for p in facts:
                 bound = p[0] == "cmp" and p[1][0] == N("name", v) and p[2] in ((">",), (">=",)) and p[1][1][0] == "num"
                 need(bound or v not in names_in(p), f"{v} grows without bound and is tied to something else")
-        for n in set().union(*map(names_in, [*facts, claim.goal])):
-            need(n in FUNCTIONS or self.is_declared(n), f"{n} is not declared here")
+        self.need_declared(set().union(*map(names_in, [*facts, claim.goal])), *facts, claim.goal)
         for p in facts:
             self.know(f"h{next(count)}", p)
         self.begin_at_naturals(facts)
@@ -101,6 +99,13 @@ class Checker(Logic):
                 except Refused:
                     if signs == NOT_NEGATIVE:
                         raise
+
+    def need_declared(self, names, *where):
+        """Whether names are declared. π needs no declaration, but it takes no argument, and nothing differentiates by it."""
+        for n in names:
+            other = n == PI and any(x[0] == "call" and x[1] == PI or x[0] == "deriv" and PI in x[2]
+                                    for e in where for x in subtrees(e))
+            need(n in FUNCTIONS or self.is_declared(n) or n == PI and not other, f"{n} is not declared here")
 
     def begin_at_naturals(self, facts):
         """Sums and products in hypotheses begin at natural numbers: by their form, or by hypotheses without sums."""
@@ -208,6 +213,9 @@ class Checker(Logic):
             cited, rests_on = self.accepted[source]
             need(not cited.sequences or not s.values and all(u in self.claim.sequences for u in cited.sequences),
                  "a sequence of the cited claim is another here")
+            own = {n for b in cited.given for n, _ in b[1]} | {u[0] for u in cited.sequences}
+            speaks_of_pi = PI in words((cited.given, cited.sequences, cited.assumptions, cited.goal)) - own
+            need(not (speaks_of_pi and self.is_declared(PI)), f"{PI} would be captured")
             bindings, assumptions, shown = cited.given, cited.assumptions, cited.goal
             self.rests_on |= rests_on | {source}
         m = self.values(bindings, s.values, known)
@@ -470,6 +478,43 @@ class Checker(Logic):
             need(self.has(x, NOT_ZERO, known), f"needs {text(compare(x, '!=', num(0)))}")
         self.rests_on.add(TANGENT)
 
+    def rule_circle(self, goal, s, known):
+        """Sound: (cos u, sin u) is a point of the unit circle. sin is 0 at 0 and π and positive between them, cos u is
+        sin(u + π/2), u − sin u rises strictly from 0 on, sin u − u·cos u up to π, and (cos u + i·sin u)^k is cos(k·u) + i·sin(k·u)."""
+        self.has_value(goal, known)
+        need([n for n, _ in s.values] == ["u"], ONE_VALUE)
+        (_, u), = s.values
+        self.number_defined(u, known)
+        functions = cos, sin = [N("call", f, (u,)) for f in ("cos", "sin")]
+        squares = N("sum", tuple((1, N("pow", f, num(2))) for f in functions))
+        on_circle = compare(squares, "=", num(1))
+        ends = [compare(f, r, e) for f in functions for r, e in (("<=", num(1)), (">=", N("neg", num(1))))]
+        if any(same(goal, p) for p in [on_circle, *ends]):
+            return
+        a, relation, b = single(goal)
+        if same(goal, compare(sin, relation, u)) and relation in ("<", "<="):
+            return self.show(u, POSITIVE if relation == "<" else NOT_NEGATIVE, known)
+        pi = N("name", PI)
+        line = N("prod", (("*", u), ("*", cos)))
+        if same(goal, compare(line, relation, sin)) and relation in ("<", "<=") and not self.is_declared(PI):
+            for e in (u, plus(pi, u, -1)):
+                self.show(e, POSITIVE if relation == "<" else NOT_NEGATIVE, known)
+            return
+        if relation in (">", ">="):
+            half = N("prod", (("*", pi), ("/", num(2))))
+            lengths = {sin: (u, plus(pi, u, -1)), cos: (plus(u, half), plus(half, u, -1))}
+            arc = [e for f, both in lengths.items() if same(goal, compare(f, relation, num(0))) for e in both]
+            need(arc and not self.is_declared(PI), f"with these values it says {text(on_circle)}")
+            for e in arc:
+                self.show(e, SIGNS[relation], known)
+            return
+        need(relation == "=" and a[0] == "call" and a[1] in ("cos", "sin"), f"with these values it says {text(on_circle)}")
+        of, whole, said = self.read(u), self.read(a[2][0]), self.read(b)
+        k = (whole * of.power(-1)).integer
+        need(k is not None and 0 <= k <= circle.MULTIPLE_LIMIT, f"{text(a[2][0])} is no small multiple of {text(u)}")
+        value = multiple(self.point(of), k)[a[1] == "sin"]
+        need(not (value - said).c, "the two sides of the identity differ")
+
     def rule_slope(self, goal, s, known):
         self.has_value(goal, known)
         fact, s, relation = self.fact(s.sources[0]), s._replace(sources=s.sources[1:]), single(goal)[1]
@@ -566,7 +611,7 @@ class Checker(Logic):
         self.number_defined(e, known)
         claim = self.claim
         used = words((claim.given, claim.sequences, claim.assumptions, claim.goal, [b[1] for b in self.blocks]))
-        need(new[1] not in used and not self.is_declared(new[1]), f"the name {new[1]} is in use")
+        need(new[1] not in used and not self.is_declared(new[1]) and new[1] != PI, f"the name {new[1]} is in use")
         self.scope[new[1]] = self.variable(new[1], False)
 
     def rule_evaluate(self, goal, s, known):
@@ -590,11 +635,11 @@ Step = collections.namedtuple("Step", "label rule goal sources by using values t
 # How many facts stand behind `from`, at least and at most.
 COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
           "existence": (2, 2), "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
-          "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "limit": (0, 0),
-          "slope": (1, 999),
+          "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "circle": (0, 0),
+          "limit": (0, 0), "slope": (1, 999),
           "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
 
-WITH = ("instance", "witness", "mean", "tangent", "slope", "limit")
+WITH = ("instance", "witness", "mean", "tangent", "circle", "slope", "limit")
 
 
 def expression(source):

@@ -15,6 +15,7 @@ rule monotone: rise_pow, rise_rpower, rise_sqrt, rise_cbrt, raised
 rule unfold: product_last, product_first, sum_last, sum_first, product_empty, sum_empty, member
 rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
+rule circle: unit_circle, within_one, sine_arc, cosine_arc, below_the_argument, below_the_tangent, multiple
 rule slope: slope, differentiable, slope_sign, sloped
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
@@ -844,3 +845,35 @@ Ltac limit_by l P Q b z := refine (l _ P Q _ b _ _ _ _ _); cbv beta;
   | auto_derive; repeat split; first [exact I | nz1]
   | lead_nz z
   | first [ring | (field; repeat split; first [lead_nz z | nz1]) | (unfold Rdiv; ring)] ].
+
+(** cos and sin are a point of the unit circle. *)
+Lemma unit_circle : forall u, cos u ^ 2 + sin u ^ 2 = 1.
+Proof. intro u. rewrite <- (sin2_cos2 u). unfold Rsqr. ring. Qed.
+Lemma within_one : forall u, -1 <= cos u <= 1 /\ -1 <= sin u <= 1.
+Proof. split; [apply COS_bound | apply SIN_bound]. Qed.
+Lemma sine_arc : forall u, (0 <= u <= PI -> 0 <= sin u) /\ (0 < u < PI -> 0 < sin u).
+Proof. split; intro h; [apply sin_ge_0 | apply sin_gt_0]; lra. Qed.
+Lemma cosine_arc : forall u, (- (PI / 2) <= u <= PI / 2 -> 0 <= cos u) /\ (- (PI / 2) < u < PI / 2 -> 0 < cos u).
+Proof. split; intro h; [apply cos_ge_0 | apply cos_gt_0]; lra. Qed.
+(** A function that is 0 at 0 and rises up to x is positive at x. *)
+Lemma risen : forall f g x, 0 < x -> f 0 = 0 -> (forall t, 0 <= t <= x -> derivable_pt_lim f t (g t)) ->
+  (forall t, 0 < t < x -> 0 < g t) -> 0 < f x.
+Proof. intros f g x h z d p. destruct (MVT_cor2 f g 0 x h d) as (c & e & hc). assert (q := p c hc). nra. Qed.
+Lemma below_the_argument : forall u, 0 < u -> sin u < u.
+Proof.
+  assert (near : forall u, 0 < u < PI -> sin u < u).
+  { intros u h. apply Rminus_gt_0_lt. apply (risen (fun t => t - sin t) (fun t => 1 - cos t)); [tauto | rewrite sin_0; lra | |].
+    - intros t _. apply is_derive_Reals. auto_derive; [exact I | ring].
+    - intros t ht. assert (a := sin_gt_0 t). assert (b := unit_circle t). assert (c := COS_bound t). nra. }
+  intros u h. destruct (Rlt_dec u PI) as [l | l]; [apply near; lra |]. assert (a := SIN_bound u). assert (b := PI2_1). lra.
+Qed.
+Lemma below_the_tangent : forall u, 0 < u < PI -> u * cos u < sin u.
+Proof.
+  intros u h. apply Rminus_gt_0_lt. apply (risen (fun t => sin t - t * cos t) (fun t => t * sin t)); [tauto | rewrite sin_0; lra | |].
+  - intros t _. apply is_derive_Reals. auto_derive; [exact I | ring].
+  - intros t ht. assert (a := sin_gt_0 t). nra.
+Qed.
+(** One more time an argument. *)
+Lemma multiple : forall k u, cos (INR (S k) * u) = cos (INR k * u) * cos u - sin (INR k * u) * sin u
+  /\ sin (INR (S k) * u) = sin (INR k * u) * cos u + cos (INR k * u) * sin u.
+Proof. intros. rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l. split; [apply cos_plus | apply sin_plus]. Qed.

@@ -80,7 +80,7 @@ macro_rules! files {
     };
 }
 
-files! { refutations evaluate combination power logic blocks quantifiers sums order slope limits names }
+files! { refutations evaluate combination power logic blocks quantifiers sums order slope circle limits names }
 
 #[test]
 fn examples_of_the_page_about_the_format() {
@@ -96,7 +96,7 @@ fn examples_of_the_page_about_the_format() {
         }
     }
     // One for each rule, `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 22);
+    assert_eq!(count, 23);
 }
 
 /// Propositions are compared by their keys.

@@ -3,13 +3,11 @@ from fractions import Fraction as Q
 from math import lcm
 
 from . import circle
-from .angle_derivatives import derivative, Ties
 from .arcs import Bounds, linear, total
-from .author import ABBREVIATIONS, OF_ANGLES
-from .claims import compare, FUNCTIONS, N, need, Node, nodes, num, put, room
-from .walk import bound, children, clauses, declared, every, expressions, fits, parts, used
+from .author import OF_ANGLES
+from .claims import compare, N, need, Node, nodes, NotCovered, num, PI, put, Refused, room
+from .walk import bottom_up, bound, children, clauses, declared, every, expressions, need_room, parts, size, used
 
-BUILT_IN = {*FUNCTIONS, *ABBREVIATIONS, "floor", "ceil", "ceiling"}
 NO_ANGLE = "an angle is a sum of variables and pi with rational coefficients"
 OTHERWISE = "an angle is used otherwise than in sin, cos and tan, in bounds and in equations"
 
@@ -25,43 +23,54 @@ class Angles:
         self.claim, self.fresh = claim, fresh
         own = {n for item in claim.items for n in declared(item)}.union(*map(bound, clauses(claim)))
         self.words = [w for w in OF_ANGLES if w not in own]
-        self.is_pi = "pi" not in own
-        self.applied = {n for item in claim.items for n in applied(item)}
+        self.is_pi = PI not in own
         # The angles, each with the denominator d of the part θ/d that is named, and the names of its cosine and sine.
         self.over, self.names, self.declared = {}, {}, set()
-        self.bounds, self.equations, self.definitions, self.lets, self.ties = {}, [], {}, {}, None
+        self.bounds, self.equations, self.definitions, self.nodes = {}, [], {}, 0
+
+    def occur(self):
+        """Whether the claim speaks of angles."""
+        mentioned = set().union(*map(used, clauses(self.claim)))
+        return bool(mentioned & set(self.words)) or self.is_pi and PI in mentioned
 
     def write_out(self):
         claim = self.claim
-        mentioned = set().union(*map(used, clauses(claim)))
-        if not mentioned & set(self.words) and not (self.is_pi and "pi" in mentioned):
-            return
         self.put_in_functions()
         self.find()
-        if any(x[0] == "deriv" and set(x[2]) & set(self.over) for clause in clauses(claim) for x in parts(clause)):
-            self.ties = Ties(claim, self.is_variable)
+        for clause in clauses(claim):
+            for x in parts(clause):
+                need(x[0] != "deriv" or not set(x[2]) & set(self.over), "a derivative by an angle is that of a function")
         for name, over in sorted(self.over.items()):
             part = name if over == 1 else f"{name}_over_{over}"
             self.names[name] = self.fresh.name(f"cos_{part}"), self.fresh.name(f"sin_{part}")
         items, claim.items = claim.items, []
         for item in items:
             claim.items += self.item(item)
-        claim.sample = self.values(claim.sample)
+        claim.sample = self.values(claim.sample, False)
         claim.goal = self.statement(claim.goal)
         claim.argument = [self.step(step) for step in claim.argument]
         need(self.declared == set(self.over), "an angle is a natural number, an index or a member of a family")
 
-    def is_variable(self, name):
-        """Whether a name is no function of the language and not π."""
-        return name in self.applied or name not in BUILT_IN | set(self.words) and not (name == "pi" and self.is_pi)
+    def spend(self, count):
+        """Counts nodes that are written."""
+        self.nodes += count
+        need_room(self.nodes)
+
+    def tangents(self):
+        """Writes tan(u) as sin(u)/cos(u)."""
+        def change(e):
+            if "tan" not in self.words or e[0] != "call" or e[1] != "tan":
+                return e
+            return N("prod", (("*", N("call", "sin", e[2])), ("/", N("call", "cos", e[2]))))
+
+        clause = lambda x: expressions(x, lambda e: bottom_up(e, change))
+        self.claim.items = list(map(clause, self.claim.items))
+        every(self.claim, clause)
 
     # What the angles are.
     def function(self, e):
         """The function and the argument of `sin(u)`, `cos(u)` or `tan(u)`."""
-        if e[0] == "call" and e[1] in self.words:
-            need(len(e[2]) == 1, f"{e[1]} takes one argument")
-            return e[1], e[2][0]
-        return None
+        return (e[1], e[2][0]) if e[0] == "call" and e[1] in self.words else None
 
     def angle(self, e):
         x = linear(e, self.definitions, self.is_pi)
@@ -71,8 +80,13 @@ class Angles:
         """Definitions with parameters that use sin, cos or tan are put in where they are applied."""
         functions, items = {}, []
 
+        def changed(e):
+            e = put(e, functions, None)
+            self.spend(size(e))
+            return e
+
         def clause(x):
-            return expressions(x, lambda e: fits(put(e, functions, None))) if functions else x
+            return expressions(x, changed) if functions else x
 
         for item in self.claim.items:
             item = clause(item)
@@ -80,7 +94,7 @@ class Angles:
                 functions[item[1]] = Node(("define", *item[2:]))
             else:
                 items.append(item)
-        self.claim.items = items
+        self.claim.items = list(map(clause, items))
         every(self.claim, clause)
 
     def find(self):
@@ -153,6 +167,7 @@ class Angles:
             need(name in self.over, NO_ANGLE)
             part = circle.named(*self.names[name])
             out = circle.together(out, circle.multiple(part, int(k * self.over[name])))
+        self.spend(10 * (len(out[0]) + len(out[1])))
         return out
 
     def written(self, angle):
@@ -164,20 +179,8 @@ class Angles:
             cos, sin = self.written(self.angle(found[1]))
             return {"cos": cos, "sin": sin}.get(found[0]) or N("prod", (("*", sin), ("/", cos)))
         if e[0] == "name":
-            need(not self.is_angle(e[1]) and not (e[1] == "pi" and self.is_pi), OTHERWISE)
-        if e[0] == "deriv" and set(e[2]) & set(self.over):
-            return self.derivatives(put(self.expression(e[1]), self.lets, None), e[2])
+            need(not self.is_angle(e[1]) and not (e[1] == PI and self.is_pi), OTHERWISE)
         return children(e, self.expression)
-
-    def derivatives(self, of, by):
-        """The derivatives by some names in turn. What a definition stands for may depend on the angle: it is put in."""
-        for name in by:
-            if name in self.over:
-                self.ties.need_free(name)
-                of = derivative(of, *self.names[name], self.over[name], self.applied)
-            else:
-                of = N("deriv", of, (name,))
-        return of
 
     # Propositions.
     def statement(self, p):
@@ -203,8 +206,9 @@ class Angles:
         of, value, place, there = self.expression(of), self.expression(value), {}, []
         for name, e in at:
             angle = self.angle(e)
-            need(angle and not angle[1] and self.bounds[name].hold(angle[0]), "the place of an extremum is an angle within")
-            need(not only or self.bounds[name].are_less_than_a_turn(), "an extremum over all angles has more than one place")
+            bounds = self.bounds.get(name, Bounds())
+            need(angle and not angle[1] and bounds.hold(angle[0]), "the place of an extremum is an angle within")
+            need(not only or bounds.are_less_than_a_turn(), "an extremum over all angles has more than one place")
             values = self.written((angle[0] / self.over[name], {}))
             for n, v in zip(self.names[name], values):
                 place[n] = v
@@ -258,8 +262,6 @@ class Angles:
             hidden = {p: self.over.pop(p) for p in item[2] if p in self.over}
             item = expressions(item, self.expression)
             self.over.update(hidden)
-            outside = {n: v for n, v in self.lets.items() if n not in item[2]}
-            self.lets[item[1]] = Node(("define", item[2], put(item[3], outside, None)))
             return [item]
         if item[0] != "assume":
             return [expressions(item, self.expression)]
@@ -267,6 +269,7 @@ class Angles:
             return [Node(("assume", item[1], self.statement(item[2])))]
         sides, relations = item[2][1:]
         said = [p for a, r, b in zip(sides, relations, sides[1:]) if r == "=" for p in self.equation(a, b)]
+        need(said or item[1] is None, "bounds of an angle have no label")
         return [Node(("assume", item[1], conjunction(said)))] if said else []
 
     def equation(self, a, b):
@@ -306,22 +309,36 @@ class Angles:
         if step[0] == "obtain":
             _, b, label, p, value = step
             return Node(("obtain", expressions(b, self.expression), label, self.statement(p), self.expression(value)))
-        mentioned = self.values(step[2]) if step[2] and step[2][0][0] == "value" else tuple(map(self.expression, step[2]))
+        are_values = step[2] and step[2][0][0] == "value"
+        mentioned = self.values(step[2], bool(step[1])) if are_values else tuple(map(self.expression, step[2]))
         return Node(("by", step[1], tuple(mentioned), tuple(map(self.step, step[3]))))
 
-    def values(self, values):
-        """The values without those that are angles."""
-        is_angle = lambda e: (angle := self.angle(e)) and (angle[0] or set(angle[1]) & set(self.over))
-        numbers = [v for v in values if v[1] not in self.over and not is_angle(v[2])]
-        return [Node(("value", n, self.expression(e))) for _, n, e in numbers]
-
-
-def applied(item):
-    """The names of an item that take an argument."""
-    if item[0] == "given":
-        return [n for b in item[1] for n, index in b[1] if index]
-    return [item[1]] if item[0] == "define" or item[0] == "let" and item[2] else []
+    def values(self, values, are_cited):
+        """The values without those of angles. Those for a cited claim are for its variables: there an angle stands for an angle."""
+        out = []
+        for _, n, e in values:
+            angle = self.angle(e)
+            if angle and (n in self.over or are_cited and (angle[0] or set(angle[1]) & set(self.over))):
+                over = self.over.get(n, 1)
+                self.point((angle[0] / over, {name: k / over for name, k in angle[1].items()}))
+            else:
+                need(n not in self.over, OTHERWISE)
+                out.append(Node(("value", n, self.expression(e))))
+        return out
 
 
 def write_out(claim, fresh):
-    Angles(claim, fresh).write_out()
+    """Writes the angles of a claim out; where something is no use of an angle, sin, cos and pi stay, and tan alone is written out."""
+    angles = Angles(claim, fresh)
+    if not angles.occur():
+        return
+    for clause in clauses(claim):
+        for e in parts(clause):
+            need(not angles.function(e) or len(e[2]) == 1, f"{e[1]} takes one argument")
+    before, taken = dict(vars(claim)), set(fresh.taken)
+    try:
+        angles.write_out()
+    except (Refused, NotCovered):
+        vars(claim).update(before)
+        fresh.taken = taken
+        angles.tangents()

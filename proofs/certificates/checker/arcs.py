@@ -5,17 +5,17 @@ An angle is (turns, {name: coefficient}): turns·π and the variables. An end of
 from fractions import Fraction as Q
 
 from .circle import of_turns, opposite, sign_of_sine, together, TURNED, written
-from .claims import compare, N, num
+from .claims import compare, N, num, PI, Refused
 from .signs import number
 
 
 def linear(e, definitions, is_pi):
     """(number, turns, {name: coefficient}) of a sum of numbers, π and variables with rational coefficients, else None."""
-    value = number(e)
-    if value is not None:
-        return value, Q(0), {}
+    if e[0] in ("num", "pow"):
+        value = short(e)
+        return None if value is None else (value, Q(0), {})
     if e[0] == "name":
-        if e[1] == "pi" and is_pi:
+        if e[1] == PI and is_pi:
             return Q(0), Q(1), {}
         return definitions.get(e[1], (Q(0), Q(0), {e[1]: Q(1)}))
     if e[0] == "neg":
@@ -37,6 +37,15 @@ def linear(e, definitions, is_pi):
         else:
             return None
     return out
+
+
+def short(e):
+    """The value of a numeral or a power in numerals, if numerator and denominator are below 2^127."""
+    try:
+        value = number(e)
+    except Refused:
+        return None
+    return value if value is not None and max(abs(value.numerator), value.denominator) < 2 ** 127 else None
 
 
 def total(parts):

@@ -6,7 +6,7 @@ label, proposition, value), ("by", the facts and claims that it cites, what else
 ("value", name, expression).
 """
 from .claims import (
-    BEGINNINGS, compare, constraints, FUNCTIONS, N, need, Node, nodes, num, Parser, plus, RELATIONS, RESERVED,
+    BEGINNINGS, compare, constraints, FUNCTIONS, N, need, Node, nodes, num, Parser, PI, plus, RELATIONS, RESERVED,
 )
 
 ABBREVIATIONS = {"abs": (1, 1), "max": (2, 8), "min": (2, 8), "factorial": (1, 1), "binomial": (2, 2), "trace": (1, 1),
@@ -111,7 +111,7 @@ class Author(Parser):
         sides = self.many(self.expr, *RELATIONS)
         need(len(sides) > 1, "expected a comparison")
         p = N("cmp", tuple(e for _, e in sides), tuple(r for r, _ in sides[1:]))
-        new = [n for n in dict.fromkeys(free_in_order(p)) if n != "pi" and n not in self.declared]
+        new = [n for n in dict.fromkeys(free_in_order(p)) if n != PI and n not in self.declared]
         self.declared.update(new)
         binding = N("bind", tuple((n, None) for n in new), False, (), None)
         return [Node(("given", (binding,)))] * bool(new) + [Node(("assume", None, p))]

@@ -87,9 +87,12 @@ def bindings_of(x):
 
 
 def moves(m, v):
-    """Nothing may be put in for a variable that moves in a derivative or limit, nor may what is put in depend on it."""
+    """Nothing may be put in for a variable that moves in a derivative or limit, nor may what is put in depend on it. A definition
+    may: it is only written out."""
     for key, value in m.items():
-        if not (value[0] == "name" and value[1].startswith("#")):
+        if value[0] == "define":
+            need(key != v, f"{v}, which moves, is no variable")
+        elif not (value[0] == "name" and value[1].startswith("#")):
             members = any(y[0] == "call" and y[1] not in FUNCTIONS for y in subtrees(value))
             moved = key == v or v in names_in(value) or members
             need(not moved, f"a value is put in that {v}, which moves, may change")
@@ -133,7 +136,7 @@ def put(x, m, depth=0):
         return N("over", x[1], new(x[2], inner), go(x[3]), go(x[4]), put(x[5], inner, below))
     if tag in ("deriv", "limit"):
         for v in x[2] if tag == "deriv" else [x[2]]:
-            moves({} if any(w[0] == "define" for w in m.values()) else m, v)
+            moves(m, v)
         rename = lambda v: m[v][1] if v in m and m[v][0] == "name" else v
         by = tuple(map(rename, x[2])) if tag == "deriv" else rename(x[2])
         return N(tag, go(x[1]), by, *map(go, x[3:]))
@@ -152,28 +155,30 @@ def shaped(y, go):
     return go(y) if isinstance(y, Node) else tuple(shaped(z, go) for z in y) if isinstance(y, tuple) else y
 
 
-def taken_with(names, taken):
-    """The names that are taken where these begin, each of them for the first time."""
+def taken_with(names, taken, hides_pi=False):
+    """The names that are taken where these begin, each of them for the first time. None of them hides π, unless the claim
+    declares it."""
     for n in names:
-        need(n not in taken and n not in FUNCTIONS, f"the name {n} is in use")
+        need(n not in taken and n not in FUNCTIONS and (hides_pi or n != PI), f"the name {n} is in use")
         taken = taken | {n}
     return taken
 
 
-def declared_with(bindings, taken, indices):
+def declared_with(bindings, taken, indices, hides_pi=False):
     """The names that are taken behind bindings. A bound of a family may mention its index."""
     for b in bindings:
         for i in {i for _, i in b[1]}:
             inner = taken_with([i] if i is not None and indices else [], taken)
             for y in nodes(b):
                 bound_once(y, inner, indices)
-        taken = taken_with([n for n, _ in b[1]], taken)
+        taken = taken_with([n for n, _ in b[1]], taken, hides_pi)
     return taken
 
 
 def bound_once(x, taken, indices=True):
     """Whether each name that x binds is new where it begins; those of sums and products are looked at on demand."""
     inner = taken
+    need(x[0] != "over" or x[2] != PI, f"the name {PI} is in use")
     if x[0] == "over" and indices:
         inner = taken_with([x[2]], taken)
     elif bindings_of(x):
@@ -213,7 +218,9 @@ PRINTED = re.compile(r"(?a:(?P<text>\w[-\w.'′*]*))")
 CLAUSES = set("claim source section number reading note using given let define assume prove expect".split())
 RESERVED = CLAUSES | set("""and or not exists for all each in is at over of as by with maximum minimum limit infinity have
     obtain case real natural sum product derivative only conclude""".split())
-FUNCTIONS = set("det transpose sqrt cbrt exp ln cosh sinh sech tanh".split())
+FUNCTIONS = set("det transpose sqrt cbrt exp ln cos sin cosh sinh sech tanh".split())
+# The number π, wherever the claim declares nothing of this name.
+PI = "pi"
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 # Words that begin a clause. Those that are not in CLAUSES may also be names.
 BEGINNINGS = CLAUSES | {"paper", "text", "sample"}
@@ -478,15 +485,15 @@ def need_new_names(items, goal):
     taken = frozenset()
     for word, *parts in items:
         if word == "given":
-            taken = declared_with(parts[0], taken, True)
+            taken = declared_with(parts[0], taken, True, hides_pi=True)
         elif word == "let":
             name, parameters, value = parts
             bound_once(value, taken_with(parameters, taken))
-            taken = taken_with([name], taken)
+            taken = taken_with([name], taken, hides_pi=True)
         elif word == "define":
             name, initial, index, step = parts
             bound_once(initial, taken)
-            taken = taken_with([name], taken)
+            taken = taken_with([name], taken, hides_pi=True)
             bound_once(step, taken_with([index], taken))
         else:
             bound_once(parts[-1], taken)

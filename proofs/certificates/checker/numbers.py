@@ -2,13 +2,15 @@
 
 A number is a pair of fractions: it lies between them, and is known exactly where they are equal.
 """
+import functools
 import math
 from fractions import Fraction as Q
 
-from checker.claims import FUNCTIONS, names_in, need, room, text
+from checker.claims import FUNCTIONS, names_in, need, PI, room, text
 from checker.signs import exponent, NOT_NEGATIVE, NOT_ZERO, POSITIVE, SHOWN, sign, SIGNS
 
 BITS, EXACT, LONGEST = 256, 10_000, 100_000
+UNITS = 2 ** 320
 OPEN, TOO_LONG = "enclosures do not decide it", "a number too long for this checker"
 
 
@@ -135,6 +137,41 @@ def logarithm(x):
     return between(of(x[0])[0], of(x[1])[1])
 
 
+@functools.cache
+def pi():
+    """π = 16·arctan(1/5) − 4·arctan(1/239). The terms alternate and get smaller, so one sum is below and the next above."""
+    def arctan(k):
+        return [sum(Q((-1) ** j, (2 * j + 1) * k ** (2 * j + 1)) for j in range(n)) for n in (64, 65)]
+    (low, high), (less, more) = arctan(5), arctan(239)
+    return 16 * low - 4 * more, 16 * high - 4 * less
+
+
+def cosine_and_sine(x):
+    """Neither changes by more than its argument does."""
+    width = x[1] - x[0]
+    return [between(low - width, high + width) for low, high in of_circle(x[0])]
+
+
+def of_circle(q):
+    """The cosine and the sine of q by their series, in whole multiples of 1/UNITS."""
+    room(abs(math.trunc(q)).bit_length() <= 18, TOO_LONG)
+    if not q:
+        return exactly(1), exactly(0)
+    low, high = pi()
+    turns = round(q / (2 * low))
+    low, high = sorted((q - 2 * turns * low, q - 2 * turns * high))
+    t = math.floor(low * UNITS)
+    need(abs(t) < 4 * UNITS, OPEN)
+    term, sums = UNITS, [0, 0]
+    for n in range(120):
+        sums[n % 2] += term if n % 4 < 2 else -term
+        term = term * t // (UNITS * (n + 1))
+    # The error of a term is at most 4/n times that of the one before, and 1: never above 6. What is left is at most
+    # 4^120/120! < 2^-400, and t stands for a number between low and high.
+    error = high - low + Q(1000, UNITS)
+    return [(Q(both, UNITS) - error, Q(both, UNITS) + error) for both in sums]
+
+
 def real_power(b, e):
     """b^E for b > 0, or b >= 0 under a positive number E."""
     if e[0] == e[1] and e[0].denominator <= 64:
@@ -208,6 +245,8 @@ class Point:
             return exactly(e[1])
         if tag == "name":
             found = self.indices.get(e[1], self.values.get(e[1]))
+            if found is None and e[1] == PI and not self.checker.is_declared(PI):
+                return between(*pi())
             need(found is not None, f"{e[1]} has no number here")
             return exactly(found)
         if tag == "neg":
@@ -253,6 +292,8 @@ class Point:
             x = self.value(e)
             need(isinstance(x, list), "a matrix is needed")
             return determinant(x) if f == "det" else [list(column) for column in zip(*x)]
+        if f in ("cos", "sin"):
+            return cosine_and_sine(self.number(e))[f == "sin"]
         if f in FUNCTIONS:
             x = self.number(e)
             up, down, half = exponential(x), exponential(negated(x)), exactly(Q(1, 2))
@@ -337,7 +378,7 @@ def compared(x, relation, y):
 
 def evaluate(checker, goal, facts):
     for n in names_in(goal):
-        need(n in FUNCTIONS or checker.is_declared(n), f"{n} is not declared here")
+        need(n in FUNCTIONS or n == PI or checker.is_declared(n), f"{n} is not declared here")
     truth = Point(checker, facts).truth(goal)
     need(truth is not False, "it is false")
     need(truth, OPEN)

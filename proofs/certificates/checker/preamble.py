@@ -1,7 +1,7 @@
 """The preamble, whose declarations the claims of a file or folder share: section 14.3 of docs/certificates.md."""
 from .author import ABBREVIATIONS, OF_ANGLES
-from .claims import FUNCTIONS, N, need, Node
-from .walk import declared
+from .claims import FUNCTIONS, N, need, Node, PI
+from .walk import bound as bound_in, declared
 
 WORDS = FUNCTIONS | set(ABBREVIATIONS) | {*OF_ANGLES, "floor", "ceil", "ceiling"}
 
@@ -87,6 +87,17 @@ def free_of_claim(claim):
         bound = within(bound, declared(item))
     out |= free(claim.goal, bound) | free_of_steps(claim.argument, bound)
     return out | {n for _, n, _ in claim.sample} - bound | set().union(*(free(e, bound) for *_, e in claim.sample))
+
+
+def need_one_pi(items, others=()):
+    """Only a declaration gives `pi` another meaning than π, before it is used as that number."""
+    used = False
+    for item in items:
+        inside = {i for b in item[1] for _, i in b[1]} if item[0] == "given" else bound_in(item)
+        need(PI not in inside, f"nothing but a declaration is called {PI}")
+        used = used or PI in free_of_item(item, set())
+        need(not (used and PI in declared(item)), f"{PI} is used before it is declared")
+    need(not any(PI in bound_in(x) for x in others), f"nothing but a declaration is called {PI}")
 
 
 def cited(steps):

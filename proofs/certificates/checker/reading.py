@@ -1,9 +1,9 @@
 """From the text of a claim file to the statements of its claims: section 14 of docs/certificates.md."""
 from . import abbreviations, angles, floors, limits
 from .author import Author, SHARED
-from .claims import Claim, need, need_new_names, NotCovered, Refused
+from .claims import Claim, need, need_new_names, NotCovered, PI, Refused
 from .making import need_constants
-from .preamble import free_of_claim, Preamble
+from .preamble import free_of_claim, need_one_pi, Preamble
 from .recurrences import need_values
 from .walk import Fresh
 
@@ -52,13 +52,15 @@ def preamble(author, folder):
         else:
             author.skip()
         need(author.at_clause(), "expected the end of the clause")
+    need_one_pi([*folder.items, *items])
     return Preamble((*folder.items, *items))
 
 
 def statement(written, shared):
     """Writes a claim out, in the order of the page."""
     shared.put_before(written)
-    need(free_of_claim(written) <= {"pi"}, "a name is not declared")
+    need(free_of_claim(written) <= {PI}, "a name is not declared")
+    need_one_pi(written.items, [written.goal, *written.argument])
     need_values(written.items)
     fresh = Fresh(written)
     written.items = [new for item in written.items for new in integer(item, fresh)]

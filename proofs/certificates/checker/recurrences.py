@@ -58,7 +58,7 @@ class Known:
                 here = all(self.not_negative(a, index) for a in arguments)
             elif word == "ln":
                 here = all(self.positive(a, index) for a in arguments)
-            elif word in EVERYWHERE or word in ("sin", "cos"):
+            elif word in EVERYWHERE:
                 here = word not in self.values.partial
             else:
                 here = word in self.members or word in self.families and all(self.whole(a, index) for a in arguments)

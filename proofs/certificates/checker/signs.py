@@ -271,7 +271,7 @@ class Values(Terms):
         kind, *inner = self.atoms[a]
         if self.is_natural(a):
             return NOT_NEGATIVE
-        if kind == "exp":
+        if kind in ("exp", "pi"):
             return POSITIVE
         if kind == "ln":
             return self.fraction_signs(inner[0] - ONE, known, found)

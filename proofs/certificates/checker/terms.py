@@ -2,7 +2,8 @@
 import math
 from fractions import Fraction as Q
 
-from checker.claims import as_power, FUNCTIONS, need, room
+from checker import circle
+from checker.claims import as_power, FUNCTIONS, need, PI, room
 
 
 # A polynomial is a dict {monomial: whole number}, a monomial a sorted tuple of (atom, exponent).
@@ -86,6 +87,20 @@ class F:
 
 ONE, ZERO = F(1), F(0)
 NO_DERIVATIVE = "a derivative of a member of a family or sequence, or of a sum over an index"
+
+
+def turned(u, v):
+    """The cosine and the sine of a sum from those of its two parts."""
+    (c, s), (d, t) = u, v
+    return total([c * d, -(s * t)]), total([s * d, c * t])
+
+
+def multiple(point, k):
+    """The cosine and the sine of k times what has this point."""
+    out = ONE, ZERO
+    for _ in range(k):
+        out = turned(out, point)
+    return out
 
 
 def the_atom(p):
@@ -291,6 +306,8 @@ class Terms:
         if tag == "num":
             return F(Q(e[1]))
         if tag == "name":
+            if e[1] == PI and not self.is_declared(PI):
+                return self.atom("pi")
             need(e[1] in self.scope, f"{e[1]} is not declared here")
             return self.atom(*self.atoms[self.scope[e[1]]])
         if tag == "neg":
@@ -310,6 +327,7 @@ class Terms:
             return self.power(self.scalar(e[1]), self.exponent(e[2]))
         if tag == "over":
             low, high = self.whole(self.scalar(e[3])), self.whole(self.scalar(e[4]))
+            need(e[2] != PI, f"the name {PI} is in use")
             self.depth += 1
             index = self.intern(("index", self.depth))
             try:
@@ -318,12 +336,16 @@ class Terms:
             finally:
                 self.depth -= 1
         if tag == "deriv":
-            equations = self.equations
-            f = self.read(e[1])
-            for x in e[2]:
-                need(x in self.scope and not self.is_natural(self.scope[x]), f"{x} is no real variable")
-                f = self.derivative(f, self.scope[x])
-            return self.replaced_all(f, equations)
+            # An equation is true at the point, not around it: none is put in before all derivatives are taken.
+            equations, self.equations = self.equations, ()
+            try:
+                f = self.scalar(e[1])
+                for x in e[2]:
+                    need(x in self.scope and not self.is_natural(self.scope[x]), f"{x} is no real variable")
+                    f = self.derivative(f, self.scope[x])
+                return self.replaced_all(f, equations)
+            finally:
+                self.equations = equations
         if tag == "matrix":
             return [[self.scalar(part) for part in row] for row in e[1]]
         return self.call(e[1], e[2])
@@ -343,6 +365,8 @@ class Terms:
             return self.power(x, F(Q(1, 2 if f == "sqrt" else 3)))
         if f in ("exp", "ln"):
             return self.exponential(x) if f == "exp" else self.logarithm(x)
+        if f in ("cos", "sin"):
+            return self.point(x)[f == "sin"]
         up, down, half, plain = self.exponential(x), self.exponential(-x), F(Q(1, 2)), self.read(arguments[0])
         up, down = self.put_in(("exp", plain)) or up, self.put_in(("exp", -plain)) or down
         cosh, sinh = total([up, down]) * half, total([up, -down]) * half
@@ -430,6 +454,32 @@ class Terms:
             return self.logarithm(inner[1]) * inner[2] * F(k)
         return ZERO if x.integer == 1 else self.atom("ln", x)
 
+    def point(self, u):
+        """The cosine and the sine of u, by those of its terms."""
+        out, terms = (ONE, ZERO), u.terms()
+        for part in [u] if terms is None else [monomial(m) * F(c) for c, m in terms]:
+            out = turned(out, self.point_of_term(part))
+        return out
+
+    def point_of_term(self, part):
+        pi = atom(self.intern(("pi",)))
+        turns = part * pi.power(-1)
+        if not turns.factors:
+            if known := circle.of_turns(turns.c):
+                return tuple(self.scalar(circle.written(p)) for p in known)
+            # Full turns change nothing.
+            part = pi * F((turns.c + 1) % 2 - 1)
+        elif self.is_whole(turns * F(Q(1, 2))):
+            return ONE, ZERO
+        elif self.is_whole(turns):
+            return self.power(F(-1), turns), ZERO
+        # The terms p·v and −p·v have the same atoms.
+        p = abs(part.c.numerator)
+        p = p if p <= circle.MULTIPLE_LIMIT else 1
+        v = part * F(Q(1 if part.c > 0 else -1, p))
+        c, s = multiple((self.atom("cos", v), self.atom("sin", v)), p)
+        return (c, s) if part.c > 0 else (c, -s)
+
     def over(self, kind, depth, low, high, body):
         """A sum term by term, a product factor by factor; what does not depend on the index is taken out. Divisors are
         taken out only where the range is not empty by its form: an empty sum of 1/n is 0, and not n·(1/n) for n = 0."""
@@ -487,10 +537,13 @@ class Terms:
         kind, *inner = self.atoms[a]
         if kind == "variable":
             return ONE
-        need(kind in ("ln", "exp", "power"), NO_DERIVATIVE)
+        need(kind in ("ln", "exp", "power", "cos", "sin"), NO_DERIVATIVE)
         slope = self.derivative(inner[0], x)
         if kind == "ln":
             return slope * inner[0].power(-1)
+        if kind in ("cos", "sin"):
+            other = atom(self.intern(("sin" if kind == "cos" else "cos", inner[0])))
+            return slope * (-other if kind == "cos" else other)
         if kind == "exp":
             return slope * atom(a)
         base, e = inner
@@ -525,7 +578,7 @@ class Terms:
 
     def replaced_atom(self, a, left, value, done):
         kind, *inner = self.atoms[a]
-        if kind in ("variable", "index"):
+        if kind in ("variable", "index", "pi"):
             return atom(a)
         new = [self.replaced(y, left, value, done) if isinstance(y, F) else y for y in inner]
         if new == inner:
@@ -536,4 +589,6 @@ class Terms:
             return self.power(new[0], inner[1] if self.is_whole(inner[1]) and not self.is_whole(new[1]) else new[1])
         if kind == "over":
             return self.over(new[0], new[1], self.whole(new[2]), self.whole(new[3]), new[4])
+        if kind in ("cos", "sin"):
+            return self.point(new[0])[kind == "sin"]
         return self.exponential(new[0]) if kind == "exp" else self.logarithm(new[0])

@@ -101,11 +101,20 @@ def printed(name):
     return re.sub(r"(?<=[A-Za-z])([0-9]+)$", r"_\1", name)
 
 
+def size(x):
+    """The number of nodes of a tree, counted up to a limit."""
+    count, open_ = 0, [x]
+    while open_ and count <= NODES_LIMIT:
+        count += 1
+        open_.extend(nodes(open_.pop()))
+    return count
+
+
 def fits(x):
     """Refuses trees with more than a limit of nodes, in time up to that limit."""
-    count, open_ = 0, [x]
-    while open_:
-        count += 1
-        room(count <= NODES_LIMIT, f"more than {NODES_LIMIT} nodes are written out")
-        open_.extend(nodes(open_.pop()))
+    need_room(size(x))
     return x
+
+
+def need_room(count):
+    room(count <= NODES_LIMIT, f"more than {NODES_LIMIT} nodes are written out")

@@ -153,6 +153,11 @@ pub enum Rule {
         /// The exponent x.
         with: Vec<(Name, Expr)>,
     },
+    /// What cosine and sine of a number are by the unit circle.
+    Circle {
+        /// The number u.
+        with: Vec<(Name, Expr)>,
+    },
     /// A function of one variable at two values, from the sign of its derivative: the mean value theorem.
     Slope {
         /// The sign of the derivative, for all values in an interval.
@@ -200,6 +205,7 @@ impl Rule {
             Rule::Termwise { .. } => "termwise",
             Rule::Mean { .. } => "mean",
             Rule::Tangent { .. } => "tangent",
+            Rule::Circle { .. } => "circle",
             Rule::Slope { .. } => "slope",
             Rule::Limit { .. } => "limit",
             Rule::Squeeze { .. } => "squeeze",
@@ -216,6 +222,7 @@ impl Rule {
             | Rule::Witness { with, .. }
             | Rule::Mean { with }
             | Rule::Tangent { with }
+            | Rule::Circle { with }
             | Rule::Slope { with, .. }
             | Rule::Limit { with } => with,
             _ => &[],
@@ -270,6 +277,7 @@ impl Show {
             | Rule::Unfold
             | Rule::Mean { .. }
             | Rule::Tangent { .. }
+            | Rule::Circle { .. }
             | Rule::Limit { .. } => {}
         }
     }

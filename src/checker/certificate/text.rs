@@ -323,7 +323,7 @@ fn read_field(draft: &mut Draft, field: &str) -> Result<(), Fault> {
 /// The step with the fields of its rule; a field that is not one of it is an error.
 fn finished(draft: Draft) -> Result<Show, Fault> {
     let Draft { label, rule, prop, from, by, using, with, times, terms, .. } = draft;
-    let has_with = matches!(rule.as_str(), "instance" | "witness" | "mean" | "tangent" | "slope" | "limit");
+    let has_with = matches!(rule.as_str(), "instance" | "witness" | "mean" | "tangent" | "circle" | "slope" | "limit");
     let has_from = matches!(
         rule.as_str(),
         "logic"
@@ -369,6 +369,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "termwise" => Rule::Termwise { from: one(&mut given)? },
         "mean" => Rule::Mean { with },
         "tangent" => Rule::Tangent { with },
+        "circle" => Rule::Circle { with },
         "slope" => Rule::Slope { source: one(&mut given)?, with, from: given.by_ref().collect() },
         "limit" => Rule::Limit { with },
         "squeeze" => Rule::Squeeze { from: given.by_ref().collect() },

@@ -8,7 +8,7 @@ use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions that [`super::trigonometry`] and [`super::floor`] write out.
-const WRITTEN_OUT: [&str; 5] = ["sin", "cos", "tan", "floor", "ceil"];
+const WRITTEN_OUT: [&str; 3] = ["tan", "floor", "ceil"];
 
 /// The kind of a declared name.
 #[derive(Clone, Copy, PartialEq)]
@@ -25,6 +25,8 @@ struct Names<'a> {
     natural: BTreeSet<String>,
     /// The names in scope in the order of their declaration: a scope ends by taking back its own.
     scope: Vec<String>,
+    /// Whether what is read next declares what the claim does: only there may `pi` get another meaning than π.
+    declares: bool,
     faults: &'a mut Vec<Diagnostic>,
 }
 
@@ -85,7 +87,7 @@ fn missing(faults: Vec<Diagnostic>) -> BTreeSet<String> {
 
 impl<'a> Names<'a> {
     fn new(faults: &'a mut Vec<Diagnostic>) -> Names<'a> {
-        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), faults }
+        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), declares: false, faults }
     }
 }
 
@@ -97,7 +99,11 @@ impl Names<'_> {
     fn item(&mut self, item: &Item) {
         let names = self;
         match item {
-            Item::Given(bindings) => names.bindings(bindings),
+            Item::Given(bindings) => {
+                names.declares = true;
+                names.bindings(bindings);
+                names.declares = false;
+            }
             Item::Let { name, parameters, value } => {
                 let outside = names.scope.len();
                 for parameter in parameters {
@@ -109,11 +115,15 @@ impl Names<'_> {
                 if parameters.is_empty() && names.is_natural(value) {
                     names.natural.insert(name.text.clone());
                 }
+                names.declares = true;
                 names.declare(name, role);
+                names.declares = false;
             }
             Item::Define { name, initial, index, step, .. } => {
                 names.expr(initial);
+                names.declares = true;
                 names.declare(name, Role::Function(1));
+                names.declares = false;
                 let outside = names.scope.len();
                 names.declare(index, Role::Value);
                 names.natural.insert(index.text.clone());
@@ -146,7 +156,15 @@ impl Names<'_> {
     /// Declares a name, bound ones included. A name has one meaning at a place: nothing is hidden by another of the
     /// same name, so that text can be put in place of a name without a change of meaning.
     fn declare(&mut self, name: &Name, role: Role) {
-        if FUNCTIONS.iter().any(|f| f.0 == name.text) {
+        if name.text == PI && !self.declares {
+            let message = "pi is the number π, which nothing else may be called here".to_string();
+            let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
+            self.faults.push(Diagnostic::new(fault, name.span));
+        } else if name.text == PI && self.faults.iter().any(is_pi) {
+            let message = "pi is used as the number π before it is declared".to_string();
+            let help = Some("declare it first, or choose another name".to_string());
+            self.faults.push(Diagnostic::new(Fault::Other { message, help }, name.span));
+        } else if FUNCTIONS.iter().any(|f| f.0 == name.text) {
             let message = format!("{} is a built-in function", name.text);
             let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
             self.faults.push(Diagnostic::new(fault, name.span));
@@ -167,6 +185,7 @@ impl Names<'_> {
     }
 
     fn bindings(&mut self, bindings: &[Binding]) {
+        let declares = std::mem::take(&mut self.declares);
         for binding in bindings {
             for (name, index) in &binding.names {
                 let outside = self.scope.len();
@@ -197,7 +216,9 @@ impl Names<'_> {
                 if binding.natural {
                     self.natural.insert(name.text.clone());
                 }
+                self.declares = declares;
                 self.declare(name, if index.is_some() { Role::Function(1) } else { Role::Value });
+                self.declares = false;
             }
         }
     }

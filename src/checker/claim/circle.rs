@@ -186,7 +186,7 @@ pub(super) fn compared(left: Expr, relation: Relation, right: Expr) -> Prop {
 
 /// A point of the unit circle: the cosine and the sine of an angle.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Point {
+pub(crate) struct Point {
     cos: Polynomial,
     sin: Polynomial,
 }

@@ -10,6 +10,7 @@ use super::walk;
 use std::collections::BTreeSet;
 
 /// The allocator of one claim.
+#[derive(Clone)]
 pub(super) struct Fresh {
     /// The taken names by their printed form.
     taken: BTreeSet<String>,

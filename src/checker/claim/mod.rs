@@ -3,7 +3,7 @@ pub(crate) mod abbreviation;
 mod angle;
 mod binding;
 mod check;
-mod circle;
+pub(crate) mod circle;
 mod constants;
 pub mod definedness;
 pub mod dimension;

@@ -118,6 +118,8 @@ pub const FUNCTIONS: &[(&str, usize)] = &[
     ("cbrt", 1),
     ("exp", 1),
     ("ln", 1),
+    ("cos", 1),
+    ("sin", 1),
     ("cosh", 1),
     ("sinh", 1),
     ("tanh", 1),

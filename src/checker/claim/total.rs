@@ -10,7 +10,7 @@ use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions with a value at every real number.
-const EVERYWHERE: [&str; 8] = ["abs", "max", "min", "exp", "cosh", "sinh", "sech", "tanh"];
+const EVERYWHERE: [&str; 10] = ["abs", "max", "min", "exp", "cos", "sin", "cosh", "sinh", "sech", "tanh"];
 
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
 /// and by what is positive by its form, and nothing in it has another condition. `named` says of a name whether what it
@@ -138,9 +138,7 @@ impl<'a> Recurrence<'a> {
             ExprKind::Apply(f, arguments) => match f.text.as_str() {
                 "sqrt" | "cbrt" => arguments.iter().all(|a| self.is_not_negative(a)),
                 "ln" => arguments.iter().all(|a| self.is_positive(a)),
-                word if EVERYWHERE.contains(&word) || word == "sin" || word == "cos" => {
-                    !self.values.partial.contains(word)
-                }
+                word if EVERYWHERE.contains(&word) => !self.values.partial.contains(word),
                 word if self.members.iter().any(|u| u.text == word) => true,
                 word => self.values.families.contains_key(word) && arguments.iter().all(|a| self.is_natural(a)),
             },

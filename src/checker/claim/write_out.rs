@@ -1,6 +1,6 @@
 //! A claim written out in the kernel's words.
 //!
-//! Contract: after `write_out` a claim has no angles, no floors, no limits but those at infinity, and no abbreviations, and says
+//! Contract: after `write_out` a claim has no floors, no limits but those at infinity, and no abbreviations, and says
 //! the same as before. What its author wrote stays in [`Claim::written`]. The claim that was written out is checked for its names
 //! again, as its author's was.
 
@@ -18,7 +18,8 @@ pub(super) fn write_out(claim: &mut Claim, faults: &mut Vec<Diagnostic>) {
     }
     let written = Written { items: said_items(claim), goal: claim.goal.clone(), made: Vec::new() };
     let mut fresh = Fresh::of(claim);
-    let stages = [trigonometry::write_out, limit::write_out, floor::write_out, abbreviation::write_out];
+    trigonometry::write_out(claim, &mut fresh);
+    let stages = [limit::write_out, floor::write_out, abbreviation::write_out];
     let mut found = Vec::new();
     for stage in stages {
         if found.is_empty() {

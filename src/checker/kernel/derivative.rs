@@ -1,4 +1,4 @@
-//! Derivatives of fractions, by the rules for sums, products, powers and logarithms.
+//! Derivatives of fractions, by the rules for sums, products, powers, logarithms, cosines and sines.
 
 use super::fraction::Fraction;
 use super::term::Atom;
@@ -52,6 +52,14 @@ impl Checker {
             }
             Some(Atom::Exponential(inner)) => {
                 Ok(self.derivative(&inner, by, depth)?.times(&Fraction::atom(place), &self.work)?)
+            }
+            Some(Atom::Cosine(u)) => {
+                let sine = Fraction::atom(self.intern(Atom::Sine(u.clone())));
+                Ok(self.derivative(&u, by, depth)?.times(&sine.negated(), &self.work)?)
+            }
+            Some(Atom::Sine(u)) => {
+                let cosine = Fraction::atom(self.intern(Atom::Cosine(u.clone())));
+                Ok(self.derivative(&u, by, depth)?.times(&cosine, &self.work)?)
             }
             Some(Atom::Power(base, exponent)) if self.is_free_of(&exponent, variable)? => {
                 // (b^E)′ = E·b′/b·b^E.

@@ -4,8 +4,9 @@
 //! by the four operations, by whole powers and by exact roots stays exact, until it is longer than [`EXACT_BITS`]; other ends
 //! are rounded outwards to [`PRECISION`] bits.
 //!
-//! Roots are whole roots of whole numbers. exp is its series at q/2^k, squared k times; ln is that of artanh. What is left
-//! of a series is bounded by a geometric one.
+//! Roots are whole roots of whole numbers. exp is its series at q/2^k, squared k times; ln is that of artanh. cos and sin are their
+//! series at what is left of full turns, and π is Machin's sum. What is left of a series is bounded by a geometric one, or by its
+//! next term.
 
 use super::fraction::{BITS_LIMIT, Work};
 use super::order::Signs;
@@ -165,6 +166,20 @@ impl Enclosure {
         Enclosure::between(low.low, high.high, work)
     }
 
+    /// π = 16·arctan(1/5) − 4·arctan(1/239).
+    pub(crate) fn pi(work: &Work) -> Result<Enclosure, Refusal> {
+        let part = |times: i64, k: i64| arctan_of_inverse(k, work)?.times(&Enclosure::integer(times), work);
+        part(16, 5)?.plus(&part(-4, 239)?, work)
+    }
+
+    /// The cosine and the sine. Both change by at most as much as their argument does.
+    pub(crate) fn cosine_and_sine(&self, work: &Work) -> Result<(Enclosure, Enclosure), Refusal> {
+        let (cosine, sine) = cosine_and_sine_of(&self.low, work)?;
+        let width = &self.high - &self.low;
+        let wider = |x: Enclosure| Enclosure::between(&x.low - &width, &x.high + &width, work);
+        Ok((wider(cosine)?, wider(sine)?))
+    }
+
     /// The same, and as much more or less as 2^-k.
     fn widened(&self, k: i64, work: &Work) -> Result<Enclosure, Refusal> {
         Enclosure::between(&self.low - two_to(-k), &self.high + two_to(-k), work)
@@ -260,4 +275,51 @@ fn artanh(z: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
         power = power.times(&square, work)?;
     }
     sum.widened(318, work)
+}
+
+/// arctan(1/k) = Σ (−1)^j/((2j + 1)·k^(2j + 1)) for k ≥ 5. The terms alternate and get smaller: what is left after the 75th is less
+/// than 5^-151 < 2^-350.
+fn arctan_of_inverse(k: i64, work: &Work) -> Result<Enclosure, Refusal> {
+    let over = |n: i64| Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n)));
+    let (mut power, square) = (over(k), over(-k * k));
+    let mut sum = Enclosure::integer(0);
+    for j in 0..75 {
+        sum = sum.plus(&power.times(&over(2 * j + 1), work)?, work)?;
+        power = power.times(&square, work)?;
+    }
+    sum.widened(350, work)
+}
+
+/// cos q and sin q: the real and the imaginary part of Σ (i·t)^n/n! for t = q − 2·k·π, |t| < 4. What is left of either behind the 119th
+/// term is at most 4^120/120! < 2^-400.
+fn cosine_and_sine_of(q: &BigRational, work: &Work) -> Result<(Enclosure, Enclosure), Refusal> {
+    if q.is_zero() {
+        return Ok((Enclosure::integer(1), Enclosure::integer(0)));
+    }
+    if q.to_integer().bits() > 18 {
+        return Err(Refusal::Limit("digits"));
+    }
+    let mut t = Enclosure::exact(q.clone());
+    if q.abs() >= BigRational::from_integer(BigInt::from(4)) {
+        let turn = Enclosure::pi(work)?.times(&Enclosure::integer(2), work)?;
+        // Rounded to the nearest, so that what is left is about π at most.
+        let turns = (q / &turn.low).round();
+        t = t.minus(&turn.times(&Enclosure::exact(turns), work)?, work)?;
+    }
+    let four = BigRational::from_integer(BigInt::from(4));
+    if t.low <= -&four || t.high >= four {
+        return rejected(Reason::NotDecided);
+    }
+    let mut term = Enclosure::integer(1);
+    let mut sums = [Enclosure::integer(0), Enclosure::integer(0)];
+    for n in 0..120u8 {
+        let next = if n % 4 < 2 { term.clone() } else { term.negated() };
+        if let Some(sum) = sums.get_mut(usize::from(n % 2)) {
+            *sum = sum.plus(&next, work)?;
+        }
+        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n + 1)));
+        term = term.times(&t, work)?.times(&over, work)?;
+    }
+    let [cosine, sine] = sums;
+    Ok((cosine.widened(330, work)?, sine.widened(330, work)?))
 }

@@ -43,7 +43,9 @@ impl Checker {
     pub(super) fn evaluate(&mut self, goal: &Prop, using: &[String]) -> Fallible<()> {
         let mut names = BTreeSet::new();
         free_names(goal, &mut names);
-        if let Some(other) = names.into_iter().find(|n| !FUNCTIONS.contains(&n.as_str()) && !self.is_declared(n)) {
+        if let Some(other) =
+            names.into_iter().find(|n| !FUNCTIONS.contains(&n.as_str()) && n != PI && !self.is_declared(n))
+        {
             return rejected(Reason::Undeclared(other));
         }
         let facts = using.iter().map(|label| self.fact(label)).collect::<Fallible<Vec<_>>>()?;
@@ -131,6 +133,7 @@ impl Point<'_> {
                 Some((_, index)) => Enclosure::exact(BigRational::from_integer(index.clone())),
                 None => match self.values.get(name) {
                     Some(value) => Enclosure::exact(value.clone()),
+                    None if name == PI && !self.statement.declares(PI) => Enclosure::pi(work)?,
                     None => return rejected(Reason::NoNumber(e.clone())),
                 },
             },
@@ -224,6 +227,8 @@ impl Point<'_> {
             "cbrt" => self.number_that_is(argument, Signs::NOT_NEGATIVE)?.root(3, work)?,
             "exp" => self.number(argument)?.exp(work)?,
             "ln" => self.number_that_is(argument, Signs::POSITIVE)?.ln(work)?,
+            "cos" => self.number(argument)?.cosine_and_sine(work)?.0,
+            "sin" => self.number(argument)?.cosine_and_sine(work)?.1,
             "cosh" | "sinh" | "sech" | "tanh" => {
                 let x = self.number(argument)?;
                 let (up, down) = (x.exp(work)?, x.negated().exp(work)?);

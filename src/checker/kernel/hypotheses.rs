@@ -28,7 +28,7 @@ impl Checker {
             names_in(&u.step, &mut names);
             names.remove(&u.index);
             names_in(&u.initial, &mut names);
-            let known = |n: &String| self.is_declared(n) || term::FUNCTIONS.contains(&n.as_str());
+            let known = |n: &String| self.is_declared(n) || term::FUNCTIONS.contains(&n.as_str()) || n == PI;
             if let Some(free) = names.iter().find(|n| !known(n)) {
                 return rejected(Reason::Undeclared(free.clone()));
             }

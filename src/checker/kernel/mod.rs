@@ -12,11 +12,13 @@
 //! equations to put in from the facts under `using`, and from nothing else. No step changes the meaning of a later one.
 //!
 //! **What is assumed.** The axioms of the ordered field of reals; exp and its inverse ln on positive numbers, with
-//! b^E = exp(E·ln b); their derivatives; induction. Three theorems of analysis as well: the inequality of the weighted means of
+//! b^E = exp(E·ln b); cos and sin with their sums of angles, cos² + sin² = 1 and the least zero π of sin above 0; their
+//! derivatives; induction. Three theorems of analysis as well: the inequality of the weighted means of
 //! two values, exp above its tangent (`analysis`), and the mean value theorem (`slope`). [`Accepted::rests_on`] names those
 //! of the three that a proof uses.
 //!
-//! The kernel imports the syntax tree, the certificate as data, num-bigint and num-rational. It searches nothing.
+//! The kernel imports the syntax tree, the exact points of the unit circle, the certificate as data, num-bigint and num-rational. It
+//! searches nothing.
 //!
 //! Work, depth and size have limits. A certificate that reaches one is not rejected: the verdict is [`Verdict::Declined`].
 
@@ -50,6 +52,7 @@ mod term;
 pub mod text;
 mod trail;
 mod tree;
+pub mod trigonometry;
 mod value;
 pub mod view;
 mod well_formed;
@@ -483,6 +486,7 @@ impl Checker {
             Rule::Termwise { from } => self.termwise(goal, from, known)?,
             Rule::Mean { with } => self.mean(goal, with, known)?,
             Rule::Tangent { with } => self.tangent(goal, with, known)?,
+            Rule::Circle { with } => self.circle(goal, with, known)?,
             Rule::Slope { source, with, from } => self.slope(goal, source, with, from, known)?,
             Rule::Limit { with } => self.limit(goal, with, known)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,

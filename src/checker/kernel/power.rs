@@ -198,6 +198,15 @@ impl Checker {
         Ok(out)
     }
 
+    /// The terms of a polynomial; itself where it has a divisor.
+    pub(super) fn summands(&self, f: &Fraction) -> Result<Vec<Fraction>, Refusal> {
+        let Some(poly) = self.polynomial(f)? else { return Ok(vec![f.clone()]) };
+        let term = |(monomial, c): (&Monomial, &BigRational)| {
+            self.monomial(monomial)?.times(&Fraction::number(c.clone()), &self.work)
+        };
+        poly.terms().map(term).collect()
+    }
+
     /// exp of a fraction: exp(E + F) = exp E·exp F, exp(p·F/q) = exp(F/q)^p,
     /// exp(E·ln x) = x^E, for x > 0 where ln x has a value.
     pub(super) fn exponential(&mut self, log: &Fraction) -> Result<Fraction, Refusal> {
@@ -205,17 +214,7 @@ impl Checker {
             return Ok(Fraction::integer(1));
         }
         let mut out = Fraction::integer(1);
-        let parts = match self.polynomial(log)? {
-            Some(poly) => {
-                let mut parts = Vec::new();
-                for (monomial, c) in poly.terms() {
-                    parts.push(self.monomial(monomial)?.times(&Fraction::number(c.clone()), &self.work)?);
-                }
-                parts
-            }
-            None => vec![log.clone()],
-        };
-        for part in parts {
+        for part in self.summands(log)? {
             let mut logs = part.factors.iter().filter_map(|(poly, k)| {
                 match poly.single_atom().and_then(|place| self.atoms.get(place)) {
                     Some(Atom::Logarithm(x)) if *k == 1 => Some((poly.clone(), x.clone())),
@@ -259,7 +258,7 @@ impl Checker {
 }
 
 /// p and F/q of p·F/q, p and q positive or negative whole numbers without common divisor; p = 1 where it is too long.
-fn numerator_apart(f: &Fraction) -> (i64, Fraction) {
+pub(super) fn numerator_apart(f: &Fraction) -> (i64, Fraction) {
     match i64::try_from(f.coefficient.numer()) {
         Ok(top) if top != 0 => {
             let mut rest = f.clone();

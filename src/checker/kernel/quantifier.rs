@@ -159,6 +159,9 @@ impl Checker {
                 return rejected(Reason::NoFact(source.to_string()));
             };
             let cited = &accepted.statement;
+            if self.is_declared(PI) && !cited.declares(PI) && cited.names().contains(PI) {
+                return rejected(Reason::Capture(PI.to_string()));
+            }
             for u in &cited.sequences {
                 let text = |s: &super::statement::Sequence| {
                     format!("{} {} {} {}", s.name, s.index, key::expr(&s.initial), key::expr(&s.step))

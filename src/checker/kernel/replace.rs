@@ -157,7 +157,7 @@ impl Checker {
         let Some(found) = self.atoms.get(place).cloned() else { return Ok(plain) };
         let mut inner = |checker: &mut Checker, f: &Fraction| checker.replaced_in(f, atom, value, done, depth);
         match found {
-            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) => Ok(plain),
+            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) | Atom::Pi => Ok(plain),
             Atom::Member(name, index) => {
                 let index = inner(self, &Fraction::of(&index))?;
                 let index = self.whole(&index)?;
@@ -176,6 +176,14 @@ impl Checker {
             Atom::Logarithm(x) => {
                 let x = inner(self, &x)?;
                 self.logarithm(&x)
+            }
+            Atom::Cosine(u) => {
+                let u = inner(self, &u)?;
+                Ok(self.cosine_and_sine(&u)?.0)
+            }
+            Atom::Sine(u) => {
+                let u = inner(self, &u)?;
+                Ok(self.cosine_and_sine(&u)?.1)
             }
             Atom::Over(over) => {
                 let (from, to) = (inner(self, &Fraction::of(&over.from))?, inner(self, &Fraction::of(&over.to))?);

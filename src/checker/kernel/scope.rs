@@ -2,7 +2,7 @@
 
 use super::term::Atom;
 use super::{Checker, NAMES_LIMIT, Reason, Refusal, rejected};
-use crate::claim::syntax::Binding;
+use crate::claim::syntax::{Binding, PI};
 
 /// A name in scope.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,9 +23,9 @@ impl Checker {
         Ok(())
     }
 
-    /// Brings a name into scope, which must be new.
+    /// Brings a name into scope, which must be new. `pi` is π in every fact, unless the claim declares it.
     pub(super) fn declare(&mut self, name: &str, natural: bool, atom: Atom) -> Result<(), Refusal> {
-        if self.is_declared(name) {
+        if self.is_declared(name) || name == PI && !self.statement.declares(PI) {
             return rejected(Reason::NameInUse(name.to_string()));
         }
         // Variables come before what is made of them, in the order in which they are declared. How a difference is written,

@@ -236,7 +236,7 @@ impl Checker {
             return Ok(Signs::NOT_NEGATIVE);
         }
         Ok(match self.atoms.get(atom) {
-            Some(Atom::Exponential(_)) => Signs::POSITIVE,
+            Some(Atom::Exponential(_) | Atom::Pi) => Signs::POSITIVE,
             Some(Atom::Power(base, exponent)) => {
                 let base = self.fraction_signs(base, known, depth, found)?;
                 match self.is_whole(exponent)? {

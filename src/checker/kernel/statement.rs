@@ -73,6 +73,12 @@ impl Statement {
         Ok((Statement { name: claim.name.text.clone(), bindings, sequences, assumptions, goal }, lets))
     }
 
+    /// Whether it declares this name.
+    pub fn declares(&self, name: &str) -> bool {
+        self.bindings.iter().flat_map(|b| &b.names).any(|n| n.0.text == name)
+            || self.sequences.iter().any(|u| u.name == name)
+    }
+
     /// Every name that occurs, bound ones included.
     pub fn names(&self) -> BTreeSet<String> {
         let mut out = BTreeSet::new();

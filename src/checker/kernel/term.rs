@@ -36,17 +36,25 @@ pub(super) enum Atom {
     Exponential(Fraction),
     /// ln of a fraction other than 1.
     Logarithm(Fraction),
+    /// π.
+    Pi,
+    /// cos of a fraction.
+    Cosine(Fraction),
+    /// sin of a fraction.
+    Sine(Fraction),
 }
 
 impl Atom {
     /// The atoms that it is made of.
     pub(super) fn parts(&self) -> Vec<usize> {
         match self {
-            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) => Vec::new(),
+            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) | Atom::Pi => Vec::new(),
             Atom::Member(_, index) => index.atoms().collect(),
             Atom::Over(over) => over.from.atoms().chain(over.to.atoms()).chain(over.body.atoms()).collect(),
             Atom::Power(base, exponent) => base.atoms().chain(exponent.atoms()).collect(),
-            Atom::Exponential(inner) | Atom::Logarithm(inner) => inner.atoms().collect(),
+            Atom::Exponential(inner) | Atom::Logarithm(inner) | Atom::Cosine(inner) | Atom::Sine(inner) => {
+                inner.atoms().collect()
+            }
         }
     }
 }
@@ -67,8 +75,8 @@ pub(super) struct Over {
 }
 
 /// The functions that the kernel knows.
-pub(crate) const FUNCTIONS: [&str; 10] =
-    ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cosh", "sinh", "sech", "tanh"];
+pub(crate) const FUNCTIONS: [&str; 12] =
+    ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cos", "sin", "cosh", "sinh", "sech", "tanh"];
 
 /// A number, or a matrix of them.
 pub(super) enum Value {
@@ -250,6 +258,7 @@ impl Checker {
                     let atom = variable.atom.clone();
                     self.atom_fraction(atom)
                 }
+                None if name == PI && !self.is_declared(PI) => self.atom_fraction(Atom::Pi),
                 None => return rejected(Reason::Undeclared(name.clone())),
             },
             ExprKind::Apply(function, arguments) => return self.apply_function(function, arguments, depth),
@@ -380,6 +389,8 @@ impl Checker {
             "cbrt" => self.power(&x, &part(3)?)?,
             "exp" => self.exponential(&x)?,
             "ln" => self.logarithm(&x)?,
+            "cos" => self.cosine_and_sine(&x)?.0,
+            "sin" => self.cosine_and_sine(&x)?.1,
             "cosh" | "sinh" | "sech" | "tanh" => self.hyperbolic(name, argument, &x, depth)?,
             _ => return rejected(Reason::Undeclared(name.to_string())),
         }))

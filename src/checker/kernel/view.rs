@@ -10,7 +10,7 @@ use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};
 use crate::certificate::{Label, Show};
-use crate::claim::syntax::{Expr, ExprKind, Factor, Index, Name, Sign};
+use crate::claim::syntax::{Expr, ExprKind, Factor, Index, Name, PI, Sign};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -159,6 +159,9 @@ impl Checker {
             Some(Atom::Member(family, at)) => apply(family, self.poly_expr(at)),
             Some(Atom::Exponential(log)) => apply("exp", self.fraction_expr(log)),
             Some(Atom::Logarithm(inner)) => apply("ln", self.fraction_expr(inner)),
+            Some(Atom::Pi) => name(PI),
+            Some(Atom::Cosine(u)) => apply("cos", self.fraction_expr(u)),
+            Some(Atom::Sine(u)) => apply("sin", self.fraction_expr(u)),
             Some(Atom::Power(base, exponent)) => {
                 let (base, exponent) = (self.fraction_expr(base), self.fraction_expr(exponent));
                 expr(ExprKind::Power(Box::new(base), Box::new(exponent)))

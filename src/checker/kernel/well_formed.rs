@@ -125,17 +125,21 @@ pub(super) fn claim(claim: &Claim) -> Result<(), Refusal> {
     for item in &claim.items {
         walk.room = Room::new();
         match item {
-            Item::Given(bindings) => walk.bindings(bindings)?,
+            Item::Given(bindings) => {
+                walk.declares = true;
+                walk.bindings(bindings)?;
+                walk.declares = false;
+            }
             Item::Let { name, parameters, value } => {
                 let outside = walk.bound.len();
                 parameters.iter().try_for_each(|parameter| walk.bind(&parameter.text))?;
                 walk.expr(value)?;
                 walk.leave(outside);
-                walk.bind(&name.text)?;
+                walk.declare(&name.text)?;
             }
             Item::Define { name, initial, index, step, .. } => {
                 walk.expr(initial)?;
-                walk.bind(&name.text)?;
+                walk.declare(&name.text)?;
                 let outside = walk.bound.len();
                 walk.bind(&index.text)?;
                 walk.expr(step)?;
@@ -191,6 +195,10 @@ struct Walk<'a> {
     room: Room,
     /// Whether it is a claim: then names are declared before they are used, and an index takes a new one.
     is_claim: bool,
+    /// Whether the bindings that are read next declare what the claim does: only these may give `pi` another meaning than π.
+    declares: bool,
+    /// Whether `pi` was used as the number π.
+    uses_pi: bool,
     /// The names outside that no quantifier may bind.
     taken: &'a dyn Fn(&str) -> bool,
     /// The names that are declared or bound here, in this order.
@@ -201,12 +209,31 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(is_claim: bool, taken: &'a dyn Fn(&str) -> bool) -> Walk<'a> {
-        Walk { room: Room::new(), is_claim, taken, bound: Vec::new(), known: BTreeSet::new() }
+        Walk {
+            room: Room::new(),
+            is_claim,
+            declares: false,
+            uses_pi: false,
+            taken,
+            bound: Vec::new(),
+            known: BTreeSet::new(),
+        }
     }
 
-    /// Takes a name that begins here.
+    /// Takes a name that begins here. No such name hides π.
     fn bind(&mut self, name: &'a str) -> Result<(), Refusal> {
+        if name == PI {
+            return rejected(Reason::NoName(name.to_string()));
+        }
+        self.declare(name)
+    }
+
+    /// Takes a name that the claim declares; `pi` if it was not used as a number before.
+    fn declare(&mut self, name: &'a str) -> Result<(), Refusal> {
         self.spelled(name, false)?;
+        if name == PI && self.uses_pi {
+            return rejected(Reason::NameInUse(name.to_string()));
+        }
         if FUNCTIONS.contains(&name) {
             return rejected(Reason::NoName(name.to_string()));
         }
@@ -235,8 +262,12 @@ impl<'a> Walk<'a> {
     }
 
     /// A name that is used.
-    fn used(&self, text: &str) -> Result<(), Refusal> {
+    fn used(&mut self, text: &str) -> Result<(), Refusal> {
         self.spelled(text, false)?;
+        if text == PI && !self.known.contains(text) {
+            self.uses_pi = true;
+            return Ok(());
+        }
         if self.is_claim && !self.known.contains(text) {
             return rejected(Reason::Undeclared(text.to_string()));
         }
@@ -280,6 +311,7 @@ impl<'a> Walk<'a> {
                 let outside = self.bound.len();
                 match self.is_claim {
                     true => self.bind(&index.name.text)?,
+                    false if index.name.text == PI => return rejected(Reason::NoName(index.name.text.clone())),
                     false => self.spelled(&index.name.text, false)?,
                 }
                 self.expr(body)?;
@@ -361,6 +393,7 @@ impl<'a> Walk<'a> {
 
     /// Declares names one after the other; those of a binding do not stand in its own bounds.
     fn bindings(&mut self, bindings: &'a [Binding]) -> Result<(), Refusal> {
+        let declares = std::mem::take(&mut self.declares);
         for binding in bindings {
             if binding.names.is_empty() {
                 return malformed(Shape::Binding);
@@ -377,7 +410,9 @@ impl<'a> Walk<'a> {
             if let Some((from, to)) = &binding.indices {
                 self.exprs([from, to])?;
             }
-            binding.names.iter().try_for_each(|name| self.bind(&name.0.text))?;
+            for (name, _) in &binding.names {
+                if declares { self.declare(&name.text)? } else { self.bind(&name.text)? }
+            }
         }
         Ok(())
     }

@@ -245,6 +245,9 @@ impl Checker {
             Some(Atom::Member(family, index)) => apply(family, self.poly_words(index)),
             Some(Atom::Logarithm(inner)) => apply("ln", self.fraction_words(inner)),
             Some(Atom::Exponential(inner)) => apply("exp", self.fraction_words(inner)),
+            Some(Atom::Pi) => name(PI),
+            Some(Atom::Cosine(u)) => apply("cos", self.fraction_words(u)),
+            Some(Atom::Sine(u)) => apply("sin", self.fraction_words(u)),
             Some(Atom::Power(base, exponent)) => {
                 expr(ExprKind::Power(Box::new(self.fraction_words(base)), Box::new(self.fraction_words(exponent))))
             }

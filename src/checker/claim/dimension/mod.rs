@@ -207,7 +207,7 @@ mod tests {
             ("prove m1*v = m1*v^2", "m1*v = m1*v^2: m1*v [kg·m/s], m1*v^2 [kg·m²/s²]"),
             ("prove 0 <= x + v", "x + v: x [m], v [m/s]"),
             ("prove exp(x) > 0", "exp(x): x [m], the argument of exp [1]"),
-            ("prove sin(m1*theta) <= 1", "fault: this is not an angle"),
+            ("prove sin(2*m1) <= 1", "sin(2*m1): 2*m1 [kg], the argument of sin [1]"),
             ("prove m1^v > 0", "m1^v: v [m/s], an exponent [1]"),
             ("prove v*t = t*v + 1", "t*v + 1: t*v [m], 1 [1]"),
             ("prove sqrt(x) = x", "sqrt(x) = x: sqrt(x) [m^(1/2)], x [m]"),

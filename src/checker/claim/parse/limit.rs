@@ -14,6 +14,10 @@ impl Parser {
         self.need_word("as")?;
         let variable = self.name("the variable that moves")?;
         let is_declared = self.declared.contains(&variable.text);
+        if variable.text == PI && !is_declared {
+            let message = "pi is the number π, which nothing else may be called here";
+            return Err(self.other(message, Some("choose another name"), variable.span));
+        }
         let domain = self.span();
         let said = self.grows(&variable);
         let (has_domain, natural) = (said.is_some(), said == Some(true));

@@ -26,28 +26,19 @@ impl Writer<'_> {
                     }
                 }
                 if said.is_empty() && label.is_some() {
-                    let help = "remove the label: the bounds of an angle are known without it";
-                    return self.fault("bounds of an angle cannot have a label".to_string(), help, span);
+                    return self.give_up();
                 }
                 out.extend(conjunction(said, span).map(|prop| Item::Assume { label, prop }));
             }
             mut other => {
                 match &mut other {
                     Item::Assume { prop, .. } => self.prop(prop),
-                    Item::Let { name, parameters, value } => {
+                    Item::Let { parameters, value, .. } => {
                         // A parameter may have the name of an angle elsewhere in the claim.
                         let hidden: Vec<_> =
                             parameters.iter().filter_map(|p| self.angles.remove_entry(&p.text)).collect();
                         self.expr(value);
                         self.angles.extend(hidden);
-                        let inner = self.values.under(parameters).and_then(|values| values.expr(value));
-                        match inner {
-                            Ok(value) => {
-                                let parameters = parameters.iter().map(|p| p.text.clone()).collect();
-                                self.values.define(&name.text, parameters, value);
-                            }
-                            Err(obstacle) => self.refused(obstacle, value.span),
-                        }
                     }
                     item => walk::of_item(item, &mut |e| self.expr(e)),
                 }
@@ -73,12 +64,12 @@ impl Writer<'_> {
             }
             for (name, index) in angles {
                 if !is_plain || index.is_some() {
-                    self.cannot_be_an_angle(&name.text, name.span);
+                    self.give_up();
                     continue;
                 }
                 let mut bounds = self.bounds.get(&name.text).filter(|_| is_given).cloned().unwrap_or_default();
                 if !constraints.iter().all(|c| self.narrow(&mut bounds, c)) {
-                    self.not_about_angles(span);
+                    self.give_up();
                     continue;
                 }
                 self.bounds.insert(name.text.clone(), bounds.clone());
@@ -98,10 +89,7 @@ impl Writer<'_> {
                 conditions.push(compared(squares, Relation::Equal, numeral(name.span, 1)));
                 match bounds.conditions(&part, over, span) {
                     Some(list) => conditions.extend(list),
-                    None => {
-                        let help = "use multiples of pi/120, the lower bound below the upper one";
-                        self.fault(format!("these bounds of {} cannot be used", name.text), help, span);
-                    }
+                    None => self.give_up(),
                 }
             }
         }

@@ -29,16 +29,16 @@ impl Writer<'_> {
 
     /// Puts them in within one expression.
     fn put_in(&mut self, e: &mut Expr, functions: &Substitution) {
-        if !self.faults.is_empty() {
+        if !self.is_possible {
             return;
         }
         match functions.expr(e) {
             Ok(written) => *e = written,
-            Err(obstacle) => return self.refused(obstacle, e.span),
+            Err(_) => return self.give_up(),
         }
         self.nodes += walk::nodes_in(e);
         if self.nodes > NODES_LIMIT {
-            self.limit("nodes of angles written out", NODES_LIMIT, e.span);
+            self.give_up();
         }
     }
 }

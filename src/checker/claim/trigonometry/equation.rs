@@ -18,7 +18,7 @@ impl Writer<'_> {
     pub(super) fn relation(&mut self, a: &Expr, b: &Expr) -> Vec<Prop> {
         let span = Span { start: a.span.start, end: b.span.end };
         let Some(sum) = self.difference(a, b) else {
-            self.not_about_angles(span);
+            self.give_up();
             return Vec::new();
         };
         // The coefficient of the named angle is 1 or -1: cosine and sine can be solved for.
@@ -31,13 +31,12 @@ impl Writer<'_> {
             single(name, k) && self.bounds.get(*name).is_none_or(Bounds::are_none) && others == 1
         });
         if free.is_none() && !self.turns_are_known(&sum) {
-            let help = "give the angles bounds that exclude this, such as `alpha, beta, gamma in (0, pi)`";
-            self.fault("the two sides may differ by a multiple of 2*pi".to_string(), help, span);
+            self.give_up();
             return Vec::new();
         }
         let Some((name, k)) = free.or(solved).map(|(name, k)| (name.clone(), k.clone())) else {
             let is = |value: Expr, k: u32| compared(value, Relation::Equal, numeral(span, k));
-            let zero = self.point(&sum, span);
+            let zero = self.point(&sum);
             return zero.map_or(Vec::new(), |p| vec![is(p.cosine(span), 1), is(p.sine(span), 0)]);
         };
         let mut rest = sum;
@@ -48,7 +47,7 @@ impl Writer<'_> {
         let Some((cos, sin)) = self.angles.get(&name).map(|v| (v.cos.clone(), v.sin.clone())) else {
             return Vec::new();
         };
-        let Some(point) = self.point(&rest, span) else { return Vec::new() };
+        let Some(point) = self.point(&rest) else { return Vec::new() };
         let value = |text: String| at(span, ExprKind::Name(text));
         vec![
             compared(value(cos), Relation::Equal, point.cosine(span)),

@@ -1,10 +1,10 @@
 //! sin, cos, tan and π, written out where a claim is read.
 //!
-//! Contract: after [`write_out`] a claim has no angles. Each angle θ becomes two real variables `cos_theta` and `sin_theta` with
+//! Contract: [`write_out`] leaves a claim as its author wrote it, but for `tan(u)`, unless every use of sin, cos and π in it is one of
+//! an angle. Otherwise it has no angles afterwards. Each angle θ becomes two real variables `cos_theta` and `sin_theta` with
 //! cos_theta² + sin_theta² = 1. The claim means the same as before: (c, s) lies on the unit circle if and only if c = cos θ and
 //! s = sin θ for some θ, and a claim uses an angle only through its cosine and sine. Two other uses are allowed and written out:
-//! bounds of an angle ([`Bounds::conditions`]) and equations between angles ([`Writer::relation`]). Every other use is an error.
-//! So search, kernel and exports never see an angle. A proof or a counterexample of the written claim is one of the claim that was
+//! bounds of an angle ([`Bounds::conditions`]) and equations between angles ([`Writer::relation`]). A proof or a counterexample of the written claim is one of the claim that was
 //! meant.
 //!
 //! | in the claim | written as |
@@ -14,7 +14,6 @@
 //! | `cos(theta/2)` | `cos_theta_over_2`; θ is then written as twice θ/2 |
 //! | `tan(u)` | `sin(u)/cos(u)` |
 //! | `sin(pi/12)` | `(sqrt(6) - sqrt(2))/4`; likewise every multiple of π/120 |
-//! | `derivative(f, theta)` | the derivative, carried out |
 //! | `maximum of f over theta in [0, pi] at theta = pi/2 is M` | `f <= M` for all θ, and `f = M` there |
 //! | `let h = theta/2`, `let R(a) = [cos(a), …]` | the definition, put in where it is used |
 //!
@@ -24,20 +23,16 @@
 
 mod declaration;
 mod definitions;
-mod derivative;
 mod equation;
 mod expression;
 mod proposition;
-mod tied;
 mod value;
 mod variables;
 
 use super::angle::{Angle, Bounds, Linear};
-use super::diagnostic::{Diagnostic, Fault};
 use super::fresh::Fresh;
-use super::matrix::numeral;
-use super::preamble::{applied, declared};
-use super::substitution::{Obstacle, Substitution};
+use super::matrix::{apply, numeral};
+use super::preamble::declared;
 use super::syntax::*;
 use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,20 +77,16 @@ struct Writer<'a> {
     bounds: BTreeMap<String, Bounds>,
     /// The equations between angles in the hypotheses, each as a sum that is 0.
     equations: Vec<Angle>,
-    /// All other definitions, written out.
-    values: Substitution,
-    /// The names that take an argument: families, sequences and definitions with parameters.
-    applied: BTreeSet<String>,
-    /// Names that a hypothesis or a domain ties to each other, definitions put in.
-    ties: Vec<BTreeSet<String>>,
     fresh: &'a mut Fresh,
     /// How many nodes were written so far, at most [`NODES_LIMIT`].
     nodes: usize,
-    faults: &'a mut Vec<Diagnostic>,
+    /// Whether every use so far is one of an angle.
+    is_possible: bool,
 }
 
-/// Writes out every angle of a claim.
-pub(super) fn write_out(claim: &mut Claim, fresh: &mut Fresh, faults: &mut Vec<Diagnostic>) {
+/// Writes out every angle of a claim. Where a variable is used in another way than as an angle, or π as a number, `sin` and `cos`
+/// stay what they are, functions of real numbers, and only `tan(u)` is written out.
+pub(super) fn write_out(claim: &mut Claim, fresh: &mut Fresh) {
     let mut own: BTreeSet<String> = claim.items.iter().flat_map(declared).map(|n| n.text.clone()).collect();
     walk::bound_names(claim, &mut |name| {
         own.insert(name.to_string());
@@ -108,45 +99,52 @@ pub(super) fn write_out(claim: &mut Claim, fresh: &mut Fresh, faults: &mut Vec<D
     if !speaks_of_angles {
         return;
     }
-    let mut found = Vec::new();
+    let (author, names_before) = (claim.clone(), fresh.clone());
     let mut writer = Writer {
-        words,
+        words: words.clone(),
         is_pi,
         definitions: BTreeMap::new(),
         angles: BTreeMap::new(),
         bounds: BTreeMap::new(),
         equations: Vec::new(),
-        values: Substitution::default(),
-        applied: claim.items.iter().flat_map(applied).map(|n| n.text.clone()).collect(),
-        ties: Vec::new(),
         fresh,
         nodes: 0,
-        faults: &mut found,
+        is_possible: true,
     };
     writer.put_in_functions(claim);
-    if writer.faults.is_empty() {
+    if writer.is_possible {
         writer.find_angles(claim);
-        if writer.differentiates_by_an_angle(claim) {
-            writer.find_ties(claim);
-        }
+        writer.find_derivatives(claim);
     }
-    if writer.faults.is_empty() {
+    if writer.is_possible {
         writer.name_cosines_and_sines();
         writer.claim(claim);
     }
-    faults.extend(found);
+    if writer.is_possible {
+        return;
+    }
+    (*claim, *fresh) = (author, names_before);
+    if words.contains(&"tan") {
+        walk::expressions(claim, &mut |e| tangents_written(e));
+    }
+}
+
+/// `sin(u)/cos(u)` for every `tan(u)`.
+fn tangents_written(e: &mut Expr) {
+    walk::parts_mut(e, &mut |part| tangents_written(part));
+    let span = e.span;
+    if let ExprKind::Apply(f, arguments) = &e.kind
+        && let ("tan", [u]) = (f.text.as_str(), arguments.as_slice())
+    {
+        let of = |word: &str| apply(span, word, u.clone());
+        e.kind = ExprKind::Product(vec![(Factor::Times, of("sin")), (Factor::Over, of("cos"))]);
+    }
 }
 
 impl Writer<'_> {
-    fn fault(&mut self, message: String, help: &str, span: Span) {
-        let fault = Diagnostic::new(Fault::Other { message, help: Some(help.to_string()) }, span);
-        if !self.faults.contains(&fault) {
-            self.faults.push(fault);
-        }
-    }
-
-    fn limit(&mut self, name: &'static str, allowed: usize, span: Span) {
-        self.faults.push(Diagnostic::new(Fault::Limit { name, allowed }, span));
+    /// A variable is used otherwise than as an angle, or the claim is too long when it is written out.
+    fn give_up(&mut self) {
+        self.is_possible = false;
     }
 
     /// `sin(u)`, `cos(u)` or `tan(u)` as the function and its argument u.
@@ -167,37 +165,6 @@ impl Writer<'_> {
         found
     }
 
-    /// An angle used outside sin, cos and tan in another way than bounds and equations.
-    fn not_about_angles(&mut self, span: Span) {
-        let help = "bound an angle by multiples of pi, such as `0 < theta < pi/2`, or equate sums of angles, such as \
-                    `alpha + beta + gamma = pi`; write everything else with sin, cos and tan";
-        self.fault("an angle cannot be used here".to_string(), help, span);
-    }
-
-    /// Why a definition is not put in, or the place of an extremum.
-    fn refused(&mut self, obstacle: Obstacle, span: Span) {
-        match obstacle {
-            Obstacle::Capture(name) => {
-                let message = format!("a definition and what it is applied to both use the name {name}");
-                self.fault(message, "rename the index in the definition", span);
-            }
-            Obstacle::Moves(name) => {
-                let message = format!("a definition that differentiates by {name} cannot be applied here");
-                self.fault(message, "write the derivative out in the definition", span);
-            }
-            Obstacle::NotAFunction(name) => {
-                self.fault(format!("{name} is not a function"), "write a product with `*`", span);
-            }
-            Obstacle::Limit(_) => self.limit("nodes of angles written out", NODES_LIMIT, span),
-        }
-    }
-
-    /// A variable used as an angle that is a natural number, a bound index or a family.
-    fn cannot_be_an_angle(&mut self, name: &str, span: Span) {
-        let help = "declare an angle as a real variable, such as `theta real` or `theta in [0, pi/2]`";
-        self.fault(format!("{name} cannot be an angle: it is a natural number or has an index"), help, span);
-    }
-
     /// Writes out declarations, sample, goal and argument.
     fn claim(&mut self, claim: &mut Claim) {
         for item in std::mem::take(&mut claim.items) {
@@ -206,9 +173,9 @@ impl Writer<'_> {
         self.values(&mut claim.sample, false);
         self.prop(&mut claim.goal);
         self.proof(&mut claim.proof);
-        let hidden = self.angles.iter().find(|(_, v)| !v.is_declared).map(|(name, v)| (name.clone(), v.span));
-        if let Some((name, span)) = hidden.filter(|_| self.faults.is_empty()) {
-            self.cannot_be_an_angle(&name, span);
+        // What is declared elsewhere is a natural number, an index or a family.
+        if self.angles.values().any(|v| !v.is_declared) {
+            self.give_up();
         }
     }
 }

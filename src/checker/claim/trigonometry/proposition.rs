@@ -46,9 +46,7 @@ impl Writer<'_> {
                     let written = self.extremum((**extremum).clone(), span);
                     p.kind = written;
                 } else {
-                    let help = "write `for all theta real; x > 0: f <= M`, and `f = M` at the place";
-                    let message = "an extremum cannot be taken over angles and numbers together".to_string();
-                    self.fault(message, help, span);
+                    self.give_up();
                 }
             }
             PropKind::Limit(limit) => {
@@ -63,15 +61,10 @@ impl Writer<'_> {
         }
     }
 
-    /// Refuses an angle as the variable of a limit: its cosine and sine do not tend to anything by themselves.
+    /// No angle is the variable of a limit: its cosine and sine do not tend to anything by themselves.
     fn does_not_move(&mut self, variable: &Name) {
         if self.is_angle(&variable.text) {
-            let help = "use a real variable for what moves; a limit over an angle is not part of the language";
-            self.fault(
-                format!("{} is an angle and cannot be the variable of a limit", variable.text),
-                help,
-                variable.span,
-            );
+            self.give_up();
         }
     }
 
@@ -85,14 +78,11 @@ impl Writer<'_> {
         for (name, value) in &e.at {
             let bounds = self.bounds.get(&name.text).cloned().unwrap_or_default();
             let Some(angle) = self.angle(value).filter(|a| a.of.is_empty() && bounds.hold(&a.turns)) else {
-                let help = "use a multiple of pi within the bounds of the angle";
-                self.fault("this cannot be the place of an extremum".to_string(), help, value.span);
+                self.give_up();
                 continue;
             };
             if e.unique && !bounds.are_less_than_a_turn() {
-                let help = "give the angle bounds at most one turn apart, such as `theta in [0, 2*pi)`";
-                let message = format!("{} takes angles a whole turn apart, which `only` cannot tell apart", name.text);
-                self.fault(message, help, span);
+                self.give_up();
             }
             for (name, value) in self.cosine_and_sine(name, &angle, value.span) {
                 place.replace(&name.text, &value);
@@ -102,8 +92,8 @@ impl Writer<'_> {
         // A definition without parameters is outside the extremum and does not speak of its variables.
         let of_place = match place.expr(&e.of) {
             Ok(of_place) => of_place,
-            Err(obstacle) => {
-                self.refused(obstacle, span);
+            Err(_) => {
+                self.give_up();
                 e.of.clone()
             }
         };

@@ -22,7 +22,7 @@ impl Writer<'_> {
             of: angle.of.iter().map(|(name, k)| (name.clone(), k * &part)).collect(),
         };
         let value = |text: String| Name { text, span: name.span };
-        let point = self.point(&angle, span);
+        let point = self.point(&angle);
         point.map_or(Vec::new(), |p| vec![(value(cos), p.cosine(span)), (value(sin), p.sine(span))])
     }
 
@@ -39,7 +39,7 @@ impl Writer<'_> {
             });
             match angle {
                 Some(angle) => values.extend(self.cosine_and_sine(&name, &angle, value.span)),
-                None if self.angles.contains_key(&name.text) => self.not_about_angles(value.span),
+                None if self.angles.contains_key(&name.text) => self.give_up(),
                 None => {
                     self.expr(&mut value);
                     values.push((name, value));

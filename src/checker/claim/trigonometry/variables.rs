@@ -59,9 +59,7 @@ impl Writer<'_> {
             return walk::parts(e, &mut |part| self.find(part));
         };
         let Some(angle) = self.angle(argument) else {
-            let help = "an angle is a sum of variables and pi with rational coefficients, such as 2*theta - pi/3; \
-                        give a product such as omega*t a name: `given phi real`";
-            return self.fault("this is not an angle".to_string(), help, argument.span);
+            return self.give_up();
         };
         self.note(&angle, argument.span);
     }
@@ -71,7 +69,7 @@ impl Writer<'_> {
         for (name, k) in &angle.of {
             let known = self.angles.get(name).map_or(1, |v| v.over);
             let Some(over) = common_multiple(known, k.denom()) else {
-                return self.limit("parts of an angle", MULTIPLE_LIMIT as usize, span);
+                return self.give_up();
             };
             let new = Variable { over, span, is_declared: false, cos: String::new(), sin: String::new() };
             self.angles.entry(name.clone()).or_insert(new).over = over;
@@ -130,7 +128,7 @@ impl Writer<'_> {
     /// Notes a comparison in a hypothesis: an equation between angles, or a bound of one angle.
     fn bound(&mut self, a: &Expr, relation: Relation, b: &Expr) {
         let span = Span { start: a.span.start, end: b.span.end };
-        let Some(difference) = self.difference(a, b) else { return self.not_about_angles(span) };
+        let Some(difference) = self.difference(a, b) else { return self.give_up() };
         let mut left = difference.of.iter();
         match (relation, left.next(), left.next()) {
             (Relation::Equal, ..) => {
@@ -141,11 +139,23 @@ impl Writer<'_> {
                 let turns = -&difference.turns / k;
                 let relation = if k.is_negative() { relation.turned() } else { relation };
                 if !self.bounds.entry(name.clone()).or_default().narrow(relation, turns) {
-                    self.not_about_angles(span);
+                    self.give_up();
                 }
             }
-            _ => self.not_about_angles(span),
+            _ => self.give_up(),
         }
+    }
+
+    /// A derivative by an angle is that of a function.
+    pub(super) fn find_derivatives(&mut self, claim: &mut Claim) {
+        walk::expressions(claim, &mut |e| self.find_derivatives_in(e));
+    }
+
+    fn find_derivatives_in(&mut self, e: &Expr) {
+        if matches!(&e.kind, ExprKind::Derivative(_, by) if by.iter().any(|n| self.angles.contains_key(&n.text))) {
+            self.give_up();
+        }
+        walk::parts(e, &mut |part| self.find_derivatives_in(part));
     }
 
     /// The difference of two angles.
