@@ -1,11 +1,11 @@
-//! Exponential and logarithm of rationals, enclosed between rationals.
+//! Exponential, logarithm, cosine and sine of rationals, and π, enclosed between rationals.
 //!
 //! Contract: the true value lies in the closed interval returned, whose relative width is about
 //! 2^−[`PRECISION`]; `None` where the result would be too large or too small to write down
-//! (|x| > [`LARGEST`] for the exponential).
+//! (|x| > [`LARGEST`] for the exponential, cosine and sine).
 //!
 //! Method: the argument is made small by halving (exponential) or by taking out powers of two
-//! (logarithm), the series is summed with a bound on its rest, and every intermediate end is rounded
+//! (logarithm) or full turns (cosine and sine), the series is summed with a bound on its rest, and every intermediate end is rounded
 //! outward to a short dyadic. They serve the search for counterexamples only; where speed matters the
 //! crate uses roots and powers.
 
@@ -148,6 +148,70 @@ pub fn ln(low: &Rational, high: &Rational) -> Option<Enclosure> {
     Some((least, if low == high { most } else { ln_of(high)?.1 }))
 }
 
+/// Fixed point: whole multiples of 2^−SCALE.
+const SCALE: u64 = 288;
+
+/// π = 16·arctan(1/5) − 4·arctan(1/239).
+#[must_use]
+pub fn pi() -> &'static Enclosure {
+    static FOUND: OnceLock<Enclosure> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        // Σ (−1)^j/((2j + 1)·k^(2j + 1)): the terms behind the 70th come to less than 5^−141 < 2^−320, and each of 70 is rounded
+        // down by at most one unit of 2^−SCALE.
+        let arctan = |k: i64| {
+            let mut sum = Integer::ZERO;
+            for j in 0..70u64 {
+                let below = Integer::from(k).pow(2 * j + 1) * Integer::from(2 * j + 1);
+                let term = (Integer::ONE << SCALE) / below;
+                if j % 2 == 0 { sum += term } else { sum -= term }
+            }
+            sum
+        };
+        let sum = arctan(5) * Integer::from(16) - arctan(239) * Integer::from(4);
+        let slack = Integer::from(20 * 72);
+        outward((Rational::from(&sum - &slack) >> SCALE, Rational::from(sum + slack) >> SCALE))
+    })
+}
+
+/// cos x and sin x for x between two rationals: those of the first, as much wider as these are apart.
+#[must_use]
+pub fn cos_sin(low: &Rational, high: &Rational) -> Option<(Enclosure, Enclosure)> {
+    if *low > LARGEST || *low < -LARGEST {
+        return None;
+    }
+    if *low == 0 && *high == 0 {
+        return Some(((Rational::ONE, Rational::ONE), (Rational::ZERO, Rational::ZERO)));
+    }
+    // t = x − k·2π lies between −3.2 and 3.2, and its enclosure is |k|·2^−220 wide at most.
+    let turn = (&pi().0 * Rational::from(2), &pi().1 * Rational::from(2));
+    let turns = (low / &turn.0 + Rational::from_signeds(1, 2)).floor();
+    let k = Rational::from(&turns);
+    let (near, far) = if k < 0 { (&turn.0, &turn.1) } else { (&turn.1, &turn.0) };
+    let (t, most) = (low - near * &k, low - far * &k);
+    let width = most - &t + (high - low);
+    // Terms tⁿ/n! rounded down to multiples of 2^−SCALE. An error of e units in one is at most 4·e/(n + 1) in the next, where it
+    // grows by 12 units at most, since a term is below 11 and t is off by one unit. All errors together are below 2^21
+    // units, and what is left behind the 99th term is below 3.2^100/100! < 2^−340.
+    let scaled = (t << SCALE).floor();
+    let mut term = Integer::ONE << SCALE;
+    let mut sums = [Integer::ZERO, Integer::ZERO];
+    for n in 0..100u64 {
+        let sum = &mut sums[(n % 2) as usize];
+        if n % 4 < 2 {
+            *sum += &term
+        } else {
+            *sum -= &term
+        }
+        term = ((term * &scaled) >> SCALE) / Integer::from(n + 1);
+    }
+    let wider = |sum: &Integer| {
+        let middle = Rational::from(sum) >> SCALE;
+        let slack = &width + (Rational::ONE >> 256u64);
+        outward(((&middle - &slack).max(-Rational::ONE), (middle + slack).min(Rational::ONE)))
+    };
+    Some((wider(&sums[0]), wider(&sums[1])))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,6 +237,14 @@ mod tests {
         contains(&ln(&q("2"), &q("2")).expect("ln"), "0.6931471805599453094172321214581765680755001343602552");
         contains(&ln(&q("10"), &q("10")).expect("ln"), "2.3025850929940456840179914546843642076011014886287729");
         contains(&ln(&q("1e300"), &q("1e300")).expect("ln"), "690.77552789821370520539743640530926228033044658863189");
+        contains(pi(), "3.1415926535897932384626433832795028841971693993751058");
+        let (cos, sin) = cos_sin(&q("1"), &q("1")).expect("small");
+        contains(&cos, "0.5403023058681397174009366074429766037323104206179");
+        contains(&sin, "0.8414709848078965066525023216302989996225630607983");
+        let (cos, sin) = cos_sin(&q("1000"), &q("1000")).expect("moderate");
+        contains(&cos, "0.562379076290702991078249226605395968755811821738196");
+        contains(&sin, "0.826879540532002560255887429109218141212724967847788");
+        assert!(cos_sin(&q("1e9"), &q("1e9")).is_none());
         assert!(ln(&q("0"), &q("1")).is_none() && exp(&q("0"), &q("1000000")).is_none());
     }
 
@@ -198,6 +270,18 @@ mod tests {
             let sum = exp(&(&x + &y), &(&x + &y)).expect("moderate");
             let (p, r) = (exp(&x, &x).expect("moderate"), exp(&y, &y).expect("moderate"));
             prop_assert!(&p.0 * &r.0 <= sum.1 && sum.0 <= &p.1 * &r.1);
+        }
+
+        #[test]
+        fn cosines_and_sines_of_sums_follow_the_addition_formulas(a in -9_000i64..9_000, b in -9_000i64..9_000, d in 1i64..50) {
+            let (x, y) = (Rational::from_signeds(a, d * 10), Rational::from_signeds(b, d * 10));
+            let of = |x: &Rational| cos_sin(x, x).expect("moderate");
+            let mid = |e: &Enclosure| (&e.0 + &e.1) / Rational::from(2);
+            let ((c, s), (k, t), sum) = (of(&x), of(&y), of(&(&x + &y)));
+            let cosine = mid(&c) * mid(&k) - mid(&s) * mid(&t);
+            let near = Rational::ONE >> 190u64;
+            prop_assert!(&sum.0.0 - &near <= cosine && cosine <= &sum.0.1 + &near);
+            prop_assert!(&sum.0.1 - &sum.0.0 < near && &sum.1.1 - &sum.1.0 < near);
         }
     }
 }

@@ -310,6 +310,12 @@ impl<'a> Words<'a> {
                 lead.push(say(":"));
                 lead
             }
+            Rule::Circle { with } => {
+                let mut lead = vec![say("It is known of cosine and sine,")];
+                self.values(with, &mut lead);
+                lead.push(say(":"));
+                lead
+            }
             Rule::Slope { source, with, .. } => {
                 let mut lead = vec![
                     say("The mean value theorem applies, with the sign of the derivative from "),

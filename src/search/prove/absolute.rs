@@ -14,6 +14,7 @@ use crate::kernel::key;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
 use crate::refute::literal::literal;
+use malachite::Rational;
 use std::rc::Rc;
 
 /// Largest number of signs distinguished along one branch.
@@ -59,11 +60,36 @@ impl Prover {
         if self.splits >= 3 || !(has_absolute(a) || has_absolute(b)) {
             return Err(Fail::No("an absolute value"));
         }
+        if let Ok(label) = self.attempt(|c| c.by_two_bounds(goal, a, relation, b)) {
+            return Ok(label);
+        }
         let first = self.by_absolute_values(goal);
         if first.is_ok() || self.splits > 0 || !(is_absolute(a) || is_absolute(b)) {
             return first;
         }
         self.attempt(|c| c.by_squares(goal, a, relation, b)).or(first)
+    }
+
+    /// |E| <= F by E <= F and -E <= F, where E is no variable: its sign may be unknown, or need cases by itself.
+    fn by_two_bounds(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("an absolute value as the smaller side");
+        let (small, great) = if relation.is_greater().ok_or_else(no)? { (b, a) } else { (a, b) };
+        let relation = if relation.is_greater() == Some(true) { relation.turned() } else { relation };
+        let (square, half) = as_power(small).ok_or_else(no)?;
+        let (inside, two) = as_power(&square).ok_or_else(no)?;
+        let is_root = self.letters.number(&half).is_some_and(|k| k == Rational::from_unsigneds(1u32, 2));
+        if !is_root || natural(&two) != Some(2) || matches!(inside.kind, ExprKind::Name(_)) {
+            return Err(no());
+        }
+        let opposite = expr(ExprKind::Negate(Box::new(inside.clone())));
+        for side in [inside, opposite] {
+            let shown = compare(side, relation, great.clone());
+            let splits = std::mem::replace(&mut self.splits, 3);
+            let label = self.attempt(|c| c.in_signs(&shown, &mut Vec::new(), 0));
+            self.splits = splits;
+            label?;
+        }
+        self.by_absolute_values(goal)
     }
 
     /// Proves a goal after the signs inside some absolute values are known; `known` holds the keys of these.

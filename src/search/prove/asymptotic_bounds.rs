@@ -6,6 +6,7 @@
 //! - exp(s), ln(1 + s) and (1 + s)^a where s tends to 0: Taylor's polynomial with a remainder C·|s|^(n + 1), for |s| <= 1/2
 //!   (Eberl, "Verified real asymptotics in Isabelle/HOL", 2019, has the general theory);
 //! - exp(u) where u tends to −infinity: 0 and (−u/j)^(−j), since exp lies above its tangent, and (u/j)^j <= exp(u);
+//! - sin(s), cos(s) where s tends to 0: the same; of another argument −1 and 1;
 //! - ln(x): 0 and j·x^(1/j), for the same reason.
 //!
 //! In the expression each stands for its atom, at the end that the sign of the atom's factor asks for. Nothing here is shown:
@@ -171,29 +172,38 @@ impl Prover {
         let mut list = Vec::new();
         atoms(e, &plan.x, &mut list)?;
         let mut pieces = list.iter().map(|atom| self.piece(atom, plan)).collect::<Option<Vec<_>>>()?;
-        // The factor of an atom holds the bounds of those before it: those come first whose bounds have an obvious sign.
-        pieces.sort_by_key(|p| p.reasons.iter().flatten().any(|r| matches!(r, Reason::Expansion { .. })));
-        let mut rising = Vec::new();
+        // The factor of an atom holds the bounds of those before it: what changes its sign comes first, then those whose bounds have
+        // an obvious sign.
+        let is_bounded = |p: &Piece| p.reasons.iter().all(Option::is_none) && p.function.turns();
+        pieces.sort_by_key(|p| {
+            (!is_bounded(p), p.reasons.iter().flatten().any(|r| matches!(r, Reason::Expansion { .. })))
+        });
+        let mut bounds = [None, None];
+        for (k, bound) in bounds.iter_mut().enumerate() {
+            *bound = self.bound_of(e, &pieces, k, &plan.x)?;
+        }
+        Some(bounds)
+    }
+
+    /// The lower (0) or the upper bound (1), where all atoms have the bounds that it needs.
+    fn bound_of(&mut self, e: &Expr, pieces: &[Piece], k: usize, x: &str) -> Option<Option<Bound>> {
+        let (mut value, mut steps) = (e.clone(), Vec::new());
         for (place, piece) in pieces.iter().enumerate() {
-            // The factor of the atom, with some bound for each other.
-            let mut other = e.clone();
-            for (_, p) in pieces.iter().enumerate().filter(|(k, _)| *k != place) {
+            // The factor of the atom, with some bound for each of those behind.
+            let mut other = value.clone();
+            for p in pieces.iter().skip(place + 1) {
                 let bounds: Vec<&Expr> = p.bounds.iter().flatten().collect();
                 let bound = bounds.iter().find(|b| !self.is_zero(b)).or(bounds.first())?;
                 put_for_atom(&mut other, &p.atom, bound);
             }
-            let lead = self.leading(&factor_of(&piece.atom, &other), &plan.x)?;
-            rising.push(self.sign_of_constant(&lead.c)?.within(Signs::NOT_NEGATIVE));
+            let lead = self.leading(&factor_of(&piece.atom, &other), x)?;
+            let rises = self.sign_of_constant(&lead.c)?.within(Signs::NOT_NEGATIVE);
+            let side = if rises { k } else { 1 - k };
+            steps.push(Step { atom: piece.atom.clone(), factor: factor_of(&piece.atom, &value), side });
+            let Some(bound) = &piece.bounds[side] else { return Some(None) };
+            put_for_atom(&mut value, &piece.atom, bound);
         }
-        Some([0, 1].map(|k| {
-            let (mut value, mut steps) = (e.clone(), Vec::new());
-            for (piece, rises) in pieces.iter().zip(&rising) {
-                let side = if *rises { k } else { 1 - k };
-                steps.push(Step { atom: piece.atom.clone(), factor: factor_of(&piece.atom, &value), side });
-                put_for_atom(&mut value, &piece.atom, piece.bounds[side].as_ref()?);
-            }
-            Some(Bound { value, steps })
-        }))
+        Some(Some(Bound { value, steps }))
     }
 
     pub(super) fn tends(&mut self, e: &Expr, x: &str) -> Tends {
@@ -216,6 +226,8 @@ impl Prover {
         }
         let (function, argument) = match &atom.kind {
             ExprKind::Apply(f, list) if f.text == "exp" => (Function::Exponential, list.first()?.clone()),
+            ExprKind::Apply(f, list) if f.text == "sin" => (Function::Sine, list.first()?.clone()),
+            ExprKind::Apply(f, list) if f.text == "cos" => (Function::Cosine, list.first()?.clone()),
             ExprKind::Apply(_, list) => (Function::Logarithm, list.first()?.clone()),
             ExprKind::Power(base, exponent) => (Function::Root(self.letters.number(exponent)?), (**base).clone()),
             _ => return None,
@@ -231,6 +243,7 @@ impl Prover {
             let ends = self.bounds_of(&argument, plan)?;
             match piece.function {
                 Function::Exponential => self.exponential_piece(&mut piece, ends, plan)?,
+                Function::Sine | Function::Cosine => self.circular_piece(&mut piece, ends, plan)?,
                 _ => self.other_piece(&mut piece, ends, plan)?,
             }
         }
@@ -273,6 +286,17 @@ impl Prover {
             }
             _ => None,
         }
+    }
+
+    /// sin(u) and cos(u): by the expansion at 0 where u tends to it and has no atoms itself, else between −1 and 1.
+    fn circular_piece(&mut self, piece: &mut Piece, ends: Bounds, plan: &mut Plan) -> Option<()> {
+        let is_plain = ends.iter().flatten().all(|end| end.steps.is_empty());
+        let argument = piece.inside.clone();
+        if is_plain && matches!(self.tends(&argument, &plan.x), Tends::To(limit) if self.is_zero(&limit)) {
+            return self.expanded(piece, ends, plan);
+        }
+        piece.bounds = [-1, 1].map(|k| Some(literal(&Rational::from(k))));
+        Some(())
     }
 
     /// ln(u) and u^a: by the expansion at 1, u over its leading term; a divisor without one is between 0 and the inverse of its

@@ -60,7 +60,9 @@ pub(super) fn atoms(e: &Expr, x: &str, out: &mut Vec<Expr>) -> Option<()> {
         ExprKind::Power(base, exponent) if is_plain(base, exponent, x) => {}
         ExprKind::Power(_, exponent) if holds(exponent, x) => return None,
         ExprKind::Power(..) => once(e, out),
-        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "exp" | "ln") && list.len() == 1 => once(e, out),
+        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "exp" | "ln" | "sin" | "cos") && list.len() == 1 => {
+            once(e, out)
+        }
         _ => return None,
     }
     Some(())
@@ -208,6 +210,8 @@ impl Prover {
         match &out.kind {
             ExprKind::Product(list) => self.product_by(list, x, equations),
             ExprKind::Apply(f, list) if f.text == "ln" => self.logarithm_by(list.first()?, x, equations),
+            // The addition formulas leave terms as arguments.
+            ExprKind::Apply(f, _) if matches!(f.text.as_str(), "sin" | "cos") => self.simplified(&out),
             // 1 − 2/(exp(2·u) + 1), in which one exponential grows.
             ExprKind::Apply(f, list) if f.text == "tanh" => {
                 let twice = apply("exp", product(vec![numeral(2), list.first()?.clone()]));

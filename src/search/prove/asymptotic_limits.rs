@@ -24,7 +24,7 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
 /// The degrees of Taylor's polynomials, in the order in which they are tried.
-const ORDERS: [u32; 2] = [1, 2];
+const ORDERS: [u32; 3] = [1, 2, 3];
 
 /// The j in ln(x) <= j·x^(1/j).
 const ROOTS: [u32; 2] = [2, 8];
@@ -386,7 +386,7 @@ impl Prover {
                     .combination(values.clone(), vec![Term { facts: vec![from], factor }])
                     .or_else(|_| self.without_cases(&values));
             }
-            Function::Root(_) => return self.without_cases(&values),
+            Function::Sine | Function::Cosine | Function::Root(_) => return self.without_cases(&values),
         };
         let line = self.tangent_fact(&gap)?;
         let term = |fact: &Label, factor: &Expr| Term { facts: vec![fact.clone()], factor: factor.clone() };

@@ -40,7 +40,7 @@ fn number(x: f64) -> Expr {
 fn is_evaluated(p: &Prop, names: &BTreeSet<&str>) -> bool {
     fn of(e: &Expr, names: &mut Vec<String>) -> bool {
         match &e.kind {
-            ExprKind::Name(n) => names.contains(n),
+            ExprKind::Name(n) => names.contains(n) || n == PI,
             ExprKind::Derivative(..) | ExprKind::Matrix(..) => false,
             ExprKind::Apply(f, _) if FUNCTIONS.iter().all(|g| g.0 != f.text) => false,
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {

@@ -187,7 +187,7 @@ impl Prover {
     fn orders(&mut self, goal: &Prop) -> Vec<Prop> {
         let mut names = BTreeSet::new();
         crate::kernel::names::names_in_prop(goal, &mut names);
-        names.retain(|n| FUNCTIONS.iter().all(|f| f.0 != n));
+        names.retain(|n| self.is_a_name(n));
         let variable = |n: &String| crate::kernel::statement::name(n);
         let naturals: Vec<String> = names.iter().filter(|n| self.naturals.contains(n)).cloned().collect();
         let mut out = Vec::new();

@@ -305,6 +305,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.without_divisors(goal, a, relation, b)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_concavity(goal, a, relation, b)) {
+            return Ok(label);
+        }
         self.attempt(|c| c.by_slope(goal, a, relation, b))
     }
 
@@ -344,7 +347,7 @@ impl Prover {
         let mut names = BTreeSet::new();
         crate::kernel::names::names_in_prop(p, &mut names);
         let sequences = &self.checker.statement().sequences;
-        names.iter().all(|n| FUNCTIONS.iter().any(|f| f.0 == n) || sequences.iter().any(|s| s.name == *n))
+        names.iter().all(|n| !self.is_a_name(n) || sequences.iter().any(|s| s.name == *n))
     }
 
     /// Records the bases of even powers as they are written, because multiplying out hides what was squared.
@@ -447,6 +450,22 @@ impl Prover {
         let weights = combination(&target, &columns, strict).ok_or(Fail::No("a combination"))?;
         let terms = Self::terms(&columns, &weights, &rest, flip);
         self.combination(goal.clone(), terms)
+    }
+
+    /// Proves a linear goal by the signs of its factors, or as a sum of linear facts: one small linear program.
+    pub(super) fn by_linear_facts(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
+            return Ok(label);
+        }
+        let PropKind::Compare(_, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
+        let strict = matches!(relations[0], Relation::Greater | Relation::Less);
+        let OpenFactors { poly, rest, flip, .. } = self.open_factors(goal, 0)?;
+        let target = if flip { poly.neg() } else { poly.clone() };
+        let mut columns = self.all_known(std::slice::from_ref(&poly));
+        columns.push(Known::one());
+        columns.retain(|k| k.poly.degree() <= 1);
+        let weights = combination(&target, &columns, strict).ok_or(Fail::No("a combination"))?;
+        self.combination(goal.clone(), Self::terms(&columns, &weights, &rest, flip))
     }
 
     /// A contradiction among the facts and the opposite of the goal.

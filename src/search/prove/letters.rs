@@ -98,6 +98,11 @@ impl Letters {
         self.index.contains_key(&key::expr(e))
     }
 
+    /// What all letters stand for.
+    pub(super) fn all(&self) -> Vec<Expr> {
+        self.exprs.clone()
+    }
+
     /// What a letter stands for.
     pub(super) fn expr(&self, letter: u32) -> Option<&Expr> {
         self.exprs.get(letter as usize)

@@ -21,9 +21,11 @@ mod branching;
 mod brief;
 mod cases;
 mod chains;
+mod circle;
 mod cofactors;
 mod columns;
 mod comparison;
+mod concavity;
 mod conditions;
 mod denesting;
 mod differences;
@@ -70,7 +72,7 @@ mod witnesses;
 
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
-use crate::claim::syntax::{Claim, Expr, Proof, Prop, PropKind, Relation};
+use crate::claim::syntax::{Claim, Expr, FUNCTIONS, PI, Proof, Prop, PropKind, Relation};
 use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
 use crate::kernel::{Accepted, Checker, Refusal};
@@ -431,6 +433,8 @@ impl Prover {
         let rule = if matches!(goal.kind, PropKind::ForAll(..)) { Rule::Let } else { Rule::Suppose };
         let block = self.emit(rule, goal.clone())?;
         let failed = std::mem::take(&mut self.failed);
+        // What is supposed may tell signs of cosines and sines.
+        self.enriched.retain(|letter| !letter.starts_with("cos(") && !letter.starts_with("sin("));
         if let PropKind::ForAll(bindings, _) = &goal.kind {
             for binding in bindings.iter().filter(|b| b.natural) {
                 self.naturals.extend(binding.names.iter().map(|n| n.0.text.clone()));
@@ -462,6 +466,11 @@ impl Prover {
     /// The label of the fact with the same text, if there is one.
     fn known(&self, wanted: &Prop) -> Option<Label> {
         self.checker.find(wanted).map(str::to_string)
+    }
+
+    /// Whether a name is a variable, family or sequence: no function of the language, and not π.
+    fn is_a_name(&self, name: &str) -> bool {
+        !FUNCTIONS.iter().any(|f| f.0 == name) && (name != PI || self.checker.statement().declares(PI))
     }
 
     /// The facts whose signs a step may use. A `for all` fact that contains a sum is left out, because the kernel applies

@@ -231,7 +231,9 @@ impl Prover {
     /// methods give are left alone.
     fn is_variable(&self, p: &Polynomial) -> bool {
         let Some(ExprKind::Name(n)) = self.single_letter(p).map(|e| e.kind) else { return false };
-        !self.naturals.contains(&n) && (self.own_names.contains(&n) || self.powers.roots.contains(&n))
+        self.is_a_name(&n)
+            && !self.naturals.contains(&n)
+            && (self.own_names.contains(&n) || self.powers.roots.contains(&n))
     }
 
     /// An expression as a product of powers of polynomials that are positive, and of prime numbers.

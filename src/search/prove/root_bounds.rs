@@ -60,7 +60,7 @@ impl Prover {
         }
         let mut names = std::collections::BTreeSet::new();
         crate::kernel::names::names_in_prop(goal, &mut names);
-        names.retain(|n| FUNCTIONS.iter().all(|f| f.0 != n));
+        names.retain(|n| self.is_a_name(n));
         let names: Vec<Expr> = names.iter().map(|n| name(n)).collect();
         let positive = names.iter().all(|e| self.signs_of(e).within(Signs::POSITIVE));
         if !positive || !(1..=VARIABLES).contains(&names.len()) {

@@ -84,7 +84,7 @@ impl Prover {
     }
 
     /// The real variables that occur, in the order of their names.
-    fn reals_in(&self, e: &Expr) -> Vec<String> {
+    pub(super) fn reals_in(&self, e: &Expr) -> Vec<String> {
         let mut names = BTreeSet::new();
         names_in(e, &mut names);
         let families: BTreeSet<&str> = (self.checker.statement().bindings.iter())
@@ -95,7 +95,7 @@ impl Prover {
         let sequences: BTreeSet<&str> = self.checker.statement().sequences.iter().map(|s| s.name.as_str()).collect();
         names
             .into_iter()
-            .filter(|n| !FUNCTIONS.iter().any(|f| f.0 == n))
+            .filter(|n| self.is_a_name(n))
             .filter(|n| !families.contains(n.as_str()) && !sequences.contains(n.as_str()))
             .filter(|n| !self.naturals.contains(n))
             .take(3)
@@ -103,7 +103,7 @@ impl Prover {
     }
 
     /// Where a difference may be known: the bounds of the variable in facts, then 0 and 1.
-    fn places(&self, x: &str) -> Vec<Expr> {
+    pub(super) fn places(&self, x: &str) -> Vec<Expr> {
         let mut out: Vec<Expr> = Vec::new();
         for (_, fact) in self.checker.facts() {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
@@ -224,7 +224,7 @@ impl Prover {
     }
 
     /// F(b) relation F(a), as the goal says, from the sign of the derivative between low and high.
-    fn rises(
+    pub(super) fn rises(
         &mut self,
         goal: &Prop,
         f: &Expr,
@@ -270,6 +270,14 @@ impl Prover {
         [a, b]: [&Expr; 2],
     ) -> Result<Label, Fail> {
         let t: Vec<Name> = binding.names.iter().map(|n| n.0.clone()).collect();
+        // Both points have to lie within what is said beside the interval.
+        for constraint in &binding.constraints {
+            let Constraint::Relation(relation, bound) = constraint else { continue };
+            for point in [a, b] {
+                let within = compare(point.clone(), weak(*relation), bound.clone());
+                let _ = self.attempt(|c| c.by_linear_facts(&within));
+            }
+        }
         let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), t));
         let body = compare(derivative.clone(), slope, numeral(0));
         let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
@@ -313,6 +321,17 @@ impl Prover {
         })
     }
 
+    /// Shows f(a) = f(b) for f = sin and f = cos where it speaks of a or b: 1/2 is the sine of pi/6.
+    fn values_of_functions(&mut self, a: &Expr, b: &Expr) {
+        for f in ["sin", "cos"] {
+            let (x, y) = (crate::kernel::statement::apply(f, a.clone()), crate::kernel::statement::apply(f, b.clone()));
+            if self.letters.knows(&x) || self.letters.knows(&y) {
+                let same = compare(x, Relation::Equal, y);
+                let _ = self.attempt(|c| c.combination(same, Vec::new()));
+            }
+        }
+    }
+
     /// A comparison x relation y from facts about F(x) and F(y), where F rises or falls strictly.
     pub(crate) fn by_equal_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
         if let PropKind::Compare(_, relations) = &goal.kind
@@ -326,15 +345,19 @@ impl Prover {
                 c.emit(Rule::Logic { from }, goal.clone())
             });
         }
+        self.values_of_functions(a, b);
         let facts = self.facts();
         for (label, fact) in facts {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([l, r], [_]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let ([l, r], [said]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            // What denies a strict fact need not be strict.
+            let is_strict = matches!(said, Relation::Less | Relation::Greater);
             let Some((f, x, y)) = self.common_function(l, r).filter(|_| has_function(l)) else { continue };
             if !((x == *a && y == *b) || (x == *b && y == *a)) {
                 continue;
             }
             for order in [Relation::Less, Relation::Greater] {
+                let order = if is_strict { weak(order) } else { order };
                 let done = self.attempt(|c| {
                     c.against_opposite(goal, |c, _| {
                         let t = c.fresh("t");
@@ -475,7 +498,7 @@ fn has_root_of(e: &Expr, x: &str) -> bool {
     found
 }
 
-fn put_in(e: &Expr, old: &str, value: &Expr) -> Result<Expr, Fail> {
+pub(super) fn put_in(e: &Expr, old: &str, value: &Expr) -> Result<Expr, Fail> {
     let mut map = Substitution::default();
     map.replace(old, value);
     map.expr(e).map_err(Fail::from)

@@ -1,4 +1,4 @@
-//! Taylor's polynomials of exp, ln and powers, with a remainder.
+//! Taylor's polynomials of exp, ln, sin, cos and powers, with a remainder.
 
 use super::facts::minus;
 use super::letters::{product, whole_power};
@@ -10,11 +10,13 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Ceiling};
 use malachite::base::num::basic::traits::{One, Zero};
 
-/// A function with an expansion: exp at 0, the others at 1.
+/// A function with an expansion: exp, sin and cos at 0, the others at 1.
 #[derive(Clone, PartialEq)]
 pub(super) enum Function {
     Exponential,
     Logarithm,
+    Sine,
+    Cosine,
     /// y^a.
     Root(Rational),
 }
@@ -22,7 +24,7 @@ pub(super) enum Function {
 impl Function {
     /// Where it is expanded.
     pub(super) fn centre(&self) -> u32 {
-        u32::from(*self != Function::Exponential)
+        u32::from(matches!(self, Function::Logarithm | Function::Root(_)))
     }
 
     /// Its value.
@@ -30,8 +32,15 @@ impl Function {
         match self {
             Function::Exponential => apply("exp", y.clone()),
             Function::Logarithm => apply("ln", y.clone()),
+            Function::Sine => apply("sin", y.clone()),
+            Function::Cosine => apply("cos", y.clone()),
             Function::Root(a) => power(y, &literal(a)),
         }
+    }
+
+    /// Whether it turns without end: sin and cos.
+    pub(super) fn turns(&self) -> bool {
+        matches!(self, Function::Sine | Function::Cosine)
     }
 
     /// Whether it falls as its argument rises.
@@ -39,13 +48,20 @@ impl Function {
         matches!(self, Function::Root(a) if *a < 0)
     }
 
-    /// The coefficients of 1, s, s² for the distance s from the centre.
-    fn coefficients(&self) -> [Rational; 3] {
-        let half = Rational::from_unsigneds(1u32, 2);
+    /// The coefficients of 1, s, s², s³ for the distance s from the centre.
+    fn coefficients(&self) -> [Rational; 4] {
+        let (zero, one) = (Rational::ZERO, Rational::ONE);
+        let part = |k: u32| Rational::from_unsigneds(1u32, k);
         match self {
-            Function::Exponential => [Rational::ONE, Rational::ONE, half],
-            Function::Logarithm => [Rational::ZERO, Rational::ONE, -half],
-            Function::Root(a) => [Rational::ONE, a.clone(), a * (a - Rational::ONE) * half],
+            Function::Exponential => [one.clone(), one, part(2), part(6)],
+            Function::Logarithm => [zero, one, -part(2), part(3)],
+            Function::Sine => [zero.clone(), one, zero, -part(6)],
+            Function::Cosine => [one, zero.clone(), -part(2), zero],
+            Function::Root(a) => {
+                let second = a * (a - Rational::ONE) * part(2);
+                let third = &second * (a - Rational::from(2)) * part(3);
+                [one, a.clone(), second, third]
+            }
         }
     }
 
@@ -58,7 +74,7 @@ impl Function {
             |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
         let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
         let c = match self {
-            Function::Exponential | Function::Logarithm => 2 * degree,
+            Function::Exponential | Function::Logarithm | Function::Sine | Function::Cosine => 2 * degree,
             Function::Root(a) => {
                 let size = a.clone().abs() * ((a.clone() - Rational::ONE).abs() + Rational::ONE);
                 u32::try_from(&Ceiling::ceiling(size)).unwrap_or(u32::MAX).max(1)

@@ -104,7 +104,7 @@ impl Prover {
         let variables: Vec<String> = bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.clone()).collect();
         let mut names = BTreeSet::new();
         names_in_prop(goal, &mut names);
-        names.retain(|n| FUNCTIONS.iter().all(|f| f.0 != n));
+        names.retain(|n| self.is_a_name(n));
         let mut values: Vec<Expr> = names.iter().take(3).map(|n| name(n)).collect();
         values.extend(NUMBERS.map(|k| literal(&Rational::from(k))));
         let mut points: Vec<Vec<Expr>> = vec![Vec::new()];

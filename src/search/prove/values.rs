@@ -72,7 +72,7 @@ impl Prover {
             let mut changed = false;
             for e in self.letters_in(exprs) {
                 let key = key::expr(&e);
-                if matches!(e.kind, ExprKind::Name(_))
+                if matches!(&e.kind, ExprKind::Name(n) if self.is_a_name(n))
                     || self.failed.contains(&key)
                     || !self.enriched.insert(key.clone())
                 {
@@ -101,6 +101,10 @@ impl Prover {
                 let exponent = at[0].clone();
                 self.exponential(e, &exponent).map(|()| false)
             }
+            ExprKind::Apply(name, at) if matches!(name.text.as_str(), "cos" | "sin") && at.len() == 1 => {
+                self.learn_circle(&at[0].clone())
+            }
+            ExprKind::Name(_) => self.learn_pi().map(|()| false),
             ExprKind::Apply(name, at) if at.len() == 1 => self.learn_member(e, name, &at[0]),
             ExprKind::SumOver(index, body) => self.learn_over(e, true, index, body),
             ExprKind::ProductOver(index, body) => self.learn_over(e, false, index, body),

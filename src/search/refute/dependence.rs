@@ -50,7 +50,7 @@ fn tied_by(statement: &Statement, bindings: &[Binding], goal: &Prop, more: Vec<P
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
     let of_families: BTreeSet<String> = families.flat_map(super::names::names_of_binding).collect();
     let kept = |v: &String| of_families.contains(v) || !said.iter().all(|prop| lets_grow(prop, v));
-    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| ties(prop, v));
+    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| ties(prop, v, !statement.declares(PI)));
     (limits.iter().any(kept), derivatives.into_iter().find(bound))
 }
 
@@ -88,16 +88,16 @@ fn lets_grow(prop: &Prop, variable: &str) -> bool {
 }
 
 /// Whether a hypothesis, other than a strict comparison, has a variable and another name in it: alone or with others it
-/// may determine one by the other, as `x*y <= 1` and `x*y >= 1` do. Derivatives are partial all the same, all other
+/// may determine one by the other, as `x*y <= 1` and `x*y >= 1` do; π is no such name. Derivatives are partial all the same, all other
 /// variables held fast; this only refuses to speak of them where a reader could think of another derivative.
-fn ties(prop: &Prop, variable: &str) -> bool {
+fn ties(prop: &Prop, variable: &str, is_pi: bool) -> bool {
     let strict = [Relation::Less, Relation::Greater, Relation::NotEqual];
     let open = match &prop.kind {
         PropKind::Compare(_, relations) => relations.iter().all(|r| strict.contains(r)),
         _ => false,
     };
     let mut names = super::names::names_of_prop(prop);
-    names.retain(|name| !FUNCTIONS.iter().any(|f| f.0 == name));
+    names.retain(|name| !(FUNCTIONS.iter().any(|f| f.0 == name) || is_pi && name == PI));
     !open && names.contains(variable) && names.len() > 1
 }
 

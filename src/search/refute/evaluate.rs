@@ -7,8 +7,8 @@ use super::Moment;
 use super::expand::parts;
 use super::matrix::{Value, determinant};
 use super::number::{
-    LARGEST, Missing, Number, Result, add, exponential, hyperbolic, invert, large_power, logarithm, multiply,
-    of_some_size, root, whole_power,
+    LARGEST, Missing, Number, Result, add, cosine_and_sine, exponential, hyperbolic, invert, large_power, logarithm,
+    multiply, of_some_size, pi, root, whole_power,
 };
 use super::quantified::QUANTIFIERS;
 use super::recurrence::{Members, Recurrence};
@@ -40,6 +40,8 @@ pub struct Assignment {
     pub numbers: Rc<HashMap<String, Number>>,
     /// Bound indices: they hide variables in what they bind, but not in the definitions of sequences and ranges.
     pub indices: HashMap<String, Rational>,
+    /// Whether `pi` is π: the claim does not declare it.
+    pub is_pi: bool,
     /// Variables and families that are natural numbers by their declaration.
     pub naturals: Rc<HashSet<String>>,
     /// Families: values for their members, repeated cyclically.
@@ -74,6 +76,7 @@ impl Default for Assignment {
         Assignment {
             values: HashMap::default(),
             numbers: Rc::default(),
+            is_pi: false,
             indices: HashMap::default(),
             naturals: Rc::default(),
             families: HashMap::default(),
@@ -114,6 +117,7 @@ impl Assignment {
             Name(name) => {
                 let value = self.indices.get(name).or_else(|| self.values.get(name)).cloned();
                 let value = value.map(self::Number::Exact).or_else(|| self.numbers.get(name).cloned());
+                let value = value.or_else(|| (self.is_pi && name == PI).then(pi));
                 value.ok_or(Missing::Unknown)?
             }
             Negate(a) => return self.value(a).map(Value::negated),
@@ -271,6 +275,8 @@ impl Assignment {
             "sqrt" => self.power(&self.number(argument)?, &half(2), Exponent::Root, e)?,
             "cbrt" => self.power(&self.number(argument)?, &half(3), Exponent::Root, e)?,
             "exp" => exponential(&self.number(argument)?)?,
+            "cos" => cosine_and_sine(&self.number(argument)?)?.0,
+            "sin" => cosine_and_sine(&self.number(argument)?)?.1,
             "ln" => logarithm(&self.number(argument)?, || crate::claim::print::expr(e))?,
             "cosh" | "sinh" | "tanh" | "sech" => hyperbolic(text, &self.number(argument)?)?,
             _ => self.indexed(name, argument)?,

@@ -54,6 +54,12 @@ impl Statement {
         !self.bindings.is_empty() || !self.assumptions.is_empty()
     }
 
+    /// Whether it declares this name.
+    pub(crate) fn declares(&self, name: &str) -> bool {
+        let mut declared = self.bindings.iter().flat_map(|b| &b.names).map(|n| &n.0.text);
+        declared.any(|n| n == name) || self.sequences.iter().any(|u| u.name == name)
+    }
+
     /// The statement of a claim.
     pub fn of(claim: &Claim) -> Result<Statement> {
         let (understood, lets) = statement::Statement::with_lets(claim).map_err(|refusal| match refusal {

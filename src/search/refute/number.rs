@@ -94,13 +94,15 @@ impl Number {
         }
     }
 
-    /// The number as p/q, or as a decimal with as many digits as are certain, 12 places at most, or between its ends.
+    /// The number as p/q, or as a decimal with as many digits as are certain, 3 to 12 places, or between its ends.
     pub fn text(&self) -> String {
         let (low, high) = match self {
             Number::Exact(q) => return q.to_string(),
             Number::Between(low, high, _) => (low, high),
         };
-        if let Some(cut) = (0..=SHOWN).rev().find_map(|places| self.cut(Digits::Places(places))) {
+        // Digits without one other than 0 do not even tell the sign.
+        let cut = (3..=SHOWN).rev().find_map(|places| self.cut(Digits::Places(places)));
+        if let Some(cut) = cut.filter(|cut| cut.contains(|c: char| ('1'..='9').contains(&c))) {
             return self.shown(&cut);
         }
         let end = |q: &Rational, rounding| {
@@ -314,6 +316,19 @@ pub(super) fn exponential(a: &Number) -> Result<Number> {
     let (low, high) = a.ends();
     let (low, high) = elementary::exp(low, high).ok_or(Missing::Unknown)?;
     Ok(between(low, high).formed(a.closed().and_then(|a| a.exp())))
+}
+
+/// cos a and sin a.
+pub(super) fn cosine_and_sine(a: &Number) -> Result<(Number, Number)> {
+    let (low, high) = a.ends();
+    let (cosine, sine) = elementary::cos_sin(low, high).ok_or(Missing::Unknown)?;
+    Ok((between(cosine.0, cosine.1), between(sine.0, sine.1)))
+}
+
+/// π.
+pub(super) fn pi() -> Number {
+    let (low, high) = elementary::pi().clone();
+    between(low, high)
 }
 
 /// ln a.

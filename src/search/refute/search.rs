@@ -107,6 +107,7 @@ impl Search {
         if let Some(statement) = statement {
             let sequences = statement.sequences.iter().map(|u| (u.name.clone(), Rc::new(u.clone())));
             search.base.sequences = Rc::new(sequences.collect());
+            search.base.is_pi = !statement.declares(PI);
             search.hypotheses = statement.assumptions.iter().map(|a| a.1.clone()).collect();
         }
         search.declare(bindings);
@@ -172,7 +173,8 @@ impl Search {
 
     /// Whether the constant bounds of a variable, or of the members of a family, allow a value.
     pub(super) fn allows(&self, name: &str, value: &Rational) -> bool {
-        let mut alone = Assignment { naturals: self.base.naturals.clone(), ..Assignment::default() };
+        let mut alone =
+            Assignment { naturals: self.base.naturals.clone(), is_pi: self.base.is_pi, ..Assignment::default() };
         alone.values.insert(name.to_string(), value.clone());
         if let Some((_, _, domain)) = self.families.iter().find(|f| f.0 == name) {
             return domain.iter().all(|h| alone.truth(h) == Ok(true));
@@ -266,7 +268,8 @@ impl Search {
         });
         let whole = !natural || (first.is_integer() && ratio.is_integer());
         let allowed = |k: i64| {
-            let mut alone = Assignment { naturals: self.base.naturals.clone(), ..Assignment::default() };
+            let mut alone =
+                Assignment { naturals: self.base.naturals.clone(), is_pi: self.base.is_pi, ..Assignment::default() };
             alone.values.insert(name.clone(), first * ratio.pow(k));
             domain.iter().all(|h| alone.truth(h) == Ok(true))
         };

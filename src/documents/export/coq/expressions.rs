@@ -151,6 +151,7 @@ impl Printer {
             let [argument] = arguments else { return unsupported(span, format!("{name} of several arguments")) };
             return Ok(match name {
                 "det" => (format!("det2 {}", at(self.matrix(argument)?, ATOM)), APPLICATION),
+                "cos" | "sin" => return unsupported(span, "sin and cos of what is no angle"),
                 "transpose" => return unsupported(span, "a matrix where a number is needed"),
                 "cbrt" if !self.inside && !self.is_positive(argument)? => {
                     return unsupported(span, "the cube root of what may be 0");
