@@ -61,6 +61,8 @@ pub enum Fault {
     },
     /// A name declared twice.
     Twice(String),
+    /// A name `pi` where it is the number π.
+    Pi,
     /// A claim's clause is missing.
     Missing {
         /// The claim.
@@ -98,6 +100,7 @@ impl Diagnostic {
             Fault::Limit { name, allowed } => format!("limit reached: at most {allowed} {name}"),
             Fault::Undeclared { name, .. } => format!("nothing declares the name {name}"),
             Fault::Twice(name) => format!("the name {name} is declared twice"),
+            Fault::Pi => "pi is the number π, which nothing else may be called here".to_string(),
             Fault::Missing { claim, clause } => format!("claim {claim} has no `{clause}` clause"),
             Fault::Empty => "no claim found in this file".to_string(),
             Fault::NotText => "this is not UTF-8 text".to_string(),
@@ -128,6 +131,7 @@ impl Diagnostic {
                 })
             }
             Fault::Empty => Some("a claim begins with: claim NAME \"Title\"".to_string()),
+            Fault::Pi => Some("choose another name".to_string()),
             Fault::Missing { .. } => Some("add a line such as: prove a = b".to_string()),
             Fault::Stray(c) => match c {
                 '.' => Some("write a digit before the decimal point, as in 0.5; a range is 1..n".to_string()),

@@ -25,8 +25,6 @@ struct Names<'a> {
     natural: BTreeSet<String>,
     /// The names in scope in the order of their declaration: a scope ends by taking back its own.
     scope: Vec<String>,
-    /// Whether what is read next declares what the claim does: only there may `pi` get another meaning than π.
-    declares: bool,
     faults: &'a mut Vec<Diagnostic>,
 }
 
@@ -87,7 +85,7 @@ fn missing(faults: Vec<Diagnostic>) -> BTreeSet<String> {
 
 impl<'a> Names<'a> {
     fn new(faults: &'a mut Vec<Diagnostic>) -> Names<'a> {
-        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), declares: false, faults }
+        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), faults }
     }
 }
 
@@ -99,15 +97,11 @@ impl Names<'_> {
     fn item(&mut self, item: &Item) {
         let names = self;
         match item {
-            Item::Given(bindings) => {
-                names.declares = true;
-                names.bindings(bindings);
-                names.declares = false;
-            }
+            Item::Given(bindings) => names.bindings(bindings, Names::declare),
             Item::Let { name, parameters, value } => {
                 let outside = names.scope.len();
                 for parameter in parameters {
-                    names.declare(parameter, Role::Value);
+                    names.bind(parameter, Role::Value);
                 }
                 names.expr(value);
                 names.leave(outside);
@@ -115,17 +109,13 @@ impl Names<'_> {
                 if parameters.is_empty() && names.is_natural(value) {
                     names.natural.insert(name.text.clone());
                 }
-                names.declares = true;
                 names.declare(name, role);
-                names.declares = false;
             }
             Item::Define { name, initial, index, step, .. } => {
                 names.expr(initial);
-                names.declares = true;
                 names.declare(name, Role::Function(1));
-                names.declares = false;
                 let outside = names.scope.len();
-                names.declare(index, Role::Value);
+                names.bind(index, Role::Value);
                 names.natural.insert(index.text.clone());
                 names.expr(step);
                 names.leave(outside);
@@ -153,14 +143,19 @@ impl Names<'_> {
         }
     }
 
+    /// Declares a bound name, which cannot be `pi`.
+    fn bind(&mut self, name: &Name, role: Role) {
+        if name.text == PI {
+            self.faults.push(Diagnostic::new(Fault::Pi, name.span));
+        } else {
+            self.declare(name, role);
+        }
+    }
+
     /// Declares a name, bound ones included. A name has one meaning at a place: nothing is hidden by another of the
     /// same name, so that text can be put in place of a name without a change of meaning.
     fn declare(&mut self, name: &Name, role: Role) {
-        if name.text == PI && !self.declares {
-            let message = "pi is the number π, which nothing else may be called here".to_string();
-            let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
-            self.faults.push(Diagnostic::new(fault, name.span));
-        } else if name.text == PI && self.faults.iter().any(is_pi) {
+        if name.text == PI && self.faults.iter().any(is_pi) {
             let message = "pi is used as the number π before it is declared".to_string();
             let help = Some("declare it first, or choose another name".to_string());
             self.faults.push(Diagnostic::new(Fault::Other { message, help }, name.span));
@@ -184,13 +179,13 @@ impl Names<'_> {
         }
     }
 
-    fn bindings(&mut self, bindings: &[Binding]) {
-        let declares = std::mem::take(&mut self.declares);
+    /// Declares the names of bindings, each in this way.
+    fn bindings(&mut self, bindings: &[Binding], declare: fn(&mut Self, &Name, Role)) {
         for binding in bindings {
             for (name, index) in &binding.names {
                 let outside = self.scope.len();
                 if let Some(index) = index {
-                    self.declare(index, Role::Value);
+                    self.bind(index, Role::Value);
                     self.natural.insert(index.text.clone());
                 }
                 for constraint in &binding.constraints {
@@ -216,9 +211,7 @@ impl Names<'_> {
                 if binding.natural {
                     self.natural.insert(name.text.clone());
                 }
-                self.declares = declares;
-                self.declare(name, if index.is_some() { Role::Function(1) } else { Role::Value });
-                self.declares = false;
+                declare(self, name, if index.is_some() { Role::Function(1) } else { Role::Value });
             }
         }
     }
@@ -301,7 +294,7 @@ impl Names<'_> {
                 self.expr(&index.from);
                 self.expr(&index.to);
                 let outside = self.scope.len();
-                self.declare(&index.name, Role::Value);
+                self.bind(&index.name, Role::Value);
                 if self.is_natural(&index.from) {
                     self.natural.insert(index.name.text.clone());
                 }
@@ -337,7 +330,7 @@ impl Names<'_> {
             }
             PropKind::Exists(bindings, body) | PropKind::ForAll(bindings, body) => {
                 let outside = self.scope.len();
-                self.bindings(bindings);
+                self.bindings(bindings, Names::bind);
                 self.prop(body);
                 self.leave(outside);
             }
@@ -345,7 +338,7 @@ impl Names<'_> {
                 extremum.at.iter().for_each(|(_, e)| self.expr(e));
                 self.expr(&extremum.value);
                 let outside = self.scope.len();
-                self.bindings(&extremum.over);
+                self.bindings(&extremum.over, Names::bind);
                 self.expr(&extremum.of);
                 self.leave(outside);
                 let over: Vec<&Name> = extremum.over.iter().flat_map(|b| b.names.iter().map(|n| &n.0)).collect();
@@ -378,7 +371,7 @@ impl Names<'_> {
                 }
                 Step::Obtain { binding, prop, witness, .. } => {
                     self.expr(witness);
-                    self.bindings(std::slice::from_ref(binding));
+                    self.bindings(std::slice::from_ref(binding), Names::bind);
                     self.prop(prop);
                 }
             }

@@ -75,8 +75,7 @@ impl Statement {
 
     /// Whether it declares this name.
     pub fn declares(&self, name: &str) -> bool {
-        self.bindings.iter().flat_map(|b| &b.names).any(|n| n.0.text == name)
-            || self.sequences.iter().any(|u| u.name == name)
+        declares(&self.bindings, &self.sequences, name)
     }
 
     /// Every name that occurs, bound ones included.
@@ -111,6 +110,11 @@ impl Statement {
         }
         out + &format!("prove {}\n", text::prop(&self.goal))
     }
+}
+
+/// Whether one of these variables, families and sequences has this name.
+pub fn declares(bindings: &[Binding], sequences: &[Sequence], name: &str) -> bool {
+    bindings.iter().flat_map(|b| &b.names).any(|n| n.0.text == name) || sequences.iter().any(|u| u.name == name)
 }
 
 /// An expression without a place.

@@ -126,9 +126,7 @@ pub(super) fn claim(claim: &Claim) -> Result<(), Refusal> {
         walk.room = Room::new();
         match item {
             Item::Given(bindings) => {
-                walk.declares = true;
-                walk.bindings(bindings)?;
-                walk.declares = false;
+                walk.bindings(bindings, Walk::declare)?;
             }
             Item::Let { name, parameters, value } => {
                 let outside = walk.bound.len();
@@ -195,8 +193,6 @@ struct Walk<'a> {
     room: Room,
     /// Whether it is a claim: then names are declared before they are used, and an index takes a new one.
     is_claim: bool,
-    /// Whether the bindings that are read next declare what the claim does: only these may give `pi` another meaning than π.
-    declares: bool,
     /// Whether `pi` was used as the number π.
     uses_pi: bool,
     /// The names outside that no quantifier may bind.
@@ -209,15 +205,7 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(is_claim: bool, taken: &'a dyn Fn(&str) -> bool) -> Walk<'a> {
-        Walk {
-            room: Room::new(),
-            is_claim,
-            declares: false,
-            uses_pi: false,
-            taken,
-            bound: Vec::new(),
-            known: BTreeSet::new(),
-        }
+        Walk { room: Room::new(), is_claim, uses_pi: false, taken, bound: Vec::new(), known: BTreeSet::new() }
     }
 
     /// Takes a name that begins here. No such name hides π.
@@ -388,12 +376,15 @@ impl<'a> Walk<'a> {
     }
 
     fn quantified(&mut self, bindings: &'a [Binding]) -> Result<(), Refusal> {
-        if bindings.is_empty() { malformed(Shape::Binding) } else { self.bindings(bindings) }
+        if bindings.is_empty() { malformed(Shape::Binding) } else { self.bindings(bindings, Walk::bind) }
     }
 
-    /// Declares names one after the other; those of a binding do not stand in its own bounds.
-    fn bindings(&mut self, bindings: &'a [Binding]) -> Result<(), Refusal> {
-        let declares = std::mem::take(&mut self.declares);
+    /// Declares names one after the other, each in this way; those of a binding do not stand in its own bounds.
+    fn bindings(
+        &mut self,
+        bindings: &'a [Binding],
+        declare: fn(&mut Self, &'a str) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
         for binding in bindings {
             if binding.names.is_empty() {
                 return malformed(Shape::Binding);
@@ -410,9 +401,7 @@ impl<'a> Walk<'a> {
             if let Some((from, to)) = &binding.indices {
                 self.exprs([from, to])?;
             }
-            for (name, _) in &binding.names {
-                if declares { self.declare(&name.text)? } else { self.bind(&name.text)? }
-            }
+            binding.names.iter().try_for_each(|name| declare(self, &name.0.text))?;
         }
         Ok(())
     }

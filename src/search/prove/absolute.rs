@@ -40,10 +40,15 @@ impl Prover {
         if self.next_absolute(goal, &[]).is_none() {
             return Err(Fail::No("an absolute value"));
         }
+        self.in_signs_with(8, goal)
+    }
+
+    /// Proves a goal by the signs inside its absolute values, each case with the effort of one below so many others.
+    fn in_signs_with(&mut self, splits: usize, goal: &Prop) -> Result<Label, Fail> {
         self.attempt(|c| {
-            let splits = std::mem::replace(&mut c.splits, 8);
+            let before = std::mem::replace(&mut c.splits, splits);
             let shown = c.in_signs(goal, &mut Vec::new(), 0);
-            c.splits = splits;
+            c.splits = before;
             shown
         })
     }
@@ -73,8 +78,10 @@ impl Prover {
     /// |E| <= F by E <= F and -E <= F, where E is no variable: its sign may be unknown, or need cases by itself.
     fn by_two_bounds(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("an absolute value as the smaller side");
-        let (small, great) = if relation.is_greater().ok_or_else(no)? { (b, a) } else { (a, b) };
-        let relation = if relation.is_greater() == Some(true) { relation.turned() } else { relation };
+        let (small, relation, great) = match relation.is_greater().ok_or_else(no)? {
+            true => (b, relation.turned(), a),
+            false => (a, relation, b),
+        };
         let (square, half) = as_power(small).ok_or_else(no)?;
         let (inside, two) = as_power(&square).ok_or_else(no)?;
         let is_root = self.letters.number(&half).is_some_and(|k| k == Rational::from_unsigneds(1u32, 2));
@@ -83,11 +90,7 @@ impl Prover {
         }
         let opposite = expr(ExprKind::Negate(Box::new(inside.clone())));
         for side in [inside, opposite] {
-            let shown = compare(side, relation, great.clone());
-            let splits = std::mem::replace(&mut self.splits, 3);
-            let label = self.attempt(|c| c.in_signs(&shown, &mut Vec::new(), 0));
-            self.splits = splits;
-            label?;
+            self.in_signs_with(3, &compare(side, relation, great.clone()))?;
         }
         self.by_absolute_values(goal)
     }

@@ -6,7 +6,7 @@ use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, compare, name, numeral, sum};
+use crate::kernel::statement::{apply, compare, expr, name, numeral, sum};
 use crate::kernel::trigonometry::{
     MULTIPLE_LIMIT, below_the_argument, below_the_tangent, positive_arcs, unit_circle, within_one,
 };
@@ -21,7 +21,7 @@ impl Prover {
     /// Bounds of π.
     pub(super) fn learn_pi(&mut self) -> Result<(), Fail> {
         for (relation, text) in PI_BOUNDS {
-            let bound = crate::kernel::statement::expr(ExprKind::Number(text.to_string()));
+            let bound = expr(ExprKind::Number(text.to_string()));
             self.new_fact(Rule::Evaluate, compare(name(PI), relation, bound))?;
         }
         Ok(())
@@ -87,10 +87,7 @@ impl Prover {
         for other in self.letters.all() {
             let ExprKind::Apply(f, at) = &other.kind else { continue };
             let ("cos" | "sin", [v]) = (f.text.as_str(), at.as_slice()) else { continue };
-            let ratio = crate::kernel::statement::expr(ExprKind::Product(vec![
-                (Factor::Times, v.clone()),
-                (Factor::Over, u.clone()),
-            ]));
+            let ratio = expr(ExprKind::Product(vec![(Factor::Times, v.clone()), (Factor::Over, u.clone())]));
             let Some(ratio) = self.read(&ratio, false).filter(|r| r.factors.is_empty()).map(|r| r.number) else {
                 continue;
             };

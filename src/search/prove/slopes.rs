@@ -8,7 +8,7 @@ use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::statement::{apply, compare, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use std::collections::BTreeSet;
 
@@ -324,7 +324,7 @@ impl Prover {
     /// Shows f(a) = f(b) for f = sin and f = cos where it speaks of a or b: 1/2 is the sine of pi/6.
     fn values_of_functions(&mut self, a: &Expr, b: &Expr) {
         for f in ["sin", "cos"] {
-            let (x, y) = (crate::kernel::statement::apply(f, a.clone()), crate::kernel::statement::apply(f, b.clone()));
+            let (x, y) = (apply(f, a.clone()), apply(f, b.clone()));
             if self.letters.knows(&x) || self.letters.knows(&y) {
                 let same = compare(x, Relation::Equal, y);
                 let _ = self.attempt(|c| c.combination(same, Vec::new()));

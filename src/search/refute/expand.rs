@@ -56,8 +56,7 @@ impl Statement {
 
     /// Whether it declares this name.
     pub(crate) fn declares(&self, name: &str) -> bool {
-        let mut declared = self.bindings.iter().flat_map(|b| &b.names).map(|n| &n.0.text);
-        declared.any(|n| n == name) || self.sequences.iter().any(|u| u.name == name)
+        statement::declares(&self.bindings, &self.sequences, name)
     }
 
     /// The statement of a claim.

@@ -15,8 +15,8 @@ impl Parser {
         let variable = self.name("the variable that moves")?;
         let is_declared = self.declared.contains(&variable.text);
         if variable.text == PI && !is_declared {
-            let message = "pi is the number π, which nothing else may be called here";
-            return Err(self.other(message, Some("choose another name"), variable.span));
+            self.faults.push(Diagnostic::new(Fault::Pi, variable.span));
+            return Err(Reported);
         }
         let domain = self.span();
         let said = self.grows(&variable);
