@@ -45,13 +45,18 @@ def is_natural(e, naturals):
 
 
 def begins(x, naturals):
-    """The sums and products over an index below x: each with its lower end, and the names of natural numbers there."""
+    """The sums and products over an index below x: each with its lower end, and the names of natural numbers there. What an
+    integral binds is none of these."""
     inner = naturals | {n for b in bindings_of(x) if b[2] for n, _ in b[1]}
     if x[0] == "over":
         yield x, x[3], naturals
         yield from begins(x[3], naturals)
         yield from begins(x[4], naturals)
         yield from begins(x[5], naturals | {x[2]})
+    elif x[0] == "integral":
+        for end in x[3:5]:
+            yield from begins(end, naturals)
+        yield from begins(x[5], naturals - {x[2]})
     else:
         for y in nodes(x):
             yield from begins(y, inner)
@@ -520,31 +525,36 @@ class Checker(Logic):
         fact, s, relation = self.fact(s.sources[0]), s._replace(sources=s.sources[1:]), single(goal)[1]
         need(fact[0] == "all" and len(fact[1]) == 1 and len(fact[1][0][1]) == 1, ONE_VARIABLE)
         (_, ((t, index),), natural, limits, _), = fact[1]
-        derivative, slope, zero = single(fact[2])
-        need(derivative[0] == "deriv" and derivative[2] == (t,) and zero == num(0),
-             "a fact `for all t …: derivative(F, t) relation 0` is needed")
+        derivative, slope, f = single(fact[2])
+        need(derivative[0] == "deriv" and derivative[2] == (t,), "a fact `for all t …: derivative(F, t) relation f` is needed")
         bounds = all(c[0] == "interval" or c[0] == "relation" and c[1] not in ("=", "!=") for c in limits)
         need(bounds and not natural and index is None and not any(t in names_in(e) for c in limits for e in nodes(c)),
              "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed")
         need(sorted(n for n, _ in s.values) == ["a", "b"], ONE_VALUE)
         a, b = (dict(s.values)[n] for n in "ab")
-        says = compare(put(derivative[1], {t: b}), relation, put(derivative[1], {t: a}))
+        of = derivative[1]
+        at_a, at_b = (put(of, {t: e}) for e in (a, b))
+        says = compare(plus(at_b, at_a, -1), relation, N("integral", "integral", t, a, b, f))
+        needed = [of, f]
+        if f == num(0) and not same(goal, says):
+            says, needed = compare(at_b, relation, at_a), [of]
         need(same(goal, says), f"with these values it says {text(says)}")
         for e in (a, b):
             self.number_defined(e, known)
         weak = {"<": "<=", ">": ">="}
         some = tuple((c[0], True, c[2], c[3], True) if c[0] == "interval" else c for c in limits)
         ends = tuple(c[:1] + (weak.get(c[1], c[1]), c[2]) if c[0] == "relation" else c for c in some)
-        for interval in (limits, some, ends):
-            domain_of = N("bind", ((t, None),), False, interval, None)
+        of_fact, *others = (N("bind", ((t, None),), False, interval, None) for interval in (limits, some, ends))
+        self.within((of_fact,), known, lambda inner: self.number_defined(derivative, inner))
+        for domain_of in (of_fact, *others):
             try:
                 for e in (a, b):
                     for p in constraints(domain_of, e):
                         self.holds(p, s, known)
-                self.within((domain_of,), known, lambda inner: self.number_defined(derivative, inner))
+                self.within((domain_of,), known, lambda inner: [self.number_defined(e, inner) for e in needed])
                 break
             except Refused:
-                if interval is ends:
+                if domain_of is others[-1]:
                     raise
         signs = TIMES[self.signs(self.read(plus(b, a, -1)), known)][SIGNS[slope]]
         need(not signs & ~SIGNS[relation], "the signs do not show this")

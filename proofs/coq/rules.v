@@ -16,7 +16,7 @@ rule unfold: product_last, product_first, sum_last, sum_first, product_empty, su
 rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
 rule circle: unit_circle, within_one, sine_arc, cosine_arc, below_the_argument, below_the_tangent, multiple
-rule slope: slope, differentiable, slope_sign, sloped
+rule slope: slope, slope_between, smooth_on, slope_integral, differentiable, slope_sign, sloped
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
 rule termwise: sum_ext2, product_ext2, sum_le2, termwise
@@ -767,20 +767,87 @@ Proof. intros x h. rewrite <- Rpower_pow by apply exp_pos. rewrite Rpower_mult. 
 Ltac square_of_root := first [apply half_squared; pos | apply pow2_sqrt; first [assumption | apply Rlt_le; pos | lra]].
 
 (** * The mean value theorem *)
-Lemma slope : forall (f : R -> R) a b s u w,
-  (forall t, a <= t <= b \/ b <= t <= a -> ex_derive f t) -> (forall t, a < t < b \/ b < t < a -> holds s (Derive f t - 0)) ->
+(** The values that f has from a to b, and beyond each end the value at that end, make a continuous function. *)
+Lemma extended : forall (f : R -> R) a b x, a <= b -> continuous_on (fun t => a <= t <= b) f -> continuous (fun t => f (Rmax a (Rmin b t))) x.
+Proof.
+  intros f a b x h c. assert (there : forall t, a <= Rmax a (Rmin b t) <= b) by (intro t; unfold Rmax, Rmin; repeat destruct Rle_dec; lra).
+  apply (filterlim_comp _ _ _ _ f _ (Hierarchy.within (fun t => a <= t <= b) (locally (Rmax a (Rmin b x))))); [| apply c, there].
+  intros P [e q]. exists e. intros y hy. apply q; [| apply there]. apply Rle_lt_trans with (2 := hy).
+  change (Rabs (Rmax a (Rmin b y) - Rmax a (Rmin b x)) <= Rabs (y - x)).
+  unfold Rmax, Rmin. repeat destruct Rle_dec; unfold Rabs; repeat destruct Rcase_abs; lra.
+Qed.
+(** Values at a and b compared, by the sign of the derivative strictly between them; at a and b there need not be one. *)
+Lemma slope_between : forall (f : R -> R) a b s u w, continuous_on (fun t => a <= t <= b \/ b <= t <= a) f ->
+  (forall t, a < t < b \/ b < t < a -> ex_derive f t) -> (forall t, a < t < b \/ b < t < a -> holds s (Derive f t - 0)) ->
   holds u (b - a) -> within (times s u) w && within (meet u EQ) w = true -> holds w (f b - f a).
 Proof.
-  assert (q : forall (f : R -> R) a b, a < b -> (forall t, a <= t <= b -> ex_derive f t) ->
+  assert (q : forall (f : R -> R) a b, a < b -> (forall t, a < t < b -> ex_derive f t) -> continuous_on (fun t => a <= t <= b) f ->
     exists c, f b - f a = Derive f c * (b - a) /\ a < c < b).
-  { intros f a b h d. apply MVT_cor2; [exact h |]. intros c hc. apply is_derive_Reals, Derive_correct, d, hc. }
-  intros f a b s u w d hs hu e. apply andb_prop in e. destruct e as [e1 e2].
+  { intros f a b h d k. assert (e : forall t, a < t < b -> derivable_pt_lim (fun y => f (Rmax a (Rmin b y))) t (Derive f t)).
+    { intros t ht. apply is_derive_Reals, (is_derive_ext_loc f); [| now apply Derive_correct, d].
+      apply (locally_interval _ t a b); [apply ht | apply ht |]. cbn. intros. now rewrite Rmin_right, Rmax_right by lra. }
+    destruct (MVT _ id a b (fun t ht => exist _ _ (e t ht)) (fun t _ => derivable_pt_id t) h) as (t & ht & q); [| now intros; apply derivable_continuous, derivable_id |].
+    - intros t _. apply continuity_pt_filterlim, extended; [lra | exact k].
+    - exists t. split; [| exact ht]. rewrite derive_pt_id in q. unfold id in q. cbn in q.
+      rewrite (Rmin_left b b), (Rmax_right a b), (Rmin_right b a), (Rmax_left a a) in q by lra. lra. }
+  intros f a b s u w k d hs hu e. apply andb_prop in e. destruct e as [e1 e2].
   assert (p : forall c, a < c < b \/ b < c < a -> f b - f a = Derive f c * (b - a) -> holds w (f b - f a)).
   { intros c hc ->. apply (weaken _ _ _ e1), holds_times; [| exact hu]. rewrite <- (Rminus_0_r (Derive f c)). now apply hs. }
   destruct (Rtotal_order a b) as [h | [h | h]].
-  - destruct (q f a b h) as (c & hq & hc); [intros; apply d; now left | apply (p c); [now left | exact hq]].
+  - destruct (q f a b h) as (c & hq & hc); [intros; apply d; now left | apply (continuous_on_subset _ _ _ (fun t i => or_introl i) k) | apply (p c); [now left | exact hq]].
   - subst. apply (weaken _ _ _ e2). replace (f b - f b) with (b - b) by lra. apply both; [exact hu | now apply of_eq].
-  - destruct (q f b a h) as (c & hq & hc); [intros; apply d; now right | apply (p c); [now right | lra]].
+  - destruct (q f b a h) as (c & hq & hc); [intros; apply d; now right | apply (continuous_on_subset _ _ _ (fun t i => or_intror i) k) | apply (p c); [now right | lra]].
+Qed.
+Lemma smooth_on : forall (D : R -> Prop) (f : R -> R), (forall t, D t -> ex_derive f t) -> continuous_on D f.
+Proof. intros D f d. apply continuous_on_forall. intros t h. now apply (ex_derive_continuous f), d. Qed.
+Lemma slope : forall (f : R -> R) a b s u w,
+  (forall t, a <= t <= b \/ b <= t <= a -> ex_derive f t) -> (forall t, a < t < b \/ b < t < a -> holds s (Derive f t - 0)) ->
+  holds u (b - a) -> within (times s u) w && within (meet u EQ) w = true -> holds w (f b - f a).
+Proof. intros f a b s u w d. apply slope_between; [now apply smooth_on | intros t h; apply d; lra]. Qed.
+Lemma min_max : forall a b t, Rmin a b <= t <= Rmax a b <-> a <= t <= b \/ b <= t <= a.
+Proof. intros. unfold Rmin, Rmax. destruct Rle_dec; lra. Qed.
+(** A function that is continuous from a to b has an integral from a to each t there, and is the derivative of this strictly between. *)
+Lemma integral_there : forall (f : R -> R) a b, continuous_on (fun t => a <= t <= b \/ b <= t <= a) f -> exists F : R -> R,
+  (forall t, a <= t <= b \/ b <= t <= a -> is_RInt f a t (F t)) /\ (forall t, continuous F t) /\ (forall t, a < t < b \/ b < t < a -> is_derive F t (f t)).
+Proof.
+  intros f a b k. set (g t := f (Rmax (Rmin a b) (Rmin (Rmax a b) t))).
+  assert (same : forall t, a <= t <= b \/ b <= t <= a -> g t = f t) by (intros t h; apply min_max in h; unfold g; now rewrite (Rmin_right _ t), Rmax_right by lra).
+  assert (c : forall t, continuous g t) by (intro t; apply extended; [apply Rmin_Rmax | exact (continuous_on_subset _ _ _ (fun y => proj1 (min_max a b y)) k)]).
+  assert (i : forall t, is_RInt g a t (RInt g a t)) by (intro t; now apply (RInt_correct g), (ex_RInt_continuous g)).
+  assert (d : forall t, is_derive (RInt g a) t (g t)) by (intro t; apply (is_derive_RInt _ _ a); [now apply filter_forall | apply c]).
+  exists (RInt g a). split; [| split]; intros t.
+  - intro h. apply (is_RInt_ext g); [| apply i]. intros y hy. apply same. assert (z := proj1 (min_max a t y)). lra.
+  - apply (ex_derive_continuous (RInt g a)). now exists (g t).
+  - intro h. rewrite <- same by lra. apply d.
+Qed.
+(** What F gains from a to b compared with the integral of f, by the sign of F' - f strictly between. *)
+Lemma slope_integral : forall (F f : R -> R) a b s u w,
+  continuous_on (fun t => a <= t <= b \/ b <= t <= a) F -> continuous_on (fun t => a <= t <= b \/ b <= t <= a) f ->
+  (forall t, a < t < b \/ b < t < a -> ex_derive F t) -> (forall t, a < t < b \/ b < t < a -> holds s (Derive F t - f t)) ->
+  holds u (b - a) -> within (times s u) w && within (meet u EQ) w = true -> holds w (F b - F a - RInt f a b).
+Proof.
+  intros F f a b s u w kF k d hs hu e. destruct (integral_there f a b k) as (G & i & c & dG).
+  assert (z := is_RInt_unique _ _ _ _ (i a ltac:(lra))). rewrite RInt_point in z. rewrite (is_RInt_unique _ _ _ _ (i b ltac:(lra))).
+  replace (F b - F a - G b) with ((F b - G b) - (F a - G a)) by (rewrite <- z; cbn; lra).
+  assert (q : forall t, a < t < b \/ b < t < a -> is_derive (fun y : R => F y - G y) t (Derive F t - f t))
+    by (intros t h; apply (is_derive_minus F G); [now apply Derive_correct, d | now apply dG]).
+  apply (slope_between (fun y => F y - G y) a b s u w); [| intros t h; eexists; now apply q | | exact hu | exact e]; intros t h.
+  - refine (filterlim_comp_2 _ _ Hierarchy.plus (kF t h) _ (filterlim_plus (F t) (opp (G t)))).
+    apply (continuous_on_forall _ (fun y => opp (G y))) with (2 := h). intros y _. apply (continuous_opp G), c.
+  - rewrite (is_derive_unique _ _ _ (q t h)), Rminus_0_r. now apply hs.
+Qed.
+(** The derivative of an integral whose ends move. *)
+Lemma derivative_of_integral : forall (f a b : R -> R) x a' b', is_derive a x a' -> is_derive b x b' ->
+  (forall t, a x <= t <= b x \/ b x <= t <= a x -> locally t (continuous f)) -> is_derive (fun y => RInt f (a y) (b y)) x (f (b x) * b' - f (a x) * a').
+Proof.
+  intros f a b x a' b' ha hb c. rewrite (Rmult_comm _ b'), (Rmult_comm _ a').
+  assert (k : forall t, a x <= t <= b x \/ b x <= t <= a x -> continuous f t) by (intros t h; exact (locally_singleton _ _ (c t h))).
+  assert (near : forall t, a x <= t <= b x \/ b x <= t <= a x -> exists e : posreal, ex_RInt f (t - e) (t + e)).
+  { intros t h. destruct (c t h) as [e q]. exists (pos_div_2 e). assert (z := cond_pos e). apply (ex_RInt_continuous f).
+    intros y hy. apply q. change (Rabs (y - t) < e). cbn in hy. apply min_max in hy. unfold Rabs. destruct Rcase_abs; lra. }
+  apply (is_derive_RInt_bound_comp f (RInt f)); [| apply k; lra | apply k; lra | exact ha | exact hb].
+  apply (filter_imp (fun z => ex_RInt f (fst z) (snd z))); [intros z h; now apply (RInt_correct f) |].
+  apply (ex_RInt_locally f (a x) (b x)); [| apply near; lra | apply near; lra]. apply (ex_RInt_continuous f). intros t h. now apply k, min_max.
 Qed.
 Ltac between := intros; repeat match goal with H : _ \/ _ |- _ => destruct H end; repeat split; lra.
 Ltac slope_sign z c := intros; first

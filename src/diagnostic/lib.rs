@@ -145,7 +145,7 @@ impl Diagnostic {
                         .to_string(),
                 ),
                 '%' => Some("a comment begins with #; a percentage is a decimal, as in 0.05".to_string()),
-                '∫' => Some(NO_INTEGRALS.to_string()),
+                '∫' => Some(INTEGRAL.to_string()),
                 '∂' => Some("write derivative(f, x)".to_string()),
                 '∑' => Some("write sum(i = 1..n, x)".to_string()),
                 '∏' => Some("write product(i = 1..n, x)".to_string()),
@@ -198,9 +198,9 @@ impl Diagnostic {
     }
 }
 
-/// What to write instead of an integral.
-const NO_INTEGRALS: &str =
-    "there are no integrals; assume derivative(F, x) = f for an antiderivative F, and write F(b) - F(a)";
+/// How an integral is written.
+const INTEGRAL: &str =
+    "write integral(x = a..b, f) for a definite integral; for an indefinite one say derivative(F, x) = f";
 
 /// The line and the column at which a range of a text begins, both from 1, the column in characters.
 fn place(span: Span, text: &str) -> (usize, usize) {
@@ -237,7 +237,7 @@ fn instead(name: &str) -> Option<&'static str> {
         "artanh" | "atanh" => "write ln((1 + x)/(1 - x))/2",
         "sgn" | "sign" => "write x/|x| where x != 0",
         "mod" => "declare the quotient and the remainder: `given q natural; r in 0..6` and `assume n = 7*q + r`",
-        "integral" | "int" | "integrate" | "Integrate" => NO_INTEGRALS,
+        "int" | "integrate" | "Integrate" => INTEGRAL,
         "e" => "for the base of exponentials write exp(x), for a restitution declare it: `given e in [0, 1]`",
         "diff" | "Derivative" | "D" => "write derivative(f, x)",
         "O" | "o" => "there is no O(…); state a bound with a constant, such as |f - g| <= C*h^2 for h in (0, 1)",

@@ -128,7 +128,7 @@ impl Reader<'_, '_, '_> {
 }
 
 /// Where to read on behind d or ∂.
-fn differential(tokens: &[Token], at: usize) -> Option<usize> {
+pub(crate) fn differential(tokens: &[Token], at: usize) -> Option<usize> {
     let token = tokens.get(at)?;
     let is_name = tokens.get(at + 1).is_some_and(|t| t.is_char('_') || t.is_char('\''));
     if (token.is_char('d') && !is_name) || token.is("partial") {

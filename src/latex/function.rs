@@ -287,13 +287,14 @@ impl<'t> Reader<'t, '_, '_> {
         Ok(if name == "vmatrix" { piece.within("det") } else { Piece { is_matrix: true, ..piece } })
     }
 
-    /// A sum, a product or a derivative, with all that it reaches.
+    /// A sum, a product, an integral or a derivative, with all that it reaches.
     pub(crate) fn operator(&mut self) -> Read<Option<Piece>> {
         let start = self.span();
         let Some(token) = self.peek() else { return Ok(None) };
         match token.command() {
             Some("sum") => self.over("sum", start).map(Some),
             Some("prod") => self.over("product", start).map(Some),
+            Some("int") => self.integral(start).map(Some),
             Some("frac" | "dfrac" | "tfrac") => self.derivative(start),
             Some("lim") => {
                 let help = "write the limit as a statement of its own: \\lim_{n \\to \\infty} (…) = …";

@@ -17,6 +17,7 @@ mod expression;
 mod form;
 mod function;
 mod input;
+mod integral;
 mod macros;
 mod markdown;
 mod measured;

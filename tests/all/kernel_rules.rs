@@ -80,7 +80,7 @@ macro_rules! files {
     };
 }
 
-files! { refutations evaluate combination power logic blocks quantifiers sums order slope circle limits names }
+files! { refutations evaluate combination power logic blocks quantifiers sums order slope integral circle limits names }
 
 #[test]
 fn examples_of_the_page_about_the_format() {
@@ -95,8 +95,8 @@ fn examples_of_the_page_about_the_format() {
             count += 1;
         }
     }
-    // One for each rule, `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 23);
+    // One for each rule, a second for `slope`; `suppose` and `let` share one; and two refutations.
+    assert_eq!(count, 24);
 }
 
 /// Propositions are compared by their keys.

@@ -40,6 +40,7 @@ class Angles:
         for clause in clauses(claim):
             for x in parts(clause):
                 need(x[0] != "deriv" or not set(x[2]) & set(self.over), "a derivative by an angle is that of a function")
+                need(x[0] != "integral" or x[2] not in self.over, "an integral over an angle is that of a function")
         for name, over in sorted(self.over.items()):
             part = name if over == 1 else f"{name}_over_{over}"
             self.names[name] = self.fresh.name(f"cos_{part}"), self.fresh.name(f"sin_{part}")

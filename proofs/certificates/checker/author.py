@@ -6,7 +6,7 @@ label, proposition, value), ("by", the facts and claims that it cites, what else
 ("value", name, expression).
 """
 from .claims import (
-    BEGINNINGS, compare, constraints, FUNCTIONS, N, need, Node, nodes, num, Parser, PI, plus, RELATIONS, RESERVED,
+    BEGINNINGS, BINDERS, compare, constraints, FUNCTIONS, N, need, Node, nodes, num, Parser, PI, plus, RELATIONS, RESERVED,
 )
 
 ABBREVIATIONS = {"abs": (1, 1), "max": (2, 8), "min": (2, 8), "factorial": (1, 1), "binomial": (2, 2), "trace": (1, 1),
@@ -326,7 +326,7 @@ def free_in_order(x, bound=()):
     """The names that stand free in an expression or comparison, without those that are applied, from left to right."""
     if x[0] == "name":
         return [] if x[1] in bound else [x[1]]
-    if x[0] == "over":
+    if x[0] in BINDERS:
         ends = free_in_order(x[3], bound) + free_in_order(x[4], bound)
         return ends + free_in_order(x[5], (*bound, x[2]))
     return [n for y in nodes(x) for n in free_in_order(y, bound)]

@@ -24,7 +24,10 @@ class Node(tuple):
     """(tag, parts...): an expression, a proposition or a binding. Tuples in it are lists."""
 
 
-EXPRESSIONS = {"num", "name", "call", "neg", "sum", "prod", "pow", "over", "deriv", "matrix"}
+EXPRESSIONS = {"num", "name", "call", "neg", "sum", "prod", "pow", "over", "integral", "deriv", "matrix"}
+# (tag, word, name, from, to, body): the name is bound in the body, as a natural number in a sum or product over an index, and as
+# a real number in an integral.
+BINDERS = ("over", "integral")
 
 
 def nodes(x):
@@ -69,8 +72,8 @@ def names_in(x, out=None):
     inner = set()
     for y in nodes(x):
         names_in(y, inner)
-    bound = {x[2]} if x[0] == "over" else {n for b in bindings_of(x) for n, _ in b[1]}
-    if x[0] == "over":
+    bound = {x[2]} if x[0] in BINDERS else {n for b in bindings_of(x) for n, _ in b[1]}
+    if x[0] in BINDERS:
         names_in(x[3], out), names_in(x[4], out)
     out |= inner - bound
     return out
@@ -131,9 +134,9 @@ def put(x, m, depth=0):
             return put(value[2], dict(zip(value[1], arguments)), None)
         need(value[0] == "name", f"{x[1]} is not a function")
         return N("call", value[1], arguments)
-    if tag == "over":
+    if tag in BINDERS:
         inner, below = under([x[2]])
-        return N("over", x[1], new(x[2], inner), go(x[3]), go(x[4]), put(x[5], inner, below))
+        return N(tag, x[1], new(x[2], inner), go(x[3]), go(x[4]), put(x[5], inner, below))
     if tag in ("deriv", "limit"):
         for v in x[2] if tag == "deriv" else [x[2]]:
             moves(m, v)
@@ -176,14 +179,14 @@ def declared_with(bindings, taken, indices, hides_pi=False):
 
 
 def bound_once(x, taken, indices=True):
-    """Whether each name that x binds is new where it begins; those of sums and products are looked at on demand."""
+    """Whether each name that x binds is new where it begins; those of sums, products and integrals are looked at on demand."""
     inner = taken
-    need(x[0] != "over" or x[2] != PI, f"the name {PI} is in use")
-    if x[0] == "over" and indices:
+    need(x[0] not in BINDERS or x[2] != PI, f"the name {PI} is in use")
+    if x[0] in BINDERS and indices:
         inner = taken_with([x[2]], taken)
     elif bindings_of(x):
         inner = declared_with(bindings_of(x), taken, indices)
-    outside = x[3:5] if x[0] == "over" else [*(e for _, e in x[5]), x[6]] if x[0] == "extremum" else ()
+    outside = x[3:5] if x[0] in BINDERS else [*(e for _, e in x[5]), x[6]] if x[0] == "extremum" else ()
     for y in nodes(x):
         if y[0] != "bind":
             bound_once(y, taken if any(y is z for z in outside) else inner, indices)
@@ -217,7 +220,7 @@ DASHED = re.compile(r"(?a:(?P<word>[A-Za-z]([\w₀-₉]|-(?=[\w₀-₉]))*'*))")
 PRINTED = re.compile(r"(?a:(?P<text>\w[-\w.'′*]*))")
 CLAUSES = set("claim source section number reading note using given let define assume prove expect".split())
 RESERVED = CLAUSES | set("""and or not exists for all each in is at over of as by with maximum minimum limit infinity have
-    obtain case real natural sum product derivative only conclude""".split())
+    obtain case real natural sum product integral derivative only conclude""".split())
 FUNCTIONS = set("det transpose sqrt cbrt exp ln cos sin cosh sinh sech tanh".split())
 # The number π, wherever the claim declares nothing of this name.
 PI = "pi"
@@ -232,7 +235,9 @@ class Parser:
     from_author = False
 
     def __init__(self, source):
-        source = source.replace("Σ(", "sum(").replace("Π(", "product(").translate(str.maketrans({**GREEK, **OTHER}))
+        for printed, word in (("Σ(", "sum("), ("Π(", "product("), ("∫(", "integral(")):
+            source = source.replace(printed, word)
+        source = source.translate(str.maketrans({**GREEK, **OTHER}))
         self.tokens, self.at_token, at, first, in_list = [], 0, 0, True, False
         while at < len(source):
             # The names of claims, behind `claim` and `by` and in the list behind `using`, may hold dashes.
@@ -363,9 +368,9 @@ class Parser:
             self.want("]")
             need(len(set(map(len, rows))) == 1, "the rows of a matrix differ in length")
             return N("matrix", tuple(map(tuple, rows)))
-        if word := self.take("sum", "product"):
+        if word := self.take("sum", "product", "integral"):
             _, v, _, low, _, high, _, body, _ = self.read("( N = E .. E , E )")
-            return N("over", word, v, low, high, body)
+            return N("integral" if word == "integral" else "over", word, v, low, high, body)
         if self.take("derivative"):
             _, body, _, first = self.read("( E , N")
             by = [first] + [self.name() for _ in iter(lambda: self.take(","), None)]
@@ -538,7 +543,7 @@ def text(x):
         return x[1]
     if tag == "call":
         return f"{x[1]}({each(', ', x[2])})"
-    if tag == "over":
+    if tag in BINDERS:
         return f"{x[1]}({x[2]} = {text(x[3])}..{text(x[4])}, {text(x[5])})"
     if tag == "deriv":
         return f"derivative({text(x[1])}, {', '.join(x[2])})"

@@ -280,7 +280,7 @@ class Point:
             return out
         if tag == "matrix":
             return [[self.number(x) for x in row] for row in e[1]]
-        need(tag == "call" and len(e[2]) == 1, "a derivative is not evaluated")
+        need(tag == "call" and len(e[2]) == 1, "derivatives and integrals are not evaluated")
         return self.call(e[1], e[2][0])
 
     def call(self, f, e):

@@ -1,6 +1,6 @@
 """The preamble, whose declarations the claims of a file or folder share: section 14.3 of docs/certificates.md."""
 from .author import ABBREVIATIONS, OF_ANGLES
-from .claims import FUNCTIONS, N, need, Node, PI
+from .claims import BINDERS, FUNCTIONS, N, need, Node, PI
 from .walk import bound as bound_in, declared
 
 WORDS = FUNCTIONS | set(ABBREVIATIONS) | {*OF_ANGLES, "floor", "ceil", "ceiling"}
@@ -15,7 +15,7 @@ def free(x, bound):
         out |= set(x[2]) - bound
     if tag in ("limit", "approach"):
         out |= {x[2]} - bound
-    if tag == "over":
+    if tag in BINDERS:
         return free(x[3], bound) | free(x[4], bound) | free(x[5], within(bound, [x[2]]))
     if tag in ("all", "exists"):
         return free_of_bindings(x[1], bound) | free(x[2], within(bound, names_bound(x[1])))

@@ -96,6 +96,9 @@ def without_value(e, bindings, goal, sequences):
         if p[0] == "over":
             index = N("bind", ((p[2], None),), True, (("range", True, p[3], p[4], True),), None)
             parts[2] = (p[5], bound + [index], premises)
+        if p[0] == "integral":
+            # Which end is the lower one is not said, so what a point of the interval is stays open.
+            del parts[2]
         return next((found for part in parts if (found := way(*part)) is not None), None)
 
     found = way(goal, [], [])

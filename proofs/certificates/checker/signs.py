@@ -2,8 +2,8 @@
 from copy import copy
 from fractions import Fraction as Q
 
-from checker.claims import conjuncts, constraints, domain, N, need, nodes, Refused, single, text
-from checker.terms import atom, F, factored, ONE, poly_product, size, Terms, the_atom, total
+from checker.claims import conjuncts, constraints, domain, N, names_in, need, nodes, Refused, single, text
+from checker.terms import atom, F, factored, NO_DERIVATIVE, ONE, poly_product, size, Terms, the_atom, total
 
 # A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
 SIGNS = {"=": 2, "!=": 5, "<": 1, "<=": 3, ">": 4, ">=": 6}
@@ -185,7 +185,7 @@ class Values(Terms):
 
     def learn_needs(self, e, known):
         """A fact has a value, so that its divisors are not 0, and so on."""
-        if e[0] not in ("over", "deriv"):
+        if e[0] not in ("over", "integral", "deriv"):
             for part in nodes(e):
                 self.learn_needs(part, known)
         for part, signs, other in self.needs(e):
@@ -354,6 +354,11 @@ class Values(Terms):
             known = known.copy()
             self.at_index(e[2], low, high, known, lambda: self.defined(e[5], known))
             return
+        if e[0] == "integral":
+            for end in e[3:5]:
+                self.number_defined(end, known)
+            self.between_ends(e, known, lambda inner: self.number_defined(e[5], inner))
+            return
         for part in nodes(e):
             self.defined(part, known)
         if e[0] == "call" and self.is_declared(e[1]):
@@ -369,6 +374,22 @@ class Values(Terms):
                 self.show(part, signs, known)
         if e[0] == "deriv":
             self.smooth(e[1], e[2], known)
+
+    def between_ends(self, e, known, run):
+        """Runs something where the variable of an integral is a new real number between its ends; if signs do not tell which of
+        them is the lower one, it is any real number. A sign that both ends have is that of all numbers between."""
+        _, _, x, low, high, _ = e
+        signs, limits = self.signs(self.read(high) - self.read(low), known), ()
+        if not signs & 1:
+            limits = (("interval", True, low, high, True),)
+        elif not signs & 4:
+            limits = (("interval", True, high, low, True),)
+        both = self.signs(self.read(low), known) | self.signs(self.read(high), known)
+        for side in (">", ">=", "<", "<="):
+            if not both & ~SIGNS[side]:
+                limits += (("relation", side, N("num", "0")),)
+                break
+        self.within((N("bind", ((x, None),), False, limits, None),), known, run)
 
     def at_index(self, name, low, high, known, run):
         """Runs something where a name is a natural number between low and high."""
@@ -397,6 +418,13 @@ class Values(Terms):
         """Whether what has a value can be differentiated: what is needed holds nearby as well."""
         if e[0] == "over":
             need(not {self.scope[x] for x in by} & self.free_in(self.read(e)), "a derivative of a sum over an index")
+            return
+        if e[0] == "integral":
+            # Only its ends move. All around them, and between them, the body keeps its value and its own derivatives.
+            need(not set(by) & ({e[2]} | names_in(e[5])), NO_DERIVATIVE)
+            for end in e[3:5]:
+                self.smooth(end, by, known)
+            self.between_ends(e, known, lambda inner: self.smooth(e[5], (e[2],), inner))
             return
         for part, signs, exponent in self.needs(e):
             if e[0] != "prod":

@@ -3,7 +3,7 @@ import math
 from fractions import Fraction as Q
 
 from checker import circle
-from checker.claims import as_power, FUNCTIONS, need, PI, room
+from checker.claims import as_power, BINDERS, FUNCTIONS, need, PI, room
 
 
 # A polynomial is a dict {monomial: whole number}, a monomial a sorted tuple of (atom, exponent).
@@ -86,7 +86,9 @@ class F:
 
 
 ONE, ZERO = F(1), F(0)
-NO_DERIVATIVE = "a derivative of a member of a family or sequence, or of a sum over an index"
+NO_DERIVATIVE = "a derivative of a member of a family or sequence, of a sum over an index, or of what stands in an integral"
+# What a sum or product over an index, and an integral, binds in its body: an atom with the number of these around it.
+BOUND = {"over": "index", "integral": "place"}
 
 
 def turned(u, v):
@@ -226,16 +228,21 @@ class Terms:
             self.scope = scope
 
     def intern(self, a):
-        """The number of an atom. `free` holds the variables and indices on which it depends."""
+        """The number of an atom. `free` holds the variables, indices and places on which it depends."""
         if a not in self.ids:
             self.ids[a] = len(self.atoms)
             self.atoms.append(a)
             free = set().union(*(self.free_in(f) for f in a if isinstance(f, F)))
-            if a[0] == "over":
-                free = self.free_in(a[3]) | self.free_in(a[4]) | self.free_in(a[5]) - {self.intern(("index", a[2]))}
-            self.free.append(free | ({self.ids[a]} if a[0] in ("variable", "index") else {"sequence"}
+            if a[0] in BOUND:
+                *_, low, high, body = a
+                free = self.free_in(low) | self.free_in(high) | self.free_in(body) - {self.bound_by(a)}
+            self.free.append(free | ({self.ids[a]} if a[0] in ("variable", *BOUND.values()) else {"sequence"}
                                      if a[0] == "member" and a[1] in self.sequences else set()))
         return self.ids[a]
+
+    def bound_by(self, a):
+        """The number of the atom that an atom binds in its body."""
+        return self.intern((BOUND[a[0]], a[-4]))
 
     def free_in(self, f):
         return set().union(*(self.free[a] for a in f.atoms()))
@@ -335,6 +342,8 @@ class Terms:
                 return self.over(e[1], self.depth, low, high, body)
             finally:
                 self.depth -= 1
+        if tag == "integral":
+            return self.integral(*e[2:])
         if tag == "deriv":
             # An equation is true at the point, not around it: none is put in before all derivatives are taken.
             equations, self.equations = self.equations, ()
@@ -349,6 +358,18 @@ class Terms:
         if tag == "matrix":
             return [[self.scalar(part) for part in row] for row in e[1]]
         return self.call(e[1], e[2])
+
+    def integral(self, x, low, high, body):
+        """An atom. Its variable is new, and known by its number, as an index is, so that its name does not matter."""
+        ends = self.scalar(low), self.scalar(high)
+        need(x != PI and not self.is_declared(x), f"the name {x} is in use")
+        self.depth += 1
+        try:
+            place = self.intern(("place", self.depth))
+            body = self.inside({x: place}, lambda: self.scalar(body))
+            return self.atom("integral", self.depth, *ends, body)
+        finally:
+            self.depth -= 1
 
     def call(self, f, arguments):
         need(len(arguments) == 1, f"{f} has one argument")
@@ -535,8 +556,10 @@ class Terms:
 
     def atom_derivative(self, a, x):
         kind, *inner = self.atoms[a]
-        if kind == "variable":
+        if kind in ("variable", "place"):
             return ONE
+        if kind == "integral":
+            return self.integral_derivative(a, x)
         need(kind in ("ln", "exp", "power", "cos", "sin"), NO_DERIVATIVE)
         slope = self.derivative(inner[0], x)
         if kind == "ln":
@@ -551,6 +574,17 @@ class Terms:
         if x in self.free_in(e):
             terms.append(self.derivative(e, x) * self.logarithm(base))
         return total(terms) * atom(a)
+
+    def integral_derivative(self, a, x):
+        """What moves with an end is the value of the body there."""
+        _, _, low, high, body = self.atoms[a]
+        need(x not in self.free_in(body), NO_DERIVATIVE)
+        place, terms = self.bound_by(self.atoms[a]), []
+        for end, side in ((high, 1), (low, -1)):
+            slope = self.derivative(end, x)
+            if slope.c:
+                terms.append(self.replaced_all(body, [(place, end, None)]) * slope * F(side))
+        return total(terms)
 
     def replaced_all(self, f, equations):
         for left, value, _ in equations:
@@ -578,15 +612,20 @@ class Terms:
 
     def replaced_atom(self, a, left, value, done):
         kind, *inner = self.atoms[a]
-        if kind in ("variable", "index", "pi"):
+        if kind in ("variable", "pi", *BOUND.values()):
             return atom(a)
         new = [self.replaced(y, left, value, done) if isinstance(y, F) else y for y in inner]
+        if kind in BOUND and left == self.bound_by(self.atoms[a]):
+            # In the body it is another number.
+            new[-1] = inner[-1]
         if new == inner:
             return atom(a)
         if kind == "member":
             return self.atom(kind, new[0], self.whole(new[1]))
         if kind == "power":
             return self.power(new[0], inner[1] if self.is_whole(inner[1]) and not self.is_whole(new[1]) else new[1])
+        if kind == "integral":
+            return self.atom(kind, *new)
         if kind == "over":
             return self.over(new[0], new[1], self.whole(new[2]), self.whole(new[3]), new[4])
         if kind in ("cos", "sin"):

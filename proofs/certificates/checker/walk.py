@@ -2,7 +2,7 @@
 import itertools
 import re
 
-from .claims import EXPRESSIONS, N, Node, nodes, room, shaped
+from .claims import BINDERS, EXPRESSIONS, N, Node, nodes, room, shaped
 
 NODES_LIMIT = 100_000
 
@@ -46,15 +46,16 @@ def declared(item):
 
 
 def bound(x):
-    """The names that quantifiers, extrema, `obtain`, sums, parameters and indices bind in x, with those under `given`."""
-    own = {"bind": lambda: [n for pair in x[1] for n in pair if n], "over": lambda: [x[2]], "let": lambda: x[2],
-           "define": lambda: [x[3]]}.get(x[0], list)()
+    """The names that quantifiers, extrema, `obtain`, sums, integrals, parameters and indices bind in x, with those of `given`."""
+    own = {"bind": lambda: [n for pair in x[1] for n in pair if n], "let": lambda: x[2], "define": lambda: [x[3]],
+           **dict.fromkeys(BINDERS, lambda: [x[2]])}.get(x[0], list)()
     return set(own).union(*map(bound, nodes(x)))
 
 
 def used(x):
     """The names that the expressions of x mention, also bound ones and those of functions."""
-    own = {"name": lambda: [x[1]], "call": lambda: [x[1]], "deriv": lambda: x[2], "over": lambda: [x[2]]}.get(x[0], list)()
+    own = {"name": lambda: [x[1]], "call": lambda: [x[1]], "deriv": lambda: x[2],
+           **dict.fromkeys(BINDERS, lambda: [x[2]])}.get(x[0], list)()
     return set(own).union(*map(used, nodes(x)))
 
 
@@ -66,7 +67,7 @@ def names_of(claim):
 def bound_inside(claim):
     """The names that stand for several values in one claim: bound, and not declared for the whole of it."""
     own = {n for item in claim.items for n in declared(item)}
-    indices = {x[2] for clause in clauses(claim) for x in parts(clause) if x[0] == "over"}
+    indices = {x[2] for clause in clauses(claim) for x in parts(clause) if x[0] in BINDERS}
     return set().union(*map(bound, clauses(claim))) - own | indices
 
 

@@ -290,12 +290,14 @@ impl Names<'_> {
                 }
                 arguments.iter().for_each(|a| self.expr(a));
             }
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+            ExprKind::SumOver(index, body)
+            | ExprKind::ProductOver(index, body)
+            | ExprKind::IntegralOver(index, body) => {
                 self.expr(&index.from);
                 self.expr(&index.to);
                 let outside = self.scope.len();
                 self.bind(&index.name, Role::Value);
-                if self.is_natural(&index.from) {
+                if !matches!(expr.kind, ExprKind::IntegralOver(..)) && self.is_natural(&index.from) {
                     self.natural.insert(index.name.text.clone());
                 }
                 self.expr(body);

@@ -129,9 +129,12 @@ pub fn needs(e: &Expr, whole: &dyn Fn(&str) -> bool) -> Result<Vec<Need>, TooLon
             Some(name) => vec![Need::Differentiable((**body).clone(), name.clone(), by.len())],
             None => Vec::new(),
         },
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Negate(_) | ExprKind::Sum(_) | ExprKind::Matrix(_) => {
-            Vec::new()
-        }
+        ExprKind::Number(_)
+        | ExprKind::Name(_)
+        | ExprKind::Negate(_)
+        | ExprKind::Sum(_)
+        | ExprKind::Matrix(_)
+        | ExprKind::IntegralOver(..) => Vec::new(),
     })
 }
 

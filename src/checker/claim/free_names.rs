@@ -22,7 +22,7 @@ pub fn names_in(e: &Expr, out: &mut BTreeSet<String>) {
             names_in(a, out);
             names_in(b, out);
         }
-        SumOver(index, body) | ProductOver(index, body) => {
+        SumOver(index, body) | ProductOver(index, body) | IntegralOver(index, body) => {
             names_in(&index.from, out);
             names_in(&index.to, out);
             let mut inside = BTreeSet::new();

@@ -102,8 +102,8 @@ pub const GREEK: &[(&str, char)] = &[
     ("Omega", 'Ω'),
 ];
 
-/// Sums and products as they are printed; without an index these letters are no names.
-const OVER: &[(&str, &str)] = &[("Σ(", "sum"), ("Π(", "product")];
+/// Sums, products and integrals as they are printed; without an index these letters are no names.
+const OVER: &[(&str, &str)] = &[("Σ(", "sum"), ("Π(", "product"), ("∫(", "integral")];
 
 /// Digits above the line, in order; those below it follow each other from `₀` on.
 const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";

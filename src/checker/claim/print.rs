@@ -73,7 +73,10 @@ pub fn prop_level(p: &Prop) -> u8 {
 
 /// Whether an expression is a large operator before its operand, which reaches over factors that follow.
 pub fn reaches(e: &Expr) -> bool {
-    matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Derivative(..))
+    matches!(
+        e.kind,
+        ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..)
+    )
 }
 
 impl Style {
@@ -123,6 +126,11 @@ impl Style {
             },
             ExprKind::SumOver(index, body) => self.over(index, body, "sum", "\\sum", "Σ"),
             ExprKind::ProductOver(index, body) => self.over(index, body, "product", "\\prod", "Π"),
+            ExprKind::IntegralOver(x, body) if self == Style::Latex => {
+                let (name, from, to) = (self.name(&x.name.text), self.expr(&x.from), self.expr(&x.to));
+                format!("\\int_{{{from}}}^{{{to}}} {} \\,d{name}", self.at_least(body, 3))
+            }
+            ExprKind::IntegralOver(x, body) => self.over(x, body, "integral", "", "∫"),
             ExprKind::Derivative(body, by) => match self {
                 Style::Latex => {
                     let order = by.len();

@@ -202,6 +202,10 @@ impl Substitution {
                 let (index, body) = self.over(index, body, room)?;
                 ProductOver(index, body)
             }
+            IntegralOver(variable, body) => {
+                let (variable, body) = self.over(variable, body, room)?;
+                IntegralOver(variable, body)
+            }
             Derivative(body, by) => {
                 for name in by {
                     self.moves(&name.text)?;

@@ -106,6 +106,8 @@ pub enum ExprKind {
     SumOver(Index, Box<Expr>),
     /// `product(i = a..b, body)`: the empty product is 1 when b = a − 1.
     ProductOver(Index, Box<Expr>),
+    /// `integral(x = a..b, body)`: the definite integral over a real number from a to b; for b < a its opposite.
+    IntegralOver(Index, Box<Expr>),
     /// `derivative(f, x)` or, repeated, `derivative(f, x, x)`: by the variables in turn.
     Derivative(Box<Expr>, Vec<Name>),
     /// `[a, b; c, d]`: rows of equal length, at least one entry.
@@ -131,14 +133,14 @@ pub const FUNCTIONS: &[(&str, usize)] = &[
 /// The number π, where a claim does not declare it.
 pub const PI: &str = "pi";
 
-/// The bound index of a sum, a product or a bounded quantifier: `i = from..to`.
+/// The bound index of a sum or a product, or the variable of an integral: `i = from..to`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Index {
-    /// The index.
+    /// The index, a whole number, or the variable, a real one.
     pub name: Name,
-    /// First value.
+    /// First value, or where the integral begins.
     pub from: Box<Expr>,
-    /// Last value, included.
+    /// Last value, included, or where the integral ends.
     pub to: Box<Expr>,
 }
 

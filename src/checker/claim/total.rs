@@ -149,7 +149,7 @@ impl<'a> Recurrence<'a> {
                 let inside = Recurrence { index, ..*self };
                 return begins && self.is_natural(&over.to) && inside.exists(body);
             }
-            ExprKind::Derivative(..) | ExprKind::Matrix(_) => false,
+            ExprKind::IntegralOver(..) | ExprKind::Derivative(..) | ExprKind::Matrix(_) => false,
         };
         let mut all = own;
         walk::parts(e, &mut |part| all = all && self.exists(part));

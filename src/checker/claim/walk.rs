@@ -16,7 +16,7 @@ pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
             visit(a);
             visit(b);
         }
-        SumOver(index, body) | ProductOver(index, body) => {
+        SumOver(index, body) | ProductOver(index, body) | IntegralOver(index, body) => {
             visit(&index.from);
             visit(&index.to);
             visit(body);
@@ -38,7 +38,7 @@ pub fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
             visit(a);
             visit(b);
         }
-        SumOver(index, body) | ProductOver(index, body) => {
+        SumOver(index, body) | ProductOver(index, body) | IntegralOver(index, body) => {
             visit(&mut index.from);
             visit(&mut index.to);
             visit(body);
@@ -52,7 +52,9 @@ pub(crate) fn free_names(prop: &Prop, visit: &mut dyn FnMut(&str, Span)) {
     fn of<'a>(e: &'a Expr, bound: &mut Vec<&'a str>, visit: &mut dyn FnMut(&str, Span)) {
         match &e.kind {
             ExprKind::Name(name) if !bound.contains(&name.as_str()) => visit(name, e.span),
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+            ExprKind::SumOver(index, body)
+            | ExprKind::ProductOver(index, body)
+            | ExprKind::IntegralOver(index, body) => {
                 of(&index.from, bound, visit);
                 of(&index.to, bound, visit);
                 bound.push(&index.name.text);
@@ -296,7 +298,7 @@ pub fn names_in(expr: &Expr, into: &mut BTreeSet<String>) {
             into.insert(name.text.clone());
         }
         ExprKind::Derivative(_, by) => into.extend(by.iter().map(|n| n.text.clone())),
-        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) | ExprKind::IntegralOver(index, _) => {
             into.insert(index.name.text.clone());
         }
         _ => {}
@@ -318,9 +320,9 @@ pub(crate) fn depth(expr: &Expr) -> usize {
     deepest + 1
 }
 
-/// The indices that are bound in an expression.
+/// The names that sums, products and integrals bind in an expression.
 pub fn indices(e: &Expr, into: &mut BTreeSet<String>) {
-    if let ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) = &e.kind {
+    if let ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) | ExprKind::IntegralOver(index, _) = &e.kind {
         into.insert(index.name.text.clone());
     }
     parts(e, &mut |part| indices(part, into));

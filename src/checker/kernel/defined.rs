@@ -75,6 +75,11 @@ impl Checker {
                 return self
                     .at_index(&index.name.text, &from, &to, known, |checker, known| checker.defined(body, known));
             }
+            ExprKind::IntegralOver(variable, body) => {
+                self.defined(&variable.from, known)?;
+                self.defined(&variable.to, known)?;
+                return self.between(variable, known, |checker, known| checker.defined(body, known));
+            }
             ExprKind::Derivative(body, _) => self.defined(body, known)?,
             ExprKind::Apply(f, arguments) if self.is_member(&f.text) => {
                 for argument in arguments {
@@ -130,7 +135,7 @@ impl Checker {
     ) -> Result<(), Refusal> {
         self.binders += 1;
         let (bound, before) = (self.binders, known.mark());
-        let result = self.under(name, bound, |checker| {
+        let result = self.under(name, Atom::Bound(bound), |checker| {
             let index = checker.intern(Atom::Bound(bound));
             known.ranges.push(Range { index, from: checker.whole(from)?, to: checker.whole(to)? });
             let place = Fraction::atom(index);
@@ -147,7 +152,7 @@ impl Checker {
 
     /// Whether an expression that has a value can be differentiated by a variable, however often: bases of powers
     /// that are no numerals are not 0, and roots are of positive numbers, so that the same holds nearby.
-    fn smooth(&mut self, e: &Expr, by: &str, known: &Known) -> Result<(), Refusal> {
+    pub(super) fn smooth(&mut self, e: &Expr, by: &str, known: &mut Known) -> Result<(), Refusal> {
         let natural = self.natural_names();
         let is_natural = |name: &str| natural.contains(name);
         match &e.kind {
@@ -173,6 +178,7 @@ impl Checker {
                     _ => rejected(Reason::DerivativeOfMember),
                 };
             }
+            ExprKind::IntegralOver(variable, body) => return self.smooth_integral(variable, body, by, known),
             _ => {}
         }
         for part in parts(e) {

@@ -46,7 +46,7 @@ impl Checker {
             return Ok(Fraction::integer(0));
         }
         match self.atoms.get(place).cloned() {
-            Some(Atom::Variable(_) | Atom::Growing(_)) => Ok(Fraction::integer(1)),
+            Some(Atom::Variable(_) | Atom::Growing(_) | Atom::Real(_)) => Ok(Fraction::integer(1)),
             Some(Atom::Logarithm(inner)) => {
                 Ok(self.derivative(&inner, by, depth)?.times(&inner.power(-1)?, &self.work)?)
             }
@@ -61,6 +61,7 @@ impl Checker {
                 let cosine = Fraction::atom(self.intern(Atom::Cosine(u.clone())));
                 Ok(self.derivative(&u, by, depth)?.times(&cosine, &self.work)?)
             }
+            Some(Atom::Integral(integral)) => self.integral_derivative(&integral, variable, by, depth),
             Some(Atom::Power(base, exponent)) if self.is_free_of(&exponent, variable)? => {
                 // (b^E)′ = E·b′/b·b^E.
                 let mut out = self.derivative(&base, by, depth)?.times(&base.power(-1)?, &self.work)?;

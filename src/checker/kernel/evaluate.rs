@@ -200,7 +200,7 @@ impl Point<'_> {
                     rows.iter().map(|row| row.iter().map(|e| self.number(e)).collect()).collect::<Fallible<_>>()?;
                 return Ok(Value::Matrix(rows));
             }
-            ExprKind::Derivative(..) => return rejected(Reason::NotEvaluated),
+            ExprKind::IntegralOver(..) | ExprKind::Derivative(..) => return rejected(Reason::NotEvaluated),
         }))
     }
 

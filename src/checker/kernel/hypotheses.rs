@@ -120,7 +120,7 @@ impl Checker {
         self.binders += 1;
         let bound = self.binders;
         let before = known.mark();
-        let result = self.under(&u.index, bound, |checker| {
+        let result = self.under(&u.index, Atom::Bound(bound), |checker| {
             let index = checker.intern(Atom::Bound(bound));
             let member = checker.atom_fraction(Atom::Member(u.name.clone(), Poly::atom(index)));
             if signs != Signs::ANY {
@@ -153,6 +153,13 @@ fn begins(e: &Expr, naturals: &mut Vec<String>, out: &mut Vec<Begin>) {
             naturals.push(index.name.text.clone());
             begins(body, naturals, out);
             naturals.pop();
+        }
+        // What it binds is a real number, even where a natural one outside has its name.
+        ExprKind::IntegralOver(variable, body) => {
+            begins(&variable.from, naturals, out);
+            begins(&variable.to, naturals, out);
+            let mut inside = naturals.iter().filter(|name| **name != variable.name.text).cloned().collect();
+            begins(body, &mut inside, out);
         }
         _ => parts(e).into_iter().for_each(|part| begins(part, naturals, out)),
     }

@@ -97,8 +97,14 @@ impl<'a> Printer<'a> {
                 self.expr(b);
                 self.put(")");
             }
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
-                self.put(if matches!(e.kind, ExprKind::SumOver(..)) { "sum(" } else { "product(" });
+            ExprKind::SumOver(index, body)
+            | ExprKind::ProductOver(index, body)
+            | ExprKind::IntegralOver(index, body) => {
+                self.put(match e.kind {
+                    ExprKind::SumOver(..) => "sum(",
+                    ExprKind::ProductOver(..) => "product(",
+                    _ => "integral(",
+                });
                 self.expr(&index.from);
                 self.put("..");
                 self.expr(&index.to);

@@ -347,7 +347,10 @@ impl Checker {
 
     /// What an expression that has a value needed for that, innermost first; not under bound names.
     fn read_needs(&mut self, e: &Expr, known: &Known, out: &mut Vec<Lesson>) -> Result<(), Refusal> {
-        if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Derivative(..)) {
+        if !matches!(
+            e.kind,
+            ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..)
+        ) {
             for part in parts(e) {
                 self.read_needs(part, known, out)?;
             }

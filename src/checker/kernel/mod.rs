@@ -30,6 +30,7 @@ pub(crate) mod enclosure;
 mod evaluate;
 pub mod fraction;
 mod hypotheses;
+mod integral;
 pub mod key;
 mod known;
 mod logic;

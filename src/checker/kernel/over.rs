@@ -18,7 +18,7 @@ impl Checker {
         let (from, to) = (self.whole(&low)?, self.whole(&high)?);
         self.binders += 1;
         let depth_of_index = self.binders;
-        let body = self.under(&index.name.text, depth_of_index, |checker| checker.scalar_in(body, depth));
+        let body = self.under(&index.name.text, Atom::Bound(depth_of_index), |checker| checker.scalar_in(body, depth));
         self.binders -= 1;
         self.over_of(&Over { sum, depth: depth_of_index, from, to, body: body? })
     }
@@ -129,14 +129,14 @@ impl Checker {
         Ok((outside, inside))
     }
 
-    /// Runs something where a name stands for a bound index.
+    /// Runs something where a name stands for a bound index or the variable of an integral.
     pub(super) fn under<T>(
         &mut self,
         name: &str,
-        bound: usize,
+        bound: Atom,
         run: impl FnOnce(&mut Checker) -> Result<T, Refusal>,
     ) -> Result<T, Refusal> {
-        self.declare(name, true, Atom::Bound(bound))?;
+        self.declare(name, matches!(bound, Atom::Bound(_)), bound)?;
         let result = run(self);
         self.scope.pop();
         result

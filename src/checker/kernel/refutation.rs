@@ -283,6 +283,8 @@ impl Path<'_> {
                         path.in_expr(body)
                     })
             }
+            // Which end of an integral is less is not known here, so what it binds is not looked at.
+            ExprKind::IntegralOver(variable, _) => self.in_expr(&variable.from) || self.in_expr(&variable.to),
             _ => parts(e).into_iter().any(|part| self.in_expr(part)),
         }
     }

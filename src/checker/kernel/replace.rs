@@ -1,6 +1,7 @@
 //! Atoms of a fraction: where they occur, and others put in their places.
 
 use super::fraction::Fraction;
+use super::integral::Integral;
 use super::known::Equation;
 use super::substitution::DEPTH_LIMIT;
 use super::term::{Atom, Over};
@@ -157,7 +158,7 @@ impl Checker {
         let Some(found) = self.atoms.get(place).cloned() else { return Ok(plain) };
         let mut inner = |checker: &mut Checker, f: &Fraction| checker.replaced_in(f, atom, value, done, depth);
         match found {
-            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) | Atom::Pi => Ok(plain),
+            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) | Atom::Real(_) | Atom::Pi => Ok(plain),
             Atom::Member(name, index) => {
                 let index = inner(self, &Fraction::of(&index))?;
                 let index = self.whole(&index)?;
@@ -184,6 +185,11 @@ impl Checker {
             Atom::Sine(u) => {
                 let u = inner(self, &u)?;
                 Ok(self.cosine_and_sine(&u)?.1)
+            }
+            Atom::Integral(integral) => {
+                let (from, to) = (inner(self, &integral.from)?, inner(self, &integral.to)?);
+                let body = inner(self, &integral.body)?;
+                Ok(self.atom_fraction(Atom::Integral(Integral { from, to, body, ..integral })))
             }
             Atom::Over(over) => {
                 let (from, to) = (inner(self, &Fraction::of(&over.from))?, inner(self, &Fraction::of(&over.to))?);

@@ -1,9 +1,9 @@
-//! Rule `slope`: the mean value theorem.
+//! Rule `slope`: the mean value theorem, also for an integral.
 
 use super::known::Known;
 use super::names::names_in;
 use super::order::Signs;
-use super::statement::{compare, domain, sum};
+use super::statement::{compare, domain, expr, sum};
 use super::substitution::Substitution;
 use super::tree::single;
 use super::{Checker, Reason, Refusal, key, rejected};
@@ -14,18 +14,20 @@ use std::collections::BTreeSet;
 pub(crate) const MEAN_VALUE: &str = "the mean value theorem";
 
 impl Checker {
-    /// Rule `slope`: `F(b) relation F(a)` from a fact `for all t …: derivative(F, t) R 0`. The values a and b are given.
+    /// Rule `slope`: from a fact `for all x …: derivative(F, x) R f`, where the values a and b are given,
+    /// - `F(b) relation F(a)` if f is the numeral 0;
+    /// - `F(b) - F(a) relation integral(x = a..b, f)`.
     ///
-    /// Its domain is an interval I: one real variable, whose bounds are `<`, `<=`, `>`, `>=` and do not mention it. Shown
-    /// is that a and b lie in I, and that F and its derivative have a value for every t in I; or the same of I where bounds
-    /// from…to have their ends, or where each bound is `<=` or `>=`. The signs of R times those of b − a are among those of
-    /// the relation.
+    /// The domain of the fact is an interval I: one real variable, whose bounds are `<`, `<=`, `>`, `>=` and do not mention it. Let D
+    /// be I, or I where bounds from…to have their ends, or I where each bound is `<=` or `>=`. Shown is that a and b lie in D, that F
+    /// and the integrand f have values for every x in D, and the derivative for every x in I. The signs of R times those of b − a
+    /// are among those of the relation.
     ///
-    /// Sound: t is a new name, so nothing else depends on it, and I is convex because its bounds are numbers that do not
-    /// move with t. F is made of functions that are differentiable in t wherever the derivative has a value, so F is
-    /// continuous from a to b and differentiable between. If a = b the difference is 0, as is b − a. Otherwise
-    /// F(b) − F(a) = F′(ξ)·(b − a) with ξ strictly between a and b: there the strict bounds of I hold as well, so that
-    /// the fact gives the sign of F′(ξ). Nothing is captured when a and b are put in.
+    /// Sound: x is a new name, so nothing else depends on it, and D is convex because its bounds are numbers that do not
+    /// move with x. F is made of functions that are continuous where they have values, so it is continuous from a to b; it is
+    /// differentiable between, since there the strict bounds of I hold as well. G(x) = F(x), or F(x) less the integral of f from a to
+    /// x, has the derivative F′(x) or F′(x) − f(x), whose sign the fact gives. If a = b the difference is 0, as is b − a. Otherwise
+    /// G(b) − G(a) = G′(ξ)·(b − a) with ξ strictly between a and b. Nothing is captured when a and b are put in.
     pub(super) fn slope(
         &mut self,
         goal: &Prop,
@@ -38,12 +40,9 @@ impl Checker {
         let PropKind::ForAll(bindings, body) = &fact.kind else { return rejected(Reason::NotForAll) };
         let [binding] = bindings.as_slice() else { return rejected(Reason::NotForAll) };
         let [(variable, None)] = binding.names.as_slice() else { return rejected(Reason::NotForAll) };
-        let (derivative, slope, zero) = single(body)?;
-        let f = match (&derivative.kind, &zero.kind) {
-            (ExprKind::Derivative(f, by), ExprKind::Number(number)) if number == "0" => match by.as_slice() {
-                [only] if only.text == variable.text => f,
-                _ => return rejected(Reason::NotADerivative),
-            },
+        let (derivative, slope, integrand) = single(body)?;
+        let f = match &derivative.kind {
+            ExprKind::Derivative(f, by) if by.len() == 1 && by.iter().all(|n| n.text == variable.text) => f,
             _ => return rejected(Reason::NotADerivative),
         };
         if binding.natural || !binding.constraints.iter().all(|c| is_bound(c, &variable.text)) {
@@ -53,19 +52,31 @@ impl Checker {
         let (Some(a), Some(b), 2) = (find("a"), find("b"), with.len()) else {
             return rejected(Reason::ValueForNoVariable);
         };
-        let at = |value: &Expr, e: &Expr| -> Result<Expr, Refusal> {
+        let at = |value: &Expr| -> Result<Expr, Refusal> {
             let mut map = Substitution::default();
             map.replace(&variable.text, value);
-            Ok(map.expr(e)?)
+            Ok(map.expr(f)?)
         };
-        let (_, relation, _) = single(goal)?;
-        let says = compare(at(b, f)?, relation, at(a, f)?);
-        if key::prop(goal) != key::prop(&says) {
-            return rejected(Reason::ItSays(says));
+        let (_, relation, right) = single(goal)?;
+        let (at_a, at_b) = (at(a)?, at(b)?);
+        let values = compare(at_b.clone(), relation, at_a.clone());
+        let has_values = integrand.kind == ExprKind::Number("0".to_string());
+        if !has_values || key::prop(goal) != key::prop(&values) {
+            if !matches!(right.kind, ExprKind::IntegralOver(..)) {
+                return rejected(if has_values { Reason::ItSays(values) } else { Reason::NotADerivative });
+            }
+            let range = Index { name: variable.clone(), from: Box::new(a.clone()), to: Box::new(b.clone()) };
+            let integral = expr(ExprKind::IntegralOver(range, Box::new(integrand.clone())));
+            let says = compare(sum(vec![(Sign::Plus, at_b), (Sign::Minus, at_a)]), relation, integral);
+            if key::prop(goal) != key::prop(&says) {
+                return rejected(Reason::ItSays(says));
+            }
         }
         self.number_defined(a, known)?;
         self.number_defined(b, known)?;
-        self.slope_domain(binding, derivative, [a, b], from, known)?;
+        let domain = self.slope_domain(binding, f, [a, b], from, known)?;
+        self.within(std::slice::from_ref(binding), known, |checker, known| checker.number_defined(derivative, known))?;
+        self.within(&[domain], known, |checker, known| checker.number_defined(integrand, known))?;
         self.prop_defined(goal, known)?;
         let run = sum(vec![(Sign::Plus, b.clone()), (Sign::Minus, a.clone())]);
         let signs = Signs::of(slope).times(self.signs_of_expr(&run, known)?);
@@ -76,32 +87,32 @@ impl Checker {
         Ok(())
     }
 
-    /// The domain in which both points lie and the derivative has a value: the binding as it is, else with the ends of its
-    /// intervals, else with all its ends.
+    /// The domain in which both points lie and F has a value: the binding as it is, else with the ends of its intervals,
+    /// else with all its ends.
     pub(super) fn slope_domain(
         &mut self,
         binding: &Binding,
-        derivative: &Expr,
+        f: &Expr,
         points: [&Expr; 2],
         from: &[String],
         known: &mut Known,
     ) -> Result<Binding, Refusal> {
         for domain in [binding.clone(), with_its_ends(binding, false)] {
-            match self.slopes_on(&domain, derivative, points, from, known) {
+            match self.slopes_on(&domain, f, points, from, known) {
                 Err(Refusal::Rejected(_)) => {}
                 other => return other.map(|()| domain),
             }
         }
         let closed = with_its_ends(binding, true);
-        self.slopes_on(&closed, derivative, points, from, known)?;
+        self.slopes_on(&closed, f, points, from, known)?;
         Ok(closed)
     }
 
-    /// Whether both points lie in the domain of a binding of one variable, and the derivative has a value everywhere in it.
+    /// Whether both points lie in the domain of a binding of one variable, and F has a value everywhere in it.
     fn slopes_on(
         &mut self,
         binding: &Binding,
-        derivative: &Expr,
+        f: &Expr,
         points: [&Expr; 2],
         from: &[String],
         known: &mut Known,
@@ -115,7 +126,7 @@ impl Checker {
                 }
             }
         }
-        self.within(std::slice::from_ref(binding), known, |checker, known| checker.number_defined(derivative, known))
+        self.within(std::slice::from_ref(binding), known, |checker, known| checker.number_defined(f, known))
     }
 }
 

@@ -200,7 +200,7 @@ pub fn steps_once(step: &Expr, sequence: &str, index: &str) -> bool {
         ExprKind::Apply(f, arguments) if f.text == sequence => {
             return matches!(arguments.as_slice(), [Expr { kind: ExprKind::Name(text), .. }] if text == index);
         }
-        ExprKind::SumOver(i, _) | ExprKind::ProductOver(i, _) => i.name.text != index,
+        ExprKind::SumOver(i, _) | ExprKind::ProductOver(i, _) | ExprKind::IntegralOver(i, _) => i.name.text != index,
         ExprKind::Derivative(_, by) => by.iter().all(|n| n.text != sequence && n.text != index),
         _ => true,
     };

@@ -6,6 +6,7 @@
 //! Matrices, powers, sums over an index, derivatives and replacements have files of their own.
 
 use super::fraction::{Fraction, Poly};
+use super::integral::Integral;
 use super::known::{Equation, Known, Written};
 use super::matrix::{each, sizes};
 use super::substitution::{DEPTH_LIMIT, NODES_LIMIT};
@@ -26,10 +27,14 @@ pub(super) enum Atom {
     Growing(String),
     /// The index of a sum or product, by its depth: a natural number.
     Bound(usize),
+    /// The variable of an integral, by its depth: a real number.
+    Real(usize),
     /// A member of a family or sequence.
     Member(String, Poly),
     /// A sum or product over `Bound(depth)`.
     Over(Over),
+    /// An integral over `Real(depth)`.
+    Integral(Integral),
     /// b^E where E is not a whole number.
     Power(Fraction, Fraction),
     /// exp of a fraction other than 0.
@@ -48,9 +53,10 @@ impl Atom {
     /// The atoms that it is made of.
     pub(super) fn parts(&self) -> Vec<usize> {
         match self {
-            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) | Atom::Pi => Vec::new(),
+            Atom::Variable(_) | Atom::Growing(_) | Atom::Bound(_) | Atom::Real(_) | Atom::Pi => Vec::new(),
             Atom::Member(_, index) => index.atoms().collect(),
             Atom::Over(over) => over.from.atoms().chain(over.to.atoms()).chain(over.body.atoms()).collect(),
+            Atom::Integral(i) => i.from.atoms().chain(i.to.atoms()).chain(i.body.atoms()).collect(),
             Atom::Power(base, exponent) => base.atoms().chain(exponent.atoms()).collect(),
             Atom::Exponential(inner) | Atom::Logarithm(inner) | Atom::Cosine(inner) | Atom::Sine(inner) => {
                 inner.atoms().collect()
@@ -275,6 +281,7 @@ impl Checker {
             }
             ExprKind::SumOver(index, body) => self.over(true, index, body, depth)?,
             ExprKind::ProductOver(index, body) => self.over(false, index, body, depth)?,
+            ExprKind::IntegralOver(variable, body) => self.integral(variable, body, depth)?,
             ExprKind::Derivative(body, by) => {
                 // An equation holds at the point, not around it: it is put in when the derivative is taken.
                 let put_in = std::mem::take(&mut self.put_in);

@@ -32,6 +32,7 @@ pub fn expr(e: &Expr) -> String {
         ExprKind::Power(a, b) => format!("({}^{})", expr(a), expr(b)),
         ExprKind::SumOver(i, body) => format!("sum({}, {})", index(i), expr(body)),
         ExprKind::ProductOver(i, body) => format!("product({}, {})", index(i), expr(body)),
+        ExprKind::IntegralOver(x, body) => format!("integral({}, {})", index(x), expr(body)),
         ExprKind::Derivative(body, by) => {
             format!("derivative({}, {})", expr(body), list(by, ", ", |n| n.text.clone()))
         }

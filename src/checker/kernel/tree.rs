@@ -15,7 +15,9 @@ pub(super) fn parts(e: &Expr) -> Vec<&Expr> {
         ExprKind::Sum(list) => list.iter().map(|(_, e)| e).collect(),
         ExprKind::Product(list) => list.iter().map(|(_, e)| e).collect(),
         ExprKind::Power(a, b) => vec![a, b],
-        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => vec![&index.from, &index.to, body],
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) | ExprKind::IntegralOver(index, body) => {
+            vec![&index.from, &index.to, body]
+        }
         ExprKind::Matrix(rows) => rows.iter().flatten().collect(),
     }
 }

@@ -155,7 +155,15 @@ impl Checker {
         match self.atoms.get(place) {
             None => name("?"),
             Some(Atom::Variable(text) | Atom::Growing(text)) => name(text),
-            Some(Atom::Bound(depth)) => name(&index(*depth)),
+            Some(Atom::Bound(depth) | Atom::Real(depth)) => name(&index(*depth)),
+            Some(Atom::Integral(integral)) => {
+                let variable = Index {
+                    name: Name::new(index(integral.depth)),
+                    from: Box::new(self.fraction_expr(&integral.from)),
+                    to: Box::new(self.fraction_expr(&integral.to)),
+                };
+                expr(ExprKind::IntegralOver(variable, Box::new(self.fraction_expr(&integral.body))))
+            }
             Some(Atom::Member(family, at)) => apply(family, self.poly_expr(at)),
             Some(Atom::Exponential(log)) => apply("exp", self.fraction_expr(log)),
             Some(Atom::Logarithm(inner)) => apply("ln", self.fraction_expr(inner)),

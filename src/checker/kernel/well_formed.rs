@@ -21,7 +21,7 @@ const NUMERAL_LIMIT: usize = 10_000;
 const NAME_LIMIT: usize = 100;
 
 /// The words of the language, which are no names; sorted.
-const WORDS: [&str; 42] = [
+const WORDS: [&str; 43] = [
     "all",
     "and",
     "as",
@@ -41,6 +41,7 @@ const WORDS: [&str; 42] = [
     "have",
     "in",
     "infinity",
+    "integral",
     "is",
     "let",
     "limit",
@@ -294,7 +295,9 @@ impl<'a> Walk<'a> {
                 self.exprs(list.iter().map(|part| &part.1))?;
             }
             ExprKind::Power(a, b) => self.exprs([&**a, b])?,
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+            ExprKind::SumOver(index, body)
+            | ExprKind::ProductOver(index, body)
+            | ExprKind::IntegralOver(index, body) => {
                 self.exprs([&*index.from, &index.to])?;
                 let outside = self.bound.len();
                 match self.is_claim {

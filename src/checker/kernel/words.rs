@@ -241,7 +241,15 @@ impl Checker {
     pub fn atom_words(&self, place: usize) -> Expr {
         match self.atoms.get(place) {
             Some(Atom::Variable(text) | Atom::Growing(text)) => name(text),
-            Some(Atom::Bound(depth)) => name(&bound_name(*depth)),
+            Some(Atom::Bound(depth) | Atom::Real(depth)) => name(&bound_name(*depth)),
+            Some(Atom::Integral(integral)) => {
+                let variable = Index {
+                    name: Name::new(bound_name(integral.depth)),
+                    from: Box::new(self.fraction_words(&integral.from)),
+                    to: Box::new(self.fraction_words(&integral.to)),
+                };
+                expr(ExprKind::IntegralOver(variable, Box::new(self.fraction_words(&integral.body))))
+            }
             Some(Atom::Member(family, index)) => apply(family, self.poly_words(index)),
             Some(Atom::Logarithm(inner)) => apply("ln", self.fraction_words(inner)),
             Some(Atom::Exponential(inner)) => apply("exp", self.fraction_words(inner)),

@@ -161,6 +161,13 @@ impl Uses<'_> {
                 inner.insert(index.name.text.clone(), Kind::Natural);
                 self.expr(body, &inner);
             }
+            ExprKind::IntegralOver(variable, body) => {
+                self.expr(&variable.from, kinds);
+                self.expr(&variable.to, kinds);
+                let mut inner = kinds.clone();
+                inner.insert(variable.name.text.clone(), Kind::Real);
+                self.expr(body, &inner);
+            }
             _ => crate::refute::expand::parts(expr, &mut |part| self.expr(part, kinds)),
         }
     }

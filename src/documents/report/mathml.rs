@@ -151,6 +151,12 @@ fn expr(e: &Expr) -> String {
         }
         ExprKind::SumOver(index, body) => over("∑", index, body),
         ExprKind::ProductOver(index, body) => over("∏", index, body),
+        ExprKind::IntegralOver(x, body) => row(&[
+            format!("<msubsup>{}{}{}</msubsup>", operator("∫"), expr(&x.from), expr(&x.to)),
+            at_least(body, 3),
+            operator("d"),
+            identifier(&x.name.text),
+        ]),
         ExprKind::Derivative(body, by) => {
             let up = match by.len() {
                 1 => operator("∂"),

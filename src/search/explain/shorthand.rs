@@ -88,6 +88,7 @@ impl Shorthand {
             },
             ExprKind::SumOver(i, body) => ExprKind::SumOver(index(i), boxed(body)),
             ExprKind::ProductOver(i, body) => ExprKind::ProductOver(index(i), boxed(body)),
+            ExprKind::IntegralOver(x, body) => ExprKind::IntegralOver(index(x), boxed(body)),
             ExprKind::Derivative(body, by) => ExprKind::Derivative(boxed(body), by.clone()),
             ExprKind::Matrix(rows) => ExprKind::Matrix(rows.iter().map(|row| list(row)).collect()),
         })

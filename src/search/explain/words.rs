@@ -317,11 +317,20 @@ impl<'a> Words<'a> {
                 lead
             }
             Rule::Slope { source, with, .. } => {
-                let mut lead = vec![
-                    say("The mean value theorem applies, with the sign of the derivative from "),
-                    fact(source),
-                    say("."),
-                ];
+                let integrates = matches!(&show.prop.kind, PropKind::Compare(sides, _)
+                    if sides.last().is_some_and(|e| matches!(e.kind, ExprKind::IntegralOver(..))));
+                let mut lead = match integrates {
+                    true => vec![
+                        say("An integral is the difference of an antiderivative's values, by "),
+                        fact(source),
+                        say("."),
+                    ],
+                    false => vec![
+                        say("The mean value theorem applies, with the sign of the derivative from "),
+                        fact(source),
+                        say("."),
+                    ],
+                };
                 if !with.is_empty() {
                     lead.push(say(" Applied"));
                     self.values(with, &mut lead);

@@ -208,7 +208,35 @@ impl Refuter<'_> {
         sides
             .iter()
             .find_map(|p| by_rule(attempt, p))
+            .or_else(|| sides.iter().find_map(|p| self.with_integrals(attempt, p)))
             .or_else(|| sides.iter().find_map(|p| self.searched(attempt, p, 1)))
+    }
+
+    /// Shows a comparison by evaluating it with the values of its integrals, each of which the search for proofs shows.
+    fn with_integrals(&self, attempt: &mut Attempt, p: &Prop) -> Option<Label> {
+        let PropKind::Compare(sides, relations) = &p.kind else { return None };
+        let sides: Vec<Expr> = sides.iter().map(prove::with_values_of_integrals).collect();
+        let plain = prop(PropKind::Compare(sides, relations.clone()));
+        let mut integrals = Vec::new();
+        exprs_of(p, &mut Vec::new(), &mut integrals);
+        integrals.retain(|(e, bound)| bound.is_empty() && matches!(e.kind, ExprKind::IntegralOver(..)));
+        if integrals.is_empty() || differentiates(&plain) {
+            return None;
+        }
+        let fact = attempt.evaluate(&plain)?;
+        let mut values = Vec::new();
+        for (integral, _) in integrals {
+            let value = prove::with_values_of_integrals(&integral);
+            let value = compare(integral, Relation::Equal, value);
+            let label = self.searched(attempt, &value, 4)?;
+            values.push(label);
+        }
+        // The values stand for the integrals as they are written, before the point is put in.
+        let given = std::mem::replace(&mut attempt.given, values);
+        let terms = vec![Term { facts: vec![fact], factor: numeral(1) }];
+        let shown = attempt.step(Rule::Combination { times: None, terms }, p, true, true);
+        attempt.given = given;
+        shown
     }
 
     /// Shows a proposition by the search for proofs, as a claim of its own.
@@ -449,7 +477,7 @@ fn exprs_of(p: &Prop, bound: &mut Bound, out: &mut Vec<(Expr, Bound)>) {
 fn parts_of(e: &Expr, bound: &mut Bound, out: &mut Vec<(Expr, Bound)>) {
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) => return,
-        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) | ExprKind::IntegralOver(index, body) => {
             [&index.from, &index.to].into_iter().for_each(|e| parts_of(e, bound, out));
             bound.push(index.name.text.clone());
             parts_of(body, bound, out);

@@ -263,7 +263,7 @@ fn needed(e: &Expr, out: &mut Vec<Prop>) {
             Need::Range(..) | Need::Differentiable(..) => {}
         }
     }
-    if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..)) {
+    if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::IntegralOver(..)) {
         expand::parts(e, &mut |part| needed(part, out));
     }
 }
@@ -275,7 +275,7 @@ fn differences(e: &Expr, out: &mut Vec<Prop>) {
     {
         out.extend([Relation::GreaterEqual, Relation::LessEqual].map(|relation| side(e, relation)));
     }
-    if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..)) {
+    if !matches!(e.kind, ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::IntegralOver(..)) {
         expand::parts(e, &mut |part| differences(part, out));
     }
 }

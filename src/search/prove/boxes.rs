@@ -41,7 +41,7 @@ fn is_evaluated(p: &Prop, names: &BTreeSet<&str>) -> bool {
     fn of(e: &Expr, names: &mut Vec<String>) -> bool {
         match &e.kind {
             ExprKind::Name(n) => names.contains(n) || n == PI,
-            ExprKind::Derivative(..) | ExprKind::Matrix(..) => false,
+            ExprKind::IntegralOver(..) | ExprKind::Derivative(..) | ExprKind::Matrix(..) => false,
             ExprKind::Apply(f, _) if FUNCTIONS.iter().all(|g| g.0 != f.text) => false,
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
                 let ends = of(&index.from, names) && of(&index.to, names);

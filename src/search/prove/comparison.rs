@@ -50,6 +50,9 @@ impl Prover {
         if let Ok(label) = self.by_written_absolute_values(goal, a, relation, b) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_integrals(goal) {
+            return Ok(label);
+        }
         // With little effort: no cases, and small programs only.
         let quiet = self.splits >= 8;
         if !quiet

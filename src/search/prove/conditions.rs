@@ -11,7 +11,7 @@ impl Prover {
     /// Proves the conditions under which an expression has a value, if the kernel does not see them itself.
     pub(crate) fn define(&mut self, e: &Expr) {
         match &e.kind {
-            ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+            ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) | ExprKind::IntegralOver(index, _) => {
                 self.define(&index.from);
                 self.define(&index.to);
             }

@@ -236,7 +236,7 @@ fn within(e: &Expr, variable: &str) -> bool {
         ExprKind::Sum(list) => list.iter().any(|(_, e)| within(e, variable)),
         ExprKind::Product(list) => list.iter().any(|(_, e)| within(e, variable)),
         ExprKind::Power(a, b) => holds(b) || within(a, variable),
-        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) | ExprKind::IntegralOver(index, body) => {
             holds(&index.to) || within(body, variable)
         }
         ExprKind::Derivative(a, _) => within(a, variable),

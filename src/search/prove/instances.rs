@@ -123,7 +123,7 @@ pub(super) fn members_in(e: &Expr, out: &mut Vec<(String, Expr)>) {
         ExprKind::Sum(list) => list.iter().for_each(|(_, e)| members_in(e, out)),
         ExprKind::Product(list) => list.iter().for_each(|(_, e)| members_in(e, out)),
         ExprKind::Power(a, b) => [a, b].into_iter().for_each(|e| members_in(e, out)),
-        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) | ExprKind::IntegralOver(index, _) => {
             members_in(&index.from, out);
             members_in(&index.to, out);
         }

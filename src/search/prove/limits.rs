@@ -110,6 +110,12 @@ impl Prover {
 
     fn squeezed(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let n = name(&l.variable.text);
+        let closed = super::integrals::with_values_of_integrals(&l.of);
+        if closed != l.of
+            && let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[], 1))
+        {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
             return Ok(label);
         }

@@ -11,6 +11,7 @@
 //! what was found.
 
 mod absolute;
+mod antiderivatives;
 mod argument;
 mod asymptotic_bounds;
 mod asymptotic_form;
@@ -43,6 +44,7 @@ mod ideal;
 mod induction;
 mod instances;
 mod integers;
+mod integrals;
 mod lattice;
 mod letters;
 mod limits;
@@ -81,6 +83,7 @@ use crate::refute::expand;
 use argument::Named;
 pub(crate) use at_once::at_once;
 pub use fail::Fail;
+pub(crate) use integrals::with_values_of_integrals;
 use letters::Letters;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;

@@ -411,7 +411,7 @@ fn powers_in(e: &Expr, out: &mut Vec<Expr>) {
                 out.push(e.clone());
             }
         }
-        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) | ExprKind::IntegralOver(index, _) => {
             each(&mut [&*index.from, &*index.to].into_iter());
         }
         ExprKind::Derivative(body, _) => powers_in(body, out),

@@ -481,7 +481,7 @@ pub(super) fn has_function(e: &Expr) -> bool {
         Sum(list) => list.iter().any(|(_, e)| has_function(e)),
         Product(list) => list.iter().any(|(_, e)| has_function(e)),
         Power(a, b) => !matches!(b.kind, Number(_)) || has_function(a),
-        SumOver(..) | ProductOver(..) | Derivative(..) | Matrix(_) => false,
+        SumOver(..) | ProductOver(..) | IntegralOver(..) | Derivative(..) | Matrix(_) => false,
     }
 }
 

@@ -108,6 +108,7 @@ impl Prover {
             ExprKind::Apply(name, at) if at.len() == 1 => self.learn_member(e, name, &at[0]),
             ExprKind::SumOver(index, body) => self.learn_over(e, true, index, body),
             ExprKind::ProductOver(index, body) => self.learn_over(e, false, index, body),
+            ExprKind::IntegralOver(variable, body) => self.learn_integral(variable, body),
             _ => Ok(false),
         }
     }

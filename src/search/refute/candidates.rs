@@ -194,7 +194,7 @@ fn in_expr(e: &Expr, out: &mut Vec<Rational>) {
             }
             _ => list.iter().for_each(|(_, e)| in_expr(e, out)),
         },
-        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) | ExprKind::IntegralOver(index, body) => {
             [&*index.from, &*index.to, &**body].into_iter().for_each(|e| in_expr(e, out));
         }
         ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| in_expr(e, out)),

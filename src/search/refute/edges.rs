@@ -109,6 +109,9 @@ impl<'w> Edges<'w> {
                 [&index.from, &index.to].into_iter().for_each(|e| self.expr(e));
                 self.at_the_first(&index.name.text, &index.from, body);
             }
+            ExprKind::IntegralOver(variable, _) => {
+                [&variable.from, &variable.to].into_iter().for_each(|e| self.expr(e));
+            }
             _ => parts(e, &mut |part| self.expr(part)),
         }
         // An exponent that is too long has no edge that is looked for.

@@ -7,8 +7,8 @@ use super::Moment;
 use super::expand::parts;
 use super::matrix::{Value, determinant};
 use super::number::{
-    LARGEST, Missing, Number, Result, add, cosine_and_sine, exponential, hyperbolic, invert, large_power, logarithm,
-    multiply, of_some_size, pi, root, whole_power,
+    LARGEST, Missing, Number, Result, add, between, cosine_and_sine, exponential, hyperbolic, invert, large_power,
+    logarithm, multiply, negate, of_some_size, pi, root, whole_power,
 };
 use super::quantified::QUANTIFIERS;
 use super::recurrence::{Members, Recurrence};
@@ -27,6 +27,9 @@ use std::rc::Rc;
 
 /// How many expressions are evaluated at one point.
 pub(crate) const STEPS: u32 = 100_000;
+
+/// Into how many parts the interval of an integral is cut.
+const PARTS: u32 = 64;
 
 /// After how many of them the clock is looked at.
 const TICK: u32 = 128;
@@ -131,6 +134,7 @@ impl Assignment {
             Apply(name, arguments) => return self.apply(name, arguments, e),
             SumOver(index, body) => self.over(true, index, body)?,
             ProductOver(index, body) => self.over(false, index, body)?,
+            IntegralOver(variable, body) => self.integral(variable, body)?,
             Derivative(body, _) => self.derivative(e, body)?,
             Matrix(rows) => {
                 let rows: Result<Vec<Vec<self::Number>>> =
@@ -203,6 +207,26 @@ impl Assignment {
         }
         self.seen.replace(inner.seen.take());
         Ok(total)
+    }
+
+    /// An integral: the run b − a times the integral of f(a + u·(b − a)) for u from 0 to 1. The integrand has a value on each of so many
+    /// parts of the interval, and the mean of these values contains that integral.
+    fn integral(&self, variable: &Index, body: &Expr) -> Result<Number> {
+        let (from, to) = (self.number(&variable.from)?, self.number(&variable.to)?);
+        let run = add(&to, &negate(&from));
+        let part = Number::Exact(Rational::from_unsigneds(1, PARTS));
+        let mut inner = self.clone();
+        inner.indices.remove(&variable.name.text);
+        inner.values.remove(&variable.name.text);
+        let mut total = Number::Exact(Rational::ZERO);
+        for k in 0..PARTS {
+            let [low, high] = [k, k + 1].map(|k| Rational::from_unsigneds(k, PARTS));
+            let x = add(&from, &multiply(&between(low, high), &run));
+            Rc::make_mut(&mut inner.numbers).insert(variable.name.text.clone(), x);
+            let value = inner.number(body).map_err(|_| Missing::Unknown)?;
+            total = of_some_size(add(&total, &multiply(&part, &value)))?;
+        }
+        Ok(multiply(&run, &total))
     }
 
     fn whole(&self, e: &Expr) -> Result<i64> {

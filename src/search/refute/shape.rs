@@ -79,9 +79,11 @@ fn of(e: &Expr) -> Result<Size, Diagnose> {
             _ => numbers(e),
         },
         ExprKind::Matrix(rows) => numbers(e).map(|_| Some((rows.len(), rows.first().map_or(0, Vec::len)))),
-        ExprKind::Power(..) | ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::Derivative(..) => {
-            numbers(e)
-        }
+        ExprKind::Power(..)
+        | ExprKind::SumOver(..)
+        | ExprKind::ProductOver(..)
+        | ExprKind::IntegralOver(..)
+        | ExprKind::Derivative(..) => numbers(e),
     }
 }
 

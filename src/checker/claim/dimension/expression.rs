@@ -69,6 +69,7 @@ impl<'c> Checker<'c> {
             ExprKind::Power(base, exponent) => self.power(e, base, exponent),
             ExprKind::SumOver(index, body) => self.over(e, index, body, false),
             ExprKind::ProductOver(index, body) => self.over(e, index, body, true),
+            ExprKind::IntegralOver(variable, body) => self.integral(e, variable, body),
             ExprKind::Derivative(body, by) => self.derivative(e.span, body, by),
             ExprKind::Matrix(rows) => {
                 rows.iter().flatten().try_for_each(|entry| self.of(entry).map(drop)).map(|()| None)
@@ -165,6 +166,22 @@ impl<'c> Checker<'c> {
         match ends.and_then(|(from, to)| to.plus(from)?.plus(Exponent::ONE)) {
             Some(count) => fits(size.to(count), whole.span).map(Some),
             None => Ok(Some(self.varying(whole, size))),
+        }
+    }
+
+    /// The variable has the dimension of both ends; the integral has that of the integrand times it.
+    fn integral(&mut self, whole: &'c Expr, variable: &'c Index, body: &'c Expr) -> Found {
+        let (from, to) = (self.of(&variable.from)?, self.of(&variable.to)?);
+        if let (Some(from), Some(to)) = (&from, &to) {
+            self.alike(whole, (&variable.from, from), (&variable.to, to))?;
+        }
+        let run = from.or(to);
+        let before = self.names.insert(variable.name.text.clone(), Meaning::Quantity(run.clone()));
+        let size = self.of(body);
+        self.restore(&variable.name.text, before);
+        match (size?, run) {
+            (Some(size), Some(run)) => fits(size.times(&run, Exponent::ONE), whole.span).map(Some),
+            _ => Ok(None),
         }
     }
 

@@ -155,7 +155,7 @@ impl Parser {
                 Ok(Expr { kind: ExprKind::Apply(name, vec![of]), span: self.since(start) })
             }
             Kind::Sign("[") => self.deeper(Self::matrix),
-            Kind::Word(word) if word == "sum" || word == "product" => {
+            Kind::Word(word) if matches!(word.as_str(), "sum" | "product" | "integral") => {
                 self.advance();
                 self.need_sign("(", &format!("after {word}"))?;
                 let name = self.name("an index name")?;
@@ -163,14 +163,17 @@ impl Parser {
                     return Err(self.expected("`=` and a range such as 1..n"));
                 }
                 let from = Box::new(self.expr()?);
-                self.need_sign("..", "between the first and the last index")?;
+                self.need_sign("..", "between the first and the last value")?;
                 let to = Box::new(self.expr()?);
-                self.need_sign(",", "before what is summed or multiplied")?;
+                self.need_sign(",", "before what is summed, multiplied or integrated")?;
                 let body = Box::new(self.expr()?);
                 self.need_sign(")", &format!("to close the {word}"))?;
                 let index = Index { name, from, to };
-                let kind =
-                    if word == "sum" { ExprKind::SumOver(index, body) } else { ExprKind::ProductOver(index, body) };
+                let kind = match word.as_str() {
+                    "sum" => ExprKind::SumOver(index, body),
+                    "product" => ExprKind::ProductOver(index, body),
+                    _ => ExprKind::IntegralOver(index, body),
+                };
                 Ok(Expr { kind, span: self.since(start) })
             }
             Kind::Word(word) if word == "derivative" => {

@@ -80,6 +80,7 @@ const RESERVED: &[&str] = &[
     "natural",
     "sum",
     "product",
+    "integral",
     "derivative",
     "only",
     "conclude",

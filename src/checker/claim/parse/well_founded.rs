@@ -72,7 +72,7 @@ fn members<'e>(
     found: &mut Vec<Level<'e>>,
 ) -> Result<(), Span> {
     match &e.kind {
-        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+        ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) | ExprKind::IntegralOver(index, body) => {
             members(&index.from, equation, equations, bound, found)?;
             members(&index.to, equation, equations, bound, found)?;
             bound.push(index);

@@ -152,7 +152,12 @@ impl Writer<'_> {
     }
 
     fn find_derivatives_in(&mut self, e: &Expr) {
-        if matches!(&e.kind, ExprKind::Derivative(_, by) if by.iter().any(|n| self.angles.contains_key(&n.text))) {
+        let is_used = match &e.kind {
+            ExprKind::Derivative(_, by) => by.iter().any(|n| self.angles.contains_key(&n.text)),
+            ExprKind::IntegralOver(x, _) => self.angles.contains_key(&x.name.text),
+            _ => false,
+        };
+        if is_used {
             self.give_up();
         }
         walk::parts(e, &mut |part| self.find_derivatives_in(part));

@@ -68,6 +68,7 @@ impl Printer {
                     _ => (format!("Derive_n {function} {order} {x}"), APPLICATION),
                 }
             }
+            ExprKind::IntegralOver(..) => return unsupported(expr.span, "an integral"),
             ExprKind::Matrix(_) => return unsupported(expr.span, "a matrix where a number is needed"),
         })
     }

@@ -93,6 +93,13 @@ pub(super) const RESERVED: &[&str] = &[
     "same_square",
     "slope",
     "stands",
+    "slope_between",
+    "slope_integral",
+    "smooth_on",
+    "derivative_of_integral",
+    "RInt",
+    "continuous",
+    "continuous_on",
 ];
 
 /// A claim's name as an identifier of Coq that is none of the words of statements.

@@ -62,6 +62,7 @@ impl Writer {
             ExprKind::SumOver(..) | ExprKind::ProductOver(..) => {
                 return unsupported(e.span, "a sum or product over an index");
             }
+            ExprKind::IntegralOver(..) => return unsupported(e.span, "an integral"),
             ExprKind::Derivative(..) => return unsupported(e.span, "a derivative"),
             ExprKind::Matrix(rows) => {
                 let rows = rows.iter().map(|r| r.iter().map(|e| self.scalar(e)).collect()).collect::<Result<_>>()?;

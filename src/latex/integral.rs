@@ -1,0 +1,97 @@
+//! Definite integrals: `\int_a^b f(x) \, dx`.
+
+use super::derivative::differential;
+use super::expression::{Read, Reader};
+use super::name::{argument, base, scripts};
+use super::piece::Piece;
+use super::place::Placed;
+use super::refusal::{ambiguous, refused};
+use super::token::{Kind, Token};
+use carom_diagnostic::Span;
+
+impl Reader<'_, '_, '_> {
+    /// The integral whose sign is next, with all that it reaches: up to its own `d x`.
+    pub(crate) fn integral(&mut self, start: Span) -> Read<Piece> {
+        self.at += 1;
+        let (mut below, mut above) = (None, None);
+        for _ in 0..2 {
+            let sign = self.peek().and_then(Token::char);
+            if sign == Some('_') || sign == Some('^') {
+                let (inner, next) = argument(self.tokens, self.at + 1)?;
+                if sign == Some('_') {
+                    below = Some(inner)
+                } else {
+                    above = Some(inner)
+                }
+                self.at = next;
+            }
+        }
+        let (Some(below), Some(above)) = (below, above) else {
+            let help = "write its ends, \\int_a^b, or state the antiderivative: \\frac{dF}{dx} = f";
+            return Err(refused("this integral has no ends", help, start));
+        };
+        if below.iter().chain(above).any(|t| t.is("infty")) {
+            let help = "write its limit as a statement: \\lim_{N \\to \\infty} \\int_{0}^{N} … \\, dx = …";
+            return Err(refused("this integral is improper", help, start));
+        }
+        let (from, to) = (self.sum_in(below)?, self.sum_in(above)?);
+        let Some(end) = own_differential(&self.tokens[self.at..]).map(|place| self.at + place) else {
+            let help = "write it behind the integrand, as in \\int_a^b f(x) \\, dx";
+            return Err(refused("the variable of this integral is not read", help, start));
+        };
+        let declared = self.scope.names.spelled("d").is_some_and(|name| self.scope.roles.contains_key(name));
+        if declared && self.tokens[end].is_char('d') {
+            let readings = ["the end of the integral", "a factor d"];
+            let write = ["write \\mathrm{d}, or another name for the number", "give d another name"];
+            return Err(ambiguous("a d within an integral", readings, write, self.tokens[end].span));
+        }
+        let behind = differential(self.tokens, end).unwrap_or(end + 1);
+        let Some((first, next)) = base(self.tokens, behind)? else {
+            return Err(refused("the variable of this integral is not read", "write d x", self.tokens[end].span));
+        };
+        let (variable, next) = scripts(self.tokens, first, self.tokens[behind].span, next)?;
+        let integrand = &self.tokens[self.at..end];
+        let name = self.scope.bind(&variable)?;
+        let body = if integrand.is_empty() { Ok(Piece::atom("1", start)) } else { self.sum_in(integrand) };
+        self.scope.bound.pop();
+        let body = body?;
+        let words: Vec<&str> =
+            body.text.text().split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).collect();
+        let has_names = words.iter().any(|word| word.starts_with(|c: char| c.is_alphabetic()));
+        if has_names && !words.contains(&name.as_str()) {
+            let help =
+                format!("write the integrand as a formula in {name}, or take what is constant out of the integral");
+            return Err(refused(format!("the integrand does not mention {name}"), help, self.since(start)));
+        }
+        self.at = next;
+        let mut text = Placed::new(&format!("integral({name} = "), start);
+        text.append(&from.text);
+        text.push("..", start);
+        text.append(&to.text);
+        text.push(", ", start);
+        text.append(&body.text);
+        text.push(")", start);
+        Ok(Piece::new(text, 5))
+    }
+}
+
+/// Where the differential of the integral stands, outside of all braces and parentheses; those within have their own.
+fn own_differential(tokens: &[Token]) -> Option<usize> {
+    let (mut level, mut open) = (0i64, 1);
+    for (place, token) in tokens.iter().enumerate() {
+        match &token.kind {
+            Kind::Open | Kind::Char('(' | '[') => level += 1,
+            Kind::Close | Kind::Char(')' | ']') => level -= 1,
+            _ if level != 0 => {}
+            _ if token.is("int") => open += 1,
+            _ if !token.is("partial") && differential(tokens, place).is_some() => {
+                open -= 1;
+                if open == 0 {
+                    return Some(place);
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}

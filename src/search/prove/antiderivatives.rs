@@ -1,0 +1,445 @@
+//! Antiderivatives of elementary functions: a proposal, which the kernel's derivative confirms.
+//!
+//! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
+//! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
+//! h(u)·u′ by substitution. Polynomials in the variable are lists of coefficients, from that of x^0 on. A list may have zeros that
+//! are not seen to be zeros: then the proposal fails, and nothing is lost.
+//!
+//! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
+
+use super::letters::{as_power, natural, product, total, whole_power};
+use super::limits::{holds, over};
+use crate::claim::syntax::*;
+use crate::kernel::statement::{apply, expr, name, numeral, power};
+
+/// The highest degree of a polynomial, and the highest power of a sine or cosine.
+const DEGREE: usize = 12;
+/// How deep products are taken apart.
+const DEPTH: usize = 8;
+
+/// A polynomial in the variable.
+type Coefficients = Vec<Expr>;
+
+fn minus(e: Expr) -> Expr {
+    match e.kind {
+        ExprKind::Negate(inner) => *inner,
+        _ => expr(ExprKind::Negate(Box::new(e))),
+    }
+}
+
+fn is_zero(e: &Expr) -> bool {
+    matches!(&e.kind, ExprKind::Number(text) if text == "0")
+}
+
+fn times(a: &Expr, b: &Expr) -> Expr {
+    if is_zero(a) || is_zero(b) { numeral(0) } else { product(vec![a.clone(), b.clone()]) }
+}
+
+fn add(list: Vec<Expr>) -> Expr {
+    let list: Vec<Expr> = list.into_iter().filter(|e| !is_zero(e)).collect();
+    total(list.into_iter().map(|e| (Sign::Plus, e)).collect())
+}
+
+/// An expression as a polynomial in x whose coefficients are free of x.
+fn polynomial(e: &Expr, x: &str) -> Option<Coefficients> {
+    if !holds(e, x) {
+        return Some(vec![e.clone()]);
+    }
+    match &e.kind {
+        ExprKind::Name(_) => Some(vec![numeral(0), numeral(1)]),
+        ExprKind::Negate(a) => Some(scaled(&polynomial(a, x)?, &minus(numeral(1)))),
+        ExprKind::Sum(list) => {
+            let mut out = Vec::new();
+            for (sign, part) in list {
+                let part = polynomial(part, x)?;
+                let part = if *sign == Sign::Plus { part } else { scaled(&part, &minus(numeral(1))) };
+                out = plus(&out, &part);
+            }
+            Some(out)
+        }
+        ExprKind::Product(list) => {
+            let mut out = vec![numeral(1)];
+            for (factor, part) in list {
+                out = match factor {
+                    Factor::Times => multiplied(&out, &polynomial(part, x)?)?,
+                    Factor::Over if holds(part, x) => return None,
+                    Factor::Over => scaled(&out, &over(numeral(1), part.clone())),
+                };
+            }
+            Some(out)
+        }
+        ExprKind::Power(base, exponent) => {
+            let k = natural(exponent).filter(|k| (*k as usize) <= DEGREE)?;
+            let base = polynomial(base, x)?;
+            (0..k).try_fold(vec![numeral(1)], |out, _| multiplied(&out, &base))
+        }
+        _ => None,
+    }
+}
+
+fn scaled(p: &[Expr], c: &Expr) -> Coefficients {
+    p.iter().map(|a| times(c, a)).collect()
+}
+
+fn plus(p: &[Expr], q: &[Expr]) -> Coefficients {
+    let at = |list: &[Expr], i: usize| list.get(i).cloned().unwrap_or_else(|| numeral(0));
+    (0..p.len().max(q.len())).map(|i| add(vec![at(p, i), at(q, i)])).collect()
+}
+
+fn multiplied(p: &[Expr], q: &[Expr]) -> Option<Coefficients> {
+    if p.len() + q.len() > DEGREE + 2 {
+        return None;
+    }
+    let terms = |k: usize| (0..=k).filter_map(|i| Some(times(p.get(i)?, q.get(k - i)?))).collect();
+    Some((0..(p.len() + q.len()).saturating_sub(1)).map(|k| add(terms(k))).collect())
+}
+
+fn derivative_of(p: &[Expr]) -> Coefficients {
+    (1u32..).zip(p.iter().skip(1)).map(|(k, c)| times(&numeral(k), c)).collect()
+}
+
+fn written(p: &[Expr], x: &str) -> Expr {
+    add(p.iter().enumerate().map(|(k, c)| times(c, &whole_power(name(x), i64::try_from(k).unwrap_or(0)))).collect())
+}
+
+/// The slope p of a linear expression p·x + q.
+fn slope(u: &Expr, x: &str) -> Option<Expr> {
+    match polynomial(u, x)?.as_slice() {
+        [_, p] => Some(p.clone()),
+        _ => None,
+    }
+}
+
+/// An antiderivative of f in x.
+pub(super) fn antiderivative(f: &Expr, x: &str) -> Option<Expr> {
+    of(f, x, DEPTH)
+}
+
+fn of(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
+    let depth = depth.checked_sub(1)?;
+    if !holds(f, x) {
+        return Some(times(f, &name(x)));
+    }
+    if let Some(p) = polynomial(f, x) {
+        let raised = (1u32..).zip(&p).map(|(k, c)| times(c, &over(whole_power(name(x), i64::from(k)), numeral(k))));
+        return Some(add(raised.collect()));
+    }
+    match &f.kind {
+        ExprKind::Negate(a) => of(a, x, depth).map(minus),
+        ExprKind::Sum(list) => {
+            let parts: Option<Vec<_>> = list.iter().map(|(sign, e)| Some((*sign, of(e, x, depth)?))).collect();
+            Some(total(parts?))
+        }
+        _ => of_product(f, x, depth),
+    }
+}
+
+/// The factors of a product with their exponents, quotients and whole powers of products taken apart.
+fn factors(e: &Expr, exponent: &Expr, out: &mut Vec<(Expr, Expr)>) {
+    match &e.kind {
+        ExprKind::Product(list) => {
+            for (factor, part) in list {
+                let own = if *factor == Factor::Times { exponent.clone() } else { minus(exponent.clone()) };
+                factors(part, &own, out);
+            }
+        }
+        ExprKind::Negate(a) if *exponent == numeral(1) => {
+            out.push((minus(numeral(1)), numeral(1)));
+            factors(a, exponent, out);
+        }
+        _ => match as_power(e) {
+            Some((base, k)) => factors(&base, &times(&k, exponent), out),
+            None => match out.iter_mut().find(|known| known.0 == *e) {
+                Some(known) => known.1 = add(vec![known.1.clone(), exponent.clone()]),
+                None => out.push((e.clone(), exponent.clone())),
+            },
+        },
+    }
+}
+
+/// A number that an exponent made of numerals is, where it is whole.
+fn whole(e: &Expr) -> Option<i64> {
+    match crate::claim::definedness::number(e)? {
+        (top, 1) => i64::try_from(top).ok(),
+        _ => None,
+    }
+}
+
+fn raised(base: &Expr, exponent: &Expr) -> Expr {
+    match whole(exponent) {
+        Some(k) => whole_power(base.clone(), k),
+        None => power(base, exponent),
+    }
+}
+
+fn of_product(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
+    let mut list = Vec::new();
+    factors(f, &numeral(1), &mut list);
+    let (moving, still): (Vec<_>, Vec<_>) = list.into_iter().partition(|(base, k)| holds(base, x) || holds(k, x));
+    let constant = product(still.iter().map(|(base, k)| raised(base, k)).collect());
+    let found = of_factors(&moving, x, depth).or_else(|| {
+        // Sums among the factors, multiplied out.
+        let (place, terms) = moving.iter().enumerate().find_map(|(i, (base, k))| match (&base.kind, whole(k)) {
+            (ExprKind::Sum(terms), Some(1)) => Some((i, terms)),
+            _ => None,
+        })?;
+        let others = moving.iter().enumerate().filter(|(i, _)| *i != place);
+        let others: Vec<Expr> = others.map(|(_, (base, k))| raised(base, k)).collect();
+        let term = |(sign, e): &(Sign, Expr)| {
+            let whole = product(others.iter().cloned().chain([e.clone()]).collect());
+            Some((*sign, of(&whole, x, depth)?))
+        };
+        Some(total(terms.iter().map(term).collect::<Option<Vec<_>>>()?))
+    });
+    Some(times(&constant, &found?))
+}
+
+fn of_factors(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
+    if let [(base, exponent)] = list {
+        return of_power(base, exponent, x, depth);
+    }
+    sines_and_cosines(list, x).or_else(|| by_parts(list, x, depth)).or_else(|| by_substitution(list, x))
+}
+
+/// u^k: by the table where u is linear, or one function of a linear argument.
+fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr> {
+    if !holds(exponent, x)
+        && let Some(p) = slope(base, x)
+    {
+        if whole(exponent) == Some(-1) {
+            return Some(over(apply("ln", base.clone()), p));
+        }
+        let next = add(vec![exponent.clone(), numeral(1)]);
+        return Some(over(raised(base, &next), product(vec![p, next])));
+    }
+    if !holds(base, x) {
+        let p = slope(exponent, x)?;
+        return Some(over(power(base, exponent), product(vec![p, apply("ln", base.clone())])));
+    }
+    if let ExprKind::Apply(function, arguments) = &base.kind
+        && let [u] = arguments.as_slice()
+    {
+        let k = whole(exponent)?;
+        let p = slope(u, x)?;
+        return match (function.text.as_str(), k) {
+            ("exp", k) => Some(over(whole_power(base.clone(), k), product(vec![numeral_of(k), p]))),
+            ("ln", 1) => Some(over(total(vec![(Sign::Plus, times(u, base)), (Sign::Minus, u.clone())]), p)),
+            ("sinh", 1) => Some(over(apply("cosh", u.clone()), p)),
+            ("cosh", 1) => Some(over(apply("sinh", u.clone()), p)),
+            ("tanh", 1) => Some(over(apply("ln", apply("cosh", u.clone())), p)),
+            ("sech", 2) => Some(over(apply("tanh", u.clone()), p)),
+            ("sin" | "cos", _) => sines_and_cosines(&[(base.clone(), exponent.clone())], x),
+            _ => None,
+        };
+    }
+    // A whole power of a sum is multiplied out.
+    let (ExprKind::Sum(_), Some(k @ 2..=4)) = (&base.kind, whole(exponent)) else { return None };
+    let ExprKind::Sum(terms) = &base.kind else { return None };
+    let rest = whole_power(base.clone(), k - 1);
+    let term = |(sign, e): &(Sign, Expr)| Some((*sign, of(&product(vec![rest.clone(), e.clone()]), x, depth)?));
+    Some(total(terms.iter().map(term).collect::<Option<Vec<_>>>()?))
+}
+
+fn numeral_of(k: i64) -> Expr {
+    let size = numeral(u32::try_from(k.unsigned_abs()).unwrap_or(u32::MAX));
+    if k < 0 { minus(size) } else { size }
+}
+
+/// sin(u)^m·cos(u)^n for a linear u: where one exponent is odd, a polynomial in the other function; else
+/// ∫cos^k = sin·cos^(k−1)/k + (k − 1)/k·∫cos^(k−2), after sin² = 1 − cos².
+fn sines_and_cosines(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
+    let (mut u, mut m, mut n) = (None::<Expr>, 0usize, 0usize);
+    for (base, k) in list {
+        let ExprKind::Apply(function, arguments) = &base.kind else { return None };
+        let ([argument], k) = (arguments.as_slice(), usize::try_from(whole(k)?).ok()?) else { return None };
+        if u.as_ref().is_some_and(|u| u != argument) || k > DEGREE {
+            return None;
+        }
+        u = Some(argument.clone());
+        match function.text.as_str() {
+            "sin" => m += k,
+            "cos" => n += k,
+            _ => return None,
+        }
+    }
+    let u = u?;
+    let p = slope(&u, x)?;
+    let (sine, cosine) = (apply("sin", u.clone()), apply("cos", u.clone()));
+    let unit = [numeral(1), numeral(0), minus(numeral(1))];
+    let value = if m % 2 == 1 || n % 2 == 1 {
+        // w = cos has w′ = −sin, w = sin has w′ = cos.
+        let (w, own, odd, sign) = if m % 2 == 1 { (cosine, n, m, true) } else { (sine, m, n, false) };
+        let mut q = vec![numeral(0); own];
+        q.push(numeral(1));
+        for _ in 0..odd / 2 {
+            q = multiplied(&q, &unit)?;
+        }
+        let terms = (1u32..).zip(&q).map(|(k, c)| times(c, &over(whole_power(w.clone(), i64::from(k)), numeral(k))));
+        let value = add(terms.collect());
+        if sign { minus(value) } else { value }
+    } else {
+        let mut q = vec![numeral(0); n];
+        q.push(numeral(1));
+        for _ in 0..m / 2 {
+            q = multiplied(&q, &unit)?;
+        }
+        let mut reduced = vec![u.clone(), sine.clone()];
+        for k in 2..q.len() {
+            let k32 = u32::try_from(k).ok()?;
+            let first = over(times(&sine, &whole_power(cosine.clone(), i64::from(k32) - 1)), numeral(k32));
+            let rest = times(&over(numeral(k32 - 1), numeral(k32)), reduced.get(k - 2)?);
+            reduced.push(add(vec![first, rest]));
+        }
+        add(q.iter().zip(&reduced).map(|(c, r)| times(c, r)).collect())
+    };
+    Some(over(value, p))
+}
+
+/// p·g for a polynomial p and g one of exp, sin, cos or ln of a linear argument, or exp times a sine or cosine.
+fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
+    let one = |e: &(Expr, Expr)| whole(&e.1) == Some(1);
+    let mut p = vec![numeral(1)];
+    let mut rest: Vec<&(Expr, Expr)> = Vec::new();
+    for factor in list {
+        match (polynomial(&factor.0, x), whole(&factor.1)) {
+            (Some(q), Some(k @ 1..)) => {
+                for _ in 0..k {
+                    p = multiplied(&p, &q)?;
+                }
+            }
+            _ => rest.push(factor),
+        }
+    }
+    match rest.as_slice() {
+        [g] if one(g) || matches!(&g.0.kind, ExprKind::Apply(f, _) if f.text == "exp") || !holds(&g.0, x) => {
+            if let ExprKind::Apply(f, arguments) = &g.0.kind
+                && let ("ln", [u]) = (f.text.as_str(), arguments.as_slice())
+            {
+                // ∫p·ln u = P·ln u − ∫P·u′/u, where P is 0 at the zero of u.
+                let (a, b) = (slope(u, x)?, polynomial(u, x)?.first()?.clone());
+                let raised = (1u32..).zip(&p).map(|(k, c)| times(c, &over(numeral(1), numeral(k))));
+                let mut whole: Coefficients = std::iter::once(numeral(0)).chain(raised).collect();
+                let zero = minus(over(b, a.clone()));
+                let at_zero = whole.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, &zero), c.clone()]));
+                whole[0] = minus(at_zero);
+                let divided = divided(&whole, &zero);
+                let left = times(&written(&whole, x), &g.0);
+                return Some(total(vec![(Sign::Plus, left), (Sign::Minus, of(&written(&divided, x), x, depth)?)]));
+            }
+            // ∫p·g = p·G − ∫p′·G, with G a multiple of a function of the same kind.
+            let mut terms = Vec::new();
+            let mut integral = of_power(&g.0, &g.1, x, depth)?;
+            let mut sign = Sign::Plus;
+            loop {
+                terms.push((sign, times(&written(&p, x), &integral)));
+                p = derivative_of(&p);
+                if p.iter().all(is_zero) {
+                    return Some(total(terms));
+                }
+                integral = of(&integral, x, depth)?;
+                sign = if sign == Sign::Plus { Sign::Minus } else { Sign::Plus };
+            }
+        }
+        // ∫e^(ax)·sin(bx) and the same with cos.
+        [g, h] if p.len() == 1 => {
+            let is_exp = |e: &Expr| matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "exp");
+            let (g, h) = if is_exp(&g.0) { (g, h) } else { (h, g) };
+            let (ExprKind::Apply(_, u), ExprKind::Apply(f, v)) = (&g.0.kind, &h.0.kind) else { return None };
+            let ([u], [v], true, true) = (u.as_slice(), v.as_slice(), is_exp(&g.0), one(h)) else { return None };
+            let (a, b) = (times(&numeral_of(whole(&g.1)?), &slope(u, x)?), slope(v, x)?);
+            let (sine, cosine) = (apply("sin", v.clone()), apply("cos", v.clone()));
+            let inner = match f.text.as_str() {
+                "sin" => total(vec![(Sign::Plus, times(&a, &sine)), (Sign::Minus, times(&b, &cosine))]),
+                "cos" => add(vec![times(&a, &cosine), times(&b, &sine)]),
+                _ => return None,
+            };
+            let below = add(vec![whole_power(a, 2), whole_power(b, 2)]);
+            Some(over(product(vec![raised(&g.0, &g.1), inner]), below))
+        }
+        _ => None,
+    }
+}
+
+/// The quotient of a polynomial that is 0 at a place, by x − place.
+fn divided(p: &[Expr], place: &Expr) -> Coefficients {
+    let mut out = Vec::new();
+    let mut carried = numeral(0);
+    for c in p.iter().skip(1).rev() {
+        carried = add(vec![times(&carried, place), c.clone()]);
+        out.push(carried.clone());
+    }
+    out.reverse();
+    out
+}
+
+/// r·h(u)^k where r is a multiple of u′: a polynomial u of degree 2 or more, or the logarithm of a linear one.
+fn by_substitution(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
+    for (place, (base, exponent)) in list.iter().enumerate() {
+        let others: Vec<&(Expr, Expr)> =
+            list.iter().enumerate().filter(|(i, _)| *i != place).map(|(_, factor)| factor).collect();
+        let inner = match (&base.kind, polynomial(base, x)) {
+            (_, Some(p)) => Some((p, None)),
+            (ExprKind::Apply(f, u), None) if f.text != "ln" => {
+                Some((polynomial(u.first()?, x)?, Some(f.text.as_str())))
+            }
+            _ => None,
+        };
+        if let Some((u, function)) = inner
+            && u.len() > 2
+            && let Some(ratio) = ratio_of(&others, &derivative_of(&u), x)
+        {
+            let value = match (function, whole(exponent)) {
+                (None, Some(-1)) => apply("ln", base.clone()),
+                (None, _) if !holds(exponent, x) => {
+                    let next = add(vec![exponent.clone(), numeral(1)]);
+                    over(raised(base, &next), next)
+                }
+                (Some("exp"), Some(k)) => over(raised(base, exponent), numeral_of(k)),
+                (Some(f @ ("sin" | "cos")), Some(1)) => {
+                    let ExprKind::Apply(_, at) = &base.kind else { return None };
+                    let other = apply(if f == "sin" { "cos" } else { "sin" }, at.first()?.clone());
+                    if f == "sin" { minus(other) } else { other }
+                }
+                _ => continue,
+            };
+            return Some(times(&ratio, &value));
+        }
+        // ln(u)^k/u.
+        if let (ExprKind::Apply(f, u), [(other, minus_one)]) = (&base.kind, others.as_slice())
+            && let ("ln", [u], Some(-1)) = (f.text.as_str(), u.as_slice(), whole(minus_one))
+            && let (Some(p), Some(q)) = (slope(u, x), slope(other, x))
+        {
+            let same =
+                polynomial(other, x)?.first().is_some_and(is_zero) && polynomial(u, x)?.first().is_some_and(is_zero);
+            if !same && u != other {
+                continue;
+            }
+            let _ = p;
+            return Some(over(
+                match whole(exponent) {
+                    Some(-1) => apply("ln", base.clone()),
+                    _ => {
+                        let next = add(vec![exponent.clone(), numeral(1)]);
+                        over(raised(base, &next), next)
+                    }
+                },
+                q,
+            ));
+        }
+    }
+    None
+}
+
+/// c where the product of the factors is c·p, by the highest coefficients.
+fn ratio_of(list: &[&(Expr, Expr)], p: &[Expr], x: &str) -> Option<Expr> {
+    let mut q = vec![numeral(1)];
+    for (base, k) in list {
+        let k @ 1.. = whole(k)? else { return None };
+        let factor = polynomial(base, x)?;
+        for _ in 0..k {
+            q = multiplied(&q, &factor)?;
+        }
+    }
+    let same = q.len() == p.len() && q.iter().zip(p).all(|(a, b)| is_zero(a) == is_zero(b));
+    same.then(|| Some(over(q.last()?.clone(), p.last()?.clone()))).flatten()
+}
