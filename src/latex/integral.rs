@@ -6,6 +6,7 @@ use super::name::{argument, base, scripts};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused};
+use super::scope::Role;
 use super::token::{Kind, Token};
 use carom_diagnostic::Span;
 
@@ -62,6 +63,18 @@ impl Reader<'_, '_, '_> {
             let help =
                 format!("write the integrand as a formula in {name}, or take what is constant out of the integral");
             return Err(refused(format!("the integrand does not mention {name}"), help, self.since(start)));
+        }
+        // A definition speaks of the declared variable of this name, not of the one that is integrated over.
+        let is_definition = |word: &&str| matches!(self.scope.roles.get(*word), Some(Role::Definition | Role::Matrix));
+        if self.scope.names.spelled(&variable.key()).is_some_and(|own| own != name)
+            && let Some(word) = words.iter().find(|word| is_definition(word))
+        {
+            let help = "write the definition out, or define it as a function of the variable";
+            return Err(refused(
+                format!("{word} may depend on the variable of this integral"),
+                help,
+                self.since(start),
+            ));
         }
         self.at = next;
         let mut text = Placed::new(&format!("integral({name} = "), start);

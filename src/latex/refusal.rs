@@ -67,9 +67,8 @@ pub(crate) fn one_value(what: &str, span: Span) -> Diagnostic {
 /// What to write instead of a command that is not read.
 pub(crate) fn command(name: &str, span: Span) -> Diagnostic {
     let help = match name {
-        "int" | "iint" | "oint" => {
-            "the kernel has no rule for integrals: define an antiderivative, F(x) := …, state \\frac{d}{dx} F(x) = f(x), and write \
-             F(b) - F(a) for the integral; or `%carom skip`"
+        "iint" | "iiint" | "oint" => {
+            "write one integral within the other, \\int_a^b \\int_c^d f \\, dy \\, dx; or `%carom skip`"
         }
         "lg" => "write \\frac{\\ln x}{\\ln 10}",
         "underbrace" | "overbrace" => {

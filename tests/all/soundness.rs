@@ -65,7 +65,9 @@ impl Mutation {
                 self.expr(a);
                 self.expr(b);
             }
-            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+            ExprKind::SumOver(index, body)
+            | ExprKind::ProductOver(index, body)
+            | ExprKind::IntegralOver(index, body) => {
                 self.expr(&mut index.to);
                 self.expr(body);
             }

@@ -15,7 +15,7 @@ const PAPER: &str = r"\newcommand{\half}{\frac{1}{2}}
   U = R I
 \end{equation}
 \begin{equation}\label{eq:power} U I = R I^2 \end{equation}
-\begin{equation}\label{eq:unread} \int v = 0 \end{equation}
+\begin{equation}\label{eq:unread} \oint v = 0 \end{equation}
 ";
 
 fn run(folder: &Path, arguments: &str) -> (i32, String) {
@@ -32,16 +32,16 @@ fn a_command_fails_on_a_paper() {
         (
             "audit p.tex --certificates c",
             2,
-            &["3 proved, 1 refuted", "is in kg·m/s, and", "p.tex:8:", "\\int is not read"][..],
+            &["3 proved, 1 refuted", "is in kg·m/s, and", "p.tex:8:", "\\oint is not read"][..],
         ),
         ("explain power p.tex", 0, &["proved (identity)", "U real", "in ohm"]),
         ("explain bad p.tex", 1, &["Why it is refuted", "dimensions differ"]),
-        ("explain unread p.tex", 2, &["\\int is not read"]),
+        ("explain unread p.tex", 2, &["\\oint is not read"]),
         ("repair bad p.tex", 1, &["No hypothesis changes that"]),
         ("check p.tex", 2, &["holds claims, not certificates", "carom audit p.tex --certificates DIR"]),
         ("export smt2 p.tex", 2, &["--from p.tex"]),
         ("read p.tex", 2, &["given m > 0 in kg; v real in m/s", "6"]),
-        ("report p.tex -o r", 2, &["\\int is not read", "1 claim is refuted by its dimensions."]),
+        ("report p.tex -o r", 2, &["\\oint is not read", "1 claim is refuted by its dimensions."]),
     ] {
         let (found, text) = run(here, arguments);
         assert_eq!(found, code, "{arguments}: {text}");
@@ -49,7 +49,7 @@ fn a_command_fails_on_a_paper() {
             assert!(text.contains(part), "{arguments}: {part}: {text}");
         }
     }
-    std::fs::write(here.join("q.tex"), PAPER.replace("\\int v = 0", "v^2 \\ge 0")).expect("it is written");
+    std::fs::write(here.join("q.tex"), PAPER.replace("\\oint v = 0", "v^2 \\ge 0")).expect("it is written");
     let (code, text) = run(here, "check c --claims q.tex");
     assert_eq!((code, text.contains("3 of 3 certificates accepted")), (0, true), "{text}");
 }
@@ -63,7 +63,7 @@ fn a_report_does_not_show_the_papers_own_formula() {
     let page = std::fs::read_to_string(here.join("r/index.html")).expect("a page");
     assert_eq!(page.matches("In the paper").count(), 4, "one for each claim");
     assert!(page.contains("aria-label=\"\\frac {1}{2} m v^2 \\ge 0 ,\""), "macros are written out");
-    assert!(page.contains("<mtext>kg</mtext>") && page.contains("\\int is not read"));
+    assert!(page.contains("<mtext>kg</mtext>") && page.contains("\\oint is not read"));
     let document = std::fs::read_to_string(here.join("r/report.tex")).expect("a document");
     assert!(document.contains("\\begin{aligned} (m + M) v^2 & = m v^2 \\\\  & \\quad + M v^2"), "{document}");
     assert!(document.contains("\\[ \\frac {1}{2} m v^2 \\ge 0 , \\]"), "{document}");

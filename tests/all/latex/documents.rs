@@ -142,6 +142,7 @@ fn a_value_of_a_function_is_taken_for_another_or_for_a_constant() {
         "\\frac{d v(t)}{dt} = a",
         "\\frac{d}{dt} (t v(t)) = a",
         "\\sum_{t=1}^{n} v(t) = a",
+        "\\int_0^1 t v(t) dt = a",
         "q(t) = t v(t)",
         "v(t) := a t",
         "v(t) > 0 \\quad \\text{for all } t > 0",
