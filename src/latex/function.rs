@@ -21,6 +21,9 @@ const QUOTIENTS: &[(&str, Option<&str>, &str)] =
 pub(crate) const WORDS: &[&str] =
     &["sech", "transpose", "trace", "inverse", "abs", "floor", "ceil", "cbrt", "sqrt", "binomial", "factorial"];
 
+/// What stands below and above a large sign.
+type BelowAndAbove<'t> = (Option<&'t [Token]>, Option<&'t [Token]>);
+
 impl<'t> Reader<'t, '_, '_> {
     /// An atom that begins with a command.
     pub(crate) fn command(&mut self) -> Read<Piece> {
@@ -304,7 +307,8 @@ impl<'t> Reader<'t, '_, '_> {
         }
     }
 
-    fn over(&mut self, word: &str, start: Span) -> Read<Piece> {
+    /// Reads a large sign, with what stands below and above it.
+    pub(crate) fn below_and_above(&mut self) -> Read<BelowAndAbove<'t>> {
         self.at += 1;
         let (mut below, mut above) = (None, None);
         for _ in 0..2 {
@@ -319,6 +323,11 @@ impl<'t> Reader<'t, '_, '_> {
                 self.at = next;
             }
         }
+        Ok((below, above))
+    }
+
+    fn over(&mut self, word: &str, start: Span) -> Read<Piece> {
+        let (below, above) = self.below_and_above()?;
         let range = "write the range of the index: \\sum_{i=1}^{n}";
         let (Some(below), Some(above)) = (below, above) else {
             return Err(refused(format!("this {word} has no range"), range, start));

@@ -2,7 +2,7 @@
 
 use super::derivative::differential;
 use super::expression::{Read, Reader};
-use super::name::{argument, base, scripts};
+use super::name::{base, scripts};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused};
@@ -13,20 +13,7 @@ use carom_diagnostic::Span;
 impl Reader<'_, '_, '_> {
     /// The integral whose sign is next, with all that it reaches: up to its own `d x`.
     pub(crate) fn integral(&mut self, start: Span) -> Read<Piece> {
-        self.at += 1;
-        let (mut below, mut above) = (None, None);
-        for _ in 0..2 {
-            let sign = self.peek().and_then(Token::char);
-            if sign == Some('_') || sign == Some('^') {
-                let (inner, next) = argument(self.tokens, self.at + 1)?;
-                if sign == Some('_') {
-                    below = Some(inner)
-                } else {
-                    above = Some(inner)
-                }
-                self.at = next;
-            }
-        }
+        let (below, above) = self.below_and_above()?;
         let (Some(below), Some(above)) = (below, above) else {
             let help = "write its ends, \\int_a^b, or state the antiderivative: \\frac{dF}{dx} = f";
             return Err(refused("this integral has no ends", help, start));

@@ -7,10 +7,13 @@
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
 
+use super::facts::negated;
 use super::letters::{as_power, natural, product, total, whole_power};
 use super::limits::{holds, over};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, expr, name, numeral, power};
+use crate::kernel::statement::{apply, name, numeral, power};
+use crate::refute::literal::{is_zero, literal};
+use malachite::Rational;
 
 /// The highest degree of a polynomial, and the highest power of a sine or cosine.
 const DEGREE: usize = 12;
@@ -19,17 +22,6 @@ const DEPTH: usize = 8;
 
 /// A polynomial in the variable.
 type Coefficients = Vec<Expr>;
-
-fn minus(e: Expr) -> Expr {
-    match e.kind {
-        ExprKind::Negate(inner) => *inner,
-        _ => expr(ExprKind::Negate(Box::new(e))),
-    }
-}
-
-fn is_zero(e: &Expr) -> bool {
-    matches!(&e.kind, ExprKind::Number(text) if text == "0")
-}
 
 fn times(a: &Expr, b: &Expr) -> Expr {
     if is_zero(a) || is_zero(b) { numeral(0) } else { product(vec![a.clone(), b.clone()]) }
@@ -47,12 +39,12 @@ fn polynomial(e: &Expr, x: &str) -> Option<Coefficients> {
     }
     match &e.kind {
         ExprKind::Name(_) => Some(vec![numeral(0), numeral(1)]),
-        ExprKind::Negate(a) => Some(scaled(&polynomial(a, x)?, &minus(numeral(1)))),
+        ExprKind::Negate(a) => Some(scaled(&polynomial(a, x)?, &negated(numeral(1)))),
         ExprKind::Sum(list) => {
             let mut out = Vec::new();
             for (sign, part) in list {
                 let part = polynomial(part, x)?;
-                let part = if *sign == Sign::Plus { part } else { scaled(&part, &minus(numeral(1))) };
+                let part = if *sign == Sign::Plus { part } else { scaled(&part, &negated(numeral(1))) };
                 out = plus(&out, &part);
             }
             Some(out)
@@ -98,8 +90,14 @@ fn derivative_of(p: &[Expr]) -> Coefficients {
     (1u32..).zip(p.iter().skip(1)).map(|(k, c)| times(&numeral(k), c)).collect()
 }
 
-fn written(p: &[Expr], x: &str) -> Expr {
-    add(p.iter().enumerate().map(|(k, c)| times(c, &whole_power(name(x), i64::try_from(k).unwrap_or(0)))).collect())
+/// The antiderivative that is 0 at 0.
+fn antiderivative_of(p: &[Expr]) -> Coefficients {
+    let raised = (1u32..).zip(p).map(|(k, c)| times(c, &over(numeral(1), numeral(k))));
+    std::iter::once(numeral(0)).chain(raised).collect()
+}
+
+fn written(p: &[Expr], x: &Expr) -> Expr {
+    add(p.iter().enumerate().map(|(k, c)| times(c, &whole_power(x.clone(), i64::try_from(k).unwrap_or(0)))).collect())
 }
 
 /// The slope p of a linear expression p·x + q.
@@ -121,11 +119,10 @@ fn of(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
         return Some(times(f, &name(x)));
     }
     if let Some(p) = polynomial(f, x) {
-        let raised = (1u32..).zip(&p).map(|(k, c)| times(c, &over(whole_power(name(x), i64::from(k)), numeral(k))));
-        return Some(add(raised.collect()));
+        return Some(written(&antiderivative_of(&p), &name(x)));
     }
     match &f.kind {
-        ExprKind::Negate(a) => of(a, x, depth).map(minus),
+        ExprKind::Negate(a) => of(a, x, depth).map(negated),
         ExprKind::Sum(list) => {
             let parts: Option<Vec<_>> = list.iter().map(|(sign, e)| Some((*sign, of(e, x, depth)?))).collect();
             Some(total(parts?))
@@ -139,12 +136,12 @@ fn factors(e: &Expr, exponent: &Expr, out: &mut Vec<(Expr, Expr)>) {
     match &e.kind {
         ExprKind::Product(list) => {
             for (factor, part) in list {
-                let own = if *factor == Factor::Times { exponent.clone() } else { minus(exponent.clone()) };
+                let own = if *factor == Factor::Times { exponent.clone() } else { negated(exponent.clone()) };
                 factors(part, &own, out);
             }
         }
         ExprKind::Negate(a) if *exponent == numeral(1) => {
-            out.push((minus(numeral(1)), numeral(1)));
+            out.push((negated(numeral(1)), numeral(1)));
             factors(a, exponent, out);
         }
         _ => match as_power(e) {
@@ -201,16 +198,21 @@ fn of_factors(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     sines_and_cosines(list, x).or_else(|| by_parts(list, x, depth)).or_else(|| by_substitution(list, x))
 }
 
+/// The antiderivative of u^k in u, where k is free of it.
+fn power_rule(u: &Expr, k: &Expr) -> Expr {
+    if whole(k) == Some(-1) {
+        return apply("ln", u.clone());
+    }
+    let next = add(vec![k.clone(), numeral(1)]);
+    over(raised(u, &next), next)
+}
+
 /// u^k: by the table where u is linear, or one function of a linear argument.
 fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr> {
     if !holds(exponent, x)
         && let Some(p) = slope(base, x)
     {
-        if whole(exponent) == Some(-1) {
-            return Some(over(apply("ln", base.clone()), p));
-        }
-        let next = add(vec![exponent.clone(), numeral(1)]);
-        return Some(over(raised(base, &next), product(vec![p, next])));
+        return Some(over(power_rule(base, exponent), p));
     }
     if !holds(base, x) {
         let p = slope(exponent, x)?;
@@ -222,7 +224,7 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
         let k = whole(exponent)?;
         let p = slope(u, x)?;
         return match (function.text.as_str(), k) {
-            ("exp", k) => Some(over(whole_power(base.clone(), k), product(vec![numeral_of(k), p]))),
+            ("exp", k) => Some(over(whole_power(base.clone(), k), product(vec![literal(&Rational::from(k)), p]))),
             ("ln", 1) => Some(over(total(vec![(Sign::Plus, times(u, base)), (Sign::Minus, u.clone())]), p)),
             ("sinh", 1) => Some(over(apply("cosh", u.clone()), p)),
             ("cosh", 1) => Some(over(apply("sinh", u.clone()), p)),
@@ -233,16 +235,17 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
         };
     }
     // A whole power of a sum is multiplied out.
-    let (ExprKind::Sum(_), Some(k @ 2..=4)) = (&base.kind, whole(exponent)) else { return None };
-    let ExprKind::Sum(terms) = &base.kind else { return None };
+    let (ExprKind::Sum(terms), Some(k @ 2..=4)) = (&base.kind, whole(exponent)) else { return None };
     let rest = whole_power(base.clone(), k - 1);
     let term = |(sign, e): &(Sign, Expr)| Some((*sign, of(&product(vec![rest.clone(), e.clone()]), x, depth)?));
     Some(total(terms.iter().map(term).collect::<Option<Vec<_>>>()?))
 }
 
-fn numeral_of(k: i64) -> Expr {
-    let size = numeral(u32::try_from(k.unsigned_abs()).unwrap_or(u32::MAX));
-    if k < 0 { minus(size) } else { size }
+/// w^k·(1 − w²)^times.
+fn times_unit(k: usize, times: usize) -> Option<Coefficients> {
+    let unit = [numeral(1), numeral(0), negated(numeral(1))];
+    let power: Coefficients = std::iter::repeat_n(numeral(0), k).chain([numeral(1)]).collect();
+    (0..times).try_fold(power, |q, _| multiplied(&q, &unit))
 }
 
 /// sin(u)^m·cos(u)^n for a linear u: where one exponent is odd, a polynomial in the other function; else
@@ -265,24 +268,14 @@ fn sines_and_cosines(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     let u = u?;
     let p = slope(&u, x)?;
     let (sine, cosine) = (apply("sin", u.clone()), apply("cos", u.clone()));
-    let unit = [numeral(1), numeral(0), minus(numeral(1))];
     let value = if m % 2 == 1 || n % 2 == 1 {
         // w = cos has w′ = −sin, w = sin has w′ = cos.
         let (w, own, odd, sign) = if m % 2 == 1 { (cosine, n, m, true) } else { (sine, m, n, false) };
-        let mut q = vec![numeral(0); own];
-        q.push(numeral(1));
-        for _ in 0..odd / 2 {
-            q = multiplied(&q, &unit)?;
-        }
-        let terms = (1u32..).zip(&q).map(|(k, c)| times(c, &over(whole_power(w.clone(), i64::from(k)), numeral(k))));
-        let value = add(terms.collect());
-        if sign { minus(value) } else { value }
+        let q = times_unit(own, odd / 2)?;
+        let value = written(&antiderivative_of(&q), &w);
+        if sign { negated(value) } else { value }
     } else {
-        let mut q = vec![numeral(0); n];
-        q.push(numeral(1));
-        for _ in 0..m / 2 {
-            q = multiplied(&q, &unit)?;
-        }
+        let q = times_unit(n, m / 2)?;
         let mut reduced = vec![u.clone(), sine.clone()];
         for k in 2..q.len() {
             let k32 = u32::try_from(k).ok()?;
@@ -317,21 +310,23 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
             {
                 // ∫p·ln u = P·ln u − ∫P·u′/u, where P is 0 at the zero of u.
                 let (a, b) = (slope(u, x)?, polynomial(u, x)?.first()?.clone());
-                let raised = (1u32..).zip(&p).map(|(k, c)| times(c, &over(numeral(1), numeral(k))));
-                let mut whole: Coefficients = std::iter::once(numeral(0)).chain(raised).collect();
-                let zero = minus(over(b, a.clone()));
+                let mut whole = antiderivative_of(&p);
+                let zero = negated(over(b, a.clone()));
                 let at_zero = whole.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, &zero), c.clone()]));
-                whole[0] = minus(at_zero);
+                whole[0] = negated(at_zero);
                 let divided = divided(&whole, &zero);
-                let left = times(&written(&whole, x), &g.0);
-                return Some(total(vec![(Sign::Plus, left), (Sign::Minus, of(&written(&divided, x), x, depth)?)]));
+                let left = times(&written(&whole, &name(x)), &g.0);
+                return Some(total(vec![
+                    (Sign::Plus, left),
+                    (Sign::Minus, of(&written(&divided, &name(x)), x, depth)?),
+                ]));
             }
             // ∫p·g = p·G − ∫p′·G, with G a multiple of a function of the same kind.
             let mut terms = Vec::new();
             let mut integral = of_power(&g.0, &g.1, x, depth)?;
             let mut sign = Sign::Plus;
             loop {
-                terms.push((sign, times(&written(&p, x), &integral)));
+                terms.push((sign, times(&written(&p, &name(x)), &integral)));
                 p = derivative_of(&p);
                 if p.iter().all(is_zero) {
                     return Some(total(terms));
@@ -346,7 +341,7 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
             let (g, h) = if is_exp(&g.0) { (g, h) } else { (h, g) };
             let (ExprKind::Apply(_, u), ExprKind::Apply(f, v)) = (&g.0.kind, &h.0.kind) else { return None };
             let ([u], [v], true, true) = (u.as_slice(), v.as_slice(), is_exp(&g.0), one(h)) else { return None };
-            let (a, b) = (times(&numeral_of(whole(&g.1)?), &slope(u, x)?), slope(v, x)?);
+            let (a, b) = (times(&literal(&Rational::from(whole(&g.1)?)), &slope(u, x)?), slope(v, x)?);
             let (sine, cosine) = (apply("sin", v.clone()), apply("cos", v.clone()));
             let inner = match f.text.as_str() {
                 "sin" => total(vec![(Sign::Plus, times(&a, &sine)), (Sign::Minus, times(&b, &cosine))]),
@@ -389,42 +384,26 @@ fn by_substitution(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
             && let Some(ratio) = ratio_of(&others, &derivative_of(&u), x)
         {
             let value = match (function, whole(exponent)) {
-                (None, Some(-1)) => apply("ln", base.clone()),
-                (None, _) if !holds(exponent, x) => {
-                    let next = add(vec![exponent.clone(), numeral(1)]);
-                    over(raised(base, &next), next)
-                }
-                (Some("exp"), Some(k)) => over(raised(base, exponent), numeral_of(k)),
+                (None, _) if !holds(exponent, x) => power_rule(base, exponent),
+                (Some("exp"), Some(k)) => over(raised(base, exponent), literal(&Rational::from(k))),
                 (Some(f @ ("sin" | "cos")), Some(1)) => {
                     let ExprKind::Apply(_, at) = &base.kind else { return None };
                     let other = apply(if f == "sin" { "cos" } else { "sin" }, at.first()?.clone());
-                    if f == "sin" { minus(other) } else { other }
+                    if f == "sin" { negated(other) } else { other }
                 }
                 _ => continue,
             };
             return Some(times(&ratio, &value));
         }
-        // ln(u)^k/u.
+        // ln(u)^k/w, where w is u, or both are multiples of the variable.
         if let (ExprKind::Apply(f, u), [(other, minus_one)]) = (&base.kind, others.as_slice())
             && let ("ln", [u], Some(-1)) = (f.text.as_str(), u.as_slice(), whole(minus_one))
-            && let (Some(p), Some(q)) = (slope(u, x), slope(other, x))
+            && let (Some(p), Some(q)) = (polynomial(u, x), polynomial(other, x))
+            && p.len() == 2
+            && q.len() == 2
+            && (u == other || is_zero(&p[0]) && is_zero(&q[0]))
         {
-            let same =
-                polynomial(other, x)?.first().is_some_and(is_zero) && polynomial(u, x)?.first().is_some_and(is_zero);
-            if !same && u != other {
-                continue;
-            }
-            let _ = p;
-            return Some(over(
-                match whole(exponent) {
-                    Some(-1) => apply("ln", base.clone()),
-                    _ => {
-                        let next = add(vec![exponent.clone(), numeral(1)]);
-                        over(raised(base, &next), next)
-                    }
-                },
-                q,
-            ));
+            return Some(over(power_rule(base, exponent), q[1].clone()));
         }
     }
     None

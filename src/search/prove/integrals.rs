@@ -1,12 +1,11 @@
 //! Definite integrals: the value by an antiderivative.
 
 use super::antiderivatives::antiderivative;
-use super::facts::minus;
+use super::facts::{minus, negated};
 use super::slopes::put_in;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::key;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, name, numeral, prop};
 
@@ -42,32 +41,11 @@ impl Prover {
             return Err(Fail::No("an integral"));
         }
         self.enrich(&integrals.iter().collect::<Vec<_>>());
-        let mut plain = sides.clone();
-        for integral in integrals {
-            let ExprKind::IntegralOver(variable, f) = &integral.kind else { continue };
-            let value = self.value_of_integral(&integral).or_else(|| {
-                let learned = self.attempt(|c| c.learn_integral(variable, f));
-                learned.ok().and_then(|_| self.value_of_integral(&integral))
-            });
-            let value = value.ok_or(Fail::No("the value of an integral"))?;
-            plain.iter_mut().for_each(|side| super::sums::replace(side, &integral, &value));
-        }
+        let plain = sides.iter().map(with_values_of_integrals).collect();
         let plain = prop(PropKind::Compare(plain, relations.clone()));
         let shown = self.attempt(|c| c.show(&plain))?;
         sides.iter().for_each(|side| self.define(side));
         self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
-    }
-
-    /// The value of an integral by a fact about it as it is written.
-    fn value_of_integral(&self, integral: &Expr) -> Option<Expr> {
-        let wanted = key::expr(integral);
-        self.checker.facts().find_map(|(_, fact)| match &fact.kind {
-            PropKind::Compare(sides, relations) if *relations == [Relation::Equal] => match sides.as_slice() {
-                [e, value] if key::expr(e) == wanted => Some(value.clone()),
-                _ => None,
-            },
-            _ => None,
-        })
     }
 
     /// F(b) − F(a) = integral(x = a..b, f), put in for the integral. F is tried on all numbers, on one side of 0, and between the
@@ -81,10 +59,6 @@ impl Prover {
         let own = Index { name: Name::new(&x), ..variable.clone() };
         let integral = expr(ExprKind::IntegralOver(own, Box::new(f.clone())));
         let values = minus(&put_in(&big_f, &x, &b)?, &put_in(&big_f, &x, &a)?);
-        let values = match values.kind {
-            ExprKind::Sum(_) => values,
-            _ => return Err(no()),
-        };
         let goal = compare(values.clone(), Relation::Equal, integral.clone());
         let equation = compare(integral, Relation::Equal, values);
         self.define(&a);
@@ -116,7 +90,7 @@ impl Prover {
                 let with = vec![(Name::new("a"), a.clone()), (Name::new("b"), b.clone())];
                 let label = c.emit(Rule::Slope { source, with, from: Vec::new() }, goal.clone())?;
                 // An equation is put in for what stands on its left.
-                let terms = vec![Term { facts: vec![label], factor: minus(&numeral(0), &numeral(1)) }];
+                let terms = vec![Term { facts: vec![label], factor: negated(numeral(1)) }];
                 c.combination(equation.clone(), terms)
             });
             if let Ok(label) = shown {
