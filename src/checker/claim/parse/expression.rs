@@ -166,7 +166,7 @@ impl Parser {
                 self.need_sign("..", "between the first and the last value")?;
                 if self.is_word("infinity") {
                     let help =
-                        format!("write its limit: `limit of {word}({} = …..N, …) as N -> infinity is …`", name.text);
+                        format!("write its limit: `limit of {word}({} = a..N, …) as N -> infinity is …`", name.text);
                     let span = self.span();
                     return Err(self.other(&format!("this {word} has no end"), Some(&help), span));
                 }
