@@ -4,7 +4,7 @@ The rules of differentiation here are those of a textbook. The evaluator has its
 so that a mistake in either shows as a difference.
 """
 
-from parse import Parser
+from parse import FOLDS, Parser
 
 LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 1.5, "^": 3}
 
@@ -25,7 +25,7 @@ def show(e, level=0):
         return e[1]
     if kind == "call":
         return f"{e[1]}({', '.join(show(a) for a in e[2])})"
-    if kind in ("sum", "product"):
+    if kind in FOLDS:
         return f"{kind}({e[1]} = {show(e[2])}..{show(e[3])}, {show(e[4])})"
     if kind == "derivative":
         return f"derivative({show(e[1])}, {', '.join(e[2])})"
@@ -51,7 +51,7 @@ def put(e, values):
         return e
     if kind == "call":
         return kind, e[1], [put(a, values) for a in e[2]]
-    if kind in ("sum", "product"):
+    if kind in FOLDS:
         return kind, e[1], *(put(part, values) for part in e[2:])
     if kind == "derivative":
         return kind, put(e[1], values), e[2]

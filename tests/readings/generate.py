@@ -11,6 +11,7 @@ import re
 import abbreviations
 import angles
 import derivatives
+import integrals
 import limits
 from maker import Maker
 
@@ -30,6 +31,7 @@ KINDS = {
     "derivatives by a number": (derivatives.by_a_number, 6),
     "derivatives that are tied": (derivatives.tied, 3),
     "derivatives of sequences": (derivatives.of_sequences, 4),
+    "integrals": (integrals.any_kind, 6),
     "bounds of angles": (angles.bounds, 12),
     "equations of angles": (angles.equation, 12),
     "identities of angles": (angles.identity, 8),

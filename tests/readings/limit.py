@@ -4,7 +4,7 @@ from mpmath import mpf
 
 from dual import ZERO
 from names import reach
-from parse import names_in, parts
+from parse import FOLDS, names_in, parts
 
 # How far numbers must lie from what a sequence of points suggests.
 MARGIN = mpf("1e-3")
@@ -16,8 +16,8 @@ JITTER = (mpf(1), mpf("1.37"), mpf("2.11"), mpf("3.03"))
 
 
 def is_long(claim, body):
-    """Whether the work for a value grows with its index: sums, sequences, factorials, powers of matrices."""
-    if body[0] in ("sum", "product", "matrix") or body[0] == "call" and body[1] in ("factorial", "binomial"):
+    """Whether the work for a value grows with its index: sums, integrals, sequences, factorials, powers of matrices."""
+    if body[0] in (*FOLDS, "matrix") or body[0] == "call" and body[1] in ("factorial", "binomial"):
         return True
     if reach(claim, names_in(body)) & set(claim.sequences):
         return True

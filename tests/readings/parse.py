@@ -3,7 +3,8 @@
 The grammar is that of `docs/language.md`. An expression is a tuple that begins with its kind:
 
     ("num", text)  ("name", n)  ("call", f, arguments)  ("neg", a)  ("+", a, b) and so for - * / ^
-    ("sum", index, from, to, body)  ("product", ...)  ("derivative", body, names)  ("matrix", rows)
+    ("sum", index, from, to, body)  ("product", ...)  ("integral", ...)  ("derivative", body, names)
+    ("matrix", rows)
 
 A proposition likewise: `compare`, `and`, `or`, `not`, `=>`, `<=>`, `all`, `exists`, `extremum`, `limit`. Arguments are
 not read: they guide a search and change no statement.
@@ -20,6 +21,8 @@ FUNCTIONS = (
     "sqrt cbrt exp ln cosh sinh tanh sech det transpose abs max min factorial binomial trace inverse floor ceil ceiling"
     " sin cos tan"
 ).split()
+# Words with an index, its range and a body.
+FOLDS = ("sum", "product", "integral")
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 GREEK = dict(zip("αβγδεθλμπρστφψωΔΘΦΨΩ", (
     "alpha beta gamma delta epsilon theta lambda mu pi rho sigma tau phi psi omega Delta Theta Phi Psi Omega"
@@ -448,7 +451,7 @@ class Parser:
         ):
             raise Unreadable(f"expected an expression, found {text!r}")
         self.take()
-        if text in ("sum", "product") and self.next("("):
+        if text in FOLDS and self.next("("):
             index = self.name()
             self.take("=")
             low = self.expr()

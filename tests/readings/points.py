@@ -14,7 +14,7 @@ from domain import Domain
 from dual import ZERO, Dual, Unclear, Undefined, new_tag, real, slope
 from evaluate import Evaluator
 from names import reach
-from parse import names_in, parts
+from parse import FOLDS, names_in, parts
 from values import bound
 
 TRIES = 6
@@ -163,7 +163,7 @@ def critical(claim, tree, inside=frozenset()):
     """What must not be 0, or where a root begins, in a goal: expressions of the claim's own variables."""
     if tree[0] in ("all", "exists"):
         inside = inside | {name for binding in tree[1] for name, _ in binding.names}
-    if tree[0] in ("sum", "product"):
+    if tree[0] in FOLDS:
         inside = inside | {tree[1]}
     if tree[0] == "limit":
         inside = inside | {tree[2]}

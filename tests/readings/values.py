@@ -38,13 +38,12 @@ from dual import (
     whole_power,
 )
 from matrix import added, det, inverse, matrix_power, product, scaled, trace, transpose
+from quadrature import quadrature
 
 FUNCTIONS = {"exp": exp, "ln": ln, "sin": sin, "cos": cos, "tan": tan, "cosh": cosh, "sinh": sinh, "tanh": tanh}
 FUNCTIONS |= {"sech": sech, "abs": size, "floor": whole_part}
 FUNCTIONS |= {"sqrt": lambda x: root(x, 2), "cbrt": lambda x: root(x, 3)}
 FUNCTIONS |= {"ceil": lambda x: -whole_part(-x), "ceiling": lambda x: -whole_part(-x)}
-STEPS_LIMIT = 60_000
-MEMBERS_LIMIT = 2_000
 # Beyond 2 to this power the digits may not suffice for a difference.
 MAGNITUDE = 150
 # The largest arguments at which the exponential functions keep their digits.
@@ -243,6 +242,11 @@ class Values:
                 out = product(out, v) if isinstance(out, list) else out * v
         return mpf(kind == "product") if out is None else out
 
+    def value_integral(self, e, env):
+        _, name, low, high, body = e
+        low, high = self.number(low, env), self.number(high, env)
+        return quadrature(lambda x: self.number(body, bound(env, {name: x})), low, high)
+
     def value_derivative(self, e, env):
         return self.derived(e[1], e[2], env)
 
@@ -327,6 +331,7 @@ VALUES |= {
     "call": "call",
     "sum": "fold",
     "product": "fold",
+    "integral": "integral",
     "derivative": "derivative",
     "matrix": "matrix",
 }
