@@ -8,7 +8,7 @@ rule induction: nat_ind1, nat_from
 rule existence: existence
 rule witness: exists
 rule extremum: finish
-rule combination: by_sign, note_sign, divided, matrices, derive
+rule combination: by_sign, note_sign, turning_term, beside_circle, divided, matrices, derive
 rule name: named
 rule power: by_logarithms, pw
 rule monotone: rise_pow, rise_rpower, rise_sqrt, rise_cbrt, raised
@@ -912,6 +912,21 @@ Ltac limit_by l P Q b z := refine (l _ P Q _ b _ _ _ _ _); cbv beta;
   | auto_derive; repeat split; first [exact I | nz1]
   | lead_nz z
   | first [ring | (field; repeat split; first [lead_nz z | nz1]) | (unfold Rdiv; ring)] ].
+
+(** Products of sines and cosines lie between -1 and 1, so that a greater number beside them keeps its sign. *)
+Lemma power_within_one : forall x k, Rabs x <= 1 -> Rabs (x ^ k) <= 1.
+Proof. intros x k h. rewrite <- RPow_abs. induction k; cbn; [lra |]. pose proof (pow_le (Rabs x) k (Rabs_pos x)). pose proof (Rabs_pos x). nra. Qed.
+Lemma turning_term : forall a u v j k, Rabs (a * (cos u ^ j * sin v ^ k)) <= Rabs a.
+Proof.
+  intros. rewrite 2 Rabs_mult.
+  assert (Rabs (cos u ^ j) <= 1) by (apply power_within_one, Rabs_le, COS_bound).
+  assert (Rabs (sin v ^ k) <= 1) by (apply power_within_one, Rabs_le, SIN_bound).
+  pose proof (Rabs_pos a). pose proof (Rabs_pos (cos u ^ j)). pose proof (Rabs_pos (sin v ^ k)).
+  assert (Rabs (cos u ^ j) * Rabs (sin v ^ k) <= 1) by nra. nra.
+Qed.
+Lemma beside_circle : forall c t most, Rabs t <= most ->
+  (most < c -> 0 < c + t) /\ (most <= c -> 0 <= c + t) /\ (c < - most -> c + t < 0) /\ (c <= - most -> c + t <= 0).
+Proof. intros c t most h. pose proof (Rle_abs t). pose proof (Rle_abs (- t)). rewrite Rabs_Ropp in *. repeat split; lra. Qed.
 
 (** cos and sin are a point of the unit circle. *)
 Lemma unit_circle : forall u, cos u ^ 2 + sin u ^ 2 = 1.

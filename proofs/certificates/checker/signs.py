@@ -260,7 +260,16 @@ class Values(Terms):
             for a, k in m:
                 term = TIMES[term][sign_power(self.atom_signs(a, known, found), k)]
             out = PLUS[out][term]
-        return out
+        return out & self.beside_the_circle(terms)
+
+    def beside_the_circle(self, terms):
+        """The signs of c + T: sines, cosines and their products in T lie between -1 and 1."""
+        turning = lambda m: all(self.atoms[a][0] in ("cos", "sin") for a, _ in m)
+        terms = dict(terms)
+        c, most = terms.pop((), 0), sum(map(abs, terms.values()))
+        if abs(c) < most or not all(map(turning, terms)):
+            return ANY
+        return sign(c) | (2 if abs(c) == most else 0)
 
     def atom_signs(self, a, known, found):
         if a not in found:

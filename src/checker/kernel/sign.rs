@@ -12,7 +12,8 @@ use super::tree::{conjuncts, single};
 use super::{Checker, Refusal, key};
 use crate::claim::syntax::*;
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -216,7 +217,30 @@ impl Checker {
             }
             sum = sum.plus(term);
         }
-        Ok(sum)
+        Ok(sum.and(self.beside_the_circle(poly)))
+    }
+
+    /// The signs of c + T, where T is made of products of sines and cosines with numbers before them.
+    ///
+    /// Sound: sines and cosines lie between -1 and 1, and so do their products. So |T| is at most the sum of the absolute values
+    /// of the numbers, and c + T has the sign of c where |c| is greater; where it is equal, c + T may be 0 as well.
+    fn beside_the_circle(&self, poly: &Poly) -> Signs {
+        let (mut c, mut most) = (BigRational::zero(), BigRational::zero());
+        for (monomial, factor) in poly.terms() {
+            if monomial.is_empty() {
+                c = factor.clone();
+            } else if monomial.iter().all(|(a, _)| matches!(self.atoms.get(*a), Some(Atom::Cosine(_) | Atom::Sine(_))))
+            {
+                most += factor.abs();
+            } else {
+                return Signs::ANY;
+            }
+        }
+        match c.abs().cmp(&most) {
+            Ordering::Greater => Signs::of_number(&c),
+            Ordering::Equal => Signs::of_number(&c).or(Signs::ZERO),
+            Ordering::Less => Signs::ANY,
+        }
     }
 
     /// The signs of an atom, sought once in each question: an atom may stand in every term.

@@ -12,7 +12,7 @@ use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, numeral};
+use crate::kernel::statement::{compare, expr, numeral, prop};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use std::rc::Rc;
@@ -68,7 +68,11 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_two_bounds(goal, a, relation, b)) {
             return Ok(label);
         }
-        let first = self.by_absolute_values(goal);
+        let mut first = self.by_absolute_values(goal);
+        if first.is_err() && self.splits == 0 && (has_application(a) || has_application(b)) {
+            // What stands there besides may need a slope.
+            first = self.in_signs_with(1, goal);
+        }
         if first.is_ok() || self.splits > 0 || !(is_absolute(a) || is_absolute(b)) {
             return first;
         }
@@ -126,7 +130,7 @@ impl Prover {
         }
         let inside = found.inside();
         let value = if negative { expr(ExprKind::Negate(Box::new(inside))) } else { inside };
-        let equal = compare(found.root.clone(), Relation::Equal, value);
+        let equal = compare(found.root.clone(), Relation::Equal, value.clone());
         let shown = self.emit(Rule::Power, equal.clone()).or_else(|_| {
             // (root − q)·(root + q) = 0, of which the first factor is positive where q is negative.
             let apart = compare(minus(&found.root, &found.inside()), Relation::Greater, numeral(0));
@@ -144,9 +148,27 @@ impl Prover {
             }
             self.quietly(&equal)
         })?;
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison")) };
+        let plain: Vec<Expr> = sides.iter().map(|e| self.with_sign(e, &found.root, &value)).collect();
         self.put_in(&shown);
         known.push(key::expr(&found.root));
-        self.in_signs(goal, known, depth)
+        if plain == *sides {
+            return self.in_signs(goal, known, depth);
+        }
+        // Methods that read the goal as it is written see the value.
+        let plain = prop(PropKind::Compare(plain, relations.clone()));
+        let shown = self.in_signs(&plain, known, depth)?;
+        self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
+    }
+
+    /// An expression with a value for one of its absolute values.
+    fn with_sign(&mut self, e: &Expr, root: &Expr, value: &Expr) -> Expr {
+        if is_absolute(e) && self.read(&minus(e, root), false).is_some_and(|r| r.number == 0) {
+            return value.clone();
+        }
+        let mut out = e.clone();
+        crate::claim::walk::parts_mut(&mut out, &mut |part| *part = self.with_sign(part, root, value));
+        out
     }
 
     /// The innermost absolute value of the goal, or else of the facts, that is not among the known ones.
@@ -194,6 +216,13 @@ impl Prover {
 fn is_absolute(e: &Expr) -> bool {
     let is_square = |e: &Expr| as_power(e).is_some_and(|(_, k)| natural(&k) == Some(2));
     as_power(e).is_some_and(|(base, exponent)| natural(&exponent).is_none() && is_square(&base))
+}
+
+/// Whether a function is applied in an expression.
+fn has_application(e: &Expr) -> bool {
+    let mut found = matches!(e.kind, ExprKind::Apply(..));
+    crate::claim::walk::parts(e, &mut |part| found = found || has_application(part));
+    found
 }
 
 /// Whether a square root of a square is part of an expression.

@@ -2,7 +2,7 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! h(u)·u′ by substitution. Polynomials in the variable are lists of coefficients, from that of x^0 on. A list may have zeros that
+//! h(u)·u′ by substitution, where u is a polynomial or moves by one function. Polynomials in the variable are lists of coefficients, from that of x^0 on. A list may have zeros that
 //! are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
@@ -11,7 +11,7 @@ use super::facts::negated;
 use super::letters::{as_power, natural, product, total, whole_power};
 use super::limits::{holds, over};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, name, numeral, power};
+use crate::kernel::statement::{apply, expr, name, numeral, power};
 use crate::refute::literal::{is_zero, literal};
 use malachite::Rational;
 
@@ -230,6 +230,8 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
             ("cosh", 1) => Some(over(apply("sinh", u.clone()), p)),
             ("tanh", 1) => Some(over(apply("ln", apply("cosh", u.clone())), p)),
             ("sech", 2) => Some(over(apply("tanh", u.clone()), p)),
+            ("cos", -2) => Some(over(over(apply("sin", u.clone()), base.clone()), p)),
+            ("sin", -2) => Some(negated(over(over(apply("cos", u.clone()), base.clone()), p))),
             ("sin" | "cos", _) => sines_and_cosines(&[(base.clone(), exponent.clone())], x),
             _ => None,
         };
@@ -372,6 +374,9 @@ fn by_substitution(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     for (place, (base, exponent)) in list.iter().enumerate() {
         let others: Vec<&(Expr, Expr)> =
             list.iter().enumerate().filter(|(i, _)| *i != place).map(|(_, factor)| factor).collect();
+        if let Some(value) = by_inner_function(base, exponent, &others, x) {
+            return Some(value);
+        }
         let inner = match (&base.kind, polynomial(base, x)) {
             (_, Some(p)) => Some((p, None)),
             (ExprKind::Apply(f, u), None) if f.text != "ln" => {
@@ -407,6 +412,60 @@ fn by_substitution(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
         }
     }
     None
+}
+
+/// r·h(u)^k where u is made of one function of a linear argument and r is a multiple of u′.
+fn by_inner_function(base: &Expr, exponent: &Expr, others: &[&(Expr, Expr)], x: &str) -> Option<Expr> {
+    let (u, value) = match &base.kind {
+        ExprKind::Apply(f, arguments) if f.text == "exp" && derivative_of_one(arguments.first()?, x).is_some() => {
+            let k = literal(&Rational::from(whole(exponent)?));
+            (arguments.first()?, over(raised(base, exponent), k))
+        }
+        _ if !holds(exponent, x) => (base, power_rule(base, exponent)),
+        _ => return None,
+    };
+    let mut slope = Vec::new();
+    factors(&derivative_of_one(u, x)?, &numeral(1), &mut slope);
+    let (moving, still): (Vec<_>, Vec<_>) = slope.into_iter().partition(|(e, k)| holds(e, x) || holds(k, x));
+    let same = moving.len() == others.len() && moving.iter().all(|factor| others.contains(&factor));
+    same.then(|| over(value, product(still.iter().map(|(e, k)| raised(e, k)).collect())))
+}
+
+/// The derivative of an expression in which one function of a linear argument moves: p·g(v) and terms that are still.
+fn derivative_of_one(u: &Expr, x: &str) -> Option<Expr> {
+    match &u.kind {
+        ExprKind::Sum(list) => {
+            let mut moving = list.iter().filter(|(_, e)| holds(e, x));
+            let (Some((sign, e)), None) = (moving.next(), moving.next()) else { return None };
+            let slope = derivative_of_one(e, x)?;
+            Some(if *sign == Sign::Plus { slope } else { negated(slope) })
+        }
+        ExprKind::Negate(e) => derivative_of_one(e, x).map(negated),
+        ExprKind::Product(list) => {
+            let place = list.iter().position(|(how, e)| *how == Factor::Times && holds(e, x))?;
+            if list.iter().filter(|(_, e)| holds(e, x)).count() > 1 {
+                return None;
+            }
+            let mut out = list.clone();
+            out[place].1 = derivative_of_one(&list[place].1, x)?;
+            Some(expr(ExprKind::Product(out)))
+        }
+        ExprKind::Apply(f, arguments) => {
+            let [v] = arguments.as_slice() else { return None };
+            let p = slope(v, x)?;
+            let outer = match f.text.as_str() {
+                "exp" => u.clone(),
+                "ln" => over(numeral(1), v.clone()),
+                "sin" => apply("cos", v.clone()),
+                "cos" => negated(apply("sin", v.clone())),
+                "sinh" => apply("cosh", v.clone()),
+                "cosh" => apply("sinh", v.clone()),
+                _ => return None,
+            };
+            Some(times(&p, &outer))
+        }
+        _ => None,
+    }
 }
 
 /// c where the product of the factors is c·p, by the highest coefficients.

@@ -1,13 +1,15 @@
-//! Definite integrals: the value by an antiderivative.
+//! Definite integrals: the value by an antiderivative, and the order by that of what is integrated.
 
 use super::antiderivatives::antiderivative;
 use super::facts::{minus, negated};
-use super::slopes::put_in;
+use super::letters::{as_power, product, total};
+use super::limits::over;
+use super::slopes::{put_in, weak};
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::statement::{compare, expr, name, numeral, power, prop};
 
 /// An expression with the integrals in it replaced by their values by antiderivatives, where these are found.
 pub(crate) fn with_values_of_integrals(e: &Expr) -> Expr {
@@ -41,26 +43,50 @@ impl Prover {
             return Err(Fail::No("an integral"));
         }
         self.enrich(&integrals.iter().collect::<Vec<_>>());
-        let plain = sides.iter().map(with_values_of_integrals).collect();
+        let plain: Vec<Expr> = sides.iter().map(with_values_of_integrals).collect();
+        if plain == *sides {
+            return Err(Fail::No("an antiderivative"));
+        }
         let plain = prop(PropKind::Compare(plain, relations.clone()));
         let shown = self.attempt(|c| c.show(&plain))?;
         sides.iter().for_each(|side| self.define(side));
         self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
     }
 
-    /// F(b) − F(a) = integral(x = a..b, f), put in for the integral. F is tried on all numbers, on one side of 0, and between the
-    /// ends: the kernel adds no bounds up, so that 1/x needs to be told that x > 0.
+    /// F(b) − F(a) = integral(x = a..b, f), put in for the integral.
     pub(super) fn learn_integral(&mut self, variable: &Index, f: &Expr) -> Result<bool, Fail> {
         let no = || Fail::No("an antiderivative");
         let x = self.fresh("t");
         let f = put_in(f, &variable.name.text, &name(&x))?;
         let big_f = antiderivative(&with_values_of_integrals(&f), &x).ok_or_else(no)?;
+        let (a, b) = (&variable.from, &variable.to);
+        let values = minus(&put_in(&big_f, &x, b)?, &put_in(&big_f, &x, a)?);
+        let integral = over_interval(variable, &x, &f);
+        let equation = compare(integral.clone(), Relation::Equal, values.clone());
+        let label = self.gained(variable, &x, [&big_f, &f, &f], Relation::Equal, |c, label| {
+            // An equation is put in for what stands on its left.
+            let terms = vec![Term { facts: vec![label], factor: negated(numeral(1)) }];
+            c.combination(equation.clone(), terms)
+        })?;
+        self.take_in(&label, &equation)?;
+        self.put_in(&label);
+        Ok(true)
+    }
+
+    /// F(b) − F(a) relation integral(x = a..b, f), from F′ relation f between the ends, and what follows from it. F′ is given as well. Where a > b, the
+    /// relation between the ends is the opposite one of that of F′. It is tried on all numbers, on one side of 0, and between
+    /// the ends: the kernel adds no bounds up, so that 1/x needs to be told that x > 0.
+    fn gained(
+        &mut self,
+        variable: &Index,
+        x: &str,
+        [big_f, slope, f]: [&Expr; 3],
+        relation: Relation,
+        conclude: impl Fn(&mut Prover, Label) -> Result<Label, Fail>,
+    ) -> Result<Label, Fail> {
         let (a, b) = ((*variable.from).clone(), (*variable.to).clone());
-        let own = Index { name: Name::new(&x), ..variable.clone() };
-        let integral = expr(ExprKind::IntegralOver(own, Box::new(f.clone())));
-        let values = minus(&put_in(&big_f, &x, &b)?, &put_in(&big_f, &x, &a)?);
-        let goal = compare(values.clone(), Relation::Equal, integral.clone());
-        let equation = compare(integral, Relation::Equal, values);
+        let values = minus(&put_in(big_f, x, &b)?, &put_in(big_f, x, &a)?);
+        let derivative = expr(ExprKind::Derivative(Box::new(big_f.clone()), vec![Name::new(x)]));
         self.define(&a);
         self.define(&b);
         let side = |relation| Constraint::Relation(relation, numeral(0));
@@ -71,34 +97,187 @@ impl Prover {
             to_closed: false,
         };
         let run = self.signs_of(&minus(&b, &a));
-        let mut domains = vec![Vec::new(), vec![side(Relation::Greater)], vec![side(Relation::Less)]];
-        if run.within(Signs::NOT_NEGATIVE) {
-            domains.push(vec![between(&a, &b)]);
-        } else if run.within(Signs::of(Relation::LessEqual)) {
-            domains.push(vec![between(&b, &a)]);
+        let (up, down) = (run.within(Signs::NOT_NEGATIVE), run.within(Signs::of(Relation::LessEqual)));
+        let mut domains = Vec::new();
+        if relation == Relation::Equal {
+            domains.extend([vec![], vec![side(Relation::Greater)], vec![side(Relation::Less)]]);
         }
+        if up || down {
+            domains.insert(domains.len().min(1), vec![if up { between(&a, &b) } else { between(&b, &a) }]);
+        }
+        let own = if up { relation } else { relation.turned() };
+        let goal = compare(values, relation, over_interval(variable, x, f));
+        let mut shown = Err(Fail::No("an order of the ends"));
         for constraints in domains {
-            let binding = Binding::of(Name::new(&x), false, constraints);
-            let shown = self.attempt(|c| {
-                let derivative = expr(ExprKind::Derivative(Box::new(big_f.clone()), vec![Name::new(&x)]));
-                let body = compare(derivative.clone(), Relation::Equal, f.clone());
+            let binding = Binding::of(Name::new(x), false, constraints);
+            shown = self.attempt(|c| {
+                let body = compare(derivative.clone(), own, f.clone());
                 let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
                 let source = c.block(&every, |c, _| {
                     c.define(&derivative);
-                    c.combination(body.clone(), Vec::new()).or_else(|_| c.quietly(&body))
+                    c.combination(body.clone(), Vec::new()).or_else(|_| {
+                        if own == Relation::Equal {
+                            return c.quietly(&body);
+                        }
+                        let shown = c.quietly(&compare(slope.clone(), own, f.clone()))?;
+                        c.combination(body.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
+                    })
                 })?;
                 let with = vec![(Name::new("a"), a.clone()), (Name::new("b"), b.clone())];
                 let label = c.emit(Rule::Slope { source, with, from: Vec::new() }, goal.clone())?;
-                // An equation is put in for what stands on its left.
-                let terms = vec![Term { facts: vec![label], factor: negated(numeral(1)) }];
-                c.combination(equation.clone(), terms)
+                conclude(c, label)
             });
-            if let Ok(label) = shown {
-                self.take_in(&label, &equation)?;
-                self.put_in(&label);
-                return Ok(true);
+            if shown.is_ok() {
+                break;
+            }
+        }
+        shown
+    }
+
+    /// A comparison of integrals over one interval with each other and with a number, by the order of what is integrated.
+    ///
+    /// With everything on one side it says c·∫f + Σ cᵢ·∫fᵢ + v relation 0. It follows from c·f + Σ cᵢ·fᵢ + v/(b − a) relation 0 between
+    /// the ends. Where v is another number, a bound of f whose integral is known stands for f.
+    pub(super) fn by_integrands(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("integrals over one interval");
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
+        let ([left, right], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        if matches!(relation, Relation::Equal | Relation::NotEqual) {
+            return Err(no());
+        }
+        let mut terms = Vec::new();
+        terms_of(left, Sign::Plus, &numeral(1), &mut terms);
+        terms_of(right, Sign::Minus, &numeral(1), &mut terms);
+        let is_integral = |e: &Expr| matches!(e.kind, ExprKind::IntegralOver(..));
+        // What has no antiderivative is the one to be compared.
+        let moving = terms.iter().filter(|t| is_integral(&t.2));
+        let main = moving.clone().find(|t| with_values_of_integrals(&t.2) == t.2).or_else(|| moving.clone().next());
+        let Some((sign, c, integral)) = main.cloned() else { return Err(no()) };
+        let ExprKind::IntegralOver(variable, f) = &integral.kind else { return Err(no()) };
+        let factor = if sign == Sign::Plus { c } else { negated(c) };
+        let signs = self.signs_of(&factor);
+        // integral relation (the rest)/c
+        let relation = match (signs.within(Signs::POSITIVE), signs.within(Signs::of(Relation::Less))) {
+            (true, _) => *relation,
+            (_, true) => relation.turned(),
+            _ => return Err(no()),
+        };
+        let (a, b) = (&*variable.from, &*variable.to);
+        let x = self.fresh("t");
+        let f = put_in(f, &variable.name.text, &name(&x))?;
+        let (mut beside, mut rest) = (Vec::new(), Vec::new());
+        let mut is_main = true;
+        for (sign, own, e) in &terms {
+            if is_main && *e == integral {
+                is_main = false;
+                continue;
+            }
+            let ratio = negated(over(own.clone(), factor.clone()));
+            match &e.kind {
+                ExprKind::IntegralOver(own, g) if [(a, b), (b, a)].contains(&(&*own.from, &*own.to)) => {
+                    let g = put_in(g, &own.name.text, &name(&x))?;
+                    let sign = if *own.from == *a { *sign } else { other(*sign) };
+                    beside.push((sign, product(vec![ratio, g])));
+                }
+                _ => rest.push((*sign, product(vec![ratio, e.clone()]))),
+            }
+        }
+        let rest = with_values_of_integrals(&total(rest));
+        let no_rest = self.signs_of(&rest).within(Signs::ZERO);
+        let mut lower = beside.clone();
+        if !no_rest {
+            lower.push((Sign::Plus, over(rest.clone(), minus(b, a))));
+        }
+        // F′ with F(b) − F(a) beside the integral of f.
+        let mut bounds = vec![total(lower)];
+        if beside.is_empty() && !no_rest {
+            bounds.extend(tangents(&f));
+        }
+        for bound in bounds {
+            let Some(big_f) = antiderivative(&bound, &x) else { continue };
+            let gain = minus(&put_in(&big_f, &x, b)?, &put_in(&big_f, &x, a)?);
+            let sides: Vec<Expr> = sides.iter().map(|e| with_for(e, &integral, &gain)).collect();
+            let plain = prop(PropKind::Compare(sides.clone(), relations.iter().map(|r| weak(*r)).collect()));
+            let shown = self.gained(variable, &x, [&big_f, &bound, &f], relation.turned(), |c, label| {
+                c.enrich(&sides.iter().collect::<Vec<_>>());
+                // left - right = -c·(F(b) - F(a) - integral) + what is left with F(b) - F(a) for the integral.
+                let mut terms = vec![Term { facts: vec![label], factor: negated(factor.clone()) }];
+                c.combination(goal.clone(), terms.clone()).or_else(|_| {
+                    terms.push(Term { facts: vec![c.quietly(&plain)?], factor: numeral(1) });
+                    c.combination(goal.clone(), terms)
+                })
+            });
+            if shown.is_ok() {
+                return shown;
             }
         }
         Err(no())
     }
+}
+
+/// An expression with another one for an integral.
+fn with_for(e: &Expr, integral: &Expr, value: &Expr) -> Expr {
+    if e == integral {
+        return value.clone();
+    }
+    let mut out = e.clone();
+    crate::claim::walk::parts_mut(&mut out, &mut |part| *part = with_for(part, integral, value));
+    out
+}
+
+/// The terms of a sum, integrals without the factors before them.
+fn terms_of(e: &Expr, sign: Sign, factor: &Expr, out: &mut Vec<(Sign, Expr, Expr)>) {
+    match &e.kind {
+        ExprKind::Sum(list) => {
+            list.iter()
+                .for_each(|(own, e)| terms_of(e, if *own == Sign::Plus { sign } else { other(sign) }, factor, out));
+        }
+        ExprKind::Negate(e) => terms_of(e, other(sign), factor, out),
+        ExprKind::Product(list) => {
+            let is_moving = |e: &Expr| {
+                let mut found = Vec::new();
+                integrals_in(e, &mut found);
+                !found.is_empty()
+            };
+            let places: Vec<usize> = (0..list.len()).filter(|i| is_moving(&list[*i].1)).collect();
+            let [place] = places.as_slice() else { return out.push((sign, factor.clone(), e.clone())) };
+            let (Factor::Times, main) = &list[*place] else { return out.push((sign, factor.clone(), e.clone())) };
+            let beside = list.iter().enumerate().filter(|(i, _)| i != place);
+            let beside = beside.map(|(_, (how, e))| match how {
+                Factor::Times => e.clone(),
+                Factor::Over => over(numeral(1), e.clone()),
+            });
+            terms_of(main, sign, &product(beside.chain([factor.clone()]).collect()), out);
+        }
+        _ => out.push((sign, factor.clone(), e.clone())),
+    }
+}
+
+fn other(sign: Sign) -> Sign {
+    if sign == Sign::Plus { Sign::Minus } else { Sign::Plus }
+}
+
+/// Tangents of functions, which lie on one side of them: of exp, sin and cos at 0, of ln, roots and reciprocals at 1.
+fn tangents(f: &Expr) -> Vec<Expr> {
+    let one = |sign, e: &Expr| expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (sign, e.clone())]));
+    let Some((base, exponent)) = as_power(f) else {
+        let ExprKind::Apply(function, arguments) = &f.kind else { return Vec::new() };
+        let [w] = arguments.as_slice() else { return Vec::new() };
+        return match function.text.as_str() {
+            "exp" => vec![one(Sign::Plus, w)],
+            "sin" => vec![w.clone()],
+            "cos" => vec![one(Sign::Minus, &over(power(w, &numeral(2)), numeral(2)))],
+            "ln" => vec![minus(w, &numeral(1))],
+            "sqrt" => vec![over(one(Sign::Plus, w), numeral(2))],
+            _ => Vec::new(),
+        };
+    };
+    // 1 + k·(u - 1)
+    vec![one(Sign::Plus, &product(vec![exponent, minus(&base, &numeral(1))]))]
+}
+
+/// integral(x = a..b, f) with another name for its variable.
+fn over_interval(variable: &Index, x: &str, f: &Expr) -> Expr {
+    let own = Index { name: Name::new(x), ..variable.clone() };
+    expr(ExprKind::IntegralOver(own, Box::new(f.clone())))
 }

@@ -48,9 +48,18 @@ impl Prover {
             return Ok(label);
         }
         let difference = minus(a, b);
-        for x in self.reals_in(&difference) {
-            for p in self.places(&x) {
-                let done = self.attempt(|c| c.beside_a_place(goal, &difference, &x, relation, &p, false));
+        let reals = self.reals_in(&difference);
+        for x in &reals {
+            let mut places = self.places(x);
+            // Where two variables are equal: a difference of values of one function.
+            for y in reals.iter().filter(|y| *y != x).map(|y| name(y)) {
+                if !places.contains(&y) && self.read(&put_in(&difference, x, &y)?, true).is_some_and(|r| r.number == 0)
+                {
+                    places.push(y);
+                }
+            }
+            for p in places {
+                let done = self.attempt(|c| c.beside_a_place(goal, &difference, x, relation, &p, false));
                 if done.is_ok() {
                     return done;
                 }
@@ -511,7 +520,7 @@ fn is_short(e: &Expr, x: &str) -> bool {
     !names.contains(x) && crate::kernel::key::expr(e).len() < 40
 }
 
-fn weak(relation: Relation) -> Relation {
+pub(super) fn weak(relation: Relation) -> Relation {
     match relation {
         Relation::Less => Relation::LessEqual,
         Relation::Greater => Relation::GreaterEqual,
