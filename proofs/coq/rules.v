@@ -915,15 +915,12 @@ Ltac limit_by l P Q b z := refine (l _ P Q _ b _ _ _ _ _); cbv beta;
 
 (** Products of sines and cosines lie between -1 and 1, so that a greater number beside them keeps its sign. *)
 Lemma power_within_one : forall x k, Rabs x <= 1 -> Rabs (x ^ k) <= 1.
-Proof. intros x k h. rewrite <- RPow_abs. induction k; cbn; [lra |]. pose proof (pow_le (Rabs x) k (Rabs_pos x)). pose proof (Rabs_pos x). nra. Qed.
+Proof. intros x k h. rewrite <- RPow_abs. pose proof (pow_incr (Rabs x) 1 k (conj (Rabs_pos x) h)). now rewrite pow1 in *. Qed.
 Lemma turning_term : forall a u v j k, Rabs (a * (cos u ^ j * sin v ^ k)) <= Rabs a.
 Proof.
-  intros. rewrite 2 Rabs_mult.
-  assert (Rabs (cos u ^ j) <= 1) by (apply power_within_one, Rabs_le, COS_bound).
-  assert (Rabs (sin v ^ k) <= 1) by (apply power_within_one, Rabs_le, SIN_bound).
-  pose proof (Rabs_pos a). pose proof (Rabs_pos (cos u ^ j)). pose proof (Rabs_pos (sin v ^ k)).
-  assert (Rabs (cos u ^ j) * Rabs (sin v ^ k) <= 1) by nra. nra.
-Qed.
+  intros. rewrite 2 Rabs_mult. pose proof (Rabs_pos a). pose proof (Rabs_pos (cos u ^ j)). pose proof (Rabs_pos (sin v ^ k)).
+  pose proof (power_within_one (cos u) j (Rabs_le _ _ (COS_bound u))). pose proof (power_within_one (sin v) k (Rabs_le _ _ (SIN_bound v))).
+  assert (Rabs (cos u ^ j) * Rabs (sin v ^ k) <= 1) by nra. nra. Qed.
 Lemma beside_circle : forall c t most, Rabs t <= most ->
   (most < c -> 0 < c + t) /\ (most <= c -> 0 <= c + t) /\ (c < - most -> c + t < 0) /\ (c <= - most -> c + t <= 0).
 Proof. intros c t most h. pose proof (Rle_abs t). pose proof (Rle_abs (- t)). rewrite Rabs_Ropp in *. repeat split; lra. Qed.
