@@ -73,9 +73,9 @@ impl Prover {
         Ok(true)
     }
 
-    /// F(b) − F(a) relation integral(x = a..b, f), from F′ relation f between the ends, and what follows from it. F′ is given as well. Where a > b, the
-    /// relation between the ends is the opposite one of that of F′. It is tried on all numbers, on one side of 0, and between
-    /// the ends: the kernel adds no bounds up, so that 1/x needs to be told that x > 0.
+    /// F(b) − F(a) relation integral(x = a..b, f), from F′ relation f, and what follows from it; F′ is given as well. Where a > b,
+    /// the relation of F′ is the opposite one. An equation is tried on all numbers, between the ends, and on one side of 0:
+    /// the kernel adds no bounds up, so that 1/x needs to be told that x > 0.
     fn gained(
         &mut self,
         variable: &Index,
