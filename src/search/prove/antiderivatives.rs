@@ -2,8 +2,9 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! h(u)·u′ by substitution, where u is a polynomial or moves by one function. Polynomials in the variable are lists of coefficients, from that of x^0 on. A list may have zeros that
-//! are not seen to be zeros: then the proposal fails, and nothing is lost.
+//! h(u)·u′ by substitution, where u is a polynomial or moves by one function. Polynomials in the variable are lists of
+//! coefficients, from that of x^0 on. A list may have zeros that are not seen to be zeros: then the proposal fails, and nothing
+//! is lost.
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
 

@@ -50,14 +50,11 @@ impl Prover {
         if let Ok(label) = self.by_written_absolute_values(goal, a, relation, b) {
             return Ok(label);
         }
-        // With little effort: no cases, and small programs only.
-        let quiet = self.splits >= 8;
         if let Ok(label) = self.by_integrals(goal) {
             return Ok(label);
         }
-        if !quiet && let Ok(label) = self.attempt(|c| c.by_integrands(goal)) {
-            return Ok(label);
-        }
+        // With little effort: no cases, and small programs only.
+        let quiet = self.splits >= 8;
         if !quiet
             && self.conclude_at_once()
             && let Ok(label) = self.quietly(goal)

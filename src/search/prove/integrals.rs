@@ -34,15 +34,23 @@ fn integrals_in(e: &Expr, out: &mut Vec<Expr>) {
 }
 
 impl Prover {
-    /// A comparison with the values of its integrals in their places.
+    /// A comparison with the values of its integrals in their places, or else by the order of what is integrated.
     pub(super) fn by_integrals(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison")) };
+        let PropKind::Compare(sides, _) = &goal.kind else { return Err(Fail::No("a comparison")) };
         let mut integrals = Vec::new();
         sides.iter().for_each(|e| integrals_in(e, &mut integrals));
         if integrals.is_empty() {
             return Err(Fail::No("an integral"));
         }
         self.enrich(&integrals.iter().collect::<Vec<_>>());
+        let by_value = self.by_values_of_integrals(goal);
+        // With little effort there is no search for another order.
+        if by_value.is_ok() || self.splits >= 8 { by_value } else { self.attempt(|c| c.by_integrands(goal)) }
+    }
+
+    /// A comparison with the values of its integrals in their places.
+    fn by_values_of_integrals(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison")) };
         let plain: Vec<Expr> = sides.iter().map(with_values_of_integrals).collect();
         if plain == *sides {
             return Err(Fail::No("an antiderivative"));
@@ -146,15 +154,14 @@ impl Prover {
             return Err(no());
         }
         let mut terms = Vec::new();
-        terms_of(left, Sign::Plus, &numeral(1), &mut terms);
-        terms_of(right, Sign::Minus, &numeral(1), &mut terms);
+        terms_of(left, &numeral(1), &mut terms);
+        terms_of(right, &negated(numeral(1)), &mut terms);
         let is_integral = |e: &Expr| matches!(e.kind, ExprKind::IntegralOver(..));
         // What has no antiderivative is the one to be compared.
-        let moving = terms.iter().filter(|t| is_integral(&t.2));
-        let main = moving.clone().find(|t| with_values_of_integrals(&t.2) == t.2).or_else(|| moving.clone().next());
-        let Some((sign, c, integral)) = main.cloned() else { return Err(no()) };
+        let moving = terms.iter().filter(|t| is_integral(&t.1));
+        let main = moving.clone().find(|t| with_values_of_integrals(&t.1) == t.1).or_else(|| moving.clone().next());
+        let Some((factor, integral)) = main.cloned() else { return Err(no()) };
         let ExprKind::IntegralOver(variable, f) = &integral.kind else { return Err(no()) };
-        let factor = if sign == Sign::Plus { c } else { negated(c) };
         let signs = self.signs_of(&factor);
         // integral relation (the rest)/c
         let relation = match (signs.within(Signs::POSITIVE), signs.within(Signs::of(Relation::Less))) {
@@ -167,7 +174,7 @@ impl Prover {
         let f = put_in(f, &variable.name.text, &name(&x))?;
         let (mut beside, mut rest) = (Vec::new(), Vec::new());
         let mut is_main = true;
-        for (sign, own, e) in &terms {
+        for (own, e) in &terms {
             if is_main && *e == integral {
                 is_main = false;
                 continue;
@@ -176,10 +183,10 @@ impl Prover {
             match &e.kind {
                 ExprKind::IntegralOver(own, g) if [(a, b), (b, a)].contains(&(&*own.from, &*own.to)) => {
                     let g = put_in(g, &own.name.text, &name(&x))?;
-                    let sign = if *own.from == *a { *sign } else { other(*sign) };
-                    beside.push((sign, product(vec![ratio, g])));
+                    let ratio = if *own.from == *a { ratio } else { negated(ratio) };
+                    beside.push((Sign::Plus, product(vec![ratio, g])));
                 }
-                _ => rest.push((*sign, product(vec![ratio, e.clone()]))),
+                _ => rest.push((Sign::Plus, product(vec![ratio, e.clone()]))),
             }
         }
         let rest = with_values_of_integrals(&total(rest));
@@ -225,14 +232,14 @@ fn with_for(e: &Expr, integral: &Expr, value: &Expr) -> Expr {
     out
 }
 
-/// The terms of a sum, integrals without the factors before them.
-fn terms_of(e: &Expr, sign: Sign, factor: &Expr, out: &mut Vec<(Sign, Expr, Expr)>) {
+/// The terms of a sum with the factors before them; what is no integral may keep its own.
+fn terms_of(e: &Expr, factor: &Expr, out: &mut Vec<(Expr, Expr)>) {
     match &e.kind {
         ExprKind::Sum(list) => {
-            list.iter()
-                .for_each(|(own, e)| terms_of(e, if *own == Sign::Plus { sign } else { other(sign) }, factor, out));
+            let opposite = negated(factor.clone());
+            list.iter().for_each(|(sign, e)| terms_of(e, if *sign == Sign::Plus { factor } else { &opposite }, out));
         }
-        ExprKind::Negate(e) => terms_of(e, other(sign), factor, out),
+        ExprKind::Negate(e) => terms_of(e, &negated(factor.clone()), out),
         ExprKind::Product(list) => {
             let is_moving = |e: &Expr| {
                 let mut found = Vec::new();
@@ -240,21 +247,17 @@ fn terms_of(e: &Expr, sign: Sign, factor: &Expr, out: &mut Vec<(Sign, Expr, Expr
                 !found.is_empty()
             };
             let places: Vec<usize> = (0..list.len()).filter(|i| is_moving(&list[*i].1)).collect();
-            let [place] = places.as_slice() else { return out.push((sign, factor.clone(), e.clone())) };
-            let (Factor::Times, main) = &list[*place] else { return out.push((sign, factor.clone(), e.clone())) };
+            let [place] = places.as_slice() else { return out.push((factor.clone(), e.clone())) };
+            let (Factor::Times, main) = &list[*place] else { return out.push((factor.clone(), e.clone())) };
             let beside = list.iter().enumerate().filter(|(i, _)| i != place);
             let beside = beside.map(|(_, (how, e))| match how {
                 Factor::Times => e.clone(),
                 Factor::Over => over(numeral(1), e.clone()),
             });
-            terms_of(main, sign, &product(beside.chain([factor.clone()]).collect()), out);
+            terms_of(main, &product(beside.chain([factor.clone()]).collect()), out);
         }
-        _ => out.push((sign, factor.clone(), e.clone())),
+        _ => out.push((factor.clone(), e.clone())),
     }
-}
-
-fn other(sign: Sign) -> Sign {
-    if sign == Sign::Plus { Sign::Minus } else { Sign::Plus }
 }
 
 /// Tangents of functions, which lie on one side of them: of exp, sin and cos at 0, of ln, roots and reciprocals at 1.
