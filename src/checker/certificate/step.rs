@@ -167,6 +167,13 @@ pub enum Rule {
         /// Facts that say that the values lie in the interval.
         from: Vec<Label>,
     },
+    /// A solution between two values at which the sides differ in opposite directions: the intermediate value theorem.
+    Intermediate {
+        /// The values a and b.
+        with: Vec<(Name, Expr)>,
+        /// The sides at a, the sides at b, and facts that say that the values lie in the interval.
+        from: Vec<Label>,
+    },
     /// A limit of a quotient of sums of powers by degrees.
     Limit {
         /// From which numeral on the expression has a value.
@@ -207,6 +214,7 @@ impl Rule {
             Rule::Tangent { .. } => "tangent",
             Rule::Circle { .. } => "circle",
             Rule::Slope { .. } => "slope",
+            Rule::Intermediate { .. } => "intermediate",
             Rule::Limit { .. } => "limit",
             Rule::Squeeze { .. } => "squeeze",
             Rule::Integer { .. } => "integer",
@@ -224,6 +232,7 @@ impl Rule {
             | Rule::Tangent { with }
             | Rule::Circle { with }
             | Rule::Slope { with, .. }
+            | Rule::Intermediate { with, .. }
             | Rule::Limit { with } => with,
             _ => &[],
         }
@@ -232,9 +241,11 @@ impl Rule {
     /// The facts that the rule is applied to; for an instance the first is its source, which may be a claim.
     pub fn from(&self) -> Vec<&Label> {
         match self {
-            Rule::Logic { from } | Rule::Witness { from, .. } | Rule::Extremum { from } | Rule::Squeeze { from } => {
-                from.iter().collect()
-            }
+            Rule::Logic { from }
+            | Rule::Witness { from, .. }
+            | Rule::Extremum { from }
+            | Rule::Intermediate { from, .. }
+            | Rule::Squeeze { from } => from.iter().collect(),
             Rule::Instance { source, from, .. } | Rule::Slope { source, from, .. } => {
                 std::iter::once(source).chain(from).collect()
             }
@@ -257,7 +268,11 @@ impl Show {
         let mut each = |labels: &mut dyn Iterator<Item = &mut Label>| labels.for_each(|label| *label = new(label));
         each(&mut self.by.iter_mut().chain(&mut self.using));
         match &mut self.rule {
-            Rule::Logic { from } | Rule::Witness { from, .. } | Rule::Extremum { from } | Rule::Squeeze { from } => {
+            Rule::Logic { from }
+            | Rule::Witness { from, .. }
+            | Rule::Extremum { from }
+            | Rule::Intermediate { from, .. }
+            | Rule::Squeeze { from } => {
                 each(&mut from.iter_mut());
             }
             Rule::Instance { source, from, .. } | Rule::Slope { source, from, .. } => {

@@ -323,7 +323,10 @@ fn read_field(draft: &mut Draft, field: &str) -> Result<(), Fault> {
 /// The step with the fields of its rule; a field that is not one of it is an error.
 fn finished(draft: Draft) -> Result<Show, Fault> {
     let Draft { label, rule, prop, from, by, using, with, times, terms, .. } = draft;
-    let has_with = matches!(rule.as_str(), "instance" | "witness" | "mean" | "tangent" | "circle" | "slope" | "limit");
+    let has_with = matches!(
+        rule.as_str(),
+        "instance" | "witness" | "mean" | "tangent" | "circle" | "slope" | "intermediate" | "limit"
+    );
     let has_from = matches!(
         rule.as_str(),
         "logic"
@@ -335,6 +338,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
             | "monotone"
             | "termwise"
             | "slope"
+            | "intermediate"
             | "squeeze"
             | "integer"
     );
@@ -371,6 +375,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "tangent" => Rule::Tangent { with },
         "circle" => Rule::Circle { with },
         "slope" => Rule::Slope { source: one(&mut given)?, with, from: given.by_ref().collect() },
+        "intermediate" => Rule::Intermediate { with, from: given.by_ref().collect() },
         "limit" => Rule::Limit { with },
         "squeeze" => Rule::Squeeze { from: given.by_ref().collect() },
         "integer" => Rule::Integer { from: one(&mut given)? },

@@ -162,6 +162,24 @@ pub enum Relation {
 }
 
 impl Relation {
+    /// An order where equal numbers are in order, too; another relation as it is.
+    pub fn loose(self) -> Relation {
+        match self {
+            Relation::Less => Relation::LessEqual,
+            Relation::Greater => Relation::GreaterEqual,
+            same => same,
+        }
+    }
+
+    /// An order where equal numbers are not in order; another relation as it is.
+    pub fn strict(self) -> Relation {
+        match self {
+            Relation::LessEqual => Relation::Less,
+            Relation::GreaterEqual => Relation::Greater,
+            same => same,
+        }
+    }
+
     /// The relation of b to a if this is the relation of a to b.
     pub fn turned(self) -> Relation {
         match self {

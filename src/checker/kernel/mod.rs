@@ -31,6 +31,7 @@ mod evaluate;
 pub mod fraction;
 mod hypotheses;
 mod integral;
+mod intermediate;
 pub mod key;
 mod known;
 mod logic;
@@ -489,6 +490,7 @@ impl Checker {
             Rule::Tangent { with } => self.tangent(goal, with, known)?,
             Rule::Circle { with } => self.circle(goal, with, known)?,
             Rule::Slope { source, with, from } => self.slope(goal, source, with, from, known)?,
+            Rule::Intermediate { with, from } => self.intermediate(goal, with, from, known)?,
             Rule::Limit { with } => self.limit(goal, with, known)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
             Rule::Integer { from } => self.integer(goal, from, known)?,

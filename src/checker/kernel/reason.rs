@@ -130,6 +130,8 @@ pub enum Reason {
     NotTermwise,
     /// A fact `for all t …: derivative(F, t) relation 0` is needed.
     NotADerivative,
+    /// The first two facts do not say that an equation fails in opposite directions at the two values.
+    SignsAtEnds,
     /// The domain of a fact about a derivative is no interval.
     NotAnInterval,
     /// Not a quotient of sums of powers of the variable that grows.
@@ -245,6 +247,9 @@ impl std::fmt::Display for Reason {
             Reason::NotByDefinition => "this is not what the definition says",
             Reason::NotTermwise => "two sums or products over one range are needed, and a fact for all of it",
             Reason::NotADerivative => "a fact `for all t …: derivative(F, t) relation 0` is needed",
+            Reason::SignsAtEnds => {
+                "two facts are needed: the left side less than the right one at a, and greater at b; strictly where the domain lacks its ends"
+            }
             Reason::NotAnInterval => {
                 "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed"
             }

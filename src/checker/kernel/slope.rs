@@ -13,6 +13,19 @@ use std::collections::BTreeSet;
 /// What an acceptance says where it rests on rule `slope`.
 pub(crate) const MEAN_VALUE: &str = "the mean value theorem";
 
+/// Which ends a domain has that is an interval.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ends {
+    /// Those that its author gave it.
+    Own,
+    /// Both where it is written as an interval.
+    OfIntervals,
+    /// All: `<=` for each `<`, `>=` for each `>`.
+    All,
+    /// None: `<` for each `<=`, `>` for each `>=`.
+    None,
+}
+
 impl Checker {
     /// Rule `slope`: from a fact `for all x …: derivative(F, x) R f`, where the values a and b are given,
     /// - `F(b) relation F(a)` if f is the numeral 0;
@@ -74,7 +87,7 @@ impl Checker {
         }
         self.number_defined(a, known)?;
         self.number_defined(b, known)?;
-        let domain = self.slope_domain(binding, f, [a, b], from, known)?;
+        let domain = with_ends(binding, self.slope_domain(binding, f, [a, b], from, known)?);
         self.within(std::slice::from_ref(binding), known, |checker, known| checker.number_defined(derivative, known))?;
         self.within(&[domain], known, |checker, known| checker.number_defined(integrand, known))?;
         self.prop_defined(goal, known)?;
@@ -87,8 +100,8 @@ impl Checker {
         Ok(())
     }
 
-    /// The domain in which both points lie and F has a value: the binding as it is, else with the ends of its intervals,
-    /// else with all its ends.
+    /// The ends with which both points lie in the domain and F has a value there: its own, else those of its intervals,
+    /// else all.
     pub(super) fn slope_domain(
         &mut self,
         binding: &Binding,
@@ -96,16 +109,15 @@ impl Checker {
         points: [&Expr; 2],
         from: &[String],
         known: &mut Known,
-    ) -> Result<Binding, Refusal> {
-        for domain in [binding.clone(), with_its_ends(binding, false)] {
-            match self.slopes_on(&domain, f, points, from, known) {
+    ) -> Result<Ends, Refusal> {
+        for ends in [Ends::Own, Ends::OfIntervals] {
+            match self.slopes_on(&with_ends(binding, ends), f, points, from, known) {
                 Err(Refusal::Rejected(_)) => {}
-                other => return other.map(|()| domain),
+                other => return other.map(|()| ends),
             }
         }
-        let closed = with_its_ends(binding, true);
-        self.slopes_on(&closed, f, points, from, known)?;
-        Ok(closed)
+        self.slopes_on(&with_ends(binding, Ends::All), f, points, from, known)?;
+        Ok(Ends::All)
     }
 
     /// Whether both points lie in the domain of a binding of one variable, and F has a value everywhere in it.
@@ -144,15 +156,20 @@ pub(super) fn is_bound(constraint: &Constraint, variable: &str) -> bool {
     !names.contains(variable)
 }
 
-/// The binding with the ends of its intervals, and, if all are meant, with `<=` for each `<` and `>=` for each `>`.
-fn with_its_ends(binding: &Binding, all: bool) -> Binding {
+/// The binding with these ends of its domain.
+pub(super) fn with_ends(binding: &Binding, ends: Ends) -> Binding {
     let mut out = binding.clone();
     for constraint in &mut out.constraints {
-        match constraint {
-            Constraint::Relation(relation @ Relation::Less, _) if all => *relation = Relation::LessEqual,
-            Constraint::Relation(relation @ Relation::Greater, _) if all => *relation = Relation::GreaterEqual,
-            Constraint::Interval { from_closed, to_closed, .. } => (*from_closed, *to_closed) = (true, true),
-            Constraint::Relation(..) | Constraint::Range(..) => {}
+        match (ends, constraint) {
+            (Ends::All, Constraint::Relation(relation, _)) => *relation = relation.loose(),
+            (Ends::None, Constraint::Relation(relation, _)) => *relation = relation.strict(),
+            (Ends::All | Ends::OfIntervals, Constraint::Interval { from_closed, to_closed, .. }) => {
+                (*from_closed, *to_closed) = (true, true);
+            }
+            (Ends::None, Constraint::Interval { from_closed, to_closed, .. }) => {
+                (*from_closed, *to_closed) = (false, false);
+            }
+            (Ends::Own, _) | (Ends::OfIntervals, Constraint::Relation(..)) | (_, Constraint::Range(..)) => {}
         }
     }
     out

@@ -7,6 +7,7 @@ use super::fraction::{Fraction, Poly};
 use super::known::Known;
 use super::order::Signs;
 use super::sign::{Found, NESTING};
+use super::slope::with_ends;
 use super::statement::{apply, expr, name};
 use super::term::Atom;
 use super::{Checker, Refusal};
@@ -142,8 +143,7 @@ impl Checker {
         self.signs_as_read(f, &signed.known)
     }
 
-    /// The domain in which rule `slope` finds both points and a derivative that has a value: the binding as it is, or
-    /// with ends.
+    /// The domain in which rule `slope` finds both points and a function that has a value: the binding as it is, or with ends.
     ///
     /// # Errors
     /// There is none.
@@ -156,7 +156,7 @@ impl Checker {
         show: &Show,
     ) -> Result<Binding, Refusal> {
         let mut known = self.known(&show.by, &show.using)?;
-        self.slope_domain(binding, derivative, points, from, &mut known)
+        Ok(with_ends(binding, self.slope_domain(binding, derivative, points, from, &mut known)?))
     }
 
     /// What an atom is.

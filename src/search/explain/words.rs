@@ -316,6 +316,16 @@ impl<'a> Words<'a> {
                 lead.push(say(":"));
                 lead
             }
+            Rule::Intermediate { with, from } => {
+                let mut lead = vec![say("The intermediate value theorem applies, with the sides at both ends from ")];
+                for (place, label) in from.iter().take(2).enumerate() {
+                    lead.extend([fact(label), say(if place == 0 { " and " } else { "." })]);
+                }
+                lead.push(say(" Applied"));
+                self.values(with, &mut lead);
+                lead.push(say(":"));
+                lead
+            }
             Rule::Slope { source, with, .. } => {
                 let integrates = matches!(&show.prop.kind, PropKind::Compare(sides, _)
                     if sides.last().is_some_and(|e| matches!(e.kind, ExprKind::IntegralOver(..))));

@@ -60,7 +60,7 @@ pub(super) fn method(certificate: &Certificate, shown: &Accepted) -> &'static st
     let steps: Vec<&Show> = certificate.steps.iter().filter_map(Step::show).collect();
     let any = |is: &dyn Fn(&Show) -> bool| steps.iter().any(|step| is(step));
     let families = families(shown);
-    let order: [(&Is, &str); 11] = [
+    let order: [(&Is, &str); 12] = [
         (&|s| matches!(s.rule, Rule::Limit { .. } | Rule::Squeeze { .. }), "limit"),
         (&|s| matches!(s.rule, Rule::Extremum { .. }), "extremum"),
         (&|s| matches!(s.rule, Rule::Induction { .. }), "induction"),
@@ -68,6 +68,7 @@ pub(super) fn method(certificate: &Certificate, shown: &Accepted) -> &'static st
         (&|s| matches!(s.rule, Rule::Tangent { .. }), "tangent"),
         (&|s| matches!(s.rule, Rule::Slope { .. }), "derivative"),
         (&|s| matches!(s.rule, Rule::Circle { .. }), "unit circle"),
+        (&|s| matches!(s.rule, Rule::Intermediate { .. }), "intermediate value"),
         (&|s| matches!(s.rule, Rule::Witness { .. }), "witness"),
         (&|s| is_logic(s) && matches!(s.prop.kind, PropKind::Equivalent(_)), "equivalence"),
         // A member of a family lies in its domain: nothing else is put in.

@@ -108,7 +108,7 @@ impl Prover {
         let between =
             Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false };
         let (up, down) = (Relation::GreaterEqual, Relation::LessEqual);
-        let with = |relation: Relation| if strict { stricter(relation) } else { relation };
+        let with = |relation: Relation| if strict { relation.strict() } else { relation };
         let sign = with(if side.is_before { up } else { down });
         let body = compare(derivative(f, t), sign, numeral(0));
         let binding = Binding::of(Name::new(t), false, vec![between]);
@@ -138,9 +138,4 @@ impl Prover {
 
 fn derivative(f: &Expr, by: &str) -> Expr {
     expr(ExprKind::Derivative(Box::new(f.clone()), vec![Name::new(by)]))
-}
-
-/// `>` for `>=`, and `<` for `<=`.
-fn stricter(relation: Relation) -> Relation {
-    if relation == Relation::GreaterEqual { Relation::Greater } else { Relation::Less }
 }

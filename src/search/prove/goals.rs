@@ -81,6 +81,9 @@ impl Prover {
                     Ok(label) => return Ok(label),
                     Err(fail) => fail,
                 };
+                if let Ok(label) = self.by_intermediate_value(goal, bindings, body) {
+                    return Ok(label);
+                }
                 if self.splits < 3
                     && let Ok(label) = self.by_disjunction(goal)
                 {

@@ -4,7 +4,7 @@ use super::antiderivatives::antiderivative;
 use super::facts::{minus, negated};
 use super::letters::{as_power, product, total};
 use super::limits::over;
-use super::slopes::{put_in, weak};
+use super::slopes::put_in;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -204,7 +204,7 @@ impl Prover {
             let Some(big_f) = antiderivative(&bound, &x) else { continue };
             let gain = minus(&put_in(&big_f, &x, b)?, &put_in(&big_f, &x, a)?);
             let sides: Vec<Expr> = sides.iter().map(|e| with_for(e, &integral, &gain)).collect();
-            let plain = prop(PropKind::Compare(sides.clone(), relations.iter().map(|r| weak(*r)).collect()));
+            let plain = prop(PropKind::Compare(sides.clone(), relations.iter().map(|r| r.loose()).collect()));
             let shown = self.gained(variable, &x, [&big_f, &bound, &f], relation.turned(), |c, label| {
                 c.enrich(&sides.iter().collect::<Vec<_>>());
                 // left - right = -c·(F(b) - F(a) - integral) + what is left with F(b) - F(a) for the integral.

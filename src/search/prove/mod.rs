@@ -45,6 +45,7 @@ mod induction;
 mod instances;
 mod integers;
 mod integrals;
+mod intermediate;
 mod lattice;
 mod letters;
 mod limits;

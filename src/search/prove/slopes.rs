@@ -156,12 +156,12 @@ impl Prover {
     ) -> Result<Label, Fail> {
         let strict = matches!(relation, Relation::Less | Relation::Greater);
         for (order, below) in [(Relation::Less, true), (Relation::Greater, false)] {
-            let wanted = if strict { order } else { weak(order) };
+            let wanted = if strict { order } else { order.loose() };
             if self.quietly(&compare(x.clone(), wanted, y.clone())).is_ok() {
                 let (low, high) = if below { (x, y) } else { (y, x) };
                 // b = x, a = y: the sign of b − a is negative where x is below.
                 let slope = if below { relation.turned() } else { relation };
-                let slope = if strict { slope } else { weak(slope) };
+                let slope = if strict { slope } else { slope.loose() };
                 return self.rises(goal, f, t, [low, high], slope, [y, x]);
             }
         }
@@ -199,9 +199,9 @@ impl Prover {
                 Relation::Greater => (p, &variable, relation),
                 _ => (&variable, p, relation.turned()),
             };
-            let slope = if strict { slope } else { weak(slope) };
+            let slope = if strict { slope } else { slope.loose() };
             let shown =
-                compare(put_in(f, t, &variable)?, if strict { relation } else { weak(relation) }, there.clone());
+                compare(put_in(f, t, &variable)?, if strict { relation } else { relation.loose() }, there.clone());
             let label = c.rises(&shown, f, t, [low, high], slope, [p, &variable])?;
             let mut terms = vec![Term { facts: vec![label], factor: numeral(1) }];
             terms.extend(zero.iter().map(|zero| Term { facts: vec![zero.clone()], factor: numeral(1) }));
@@ -211,7 +211,7 @@ impl Prover {
             c.combination(goal.clone(), terms)
         };
         for order in [Relation::Greater, Relation::Less] {
-            let wanted = if strict { order } else { weak(order) };
+            let wanted = if strict { order } else { order.loose() };
             if self.quietly(&compare(variable.clone(), wanted, p.clone())).is_ok() {
                 return side(self, order, goal);
             }
@@ -283,7 +283,7 @@ impl Prover {
         for constraint in &binding.constraints {
             let Constraint::Relation(relation, bound) = constraint else { continue };
             for point in [a, b] {
-                let within = compare(point.clone(), weak(*relation), bound.clone());
+                let within = compare(point.clone(), relation.loose(), bound.clone());
                 let _ = self.attempt(|c| c.by_linear_facts(&within));
             }
         }
@@ -324,7 +324,7 @@ impl Prover {
             let PropKind::Compare(sides, relations) = &fact.kind else { return None };
             let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
             [(a, b, *said), (b, a, said.turned())].into_iter().find_map(|(this, other, said)| {
-                let fits = this == e && weak(said) == weak(relation) && letters.number(other).is_some();
+                let fits = this == e && said.loose() == relation.loose() && letters.number(other).is_some();
                 fits.then(|| other.clone())
             })
         })
@@ -366,7 +366,7 @@ impl Prover {
                 continue;
             }
             for order in [Relation::Less, Relation::Greater] {
-                let order = if is_strict { weak(order) } else { order };
+                let order = if is_strict { order.loose() } else { order };
                 let done = self.attempt(|c| {
                     c.against_opposite(goal, |c, _| {
                         let t = c.fresh("t");
@@ -518,12 +518,4 @@ fn is_short(e: &Expr, x: &str) -> bool {
     let mut names = BTreeSet::new();
     names_in(e, &mut names);
     !names.contains(x) && crate::kernel::key::expr(e).len() < 40
-}
-
-pub(super) fn weak(relation: Relation) -> Relation {
-    match relation {
-        Relation::Less => Relation::LessEqual,
-        Relation::Greater => Relation::GreaterEqual,
-        other => other,
-    }
 }

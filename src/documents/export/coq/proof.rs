@@ -396,6 +396,7 @@ impl Writer<'_> {
             Rule::Mean { with } => self.mean(goal, with, &given)?,
             Rule::Tangent { with } => self.tangent(goal, with, &given)?,
             Rule::Circle { .. } => return Err(Open::Untranslated(show.label.clone(), "circle")),
+            Rule::Intermediate { .. } => return Err(Open::Untranslated(show.label.clone(), "intermediate")),
             Rule::Slope { source, with, from } => self.slope(show, source, with, from, &given)?,
             Rule::Termwise { from } => format!("termwise {}", fact(from)),
             Rule::Limit { with, .. } => self.limit(goal, with, &given)?,

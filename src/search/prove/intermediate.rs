@@ -1,0 +1,131 @@
+//! Solutions of one equation in one variable between two values at which it fails in opposite directions.
+//!
+//! Certificate: what the sides are at both values, and the rule `intermediate`. The values are ends of the domain, small numbers,
+//! and 1 more than the squares of all other variables.
+//!
+//! Limit: [`VALUES`] values of the variable.
+
+use super::{Fail, Prover};
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, domain, expr, name, numeral, power, sum};
+use crate::kernel::substitution::Substitution;
+use std::collections::BTreeSet;
+
+/// The most values at which the sides are compared.
+const VALUES: usize = 12;
+
+/// A value of the variable, and what is shown of the sides there.
+struct Side {
+    value: Expr,
+    relation: Relation,
+    fact: Label,
+    within: Vec<Label>,
+}
+
+impl Prover {
+    /// Shows `exists x …: F = G` by two values of x; nothing is tried for other statements.
+    pub(super) fn by_intermediate_value(
+        &mut self,
+        goal: &Prop,
+        bindings: &[Binding],
+        body: &Prop,
+    ) -> Result<Label, Fail> {
+        let none = Fail::No("two values between which an equation has a solution");
+        let ([binding], PropKind::Compare(sides, relations)) = (bindings, &body.kind) else { return Err(none) };
+        let ([(variable, None)], false) = (binding.names.as_slice(), binding.natural) else { return Err(none) };
+        let ([left, right], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(none) };
+        let mut found: Vec<Side> = Vec::new();
+        for value in places(binding, variable, [left, right]) {
+            let Ok(side) = self.attempt(|c| c.side(binding, variable, [left, right], value)) else { continue };
+            let other = found.iter().find(|other| !agree(other.relation, side.relation));
+            let Some(other) = other else {
+                found.push(side);
+                continue;
+            };
+            let is_below = |side: &Side| matches!(side.relation, Relation::Less | Relation::LessEqual);
+            let (a, b) = if is_below(other) { (other, &side) } else { (&side, other) };
+            let with = [("a", a), ("b", b)].map(|(n, side)| (Name::new(n), side.value.clone())).to_vec();
+            let facts = [&a.fact, &b.fact].into_iter().chain(&a.within).chain(&b.within);
+            let from = facts.cloned().collect();
+            if let Ok(label) = self.emit(Rule::Intermediate { with, from }, goal.clone()) {
+                return Ok(label);
+            }
+            found.push(side);
+        }
+        Err(none)
+    }
+
+    /// What is shown of the sides of an equation at a value, and that the value lies in the domain or is an end of it.
+    fn side(
+        &mut self,
+        binding: &Binding,
+        variable: &Name,
+        [left, right]: [&Expr; 2],
+        value: Expr,
+    ) -> Result<Side, Fail> {
+        let mut map = Substitution::default();
+        map.replace(&variable.text, &value);
+        let mut within = Vec::new();
+        for needed in domain(binding) {
+            let needed = map.prop(&needed).map_err(Fail::from)?;
+            let label = match (&needed.kind, self.quietly(&needed)) {
+                (_, Ok(label)) => label,
+                (PropKind::Compare(sides, relations), Err(_)) if sides.len() == 2 => {
+                    self.quietly(&compare(sides[0].clone(), relations[0].loose(), sides[1].clone()))?
+                }
+                (_, Err(fail)) => return Err(fail),
+            };
+            within.push(label);
+        }
+        let (left, right) = (map.expr(left).map_err(Fail::from)?, map.expr(right).map_err(Fail::from)?);
+        let difference = sum(vec![(Sign::Plus, left.clone()), (Sign::Minus, right.clone())]);
+        let signs = self.signs_of(&difference);
+        for relation in [Relation::Less, Relation::Greater, Relation::LessEqual, Relation::GreaterEqual] {
+            if !signs.within(Signs::of(relation.negated()))
+                && let Ok(fact) = self.quietly(&compare(left.clone(), relation, right.clone())) {
+                return Ok(Side { value, relation, fact, within });
+            }
+        }
+        Err(Fail::No("the sides of an equation at a value"))
+    }
+}
+
+/// The variables that an expression mentions, bound ones included.
+fn letters_in(e: &Expr, into: &mut BTreeSet<String>) {
+    if let ExprKind::Name(letter) = &e.kind {
+        into.insert(letter.clone());
+    }
+    crate::claim::walk::parts(e, &mut |part| letters_in(part, into));
+}
+
+/// Whether two orders go the same way.
+fn agree(a: Relation, b: Relation) -> bool {
+    a.loose() == b.loose()
+}
+
+/// Values at which the sides may differ in opposite directions.
+fn places(binding: &Binding, variable: &Name, sides: [&Expr; 2]) -> Vec<Expr> {
+    let mut places = Vec::new();
+    for constraint in &binding.constraints {
+        match constraint {
+            Constraint::Relation(_, bound) => places.push(bound.clone()),
+            Constraint::Interval { from, to, .. } => places.extend([from.clone(), to.clone()]),
+            Constraint::Range(..) => {}
+        }
+    }
+    let mut letters = BTreeSet::new();
+    sides.into_iter().for_each(|side| letters_in(side, &mut letters));
+    letters.remove(&variable.text);
+    let negative = |e: &Expr| expr(ExprKind::Negate(Box::new(e.clone())));
+    if !letters.is_empty() {
+        let squares = letters.iter().map(|letter| (Sign::Plus, power(&name(letter), &numeral(2))));
+        let beyond = sum(std::iter::once((Sign::Plus, numeral(1))).chain(squares).collect());
+        places.extend([negative(&beyond), beyond]);
+    }
+    places.extend([0, 1, 2, 10].map(numeral));
+    places.extend([1, 2, 10].map(|k| negative(&numeral(k))));
+    places.truncate(VALUES);
+    places
+}
