@@ -81,9 +81,6 @@ impl Prover {
                     Ok(label) => return Ok(label),
                     Err(fail) => fail,
                 };
-                if let Ok(label) = self.by_intermediate_value(goal, bindings, body) {
-                    return Ok(label);
-                }
                 if self.splits < 3
                     && let Ok(label) = self.by_disjunction(goal)
                 {
@@ -128,7 +125,8 @@ impl Prover {
                 Some(point) => point,
                 None => {
                     return self
-                        .by_equations(goal, bindings, body)
+                        .with_half(|c| c.by_equations(goal, bindings, body))
+                        .or_else(|_| self.by_intermediate_value(goal, bindings, body))
                         .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)));
                 }
             },

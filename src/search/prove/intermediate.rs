@@ -1,7 +1,7 @@
 //! Solutions of one equation in one variable between two values at which it fails in opposite directions.
 //!
-//! Certificate: what the sides are at both values, and the rule `intermediate`. The values are ends of the domain, small numbers,
-//! and 1 more than the squares of all other variables.
+//! Certificate: what the sides are at both values, and the rule `intermediate`. The values are ends of the domain, numbers
+//! between them, 1 more than the squares of all other variables, these variables, and small numbers.
 //!
 //! Limit: [`VALUES`] values of the variable.
 
@@ -14,7 +14,7 @@ use crate::kernel::substitution::Substitution;
 use std::collections::BTreeSet;
 
 /// The most values at which the sides are compared.
-const VALUES: usize = 12;
+const VALUES: usize = 16;
 
 /// A value of the variable, and what is shown of the sides there.
 struct Side {
@@ -81,15 +81,26 @@ impl Prover {
         }
         let (left, right) = (map.expr(left).map_err(Fail::from)?, map.expr(right).map_err(Fail::from)?);
         let difference = sum(vec![(Sign::Plus, left.clone()), (Sign::Minus, right.clone())]);
+        self.define(&difference);
+        if self.read(&difference, false).is_none() {
+            return Err(Fail::No("the sides of an equation at a value"));
+        }
         let signs = self.signs_of(&difference);
         for relation in [Relation::Less, Relation::Greater, Relation::LessEqual, Relation::GreaterEqual] {
             if !signs.within(Signs::of(relation.negated()))
-                && let Ok(fact) = self.quietly(&compare(left.clone(), relation, right.clone())) {
+                && let Ok(fact) = self.attempt(|c| c.without_cases(&compare(left.clone(), relation, right.clone()))) {
                 return Ok(Side { value, relation, fact, within });
             }
         }
         Err(Fail::No("the sides of an equation at a value"))
     }
+}
+
+/// The number k sixths of the way from one to another.
+fn part_of_the_way(from: &Expr, to: &Expr, k: u32) -> Expr {
+    let times = |k: u32, e: &Expr| expr(ExprKind::Product(vec![(Factor::Times, numeral(k)), (Factor::Times, e.clone())]));
+    let whole = sum(vec![(Sign::Plus, times(6 - k, from)), (Sign::Plus, times(k, to))]);
+    expr(ExprKind::Product(vec![(Factor::Times, whole), (Factor::Over, numeral(6))]))
 }
 
 /// The variables that an expression mentions, bound ones included.
@@ -107,14 +118,18 @@ fn agree(a: Relation, b: Relation) -> bool {
 
 /// Values at which the sides may differ in opposite directions.
 fn places(binding: &Binding, variable: &Name, sides: [&Expr; 2]) -> Vec<Expr> {
-    let mut places = Vec::new();
+    let (mut places, mut inside) = (Vec::new(), Vec::new());
     for constraint in &binding.constraints {
         match constraint {
             Constraint::Relation(_, bound) => places.push(bound.clone()),
-            Constraint::Interval { from, to, .. } => places.extend([from.clone(), to.clone()]),
+            Constraint::Interval { from, to, .. } => {
+                places.extend([from.clone(), to.clone()]);
+                inside.extend([1, 5, 3].map(|k| part_of_the_way(from, to, k)));
+            }
             Constraint::Range(..) => {}
         }
     }
+    places.append(&mut inside);
     let mut letters = BTreeSet::new();
     sides.into_iter().for_each(|side| letters_in(side, &mut letters));
     letters.remove(&variable.text);
@@ -123,6 +138,10 @@ fn places(binding: &Binding, variable: &Name, sides: [&Expr; 2]) -> Vec<Expr> {
         let squares = letters.iter().map(|letter| (Sign::Plus, power(&name(letter), &numeral(2))));
         let beyond = sum(std::iter::once((Sign::Plus, numeral(1))).chain(squares).collect());
         places.extend([negative(&beyond), beyond]);
+        for letter in letters.iter().take(2).map(|letter| name(letter)) {
+            let next = |sign| sum(vec![(Sign::Plus, letter.clone()), (sign, numeral(1))]);
+            places.extend([next(Sign::Minus), next(Sign::Plus), letter.clone()]);
+        }
     }
     places.extend([0, 1, 2, 10].map(numeral));
     places.extend([1, 2, 10].map(|k| negative(&numeral(k))));

@@ -324,6 +324,17 @@ impl Prover {
         if self.tries > self.most_tries { Err(Fail::Limit("steps")) } else { Ok(()) }
     }
 
+    /// Runs a method with half of the steps and of the time that are left, so that another can follow.
+    fn with_half<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        let (most, deadline) = (self.most_tries, self.deadline);
+        self.most_tries -= most.saturating_sub(self.tries) / 2;
+        let now = Moment::now();
+        self.deadline = deadline.and_then(|end| now.checked_add(end.after(now) / 2));
+        let result = self.attempt(run);
+        (self.most_tries, self.deadline) = (most, deadline);
+        result
+    }
+
     /// The limit that ended the search, if the user's own did.
     fn exhausted(&self) -> Option<Fail> {
         if self.is_short || self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
