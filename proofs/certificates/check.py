@@ -30,6 +30,7 @@ sys.setrecursionlimit(20000)
 LEMMA = "the weighted mean inequality for two values"
 TANGENT = "exp lies above its tangent"
 MEAN_VALUE = "the mean value theorem"
+INTERMEDIATE_VALUE = "the intermediate value theorem"
 NO_FACT = "no fact and no accepted claim under `using` is called {}"
 ONE_VALUE = "each variable has one value, and nothing else has any"
 ONE_VARIABLE = "a statement `for all` one variable is needed"
@@ -60,6 +61,34 @@ def begins(x, naturals):
     else:
         for y in nodes(x):
             yield from begins(y, inner)
+
+
+def on_an_interval(binding):
+    """The one real variable of a binding, and its bounds. They do not move with it, so its domain is an interval."""
+    _, ((t, index),), natural, limits, _ = binding
+    bounds = all(c[0] == "interval" or c[0] == "relation" and c[1] not in ("=", "!=") for c in limits)
+    need(bounds and not natural and index is None and not any(t in names_in(e) for c in limits for e in nodes(c)),
+         "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed")
+    return t, limits
+
+
+def real(t, limits):
+    return N("bind", ((t, None),), False, limits, None)
+
+
+def with_ends(t, limits):
+    """The domain as it is, where its intervals have their ends, and with all its ends. Each contains the one before."""
+    weak = {"<": "<=", ">": ">="}
+    some = tuple((c[0], True, c[2], c[3], True) if c[0] == "interval" else c for c in limits)
+    ends = tuple(c[:1] + (weak.get(c[1], c[1]), c[2]) if c[0] == "relation" else c for c in some)
+    return [real(t, bounds) for bounds in (limits, some, ends)]
+
+
+def without_ends(t, limits):
+    """The domain without all its ends: what lies strictly between two of its numbers is in it."""
+    strict = {"<=": "<", ">=": ">"}
+    return real(t, tuple((c[0], False, c[2], c[3], False) if c[0] == "interval" else
+                         c[:1] + (strict.get(c[1], c[1]), c[2]) for c in limits))
 
 
 class Checker(Logic):
@@ -524,14 +553,10 @@ class Checker(Logic):
         self.has_value(goal, known)
         fact, s, relation = self.fact(s.sources[0]), s._replace(sources=s.sources[1:]), single(goal)[1]
         need(fact[0] == "all" and len(fact[1]) == 1 and len(fact[1][0][1]) == 1, ONE_VARIABLE)
-        (_, ((t, index),), natural, limits, _), = fact[1]
+        t, limits = on_an_interval(fact[1][0])
         derivative, slope, f = single(fact[2])
         need(derivative[0] == "deriv" and derivative[2] == (t,), "a fact `for all t …: derivative(F, t) relation f` is needed")
-        bounds = all(c[0] == "interval" or c[0] == "relation" and c[1] not in ("=", "!=") for c in limits)
-        need(bounds and not natural and index is None and not any(t in names_in(e) for c in limits for e in nodes(c)),
-             "a real variable with bounds `<`, `<=`, `>`, `>=` that do not mention it is needed")
-        need(sorted(n for n, _ in s.values) == ["a", "b"], ONE_VALUE)
-        a, b = (dict(s.values)[n] for n in "ab")
+        a, b = self.two_points(s, known)
         of = derivative[1]
         at_a, at_b = (put(of, {t: e}) for e in (a, b))
         says = compare(plus(at_b, at_a, -1), relation, N("integral", "integral", t, a, b, f))
@@ -539,26 +564,54 @@ class Checker(Logic):
         if f == num(0) and not same(goal, says):
             says, needed = compare(at_b, relation, at_a), [of]
         need(same(goal, says), f"with these values it says {text(says)}")
-        for e in (a, b):
-            self.number_defined(e, known)
-        weak = {"<": "<=", ">": ">="}
-        some = tuple((c[0], True, c[2], c[3], True) if c[0] == "interval" else c for c in limits)
-        ends = tuple(c[:1] + (weak.get(c[1], c[1]), c[2]) if c[0] == "relation" else c for c in some)
-        of_fact, *others = (N("bind", ((t, None),), False, interval, None) for interval in (limits, some, ends))
-        self.within((of_fact,), known, lambda inner: self.number_defined(derivative, inner))
-        for domain_of in (of_fact, *others):
-            try:
-                for e in (a, b):
-                    for p in constraints(domain_of, e):
-                        self.holds(p, s, known)
-                self.within((domain_of,), known, lambda inner: [self.number_defined(e, inner) for e in needed])
-                break
-            except Refused:
-                if domain_of is others[-1]:
-                    raise
+        self.within((real(t, limits),), known, lambda inner: self.number_defined(derivative, inner))
+        self.domain_with(with_ends(t, limits), (a, b), needed, s, known)
         signs = TIMES[self.signs(self.read(plus(b, a, -1)), known)][SIGNS[slope]]
         need(not signs & ~SIGNS[relation], "the signs do not show this")
         self.rests_on.add(MEAN_VALUE)
+
+    def two_points(self, s, known):
+        """The values for a and b, and for nothing else."""
+        need(sorted(n for n, _ in s.values) == ["a", "b"], ONE_VALUE)
+        points = [dict(s.values)[n] for n in "ab"]
+        for e in points:
+            self.number_defined(e, known)
+        return points
+
+    def domain_with(self, domains, points, needed, s, known):
+        """The first of these domains of one variable in which the points lie and the expressions needed have values."""
+        for domain_of in domains:
+            try:
+                for e in points:
+                    for p in constraints(domain_of, e):
+                        self.holds(p, s, known)
+                self.within((domain_of,), known, lambda inner: [self.number_defined(e, inner) for e in needed])
+                return domain_of
+            except Refused:
+                if domain_of is domains[-1]:
+                    raise
+
+    def rule_intermediate(self, goal, s, known):
+        """An equation has a solution between a number where its left side is not above the right one and a number where it is
+        not below. The difference of the sides has values on an interval in which both numbers lie, and a derivative inside.
+        So it is continuous there. If the interval has ends that the domain leaves out, the difference is not 0 at the two
+        numbers. Then the solution lies strictly between them, in the domain."""
+        self.has_value(goal, known)
+        need(goal[0] == "exists" and len(goal[1]) == 1 and len(goal[1][0][1]) == 1, "`exists` with one variable is needed")
+        x, limits = on_an_interval(goal[1][0])
+        left, relation, right = single(goal[2])
+        need(relation == "=", "an equation is needed")
+        points, found = self.two_points(s, known), []
+        for label, e, relations in zip(s.sources, points, (("<", "<=", "="), (">", ">=", "="))):
+            said, at_e = self.fact(label), [compare(put(left, {x: e}), r, put(right, {x: e})) for r in relations]
+            need(any(same(said, p) for p in at_e), f"needs {text(at_e[1])}")
+            found.append(single(said)[1])
+        s, difference, domains = s._replace(sources=s.sources[2:]), plus(left, right, -1), with_ends(x, limits)
+        shown = self.domain_with(domains, points, [difference], s, known)
+        need(shown is domains[0] or found == ["<", ">"], "an end that does not belong to the domain may be the only solution")
+        derivative = N("deriv", difference, (x,))
+        self.within((without_ends(x, limits),), known, lambda inner: self.number_defined(derivative, inner))
+        self.rests_on.add(INTERMEDIATE_VALUE)
 
     def grows(self, goal):
         """The number of the variable that grows in a limit."""
@@ -646,10 +699,10 @@ Step = collections.namedtuple("Step", "label rule goal sources by using values t
 COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
           "existence": (2, 2), "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
           "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "circle": (0, 0),
-          "limit": (0, 0), "slope": (1, 999),
+          "limit": (0, 0), "slope": (1, 999), "intermediate": (2, 999),
           "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
 
-WITH = ("instance", "witness", "mean", "tangent", "circle", "slope", "limit")
+WITH = ("instance", "witness", "mean", "tangent", "circle", "slope", "intermediate", "limit")
 
 
 def expression(source):
@@ -811,7 +864,7 @@ def main(arguments):
         if not refuted:
             accepted[name] = claim, rests_on
         counts["refuted" if refuted else "accepted"] += 1
-        lemmas = [lemma for lemma in (LEMMA, TANGENT, MEAN_VALUE) if lemma in rests_on]
+        lemmas = [lemma for lemma in (LEMMA, TANGENT, MEAN_VALUE, INTERMEDIATE_VALUE) if lemma in rests_on]
         print(", by ".join([f"{'refuted' if refuted else 'accepted'} {name}", *lemmas]))
 
     for name in texts:

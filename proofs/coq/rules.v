@@ -17,6 +17,7 @@ rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
 rule circle: unit_circle, within_one, sine_arc, cosine_arc, below_the_argument, below_the_tangent, multiple
 rule slope: slope, slope_between, smooth_on, slope_integral, differentiable, slope_sign, sloped
+rule intermediate: intermediate, smooth_on, differentiable
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
 rule termwise: sum_ext2, product_ext2, sum_le2, termwise
@@ -806,6 +807,16 @@ Lemma slope : forall (f : R -> R) a b s u w,
 Proof. intros f a b s u w d. apply slope_between; [now apply smooth_on | intros t h; apply d; lra]. Qed.
 Lemma min_max : forall a b t, Rmin a b <= t <= Rmax a b <-> a <= t <= b \/ b <= t <= a.
 Proof. intros. unfold Rmin, Rmax. destruct Rle_dec; lra. Qed.
+(** Between a value that is not positive and one that is not negative a continuous function vanishes, strictly between if neither is 0. *)
+Lemma intermediate : forall (f : R -> R) a b, continuous_on (fun t => a <= t <= b \/ b <= t <= a) f -> f a <= 0 -> 0 <= f b ->
+  exists c, (a <= c <= b \/ b <= c <= a) /\ f c = 0 /\ (f a < 0 -> 0 < f b -> a < c < b \/ b < c < a).
+Proof.
+  intros f a b k ha hb. destruct (IVT_gen (fun t => f (Rmax (Rmin a b) (Rmin (Rmax a b) t))) a b 0) as (c & hc & e).
+  - intro t. apply continuity_pt_filterlim, extended; [apply Rmin_Rmax | exact (continuous_on_subset _ _ _ (fun y => proj1 (min_max a b y)) k)].
+  - rewrite !(Rmin_right (Rmax a b)), !(Rmax_right (Rmin a b)); unfold Rmin, Rmax; repeat destruct Rle_dec; lra.
+  - rewrite (Rmin_right _ c), (Rmax_right _ c) in e by lra. apply min_max in hc. exists c. split; [exact hc | split; [exact e |]].
+    intros u v. assert (c <> a /\ c <> b) by (split; intros ->; lra). lra.
+Qed.
 (** A function that is continuous from a to b has an integral from a to each t there, and is the derivative of this strictly between. *)
 Lemma integral_there : forall (f : R -> R) a b, continuous_on (fun t => a <= t <= b \/ b <= t <= a) f -> exists F : R -> R,
   (forall t, a <= t <= b \/ b <= t <= a -> is_RInt f a t (F t)) /\ (forall t, continuous F t) /\ (forall t, a < t < b \/ b < t < a -> is_derive F t (f t)).
