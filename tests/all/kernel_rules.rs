@@ -80,7 +80,7 @@ macro_rules! files {
     };
 }
 
-files! { refutations evaluate combination power logic blocks quantifiers sums order slope integral circle limits names }
+files! { refutations evaluate combination power logic blocks quantifiers sums order slope integral circle limits intermediate names }
 
 #[test]
 fn examples_of_the_page_about_the_format() {
@@ -96,7 +96,7 @@ fn examples_of_the_page_about_the_format() {
         }
     }
     // One for each rule, a second for `slope`; `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 24);
+    assert_eq!(count, 25);
 }
 
 /// Propositions are compared by their keys.

@@ -87,6 +87,7 @@ pub(super) const RESERVED: &[&str] = &[
     "f_equal",
     "holds",
     "holds_any",
+    "intermediate",
     "named",
     "of_root",
     "prodz",
