@@ -299,6 +299,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_sign_chart(goal, a, b)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_logarithms(goal, a, relation, b)) {
             return Ok(label);
         }

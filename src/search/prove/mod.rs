@@ -59,6 +59,7 @@ mod radicals;
 mod refutation;
 mod residues;
 mod root_bounds;
+mod sign_charts;
 mod slopes;
 mod solutions;
 mod solved_equations;
@@ -208,6 +209,8 @@ pub(crate) struct Prover {
     unfoldings: usize,
     /// Number of comparisons tried by the sign of a derivative.
     slopes: usize,
+    /// Number of sign charts so far.
+    charts: usize,
     /// How many more goals may be tried at stationary points.
     stationary: usize,
     /// Number of such attempts that are nested now.
@@ -268,6 +271,7 @@ impl Prover {
             inductions: 0,
             unfoldings: 0,
             slopes: 0,
+            charts: 0,
             stationary: slopes::STATIONARY,
             slopes_open: 0,
             within_powers: false,

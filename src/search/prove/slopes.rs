@@ -2,6 +2,7 @@
 
 use super::facts::{is_settled, minus};
 use super::letters::whole_power;
+use super::sign_charts::End;
 use super::{Fail, Prover, implies};
 use crate::algebra::Moment;
 use crate::certificate::{Label, Rule, Term};
@@ -170,7 +171,7 @@ impl Prover {
 
     /// A difference F(x) relation 0 from F at a place p; with cases where the order of x and p is open. Where it is said so, F(p) may be
     /// 0 by a fact only, as for exp(−a²/a²) − exp(−1).
-    fn beside_a_place(
+    pub(super) fn beside_a_place(
         &mut self,
         goal: &Prop,
         difference: &Expr,
@@ -248,7 +249,7 @@ impl Prover {
         }
         // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
         let ends = [(low, high, Relation::Greater), (high, low, Relation::Less)];
-        let said = ends.map(|(end, _, relation)| self.number_said(end, relation));
+        let said = ends.map(|(end, _, relation)| self.end_of(end, relation).map(|end| end.at));
         let more = [0, 1].map(|k| match &said[k] {
             Some(q) => Some(q.clone()),
             None => self.number_beyond(ends[k].0, ends[k].1, ends[k].2),
@@ -307,27 +308,17 @@ impl Prover {
     /// or 0, where the sign of the end is known.
     fn number_beyond(&mut self, end: &Expr, other: &Expr, relation: Relation) -> Option<Expr> {
         if let Some(c) = self.letters.number(end) {
-            let q = self.number_said(other, relation)?;
-            let far = self.letters.number(&q)?;
-            return (if relation == Relation::Greater { far < c } else { far > c }).then_some(q);
+            let far = self.end_of(other, relation)?;
+            return (if relation == Relation::Greater { far.near < c } else { far.near > c }).then_some(far.at);
         }
         self.signs_of(end).within(Signs::of(relation)).then(|| numeral(0))
     }
 
-    /// A number that a fact says to lie below (`>`) or above (`<`) an expression.
-    fn number_said(&mut self, e: &Expr, relation: Relation) -> Option<Expr> {
-        let letters = &mut self.letters;
-        if letters.number(e).is_some() {
-            return None;
-        }
-        self.checker.facts().find_map(|(_, fact)| {
-            let PropKind::Compare(sides, relations) = &fact.kind else { return None };
-            let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { return None };
-            [(a, b, *said), (b, a, said.turned())].into_iter().find_map(|(this, other, said)| {
-                let fits = this == e && said.loose() == relation.loose() && letters.number(other).is_some();
-                fits.then(|| other.clone())
-            })
-        })
+    /// The number nearest to an expression that a fact says to lie below (`>`) or above (`<`) it.
+    fn end_of(&mut self, e: &Expr, relation: Relation) -> Option<End> {
+        let [low, high] = self.ends_of(e);
+        let end = if relation == Relation::Greater { low } else { high };
+        end.filter(|_| self.letters.number(e).is_none())
     }
 
     /// Shows f(a) = f(b) for f = sin and f = cos where it speaks of a or b: 1/2 is the sine of pi/6.
@@ -408,6 +399,9 @@ impl Prover {
 
     /// A fact that says the sign of an expression, if one of them can be shown.
     fn settle(&mut self, e: &Expr) -> Result<Label, Fail> {
+        if let Ok(label) = self.attempt(|c| c.charted_sign(e)) {
+            return Ok(label);
+        }
         let zero = numeral(0);
         let signs = self.signs_of(e);
         let candidates = [Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual];

@@ -48,7 +48,8 @@ pub enum Missing {
 pub(super) type Result<T> = std::result::Result<T, Missing>;
 
 impl Number {
-    pub(super) fn ends(&self) -> (&Rational, &Rational) {
+    /// Numbers between which it lies.
+    pub(crate) fn ends(&self) -> (&Rational, &Rational) {
         match self {
             Number::Exact(q) => (q, q),
             Number::Between(a, b, _) => (a, b),

@@ -1,0 +1,289 @@
+//! The sign of a function of one variable on an interval, by the intervals in which it rises and falls.
+//!
+//! Method (the sign chart of a calculus course): values at many numbers show the sign, and where the function F rises and falls; they
+//! prove nothing. Where F rises from p on, its sign is that at p, and F′ > 0 is shown by the same method. About a greatest or
+//! least value a short interval from p to q is left out: if F′ >= −κ there, then F(x) >= F(p) − κ·(q − p), and F′ + κ has
+//! its sign from the same method, too.
+//!
+//! Limits: [`DEPTH`] derivatives, [`RUNS`] intervals of one function, [`CHARTS`] charts of one claim.
+
+use super::facts::{is_settled, minus};
+use super::{Fail, Prover, implies};
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::statement::{compare, name, numeral, sum};
+use crate::kernel::substitution::Substitution;
+use crate::refute::evaluate::Assignment;
+use crate::refute::literal::literal;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};
+
+/// How often a derivative is charted.
+const DEPTH: usize = 7;
+/// The most intervals in which a function rises or falls.
+const RUNS: usize = 6;
+/// The most charts of one claim.
+const CHARTS: usize = 80;
+/// At how many numbers a function is evaluated first.
+const VALUES: i64 = 48;
+/// How often the neighbourhood of a greatest or least value is made narrower.
+const ROUNDS: usize = 12;
+
+/// One end of an interval.
+#[derive(Clone)]
+pub(super) struct End {
+    pub(super) at: Expr,
+    /// A number near it, on the inner side.
+    pub(super) near: Rational,
+    /// Whether it belongs to the interval.
+    closed: bool,
+}
+
+/// What a function does in an interval between two numbers, or from or to the end of its domain.
+#[derive(Clone)]
+enum Run {
+    Rises,
+    Falls,
+    /// It moves by less than this times the distance.
+    Flat(Rational),
+}
+
+/// The intervals of a function in their order, and the numbers between them.
+struct Chart {
+    runs: Vec<Run>,
+    cuts: Vec<Rational>,
+}
+
+/// A function of one variable, its sign, and its domain.
+struct Function<'a> {
+    of: &'a Expr,
+    x: &'a str,
+    relation: Relation,
+    ends: [Option<End>; 2],
+}
+
+impl Prover {
+    /// A comparison of functions of one variable by the signs of the factors of its difference.
+    pub(super) fn by_sign_chart(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        if !super::slopes::has_function(a) && !super::slopes::has_function(b) {
+            return Err(no());
+        }
+        let difference = minus(a, b);
+        let [_] = self.reals_in(&difference).as_slice() else { return Err(no()) };
+        let reading = self.read(&difference, true).ok_or_else(no)?;
+        for factor in reading.factors.iter().filter(|f| !is_settled(f.signs) && f.power % 2 != 0) {
+            let e = self.letters.written(&factor.poly);
+            self.charted_sign(&e)?;
+        }
+        self.combination(goal.clone(), Vec::new()).or_else(|_| self.quietly(goal))
+    }
+
+    /// Shows the sign of a function of one variable.
+    pub(super) fn charted_sign(&mut self, e: &Expr) -> Result<Label, Fail> {
+        let [x] = self.reals_in(e).try_into().map_err(|_| no())?;
+        if self.slopes_open >= DEPTH || self.charts >= CHARTS {
+            return Err(no());
+        }
+        self.charts += 1;
+        let ends = self.ends_of(&name(&x));
+        let points = points(&ends);
+        let values: Vec<(Rational, Rational)> =
+            points.into_iter().filter_map(|p| Some((p.clone(), value(e, &x, &p)?))).collect();
+        let (up, down) = (values.iter().any(|v| v.1 > 0), values.iter().any(|v| v.1 < 0));
+        if up == down || values.len() < 8 {
+            return Err(no());
+        }
+        let strict = ends.iter().flatten().all(|end| !end.closed || self.is_not_zero(e, &x, &end.at));
+        let relation = if up { Relation::Greater } else { Relation::Less };
+        let function = Function { of: e, x: &x, relation: if strict { relation } else { relation.loose() }, ends };
+        let goal = compare(e.clone(), function.relation, numeral(0));
+        if let Ok(label) = self.quietly(&goal) {
+            return Ok(label);
+        }
+        let chart = function.chart(&values).ok_or_else(no)?;
+        let (splits, slopes) = (std::mem::replace(&mut self.splits, 9), self.slopes);
+        let shown = self.attempt(|c| c.in_runs(&goal, &function, &chart, 0, chart.runs.len()));
+        (self.splits, self.slopes) = (splits, slopes);
+        shown
+    }
+
+    /// Whether an expression is seen not to be 0 at an end.
+    fn is_not_zero(&self, e: &Expr, x: &str, end: &Expr) -> bool {
+        let at = super::slopes::put_in(e, x, end).ok().and_then(|e| enclosed(&e));
+        at.is_some_and(|(low, high)| low > 0 || high < 0)
+    }
+
+    /// The ends of the interval in which facts say that an expression lies: numbers, and what is made of numbers and π.
+    pub(super) fn ends_of(&self, e: &Expr) -> [Option<End>; 2] {
+        let mut ends: [Option<End>; 2] = [None, None];
+        for (_, fact) in self.checker.facts() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            for (this, other, said) in [(a, b, *said), (b, a, said.turned())] {
+                let is_lower = match said.is_greater() {
+                    Some(is_lower) if this == e => is_lower,
+                    _ => continue,
+                };
+                let Some((low, high)) = enclosed(other) else { continue };
+                let near = if is_lower { high } else { low };
+                let end = &mut ends[usize::from(!is_lower)];
+                let is_tighter = |old: &End| match near.partial_cmp(&old.near) {
+                    Some(std::cmp::Ordering::Equal) => said.strict() == said,
+                    order => (order == Some(std::cmp::Ordering::Greater)) == is_lower,
+                };
+                if end.as_ref().is_none_or(is_tighter) {
+                    *end = Some(End { at: other.clone(), near, closed: said.strict() != said });
+                }
+            }
+        }
+        ends
+    }
+
+    /// The goal in these intervals of a chart, in cases that they cover.
+    fn in_runs(&mut self, goal: &Prop, f: &Function, chart: &Chart, from: usize, to: usize) -> Result<Label, Fail> {
+        if to - from == 1 {
+            return self.in_run(goal, f, chart, from);
+        }
+        let middle = from.midpoint(to);
+        let cut = literal(&chart.cuts[middle - 1]);
+        let mut cases = Vec::new();
+        for (side, from, to) in [(Relation::LessEqual, from, middle), (Relation::Greater, middle, to)] {
+            let case = implies(&compare(name(f.x), side, cut.clone()), goal);
+            cases.push(self.block(&case, |c, _| c.in_runs(goal, f, chart, from, to))?);
+        }
+        self.emit(Rule::Logic { from: cases }, goal.clone())
+    }
+
+    fn in_run(&mut self, goal: &Prop, f: &Function, chart: &Chart, place: usize) -> Result<Label, Fail> {
+        let own = |end: usize| f.ends[end].as_ref().map(|end| end.at.clone());
+        let low = place.checked_sub(1).map_or_else(|| own(0), |k| chart.cuts.get(k).map(literal));
+        let high = chart.cuts.get(place).map_or_else(|| own(1), |cut| Some(literal(cut)));
+        let rises = matches!(chart.runs[place], Run::Rises) == (f.relation.is_greater() == Some(true));
+        match (&chart.runs[place], low, high) {
+            (Run::Flat(most), Some(low), Some(high)) => self.nearly_flat(goal, f, most, &low, &high),
+            (Run::Flat(_), ..) => Err(no()),
+            (_, low, high) => {
+                let place = if rises { low } else { high }.ok_or_else(no)?;
+                self.beside_a_place(goal, f.of, f.x, f.relation, &place, false)
+            }
+        }
+    }
+
+    /// The goal from the value at the lower end of a short interval, and how much the function may fall from there.
+    fn nearly_flat(&mut self, goal: &Prop, f: &Function, most: &Rational, low: &Expr, high: &Expr) -> Result<Label, Fail> {
+        let is_positive = f.relation.is_greater() == Some(true);
+        let toward = if is_positive { most.clone() } else { -most };
+        let steepest = literal(&toward);
+        let run = |to: &Expr| super::letters::product(vec![steepest.clone(), minus(to, low)]);
+        let there = super::slopes::put_in(f.of, f.x, low)?;
+        let x = name(f.x);
+        let risen = sum(vec![(Sign::Plus, f.of.clone()), (Sign::Plus, run(&x)), (Sign::Minus, there.clone())]);
+        let above = compare(risen.clone(), f.relation.loose(), numeral(0));
+        let above = self.beside_a_place(&above, &risen, f.x, f.relation.loose(), low, false)?;
+        let left = compare(minus(&there, &run(high)), f.relation, numeral(0));
+        let left = self.combination(left.clone(), Vec::new()).or_else(|_| self.emit(Rule::Evaluate, left))?;
+        let bound = self.known(&compare(x, Relation::LessEqual, high.clone())).ok_or_else(no)?;
+        let term = |fact: Label, factor: Expr| Term { facts: vec![fact], factor };
+        let terms = vec![term(above, numeral(1)), term(left, numeral(1)), term(bound, literal(&-toward))];
+        self.combination(goal.clone(), terms)
+    }
+}
+
+impl Function<'_> {
+    /// Where the function rises and falls, as its values tell; nothing where it does so too often.
+    fn chart(&self, values: &[(Rational, Rational)]) -> Option<Chart> {
+        let mut chart = Chart { runs: Vec::new(), cuts: Vec::new() };
+        let mut place = 0;
+        while place + 1 < values.len() {
+            let rises = values[place + 1].1 >= values[place].1;
+            let end = (place..values.len() - 1).take_while(|k| (values[k + 1].1 >= values[*k].1) == rises).last()? + 1;
+            chart.runs.push(if rises { Run::Rises } else { Run::Falls });
+            if end + 1 < values.len() {
+                let (low, high, most) = self.about(rises, values[end - 1].0.clone(), values[end + 1].0.clone())?;
+                chart.runs.push(Run::Flat(most));
+                chart.cuts.extend([low, high]);
+            }
+            if chart.runs.len() > 2 * RUNS {
+                return None;
+            }
+            place = end;
+        }
+        Some(chart)
+    }
+
+    /// A short interval about a greatest or least value, and a bound of the slope there.
+    fn about(&self, is_greatest: bool, mut low: Rational, mut high: Rational) -> Option<(Rational, Rational, Rational)> {
+        let is_positive = self.relation.is_greater()?;
+        for _ in 0..ROUNDS {
+            let step = (&high - &low) / Rational::from(8);
+            let points: Vec<Rational> = (0..=8).map(|k| &low + &step * Rational::from(k)).collect();
+            let values: Vec<Rational> = points.iter().map(|p| value(self.of, self.x, p)).collect::<Option<_>>()?;
+            let steepest = values.windows(2).map(|v| (&v[1] - &v[0]).abs() / &step).max()?;
+            let most = power_of_two_above(&(steepest * Rational::from(2)));
+            let size = if is_positive { values[0].clone() } else { -&values[0] };
+            if size > &most * (&high - &low) * Rational::from(2) {
+                return Some((low, high, most));
+            }
+            let best = if is_greatest { values.iter().max()? } else { values.iter().min()? };
+            let place = values.iter().position(|v| v == best)?.clamp(1, 7);
+            (low, high) = (points[place - 1].clone(), points[place + 1].clone());
+        }
+        None
+    }
+}
+
+fn no() -> Fail {
+    Fail::No("the sign chart of a function of one variable")
+}
+
+/// The value of an expression at a number, nearly; nothing where its sign is not certain.
+fn value(e: &Expr, x: &str, at: &Rational) -> Option<Rational> {
+    let mut map = Substitution::default();
+    map.replace(x, &literal(at));
+    let (low, high) = enclosed(&map.expr(e).ok()?)?;
+    let is_certain = low > 0 || high < 0 || low == high;
+    is_certain.then(|| (low + high) / Rational::from(2))
+}
+
+/// Numbers between which an expression lies that is made of numbers and π.
+fn enclosed(e: &Expr) -> Option<(Rational, Rational)> {
+    let at = Assignment { is_pi: true, ..Assignment::default() };
+    let value = at.number(e).ok()?;
+    let (low, high) = value.ends();
+    Some((low.clone(), high.clone()))
+}
+
+/// Numbers in an interval: evenly between two ends, and ever farther from one where the other is missing.
+fn points(ends: &[Option<End>; 2]) -> Vec<Rational> {
+    let far = |sign: i64, from: &Rational| {
+        let steps = (-6..7).flat_map(|k| [4, 5, 6, 7].map(|m| Rational::from(m) * Rational::from(2).pow(k as i64 - 2)));
+        steps.map(|s| from + s * Rational::from(sign)).collect::<Vec<_>>()
+    };
+    match ends {
+        [Some(low), Some(high)] => {
+            let step = (&high.near - &low.near) / Rational::from(VALUES);
+            let unit = power_of_two_above(&(&step / Rational::from(16)));
+            let inside = |k: i64| Rational::from(((&low.near + &step * Rational::from(k)) / &unit).floor()) * &unit;
+            (1..VALUES).map(inside).filter(|p| *p > low.near && *p < high.near).collect()
+        }
+        [Some(low), None] => far(1, &low.near),
+        [None, Some(high)] => far(-1, &high.near).into_iter().rev().collect(),
+        [None, None] => {
+            let zero = Rational::from(0);
+            far(-1, &zero).into_iter().rev().chain([zero.clone()]).chain(far(1, &zero)).collect()
+        }
+    }
+}
+
+/// The least power of two that is not less than a positive number.
+fn power_of_two_above(q: &Rational) -> Rational {
+    let mut power = Rational::from(1);
+    let two = Rational::from(2);
+    while power < *q {
+        power *= &two;
+    }
+    while *q > 0 && &power / &two >= *q {
+        power /= &two;
+    }
+    power
+}
