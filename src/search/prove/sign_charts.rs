@@ -11,6 +11,7 @@ use super::facts::{is_settled, minus};
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, name, numeral, sum};
 use crate::kernel::substitution::Substitution;
 use crate::refute::evaluate::Assignment;
@@ -26,6 +27,10 @@ const RUNS: usize = 6;
 const CHARTS: usize = 80;
 /// At how many numbers a function is evaluated first.
 const VALUES: i64 = 48;
+/// The most places within an interval where sine and cosine change their signs.
+const MOST_CUTS: usize = 6;
+/// How many quarters of a turn are looked at on either side of 0.
+const QUADRANTS: i64 = 12;
 /// How often the neighbourhood of a greatest or least value is made narrower.
 const ROUNDS: usize = 12;
 
@@ -85,6 +90,9 @@ impl Prover {
             return Err(no());
         }
         self.charts += 1;
+        if let Some((factor, quotient)) = self.with_plain_logarithm(e) {
+            return self.by_factor(e, &factor, &quotient);
+        }
         let ends = self.ends_of(&name(&x));
         let points = points(&ends);
         let values: Vec<(Rational, Rational)> =
@@ -93,18 +101,91 @@ impl Prover {
         if up == down || values.len() < 8 {
             return Err(no());
         }
-        let strict = ends.iter().flatten().all(|end| !end.closed || self.is_not_zero(e, &x, &end.at));
+        let strict = values.iter().all(|v| v.1 != 0) && ends.iter().flatten().all(|end| !end.closed || self.is_not_zero(e, &x, &end.at));
         let relation = if up { Relation::Greater } else { Relation::Less };
         let function = Function { of: e, x: &x, relation: if strict { relation } else { relation.loose() }, ends };
         let goal = compare(e.clone(), function.relation, numeral(0));
         if let Ok(label) = self.quietly(&goal) {
             return Ok(label);
         }
-        let chart = function.chart(&values).ok_or_else(no)?;
         let (splits, slopes) = (std::mem::replace(&mut self.splits, 9), self.slopes);
-        let shown = self.attempt(|c| c.in_runs(&goal, &function, &chart, 0, chart.runs.len()));
+        let shown = match self.quadrants(e, &x, &function.ends).first() {
+            Some(cut) => self.attempt(|c| {
+                let mut cases = Vec::new();
+                for side in [Relation::LessEqual, Relation::Greater] {
+                    let case = implies(&compare(name(&x), side, cut.clone()), &goal);
+                    cases.push(c.block(&case, |c, _| c.charted_sign(e).and_then(|label| c.logic(&[&label], &goal)))?);
+                }
+                c.emit(Rule::Logic { from: cases }, goal.clone())
+            }),
+            None => {
+                let chart = function.chart(&values).ok_or_else(no)?;
+                self.attempt(|c| c.in_runs(&goal, &function, &chart, 0, chart.runs.len()))
+            }
+        };
         (self.splits, self.slopes) = (splits, slopes);
         shown
+    }
+
+    /// The sign of an expression from that of its quotient by a factor of known sign.
+    fn by_factor(&mut self, e: &Expr, factor: &Expr, quotient: &Expr) -> Result<Label, Fail> {
+        let shown = self.charted_sign(quotient)?;
+        let Some(PropKind::Compare(_, relations)) = self.fact(&shown).map(|fact| fact.kind) else { return Err(no()) };
+        let is_positive = self.signs_of(factor).within(Signs::POSITIVE);
+        let relation = if is_positive { relations[0] } else { relations[0].turned() };
+        let terms = vec![Term { facts: vec![shown], factor: factor.clone() }];
+        self.combination(compare(e.clone(), relation, numeral(0)), terms)
+    }
+
+    /// An expression `A*ln(u) + B` as A and `ln(u) + B/A`, whose derivative has no logarithm; A moves and has a known sign.
+    fn with_plain_logarithm(&mut self, e: &Expr) -> Option<(Expr, Expr)> {
+        let reading = self.read(e, false)?;
+        let [factor] = reading.factors.as_slice() else { return None };
+        let is_logarithm = |letter: &u32| {
+            matches!(self.letters.expr(*letter).map(|e| &e.kind), Some(ExprKind::Apply(f, _)) if f.text == "ln")
+        };
+        let letters: Vec<u32> = factor.poly.variables().into_iter().filter(is_logarithm).collect();
+        let [letter] = letters.as_slice() else { return None };
+        let logarithm = self.letters.expr(*letter)?.clone();
+        let coefficients = factor.poly.coefficients_in(*letter);
+        let ([rest, slope], 1) = (coefficients.as_slice(), factor.power) else { return None };
+        if slope.is_constant() {
+            return None;
+        }
+        let slope = slope.scale(&reading.number);
+        let (a, b) = (self.letters.written(&slope), self.letters.written(&rest.scale(&reading.number)));
+        let quotient = sum(vec![(Sign::Plus, logarithm), (Sign::Plus, super::limits::over(b, a.clone()))]);
+        is_settled(self.signs_of(&a)).then_some((a, quotient))
+    }
+
+    /// Where sine and cosine change their signs between the ends of an interval, from the middle one on; nothing where that is often.
+    fn quadrants(&mut self, e: &Expr, x: &str, ends: &[Option<End>; 2]) -> Vec<Expr> {
+        let [Some(low), Some(high)] = ends else { return Vec::new() };
+        let mut arguments = Vec::new();
+        turning_arguments(e, &mut arguments);
+        let letter = self.letters.of(&name(x));
+        let mut cuts: Vec<(Rational, Expr)> = Vec::new();
+        for argument in arguments {
+            let Some(p) = self.letters.polynomial(argument).filter(|p| p.variables() == [letter]) else { continue };
+            let [constant, slope] = p.coefficients_in(letter).try_into().unwrap_or_default();
+            let (constant, slope) = (constant.constant_term(), slope.constant_term());
+            for k in -QUADRANTS..=QUADRANTS {
+                let turn = super::letters::product(vec![literal(&(Rational::from_signeds(k, 2) / &slope)), name(PI)]);
+                let cut = minus(&turn, &literal(&(&constant / &slope)));
+                let cut = if constant == 0 { turn } else { cut };
+                match enclosed(&cut) {
+                    Some((a, b)) if a > low.near && b < high.near && cuts.iter().all(|c| c.1 != cut) => cuts.push((a, cut)),
+                    _ => {}
+                }
+            }
+        }
+        cuts.sort_by(|a, b| a.0.cmp(&b.0));
+        if cuts.len() > MOST_CUTS {
+            return Vec::new();
+        }
+        let middle = cuts.len() / 2;
+        cuts.rotate_left(middle);
+        cuts.into_iter().map(|cut| cut.1).collect()
     }
 
     /// Whether an expression is seen not to be 0 at an end.
@@ -199,9 +280,13 @@ impl Function<'_> {
             let end = (place..values.len() - 1).take_while(|k| (values[k + 1].1 >= values[*k].1) == rises).last()? + 1;
             chart.runs.push(if rises { Run::Rises } else { Run::Falls });
             if end + 1 < values.len() {
-                let (low, high, most) = self.about(rises, values[end - 1].0.clone(), values[end + 1].0.clone())?;
-                chart.runs.push(Run::Flat(most));
-                chart.cuts.extend([low, high]);
+                if values[end].1 == 0 {
+                    chart.cuts.push(values[end].0.clone());
+                } else {
+                    let (low, high, most) = self.about(rises, values[end - 1].0.clone(), values[end + 1].0.clone())?;
+                    chart.runs.push(Run::Flat(most));
+                    chart.cuts.extend([low, high]);
+                }
             }
             if chart.runs.len() > 2 * RUNS {
                 return None;
@@ -230,6 +315,16 @@ impl Function<'_> {
         }
         None
     }
+}
+
+/// The arguments of sines and cosines.
+fn turning_arguments<'a>(e: &'a Expr, into: &mut Vec<&'a Expr>) {
+    if let ExprKind::Apply(f, list) = &e.kind
+        && (f.text == "sin" || f.text == "cos")
+    {
+        into.extend(list);
+    }
+    crate::claim::walk::parts(e, &mut |part| turning_arguments(part, into));
 }
 
 fn no() -> Fail {

@@ -11,6 +11,7 @@ use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
+use malachite::Rational;
 use std::collections::BTreeSet;
 
 /// How often the sign of a derivative is shown by that of the next.
@@ -256,9 +257,12 @@ impl Prover {
         });
         let mut bounds = vec![said];
         bounds.extend(Some(more).filter(|more| *more != bounds[0]));
+        let walls: Vec<Constraint> =
+            self.walls(f, t).iter().filter_map(|wall| self.beyond_wall(wall, low, high)).collect();
         let mut shown = Err(Fail::No("a slope"));
         for bounds in bounds {
             let relations = ends.iter().zip(bounds).filter_map(|(end, q)| Some(Constraint::Relation(end.2, q?)));
+            let relations = relations.chain(walls.iter().cloned());
             let between =
                 Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false };
             let binding = Binding::of(Name::new(t), false, std::iter::once(between).chain(relations).collect());
@@ -268,6 +272,39 @@ impl Prover {
             }
         }
         shown
+    }
+
+    /// Numbers that a variable may not pass, since an argument of a root or logarithm or a divisor is 0 there.
+    fn walls(&mut self, e: &Expr, t: &str) -> BTreeSet<Rational> {
+        let mut arguments = Vec::new();
+        arguments_in(e, &mut arguments);
+        let t = self.letters.of(&name(t));
+        let mut walls = BTreeSet::new();
+        for argument in arguments {
+            let Some(reading) = self.read(argument, false) else { continue };
+            for p in reading.factors.iter().map(|f| &f.poly).filter(|p| p.variables() == [t] && p.degree() == 1) {
+                if let [constant, slope] = p.coefficients_in(t).as_slice() {
+                    walls.insert(-constant.constant_term() / slope.constant_term());
+                }
+            }
+        }
+        walls
+    }
+
+    /// On which side of a wall an interval lies, if facts say so.
+    fn beyond_wall(&mut self, wall: &Rational, low: &Expr, high: &Expr) -> Option<Constraint> {
+        let near = |c: &mut Prover, end: &Expr, relation| {
+            let number = c.letters.number(end);
+            number.or_else(|| c.end_of(end, relation).map(|end| end.near))
+        };
+        let relation = if near(self, low, Relation::Greater).is_some_and(|low| low >= *wall) {
+            Relation::Greater
+        } else if near(self, high, Relation::Less).is_some_and(|high| high <= *wall) {
+            Relation::Less
+        } else {
+            return None;
+        };
+        Some(Constraint::Relation(relation, crate::refute::literal::literal(wall)))
     }
 
     /// The same for an interval of the variable.
@@ -472,6 +509,17 @@ fn common(a: &Expr, b: &Expr, pair: &mut Option<(Expr, Expr)>) -> Option<Expr> {
         Some(_) => return None,
     }
     Some(name(PLACE))
+}
+
+/// The arguments of roots and logarithms, and the divisors.
+fn arguments_in<'a>(e: &'a Expr, into: &mut Vec<&'a Expr>) {
+    match &e.kind {
+        ExprKind::Apply(f, list) if f.text == "ln" || f.text == "sqrt" => into.extend(list),
+        ExprKind::Power(base, exponent) if super::letters::natural(exponent).is_none() => into.push(base),
+        ExprKind::Product(list) => into.extend(list.iter().filter(|p| p.0 == Factor::Over).map(|p| &p.1)),
+        _ => {}
+    }
+    crate::claim::walk::parts(e, &mut |part| arguments_in(part, into));
 }
 
 /// Whether a function other than the four operations and whole powers occurs.
