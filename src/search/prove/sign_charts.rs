@@ -44,6 +44,13 @@ pub(super) struct End {
     closed: bool,
 }
 
+impl End {
+    /// The bound that it is of an interval.
+    pub(super) fn bounds(&self, relation: Relation) -> Constraint {
+        Constraint::Relation(if self.closed { relation.loose() } else { relation }, self.at.clone())
+    }
+}
+
 /// What a function does in an interval between two numbers, or from or to the end of its domain.
 #[derive(Clone)]
 enum Run {
@@ -90,7 +97,7 @@ impl Prover {
             return Err(no());
         }
         self.charts += 1;
-        if let Some((factor, quotient)) = self.with_plain_logarithm(e) {
+        if let Some((factor, quotient)) = self.with_plain_function(e) {
             return self.by_factor(e, &factor, &quotient);
         }
         let ends = self.ends_of(&name(&x));
@@ -137,25 +144,75 @@ impl Prover {
         self.combination(compare(e.clone(), relation, numeral(0)), terms)
     }
 
-    /// An expression `A*ln(u) + B` as A and `ln(u) + B/A`, whose derivative has no logarithm; A moves and has a known sign.
-    fn with_plain_logarithm(&mut self, e: &Expr) -> Option<(Expr, Expr)> {
+    /// An expression as a factor of known sign and a quotient with a simpler derivative: `A*ln(u) + B` as A and `ln(u) + B/A`, where A
+    /// moves, or `c*exp(u) + B` as exp(u) and `c + B/exp(u)`, where c does not.
+    fn with_plain_function(&mut self, e: &Expr) -> Option<(Expr, Expr)> {
         let reading = self.read(e, false)?;
         let [factor] = reading.factors.as_slice() else { return None };
-        let is_logarithm = |letter: &u32| {
-            matches!(self.letters.expr(*letter).map(|e| &e.kind), Some(ExprKind::Apply(f, _)) if f.text == "ln")
-        };
-        let letters: Vec<u32> = factor.poly.variables().into_iter().filter(is_logarithm).collect();
-        let [letter] = letters.as_slice() else { return None };
-        let logarithm = self.letters.expr(*letter)?.clone();
-        let coefficients = factor.poly.coefficients_in(*letter);
-        let ([rest, slope], 1) = (coefficients.as_slice(), factor.power) else { return None };
-        if slope.is_constant() {
-            return None;
+        let p = factor.poly.scale(&reading.number);
+        for (function, is_logarithm) in [("ln", true), ("exp", false)] {
+            let is_it = |letter: &u32| {
+                matches!(self.letters.expr(*letter).map(|e| &e.kind), Some(ExprKind::Apply(f, _)) if f.text == function)
+            };
+            let letters: Vec<u32> = p.variables().into_iter().filter(is_it).collect();
+            if letters.len() != 1 && is_logarithm {
+                continue;
+            }
+            for letter in letters {
+                let coefficients = p.coefficients_in(letter);
+                let ([rest, slope], 1) = (coefficients.as_slice(), factor.power) else { continue };
+                if slope.is_constant() == is_logarithm || rest.is_constant() {
+                    continue;
+                }
+                let value = self.letters.expr(letter)?.clone();
+                let [slope, rest] = [slope, rest].map(|p| self.letters.written(p));
+                let (plain, divisor) = if is_logarithm { (value, slope) } else { (slope, value) };
+                if is_settled(self.signs_of(&divisor)) {
+                    let rest = super::limits::over(rest, divisor.clone());
+                    return Some((divisor, sum(vec![(Sign::Plus, plain), (Sign::Plus, rest)])));
+                }
+            }
         }
-        let slope = slope.scale(&reading.number);
-        let (a, b) = (self.letters.written(&slope), self.letters.written(&rest.scale(&reading.number)));
-        let quotient = sum(vec![(Sign::Plus, logarithm), (Sign::Plus, super::limits::over(b, a.clone()))]);
-        is_settled(self.signs_of(&a)).then_some((a, quotient))
+        None
+    }
+
+    /// An order of a variable and a number, or their equality, from an equation in the variable that fails on the other side.
+    pub(super) fn by_failing_equation(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let is_place = |x: &Expr, c: &Expr| matches!(x.kind, ExprKind::Name(_)) && enclosed(x).is_none() && enclosed(c).is_some();
+        if self.slopes_open > 0 || !(is_place(a, b) || is_place(b, a)) {
+            return Err(no());
+        }
+        if relation == Relation::Equal {
+            let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|half| (half, compare(a.clone(), half, b.clone())));
+            let mut from = Vec::new();
+            for (relation, half) in halves {
+                from.push(self.by_failing_equation(&half, a, relation, b)?);
+            }
+            return self.emit(Rule::Logic { from }, goal.clone());
+        }
+        let x = if enclosed(a).is_none() { a } else { b };
+        for (label, fact) in self.facts() {
+            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+            let ([l, r], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let difference = minus(l, r);
+            let alone = self.reals_in(&difference);
+            if !matches!(&x.kind, ExprKind::Name(n) if alone == [n.clone()]) || !super::slopes::has_function(&difference) {
+                continue;
+            }
+            let done = self.attempt(|c| {
+                c.against_opposite(goal, |c, _| {
+                    let sign = c.charted_sign(&difference)?;
+                    let Some(PropKind::Compare(_, said)) = c.fact(&sign).map(|fact| fact.kind) else { return Err(no()) };
+                    let strict = compare(l.clone(), said[0].strict(), r.clone());
+                    let strict = c.combination(strict, vec![Term { facts: vec![sign], factor: numeral(1) }])?;
+                    c.logic(&[&strict, &label], goal)
+                })
+            });
+            if done.is_ok() {
+                return done;
+            }
+        }
+        Err(no())
     }
 
     /// Where sine and cosine change their signs between the ends of an interval, from the middle one on; nothing where that is often.

@@ -250,19 +250,22 @@ impl Prover {
         }
         // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
         let ends = [(low, high, Relation::Greater), (high, low, Relation::Less)];
-        let said = ends.map(|(end, _, relation)| self.end_of(end, relation).map(|end| end.at));
+        let said = ends.map(|(end, _, relation)| self.end_of(end, relation).map(|end| end.bounds(relation)));
         let more = [0, 1].map(|k| match &said[k] {
-            Some(q) => Some(q.clone()),
-            None => self.number_beyond(ends[k].0, ends[k].1, ends[k].2),
+            Some(bound) => Some(bound.clone()),
+            None => {
+                let number = self.number_beyond(ends[k].0, ends[k].1, ends[k].2)?;
+                Some(Constraint::Relation(ends[k].2, number))
+            }
         });
+        let count = |bounds: &[Option<Constraint>; 2]| bounds.iter().flatten().count();
         let mut bounds = vec![said];
-        bounds.extend(Some(more).filter(|more| *more != bounds[0]));
+        bounds.extend(Some(more).filter(|more| count(more) != count(&bounds[0])));
         let walls: Vec<Constraint> =
             self.walls(f, t).iter().filter_map(|wall| self.beyond_wall(wall, low, high)).collect();
         let mut shown = Err(Fail::No("a slope"));
         for bounds in bounds {
-            let relations = ends.iter().zip(bounds).filter_map(|(end, q)| Some(Constraint::Relation(end.2, q?)));
-            let relations = relations.chain(walls.iter().cloned());
+            let relations = bounds.into_iter().flatten().chain(walls.iter().cloned());
             let between =
                 Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false };
             let binding = Binding::of(Name::new(t), false, std::iter::once(between).chain(relations).collect());
@@ -321,8 +324,8 @@ impl Prover {
         for constraint in &binding.constraints {
             let Constraint::Relation(relation, bound) = constraint else { continue };
             for point in [a, b] {
-                let within = compare(point.clone(), relation.loose(), bound.clone());
-                let _ = self.attempt(|c| c.by_linear_facts(&within));
+                let within = [*relation, relation.loose()].map(|r| compare(point.clone(), r, bound.clone()));
+                let _ = within.iter().any(|within| self.attempt(|c| c.by_linear_facts(within)).is_ok());
             }
         }
         let derivative = expr(ExprKind::Derivative(Box::new(f.clone()), t));
@@ -358,13 +361,21 @@ impl Prover {
         end.filter(|_| self.letters.number(e).is_none())
     }
 
-    /// Shows f(a) = f(b) for f = sin and f = cos where it speaks of a or b: 1/2 is the sine of pi/6.
-    fn values_of_functions(&mut self, a: &Expr, b: &Expr) {
-        for f in ["sin", "cos"] {
+    /// Shows f(a) = f(b) for f = sin and f = cos where it speaks of a or b: 1/2 is the sine of pi/6. Where it speaks of both, the order of
+    /// f(a) and f(b) that the goal suggests.
+    fn values_of_functions(&mut self, goal: &Prop, a: &Expr, b: &Expr) {
+        let PropKind::Compare(_, relations) = &goal.kind else { return };
+        for (f, relation) in [("sin", relations[0]), ("cos", relations[0].turned())] {
             let (x, y) = (apply(f, a.clone()), apply(f, b.clone()));
-            if self.letters.knows(&x) || self.letters.knows(&y) {
-                let same = compare(x, Relation::Equal, y);
-                let _ = self.attempt(|c| c.combination(same, Vec::new()));
+            let known = [&x, &y].map(|e| self.letters.knows(e));
+            if known == [false; 2] {
+                continue;
+            }
+            let same = compare(x.clone(), Relation::Equal, y.clone());
+            let same = self.attempt(|c| c.combination(same, Vec::new()));
+            if same.is_err() && known == [true; 2] && self.slopes_open == 0 && self.splits < 3 {
+                let order = compare(x, relation, y);
+                let _ = self.attempt(|c| c.without_cases(&order));
             }
         }
     }
@@ -382,7 +393,7 @@ impl Prover {
                 c.emit(Rule::Logic { from }, goal.clone())
             });
         }
-        self.values_of_functions(a, b);
+        self.values_of_functions(goal, a, b);
         let facts = self.facts();
         for (label, fact) in facts {
             let PropKind::Compare(sides, relations) = &fact.kind else { continue };
