@@ -92,11 +92,28 @@ impl Prover {
         if !is_root || natural(&two) != Some(2) || matches!(inside.kind, ExprKind::Name(_)) {
             return Err(no());
         }
-        let opposite = expr(ExprKind::Negate(Box::new(inside.clone())));
-        for side in [inside, opposite] {
-            self.in_signs_with(3, &compare(side, relation, great.clone()))?;
+        let negated = expr(ExprKind::Negate(Box::new(inside.clone())));
+        let mut bounds = Vec::new();
+        for side in [&inside, &negated] {
+            bounds.push(self.in_signs_with(3, &compare(side.clone(), relation, great.clone()))?);
         }
-        self.by_absolute_values(goal)
+        let same_way = if std::ptr::eq(small, a) { 1 } else { -1 };
+        let values = [(Relation::GreaterEqual, &inside), (Relation::Less, &negated)];
+        let by_the_sign = self.attempt(|c| {
+            let mut from = Vec::new();
+            for ((sign, value), bound) in values.into_iter().zip(&bounds) {
+                let case = implies(&compare(inside.clone(), sign, numeral(0)), goal);
+                from.push(c.block(&case, |c, _| {
+                    // Before anything gives the square a name.
+                    let root = c.emit(Rule::Power, compare(small.clone(), Relation::Equal, value.clone()))?;
+                    let factor = literal(&Rational::from(same_way));
+                    let term = |fact: &Label| Term { facts: vec![fact.clone()], factor: factor.clone() };
+                    c.combination(goal.clone(), vec![term(&root), term(bound)])
+                })?);
+            }
+            c.emit(Rule::Logic { from }, goal.clone())
+        });
+        by_the_sign.or_else(|_| self.by_absolute_values(goal))
     }
 
     /// Proves a goal after the signs inside some absolute values are known; `known` holds the keys of these.
@@ -226,7 +243,7 @@ fn has_application(e: &Expr) -> bool {
 }
 
 /// Whether a square root of a square is part of an expression.
-fn has_absolute(e: &Expr) -> bool {
+pub(super) fn has_absolute(e: &Expr) -> bool {
     let mut found = is_absolute(e);
     crate::refute::expand::parts(e, &mut |part| found = found || has_absolute(part));
     found

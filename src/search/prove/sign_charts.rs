@@ -41,7 +41,7 @@ pub(super) struct End {
     /// A number near it, on the inner side.
     pub(super) near: Rational,
     /// Whether it belongs to the interval.
-    closed: bool,
+    pub(super) closed: bool,
 }
 
 impl End {
@@ -93,7 +93,7 @@ impl Prover {
     /// Shows the sign of a function of one variable.
     pub(super) fn charted_sign(&mut self, e: &Expr) -> Result<Label, Fail> {
         let [x] = self.reals_in(e).try_into().map_err(|_| no())?;
-        if self.slopes_open >= DEPTH || self.charts >= CHARTS {
+        if super::absolute::has_absolute(e) || self.slopes_open >= DEPTH || self.charts >= CHARTS {
             return Err(no());
         }
         self.charts += 1;

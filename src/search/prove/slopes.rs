@@ -250,26 +250,32 @@ impl Prover {
         }
         // The kernel adds no bounds up: numbers beyond the ends are said of t as well.
         let ends = [(low, high, Relation::Greater), (high, low, Relation::Less)];
-        let said = ends.map(|(end, _, relation)| self.end_of(end, relation).map(|end| end.bounds(relation)));
-        let more = [0, 1].map(|k| match &said[k] {
-            Some(bound) => Some(bound.clone()),
-            None => {
+        let said = ends.map(|(end, _, relation)| self.end_of(end, relation));
+        let plain = [0, 1].map(|k| said[k].as_ref().map(|end| end.bounds(ends[k].2)));
+        // What t lies between is its own bound strictly, even if it is a value of a bound.
+        let closed = said.iter().zip(&ends).filter_map(|(end, (_, _, relation))| {
+            let end = end.as_ref().filter(|end| end.closed)?;
+            Some(compare(name(t), *relation, end.at.clone()))
+        });
+        let closed: Vec<Prop> = closed.collect();
+        let more = [0, 1].map(|k| {
+            plain[k].clone().or_else(|| {
                 let number = self.number_beyond(ends[k].0, ends[k].1, ends[k].2)?;
                 Some(Constraint::Relation(ends[k].2, number))
-            }
+            })
         });
         let count = |bounds: &[Option<Constraint>; 2]| bounds.iter().flatten().count();
-        let mut bounds = vec![said];
-        bounds.extend(Some(more).filter(|more| count(more) != count(&bounds[0])));
         let walls: Vec<Constraint> =
             self.walls(f, t).iter().filter_map(|wall| self.beyond_wall(wall, low, high)).collect();
+        let mut bounds = vec![plain];
+        bounds.extend(Some(more).filter(|more| count(more) != count(&bounds[0])));
         let mut shown = Err(Fail::No("a slope"));
         for bounds in bounds {
             let relations = bounds.into_iter().flatten().chain(walls.iter().cloned());
             let between =
                 Constraint::Interval { from: low.clone(), from_closed: false, to: high.clone(), to_closed: false };
             let binding = Binding::of(Name::new(t), false, std::iter::once(between).chain(relations).collect());
-            shown = self.attempt(|c| c.rises_on(goal, f, binding, slope, [a, b]));
+            shown = self.attempt(|c| c.rises_on(goal, f, binding, &closed, slope, [a, b]));
             if shown.is_ok() {
                 break;
             }
@@ -284,8 +290,9 @@ impl Prover {
         let t = self.letters.of(&name(t));
         let mut walls = BTreeSet::new();
         for argument in arguments {
-            let Some(reading) = self.read(argument, false) else { continue };
-            for p in reading.factors.iter().map(|f| &f.poly).filter(|p| p.variables() == [t] && p.degree() == 1) {
+            let Some(p) = self.letters.polynomial(argument).filter(|p| p.variables() == [t]) else { continue };
+            let factors = crate::algebra::factor::factor(&p).map(|f| f.factors).unwrap_or_default();
+            for (p, _) in factors {
                 if let [constant, slope] = p.coefficients_in(t).as_slice() {
                     walls.insert(-constant.constant_term() / slope.constant_term());
                 }
@@ -310,12 +317,13 @@ impl Prover {
         Some(Constraint::Relation(relation, crate::refute::literal::literal(wall)))
     }
 
-    /// The same for an interval of the variable.
+    /// The same for an interval of the variable, and what follows of it from its ends.
     fn rises_on(
         &mut self,
         goal: &Prop,
         f: &Expr,
         binding: Binding,
+        within: &[Prop],
         slope: Relation,
         [a, b]: [&Expr; 2],
     ) -> Result<Label, Fail> {
@@ -334,7 +342,10 @@ impl Prover {
         self.define(f);
         let (splits, open) = (self.splits, self.slopes_open);
         self.slopes_open += 1;
-        let source = self.block(&every, |c, _| c.sign_of_derivative(&body, &derivative));
+        let source = self.block(&every, |c, _| {
+            within.iter().for_each(|bound| _ = c.attempt(|c| c.by_linear_facts(bound)));
+            c.sign_of_derivative(&body, &derivative)
+        });
         (self.splits, self.slopes_open) = (splits, open);
         let source = source?;
         let with = vec![(Name::new("a"), a.clone()), (Name::new("b"), b.clone())];
