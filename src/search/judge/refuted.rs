@@ -22,7 +22,6 @@ use crate::refute::catalogue::Limits;
 use crate::refute::counterexample::broken;
 use crate::refute::evaluate::Assignment;
 use crate::refute::expand;
-use crate::refute::number::Number;
 use crate::refute::outcome::{Broken, Outcome, Point, Verdict, Witness};
 
 /// How many expressions are tried for one without value, each at several indices.
@@ -343,10 +342,11 @@ impl Attempt {
 
     /// The truth of a quantified part at the point, if the evaluator knows it.
     fn truth(&self, p: &Prop) -> Option<bool> {
-        let mut here = Assignment::default();
+        let alone = Assignment { is_pi: !self.checker.statement().declares(PI), ..Assignment::default() };
+        let mut here = alone.clone();
         for (place, value) in &self.refutes.point {
-            if let (ExprKind::Name(n), Ok(Number::Exact(q))) = (&place.kind, here.number(value)) {
-                here.values.insert(n.clone(), q);
+            if let (ExprKind::Name(n), Ok(number)) = (&place.kind, alone.number(value)) {
+                here.give(n, number);
             }
         }
         here.truth(p).ok()

@@ -1,4 +1,4 @@
-//! Numbers in closed form: sums of rationals times powers of primes, exponentials and logarithms.
+//! Numbers in closed form: sums of rationals times powers of primes and of π, exponentials and logarithms.
 //!
 //! Contract: a form has the value of the number that it was made for, so two numbers with the same form are equal. An
 //! enclosure could not show that. Numbers with different forms may still be equal. Numbers with long forms have none.
@@ -22,11 +22,13 @@ pub(crate) const LARGEST: i64 = 400;
 enum Atom {
     /// A prime.
     Prime(u64),
+    /// π.
+    Pi,
     /// A positive number that is a sum.
     Base(Closed),
     /// The exponential of a product.
     Exp(Product),
-    /// The logarithm of a prime, or of a positive number that is a sum.
+    /// The logarithm of a prime, of π, or of a positive number that is a sum.
     Ln(Closed),
 }
 
@@ -50,6 +52,25 @@ impl Closed {
             Some((product, c)) if product.is_empty() && self.0.len() == 1 => Some(c.clone()),
             _ => None,
         }
+    }
+
+    /// π.
+    pub fn pi() -> Closed {
+        Closed::term(Product::from([(Atom::Pi, Rational::ONE)]), Rational::ONE)
+    }
+
+    /// The rationals r and s, if the form is r + s·π.
+    pub fn beside_pi(&self) -> Option<(Rational, Rational)> {
+        let (mut rest, mut turns) = (Rational::ZERO, Rational::ZERO);
+        let pi = Product::from([(Atom::Pi, Rational::ONE)]);
+        for (product, c) in &self.0 {
+            match product {
+                _ if product.is_empty() => rest = c.clone(),
+                _ if *product == pi => turns = c.clone(),
+                _ => return None,
+            }
+        }
+        Some((rest, turns))
     }
 
     fn term(product: Product, c: Rational) -> Closed {
@@ -150,6 +171,7 @@ impl Closed {
         for (atom, k) in product {
             let part = match atom {
                 Atom::Prime(p) => ln(Closed::rational(&Rational::from(*p)), k.clone()),
+                Atom::Pi => ln(Closed::pi(), k.clone()),
                 Atom::Base(a) => ln(a.clone(), k.clone()),
                 Atom::Exp(log) => Closed::term(log.clone(), k.clone()),
                 Atom::Ln(_) => return None,
@@ -244,6 +266,18 @@ mod tests {
         let sum = number(1, 1).plus(&root(&two, 2)).expect("short");
         assert_eq!(root(&sum, 2).power(&Rational::from(2)), Some(sum.clone()));
         assert_eq!(sum.power(&Rational::from(-1)).and_then(|inverse| inverse.power(&Rational::from(-1))), Some(sum));
+    }
+
+    #[test]
+    fn sums_of_a_number_and_a_multiple_of_pi_are_told_apart() {
+        let both = |p: i64, q: i64| Closed::pi().times(&number(p, q)).and_then(|turns| number(2, 1).plus(&turns));
+        let third = both(1, 3).expect("short");
+        assert_eq!(third.beside_pi(), Some((Rational::from(2), Rational::from_signeds(1, 3))));
+        assert_eq!(number(0, 1).beside_pi(), Some((Rational::ZERO, Rational::ZERO)));
+        assert_eq!(third.times(&third).and_then(|square| square.beside_pi()), None);
+        assert_eq!(root(&Closed::pi(), 2).power(&Rational::from(2)), Some(Closed::pi()));
+        assert_eq!(root(&Closed::pi(), 2).ln(), Closed::pi().ln().and_then(|log| log.times(&number(1, 2))));
+        assert_ne!(both(1, 3), both(1, 2));
     }
 
     #[test]

@@ -8,10 +8,13 @@ use super::Moment;
 use super::candidates::Values;
 use super::evaluate::{Assignment, STEPS};
 use super::expand::Statement;
+use super::literal::beside_pi;
+use super::number::Number;
 use super::outcome::Point;
 use super::reading::Reading;
 use super::recurrence::recurrences;
 use super::solve::{Way, ways};
+use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{constraints, domain, name};
 use malachite::Rational;
@@ -171,11 +174,16 @@ impl Search {
         before..self.paths.len()
     }
 
+    /// The ways of its paths.
+    pub(super) fn ways(&self) -> impl Iterator<Item = &Way> {
+        self.paths.iter().map(|path| &path.determined)
+    }
+
     /// Whether the constant bounds of a variable, or of the members of a family, allow a value.
-    pub(super) fn allows(&self, name: &str, value: &Rational) -> bool {
+    pub(super) fn allows(&self, name: &str, value: Number) -> bool {
         let mut alone =
             Assignment { naturals: self.base.naturals.clone(), is_pi: self.base.is_pi, ..Assignment::default() };
-        alone.values.insert(name.to_string(), value.clone());
+        alone.give(name, value);
         if let Some((_, _, domain)) = self.families.iter().find(|f| f.0 == name) {
             return domain.iter().all(|h| alone.truth(h) == Ok(true));
         }
@@ -282,7 +290,7 @@ impl Search {
         let scalars = path.free.iter().zip(&choice.scalars).all(|((_, natural), q)| !natural || is_natural(q));
         let families = self.families.iter().zip(&choice.families).all(|(family, members)| match members {
             Members::Geometric(first, ratio) => self.may_be_geometric(family, first, ratio),
-            Members::InTurn(list) => list.iter().all(|q| (!family.1 || is_natural(q)) && self.allows(&family.0, q)),
+            Members::InTurn(list) => list.iter().all(|q| (!family.1 || is_natural(q)) && self.allows(&family.0, Number::Exact(q.clone()))),
         });
         scalars && families
     }
@@ -318,13 +326,16 @@ impl Search {
             }
         }
         for (name, value) in &path.determined {
-            match point.number(value) {
+            let value = point.number(value).ok()?;
+            let fits = match &value {
                 // The author's sample may give a value to a natural number.
-                Ok(super::number::Number::Exact(q)) if !self.base.naturals.contains(name) || is_natural(&q) => {
-                    point.values.insert(name.clone(), q);
-                }
-                _ => return None,
+                Number::Exact(q) => !self.base.naturals.contains(name) || is_natural(q),
+                Number::Between(..) => !self.base.naturals.contains(name) && value.beside_pi().is_some(),
+            };
+            if !fits {
+                return None;
             }
+            point.give(name, value);
         }
         for family in self.base.recurrences.keys() {
             let list = point.families.remove(family).unwrap_or_default();
@@ -380,15 +391,15 @@ pub(super) fn as_point(statement: &Statement, point: &Assignment) -> Point {
     for binding in &statement.bindings {
         named.extend(binding.names.iter().filter(|n| n.1.is_none()).map(|n| n.0.text.clone()));
     }
-    for name in &named {
+    let mut others: Vec<&String> = point.values.keys().chain(point.numbers.keys()).collect();
+    others.retain(|name| !named.contains(name));
+    others.sort();
+    for name in named.iter().chain(others) {
         if let Some(q) = point.values.get(name) {
             values.push((name.clone(), q.to_string()));
+        } else if let Some((rest, turns)) = point.numbers.get(name).and_then(Number::beside_pi) {
+            values.push((name.clone(), print::expr(&beside_pi(&rest, &turns))));
         }
-    }
-    let mut others: Vec<&String> = point.values.keys().filter(|k| !named.contains(k)).collect();
-    others.sort();
-    for name in others {
-        values.push((name.clone(), point.values[name].to_string()));
     }
     for ((name, index), q) in point.seen.borrow().iter() {
         values.push((format!("{name}({index})"), q.to_string()));
