@@ -288,7 +288,7 @@ impl Refuter<'_> {
                 let point = point.iter().cloned().chain(places).collect();
                 let Some(mut attempt) = self.attempt(Refutes { point, undefined: Some(e.clone()) }) else { continue };
                 let Some(goal) = attempt.goal() else { continue };
-                if attempt.evaluated(&goal).is_some()
+                if attempt.evaluated(&goal).or_else(|| attempt.multiplied_out(&goal)).is_some()
                     && let Some(found) = attempt.finished(self.claim)
                 {
                     return Some(found);
@@ -333,6 +333,24 @@ impl Attempt {
         let PropKind::And(list) = &p.kind else { return self.with_derivatives(p) };
         let shown = list.iter().map(|part| self.evaluate(part).or_else(|| self.with_derivatives(part)));
         let shown = shown.collect::<Option<Vec<Label>>>()?;
+        self.logic(p, shown)
+    }
+
+    /// Shows that comparisons fail which hold at the point by exact values alone: cos(pi/2) is 0.
+    fn multiplied_out(&mut self, p: &Prop) -> Option<Label> {
+        let mut atoms = Vec::new();
+        atoms_of(p, &mut atoms);
+        let mut shown = Vec::new();
+        for atom in atoms {
+            let PropKind::Compare(sides, relations) = &atom.kind else { continue };
+            let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let denied = compare(a.clone(), relation.negated(), b.clone());
+            let either = [denied, atom.clone()];
+            shown.extend(either.iter().find_map(|p| {
+                let rule = Rule::Combination { times: None, terms: Vec::new() };
+                self.evaluate(p).or_else(|| self.step(rule, p, true, true))
+            }));
+        }
         self.logic(p, shown)
     }
 

@@ -5,12 +5,13 @@
 //! Far values are large and small powers of ten. Of an angle, multiples of π.
 
 use super::expand::Statement;
-use super::number::{Number, multiply, pi};
+use super::number::Number;
 use super::search::Search;
+use super::turns::Angles;
 use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Real values in order of simplicity; the perfect powers among them make roots rational.
@@ -44,8 +45,8 @@ const TURNS: &[&str] = &[
 /// Values for real variables and for natural ones, the likeliest first, and what of them the variables of a search may have.
 pub(super) struct Values {
     lists: [Vec<Rational>; 2],
-    /// The variables of which the values are multiples of π.
-    angles: BTreeSet<String>,
+    /// The variables that multiples of π are tried for.
+    angles: Angles,
     /// The first value that a variable or member may have, by name.
     first: BTreeMap<String, Option<Rc<[Rational]>>>,
     /// All of them.
@@ -54,11 +55,11 @@ pub(super) struct Values {
 
 impl Values {
     fn new(lists: [Vec<Rational>; 2]) -> Values {
-        Values { lists, angles: BTreeSet::new(), first: BTreeMap::new(), all: BTreeMap::new() }
+        Values { lists, angles: Angles::new(), first: BTreeMap::new(), all: BTreeMap::new() }
     }
 
     /// Small values, and simple multiples of π for these angles.
-    pub(super) fn turned(angles: BTreeSet<String>) -> Values {
+    pub(super) fn turned(angles: Angles) -> Values {
         Values { angles, ..Values::usual() }
     }
 
@@ -108,9 +109,14 @@ impl Values {
     }
 
     /// Its values that the bounds allow.
-    fn allowed<'a>(&'a self, search: &'a Search, name: &'a str, natural: bool) -> Box<dyn Iterator<Item = Rational> + 'a> {
-        if self.angles.contains(name) {
-            return Box::new(parsed(TURNS).filter(|turns| search.allows(name, multiply(&pi(), &Number::Exact(turns.clone())))));
+    fn allowed<'a>(
+        &'a self,
+        search: &'a Search,
+        name: &'a str,
+        natural: bool,
+    ) -> Box<dyn Iterator<Item = Rational> + 'a> {
+        if let Some(way) = self.angles.get(name) {
+            return Box::new(parsed(TURNS).filter(|turns| search.allows_turned(way, name, turns)));
         }
         let list = self.lists[usize::from(natural)].iter();
         Box::new(list.filter(|value| search.allows(name, Number::Exact((*value).clone()))).cloned())
@@ -168,7 +174,7 @@ fn suggested(statement: &Statement) -> [Vec<Rational>; 2] {
 
 /// The list without repetitions.
 fn distinct(list: Vec<Rational>) -> Vec<Rational> {
-    let mut seen = BTreeSet::new();
+    let mut seen = std::collections::BTreeSet::new();
     list.into_iter().filter(|q| seen.insert(q.clone())).collect()
 }
 

@@ -64,9 +64,9 @@ impl Number {
         }
     }
 
-    /// The rationals r and s, if its closed form is r + s·π.
-    pub(super) fn beside_pi(&self) -> Option<(Rational, Rational)> {
-        self.closed()?.beside_pi()
+    /// The number by numerals, roots of them and π, if that is its closed form.
+    pub(super) fn written(&self) -> Option<Expr> {
+        self.closed()?.written()
     }
 
     /// The same number with the closed form that operations on forms give.
@@ -326,8 +326,7 @@ pub(super) fn exponential(a: &Number) -> Result<Number> {
 
 /// cos a and sin a; those of a multiple of π/120 in closed form.
 pub(super) fn cosine_and_sine(a: &Number) -> Result<(Number, Number)> {
-    if let Some((rest, turns)) = a.beside_pi()
-        && rest == 0
+    if let Some(turns) = a.closed().and_then(|form| form.turns())
         && let Some(known) = cosine_and_sine_of(&turns)
     {
         return Ok(known);

@@ -111,15 +111,14 @@ struct Others {
 
 impl Points {
     /// The points of a goal. The paths of the search are the ways to satisfy the hypotheses.
-    pub(super) fn new(statement: Rc<Statement>, reading: Option<Reading>, mut search: Search, goal: Prop) -> Points {
+    pub(super) fn new(statement: Rc<Statement>, mut reading: Option<Reading>, mut search: Search, goal: Prop) -> Points {
         let held = 0..search.paths.len();
         let sample = match statement.sample.as_slice() {
             [] => held.end..held.end,
             given => search.follow(&[given.to_vec()]),
         };
-        let angles = turns::angles(&search, Some(&goal));
-        let ways = turns::ways(&search, held.clone(), &angles);
-        let turned = search.follow(&ways);
+        let angles = turns::angles(&search, &goal);
+        let turned = turns::follow(&mut search, held.clone(), &angles, reading.as_mut());
         let turns = Values::turned(angles);
         let drawing = Drawing::of(&search, &goal);
         let small = Values::usual();

@@ -27,8 +27,8 @@ pub(super) fn sample(plan: &Plan, statement: &Statement, deadline: Option<Moment
     // Variables to which the author gives no value are sought.
     let given = if statement.sample.is_empty() { 0..0 } else { search.follow(std::slice::from_ref(&statement.sample)) };
     let held = search.follow(&plan.ways);
-    let angles = turns::angles(&search, None);
-    let turned = search.follow(&turns::ways(&search, held.clone(), &angles));
+    let angles = turns::angles(&search, &statement.goal);
+    let turned = turns::follow(&mut search, held.clone(), &angles, None);
     let mut small = Values::usual();
     search.until.set(deadline);
     let _ = search.run(given, &mut small, Round::first(SMALL), &mut visit)

@@ -8,7 +8,6 @@ use super::Moment;
 use super::candidates::Values;
 use super::evaluate::{Assignment, STEPS};
 use super::expand::Statement;
-use super::literal::beside_pi;
 use super::number::Number;
 use super::outcome::Point;
 use super::reading::Reading;
@@ -51,6 +50,8 @@ pub(super) struct Path {
     pub(super) free: Vec<(String, bool)>,
     /// Those that are computed from them.
     determined: Way,
+    /// Whether the values that are computed speak of π.
+    has_angles: bool,
 }
 
 /// What is chosen at a point: the way to satisfy the equations, the variables that are free on it, and the families.
@@ -160,15 +161,17 @@ impl Search {
         for way in ways {
             if self.paths.iter().all(|path| path.determined != *way) {
                 // A variable whose value speaks of the variable itself is chosen first.
+                let speaks_of = |value: &Expr, name: &str| {
+                    let mut inside = BTreeSet::new();
+                    crate::claim::walk::names_in(value, &mut inside);
+                    inside.contains(name)
+                };
                 let is_free = |name: &str| {
-                    way.iter().filter(|(computed, _)| computed == name).all(|(name, value)| {
-                        let mut inside = BTreeSet::new();
-                        crate::claim::walk::names_in(value, &mut inside);
-                        inside.contains(name)
-                    })
+                    way.iter().filter(|(computed, _)| computed == name).all(|(name, value)| speaks_of(value, name))
                 };
                 let free = self.names.iter().filter(|n| is_free(&n.0)).cloned().collect();
-                self.paths.push(Path { free, determined: way.clone() });
+                let has_angles = self.base.is_pi && way.iter().any(|(_, value)| speaks_of(value, PI));
+                self.paths.push(Path { free, determined: way.clone(), has_angles });
             }
         }
         before..self.paths.len()
@@ -191,6 +194,13 @@ impl Search {
         let names = || self.hypotheses.iter().map(super::names::names_of_prop).collect();
         let own = self.hypotheses.iter().zip(self.mentioned.get_or_init(names)).filter(|h| h.1.contains(name));
         own.into_iter().all(|(h, _)| alone.truth(h) != Ok(false))
+    }
+
+    /// Whether the constant bounds of variables allow what is computed of so many times π.
+    pub(super) fn allows_turned(&self, way: &Way, name: &str, turns: &Rational) -> bool {
+        let mut here = Assignment { is_pi: self.base.is_pi, ..Assignment::default() };
+        here.values.insert(name.to_string(), turns.clone());
+        way.iter().all(|(x, value)| here.number(value).is_ok_and(|value| self.allows(x, value)))
     }
 
     /// Visits points of these paths where the hypotheses hold, simple ones first, until a visit says to stop.
@@ -330,7 +340,8 @@ impl Search {
             let fits = match &value {
                 // The author's sample may give a value to a natural number.
                 Number::Exact(q) => !self.base.naturals.contains(name) || is_natural(q),
-                Number::Between(..) => !self.base.naturals.contains(name) && value.beside_pi().is_some(),
+                // Rational numbers are easier to read, but of angles they are few.
+                Number::Between(..) => path.has_angles && !self.base.naturals.contains(name) && value.written().is_some(),
             };
             if !fits {
                 return None;
@@ -397,8 +408,8 @@ pub(super) fn as_point(statement: &Statement, point: &Assignment) -> Point {
     for name in named.iter().chain(others) {
         if let Some(q) = point.values.get(name) {
             values.push((name.clone(), q.to_string()));
-        } else if let Some((rest, turns)) = point.numbers.get(name).and_then(Number::beside_pi) {
-            values.push((name.clone(), print::expr(&beside_pi(&rest, &turns))));
+        } else if let Some(value) = point.numbers.get(name).and_then(Number::written) {
+            values.push((name.clone(), print::expr(&value)));
         }
     }
     for ((name, index), q) in point.seen.borrow().iter() {

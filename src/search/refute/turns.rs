@@ -5,15 +5,16 @@
 
 use super::evaluate::Assignment;
 use super::number::Number;
+use super::reading::Reading;
 use super::search::Search;
-use super::solve::Way;
+use super::solve::{Way, ways};
 use crate::claim::circle::Point;
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
-use crate::kernel::statement::{name, product};
+use crate::kernel::statement::{apply, name, numeral, product};
 use malachite::Rational;
 use num_rational::BigRational;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// The most terms of a sum that are looked at.
@@ -29,46 +30,95 @@ pub(super) fn cosine_and_sine_of(turns: &Rational) -> Option<(Number, Number)> {
     Some((value(point.cosine(Span::default()))?, value(point.sine(Span::default()))?))
 }
 
+/// For what is chosen as a multiple of π, how the variables are computed from how many times π it is.
+pub(super) type Angles = BTreeMap<String, Way>;
+
 /// The variables that are angles: one of each summand under a sine or cosine, unless π or another angle stands in it, and what is added
-/// to an angle alone or compared with one. None where `pi` is no number.
-pub(super) fn angles(search: &Search, goal: Option<&Prop>) -> BTreeSet<String> {
-    let mut found = Angles { real: search.real().into_iter().collect(), found: BTreeSet::new() };
+/// to an angle alone or compared with one. Two variables on the unit circle are the cosine and sine of an angle.
+/// None where `pi` is no number.
+pub(super) fn angles(search: &Search, goal: &Prop) -> Angles {
+    let mut found = Finding { real: search.real().into_iter().collect(), found: BTreeSet::new() };
     if !search.base.is_pi {
-        return found.found;
+        return Angles::new();
     }
-    let said: Vec<&Prop> = search.hypotheses.iter().chain(goal).collect();
-    said.iter().for_each(|p| exprs(p, &mut |sides| sides.iter().for_each(|e| found.under(e))));
-    if found.found.is_empty() {
-        return found.found;
-    }
-    loop {
-        let before = found.found.len();
-        said.iter().for_each(|p| exprs(p, &mut |sides| found.beside(sides.iter())));
+    let mut said = Vec::new();
+    search.hypotheses.iter().chain([goal]).for_each(|p| comparisons(p, &mut said));
+    said.iter().flat_map(|(sides, _)| sides.iter()).for_each(|e| found.under(e));
+    let mut before = 0;
+    while found.found.len() > before {
+        before = found.found.len();
+        said.iter().for_each(|(sides, _)| found.beside(sides.iter()));
         for (name, value) in search.ways().flatten() {
             found.beside([&self::name(name), value].into_iter());
         }
-        if found.found.len() == before {
-            return found.found;
+    }
+    let alone = found.found.iter().map(|x| (x.clone(), vec![(x.clone(), turned(x))]));
+    let mut out: Angles = alone.collect();
+    for (x, y) in said.iter().filter_map(|(sides, relations)| on_the_circle(sides, relations)) {
+        let computed = |name: &String| out.values().flatten().any(|(computed, _)| computed == name);
+        if found.real.contains(&x) && found.real.contains(&y) && !computed(&x) && !computed(&y) {
+            let way = vec![(x, apply("cos", turned(&y))), (y.clone(), apply("sin", turned(&y)))];
+            out.insert(y, way);
         }
+    }
+    out
+}
+
+/// So many times π as this variable says.
+fn turned(x: &str) -> Expr {
+    product(vec![name(x), name(PI)])
+}
+
+/// The variables x and y of `x^2 + y^2 = 1`.
+fn on_the_circle(sides: &[Expr], relations: &[Relation]) -> Option<(String, String)> {
+    let ([Expr { kind: ExprKind::Sum(list), .. }, one], [Relation::Equal]) = (sides, relations) else { return None };
+    let square = |(sign, e): &(Sign, Expr)| match &e.kind {
+        ExprKind::Power(base, k) if *sign == Sign::Plus && **k == numeral(2) => match &base.kind {
+            ExprKind::Name(name) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    match list.as_slice() {
+        [x, y] if *one == numeral(1) => Some((square(x)?, square(y)?)).filter(|(x, y)| x != y),
+        _ => None,
     }
 }
 
-/// The ways of these paths on which the angles that are free are multiples of π.
-pub(super) fn ways(search: &Search, paths: Range<usize>, angles: &BTreeSet<String>) -> Vec<Way> {
-    let turned = |way: &Way| -> Way {
-        let free = angles.iter().filter(|angle| way.iter().all(|(computed, _)| computed != *angle));
-        let turns = free.map(|angle| (angle.clone(), product(vec![name(angle), name(PI)])));
-        turns.chain(way.iter().cloned()).collect()
-    };
-    if angles.is_empty() { Vec::new() } else { search.ways().take(paths.end).skip(paths.start).map(turned).collect() }
+/// Adds the paths on which angles are multiples of π: those of these paths with the angles that are free there, and where equations
+/// can be read, ways to satisfy them by other variables than sines and cosines.
+pub(super) fn follow(
+    search: &mut Search,
+    paths: Range<usize>,
+    angles: &Angles,
+    reading: Option<&mut Reading>,
+) -> Range<usize> {
+    if angles.is_empty() {
+        return search.follow(&[]);
+    }
+    let held = search.ways().take(paths.end).skip(paths.start);
+    let mut out: Vec<Way> = held
+        .map(|way| {
+            let is_free = |turns: &Way| turns.iter().all(|(x, _)| way.iter().all(|(computed, _)| computed != x));
+            angles.values().filter(|turns| is_free(turns)).flatten().chain(way).cloned().collect()
+        })
+        .collect();
+    let on_circles: Vec<&String> = angles.values().filter(|way| way.len() > 1).flatten().map(|(x, _)| x).collect();
+    if let Some(reading) = reading.filter(|_| !on_circles.is_empty()) {
+        let mut others = search.real();
+        others.retain(|x| !on_circles.contains(&x));
+        let more = ways(reading, &search.hypotheses, &others);
+        out.extend(more.into_iter().map(|way| angles.values().flatten().cloned().chain(way).collect::<Way>()));
+    }
+    search.follow(&out)
 }
 
-struct Angles {
+struct Finding {
     real: BTreeSet<String>,
     found: BTreeSet<String>,
 }
 
-impl Angles {
+impl Finding {
     /// Chooses an angle of each summand under a sine or cosine in an expression: the variable that stands last.
     fn under(&mut self, e: &Expr) {
         if let ExprKind::Apply(f, list) = &e.kind
@@ -117,15 +167,15 @@ fn summands(e: &Expr) -> Option<Vec<Vec<String>>> {
     .filter(|list| list.len() <= TERMS)
 }
 
-/// Hears of the sides of each comparison in a proposition.
-fn exprs(p: &Prop, hear: &mut dyn FnMut(&[Expr])) {
+/// The comparisons in a proposition.
+fn comparisons<'p>(p: &'p Prop, out: &mut Vec<(&'p [Expr], &'p [Relation])>) {
     match &p.kind {
-        PropKind::Compare(sides, _) => hear(sides),
+        PropKind::Compare(sides, relations) => out.push((sides, relations)),
         PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
-            list.iter().for_each(|p| exprs(p, hear));
+            list.iter().for_each(|p| comparisons(p, out));
         }
-        PropKind::Not(p) | PropKind::Exists(_, p) | PropKind::ForAll(_, p) => exprs(p, hear),
-        PropKind::Implies(p, q) => [p, q].into_iter().for_each(|p| exprs(p, hear)),
+        PropKind::Not(p) | PropKind::Exists(_, p) | PropKind::ForAll(_, p) => comparisons(p, out),
+        PropKind::Implies(p, q) => [p, q].into_iter().for_each(|p| comparisons(p, out)),
         PropKind::Extremum(_) | PropKind::Limit(_) | PropKind::WrittenLimit(_) => {}
     }
 }
