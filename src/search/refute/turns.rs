@@ -85,8 +85,8 @@ fn on_the_circle(sides: &[Expr], relations: &[Relation]) -> Option<(String, Stri
     }
 }
 
-/// Adds the paths on which angles are multiples of π: those of these paths with the angles that are free there, and where equations
-/// can be read, ways to satisfy them by other variables than sines and cosines.
+/// Adds the paths on which angles are multiples of π: where equations can be read, ways to satisfy them by other variables than
+/// sines and cosines, and these paths with the angles that are free there.
 pub(super) fn follow(
     search: &mut Search,
     paths: Range<usize>,
@@ -96,19 +96,17 @@ pub(super) fn follow(
     if angles.is_empty() {
         return search.follow(&[]);
     }
-    let held = search.ways().take(paths.end).skip(paths.start);
-    let mut out: Vec<Way> = held
-        .map(|way| {
-            let is_free = |turns: &Way| turns.iter().all(|(x, _)| way.iter().all(|(computed, _)| computed != x));
-            angles.values().filter(|turns| is_free(turns)).flatten().chain(way).cloned().collect()
-        })
-        .collect();
+    let mut out = Vec::new();
     let on_circles: Vec<&String> = angles.values().filter(|way| way.len() > 1).flatten().map(|(x, _)| x).collect();
-    if let Some(reading) = reading.filter(|_| !on_circles.is_empty()) {
+    if !on_circles.is_empty() {
         let mut others = search.real();
         others.retain(|x| !on_circles.contains(&x));
-        let more = ways(reading, &search.hypotheses, &others);
+        let more = reading.map_or_else(|| vec![Way::new()], |reading| ways(reading, &search.hypotheses, &others));
         out.extend(more.into_iter().map(|way| angles.values().flatten().cloned().chain(way).collect::<Way>()));
+    }
+    for way in search.ways().take(paths.end).skip(paths.start) {
+        let is_free = |turns: &Way| turns.iter().all(|(x, _)| way.iter().all(|(computed, _)| computed != x));
+        out.push(angles.values().filter(|turns| is_free(turns)).flatten().chain(way).cloned().collect());
     }
     search.follow(&out)
 }
