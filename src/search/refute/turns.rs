@@ -177,3 +177,79 @@ fn comparisons<'p>(p: &'p Prop, out: &mut Vec<(&'p [Expr], &'p [Relation])>) {
         PropKind::Extremum(_) | PropKind::Limit(_) | PropKind::WrittenLimit(_) => {}
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test stops where it fails
+mod tests {
+    use super::*;
+    use crate::claim::parse::{parse, parse_expr};
+    use crate::claim::print;
+    use crate::refute::counterexample::falsified;
+    use crate::refute::expand::Statement;
+    use std::time::Duration;
+
+    fn statement(text: &str) -> Statement {
+        Statement::of(&parse(&format!("claim c \"\"\n{text}\n")).unwrap()[0]).unwrap()
+    }
+
+    fn found(text: &str) -> Vec<String> {
+        let statement = statement(text);
+        let search = Search::new(&statement.bindings, Some(&statement));
+        let said = |(name, e): &(String, Expr)| format!("{name} = {}", print::expr(e));
+        angles(&search, &statement.goal).values().flatten().map(said).collect()
+    }
+
+    #[test]
+    fn cosines_and_sines_are_exact_at_multiples_of_pi() {
+        let here = Assignment { is_pi: true, ..Assignment::default() };
+        let said = |text: &str| here.number(&parse_expr(text).unwrap()).unwrap().written().map(|e| print::expr(&e));
+        for (text, value) in [
+            ("cos(pi)", "-1"),
+            ("sin(-5*pi/6)", "-1/2"),
+            ("cos(7*pi/2)", "0"),
+            ("sin(pi/3) - cos(pi/6)", "0"),
+            ("sin(pi/12)", "sqrt(6)/4 - sqrt(2)/4"),
+            ("cos(100*pi/3)", "-1/2"),
+        ] {
+            assert_eq!(said(text).as_deref(), Some(value), "{text}");
+        }
+        // Enclosed alone: it is no multiple of π/120, or no multiple of π.
+        for text in ["cos(pi/7)", "cos(pi^2)", "sin(1)", "sin(1 + pi)", "cos(sqrt(2)*pi)"] {
+            assert_eq!(said(text), None, "{text}");
+        }
+        let unknown = Assignment::default().number(&parse_expr("cos(pi)").unwrap());
+        assert!(unknown.is_err(), "a claim that declares pi");
+    }
+
+    #[test]
+    fn one_variable_of_each_summand_is_an_angle() {
+        let none: [&str; 0] = [];
+        assert_eq!(found("given t, w real\nprove cos(w*t/2) = 1"), ["t = t*pi"]);
+        assert_eq!(found("given a, b, c real\nassume a + b + c = 3*pi\nprove sin(a^2) > 0"), none);
+        assert_eq!(
+            found("given a, b, c real\nassume a + b + c = 3*pi\nassume sin(b)^3 > a^2\nprove a > 0"),
+            ["a = a*pi", "b = b*pi", "c = c*pi"]
+        );
+        assert_eq!(found("given x, l > 0; n natural\nprove sin(n*pi*x/l) <= 1"), none);
+        assert_eq!(found("given pi, x > 0\nprove sin(x) <= 1/2"), none);
+        assert_eq!(found("given x, y real\nassume x^2 + y^2 = 1\nprove x = 1"), ["x = cos(y*pi)", "y = sin(y*pi)"]);
+        assert_eq!(found("given x, y real\nassume x^2 + y^2 = 2\nprove x = 1"), none);
+    }
+
+    #[test]
+    fn counterexamples_are_multiples_of_pi() {
+        let point = |text: &str| {
+            let witness = falsified(&statement(text), Some(Duration::from_secs(20)))?;
+            Some(witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect::<Vec<_>>().join(", "))
+        };
+        for (text, found) in [
+            ("given x real\nassume sin(x) = 0\nprove x = 0", Some("x = pi")),
+            ("given x in [0, pi]\nassume sin(x) = 1/2\nprove x = pi/6", Some("x = 5*pi/6")),
+            ("given a real\nassume 3*a = pi\nprove cos(a) = -1/2", Some("a = pi/3")),
+            ("given a real\nassume 3*a = pi\nprove cos(a) = 1/2", None),
+            ("given x in (0, pi)\nassume sin(x) = 1\nprove x = pi/2", None),
+        ] {
+            assert_eq!(point(text).as_deref(), found, "{text}");
+        }
+    }
+}
