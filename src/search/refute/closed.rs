@@ -66,7 +66,9 @@ impl Closed {
     pub fn turns(&self) -> Option<Rational> {
         match self.single() {
             None if self.0.is_empty() => Some(Rational::ZERO),
-            Some((product, c)) if product.len() == 1 && product.get(&Atom::Pi) == Some(&Rational::ONE) => Some(c.clone()),
+            Some((product, c)) if product.len() == 1 && product.get(&Atom::Pi) == Some(&Rational::ONE) => {
+                Some(c.clone())
+            }
             _ => None,
         }
     }
@@ -79,7 +81,9 @@ impl Closed {
             let (mut below_root, mut factors) = (1u64, Vec::new());
             for (atom, q) in product {
                 match atom {
-                    Atom::Prime(p) if *q == Rational::from_unsigneds(1u64, 2) => below_root = below_root.checked_mul(*p)?,
+                    Atom::Prime(p) if *q == Rational::from_unsigneds(1u64, 2) => {
+                        below_root = below_root.checked_mul(*p)?
+                    }
                     Atom::Prime(p) => {
                         let base = literal(&Rational::from(*p));
                         factors.push(expr(ExprKind::Power(Box::new(base), Box::new(literal(q)))));

@@ -22,11 +22,11 @@ use crate::claim::definedness::Exponent;
 use crate::claim::syntax::*;
 use crate::claim::walk::names_in;
 use crate::kernel::statement::{expr, numeral};
-use std::rc::Rc;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// The highest whole power that is multiplied out.
 const WHOLE: i64 = 60;

@@ -111,7 +111,12 @@ struct Others {
 
 impl Points {
     /// The points of a goal. The paths of the search are the ways to satisfy the hypotheses.
-    pub(super) fn new(statement: Rc<Statement>, mut reading: Option<Reading>, mut search: Search, goal: Prop) -> Points {
+    pub(super) fn new(
+        statement: Rc<Statement>,
+        mut reading: Option<Reading>,
+        mut search: Search,
+        goal: Prop,
+    ) -> Points {
         let held = 0..search.paths.len();
         let sample = match statement.sample.as_slice() {
             [] => held.end..held.end,
@@ -122,7 +127,20 @@ impl Points {
         let turns = Values::turned(angles);
         let drawing = Drawing::of(&search, &goal);
         let small = Values::usual();
-        Points { statement, reading, search, goal, sample, held, turned, turns, open: None, drawing, small, others: None }
+        Points {
+            statement,
+            reading,
+            search,
+            goal,
+            sample,
+            held,
+            turned,
+            turns,
+            open: None,
+            drawing,
+            small,
+            others: None,
+        }
     }
 
     /// Visits points in their order, until a visit says to stop; whether one did.

@@ -300,7 +300,9 @@ impl Search {
         let scalars = path.free.iter().zip(&choice.scalars).all(|((_, natural), q)| !natural || is_natural(q));
         let families = self.families.iter().zip(&choice.families).all(|(family, members)| match members {
             Members::Geometric(first, ratio) => self.may_be_geometric(family, first, ratio),
-            Members::InTurn(list) => list.iter().all(|q| (!family.1 || is_natural(q)) && self.allows(&family.0, Number::Exact(q.clone()))),
+            Members::InTurn(list) => {
+                list.iter().all(|q| (!family.1 || is_natural(q)) && self.allows(&family.0, Number::Exact(q.clone())))
+            }
         });
         scalars && families
     }
@@ -341,7 +343,9 @@ impl Search {
                 // The author's sample may give a value to a natural number.
                 Number::Exact(q) => !self.base.naturals.contains(name) || is_natural(q),
                 // Rational numbers are easier to read, but of angles they are few.
-                Number::Between(..) => path.has_angles && !self.base.naturals.contains(name) && value.written().is_some(),
+                Number::Between(..) => {
+                    path.has_angles && !self.base.naturals.contains(name) && value.written().is_some()
+                }
             };
             if !fits {
                 return None;
