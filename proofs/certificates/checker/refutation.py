@@ -3,7 +3,7 @@ import operator
 import re
 from fractions import Fraction
 
-from .claims import Claim, N, compare, constraints, domain, names_in, need, nodes, num, plus, put, subtrees, text
+from .claims import PI, Claim, N, compare, constraints, domain, names_in, need, nodes, num, plus, put, subtrees, text
 from .signs import exponent, whole_by_form
 
 COMPARE = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
@@ -26,14 +26,16 @@ def number(e):
     return None
 
 
-def radical(e):
-    """Whether e is made of numbers and roots of numbers, so that it has a value."""
+def real(e, is_pi):
+    """Whether e is made of numbers, roots of numbers, and pi where that is the number, so that it has a value."""
     if number(e) is not None:
         return True
+    if e[0] == "name":
+        return is_pi and e[1] == PI
     if e[0] in ("neg", "sum"):
-        return all(map(radical, nodes(e)))
+        return all(real(part, is_pi) for part in nodes(e))
     if e[0] == "prod":
-        return all(radical(p) if sign == "*" else number(p) not in (None, 0) for sign, p in e[1])
+        return all(real(p, is_pi) if sign == "*" else number(p) not in (None, 0) for sign, p in e[1])
     if e[0] == "call":
         return e[1] == "sqrt" and len(e[2]) == 1 and (number(e[2][0]) is not None and number(e[2][0]) >= 0)
     return e[0] == "pow" and number(e[1]) is not None and number(e[1]) > 0 and number(e[2]) is not None
@@ -148,6 +150,7 @@ def of(claim, point, undefined=None):
         bound, premises, goal = without_value(undefined, bindings, goal, claim.sequences)
         bindings = bindings + bound
     plain, families = list(only(bindings, False)), list(only(bindings, True))
+    is_pi = PI not in {n for b in bindings for n, _ in b[1]} | {u[0] for u in claim.sequences}
     seen, equations = set(), []
     for place, value in point:
         no_place = f"{place[1]} is no place of a point here, or its value is no number for it"
@@ -164,8 +167,8 @@ def of(claim, point, undefined=None):
                     low, index, high = whole(b[4][0], point), int(place[2][0][1]), whole(b[4][1], point)
                     need(low is not None and high is not None and low <= index <= high, no_place)
         need(found and place not in seen, no_place)
-        real = number(value) is not None or place[0] == "name" and radical(value)
-        need(natural(value) if found[0][2] else real, no_place)
+        has_value = number(value) is not None or place[0] == "name" and real(value, is_pi)
+        need(natural(value) if found[0][2] else has_value, no_place)
         seen.add(place)
         equations.append(compare(place, "=", value))
     for b in families:

@@ -186,7 +186,7 @@ pub(super) fn compared(left: Expr, relation: Relation, right: Expr) -> Prop {
 
 /// A point of the unit circle: the cosine and the sine of an angle.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Point {
+pub struct Point {
     cos: Polynomial,
     sin: Polynomial,
 }
@@ -206,7 +206,7 @@ impl Point {
     /// The point of so many times π, where that is a multiple of π/120.
     ///
     /// Every whole number m is 10·a + 15·b + 24·c for some a, b, c, so that π/12, π/8 and π/5 are enough.
-    pub(crate) fn of_turns(turns: &BigRational) -> Option<Point> {
+    pub fn of_turns(turns: &BigRational) -> Option<Point> {
         let scaled = turns * ratio(120, 1);
         if !scaled.is_integer() {
             return None;
@@ -263,12 +263,12 @@ impl Point {
     }
 
     /// The cosine.
-    pub(crate) fn cosine(&self, span: Span) -> Expr {
+    pub fn cosine(&self, span: Span) -> Expr {
         self.cos.written(span)
     }
 
     /// The sine.
-    pub(crate) fn sine(&self, span: Span) -> Expr {
+    pub fn sine(&self, span: Span) -> Expr {
         self.sin.written(span)
     }
 

@@ -3,7 +3,7 @@ pub(crate) mod abbreviation;
 mod angle;
 mod binding;
 mod check;
-pub(crate) mod circle;
+pub mod circle;
 mod constants;
 pub mod definedness;
 pub mod dimension;

@@ -6,7 +6,7 @@
 use super::analysis::at_the_point;
 use super::names::names_in_prop;
 use super::order::Signs;
-use super::statement::{Sequence, Statement, compare, constraints, domain, numeral, prop, sum};
+use super::statement::{Sequence, Statement, compare, constraints, declares, domain, numeral, prop, sum};
 use super::substitution::Substitution;
 use super::tree::parts;
 use super::{Reason, Refusal, rejected, well_formed};
@@ -31,7 +31,7 @@ struct Parts {
 /// hypotheses hold there, and the goal is false or has no value.
 ///
 /// Sound: the returned claim supposes nothing but that variables have the values given, each at most one and of its kind
-/// (a number, or made of roots of numbers so that it has a value),
+/// (a number, or made of roots of numbers and of π so that it has a value; `pi` only where no name of the point's claim hides it),
 /// and that families have the members given and all others in their domain, which holds a number. So there are values
 /// that satisfy what it supposes. For these the domains and hypotheses of the claim are shown to hold, and its goal is
 /// shown to be false. A goal `for all x …` fails if it fails for one x of the domain, and an extremum if its value, its
@@ -54,6 +54,7 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
     }
     let families: Vec<Binding> = parts.bindings.iter().filter_map(|b| only(b, true)).collect();
     let plain: Vec<Binding> = parts.bindings.iter().filter_map(|b| only(b, false)).collect();
+    let is_pi = !declares(&parts.bindings, &statement.sequences, PI);
     let mut moving = BTreeSet::new();
     limit_variables(&parts.fails, &mut moving);
     let mut holds: Vec<Prop> = plain.iter().flat_map(domain).collect();
@@ -64,7 +65,7 @@ pub fn of(claim: &Claim, refutes: &Refutes) -> Result<Claim, Refusal> {
         let plain = matches!(place.kind, ExprKind::Name(_));
         let is_number = match natural {
             true => is_natural(value),
-            false => rational(value).is_some() || (plain && is_radical(value)),
+            false => rational(value).is_some() || (plain && is_real(value, is_pi)),
         };
         if !is_number || !given.insert(place.clone()) {
             return Err(no_place(place));
@@ -373,17 +374,21 @@ fn rational(e: &Expr) -> Option<BigRational> {
     }
 }
 
-/// Whether an expression is made of numbers, and roots of numbers that have them, by sums, products and quotients by numbers:
-/// it has a value.
-fn is_radical(e: &Expr) -> bool {
+/// Whether an expression is made of numbers, of roots of numbers that have them, and of π where `pi` is that number, by sums,
+/// products and quotients by numbers other than 0: it has a value.
+///
+/// Sound: each of these is a real number, and so are sums and products of real numbers. Roots and powers are those of
+/// numbers alone, so that their base is seen to have the sign that they need.
+fn is_real(e: &Expr, is_pi: bool) -> bool {
     if rational(e).is_some() {
         return true;
     }
     match &e.kind {
-        ExprKind::Negate(a) => is_radical(a),
-        ExprKind::Sum(list) => list.iter().all(|(_, part)| is_radical(part)),
+        ExprKind::Name(name) => is_pi && name == PI,
+        ExprKind::Negate(a) => is_real(a, is_pi),
+        ExprKind::Sum(list) => list.iter().all(|(_, part)| is_real(part, is_pi)),
         ExprKind::Product(list) => list.iter().all(|(factor, part)| match factor {
-            Factor::Times => is_radical(part),
+            Factor::Times => is_real(part, is_pi),
             Factor::Over => rational(part).is_some_and(|q| !q.is_zero()),
         }),
         ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {

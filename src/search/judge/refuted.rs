@@ -22,7 +22,6 @@ use crate::refute::catalogue::Limits;
 use crate::refute::counterexample::broken;
 use crate::refute::evaluate::Assignment;
 use crate::refute::expand;
-use crate::refute::number::Number;
 use crate::refute::outcome::{Broken, Outcome, Point, Verdict, Witness};
 
 /// How many expressions are tried for one without value, each at several indices.
@@ -289,7 +288,7 @@ impl Refuter<'_> {
                 let point = point.iter().cloned().chain(places).collect();
                 let Some(mut attempt) = self.attempt(Refutes { point, undefined: Some(e.clone()) }) else { continue };
                 let Some(goal) = attempt.goal() else { continue };
-                if attempt.evaluated(&goal).is_some()
+                if attempt.evaluated(&goal).or_else(|| attempt.multiplied_out(&goal)).is_some()
                     && let Some(found) = attempt.finished(self.claim)
                 {
                     return Some(found);
@@ -337,16 +336,35 @@ impl Attempt {
         self.logic(p, shown)
     }
 
+    /// Shows that comparisons fail which hold at the point by exact values alone: cos(pi/2) is 0.
+    fn multiplied_out(&mut self, p: &Prop) -> Option<Label> {
+        let mut atoms = Vec::new();
+        atoms_of(p, &mut atoms);
+        let mut shown = Vec::new();
+        for atom in atoms {
+            let PropKind::Compare(sides, relations) = &atom.kind else { continue };
+            let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let denied = compare(a.clone(), relation.negated(), b.clone());
+            let either = [denied, atom.clone()];
+            shown.extend(either.iter().find_map(|p| {
+                let rule = Rule::Combination { times: None, terms: Vec::new() };
+                self.evaluate(p).or_else(|| self.step(rule, p, true, true))
+            }));
+        }
+        self.logic(p, shown)
+    }
+
     fn logic(&mut self, p: &Prop, from: Vec<Label>) -> Option<Label> {
         self.step(Rule::Logic { from }, p, true, true)
     }
 
     /// The truth of a quantified part at the point, if the evaluator knows it.
     fn truth(&self, p: &Prop) -> Option<bool> {
-        let mut here = Assignment::default();
+        let alone = Assignment { is_pi: !self.checker.statement().declares(PI), ..Assignment::default() };
+        let mut here = alone.clone();
         for (place, value) in &self.refutes.point {
-            if let (ExprKind::Name(n), Ok(Number::Exact(q))) = (&place.kind, here.number(value)) {
-                here.values.insert(n.clone(), q);
+            if let (ExprKind::Name(n), Ok(number)) = (&place.kind, alone.number(value)) {
+                here.give(n, number);
             }
         }
         here.truth(p).ok()

@@ -2,10 +2,12 @@
 //!
 //! The usual values are small. Those that a claim suggests are its numerals and their neighbours, numbers between two
 //! numerals, Pythagorean ratios for sums of two squares, large and negative values, and for a single variable a fine grid.
-//! Far values are large and small powers of ten.
+//! Far values are large and small powers of ten. Of an angle, multiples of π.
 
 use super::expand::Statement;
+use super::number::Number;
 use super::search::Search;
+use super::turns::Angles;
 use crate::claim::syntax::*;
 use crate::number::rational;
 use malachite::Rational;
@@ -34,9 +36,17 @@ const OTHERS: &[&str] = &[
     "7/10", "1/100", "1000", "-10", "-1000", "1000000", "-1000000",
 ];
 
+/// Multiples of π that an angle is tried at: where sines and cosines are 0, 1, -1, or equal, first.
+const TURNS: &[&str] = &[
+    "1", "0", "1/2", "2", "1/3", "2/3", "1/6", "5/6", "3/2", "-1", "1/4", "3/4", "-1/2", "3", "4", "4/3", "5/3", "5/4",
+    "7/4", "7/6", "11/6", "-2", "1/12", "5/12", "-1/3", "-1/6", "2/5", "1/5", "4/5", "1/8", "6", "5", "-3", "8", "10",
+];
+
 /// Values for real variables and for natural ones, the likeliest first, and what of them the variables of a search may have.
 pub(super) struct Values {
     lists: [Vec<Rational>; 2],
+    /// The variables that multiples of π are tried for.
+    angles: Angles,
     /// The first value that a variable or member may have, by name.
     first: BTreeMap<String, Option<Rc<[Rational]>>>,
     /// All of them.
@@ -45,7 +55,12 @@ pub(super) struct Values {
 
 impl Values {
     fn new(lists: [Vec<Rational>; 2]) -> Values {
-        Values { lists, first: BTreeMap::new(), all: BTreeMap::new() }
+        Values { lists, angles: Angles::new(), first: BTreeMap::new(), all: BTreeMap::new() }
+    }
+
+    /// Small values, and simple multiples of π for these angles.
+    pub(super) fn turned(angles: Angles) -> Values {
+        Values { angles, ..Values::usual() }
     }
 
     /// Small values.
@@ -76,16 +91,35 @@ impl Values {
 
     /// The first value that a variable, or the members of a family, may have.
     pub(super) fn first(&mut self, search: &Search, name: &str, natural: bool) -> Option<Rc<[Rational]>> {
-        let list = &self.lists[usize::from(natural)];
-        let found = || list.iter().find(|value| search.allows(name, value)).map(|value| Rc::from([value.clone()]));
-        self.first.entry(name.to_string()).or_insert_with(found).clone()
+        if !self.first.contains_key(name) {
+            let found = self.allowed(search, name, natural).next().map(|value| Rc::from([value]));
+            self.first.insert(name.to_string(), found);
+        }
+        self.first.get(name).cloned().flatten()
     }
 
     /// All values that a variable, or the members of a family, may have.
     pub(super) fn of(&mut self, search: &Search, name: &str, natural: bool) -> Rc<[Rational]> {
-        let list = &self.lists[usize::from(natural)];
-        let found = || list.iter().filter(|value| search.allows(name, value)).cloned().collect();
-        self.all.entry(name.to_string()).or_insert_with(found).clone()
+        if let Some(found) = self.all.get(name) {
+            return found.clone();
+        }
+        let found: Rc<[Rational]> = self.allowed(search, name, natural).collect();
+        self.all.insert(name.to_string(), found.clone());
+        found
+    }
+
+    /// Its values that the bounds allow.
+    fn allowed<'a>(
+        &'a self,
+        search: &'a Search,
+        name: &'a str,
+        natural: bool,
+    ) -> Box<dyn Iterator<Item = Rational> + 'a> {
+        if let Some(way) = self.angles.get(name) {
+            return Box::new(parsed(TURNS).filter(|turns| search.allows_turned(way, name, turns)));
+        }
+        let list = self.lists[usize::from(natural)].iter();
+        Box::new(list.filter(|value| search.allows(name, Number::Exact((*value).clone()))).cloned())
     }
 }
 

@@ -1,11 +1,14 @@
-//! Numbers in closed form: sums of rationals times powers of primes, exponentials and logarithms.
+//! Numbers in closed form: sums of rationals times powers of primes and of π, exponentials and logarithms.
 //!
 //! Contract: a form has the value of the number that it was made for, so two numbers with the same form are equal. An
 //! enclosure could not show that. Numbers with different forms may still be equal. Numbers with long forms have none.
 
-use malachite::Rational;
-use malachite::base::num::arithmetic::traits::{Floor, Pow};
+use super::literal::literal;
+use crate::claim::syntax::*;
+use crate::kernel::statement::{apply, expr, name};
+use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Natural, Rational};
 use std::collections::BTreeMap;
 
 /// The most terms of a form.
@@ -22,11 +25,13 @@ pub(crate) const LARGEST: i64 = 400;
 enum Atom {
     /// A prime.
     Prime(u64),
+    /// π.
+    Pi,
     /// A positive number that is a sum.
     Base(Closed),
     /// The exponential of a product.
     Exp(Product),
-    /// The logarithm of a prime, or of a positive number that is a sum.
+    /// The logarithm of a prime, of π, or of a positive number that is a sum.
     Ln(Closed),
 }
 
@@ -50,6 +55,62 @@ impl Closed {
             Some((product, c)) if product.is_empty() && self.0.len() == 1 => Some(c.clone()),
             _ => None,
         }
+    }
+
+    /// π.
+    pub fn pi() -> Closed {
+        Closed::term(Product::from([(Atom::Pi, Rational::ONE)]), Rational::ONE)
+    }
+
+    /// How many times π it is, if it is a rational multiple of that.
+    pub fn turns(&self) -> Option<Rational> {
+        match self.single() {
+            None if self.0.is_empty() => Some(Rational::ZERO),
+            Some((product, c)) if product.len() == 1 && product.get(&Atom::Pi) == Some(&Rational::ONE) => {
+                Some(c.clone())
+            }
+            _ => None,
+        }
+    }
+
+    /// The form as a sum of rational multiples of 1, of roots and of π, as a point of a refutation may have it; `None` where it
+    /// is made of more.
+    pub fn written(&self) -> Option<Expr> {
+        let mut sum = Vec::new();
+        for (product, c) in &self.0 {
+            let (mut below_root, mut factors) = (1u64, Vec::new());
+            for (atom, q) in product {
+                match atom {
+                    Atom::Prime(p) if *q == Rational::from_unsigneds(1u64, 2) => {
+                        below_root = below_root.checked_mul(*p)?
+                    }
+                    Atom::Prime(p) => {
+                        let base = literal(&Rational::from(*p));
+                        factors.push(expr(ExprKind::Power(Box::new(base), Box::new(literal(q)))));
+                    }
+                    Atom::Pi if *q == 1 => factors.push(name(PI)),
+                    Atom::Pi | Atom::Base(_) | Atom::Exp(_) | Atom::Ln(_) => return None,
+                }
+            }
+            if below_root != 1 {
+                factors.push(apply("sqrt", literal(&Rational::from(below_root))));
+            }
+            sum.push((if *c < 0 { Sign::Minus } else { Sign::Plus }, multiple(c, factors)));
+        }
+        // What is added stands before what is subtracted.
+        sum.sort_by_key(|(sign, _)| *sign == Sign::Minus);
+        Some(match sum.len() {
+            0 => literal(&Rational::ZERO),
+            1 => match sum.remove(0) {
+                (Sign::Plus, term) => term,
+                (Sign::Minus, term) => expr(ExprKind::Negate(Box::new(term))),
+            },
+            _ if sum[0].0 == Sign::Minus => {
+                sum.iter_mut().for_each(|(sign, _)| *sign = Sign::Plus);
+                expr(ExprKind::Negate(Box::new(expr(ExprKind::Sum(sum)))))
+            }
+            _ => expr(ExprKind::Sum(sum)),
+        })
     }
 
     fn term(product: Product, c: Rational) -> Closed {
@@ -150,6 +211,7 @@ impl Closed {
         for (atom, k) in product {
             let part = match atom {
                 Atom::Prime(p) => ln(Closed::rational(&Rational::from(*p)), k.clone()),
+                Atom::Pi => ln(Closed::pi(), k.clone()),
                 Atom::Base(a) => ln(a.clone(), k.clone()),
                 Atom::Exp(log) => Closed::term(log.clone(), k.clone()),
                 Atom::Ln(_) => return None,
@@ -157,6 +219,22 @@ impl Closed {
             out = out.plus(&part)?;
         }
         Some(out)
+    }
+}
+
+/// |c| times these factors: `2*pi/3`.
+fn multiple(c: &Rational, factors: Vec<Expr>) -> Expr {
+    if factors.is_empty() {
+        return literal(&c.abs());
+    }
+    let (top, bottom) = (c.numerator_ref(), c.denominator_ref());
+    let whole = |k: &Natural| expr(ExprKind::Number(k.to_string()));
+    let first = (*top != 1u32).then(|| whole(top));
+    let mut list: Vec<(Factor, Expr)> = first.into_iter().chain(factors).map(|e| (Factor::Times, e)).collect();
+    list.extend((*bottom != 1u32).then(|| (Factor::Over, whole(bottom))));
+    match list.len() {
+        1 => list.remove(0).1,
+        _ => expr(ExprKind::Product(list)),
     }
 }
 
@@ -244,6 +322,36 @@ mod tests {
         let sum = number(1, 1).plus(&root(&two, 2)).expect("short");
         assert_eq!(root(&sum, 2).power(&Rational::from(2)), Some(sum.clone()));
         assert_eq!(sum.power(&Rational::from(-1)).and_then(|inverse| inverse.power(&Rational::from(-1))), Some(sum));
+    }
+
+    #[test]
+    fn multiples_of_pi_are_told_apart() {
+        let turns = |p: i64, q: i64| Closed::pi().times(&number(p, q)).expect("short");
+        assert_eq!(turns(-1, 3).turns(), Some(Rational::from_signeds(-1, 3)));
+        assert_eq!(number(0, 1).turns(), Some(Rational::ZERO));
+        assert_eq!(turns(1, 3).plus(&number(2, 1)).and_then(|sum| sum.turns()), None);
+        assert_eq!(turns(1, 3).times(&turns(1, 3)).and_then(|square| square.turns()), None);
+        assert_eq!(root(&Closed::pi(), 2).power(&Rational::from(2)), Some(Closed::pi()));
+        assert_eq!(root(&Closed::pi(), 2).ln(), Closed::pi().ln().and_then(|log| log.times(&number(1, 2))));
+        assert_ne!(turns(1, 3), turns(1, 2));
+    }
+
+    #[test]
+    fn forms_are_written_as_a_reader_writes_them() {
+        let turns = |p: i64, q: i64| Closed::pi().times(&number(p, q)).expect("short");
+        let said = |form: &Closed| form.written().map(|e| crate::claim::print::expr(&e));
+        let said_of = |a: Closed, b: Closed| said(&a.plus(&b).expect("short")).expect("written");
+        let none = || number(0, 1);
+        assert_eq!(said_of(turns(1, 1), none()), "pi");
+        assert_eq!(said_of(turns(-1, 2), none()), "-pi/2");
+        assert_eq!(said_of(turns(2, 3), none()), "2*pi/3");
+        assert_eq!(said_of(turns(-1, 1), number(1, 2)), "1/2 - pi");
+        assert_eq!(said_of(turns(-1, 1), number(-1, 2)), "-(1/2 + pi)");
+        let half_root = root(&number(6, 1), 2).times(&number(-1, 2)).expect("short");
+        assert_eq!(said_of(half_root, number(-1, 2).plus(&turns(1, 1)).expect("short")), "pi - 1/2 - sqrt(6)/2");
+        assert_eq!(said_of(root(&number(2, 1), 3), none()), "2^(1/3)");
+        assert_eq!(said(&number(1, 1).exp().expect("e")), None);
+        assert_eq!(said(&turns(1, 1).times(&turns(1, 1)).expect("short")), None);
     }
 
     #[test]

@@ -99,6 +99,17 @@ impl Default for Assignment {
 }
 
 impl Assignment {
+    /// Gives a variable its value.
+    pub fn give(&mut self, name: &str, value: Number) {
+        match value {
+            Number::Exact(q) => drop(self.values.insert(name.to_string(), q)),
+            number => {
+                self.values.remove(name);
+                Rc::make_mut(&mut self.numbers).insert(name.to_string(), number);
+            }
+        }
+    }
+
     /// The value of a scalar expression.
     pub fn number(&self, e: &Expr) -> Result<Number> {
         match self.value(e)? {

@@ -26,6 +26,7 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// The highest whole power that is multiplied out.
 const WHOLE: i64 = 60;
@@ -46,6 +47,7 @@ pub(crate) enum Tends {
 pub(crate) fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
     let mut point = point.clone();
     point.values.remove(&limit.variable.text);
+    Rc::make_mut(&mut point.numbers).remove(&limit.variable.text);
     let at = At { point: &point, variable: &limit.variable.text };
     let Some(series) = at.series(&limit.of) else {
         // The reciprocal of an exponentially growing expression tends to 0.

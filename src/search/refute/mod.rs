@@ -37,5 +37,6 @@ mod quantified;
 pub(crate) mod random;
 mod series;
 mod shrink;
+mod turns;
 
 use crate::algebra::Moment;

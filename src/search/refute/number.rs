@@ -5,6 +5,7 @@
 //! 2^−[`PRECISION`].
 
 use super::closed::Closed;
+use super::turns::cosine_and_sine_of;
 use crate::claim::syntax::*;
 use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::{elementary, rational};
@@ -62,6 +63,11 @@ impl Number {
             Number::Exact(q) => Some(Cow::Owned(Closed::rational(q))),
             Number::Between(_, _, form) => form.as_deref().map(Cow::Borrowed),
         }
+    }
+
+    /// The number by numerals, roots of them and π, if that is its closed form.
+    pub(super) fn written(&self) -> Option<Expr> {
+        self.closed()?.written()
     }
 
     /// The same number with the closed form that operations on forms give.
@@ -319,8 +325,13 @@ pub(super) fn exponential(a: &Number) -> Result<Number> {
     Ok(between(low, high).formed(a.closed().and_then(|a| a.exp())))
 }
 
-/// cos a and sin a.
+/// cos a and sin a; those of a multiple of π/120 in closed form.
 pub(super) fn cosine_and_sine(a: &Number) -> Result<(Number, Number)> {
+    if let Some(turns) = a.closed().and_then(|form| form.turns())
+        && let Some(known) = cosine_and_sine_of(&turns)
+    {
+        return Ok(known);
+    }
     let (low, high) = a.ends();
     let (cosine, sine) = elementary::cos_sin(low, high).ok_or(Missing::Unknown)?;
     Ok((between(cosine.0, cosine.1), between(sine.0, sine.1)))
@@ -329,7 +340,7 @@ pub(super) fn cosine_and_sine(a: &Number) -> Result<(Number, Number)> {
 /// π.
 pub(super) fn pi() -> Number {
     let (low, high) = elementary::pi().clone();
-    between(low, high)
+    between(low, high).formed(Some(Closed::pi()))
 }
 
 /// ln a.

@@ -38,8 +38,8 @@ impl Verdict {
 /// An exact point: variable names with exact values in the order of declaration.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Point {
-    /// `("m1", "4")`, `("mu(1)", "3/2")`: the values are integers or fractions `p/q`; those of a
-    /// sample point may be roots, `("x", "1/2 + 1/2*sqrt(5)")`.
+    /// `("m1", "4")`, `("mu(1)", "3/2")`: the values are integers or fractions `p/q`, of angles also multiples of π and roots,
+    /// `("x", "2*pi/3")`; those of a sample point may be roots, `("x", "1/2 + 1/2*sqrt(5)")`.
     pub values: Vec<(String, String)>,
 }
 

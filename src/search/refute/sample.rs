@@ -8,10 +8,11 @@ use super::edges::edges;
 use super::evaluate::Assignment;
 use super::expand::Statement;
 use super::outcome::Point;
-use super::points::{SMALL, SUGGESTED};
+use super::points::{SMALL, SUGGESTED, TURNED};
 use super::reading::declaring;
 use super::search::{Choice, Plan, Round, Search, as_point};
 use super::solve::{Way, on_an_edge};
+use super::turns;
 use crate::claim::syntax::*;
 use malachite::Rational;
 
@@ -26,10 +27,13 @@ pub(super) fn sample(plan: &Plan, statement: &Statement, deadline: Option<Moment
     // Variables to which the author gives no value are sought.
     let given = if statement.sample.is_empty() { 0..0 } else { search.follow(std::slice::from_ref(&statement.sample)) };
     let held = search.follow(&plan.ways);
+    let angles = turns::angles(&search, &statement.goal);
+    let turned = turns::follow(&mut search, held.clone(), &angles, None);
     let mut small = Values::usual();
     search.until.set(deadline);
     let _ = search.run(given, &mut small, Round::first(SMALL), &mut visit)
         || search.run(held.clone(), &mut small, Round::first(SMALL), &mut visit)
+        || search.run(turned, &mut Values::turned(angles), Round::first(TURNED), &mut visit)
         || search.run(held, &mut Values::suggested(statement), Round::first(SUGGESTED), &mut visit);
     found
 }

@@ -8,10 +8,12 @@ use super::Moment;
 use super::candidates::Values;
 use super::evaluate::{Assignment, STEPS};
 use super::expand::Statement;
+use super::number::Number;
 use super::outcome::Point;
 use super::reading::Reading;
 use super::recurrence::recurrences;
 use super::solve::{Way, ways};
+use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{constraints, domain, name};
 use malachite::Rational;
@@ -48,6 +50,8 @@ pub(super) struct Path {
     pub(super) free: Vec<(String, bool)>,
     /// Those that are computed from them.
     determined: Way,
+    /// Whether the values that are computed speak of π.
+    has_angles: bool,
 }
 
 /// What is chosen at a point: the way to satisfy the equations, the variables that are free on it, and the families.
@@ -157,25 +161,32 @@ impl Search {
         for way in ways {
             if self.paths.iter().all(|path| path.determined != *way) {
                 // A variable whose value speaks of the variable itself is chosen first.
+                let speaks_of = |value: &Expr, name: &str| {
+                    let mut inside = BTreeSet::new();
+                    crate::claim::walk::names_in(value, &mut inside);
+                    inside.contains(name)
+                };
                 let is_free = |name: &str| {
-                    way.iter().filter(|(computed, _)| computed == name).all(|(name, value)| {
-                        let mut inside = BTreeSet::new();
-                        crate::claim::walk::names_in(value, &mut inside);
-                        inside.contains(name)
-                    })
+                    way.iter().filter(|(computed, _)| computed == name).all(|(name, value)| speaks_of(value, name))
                 };
                 let free = self.names.iter().filter(|n| is_free(&n.0)).cloned().collect();
-                self.paths.push(Path { free, determined: way.clone() });
+                let has_angles = self.base.is_pi && way.iter().any(|(_, value)| speaks_of(value, PI));
+                self.paths.push(Path { free, determined: way.clone(), has_angles });
             }
         }
         before..self.paths.len()
     }
 
+    /// The ways of its paths.
+    pub(super) fn ways(&self) -> impl Iterator<Item = &Way> {
+        self.paths.iter().map(|path| &path.determined)
+    }
+
     /// Whether the constant bounds of a variable, or of the members of a family, allow a value.
-    pub(super) fn allows(&self, name: &str, value: &Rational) -> bool {
+    pub(super) fn allows(&self, name: &str, value: Number) -> bool {
         let mut alone =
             Assignment { naturals: self.base.naturals.clone(), is_pi: self.base.is_pi, ..Assignment::default() };
-        alone.values.insert(name.to_string(), value.clone());
+        alone.give(name, value);
         if let Some((_, _, domain)) = self.families.iter().find(|f| f.0 == name) {
             return domain.iter().all(|h| alone.truth(h) == Ok(true));
         }
@@ -183,6 +194,13 @@ impl Search {
         let names = || self.hypotheses.iter().map(super::names::names_of_prop).collect();
         let own = self.hypotheses.iter().zip(self.mentioned.get_or_init(names)).filter(|h| h.1.contains(name));
         own.into_iter().all(|(h, _)| alone.truth(h) != Ok(false))
+    }
+
+    /// Whether the constant bounds of variables allow what is computed of so many times π.
+    pub(super) fn allows_turned(&self, way: &Way, name: &str, turns: &Rational) -> bool {
+        let mut here = Assignment { is_pi: self.base.is_pi, ..Assignment::default() };
+        here.values.insert(name.to_string(), turns.clone());
+        way.iter().all(|(x, value)| here.number(value).is_ok_and(|value| self.allows(x, value)))
     }
 
     /// Visits points of these paths where the hypotheses hold, simple ones first, until a visit says to stop.
@@ -282,7 +300,9 @@ impl Search {
         let scalars = path.free.iter().zip(&choice.scalars).all(|((_, natural), q)| !natural || is_natural(q));
         let families = self.families.iter().zip(&choice.families).all(|(family, members)| match members {
             Members::Geometric(first, ratio) => self.may_be_geometric(family, first, ratio),
-            Members::InTurn(list) => list.iter().all(|q| (!family.1 || is_natural(q)) && self.allows(&family.0, q)),
+            Members::InTurn(list) => {
+                list.iter().all(|q| (!family.1 || is_natural(q)) && self.allows(&family.0, Number::Exact(q.clone())))
+            }
         });
         scalars && families
     }
@@ -318,13 +338,19 @@ impl Search {
             }
         }
         for (name, value) in &path.determined {
-            match point.number(value) {
+            let value = point.number(value).ok()?;
+            let fits = match &value {
                 // The author's sample may give a value to a natural number.
-                Ok(super::number::Number::Exact(q)) if !self.base.naturals.contains(name) || is_natural(&q) => {
-                    point.values.insert(name.clone(), q);
+                Number::Exact(q) => !self.base.naturals.contains(name) || is_natural(q),
+                // Rational numbers are easier to read, but of angles they are few.
+                Number::Between(..) => {
+                    path.has_angles && !self.base.naturals.contains(name) && value.written().is_some()
                 }
-                _ => return None,
+            };
+            if !fits {
+                return None;
             }
+            point.give(name, value);
         }
         for family in self.base.recurrences.keys() {
             let list = point.families.remove(family).unwrap_or_default();
@@ -380,15 +406,15 @@ pub(super) fn as_point(statement: &Statement, point: &Assignment) -> Point {
     for binding in &statement.bindings {
         named.extend(binding.names.iter().filter(|n| n.1.is_none()).map(|n| n.0.text.clone()));
     }
-    for name in &named {
+    let mut others: Vec<&String> = point.values.keys().chain(point.numbers.keys()).collect();
+    others.retain(|name| !named.contains(name));
+    others.sort();
+    for name in named.iter().chain(others) {
         if let Some(q) = point.values.get(name) {
             values.push((name.clone(), q.to_string()));
+        } else if let Some(value) = point.numbers.get(name).and_then(Number::written) {
+            values.push((name.clone(), print::expr(&value)));
         }
-    }
-    let mut others: Vec<&String> = point.values.keys().filter(|k| !named.contains(k)).collect();
-    others.sort();
-    for name in others {
-        values.push((name.clone(), point.values[name].to_string()));
     }
     for ((name, index), q) in point.seen.borrow().iter() {
         values.push((format!("{name}({index})"), q.to_string()));
