@@ -302,6 +302,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_sign_chart(goal, a, b)) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_common_function(goal, a, relation, b) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_failing_equation(goal, a, relation, b)) {
             return Ok(label);
         }

@@ -1,10 +1,12 @@
 //! Solutions of one equation in one variable between two values at which it fails in opposite directions.
 //!
-//! Certificate: what the sides are at both values, and the rule `intermediate`. The values are ends of the domain, numbers
+//! Certificate: what the sides are at both values, and the rule `intermediate`; or a witness, where the function is 0 at a place that
+//! the signs of its derivative tell. The values are ends of the domain, numbers
 //! between them, 1 more than the squares of all other variables, these variables, and small numbers.
 //!
 //! Limit: [`VALUES`] values of the variable.
 
+use super::facts::minus;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -36,6 +38,12 @@ impl Prover {
         let ([binding], PropKind::Compare(sides, relations)) = (bindings, &body.kind) else { return Err(none) };
         let ([(variable, None)], false) = (binding.names.as_slice(), binding.natural) else { return Err(none) };
         let ([left, right], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(none) };
+        for place in self.exact_zeros(&minus(left, right), &variable.text) {
+            let point = vec![(variable.text.clone(), place)];
+            if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point)) {
+                return Ok(label);
+            }
+        }
         let mut found: Vec<Side> = Vec::new();
         for value in places(binding, variable, [left, right]) {
             let Ok(side) = self.attempt(|c| c.side(binding, variable, [left, right], value)) else { continue };
@@ -80,7 +88,7 @@ impl Prover {
             within.push(label);
         }
         let (left, right) = (map.expr(left).map_err(Fail::from)?, map.expr(right).map_err(Fail::from)?);
-        let difference = sum(vec![(Sign::Plus, left.clone()), (Sign::Minus, right.clone())]);
+        let difference = minus(&left, &right);
         self.define(&difference);
         if self.read(&difference, false).is_none() {
             return Err(Fail::No("the sides of an equation at a value"));

@@ -60,10 +60,10 @@ enum Run {
     Flat(Rational),
 }
 
-/// The intervals of a function in their order, and the numbers between them.
+/// The intervals of a function in their order, and what lies between them.
 struct Chart {
     runs: Vec<Run>,
-    cuts: Vec<Rational>,
+    cuts: Vec<Expr>,
 }
 
 /// A function of one variable, its sign, and its domain.
@@ -108,9 +108,17 @@ impl Prover {
         if up == down || values.len() < 8 {
             return Err(no());
         }
-        let strict = values.iter().all(|v| v.1 != 0) && ends.iter().flatten().all(|end| !end.closed || self.is_not_zero(e, &x, &end.at));
         let relation = if up { Relation::Greater } else { Relation::Less };
-        let function = Function { of: e, x: &x, relation: if strict { relation } else { relation.loose() }, ends };
+        let mut function = Function { of: e, x: &x, relation, ends };
+        let mut chart = function.chart(&values, &[]);
+        let touches = chart.is_none();
+        if touches {
+            chart = function.chart(&values, &self.exact_places(e, &x));
+        }
+        let is_zero = |end: &End| end.closed && function.may_be_zero(&end.at);
+        if touches || values.iter().any(|v| v.1 == 0) || function.ends.iter().flatten().any(is_zero) {
+            function.relation = relation.loose();
+        }
         let goal = compare(e.clone(), function.relation, numeral(0));
         if let Ok(label) = self.quietly(&goal) {
             return Ok(label);
@@ -126,7 +134,7 @@ impl Prover {
                 c.emit(Rule::Logic { from: cases }, goal.clone())
             }),
             None => {
-                let chart = function.chart(&values).ok_or_else(no)?;
+                let chart = chart.filter(|chart| function.begins_and_ends_with_a_value(chart)).ok_or_else(no)?;
                 self.attempt(|c| c.in_runs(&goal, &function, &chart, 0, chart.runs.len()))
             }
         };
@@ -215,6 +223,35 @@ impl Prover {
         Err(no())
     }
 
+    /// Where a function may be 0 without a change of its sign: multiples of π/12, and where its derivative is an equation that is
+    /// solved.
+    fn exact_places(&mut self, e: &Expr, x: &str) -> Vec<(Rational, Expr)> {
+        let mut places: Vec<Expr> = Vec::new();
+        let _ = self.attempt(|c| {
+            places = c.stationary_points(e, x);
+            Err::<(), _>(no())
+        });
+        let mut arguments = Vec::new();
+        turning_arguments(e, &mut arguments);
+        if !arguments.is_empty() {
+            let turn = |k| super::letters::product(vec![literal(&Rational::from_signeds(k, 12)), name(PI)]);
+            places.extend((-24..=24).map(turn));
+        }
+        places.into_iter().filter_map(|place| Some((enclosed(&place)?.0, place))).collect()
+    }
+
+    /// The exact places where a function of one variable is not seen to differ from 0.
+    pub(super) fn exact_zeros(&mut self, e: &Expr, x: &str) -> Vec<Expr> {
+        if !super::slopes::has_function(e) {
+            return Vec::new();
+        }
+        let ends = [None, None];
+        let places = self.exact_places(e, x);
+        let function = Function { of: e, x, relation: Relation::Equal, ends };
+        let at = |place: &Expr| super::slopes::put_in(e, x, place).ok().and_then(|e| enclosed(&e)).is_some();
+        places.into_iter().map(|p| p.1).filter(|place| at(place) && function.may_be_zero(place)).collect()
+    }
+
     /// Where sine and cosine change their signs between the ends of an interval, from the middle one on; nothing where that is often.
     fn quadrants(&mut self, e: &Expr, x: &str, ends: &[Option<End>; 2]) -> Vec<Expr> {
         let [Some(low), Some(high)] = ends else { return Vec::new() };
@@ -243,12 +280,6 @@ impl Prover {
         let middle = cuts.len() / 2;
         cuts.rotate_left(middle);
         cuts.into_iter().map(|cut| cut.1).collect()
-    }
-
-    /// Whether an expression is seen not to be 0 at an end.
-    fn is_not_zero(&self, e: &Expr, x: &str, end: &Expr) -> bool {
-        let at = super::slopes::put_in(e, x, end).ok().and_then(|e| enclosed(&e));
-        at.is_some_and(|(low, high)| low > 0 || high < 0)
     }
 
     /// The ends of the interval in which facts say that an expression lies: numbers, and what is made of numbers and π.
@@ -283,7 +314,7 @@ impl Prover {
             return self.in_run(goal, f, chart, from);
         }
         let middle = from.midpoint(to);
-        let cut = literal(&chart.cuts[middle - 1]);
+        let cut = chart.cuts[middle - 1].clone();
         let mut cases = Vec::new();
         for (side, from, to) in [(Relation::LessEqual, from, middle), (Relation::Greater, middle, to)] {
             let case = implies(&compare(name(f.x), side, cut.clone()), goal);
@@ -294,8 +325,8 @@ impl Prover {
 
     fn in_run(&mut self, goal: &Prop, f: &Function, chart: &Chart, place: usize) -> Result<Label, Fail> {
         let own = |end: usize| f.ends[end].as_ref().map(|end| end.at.clone());
-        let low = place.checked_sub(1).map_or_else(|| own(0), |k| chart.cuts.get(k).map(literal));
-        let high = chart.cuts.get(place).map_or_else(|| own(1), |cut| Some(literal(cut)));
+        let low = place.checked_sub(1).map_or_else(|| own(0), |k| chart.cuts.get(k).cloned());
+        let high = chart.cuts.get(place).map_or_else(|| own(1), |cut| Some(cut.clone()));
         let rises = matches!(chart.runs[place], Run::Rises) == (f.relation.is_greater() == Some(true));
         match (&chart.runs[place], low, high) {
             (Run::Flat(most), Some(low), Some(high)) => self.nearly_flat(goal, f, most, &low, &high),
@@ -329,7 +360,7 @@ impl Prover {
 
 impl Function<'_> {
     /// Where the function rises and falls, as its values tell; nothing where it does so too often.
-    fn chart(&self, values: &[(Rational, Rational)]) -> Option<Chart> {
+    fn chart(&self, values: &[(Rational, Rational)], exact: &[(Rational, Expr)]) -> Option<Chart> {
         let mut chart = Chart { runs: Vec::new(), cuts: Vec::new() };
         let mut place = 0;
         while place + 1 < values.len() {
@@ -337,12 +368,16 @@ impl Function<'_> {
             let end = (place..values.len() - 1).take_while(|k| (values[k + 1].1 >= values[*k].1) == rises).last()? + 1;
             chart.runs.push(if rises { Run::Rises } else { Run::Falls });
             if end + 1 < values.len() {
+                let (low, high) = (&values[end - 1].0, &values[end + 1].0);
+                let zero = exact.iter().find(|(near, place)| near > low && near < high && self.may_be_zero(place));
                 if values[end].1 == 0 {
-                    chart.cuts.push(values[end].0.clone());
+                    chart.cuts.push(literal(&values[end].0));
+                } else if let Some((_, place)) = zero {
+                    chart.cuts.push(place.clone());
                 } else {
-                    let (low, high, most) = self.about(rises, values[end - 1].0.clone(), values[end + 1].0.clone())?;
+                    let (low, high, most) = self.about(rises, low.clone(), high.clone())?;
                     chart.runs.push(Run::Flat(most));
-                    chart.cuts.extend([low, high]);
+                    chart.cuts.extend([low, high].map(|cut| literal(&cut)));
                 }
             }
             if chart.runs.len() > 2 * RUNS {
@@ -351,6 +386,24 @@ impl Function<'_> {
             place = end;
         }
         Some(chart)
+    }
+
+    /// Whether the function has values at those ends of its domain from which its sign is to follow.
+    fn begins_and_ends_with_a_value(&self, chart: &Chart) -> bool {
+        let is_positive = self.relation.is_greater() == Some(true);
+        let from_below = |run: &Run| matches!(run, Run::Rises) == is_positive;
+        let has_value = |end: &Option<End>| {
+            let at = end.as_ref().and_then(|end| super::slopes::put_in(self.of, self.x, &end.at).ok());
+            at.is_some_and(|at| enclosed(&at).is_some())
+        };
+        let first = chart.runs.first().is_some_and(|run| !from_below(run) || has_value(&self.ends[0]));
+        first && chart.runs.last().is_some_and(|run| from_below(run) || has_value(&self.ends[1]))
+    }
+
+    /// Whether the function is not seen to differ from 0 at a place.
+    fn may_be_zero(&self, place: &Expr) -> bool {
+        let at = super::slopes::put_in(self.of, self.x, place).ok().and_then(|e| enclosed(&e));
+        at.is_none_or(|(low, high)| low <= 0 && high >= 0)
     }
 
     /// A short interval about a greatest or least value, and a bound of the slope there.

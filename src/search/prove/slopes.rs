@@ -39,14 +39,7 @@ impl Prover {
         if !has_function(a) && !has_function(b) {
             return Err(Fail::No("an exponential, a logarithm or a root"));
         }
-        // Two values of one function.
-        if let Some((f, x, y)) = self.common_function(a, b)
-            && let Ok(label) = self.attempt(|c| {
-                let t = c.fresh("t");
-                let f = put_in(&f, PLACE, &name(&t))?;
-                c.values_in_order(goal, &f, &t, &x, relation, &y)
-            })
-        {
+        if let Ok(label) = self.by_common_function(goal, a, relation, b) {
             return Ok(label);
         }
         let difference = minus(a, b);
@@ -68,6 +61,20 @@ impl Prover {
             }
         }
         self.beside_stationary_points(goal, &difference, relation)
+    }
+
+    /// A comparison of two values of one function.
+    pub(super) fn by_common_function(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("two values of one function");
+        if relation.is_greater().is_none() || !has_function(a) {
+            return Err(no());
+        }
+        let (f, x, y) = self.common_function(a, b).ok_or_else(no)?;
+        self.attempt(|c| {
+            let t = c.fresh("t");
+            let f = put_in(&f, PLACE, &name(&t))?;
+            c.values_in_order(goal, &f, &t, &x, relation, &y)
+        })
     }
 
     /// A difference a − b relation 0 from its value where it is stationary in a variable.
