@@ -299,7 +299,7 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
             return Ok(label);
         }
-        if let Ok(label) = self.attempt(|c| c.by_sign_chart(goal, a, b)) {
+        if let Ok(label) = self.with_half(|c| c.by_sign_chart(goal, a, b)) {
             return Ok(label);
         }
         if let Ok(label) = self.by_common_function(goal, a, relation, b) {

@@ -96,7 +96,8 @@ impl Prover {
         let signs = self.signs_of(&difference);
         for relation in [Relation::Less, Relation::Greater, Relation::LessEqual, Relation::GreaterEqual] {
             if !signs.within(Signs::of(relation.negated()))
-                && let Ok(fact) = self.attempt(|c| c.without_cases(&compare(left.clone(), relation, right.clone()))) {
+                && let Ok(fact) = self.attempt(|c| c.without_cases(&compare(left.clone(), relation, right.clone())))
+            {
                 return Ok(Side { value, relation, fact, within });
             }
         }
@@ -106,7 +107,8 @@ impl Prover {
 
 /// The number k sixths of the way from one to another.
 fn part_of_the_way(from: &Expr, to: &Expr, k: u32) -> Expr {
-    let times = |k: u32, e: &Expr| expr(ExprKind::Product(vec![(Factor::Times, numeral(k)), (Factor::Times, e.clone())]));
+    let times =
+        |k: u32, e: &Expr| expr(ExprKind::Product(vec![(Factor::Times, numeral(k)), (Factor::Times, e.clone())]));
     let whole = sum(vec![(Sign::Plus, times(6 - k, from)), (Sign::Plus, times(k, to))]);
     expr(ExprKind::Product(vec![(Factor::Times, whole), (Factor::Over, numeral(6))]))
 }

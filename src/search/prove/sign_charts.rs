@@ -93,7 +93,11 @@ impl Prover {
     /// Shows the sign of a function of one variable.
     pub(super) fn charted_sign(&mut self, e: &Expr) -> Result<Label, Fail> {
         let [x] = self.reals_in(e).try_into().map_err(|_| no())?;
-        if super::absolute::has_absolute(e) || self.slopes_open >= DEPTH || self.charts >= CHARTS {
+        if super::absolute::has_absolute(e)
+            || has_moving_exponent(e)
+            || self.slopes_open >= DEPTH
+            || self.charts >= CHARTS
+        {
             return Err(no());
         }
         self.charts += 1;
@@ -159,9 +163,7 @@ impl Prover {
         let [factor] = reading.factors.as_slice() else { return None };
         let p = factor.poly.scale(&reading.number);
         for (function, is_logarithm) in [("ln", true), ("exp", false)] {
-            let is_it = |letter: &u32| {
-                matches!(self.letters.expr(*letter).map(|e| &e.kind), Some(ExprKind::Apply(f, _)) if f.text == function)
-            };
+            let is_it = |letter: &u32| matches!(self.letters.expr(*letter).map(|e| &e.kind), Some(ExprKind::Apply(f, _)) if f.text == function);
             let letters: Vec<u32> = p.variables().into_iter().filter(is_it).collect();
             if letters.len() != 1 && is_logarithm {
                 continue;
@@ -185,13 +187,21 @@ impl Prover {
     }
 
     /// An order of a variable and a number, or their equality, from an equation in the variable that fails on the other side.
-    pub(super) fn by_failing_equation(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        let is_place = |x: &Expr, c: &Expr| matches!(x.kind, ExprKind::Name(_)) && enclosed(x).is_none() && enclosed(c).is_some();
+    pub(super) fn by_failing_equation(
+        &mut self,
+        goal: &Prop,
+        a: &Expr,
+        relation: Relation,
+        b: &Expr,
+    ) -> Result<Label, Fail> {
+        let is_place =
+            |x: &Expr, c: &Expr| matches!(x.kind, ExprKind::Name(_)) && enclosed(x).is_none() && enclosed(c).is_some();
         if self.slopes_open > 0 || !(is_place(a, b) || is_place(b, a)) {
             return Err(no());
         }
         if relation == Relation::Equal {
-            let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|half| (half, compare(a.clone(), half, b.clone())));
+            let halves =
+                [Relation::LessEqual, Relation::GreaterEqual].map(|half| (half, compare(a.clone(), half, b.clone())));
             let mut from = Vec::new();
             for (relation, half) in halves {
                 from.push(self.by_failing_equation(&half, a, relation, b)?);
@@ -204,13 +214,17 @@ impl Prover {
             let ([l, r], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { continue };
             let difference = minus(l, r);
             let alone = self.reals_in(&difference);
-            if !matches!(&x.kind, ExprKind::Name(n) if alone == [n.clone()]) || !super::slopes::has_function(&difference) {
+            if !matches!(&x.kind, ExprKind::Name(n) if alone == [n.clone()])
+                || !super::slopes::has_function(&difference)
+            {
                 continue;
             }
             let done = self.attempt(|c| {
                 c.against_opposite(goal, |c, _| {
                     let sign = c.charted_sign(&difference)?;
-                    let Some(PropKind::Compare(_, said)) = c.fact(&sign).map(|fact| fact.kind) else { return Err(no()) };
+                    let Some(PropKind::Compare(_, said)) = c.fact(&sign).map(|fact| fact.kind) else {
+                        return Err(no());
+                    };
                     let strict = compare(l.clone(), said[0].strict(), r.clone());
                     let strict = c.combination(strict, vec![Term { facts: vec![sign], factor: numeral(1) }])?;
                     c.logic(&[&strict, &label], goal)
@@ -268,7 +282,9 @@ impl Prover {
                 let cut = minus(&turn, &literal(&(&constant / &slope)));
                 let cut = if constant == 0 { turn } else { cut };
                 match enclosed(&cut) {
-                    Some((a, b)) if a > low.near && b < high.near && cuts.iter().all(|c| c.1 != cut) => cuts.push((a, cut)),
+                    Some((a, b)) if a > low.near && b < high.near && cuts.iter().all(|c| c.1 != cut) => {
+                        cuts.push((a, cut))
+                    }
                     _ => {}
                 }
             }
@@ -339,7 +355,14 @@ impl Prover {
     }
 
     /// The goal from the value at the lower end of a short interval, and how much the function may fall from there.
-    fn nearly_flat(&mut self, goal: &Prop, f: &Function, most: &Rational, low: &Expr, high: &Expr) -> Result<Label, Fail> {
+    fn nearly_flat(
+        &mut self,
+        goal: &Prop,
+        f: &Function,
+        most: &Rational,
+        low: &Expr,
+        high: &Expr,
+    ) -> Result<Label, Fail> {
         let is_positive = f.relation.is_greater() == Some(true);
         let toward = if is_positive { most.clone() } else { -most };
         let steepest = literal(&toward);
@@ -407,7 +430,12 @@ impl Function<'_> {
     }
 
     /// A short interval about a greatest or least value, and a bound of the slope there.
-    fn about(&self, is_greatest: bool, mut low: Rational, mut high: Rational) -> Option<(Rational, Rational, Rational)> {
+    fn about(
+        &self,
+        is_greatest: bool,
+        mut low: Rational,
+        mut high: Rational,
+    ) -> Option<(Rational, Rational, Rational)> {
         let is_positive = self.relation.is_greater()?;
         for _ in 0..ROUNDS {
             let step = (&high - &low) / Rational::from(8);
@@ -435,6 +463,13 @@ fn turning_arguments<'a>(e: &'a Expr, into: &mut Vec<&'a Expr>) {
         into.extend(list);
     }
     crate::claim::walk::parts(e, &mut |part| turning_arguments(part, into));
+}
+
+/// Whether an exponent is no number: such powers are compared by their logarithms.
+fn has_moving_exponent(e: &Expr) -> bool {
+    let mut found = matches!(&e.kind, ExprKind::Power(_, exponent) if enclosed(exponent).is_none());
+    crate::claim::walk::parts(e, &mut |part| found = found || has_moving_exponent(part));
+    found
 }
 
 fn no() -> Fail {

@@ -64,7 +64,13 @@ impl Prover {
     }
 
     /// A comparison of two values of one function.
-    pub(super) fn by_common_function(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_common_function(
+        &mut self,
+        goal: &Prop,
+        a: &Expr,
+        relation: Relation,
+        b: &Expr,
+    ) -> Result<Label, Fail> {
         let no = || Fail::No("two values of one function");
         if relation.is_greater().is_none() || !has_function(a) {
             return Err(no());
