@@ -317,9 +317,6 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.without_divisors(goal, a, relation, b)) {
             return Ok(label);
         }
-        if let Ok(label) = self.attempt(|c| c.by_concavity(goal, a, relation, b)) {
-            return Ok(label);
-        }
         self.attempt(|c| c.by_slope(goal, a, relation, b))
     }
 

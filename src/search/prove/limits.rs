@@ -129,12 +129,6 @@ impl Prover {
         let falling = |k: u32| over(numeral(k), next.clone());
         let minus = |k: u32| expr(ExprKind::Sum(vec![(Sign::Plus, l.value.clone()), (Sign::Minus, falling(k))]));
         let above = |k: u32| plus(&l.value, falling(k));
-        // Bounds that follow from the first value and the limit: value + (first − value)·g(n).
-        for closed in self.closed_forms(l) {
-            if let Ok(label) = self.attempt(|c| c.between(goal, l, (&closed, &closed), &[], 1)) {
-                return Ok(label);
-            }
-        }
         // From 4 on a power of 2 is at least a square.
         for (lower, upper, least) in [
             (l.value.clone(), above(1), 1),
@@ -155,30 +149,6 @@ impl Prover {
     fn by_closed_sums(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let (closed, facts) = self.with_closed_sums(&l.of, &l.variable.text)?;
         self.between(goal, l, (&closed, &closed), &facts, 1)
-    }
-
-    /// The values that a sum has if it is value + (first − value)·g(n), for g that occur or fall like 1/(n + 1).
-    fn closed_forms(&mut self, l: &Limit) -> Vec<Expr> {
-        let ExprKind::SumOver(index, body) = &l.of.kind else { return Vec::new() };
-        if !matches!(&index.to.kind, ExprKind::Name(n) if *n == l.variable.text) {
-            return Vec::new();
-        }
-        let n = name(&l.variable.text);
-        let mut ratios = Vec::new();
-        powers_of(body, &index.name.text, &mut ratios);
-        let mut falling: Vec<Expr> =
-            ratios.iter().map(|r| expr(ExprKind::Power(Box::new(r.clone()), Box::new(n.clone())))).collect();
-        falling.push(over(numeral(1), plus(&n, numeral(1))));
-        let first = if natural(&index.from) == Some(0) {
-            let mut map = Substitution::default();
-            map.replace(&index.name.text, &numeral(0));
-            map.expr(body).ok()
-        } else {
-            Some(numeral(0))
-        };
-        let Some(first) = first else { return Vec::new() };
-        let gap = expr(ExprKind::Sum(vec![(Sign::Plus, first), (Sign::Minus, l.value.clone())]));
-        falling.into_iter().map(|g| plus(&l.value, product(vec![gap.clone(), g]))).collect()
     }
 
     /// r^n → 0 for r between −1 and 1: it lies between −q^n and q^n for q = (1 + r²)/2, which is at least |r| and less than 1.
@@ -296,28 +266,4 @@ fn divisors_in(e: &Expr, out: &mut Vec<Expr>) {
         out.extend(list.iter().filter(|f| f.0 == Factor::Over).map(|f| f.1.clone()));
     }
     crate::refute::expand::parts(e, &mut |part| divisors_in(part, out));
-}
-
-/// The bases of powers whose exponent is this name.
-pub(crate) fn powers_of(e: &Expr, index: &str, out: &mut Vec<Expr>) {
-    match &e.kind {
-        ExprKind::Power(base, exponent) => {
-            if matches!(&exponent.kind, ExprKind::Name(n) if n == index) && !holds(base, index) {
-                out.push((**base).clone());
-            } else if let ExprKind::Product(list) = &exponent.kind
-                && let [
-                    (_, Expr { kind: ExprKind::Number(k), .. }),
-                    (Factor::Times, Expr { kind: ExprKind::Name(n), .. }),
-                ] = list.as_slice()
-                && n == index
-                && let Ok(k) = k.parse::<i64>()
-            {
-                out.push(whole_power((**base).clone(), k));
-            }
-        }
-        ExprKind::Negate(a) => powers_of(a, index, out),
-        ExprKind::Sum(list) => list.iter().for_each(|(_, e)| powers_of(e, index, out)),
-        ExprKind::Product(list) => list.iter().for_each(|(_, e)| powers_of(e, index, out)),
-        _ => {}
-    }
 }

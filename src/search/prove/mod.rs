@@ -26,7 +26,6 @@ mod circle;
 mod cofactors;
 mod columns;
 mod comparison;
-mod concavity;
 mod conditions;
 mod denesting;
 mod differences;
