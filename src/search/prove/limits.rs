@@ -1,6 +1,6 @@
 //! Limits: by degrees, by asymptotic expansion (`asymptotic_limits`), or by a squeeze between bounds that fall like 1/(n + 1).
 
-use super::letters::{natural, product, whole_power};
+use super::letters::{natural, whole_power};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule};
