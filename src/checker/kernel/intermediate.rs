@@ -1,7 +1,7 @@
 //! Rule `intermediate`: the intermediate value theorem.
 
 use super::known::Known;
-use super::slope::{Ends, is_bound, with_ends};
+use super::slope::{Ends, on_an_interval, two_points, with_ends};
 use super::statement::{compare, expr, sum};
 use super::substitution::Substitution;
 use super::tree::single;
@@ -34,20 +34,15 @@ impl Checker {
         let PropKind::Exists(bindings, body) = &goal.kind else { return rejected(Reason::NotExists) };
         let [binding] = bindings.as_slice() else { return rejected(Reason::NotAnInterval) };
         let [(variable, None)] = binding.names.as_slice() else { return rejected(Reason::NotAnInterval) };
-        if binding.natural || !binding.constraints.iter().all(|c| is_bound(c, &variable.text)) {
-            return rejected(Reason::NotAnInterval);
-        }
+        on_an_interval(binding, variable)?;
         let (left, relation, right) = single(body)?;
         if relation != Relation::Equal {
             return rejected(Reason::NotAnEquation);
         }
-        let find = |name: &str| with.iter().find(|w| w.0.text == name).map(|w| &w.1);
-        let (Some(a), Some(b), 2) = (find("a"), find("b"), with.len()) else {
-            return rejected(Reason::ValueForNoVariable);
-        };
+        let [a, b] = two_points(with)?;
         let [below, above, from @ ..] = from else { return rejected(Reason::SignsAtEnds) };
-        let below = self.at_the_end(below, body, (variable, a), Relation::Less, Relation::LessEqual)?;
-        let above = self.at_the_end(above, body, (variable, b), Relation::Greater, Relation::GreaterEqual)?;
+        let below = self.at_the_end(below, body, (variable, a), Relation::Less)?;
+        let above = self.at_the_end(above, body, (variable, b), Relation::Greater)?;
         self.number_defined(a, known)?;
         self.number_defined(b, known)?;
         let difference = sum(vec![(Sign::Plus, left.clone()), (Sign::Minus, right.clone())]);
@@ -66,14 +61,13 @@ impl Checker {
     /// Whether a fact says strictly on which side an equation fails at a value of its variable.
     ///
     /// # Errors
-    /// The fact is not the equation there with the strict relation, the other one or `=`.
+    /// The fact is not the equation there with the strict relation, the loose one or `=`.
     fn at_the_end(
         &self,
         fact: &str,
         equation: &Prop,
         (variable, value): (&Name, &Expr),
         strict: Relation,
-        other: Relation,
     ) -> Result<bool, Refusal> {
         let fact = key::prop(&*self.fact(fact)?);
         let mut map = Substitution::default();
@@ -83,7 +77,7 @@ impl Checker {
         let says = |relation| key::prop(&compare(left.clone(), relation, right.clone())) == fact;
         match says(strict) {
             true => Ok(true),
-            false if says(other) || says(Relation::Equal) => Ok(false),
+            false if says(strict.loose()) || says(Relation::Equal) => Ok(false),
             false => rejected(Reason::SignsAtEnds),
         }
     }

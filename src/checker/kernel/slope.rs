@@ -58,13 +58,8 @@ impl Checker {
             ExprKind::Derivative(f, by) if by.len() == 1 && by.iter().all(|n| n.text == variable.text) => f,
             _ => return rejected(Reason::NotADerivative),
         };
-        if binding.natural || !binding.constraints.iter().all(|c| is_bound(c, &variable.text)) {
-            return rejected(Reason::NotAnInterval);
-        }
-        let find = |name: &str| with.iter().find(|w| w.0.text == name).map(|w| &w.1);
-        let (Some(a), Some(b), 2) = (find("a"), find("b"), with.len()) else {
-            return rejected(Reason::ValueForNoVariable);
-        };
+        on_an_interval(binding, variable)?;
+        let [a, b] = two_points(with)?;
         let at = |value: &Expr| -> Result<Expr, Refusal> {
             let mut map = Substitution::default();
             map.replace(&variable.text, value);
@@ -139,6 +134,29 @@ impl Checker {
             }
         }
         self.within(std::slice::from_ref(binding), known, |checker, known| checker.number_defined(f, known))
+    }
+}
+
+/// Whether the domain of a variable is an interval of real numbers, whose bounds do not move with it.
+///
+/// # Errors
+/// It is not.
+pub(super) fn on_an_interval(binding: &Binding, variable: &Name) -> Result<(), Refusal> {
+    match !binding.natural && binding.constraints.iter().all(|c| is_bound(c, &variable.text)) {
+        true => Ok(()),
+        false => rejected(Reason::NotAnInterval),
+    }
+}
+
+/// The values of a and b, the only ones that are given.
+///
+/// # Errors
+/// Others are given.
+pub(super) fn two_points(with: &[(Name, Expr)]) -> Result<[&Expr; 2], Refusal> {
+    let find = |name: &str| with.iter().find(|w| w.0.text == name).map(|w| &w.1);
+    match (find("a"), find("b"), with.len()) {
+        (Some(a), Some(b), 2) => Ok([a, b]),
+        _ => rejected(Reason::ValueForNoVariable),
     }
 }
 

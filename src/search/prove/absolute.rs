@@ -82,10 +82,8 @@ impl Prover {
     /// |E| <= F by E <= F and -E <= F, where E is no variable: its sign may be unknown, or need cases by itself.
     fn by_two_bounds(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
         let no = || Fail::No("an absolute value as the smaller side");
-        let (small, relation, great) = match relation.is_greater().ok_or_else(no)? {
-            true => (b, relation.turned(), a),
-            false => (a, relation, b),
-        };
+        let is_turned = relation.is_greater().ok_or_else(no)?;
+        let (small, relation, great) = if is_turned { (b, relation.turned(), a) } else { (a, relation, b) };
         let (square, half) = as_power(small).ok_or_else(no)?;
         let (inside, two) = as_power(&square).ok_or_else(no)?;
         let is_root = self.letters.number(&half).is_some_and(|k| k == Rational::from_unsigneds(1u32, 2));
@@ -97,7 +95,7 @@ impl Prover {
         for side in [&inside, &negated] {
             bounds.push(self.in_signs_with(3, &compare(side.clone(), relation, great.clone()))?);
         }
-        let same_way = if std::ptr::eq(small, a) { 1 } else { -1 };
+        let same_way = if is_turned { -1 } else { 1 };
         let values = [(Relation::GreaterEqual, &inside), (Relation::Less, &negated)];
         let by_the_sign = self.attempt(|c| {
             let mut from = Vec::new();

@@ -47,13 +47,12 @@ impl Prover {
         let mut found: Vec<Side> = Vec::new();
         for value in places(binding, variable, [left, right]) {
             let Ok(side) = self.attempt(|c| c.side(binding, variable, [left, right], value)) else { continue };
-            let other = found.iter().find(|other| !agree(other.relation, side.relation));
+            let other = found.iter().find(|other| other.relation.is_greater() != side.relation.is_greater());
             let Some(other) = other else {
                 found.push(side);
                 continue;
             };
-            let is_below = |side: &Side| matches!(side.relation, Relation::Less | Relation::LessEqual);
-            let (a, b) = if is_below(other) { (other, &side) } else { (&side, other) };
+            let (a, b) = if side.relation.is_greater() == Some(true) { (other, &side) } else { (&side, other) };
             let with = [("a", a), ("b", b)].map(|(n, side)| (Name::new(n), side.value.clone())).to_vec();
             let facts = [&a.fact, &b.fact].into_iter().chain(&a.within).chain(&b.within);
             let from = facts.cloned().collect();
@@ -119,11 +118,6 @@ fn letters_in(e: &Expr, into: &mut BTreeSet<String>) {
         into.insert(letter.clone());
     }
     crate::claim::walk::parts(e, &mut |part| letters_in(part, into));
-}
-
-/// Whether two orders go the same way.
-fn agree(a: Relation, b: Relation) -> bool {
-    a.loose() == b.loose()
 }
 
 /// Values at which the sides may differ in opposite directions.

@@ -13,7 +13,6 @@ use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, name, numeral, sum};
-use crate::kernel::substitution::Substitution;
 use crate::refute::evaluate::Assignment;
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -35,7 +34,6 @@ const QUADRANTS: i64 = 12;
 const ROUNDS: usize = 12;
 
 /// One end of an interval.
-#[derive(Clone)]
 pub(super) struct End {
     pub(super) at: Expr,
     /// A number near it, on the inner side.
@@ -52,7 +50,6 @@ impl End {
 }
 
 /// What a function does in an interval between two numbers, or from or to the end of its domain.
-#[derive(Clone)]
 enum Run {
     Rises,
     Falls,
@@ -259,11 +256,8 @@ impl Prover {
         if !super::slopes::has_function(e) {
             return Vec::new();
         }
-        let ends = [None, None];
-        let places = self.exact_places(e, x);
-        let function = Function { of: e, x, relation: Relation::Equal, ends };
-        let at = |place: &Expr| super::slopes::put_in(e, x, place).ok().and_then(|e| enclosed(&e)).is_some();
-        places.into_iter().map(|p| p.1).filter(|place| at(place) && function.may_be_zero(place)).collect()
+        let is_zero = |place: &Expr| enclosed_at(e, x, place).is_some_and(|(low, high)| low <= 0 && high >= 0);
+        self.exact_places(e, x).into_iter().map(|p| p.1).filter(is_zero).collect()
     }
 
     /// Where sine and cosine change their signs between the ends of an interval, from the middle one on; nothing where that is often.
@@ -415,18 +409,15 @@ impl Function<'_> {
     fn begins_and_ends_with_a_value(&self, chart: &Chart) -> bool {
         let is_positive = self.relation.is_greater() == Some(true);
         let from_below = |run: &Run| matches!(run, Run::Rises) == is_positive;
-        let has_value = |end: &Option<End>| {
-            let at = end.as_ref().and_then(|end| super::slopes::put_in(self.of, self.x, &end.at).ok());
-            at.is_some_and(|at| enclosed(&at).is_some())
-        };
+        let has_value =
+            |end: &Option<End>| end.as_ref().is_some_and(|end| enclosed_at(self.of, self.x, &end.at).is_some());
         let first = chart.runs.first().is_some_and(|run| !from_below(run) || has_value(&self.ends[0]));
         first && chart.runs.last().is_some_and(|run| from_below(run) || has_value(&self.ends[1]))
     }
 
     /// Whether the function is not seen to differ from 0 at a place.
     fn may_be_zero(&self, place: &Expr) -> bool {
-        let at = super::slopes::put_in(self.of, self.x, place).ok().and_then(|e| enclosed(&e));
-        at.is_none_or(|(low, high)| low <= 0 && high >= 0)
+        enclosed_at(self.of, self.x, place).is_none_or(|(low, high)| low <= 0 && high >= 0)
     }
 
     /// A short interval about a greatest or least value, and a bound of the slope there.
@@ -478,11 +469,14 @@ fn no() -> Fail {
 
 /// The value of an expression at a number, nearly; nothing where its sign is not certain.
 fn value(e: &Expr, x: &str, at: &Rational) -> Option<Rational> {
-    let mut map = Substitution::default();
-    map.replace(x, &literal(at));
-    let (low, high) = enclosed(&map.expr(e).ok()?)?;
+    let (low, high) = enclosed_at(e, x, &literal(at))?;
     let is_certain = low > 0 || high < 0 || low == high;
     is_certain.then(|| (low + high) / Rational::from(2))
+}
+
+/// Numbers between which an expression of one variable lies at a place of it.
+fn enclosed_at(e: &Expr, x: &str, place: &Expr) -> Option<(Rational, Rational)> {
+    enclosed(&super::slopes::put_in(e, x, place).ok()?)
 }
 
 /// Numbers between which an expression lies that is made of numbers and π.

@@ -39,9 +39,6 @@ impl Prover {
         if !has_function(a) && !has_function(b) {
             return Err(Fail::No("an exponential, a logarithm or a root"));
         }
-        if let Ok(label) = self.by_common_function(goal, a, relation, b) {
-            return Ok(label);
-        }
         let difference = minus(a, b);
         let reals = self.reals_in(&difference);
         for x in &reals {
