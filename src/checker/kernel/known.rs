@@ -4,6 +4,7 @@
 //! need to have values.
 
 use super::fraction::{Fraction, Poly};
+use super::interval::bounded_atoms;
 use super::order::Signs;
 use super::term::Value;
 use super::tree::{parts, single};
@@ -21,6 +22,8 @@ pub(super) struct Known {
     pub(super) signs: Vec<Sign>,
     /// The places among them of the signs of each polynomial, in order.
     pub(super) places: BTreeMap<Poly, Vec<usize>>,
+    /// The places among them of those that bound an atom by others, in order.
+    pub(super) bounds: BTreeMap<usize, Vec<usize>>,
     pub(super) equations: Rc<Vec<Equation>>,
     /// The ranges of the indices in scope.
     pub(super) ranges: Vec<Range>,
@@ -139,6 +142,9 @@ impl Known {
 
     pub(super) fn add(&mut self, sign: Sign) {
         self.places.entry(sign.poly.clone()).or_default().push(self.signs.len());
+        for atom in bounded_atoms(&sign.poly) {
+            self.bounds.entry(atom).or_default().push(self.signs.len());
+        }
         self.signs.push(sign);
     }
 
@@ -157,6 +163,9 @@ impl Known {
         for sign in self.signs.drain(mark.signs..) {
             if let Some(places) = self.places.get_mut(&sign.poly) {
                 places.pop();
+            }
+            for atom in bounded_atoms(&sign.poly) {
+                self.bounds.entry(atom).or_default().pop();
             }
         }
         self.ranges.truncate(mark.ranges);

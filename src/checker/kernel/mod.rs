@@ -32,6 +32,7 @@ pub mod fraction;
 mod hypotheses;
 mod integral;
 mod intermediate;
+mod interval;
 pub mod key;
 mod known;
 mod logic;

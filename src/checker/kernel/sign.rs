@@ -5,6 +5,7 @@
 //! atom's form says: naturals and roots are not negative, exponentials are positive.
 
 use super::fraction::{Fraction, Poly};
+use super::interval::Intervals;
 use super::known::{Known, Range, Sign};
 use super::order::Signs;
 use super::term::Atom;
@@ -12,8 +13,7 @@ use super::tree::{conjuncts, single};
 use super::{Checker, Refusal, key};
 use crate::claim::syntax::*;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
-use std::cmp::Ordering;
+use num_traits::Signed;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -23,15 +23,21 @@ pub(super) const NESTING: usize = 20;
 /// Up to which degree in an index a factor is read with the ends of the range put in.
 const RANGE_DEGREE: u32 = 20;
 
-/// One question: the signs of atoms found so far, and the ranges of the indices that what it reads may hold.
+/// One question: the signs and intervals of atoms found so far, and the ranges of the indices that what it reads may hold.
+#[derive(Default)]
 pub(super) struct Found {
-    signs: BTreeMap<usize, Signs>,
-    ranges: Vec<Range>,
+    pub(super) signs: BTreeMap<usize, Signs>,
+    pub(super) intervals: Intervals,
+    pub(super) ranges: Vec<Range>,
 }
 
 impl Found {
     pub(super) fn new(known: &Known) -> Found {
-        Found { signs: BTreeMap::new(), ranges: known.ranges.clone() }
+        Found::within(known.ranges.clone())
+    }
+
+    fn within(ranges: Vec<Range>) -> Found {
+        Found { ranges, ..Found::default() }
     }
 }
 
@@ -217,30 +223,8 @@ impl Checker {
             }
             sum = sum.plus(term);
         }
-        Ok(sum.and(self.beside_the_circle(poly)))
-    }
-
-    /// The signs of c + T, where T is made of products of sines and cosines with numbers before them.
-    ///
-    /// Sound: sines and cosines lie between -1 and 1, and so do their products. So |T| is at most the sum of the absolute values
-    /// of the numbers, and c + T has the sign of c where |c| is greater; where it is equal, c + T may be 0 as well.
-    fn beside_the_circle(&self, poly: &Poly) -> Signs {
-        let (mut c, mut most) = (BigRational::zero(), BigRational::zero());
-        for (monomial, factor) in poly.terms() {
-            if monomial.is_empty() {
-                c = factor.clone();
-            } else if monomial.iter().all(|(a, _)| matches!(self.atoms.get(*a), Some(Atom::Cosine(_) | Atom::Sine(_))))
-            {
-                most += factor.abs();
-            } else {
-                return Signs::ANY;
-            }
-        }
-        match c.abs().cmp(&most) {
-            Ordering::Greater => Signs::of_number(&c),
-            Ordering::Equal => Signs::of_number(&c).or(Signs::ZERO),
-            Ordering::Less => Signs::ANY,
-        }
+        let is_settled = sum.within(Signs::NOT_ZERO) || sum.within(Signs::ZERO);
+        Ok(if is_settled { sum } else { sum.and(self.bounded_signs(poly, known, found)?) })
     }
 
     /// The signs of an atom, sought once in each question: an atom may stand in every term.
@@ -279,6 +263,8 @@ impl Checker {
                 let shifted = Fraction::sum(&[inner.clone(), Fraction::integer(-1)], &self.work)?;
                 self.fraction_signs(&shifted, known, depth, found)?
             }
+            Some(Atom::Cosine(u)) => self.arc_signs(u, [(-1, 1), (1, 3)], known, depth, found)?,
+            Some(Atom::Sine(u)) => self.arc_signs(u, [(0, 2), (-2, 0)], known, depth, found)?,
             Some(Atom::Member(name, _)) => self.member_signs(name, known)?,
             Some(Atom::Over(over)) => {
                 let Some(index) = self.atom_index.get(&Atom::Bound(over.depth)).copied() else {
@@ -291,8 +277,7 @@ impl Checker {
                 }
                 let mut ranges = found.ranges.clone();
                 ranges.push(Range { index, from: over.from.clone(), to: over.to.clone() });
-                let mut inside = Found { signs: BTreeMap::new(), ranges };
-                let body = self.fraction_signs(&over.body, known, depth, &mut inside)?;
+                let body = self.fraction_signs(&over.body, known, depth, &mut Found::within(ranges))?;
                 // A range may be empty: an empty sum is 0, an empty product 1.
                 let kinds = if over.sum {
                     vec![Signs::NOT_NEGATIVE, Signs::of(Relation::LessEqual)]
@@ -303,6 +288,44 @@ impl Checker {
             }
             _ => Signs::ANY,
         })
+    }
+
+    /// The signs of the sine or cosine of u, if u lies on an arc of one sign: from and to are multiples of π/2.
+    ///
+    /// Sound: it is 0 at both, positive between the first two and negative between the others. What this rests on is marked only if it
+    /// says something, and what it finds is of this question alone.
+    fn arc_signs(
+        &self,
+        u: &Fraction,
+        arcs: [(i64, i64); 2],
+        known: &Known,
+        depth: usize,
+        found: &Found,
+    ) -> Result<Signs, Refusal> {
+        let Some(pi) = self.atom_index.get(&Atom::Pi).copied() else { return Ok(Signs::ANY) };
+        let half = Fraction::atom(pi).times(&Fraction::number(BigRational::new(1.into(), 2.into())), &self.work)?;
+        let before = (known.asked.take(), known.put_in.take());
+        let mut signs = Signs::ANY;
+        for ((from, to), beyond) in arcs.into_iter().zip([Signs::POSITIVE, Signs::POSITIVE.turned()]) {
+            let mut lengths = Signs::POSITIVE;
+            for (end, towards) in [(from, 1), (to, -1)] {
+                let end = half.times(&Fraction::integer(end), &self.work)?;
+                let length = u.minus(&end, &self.work)?.times(&Fraction::integer(towards), &self.work)?;
+                lengths =
+                    lengths.or(self.fraction_signs(&length, known, depth, &mut Found::within(found.ranges.clone()))?);
+                if !lengths.within(Signs::NOT_NEGATIVE) {
+                    break;
+                }
+            }
+            if lengths.within(Signs::NOT_NEGATIVE) {
+                signs = if lengths.within(Signs::POSITIVE) { beyond } else { beyond.or(Signs::ZERO) };
+                break;
+            }
+            (known.asked.take(), known.put_in.take());
+        }
+        known.asked.borrow_mut().extend(before.0);
+        known.put_in.borrow_mut().extend(before.1);
+        Ok(signs)
     }
 
     /// Whether a sign is noted of something that holds the index of this number.

@@ -1,0 +1,338 @@
+//! Between which numbers a polynomial lies, from bounds that a step knows of its atoms.
+//!
+//! Contract: at every point that the facts allow, where the atoms of a polynomial have values, its value lies in the interval
+//! that [`Checker::interval_of`] returns. Ends are p + q·π with rational p and q; an open end is not reached.
+
+use super::enclosure::EXACT_BITS;
+use super::fraction::Poly;
+use super::known::Known;
+use super::order::Signs;
+use super::poly::Monomial;
+use super::sign::Found;
+use super::term::Atom;
+use super::{Checker, Refusal};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How many terms a polynomial may have that bounds its atoms.
+pub(super) const BOUND_TERMS: usize = 4;
+/// How many bounds may rest on one another: x < y, y < z, z < 1.
+const CHAIN: usize = 4;
+/// Decimals that bound π: PI_DIGITS < π·10^20 < PI_DIGITS + 1.
+const PI_DIGITS: u128 = 314_159_265_358_979_323_846;
+
+/// An end of an interval: number + turns·π.
+#[derive(Clone, Debug)]
+struct End {
+    number: BigRational,
+    turns: BigRational,
+    open: bool,
+    /// The places among what is known of the signs that it rests on.
+    from: BTreeSet<usize>,
+}
+
+/// The numbers at or between two ends; where there is none, all beyond as well.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Interval {
+    low: Option<End>,
+    high: Option<End>,
+}
+
+/// The intervals of atoms that one question has found, or is about to find.
+pub(super) type Intervals = BTreeMap<usize, Interval>;
+
+fn pi_decimal(up: bool) -> BigRational {
+    let scale = BigInt::from(10).pow(20);
+    BigRational::new(BigInt::from(PI_DIGITS + u128::from(up)), scale)
+}
+
+impl End {
+    fn at(number: BigRational, open: bool) -> End {
+        End { number, turns: BigRational::zero(), open, from: BTreeSet::new() }
+    }
+
+    /// Its order to 0, if decimals of π show it.
+    fn sign(&self) -> Option<Ordering> {
+        let zero = BigRational::zero();
+        if self.turns.is_zero() {
+            return Some(self.number.cmp(&zero));
+        }
+        let low = (&self.number + &self.turns * pi_decimal(false)).cmp(&zero);
+        let high = (&self.number + &self.turns * pi_decimal(true)).cmp(&zero);
+        (low == high).then_some(low)
+    }
+
+    fn scaled(&self, c: &BigRational) -> End {
+        End { number: &self.number * c, turns: &self.turns * c, open: self.open, from: self.from.clone() }
+    }
+
+    fn plus(&self, other: &End) -> End {
+        End {
+            number: &self.number + &other.number,
+            turns: &self.turns + &other.turns,
+            open: self.open || other.open,
+            from: self.from.union(&other.from).copied().collect(),
+        }
+    }
+
+    /// Its order to another, if it is shown.
+    fn order(&self, other: &End) -> Option<Ordering> {
+        self.plus(&other.scaled(&-BigRational::one())).sign()
+    }
+
+    /// A rational number beyond it, which is never reached.
+    fn rational(&self, up: bool) -> End {
+        if self.turns.is_zero() {
+            return self.clone();
+        }
+        let pi = pi_decimal(up != self.turns.is_negative());
+        End { number: &self.number + &self.turns * pi, turns: BigRational::zero(), open: true, from: self.from.clone() }
+    }
+
+    /// The product of two rational ends, unless it is too long. It is reached where both are, or one that is 0.
+    fn times(&self, other: &End) -> Option<End> {
+        let is_reached_zero = |e: &End| !e.open && e.number.is_zero();
+        let open = (self.open || other.open) && !is_reached_zero(self) && !is_reached_zero(other);
+        let from = self.from.union(&other.from).copied().collect();
+        let number = &self.number * &other.number;
+        let short = number.numer().bits().max(number.denom().bits()) <= EXACT_BITS;
+        short.then_some(End { number, turns: BigRational::zero(), open, from })
+    }
+}
+
+/// The outer of two ends, upwards or downwards; where they are equal, the one that is reached.
+fn outer(a: End, b: End, up: bool) -> Option<End> {
+    match a.order(&b)? {
+        Ordering::Equal => Some(if a.open { b } else { a }),
+        order => Some(if (order == Ordering::Greater) == up { a } else { b }),
+    }
+}
+
+impl Interval {
+    fn around(low: BigRational, high: BigRational, open: bool) -> Interval {
+        Interval { low: Some(End::at(low, open)), high: Some(End::at(high, open)) }
+    }
+
+    /// All that have these signs.
+    fn of_signs(signs: Signs) -> Interval {
+        let zero = |open| Some(End::at(BigRational::zero(), open));
+        let low = signs.within(Signs::NOT_NEGATIVE).then(|| zero(signs.within(Signs::POSITIVE))).flatten();
+        let negative = Signs::POSITIVE.turned();
+        let high = signs.within(Signs::NOT_NEGATIVE.turned()).then(|| zero(signs.within(negative))).flatten();
+        Interval { low, high }
+    }
+
+    /// The signs of its numbers, with the places that they rest on.
+    fn signs(&self) -> (Signs, BTreeSet<usize>) {
+        let (mut signs, mut from) = (Signs::ANY, BTreeSet::new());
+        for (end, beyond) in [(&self.low, Signs::POSITIVE), (&self.high, Signs::POSITIVE.turned())] {
+            let Some(end) = end else { continue };
+            let Some(order) = end.sign() else { continue };
+            let inwards = if beyond == Signs::POSITIVE { order } else { order.reverse() };
+            let says = match inwards {
+                Ordering::Greater => beyond,
+                Ordering::Equal if end.open => beyond,
+                Ordering::Equal => beyond.or(Signs::ZERO),
+                Ordering::Less => continue,
+            };
+            signs = signs.and(says);
+            from.extend(end.from.iter().copied());
+        }
+        (signs, from)
+    }
+
+    fn scaled(&self, c: &BigRational) -> Interval {
+        let [low, high] = [&self.low, &self.high].map(|end| end.as_ref().map(|e| e.scaled(c)));
+        if c.is_negative() { Interval { low: high, high: low } } else { Interval { low, high } }
+    }
+
+    fn negated(&self) -> Interval {
+        self.scaled(&-BigRational::one())
+    }
+
+    fn plus(&self, other: &Interval) -> Interval {
+        let sum = |a: &Option<End>, b: &Option<End>| Some(a.as_ref()?.plus(b.as_ref()?));
+        Interval { low: sum(&self.low, &other.low), high: sum(&self.high, &other.high) }
+    }
+
+    /// A bound more: the inner of two ends.
+    fn narrow(&mut self, end: End, up: bool) {
+        let side = if up { &mut self.high } else { &mut self.low };
+        let is_inner = |old: &End| match end.order(old) {
+            Some(Ordering::Equal) => end.open && !old.open,
+            Some(order) => (order == Ordering::Less) == up,
+            None => false,
+        };
+        if side.as_ref().is_none_or(is_inner) {
+            *side = Some(end);
+        }
+    }
+
+    /// With rational ends further out.
+    fn rational(&self) -> Interval {
+        Interval {
+            low: self.low.as_ref().map(|e| e.rational(false)),
+            high: self.high.as_ref().map(|e| e.rational(true)),
+        }
+    }
+
+    fn is_not_negative(&self) -> bool {
+        self.low.as_ref().is_some_and(|e| e.sign().is_some_and(Ordering::is_ge))
+    }
+
+    fn is_not_positive(&self) -> bool {
+        self.high.as_ref().is_some_and(|e| e.sign().is_some_and(Ordering::is_le))
+    }
+
+    /// The product of two intervals with rational ends: what is bilinear on a rectangle is least and greatest at corners.
+    fn times(&self, other: &Interval) -> Interval {
+        if let ([Some(a), Some(b)], [Some(c), Some(d)]) = ([&self.low, &self.high], [&other.low, &other.high]) {
+            let corners = || [(a, c), (a, d), (b, c), (b, d)].into_iter().map(|(x, y)| x.times(y));
+            let extreme = |up| corners().reduce(|x, y| outer(x?, y?, up)).flatten();
+            return Interval { low: extreme(false), high: extreme(true) };
+        }
+        let product = |a: &Option<End>, b: &Option<End>| a.as_ref()?.times(b.as_ref()?);
+        match () {
+            () if self.is_not_negative() && other.is_not_negative() => {
+                Interval { low: product(&self.low, &other.low), high: product(&self.high, &other.high) }
+            }
+            () if self.is_not_positive() => self.negated().times_of_signs(other).negated(),
+            () => self.times_of_signs(other),
+        }
+    }
+
+    /// The product with an interval of one sign, if this one has no negative number.
+    fn times_of_signs(&self, other: &Interval) -> Interval {
+        match self.is_not_negative() {
+            true if other.is_not_negative() => self.times(other),
+            true if other.is_not_positive() => self.times(&other.negated()).negated(),
+            _ => Interval::default(),
+        }
+    }
+
+    /// The power of an interval with rational ends.
+    fn power(&self, k: u32) -> Interval {
+        if k == 1 {
+            return self.clone();
+        }
+        if k % 2 == 0 && self.is_not_positive() {
+            return self.negated().power(k);
+        }
+        // An odd power rises; an even one does where no number is negative.
+        let raised = |end: &Option<End>| {
+            let end = end.as_ref()?;
+            let bits = end.number.numer().bits().max(end.number.denom().bits());
+            let short = bits.saturating_mul(u64::from(k)) <= EXACT_BITS;
+            short.then(|| End { number: num_traits::pow(end.number.clone(), k as usize), ..end.clone() })
+        };
+        if k % 2 == 1 || self.is_not_negative() {
+            return Interval { low: raised(&self.low), high: raised(&self.high) };
+        }
+        let farther = match (raised(&self.low), raised(&self.high)) {
+            (Some(a), Some(b)) => outer(a, b, true),
+            _ => None,
+        };
+        Interval { low: Some(End::at(BigRational::zero(), false)), high: farther }
+    }
+}
+
+/// The atoms that a polynomial is linear in, outside of all its other terms, if it may bound them.
+pub(super) fn bounded_atoms(poly: &Poly) -> Vec<usize> {
+    if !(2..=BOUND_TERMS).contains(&poly.size()) {
+        return Vec::new();
+    }
+    let alone = |m: &Monomial| if let [(atom, 1)] = m.as_slice() { Some(*atom) } else { None };
+    let times = |atom: usize| poly.terms().filter(|t| t.0.iter().any(|(a, _)| *a == atom)).count();
+    poly.terms().filter_map(|t| alone(t.0)).filter(|atom| times(*atom) == 1).collect()
+}
+
+impl Checker {
+    /// The signs of a polynomial between the bounds of its atoms.
+    pub(super) fn bounded_signs(&self, poly: &Poly, known: &Known, found: &mut Found) -> Result<Signs, Refusal> {
+        let is_bounded = |atom: usize| {
+            known.bounds.get(&atom).is_some_and(|places| !places.is_empty())
+                || matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi))
+        };
+        if !poly.atoms().any(is_bounded) {
+            return Ok(Signs::ANY);
+        }
+        let (signs, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
+        for sign in from.into_iter().filter_map(|place| known.signs.get(place)) {
+            known.asked.borrow_mut().extend(sign.from.iter().copied());
+            known.put_in.borrow_mut().extend(sign.put_in.iter().copied());
+        }
+        Ok(signs)
+    }
+
+    /// Where a sum of terms lies.
+    fn interval_of<'a>(
+        &self,
+        terms: impl Iterator<Item = (&'a Monomial, &'a BigRational)>,
+        known: &Known,
+        chain: usize,
+        found: &mut Found,
+    ) -> Result<Interval, Refusal> {
+        let mut sum = Interval::around(BigRational::zero(), BigRational::zero(), false);
+        for (monomial, c) in terms {
+            self.work.count(1 + monomial.len())?;
+            let mut term = Interval::around(BigRational::one(), BigRational::one(), false);
+            let single = matches!(monomial.as_slice(), [(_, 1)]);
+            for (atom, k) in monomial {
+                let of_atom = self.atom_interval(*atom, known, chain, found)?;
+                // What is no product keeps its multiples of π.
+                term = if single { of_atom } else { term.times(&of_atom.rational().power(*k)) };
+            }
+            sum = sum.plus(&term.scaled(c));
+            if sum.low.is_none() && sum.high.is_none() {
+                break;
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Where an atom lies: by its form, and by each known sign of c·x + r, which bounds x by the interval of r.
+    fn atom_interval(&self, atom: usize, known: &Known, chain: usize, found: &mut Found) -> Result<Interval, Refusal> {
+        if found.ranges.iter().any(|r| r.index == atom) {
+            // It stands for a number of a range, of which only this is known.
+            return Ok(found.signs.get(&atom).map_or_else(Interval::default, |signs| Interval::of_signs(*signs)));
+        }
+        if let Some(interval) = found.intervals.get(&atom) {
+            return Ok(interval.clone());
+        }
+        let one = BigRational::one;
+        let mut out = match self.atoms.get(atom) {
+            Some(Atom::Cosine(_) | Atom::Sine(_)) => Interval::around(-one(), one(), false),
+            Some(Atom::Pi) => {
+                let pi = End { number: BigRational::zero(), turns: one(), open: false, from: BTreeSet::new() };
+                return Ok(Interval { low: Some(pi.clone()), high: Some(pi) });
+            }
+            Some(Atom::Exponential(_)) => Interval::of_signs(Signs::POSITIVE),
+            _ if self.is_natural_atom(atom) => Interval::of_signs(Signs::NOT_NEGATIVE),
+            _ => Interval::default(),
+        };
+        let Some(rest) = chain.checked_sub(1) else { return Ok(out) };
+        // A bound of x that rests on x again says nothing new.
+        found.intervals.insert(atom, out.clone());
+        let of_atom = Poly::atom(atom);
+        let places = known.bounds.get(&atom).into_iter().chain(known.places.get(&of_atom)).flatten();
+        for place in places.copied() {
+            let Some(sign) = known.signs.get(place) else { continue };
+            let is_atom = |m: &Monomial| matches!(m.as_slice(), [(a, 1)] if *a == atom);
+            let Some((_, factor)) = sign.poly.terms().find(|t| is_atom(t.0)) else { continue };
+            let r = self.interval_of(sign.poly.terms().filter(|t| !is_atom(t.0)), known, rest, found)?;
+            // x = (s − r)/c, where the signs of s are known.
+            let x = Interval::of_signs(sign.signs).plus(&r.negated()).scaled(&factor.recip());
+            for (end, up) in [(x.low, false), (x.high, true)] {
+                if let Some(mut end) = end {
+                    end.from.insert(place);
+                    out.narrow(end, up);
+                }
+            }
+        }
+        found.intervals.insert(atom, out.clone());
+        Ok(out)
+    }
+}
