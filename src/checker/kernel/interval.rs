@@ -19,6 +19,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// How many terms a polynomial may have that bounds its atoms.
 pub(super) const BOUND_TERMS: usize = 4;
+/// How many terms a polynomial may have that is sought between the bounds of its atoms.
+const ASKED_TERMS: usize = 8;
 /// How many bounds may rest on one another: x < y, y < z, z < 1.
 const CHAIN: usize = 4;
 /// Decimals that bound π: PI_DIGITS < π·10^20 < PI_DIGITS + 1.
@@ -41,7 +43,7 @@ pub(super) struct Interval {
     high: Option<End>,
 }
 
-/// The intervals of atoms that one question has found, or is about to find.
+/// The intervals of atoms that are found, or about to be found.
 pub(super) type Intervals = BTreeMap<usize, Interval>;
 
 fn pi_decimal(up: bool) -> BigRational {
@@ -66,13 +68,20 @@ impl End {
     }
 
     fn scaled(&self, c: &BigRational) -> End {
-        End { number: &self.number * c, turns: &self.turns * c, open: self.open, from: self.from.clone() }
+        // Most ends are 0, and most factors 1 or -1: no common divisor is sought there.
+        let times = |q: &BigRational| match () {
+            () if q.is_zero() || c.is_one() => q.clone(),
+            () if c.denom().is_one() && c.numer().magnitude().is_one() => -q,
+            () => q * c,
+        };
+        End { number: times(&self.number), turns: times(&self.turns), open: self.open, from: self.from.clone() }
     }
 
     fn plus(&self, other: &End) -> End {
+        let plus = |a: &BigRational, b: &BigRational| if a.is_zero() { b.clone() } else { a + b };
         End {
-            number: &self.number + &other.number,
-            turns: &self.turns + &other.turns,
+            number: plus(&self.number, &other.number),
+            turns: plus(&self.turns, &other.turns),
             open: self.open || other.open,
             from: self.from.union(&other.from).copied().collect(),
         }
@@ -250,21 +259,24 @@ pub(super) fn bounded_atoms(poly: &Poly) -> Vec<usize> {
 }
 
 impl Checker {
-    /// The signs of a polynomial between the bounds of its atoms.
-    pub(super) fn bounded_signs(&self, poly: &Poly, known: &Known, found: &mut Found) -> Result<Signs, Refusal> {
+    /// These signs, and where they are more than one, those that the polynomial may have between the bounds of its atoms.
+    pub(super) fn narrowed(&self, signs: Signs, poly: &Poly, known: &Known, found: &Found) -> Result<Signs, Refusal> {
         let is_bounded = |atom: usize| {
             known.bounds.get(&atom).is_some_and(|places| !places.is_empty())
                 || matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi))
         };
-        if !poly.atoms().any(is_bounded) {
-            return Ok(Signs::ANY);
+        if signs.is_settled() || poly.size() > ASKED_TERMS || !poly.atoms().any(is_bounded) {
+            return Ok(signs);
         }
-        let (signs, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
-        for sign in from.into_iter().filter_map(|place| known.signs.get(place)) {
-            known.asked.borrow_mut().extend(sign.from.iter().copied());
-            known.put_in.borrow_mut().extend(sign.put_in.iter().copied());
+        let (inside, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
+        // What says nothing new is not asked for.
+        if !signs.within(inside) {
+            for sign in from.into_iter().filter_map(|place| known.signs.get(place)) {
+                known.asked.borrow_mut().extend(sign.from.iter().copied());
+                known.put_in.borrow_mut().extend(sign.put_in.iter().copied());
+            }
         }
-        Ok(signs)
+        Ok(signs.and(inside))
     }
 
     /// Where a sum of terms lies.
@@ -273,7 +285,7 @@ impl Checker {
         terms: impl Iterator<Item = (&'a Monomial, &'a BigRational)>,
         known: &Known,
         chain: usize,
-        found: &mut Found,
+        found: &Found,
     ) -> Result<Interval, Refusal> {
         let mut sum = Interval::around(BigRational::zero(), BigRational::zero(), false);
         for (monomial, c) in terms {
@@ -294,12 +306,13 @@ impl Checker {
     }
 
     /// Where an atom lies: by its form, and by each known sign of c·x + r, which bounds x by the interval of r.
-    fn atom_interval(&self, atom: usize, known: &Known, chain: usize, found: &mut Found) -> Result<Interval, Refusal> {
+    fn atom_interval(&self, atom: usize, known: &Known, chain: usize, found: &Found) -> Result<Interval, Refusal> {
         if found.ranges.iter().any(|r| r.index == atom) {
-            // It stands for a number of a range, of which only this is known.
-            return Ok(found.signs.get(&atom).map_or_else(Interval::default, |signs| Interval::of_signs(*signs)));
+            // It stands for a number of a range, of which only this is known, and only in what is asked for.
+            let signs = found.signs.get(&atom).filter(|_| chain == CHAIN);
+            return Ok(signs.map_or_else(Interval::default, |signs| Interval::of_signs(*signs)));
         }
-        if let Some(interval) = found.intervals.get(&atom) {
+        if let Some(interval) = known.intervals.borrow().get(&atom) {
             return Ok(interval.clone());
         }
         let one = BigRational::one;
@@ -315,7 +328,7 @@ impl Checker {
         };
         let Some(rest) = chain.checked_sub(1) else { return Ok(out) };
         // A bound of x that rests on x again says nothing new.
-        found.intervals.insert(atom, out.clone());
+        known.intervals.borrow_mut().insert(atom, out.clone());
         let of_atom = Poly::atom(atom);
         let places = known.bounds.get(&atom).into_iter().chain(known.places.get(&of_atom)).flatten();
         for place in places.copied() {
@@ -332,7 +345,7 @@ impl Checker {
                 }
             }
         }
-        found.intervals.insert(atom, out.clone());
+        known.intervals.borrow_mut().insert(atom, out.clone());
         Ok(out)
     }
 }

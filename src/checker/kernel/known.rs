@@ -4,7 +4,7 @@
 //! need to have values.
 
 use super::fraction::{Fraction, Poly};
-use super::interval::bounded_atoms;
+use super::interval::{Intervals, bounded_atoms};
 use super::order::Signs;
 use super::term::Value;
 use super::tree::{parts, single};
@@ -24,6 +24,8 @@ pub(super) struct Known {
     pub(super) places: BTreeMap<Poly, Vec<usize>>,
     /// The places among them of those that bound an atom by others, in order.
     pub(super) bounds: BTreeMap<usize, Vec<usize>>,
+    /// The intervals that these give to atoms.
+    pub(super) intervals: RefCell<Intervals>,
     pub(super) equations: Rc<Vec<Equation>>,
     /// The ranges of the indices in scope.
     pub(super) ranges: Vec<Range>,
@@ -141,6 +143,7 @@ impl Known {
     }
 
     pub(super) fn add(&mut self, sign: Sign) {
+        self.intervals.take();
         self.places.entry(sign.poly.clone()).or_default().push(self.signs.len());
         for atom in bounded_atoms(&sign.poly) {
             self.bounds.entry(atom).or_default().push(self.signs.len());
@@ -160,6 +163,7 @@ impl Known {
 
     /// Forgets what was learned since.
     pub(super) fn back_to(&mut self, mark: Mark) {
+        self.intervals.take();
         for sign in self.signs.drain(mark.signs..) {
             if let Some(places) = self.places.get_mut(&sign.poly) {
                 places.pop();

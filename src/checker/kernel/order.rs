@@ -62,6 +62,11 @@ impl Signs {
         self.0 & !other.0 == 0
     }
 
+    /// Whether only one is possible.
+    pub fn is_settled(self) -> bool {
+        self.0.count_ones() <= 1
+    }
+
     /// The signs in both.
     pub fn and(self, other: Signs) -> Signs {
         Signs(self.0 & other.0)

@@ -5,7 +5,6 @@
 //! atom's form says: naturals and roots are not negative, exponentials are positive.
 
 use super::fraction::{Fraction, Poly};
-use super::interval::Intervals;
 use super::known::{Known, Range, Sign};
 use super::order::Signs;
 use super::term::Atom;
@@ -23,11 +22,10 @@ pub(super) const NESTING: usize = 20;
 /// Up to which degree in an index a factor is read with the ends of the range put in.
 const RANGE_DEGREE: u32 = 20;
 
-/// One question: the signs and intervals of atoms found so far, and the ranges of the indices that what it reads may hold.
+/// One question: the signs of atoms found so far, and the ranges of the indices that what it reads may hold.
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) signs: BTreeMap<usize, Signs>,
-    pub(super) intervals: Intervals,
     pub(super) ranges: Vec<Range>,
 }
 
@@ -181,28 +179,27 @@ impl Checker {
         depth: usize,
         found: &mut Found,
     ) -> Result<Signs, Refusal> {
-        let is_settled =
-            |s: Signs| s.within(Signs::POSITIVE) || s.within(Signs::of(Relation::Less)) || s.within(Signs::ZERO);
         let mut signs = match poly.single_atom() {
             Some(atom) => self.atom_signs(atom, known, depth, found)?,
             None => match self.sum_signs(poly, known, depth, found)? {
                 // What follows from the terms alone need not be asked for.
-                sum if is_settled(sum) => sum,
-                sum => sum.and(self.noted(poly, known)?),
+                sum if sum.is_settled() => sum,
+                sum => self.narrowed(sum.and(self.noted(poly, known)?), poly, known, found)?,
             },
         };
         for place in 0..found.ranges.len() {
             let Some(Range { index, from, to }) = found.ranges.get(place).cloned() else { continue };
             let inside = |atom: usize| self.occurring.get(atom).is_some_and(|all| all.binary_search(&index).is_ok());
             let alone = poly.atoms().any(|a| a == index) && !poly.atoms().any(|a| a != index && inside(a));
-            if is_settled(signs) || !alone {
+            if signs.is_settled() || !alone {
                 continue;
             }
             let one = |c: i64| Poly::term(vec![(index, 1)], BigRational::from_integer(c.into()));
             for value in [Poly::sum(&[from, one(1)], &self.work)?, Poly::sum(&[to, one(-1)], &self.work)?] {
                 let Some(read) = poly.with(index, &value, RANGE_DEGREE, &self.work)? else { continue };
                 let of_index = found.signs.insert(index, Signs::NOT_NEGATIVE);
-                let read = self.sum_signs(&read, known, depth, found);
+                let sum = self.sum_signs(&read, known, depth, found);
+                let read = sum.and_then(|sum| self.narrowed(sum, &read, known, found));
                 match of_index {
                     Some(before) => found.signs.insert(index, before),
                     None => found.signs.remove(&index),
@@ -223,8 +220,7 @@ impl Checker {
             }
             sum = sum.plus(term);
         }
-        let is_settled = sum.within(Signs::NOT_ZERO) || sum.within(Signs::ZERO);
-        Ok(if is_settled { sum } else { sum.and(self.bounded_signs(poly, known, found)?) })
+        Ok(sum)
     }
 
     /// The signs of an atom, sought once in each question: an atom may stand in every term.
@@ -232,7 +228,9 @@ impl Checker {
         if let Some(signs) = found.signs.get(&atom) {
             return Ok(*signs);
         }
-        let signs = self.noted(&Poly::atom(atom), known)?.and(self.structural(atom, known, depth, found)?);
+        let poly = Poly::atom(atom);
+        let signs = self.noted(&poly, known)?.and(self.structural(atom, known, depth, found)?);
+        let signs = self.narrowed(signs, &poly, known, found)?;
         found.signs.insert(atom, signs);
         Ok(signs)
     }
