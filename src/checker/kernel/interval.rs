@@ -43,8 +43,8 @@ pub(super) struct Interval {
     high: Option<End>,
 }
 
-/// The intervals of atoms that are found, or about to be found.
-pub(super) type Intervals = BTreeMap<usize, Interval>;
+/// The intervals of atoms that were found, by how many bounds might rest on one another.
+pub(super) type Intervals = BTreeMap<(usize, usize), Interval>;
 
 fn pi_decimal(up: bool) -> BigRational {
     let scale = BigInt::from(10).pow(20);
@@ -105,10 +105,16 @@ impl End {
     fn times(&self, other: &End) -> Option<End> {
         let is_reached_zero = |e: &End| !e.open && e.number.is_zero();
         let open = (self.open || other.open) && !is_reached_zero(self) && !is_reached_zero(other);
-        let from = self.from.union(&other.from).copied().collect();
         let number = &self.number * &other.number;
         let short = number.numer().bits().max(number.denom().bits()) <= EXACT_BITS;
-        short.then_some(End { number, turns: BigRational::zero(), open, from })
+        short.then(|| End::at(number, open))
+    }
+
+    /// The power of a rational end, unless it is too long.
+    fn power(&self, k: u32) -> Option<End> {
+        let bits = self.number.numer().bits().max(self.number.denom().bits());
+        let short = bits.saturating_mul(u64::from(k)) <= EXACT_BITS;
+        short.then(|| End::at(num_traits::pow(self.number.clone(), k as usize), self.open))
     }
 }
 
@@ -196,61 +202,64 @@ impl Interval {
         self.high.as_ref().is_some_and(|e| e.sign().is_some_and(Ordering::is_le))
     }
 
-    /// The product of two intervals with rational ends: what is bilinear on a rectangle is least and greatest at corners.
+    /// The places that its ends rest on.
+    fn places(&self) -> BTreeSet<usize> {
+        [&self.low, &self.high].into_iter().flatten().flat_map(|end| end.from.iter().copied()).collect()
+    }
+
+    /// The same, where each end rests on all these places.
+    fn resting_on(mut self, places: &BTreeSet<usize>) -> Interval {
+        for end in [&mut self.low, &mut self.high].into_iter().flatten() {
+            end.from.clone_from(places);
+        }
+        self
+    }
+
+    /// The product of two intervals with rational ends. Each end rests on all of theirs, for all were looked at.
     fn times(&self, other: &Interval) -> Interval {
+        let places = self.places().union(&other.places()).copied().collect();
+        self.product(other).resting_on(&places)
+    }
+
+    /// The product: what is bilinear on a rectangle is least and greatest at corners.
+    fn product(&self, other: &Interval) -> Interval {
         if let ([Some(a), Some(b)], [Some(c), Some(d)]) = ([&self.low, &self.high], [&other.low, &other.high]) {
             let corners = || [(a, c), (a, d), (b, c), (b, d)].into_iter().map(|(x, y)| x.times(y));
             let extreme = |up| corners().reduce(|x, y| outer(x?, y?, up)).flatten();
             return Interval { low: extreme(false), high: extreme(true) };
         }
-        let product = |a: &Option<End>, b: &Option<End>| a.as_ref()?.times(b.as_ref()?);
-        match () {
-            () if self.is_not_negative() && other.is_not_negative() => {
-                Interval { low: product(&self.low, &other.low), high: product(&self.high, &other.high) }
+        let corner = |a: &Option<End>, b: &Option<End>| a.as_ref()?.times(b.as_ref()?);
+        match [self, other].map(|i| (i.is_not_negative(), i.is_not_positive())) {
+            [(true, _), (true, _)] => {
+                Interval { low: corner(&self.low, &other.low), high: corner(&self.high, &other.high) }
             }
-            () if self.is_not_positive() => self.negated().times_of_signs(other).negated(),
-            () => self.times_of_signs(other),
-        }
-    }
-
-    /// The product with an interval of one sign, if this one has no negative number.
-    fn times_of_signs(&self, other: &Interval) -> Interval {
-        match self.is_not_negative() {
-            true if other.is_not_negative() => self.times(other),
-            true if other.is_not_positive() => self.times(&other.negated()).negated(),
+            [(false, true), _] => self.negated().product(other).negated(),
+            [(true, _), (false, true)] => self.product(&other.negated()).negated(),
             _ => Interval::default(),
         }
     }
 
     /// The power of an interval with rational ends.
     fn power(&self, k: u32) -> Interval {
-        if k == 1 {
-            return self.clone();
-        }
-        if k % 2 == 0 && self.is_not_positive() {
-            return self.negated().power(k);
-        }
-        // An odd power rises; an even one does where no number is negative.
-        let raised = |end: &Option<End>| {
-            let end = end.as_ref()?;
-            let bits = end.number.numer().bits().max(end.number.denom().bits());
-            let short = bits.saturating_mul(u64::from(k)) <= EXACT_BITS;
-            short.then(|| End { number: num_traits::pow(end.number.clone(), k as usize), ..end.clone() })
+        let raised = |end: &Option<End>| end.as_ref()?.power(k);
+        let [low, high] = [&self.low, &self.high].map(raised);
+        // An odd power rises; an even one does where no number is negative, and falls where none is positive.
+        let power = match () {
+            () if k == 1 => return self.clone(),
+            () if k % 2 == 1 || self.is_not_negative() => Interval { low, high },
+            () if self.is_not_positive() => Interval { low: high, high: low },
+            () => {
+                let high = if let (Some(a), Some(b)) = (low, high) { outer(a, b, true) } else { None };
+                Interval { low: Some(End::at(BigRational::zero(), false)), high }
+            }
         };
-        if k % 2 == 1 || self.is_not_negative() {
-            return Interval { low: raised(&self.low), high: raised(&self.high) };
-        }
-        let farther = match (raised(&self.low), raised(&self.high)) {
-            (Some(a), Some(b)) => outer(a, b, true),
-            _ => None,
-        };
-        Interval { low: Some(End::at(BigRational::zero(), false)), high: farther }
+        power.resting_on(&self.places())
     }
 }
 
 /// The atoms that a polynomial is linear in, outside of all its other terms, if it may bound them.
 pub(super) fn bounded_atoms(poly: &Poly) -> Vec<usize> {
-    if !(2..=BOUND_TERMS).contains(&poly.size()) {
+    if !(2..=BOUND_TERMS).contains(&poly.terms().count()) {
         return Vec::new();
     }
     let alone = |m: &Monomial| if let [(atom, 1)] = m.as_slice() { Some(*atom) } else { None };
@@ -265,7 +274,7 @@ impl Checker {
             known.bounds.get(&atom).is_some_and(|places| !places.is_empty())
                 || matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi))
         };
-        if signs.is_settled() || poly.size() > ASKED_TERMS || !poly.atoms().any(is_bounded) {
+        if signs.is_settled() || poly.terms().count() > ASKED_TERMS || !poly.atoms().any(is_bounded) {
             return Ok(signs);
         }
         let (inside, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
@@ -290,13 +299,16 @@ impl Checker {
         let mut sum = Interval::around(BigRational::zero(), BigRational::zero(), false);
         for (monomial, c) in terms {
             self.work.count(1 + monomial.len())?;
-            let mut term = Interval::around(BigRational::one(), BigRational::one(), false);
+            let mut term: Option<Interval> = None;
             let single = matches!(monomial.as_slice(), [(_, 1)]);
             for (atom, k) in monomial {
                 let of_atom = self.atom_interval(*atom, known, chain, found)?;
                 // What is no product keeps its multiples of π.
-                term = if single { of_atom } else { term.times(&of_atom.rational().power(*k)) };
+                let factor = if single { of_atom } else { of_atom.rational().power(*k) };
+                term = Some(term.map_or_else(|| factor.clone(), |term| term.times(&factor)));
             }
+            let one = || Interval::around(BigRational::one(), BigRational::one(), false);
+            let term = term.unwrap_or_else(one);
             sum = sum.plus(&term.scaled(c));
             if sum.low.is_none() && sum.high.is_none() {
                 break;
@@ -312,7 +324,7 @@ impl Checker {
             let signs = found.signs.get(&atom).filter(|_| chain == CHAIN);
             return Ok(signs.map_or_else(Interval::default, |signs| Interval::of_signs(*signs)));
         }
-        if let Some(interval) = known.intervals.borrow().get(&atom) {
+        if let Some(interval) = known.intervals.borrow().get(&(atom, chain)) {
             return Ok(interval.clone());
         }
         let one = BigRational::one;
@@ -327,8 +339,6 @@ impl Checker {
             _ => Interval::default(),
         };
         let Some(rest) = chain.checked_sub(1) else { return Ok(out) };
-        // A bound of x that rests on x again says nothing new.
-        known.intervals.borrow_mut().insert(atom, out.clone());
         let of_atom = Poly::atom(atom);
         let places = known.bounds.get(&atom).into_iter().chain(known.places.get(&of_atom)).flatten();
         for place in places.copied() {
@@ -345,7 +355,7 @@ impl Checker {
                 }
             }
         }
-        known.intervals.borrow_mut().insert(atom, out.clone());
+        known.intervals.borrow_mut().insert((atom, chain), out.clone());
         Ok(out)
     }
 }

@@ -19,6 +19,9 @@ use std::rc::Rc;
 /// How deep signs of products over an index may nest.
 pub(super) const NESTING: usize = 20;
 
+/// How many sines and cosines, one in the argument of the other, are sought on arcs.
+const NESTED_ARCS: usize = 3;
+
 /// Up to which degree in an index a factor is read with the ends of the range put in.
 const RANGE_DEGREE: u32 = 20;
 
@@ -27,15 +30,13 @@ const RANGE_DEGREE: u32 = 20;
 pub(super) struct Found {
     pub(super) signs: BTreeMap<usize, Signs>,
     pub(super) ranges: Vec<Range>,
+    /// How many arguments of sines and cosines the question stands in.
+    arguments: usize,
 }
 
 impl Found {
     pub(super) fn new(known: &Known) -> Found {
-        Found::within(known.ranges.clone())
-    }
-
-    fn within(ranges: Vec<Range>) -> Found {
-        Found { ranges, ..Found::default() }
+        Found { ranges: known.ranges.clone(), ..Found::default() }
     }
 }
 
@@ -275,7 +276,8 @@ impl Checker {
                 }
                 let mut ranges = found.ranges.clone();
                 ranges.push(Range { index, from: over.from.clone(), to: over.to.clone() });
-                let body = self.fraction_signs(&over.body, known, depth, &mut Found::within(ranges))?;
+                let mut inside = Found { ranges, arguments: found.arguments, ..Found::default() };
+                let body = self.fraction_signs(&over.body, known, depth, &mut inside)?;
                 // A range may be empty: an empty sum is 0, an empty product 1.
                 let kinds = if over.sum {
                     vec![Signs::NOT_NEGATIVE, Signs::of(Relation::LessEqual)]
@@ -291,7 +293,7 @@ impl Checker {
     /// The signs of the sine or cosine of u, if u lies on an arc of one sign: from and to are multiples of π/2.
     ///
     /// Sound: it is 0 at both, positive between the first two and negative between the others. What this rests on is marked only if it
-    /// says something, and what it finds is of this question alone.
+    /// says something, so what is found on the way is not kept.
     fn arc_signs(
         &self,
         u: &Fraction,
@@ -300,17 +302,18 @@ impl Checker {
         depth: usize,
         found: &Found,
     ) -> Result<Signs, Refusal> {
-        let Some(pi) = self.atom_index.get(&Atom::Pi).copied() else { return Ok(Signs::ANY) };
-        let half = Fraction::atom(pi).times(&Fraction::number(BigRational::new(1.into(), 2.into())), &self.work)?;
+        let pi = self.atom_index.get(&Atom::Pi).filter(|_| found.arguments < NESTED_ARCS);
+        let Some(pi) = pi.copied() else { return Ok(Signs::ANY) };
         let before = (known.asked.take(), known.put_in.take());
         let mut signs = Signs::ANY;
         for ((from, to), beyond) in arcs.into_iter().zip([Signs::POSITIVE, Signs::POSITIVE.turned()]) {
+            let mut inside = Found { ranges: found.ranges.clone(), arguments: found.arguments + 1, ..Found::default() };
             let mut lengths = Signs::POSITIVE;
             for (end, towards) in [(from, 1), (to, -1)] {
-                let end = half.times(&Fraction::integer(end), &self.work)?;
-                let length = u.minus(&end, &self.work)?.times(&Fraction::integer(towards), &self.work)?;
-                lengths =
-                    lengths.or(self.fraction_signs(&length, known, depth, &mut Found::within(found.ranges.clone()))?);
+                let end = Fraction::number(BigRational::new(end.into(), 2.into()));
+                let length = u.minus(&Fraction::atom(pi).times(&end, &self.work)?, &self.work)?;
+                let length = length.times(&Fraction::integer(towards), &self.work)?;
+                lengths = lengths.or(self.fraction_signs(&length, known, depth, &mut inside)?);
                 if !lengths.within(Signs::NOT_NEGATIVE) {
                     break;
                 }
