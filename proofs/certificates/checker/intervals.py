@@ -4,13 +4,14 @@ An end is (p, q, open): the number p + q·π, and whether it is not reached. Non
 It says that a number lies between its ends, and is no open one.
 """
 from fractions import Fraction as Q
+from functools import reduce
 
 ABOUT_PI = Q("3.14159265358979323846"), Q("3.14159265358979323847")
 LONGEST = 10_000
 OPEN, REACHED, NONE = (Q(0), Q(0), True), (Q(0), Q(0), False), (None, None)
 ONE, PI = ((Q(1), Q(0), False),) * 2, ((Q(0), Q(1), False),) * 2
 TURNING, NATURAL, ABOVE = ((Q(-1), Q(0), False), ONE[1]), (REACHED, None), (OPEN, None)
-# The interval of each set of signs that is one: 1 for negative, 2 for zero, 4 for positive. Facts that contradict each other leave none.
+# The interval of a set of signs: 1 for negative, 2 for zero, 4 for positive. Facts that contradict each other leave none.
 OF_SIGNS = {0: (OPEN, OPEN), 1: (None, OPEN), 2: (REACHED, REACHED), 3: (None, REACHED), 4: ABOVE, 6: NATURAL}
 
 
@@ -153,9 +154,8 @@ class Intervals:
             if len(m) == 1 and m[0][1] == 1:
                 term = self.atom_interval(m[0][0], known, deep)
             else:
-                term = ONE
-                for a, k in m:
-                    term = product(term, power(rational(self.atom_interval(a, known, deep)), k))
+                parts = [power(rational(self.atom_interval(a, known, deep)), k) for a, k in m]
+                term = reduce(product, parts) if parts else ONE
             out = plus(out, scaled(term, Q(c)))
             if out == NONE:
                 break
