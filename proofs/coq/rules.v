@@ -8,7 +8,7 @@ rule induction: nat_ind1, nat_from
 rule existence: existence
 rule witness: exists
 rule extremum: finish
-rule combination: by_sign, note_sign, turning_term, beside_circle, divided, matrices, derive
+rule combination: by_sign, note_sign, product_corner, even_power, bounded_by, sine_arc, cosine_arc, divided, matrices, derive
 rule name: named
 rule power: by_logarithms, pw
 rule monotone: rise_pow, rise_rpower, rise_sqrt, rise_cbrt, raised
@@ -924,27 +924,34 @@ Ltac limit_by l P Q b z := refine (l _ P Q _ b _ _ _ _ _); cbv beta;
   | lead_nz z
   | first [ring | (field; repeat split; first [lead_nz z | nz1]) | (unfold Rdiv; ring)] ].
 
-(** Products of sines and cosines lie between -1 and 1, so that a greater number beside them keeps its sign. *)
-Lemma power_within_one : forall x k, Rabs x <= 1 -> Rabs (x ^ k) <= 1.
-Proof. intros x k h. rewrite <- RPow_abs. pose proof (pow_incr (Rabs x) 1 k (conj (Rabs_pos x) h)). now rewrite pow1 in *. Qed.
-Lemma turning_term : forall a u v j k, Rabs (a * (cos u ^ j * sin v ^ k)) <= Rabs a.
-Proof.
-  intros. rewrite 2 Rabs_mult. pose proof (Rabs_pos a). pose proof (Rabs_pos (cos u ^ j)). pose proof (Rabs_pos (sin v ^ k)).
-  pose proof (power_within_one (cos u) j (Rabs_le _ _ (COS_bound u))). pose proof (power_within_one (sin v) k (Rabs_le _ _ (SIN_bound v))).
-  assert (Rabs (cos u ^ j) * Rabs (sin v ^ k) <= 1) by nra. nra. Qed.
-Lemma beside_circle : forall c t most, Rabs t <= most ->
-  (most < c -> 0 < c + t) /\ (most <= c -> 0 <= c + t) /\ (c < - most -> c + t < 0) /\ (c <= - most -> c + t <= 0).
-Proof. intros c t most h. pose proof (Rle_abs t). pose proof (Rle_abs (- t)). rewrite Rabs_Ropp in *. repeat split; lra. Qed.
+(** Intervals: what is linear is least at an end, and elsewhere only if it is constant. So a product is least at a corner: it is
+    that least number only at a corner, or where one of its factors is 0; if both are, one of them is at its end. *)
+Lemma line : forall k a b x m, a <= x <= b -> m <= a * k -> m <= b * k -> m <= x * k /\ (m = x * k -> x = a \/ x = b \/ k = 0).
+Proof. intros k a b x m h u v. destruct (Rtotal_order k 0) as [n | [-> | p]]; [| split; [lra | tauto] |]; (split; [nra |]; intro e).
+  - destruct (Req_dec x b); [tauto |]. exfalso; nra.
+  - destruct (Req_dec x a); [tauto |]. exfalso; nra. Qed.
+Lemma product_corner : forall m a b c d x y, a <= x <= b -> c <= y <= d -> m <= a * c -> m <= a * d -> m <= b * c -> m <= b * d ->
+  m <= x * y /\ (m = x * y -> (x = a \/ x = b \/ y = 0) /\ (y = c \/ y = d \/ x = 0) /\ (x = 0 -> y = 0 -> x = a \/ y = d)).
+Proof. intros m a b c d x y h g u v w z. assert (ay : m <= a * y /\ m <= b * y /\ m <= c * x /\ m <= d * x).
+  { repeat split; rewrite Rmult_comm; [apply (line a c d) | apply (line b c d) | apply (line c a b) | apply (line d a b)]; lra. }
+  destruct (line y a b x m h) as [l p], (line x c d y m g) as [_ q]; try tauto. split; [exact l |]. intro e.
+  split; [tauto |]. split; [apply q; lra |]. intros -> ->. destruct (Req_dec 0 a); [tauto |]. right; nra. Qed.
+Lemma even_power : forall a b x k, a <= x <= b -> 0 <= x ^ (2 * k) <= Rmax (Rabs a) (Rabs b) ^ (2 * k).
+Proof. intros a b x k h. rewrite (pow_mult x), <- pow2_abs, <- pow_mult. split; [apply pow_le, Rabs_pos | apply pow_incr].
+  split; [apply Rabs_pos |]. unfold Rmax, Rabs. repeat destruct Rcase_abs; destruct Rle_dec; lra. Qed.
+Lemma bounded_by : forall s c x r, c <> 0 -> s = c * x + r -> x = (s - r) / c. Proof. intros s c x r h ->. now field. Qed.
 
 (** cos and sin are a point of the unit circle. *)
 Lemma unit_circle : forall u, cos u ^ 2 + sin u ^ 2 = 1.
 Proof. intro u. rewrite <- (sin2_cos2 u). unfold Rsqr. ring. Qed.
 Lemma within_one : forall u, -1 <= cos u <= 1 /\ -1 <= sin u <= 1.
 Proof. split; [apply COS_bound | apply SIN_bound]. Qed.
-Lemma sine_arc : forall u, (0 <= u <= PI -> 0 <= sin u) /\ (0 < u < PI -> 0 < sin u).
-Proof. split; intro h; [apply sin_ge_0 | apply sin_gt_0]; lra. Qed.
-Lemma cosine_arc : forall u, (- (PI / 2) <= u <= PI / 2 -> 0 <= cos u) /\ (- (PI / 2) < u < PI / 2 -> 0 < cos u).
-Proof. split; intro h; [apply cos_ge_0 | apply cos_gt_0]; lra. Qed.
+Lemma sine_arc : forall u, (0 <= u <= PI -> 0 <= sin u) /\ (0 < u < PI -> 0 < sin u)
+  /\ (- PI <= u <= 0 -> sin u <= 0) /\ (- PI < u < 0 -> sin u < 0).
+Proof. intro u. assert (p := sin_neg u). repeat split; intro h; [apply sin_ge_0 | apply sin_gt_0 | assert (q := sin_ge_0 (- u)) | assert (q := sin_gt_0 (- u))]; lra. Qed.
+Lemma cosine_arc : forall u, (- (PI / 2) <= u <= PI / 2 -> 0 <= cos u) /\ (- (PI / 2) < u < PI / 2 -> 0 < cos u)
+  /\ (PI / 2 <= u <= 3 * (PI / 2) -> cos u <= 0) /\ (PI / 2 < u < 3 * (PI / 2) -> cos u < 0).
+Proof. repeat split; intro h; [apply cos_ge_0 | apply cos_gt_0 | apply cos_le_0 | apply cos_lt_0]; lra. Qed.
 (** A function that is 0 at 0 and rises up to x is positive at x. *)
 Lemma risen : forall f g x, 0 < x -> f 0 = 0 -> (forall t, 0 <= t <= x -> derivable_pt_lim f t (g t)) ->
   (forall t, 0 < t < x -> 0 < g t) -> 0 < f x.

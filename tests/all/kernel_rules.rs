@@ -80,7 +80,7 @@ macro_rules! files {
     };
 }
 
-files! { refutations evaluate combination power logic blocks quantifiers sums order slope integral circle limits intermediate names }
+files! { refutations evaluate combination intervals power logic blocks quantifiers sums order slope integral circle limits intermediate names }
 
 #[test]
 fn examples_of_the_page_about_the_format() {

@@ -3,11 +3,13 @@ from copy import copy
 from fractions import Fraction as Q
 
 from checker.claims import conjuncts, constraints, domain, N, names_in, need, nodes, Refused, single, text
+from checker.intervals import Bounds, Intervals
 from checker.terms import atom, F, factored, NO_DERIVATIVE, ONE, poly_product, size, Terms, the_atom, total
 
 # A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
 SIGNS = {"=": 2, "!=": 5, "<": 1, "<=": 3, ">": 4, ">=": 6}
 NOT_ZERO, POSITIVE, NOT_NEGATIVE, ANY = 5, 4, 6, 7
+SETTLED = (1, 2, 4, NOT_ZERO)
 SHOWN = {5: "other than 0", 4: "positive", 6: "at least 0", 7: "a number"}
 
 
@@ -33,19 +35,24 @@ def sign_power(s, k):
 class Known:
     """What a step reads from the facts under `by` and `using`."""
 
-    def __init__(self, notes=(), equations=(), for_all=(), ranges=()):
+    def __init__(self, notes=(), equations=(), for_all=(), ranges=(), bounds=None):
         self.notes, self.equations, self.for_all = dict(notes), list(equations), list(for_all)
         # (the atom of an index, its first value, its last)
-        self.ranges = list(ranges)
+        self.ranges, self.bounds = list(ranges), Bounds(bounds)
 
     def copy(self):
-        return Known(self.notes, self.equations, self.for_all, self.ranges)
+        return Known(self.notes, self.equations, self.for_all, self.ranges, self.bounds)
 
     def under(self, *range_):
         """The same with one more range, to read signs only."""
         out = copy(self)
-        out.ranges = self.ranges + [range_]
+        out.ranges, out.bounds = self.ranges + [range_], Bounds(self.bounds)
         return out
+
+    def keep(self, p, signs):
+        """Notes that the polynomial p has one of these signs."""
+        self.bounds.note(p, p not in self.notes)
+        self.notes[p] = self.notes.get(p, ANY) & signs
 
 
 class TooLong(Refused):
@@ -143,7 +150,7 @@ def put_in(p, atom, value, degree=20):
     return out
 
 
-class Values(Terms):
+class Values(Intervals, Terms):
     """Signs of expressions and whether they have values, from what a step cites."""
 
     # Signs.
@@ -208,23 +215,22 @@ class Values(Terms):
                 rest = TIMES[rest][signs]
             else:
                 open_.append((p, k))
-        keep = lambda p, signs: known.notes.__setitem__(p, known.notes.get(p, ANY) & signs)
         if allowed & 2 == 0:
             for p, _ in open_:
-                keep(p, NOT_ZERO)
+                known.keep(p, NOT_ZERO)
         if len(open_) == 1 and rest in (1, 4):
             (p, k), = open_
             possible = (1, 4) if k < 0 else (1, 2, 4)
             signs = sum(s for s in possible if not TIMES[sign_power(s, k)][rest] & ~allowed)
             if not signs:
                 return
-            keep(p, signs)
+            known.keep(p, signs)
             c = dict(p).get((), 0)
             beyond = POSITIVE if c < 0 and not signs & ~NOT_NEGATIVE else 1 if c > 0 and not signs & ~3 else 0
             if beyond:
                 moved = factored(1, {m: d for m, d in p if m})
                 if len(moved.factors) == 1 and set(moved.factors.values()) == {1}:
-                    keep(next(iter(moved.factors)), TIMES[sign(moved.c)][beyond])
+                    known.keep(next(iter(moved.factors)), TIMES[sign(moved.c)][beyond])
 
     def signs(self, f, known):
         signs = self.fraction_signs(f, known, {})
@@ -260,20 +266,12 @@ class Values(Terms):
             for a, k in m:
                 term = TIMES[term][sign_power(self.atom_signs(a, known, found), k)]
             out = PLUS[out][term]
-        return out & self.beside_the_circle(terms)
-
-    def beside_the_circle(self, terms):
-        """The signs of c + T: sines, cosines and their products in T lie between -1 and 1."""
-        turning = lambda m: all(self.atoms[a][0] in ("cos", "sin") for a, _ in m)
-        terms = dict(terms)
-        c, most = terms.pop((), 0), sum(map(abs, terms.values()))
-        if abs(c) < most or not all(map(turning, terms)):
-            return ANY
-        return sign(c) | (2 if abs(c) == most else 0)
+        return out if out in SETTLED else out & self.interval_signs(terms, known)
 
     def atom_signs(self, a, known, found):
         if a not in found:
-            found[a] = known.notes.get(next(iter(atom(a).factors)), ANY) & self.form_signs(a, known, found)
+            signs = known.notes.get(next(iter(atom(a).factors)), ANY) & self.form_signs(a, known, found)
+            found[a] = signs if signs in SETTLED else signs & self.interval_signs([(((a, 1),), 1)], known)
         return found[a]
 
     def form_signs(self, a, known, found):
@@ -284,6 +282,8 @@ class Values(Terms):
             return POSITIVE
         if kind == "ln":
             return self.fraction_signs(inner[0] - ONE, known, found)
+        if kind in ("cos", "sin"):
+            return self.arc_signs(kind, inner[0], known, found)
         if kind == "power":
             base = self.fraction_signs(inner[0], known, found)
             if not self.is_whole(inner[1]):
@@ -309,6 +309,20 @@ class Values(Terms):
                     if left[0] == "call" and left[1] == inner[0] and list(left[2]) == [N("name", k)] and p[1][1][0] == "num":
                         out &= PLUS[SIGNS[p[2][0]]][sign(Q(p[1][1][1]))]
         return out
+
+    def arc_signs(self, kind, u, known, found):
+        """The sine is positive for u from 0 to π and negative from −π to 0, the cosine positive for u from −π/2 to π/2 and
+        negative from there to 3π/2. At the ends of these arcs it is 0."""
+        pi = atom(self.intern(("pi",)))
+        signs = lambda sign, turns: self.fraction_signs(total([u * F(sign), pi * F(turns)]), known, found)
+        # The length to the end that two arcs share, and that to the other end, on either side.
+        shared, ends = (signs(1, 0), ((-1, 1), (1, 1))) if kind == "sin" else (signs(-1, Q(1, 2)), ((1, Q(1, 2)), (-1, Q(3, 2))))
+        for length, end, beyond in zip((shared, TIMES[1][shared]), ends, (POSITIVE, 1)):
+            if not length & 1:
+                length |= signs(*end)
+                if not length & 1:
+                    return beyond | length & 2
+        return ANY
 
     # Values.
     def is_whole_form(self, e):
