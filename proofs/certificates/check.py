@@ -513,8 +513,8 @@ class Checker(Logic):
         self.rests_on.add(TANGENT)
 
     def rule_circle(self, goal, s, known):
-        """Sound: (cos u, sin u) is a point of the unit circle. sin is 0 at 0 and π and positive between them, cos u is
-        sin(u + π/2), u − sin u rises strictly from 0 on, sin u − u·cos u up to π, and (cos u + i·sin u)^k is cos(k·u) + i·sin(k·u)."""
+        """Sound: (cos u, sin u) is a point of the unit circle. u − sin u rises strictly from 0 on, sin u − u·cos u up to π, and
+        (cos u + i·sin u)^k is cos(k·u) + i·sin(k·u)."""
         self.has_value(goal, known)
         need([n for n, _ in s.values] == ["u"], ONE_VALUE)
         (_, u), = s.values
@@ -533,14 +533,6 @@ class Checker(Logic):
         if same(goal, compare(line, relation, sin)) and relation in ("<", "<=") and not self.is_declared(PI):
             for e in (u, plus(pi, u, -1)):
                 self.show(e, POSITIVE if relation == "<" else NOT_NEGATIVE, known)
-            return
-        if relation in (">", ">="):
-            half = N("prod", (("*", pi), ("/", num(2))))
-            lengths = {sin: (u, plus(pi, u, -1)), cos: (plus(u, half), plus(half, u, -1))}
-            arc = [e for f, both in lengths.items() if same(goal, compare(f, relation, num(0))) for e in both]
-            need(arc and not self.is_declared(PI), f"with these values it says {text(on_circle)}")
-            for e in arc:
-                self.show(e, SIGNS[relation], known)
             return
         need(relation == "=" and a[0] == "call" and a[1] in ("cos", "sin"), f"with these values it says {text(on_circle)}")
         of, whole, said = self.read(u), self.read(a[2][0]), self.read(b)

@@ -15,7 +15,7 @@ rule monotone: rise_pow, rise_rpower, rise_sqrt, rise_cbrt, raised
 rule unfold: product_last, product_first, sum_last, sum_first, product_empty, sum_empty, member
 rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
-rule circle: unit_circle, within_one, sine_arc, cosine_arc, below_the_argument, below_the_tangent, multiple
+rule circle: unit_circle, within_one, below_the_argument, below_the_tangent, multiple
 rule slope: slope, slope_between, smooth_on, slope_integral, differentiable, slope_sign, sloped
 rule intermediate: intermediate, smooth_on, differentiable
 rule limit: lim_inv, lim_seq_inv

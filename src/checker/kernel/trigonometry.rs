@@ -37,16 +37,6 @@ pub fn within_one(u: &Expr) -> [Prop; 4] {
     [above("cos"), below("cos"), above("sin"), below("sin")]
 }
 
-/// Of f = sin and f = cos: `f(u) relation 0`, with the lengths u − a and b − u that it needs. sin is positive on (0, π), cos on
-/// (−π/2, π/2); both are 0 at the ends.
-pub fn positive_arcs(u: &Expr, relation: Relation) -> [(Prop, [Expr; 2]); 2] {
-    let half = expr(ExprKind::Product(vec![(Factor::Times, name(PI)), (Factor::Over, numeral(2))]));
-    let shown = |f: &str| compare(apply(f, u.clone()), relation, numeral(0));
-    let less = |a: &Expr, b: &Expr| sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]);
-    let more = sum(vec![(Sign::Plus, u.clone()), (Sign::Plus, half.clone())]);
-    [(shown("sin"), [u.clone(), less(&name(PI), u)]), (shown("cos"), [more, less(&half, u)])]
-}
-
 /// `u*cos(u) relation sin(u)`.
 pub fn below_the_tangent(u: &Expr, relation: Relation) -> Prop {
     compare(product(vec![u.clone(), apply("cos", u.clone())]), relation, apply("sin", u.clone()))
@@ -113,12 +103,10 @@ impl Checker {
 
     /// Rule `circle`: for the number u,
     /// - `cos(u)^2 + sin(u)^2 = 1`, and each of the two at least −1 and at most 1;
-    /// - `sin(u) >= 0` where 0 ≤ u ≤ π and `cos(u) >= 0` where −π/2 ≤ u ≤ π/2; with `>` where both bounds are strict;
     /// - `sin(u) <= u` where u ≥ 0, and `u*cos(u) <= sin(u)` where 0 ≤ u ≤ π; with `<` where these bounds are strict;
     /// - `cos(v) = F` or `sin(v) = F` for v = k·u, F being what it is by the cosine and sine of u.
     ///
-    /// Sound: (cos u, sin u) lies on the unit circle. sin is 0 at 0 and π and positive between, for π is its least positive zero
-    /// and sin′ 0 = 1; cos u = sin(u + π/2). u − sin u is 0 at 0, and rises strictly, for its
+    /// Sound: (cos u, sin u) lies on the unit circle. u − sin u is 0 at 0, and rises strictly, for its
     /// derivative 1 − cos u is 0 at multiples of 2π and positive elsewhere. sin u − u·cos u is 0 at 0, and its derivative u·sin u is
     /// positive on (0, π). The last is the k-th power of cos u + i·sin u.
     pub(super) fn circle(&mut self, goal: &Prop, with: &[(Name, Expr)], known: &mut Known) -> Result<(), Refusal> {
@@ -132,22 +120,14 @@ impl Checker {
         if std::iter::once(unit_circle(u)).chain(within_one(u)).any(|says| key::prop(&says) == shown) {
             return Ok(());
         }
-        // The lengths of arcs speak of π, not of a variable of that name.
-        let is_pi = !self.is_declared(PI);
-        for relation in [Relation::Greater, Relation::GreaterEqual] {
-            for (says, lengths) in positive_arcs(u, relation) {
-                if is_pi && key::prop(&says) == shown {
-                    return self.are_lengths(&lengths, relation, known);
-                }
-            }
-        }
         for (order, sign) in [(Relation::Less, Relation::Greater), (Relation::LessEqual, Relation::GreaterEqual)] {
             if key::prop(&below_the_argument(u, order)) == shown {
                 return self.are_lengths(std::slice::from_ref(u), sign, known);
             }
-            if is_pi && key::prop(&below_the_tangent(u, order)) == shown {
-                let [(_, lengths), _] = positive_arcs(u, sign);
-                return self.are_lengths(&lengths, sign, known);
+            // π, not a variable of that name.
+            if !self.is_declared(PI) && key::prop(&below_the_tangent(u, order)) == shown {
+                let rest = sum(vec![(Sign::Plus, name(PI)), (Sign::Minus, u.clone())]);
+                return self.are_lengths(&[u.clone(), rest], sign, known);
             }
         }
         let (left, relation, right) = single(goal)?;

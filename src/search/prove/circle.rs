@@ -7,9 +7,7 @@ use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, expr, name, numeral, sum};
-use crate::kernel::trigonometry::{
-    MULTIPLE_LIMIT, below_the_argument, below_the_tangent, positive_arcs, unit_circle, within_one,
-};
+use crate::kernel::trigonometry::{MULTIPLE_LIMIT, below_the_argument, below_the_tangent, unit_circle, within_one};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::conversion::traits::IsInteger;
@@ -36,19 +34,15 @@ impl Prover {
         for bound in within_one(u) {
             self.new_fact(with(u), bound)?;
         }
-        let minus = |a: Expr, b: Expr| sum(vec![(Sign::Plus, a), (Sign::Minus, b)]);
-        let opposite = product(vec![literal(&Rational::from(-1)), u.clone()]);
-        let before = minus(u.clone(), name(PI));
-        // cos u = −cos(u − π) and sin u = −sin(−u).
-        for (place, which) in [(u, 0), (&opposite, 0), (u, 1), (&before, 1)] {
-            for relation in [Relation::Greater, Relation::GreaterEqual] {
-                let [sine, cosine] = positive_arcs(place, relation);
-                let (shown, lengths) = if which == 0 { sine } else { cosine };
-                if self.are_lengths(&lengths, relation) && self.new_fact(with(place), shown).is_ok() {
-                    break;
-                }
-            }
+        // The kernel sees the signs of sin u and cos u once it knows that u lies on an arc between two of their zeros.
+        let half = product(vec![literal(&Rational::from_signeds(1, 2)), name(PI)]);
+        for (from, to) in [(0, 2), (-2, 0), (-1, 1), (1, 3)] {
+            let end = |k: i64| product(vec![literal(&Rational::from(k)), half.clone()]);
+            let length = |a: &Expr, b: &Expr| sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]);
+            let lengths = [length(u, &end(from)), length(&end(to), u)];
+            let _ = self.are_lengths(&lengths, Relation::Greater) || self.are_lengths(&lengths, Relation::GreaterEqual);
         }
+        let opposite = product(vec![literal(&Rational::from(-1)), u.clone()]);
         for place in [u, &opposite] {
             for (sign, order) in [(Relation::Greater, Relation::Less), (Relation::GreaterEqual, Relation::LessEqual)] {
                 let shown = below_the_argument(place, order);
