@@ -374,24 +374,25 @@ class Checker(Logic):
         if not self.expanded_logarithms(a - b, known).c:
             return
         why = "the powers on both sides are not shown to be the same"
-        need(a.c * b.c > 0, why)
         bases, logs = {}, []
 
         def collect(f, e, whole, side):
-            for p, k in primes(abs(f.c)):
+            """Whether f is the opposite of the product of what is collected."""
+            c, factors = self.turned(f, known)
+            for p, k in primes(abs(c)):
                 bases.setdefault(F(p), []).append((e * F(k), whole, side))
-            for p, k in f.factors.items():
-                inner, exponent = self.kind(p, "power", "exp") or (None,), e * F(k)
+            for p, k in factors:
+                (a, _), exponent = p.single() or (None, 1), e * F(k)
+                inner = self.atoms[a] if a is not None else (None,)
                 if inner[0] == "power":
-                    need(inner[1].c > 0, why)
-                    collect(inner[1], exponent * inner[2], whole and self.is_whole(inner[2]), side)
+                    need(not collect(inner[1], exponent * inner[2], whole and self.is_whole(inner[2]), side), why)
                 elif inner[0] == "exp":
                     logs.append(exponent * inner[1] * F(side))
                 else:
-                    bases.setdefault(F(1, {p: 1}), []).append((exponent, whole, side))
+                    bases.setdefault(p, []).append((exponent, whole, side))
+            return c < 0
 
-        collect(a, ONE, True, 1)
-        collect(b, ONE, True, -1)
+        need(a.c and b.c and collect(a, ONE, True, 1) == collect(b, ONE, True, -1), why)
         for base, places in bases.items():
             balance, signs = total([e * F(side) for e, _, side in places]), self.signs(base, known)
             if signs == POSITIVE:
@@ -412,19 +413,31 @@ class Checker(Logic):
                     f = self.replaced_all(f, [(a, value, None)])
         return f
 
+    def turned(self, f, known):
+        """A number and the factors of f, with -p for each factor p that is negative: p^k is (-1)^k * (-p)^k. A power stays."""
+        c, factors = f.c, []
+        for p, k in f.factors.items():
+            p = F(1, {p: 1})
+            inner = self.atoms[p.single()[0]] if p.single() else (None,)
+            if inner[0] != "power" and self.signs(p, known) == 1:
+                p, c = p * F(-1), c * (-1) ** abs(k)
+            factors.append((p, k))
+        return c, factors
+
     def logarithm_of(self, x, known):
-        """ln of a product of positive factors as a sum."""
-        if x.c <= 0 or any(self.signs(F(1, {p: 1}), known) != POSITIVE for p in x.factors):
+        """ln of a product of factors of known sign as a sum."""
+        c, factors = self.turned(x, known)
+        if c <= 0 or any(self.signs(p, known) != POSITIVE for p, _ in factors):
             return atom(self.intern(("ln", x)))
-        terms = [atom(self.intern(("ln", F(p)))) * F(k) for p, k in primes(x.c)]
-        for p, k in x.factors.items():
-            inner = self.kind(p, "power", "exp") or (None,)
+        terms = [atom(self.intern(("ln", F(p)))) * F(k) for p, k in primes(c)]
+        for p, k in factors:
+            inner = self.atoms[p.single()[0]] if p.single() else (None,)
             if inner[0] == "exp":
                 log = inner[1]
             elif inner[0] == "power":
                 log = self.logarithm_of(inner[1], known) * inner[2]
             else:
-                log = atom(self.intern(("ln", F(1, {p: 1}))))
+                log = atom(self.intern(("ln", p)))
             terms.append(log * F(k))
         return total(terms)
 

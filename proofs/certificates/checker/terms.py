@@ -406,6 +406,8 @@ class Terms:
         if b.integer == 1 or terms is None:
             return ONE if b.integer == 1 else self.real_power(b, e)
         if self.is_whole(e):
+            if b.integer == -1:
+                return self.sign_power(terms)
             if all(c > 0 for c, _ in terms):
                 return self.natural_power(b, e, terms)
             return self.power(b, -e).power(-1) if all(c < 0 for c, _ in terms) else self.atom("power", b, e)
@@ -426,6 +428,14 @@ class Terms:
         top = e.c.numerator
         return self.atom("power", b, e * F(Q(1, top))).power(top)
 
+    def sign_power(self, terms):
+        """(-1)^e: terms with even coefficients say nothing, and (-1)^-m is (-1)^m."""
+        out = ONE
+        for c, m in terms:
+            if c % 2:
+                out *= self.atom("power", F(-1), monomial(m)) if m else F(-1)
+        return out
+
     def natural_power(self, b, e, terms):
         """b^e by the factors of b, for a sum e of products of natural numbers."""
         def plain(factor):
@@ -435,7 +445,7 @@ class Terms:
             return out
         if not b.c:
             return plain(b)
-        out = plain(F(-1)) if b.c < 0 else ONE
+        out = self.sign_power(terms) if b.c < 0 else ONE
         for p, k in primes(abs(b.c)):
             out *= plain(F(p)).power(k)
         for p, k in b.factors.items():

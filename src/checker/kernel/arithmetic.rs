@@ -113,7 +113,7 @@ impl Checker {
     ///
     /// Sound: both sides have values. Logarithms: ln(x·y) = ln x + ln y, ln(x^E) = E·ln x for x, y > 0. Powers: let p be
     /// a factor, raised to E₁, E₂, … on the left and to F₁, … on the right, with Σ E = Σ F.
-    /// - p > 0: p^E = exp(E·ln p), so both sides have the same power of p.
+    /// - p > 0: p^E = exp(E·ln p), so both sides have the same power of p. For p < 0, p^k = (−1)^k·(−p)^k, and −p is such a factor.
     /// - p ≠ 0 and p is raised to whole numbers only: the same by counting factors. (sqrt(p^2) is no such power.)
     /// - p is raised to natural numbers only: the same, also for p = 0, where b^0 = 1.
     /// - p ≥ 0 and all exponents positive, some on each side: the first if p > 0; if p = 0 both sides are 0.
@@ -129,12 +129,12 @@ impl Checker {
             return Ok(());
         }
         let mut powers = Powers::default();
+        let once = Place { exponent: Fraction::integer(1), whole: true };
         for (side, f) in [&a, &b].into_iter().enumerate() {
             if f.is_zero() {
                 return rejected(Reason::Powers);
             }
-            powers.negative[side] = f.coefficient.is_negative();
-            self.collect(f, &Fraction::integer(1), true, side, &mut powers, 0)?;
+            powers.negative[side] = self.collect(f, &once, side, &mut powers, known, 0)?;
         }
         if powers.negative[0] != powers.negative[1] {
             return rejected(Reason::Powers);
@@ -179,40 +179,57 @@ impl Checker {
         if self.expanded_logarithms(&sum, known)?.is_zero() { Ok(()) } else { rejected(Reason::Powers) }
     }
 
-    /// The bases and exponents of a product of powers to a power.
+    /// The factors of a fraction, with −p for each factor p that is negative, and whether the fraction is the opposite of the product of
+    /// these and its number's absolute value.
+    fn turned_factors(&mut self, f: &Fraction, known: &Known) -> Result<(Vec<(Poly, i64)>, bool), Refusal> {
+        let mut negative = f.coefficient.is_negative();
+        let mut factors = Vec::new();
+        for (poly, k) in &f.factors {
+            // A power is taken apart as it stands.
+            let power = poly.single_atom().is_some_and(|a| matches!(self.atoms.get(a), Some(Atom::Power(..))));
+            let turned = !power && self.signs_of(&Fraction::of(poly), known)?.within(Signs::of(Relation::Less));
+            negative ^= turned && k % 2 != 0;
+            let minus = || poly.times(&Poly::constant(BigRational::from_integer((-1).into())), &self.work);
+            factors.push((if turned { minus()? } else { poly.clone() }, *k));
+        }
+        Ok((factors, negative))
+    }
+
+    /// The bases and exponents of a product of powers to a power; whether the product is the opposite of theirs.
     fn collect(
         &mut self,
         f: &Fraction,
-        to: &Fraction,
-        whole: bool,
+        to: &Place,
         side: usize,
         powers: &mut Powers,
+        known: &Known,
         depth: usize,
-    ) -> Result<(), Refusal> {
+    ) -> Result<bool, Refusal> {
         if depth > 20 {
             return Err(Refusal::Limit("nesting of powers"));
         }
-        if f.coefficient.is_negative() && depth > 0 {
-            return rejected(Reason::Powers);
-        }
+        let (factors, negative) = self.turned_factors(f, known)?;
+        let whole = to.whole;
         for (prime, k) in f.prime_powers(&self.work)? {
             let base = Poly::constant(BigRational::from_integer(prime));
-            let exponent = to.times(&Fraction::integer(k), &self.work)?;
+            let exponent = to.exponent.times(&Fraction::integer(k), &self.work)?;
             powers.bases.entry(base).or_default()[side].push(Place { exponent, whole });
         }
-        for (poly, k) in &f.factors {
-            let exponent = to.times(&Fraction::integer(*k), &self.work)?;
+        for (poly, k) in factors {
+            let exponent = to.exponent.times(&Fraction::integer(k), &self.work)?;
             match poly.single_atom().and_then(|place| self.atoms.get(place)).cloned() {
                 Some(Atom::Power(base, inner)) => {
                     let exponent = exponent.times(&inner, &self.work)?;
-                    let whole = whole && self.is_whole(&inner)?;
-                    self.collect(&base, &exponent, whole, side, powers, depth + 1)?;
+                    let to = Place { exponent, whole: whole && self.is_whole(&inner)? };
+                    if self.collect(&base, &to, side, powers, known, depth + 1)? {
+                        return rejected(Reason::Powers);
+                    }
                 }
                 Some(Atom::Exponential(log)) => powers.logs[side].push(exponent.times(&log, &self.work)?),
-                _ => powers.bases.entry(poly.clone()).or_default()[side].push(Place { exponent, whole }),
+                _ => powers.bases.entry(poly).or_default()[side].push(Place { exponent, whole }),
             }
         }
-        Ok(())
+        Ok(negative)
     }
 
     /// A fraction in which ln of products of positive factors is a sum.
@@ -235,16 +252,16 @@ impl Checker {
         Ok(out)
     }
 
-    /// ln c·∏ pᵢ^kᵢ = Σ ln qⱼ + Σ kᵢ·ln pᵢ over the primes of c, where every pᵢ is positive; else ln x as it stands.
+    /// ln c·∏ pᵢ^kᵢ = Σ ln qⱼ + Σ kᵢ·ln |pᵢ| over the primes of c, where the sign of every pᵢ is known; else ln x as it stands.
     fn logarithm_of(&mut self, x: &Fraction, known: &Known, depth: usize) -> Result<Fraction, Refusal> {
         if depth > 20 {
             return Err(Refusal::Limit("nesting of powers"));
         }
-        let mut positive = x.coefficient.is_positive();
-        for poly in x.factors.keys() {
-            positive = positive && self.signs_of(&Fraction::of(poly), known)?.within(Signs::POSITIVE);
+        let (factors, mut negative) = self.turned_factors(x, known)?;
+        for (poly, _) in &factors {
+            negative |= !self.signs_of(&Fraction::of(poly), known)?.within(Signs::POSITIVE);
         }
-        if !positive {
+        if negative {
             return Ok(Fraction::atom(self.intern(Atom::Logarithm(x.clone()))));
         }
         let mut terms = Vec::new();
@@ -253,15 +270,15 @@ impl Checker {
             let log = Fraction::atom(self.intern(Atom::Logarithm(prime)));
             terms.push(log.times(&Fraction::integer(k), &self.work)?);
         }
-        for (poly, k) in &x.factors {
+        for (poly, k) in factors {
             let log = match poly.single_atom().and_then(|place| self.atoms.get(place)).cloned() {
                 Some(Atom::Exponential(log)) => log,
                 Some(Atom::Power(base, exponent)) => {
                     self.logarithm_of(&base, known, depth + 1)?.times(&exponent, &self.work)?
                 }
-                _ => Fraction::atom(self.intern(Atom::Logarithm(Fraction::of(poly)))),
+                _ => Fraction::atom(self.intern(Atom::Logarithm(Fraction::of(&poly)))),
             };
-            terms.push(log.times(&Fraction::integer(*k), &self.work)?);
+            terms.push(log.times(&Fraction::integer(k), &self.work)?);
         }
         Fraction::sum(&terms, &self.work)
     }

@@ -1,6 +1,6 @@
 //! Powers, exponentials and logarithms of fractions.
 //!
-//! b^E with a whole number E is multiplied out. With an exponent that is a sum of natural monomials with positive whole
+//! b^E with a whole number E is multiplied out, and (−1)^E is a product of (−1)^m for products m of natural numbers. With an exponent that is a sum of natural monomials with positive whole
 //! coefficients, b^(E + F) = b^E·b^F, (b·c)^E = b^E·c^E and (b^E)^F = b^(E·F) hold for every b (0^0 = 1). Any other exponent
 //! that is not whole by its form needs b > 0 (or b ≥ 0 under a root of numerals), and then b^(E + F) = b^E·b^F holds as
 //! well. b^(−E) = 1/b^E holds wherever b^(−E) has a value, also for b = 0 and E = 0. Other exponents that may be negative
@@ -90,7 +90,9 @@ impl Checker {
         };
         let natural = |checker: &Checker, m: &Monomial| m.iter().all(|(atom, _)| checker.is_natural_atom(*atom));
         if poly.terms().all(|(m, c)| c.is_integer() && natural(self, m)) {
-            return if poly.terms().all(|(_, c)| c.is_positive()) {
+            return if base.as_integer() == Some(-1) {
+                self.sign_power(&poly)
+            } else if poly.terms().all(|(_, c)| c.is_positive()) {
                 self.natural_power(base, exponent, &poly)
             } else if poly.terms().all(|(_, c)| c.is_negative()) {
                 Ok(self.power(base, &exponent.negated())?.power(-1)?)
@@ -104,6 +106,19 @@ impl Checker {
             let part = self.monomial(monomial)?.times(&Fraction::number(c.clone()), &self.work)?;
             let whole = c.is_integer() && natural(self, monomial);
             let factor = if whole { self.power(base, &part)? } else { self.real_power(base, &part)? };
+            out.multiply(&factor, &self.work)?;
+        }
+        Ok(out)
+    }
+
+    /// (−1)^E for a whole number E: a term of E counts where its coefficient is odd, for (−1)^(2·m) = 1 and (−1)^(−m) = (−1)^m.
+    fn sign_power(&mut self, exponent: &Poly) -> Result<Fraction, Refusal> {
+        let mut out = Fraction::integer(1);
+        for (monomial, _) in exponent.terms().filter(|(_, c)| c.numer().bit(0)) {
+            let factor = match self.monomial(monomial)? {
+                one if one.as_integer().is_some() => Fraction::integer(-1),
+                monomial => self.atom_fraction(Atom::Power(Fraction::integer(-1), monomial)),
+            };
             out.multiply(&factor, &self.work)?;
         }
         Ok(out)
@@ -166,7 +181,7 @@ impl Checker {
         }
         let mut out = Fraction::integer(1);
         if base.coefficient.is_negative() {
-            out = plain(self, &Fraction::integer(-1))?;
+            out = self.sign_power(poly)?;
         }
         for (prime, k) in base.prime_powers(&self.work)? {
             let prime = Fraction::number(BigRational::from_integer(prime));
