@@ -307,8 +307,9 @@ fn streamed(
     let place = |name: &str| loaded.place(name);
     let piecewise = matches!(format, Format::Text) && output.is_none() && !std::io::stdout().is_terminal();
     let pieces = RefCell::new((report::text::Pieces::new(terminal::quiet()), Ok(())));
-    let mut tell = |_: &str, result: &Result<Entry, Fault>| {
-        if let (true, Ok(entry)) = (piecewise, result) {
+    let told = RefCell::new(BTreeSet::new());
+    let show = |entry: &Entry| {
+        if piecewise && told.borrow_mut().insert(entry.claim.name.text.clone()) {
             let (pieces, written) = &mut *pieces.borrow_mut();
             let piece = pieces.entry(entry);
             if written.is_ok() {
@@ -316,6 +317,7 @@ fn streamed(
             }
         }
     };
+    let mut tell = |_: &str, result: &Result<Entry, Fault>| result.iter().for_each(&show);
     let finish = |audit: &Audit| -> Result<(), Exit> {
         if let Some(folder) = certificates {
             write_certificates(&audit.entries, folder)?;
@@ -324,6 +326,8 @@ fn streamed(
     };
     let leave = |found: Judgement| {
         let mut audit = audit_of(loaded, found).0;
+        // What was judged behind a claim that is not.
+        audit.entries.iter().for_each(&show);
         let all = loaded.claims().iter().filter(|c| only.is_empty() || only.contains(&c.name.text)).count();
         let message = format!("interrupted: {} of {} are judged", audit.entries.len(), counted(all, "claim"));
         audit.problems.push(Problem { name: "audit".to_owned(), message: message.clone() });
