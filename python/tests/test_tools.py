@@ -234,6 +234,8 @@ def test_the_module_is_a_command(tmp_path):
         0,
         ["eta", "15625000000/282429536481", "helps", "exactly", "on", "the", "threshold"],
     )
+    out = run("plot", "eta-n", "--ratio", "1,5", "-e", "0.9", "-n", "3")
+    assert out.returncode == 2 and "two readings" in out.stderr
     for arguments in (("eval", "--m1", "0", "--m2", "1"), ("audit", "no.claim"), ("replay", str(tmp_path / "c.claim"))):
         out = run(*arguments)
         assert out.returncode == 2 and out.stderr.startswith("error: ") and "Traceback" not in out.stderr, out.stderr
