@@ -139,6 +139,7 @@ function restore() {
   for (const key of ["m1", "m2", "e", "n", "digits"]) $(key).value = state.get(key, BEGINNING[key]);
   $("masses").value = state.get("masses", "");
   $("given").checked = state.get("inserted", "optimal") === "given";
+  rounded = state.get("rounded", "") ? $("masses").value : null;
   $("v0").value = state.get("velocities", "");
   $("moving").checked = Boolean($("v0").value);
   $("each").checked = several($("e").value);
@@ -378,7 +379,8 @@ const paint = later(async () => {
 
 async function ask() {
   const request = fields();
-  state.keep({ ...request, masses: $("given").checked ? request.masses : "", picture: $("picture").value }, BEGINNING);
+  const kept = { masses: $("given").checked ? request.masses : "", picture: $("picture").value, rounded: isRounded() ? "yes" : "" };
+  state.keep({ ...request, ...kept }, BEGINNING);
   showLists();
   predict.changed();
   const found = await engine.ask("answers", request);

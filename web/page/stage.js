@@ -15,6 +15,9 @@ const PAUSE = 0.8;
 const LANE = 16;
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** What holds the table of the numbers of each body. */
+const table = $("now").closest("details");
+
 let data = null;
 /** What graph.history makes of it. */
 let states = [];
@@ -188,7 +191,7 @@ function draw() {
   const moved = states[past];
   arrows.forEach((arrow, i) => arrow.setAttribute("d", arrowPath(moved.velocities[i])));
   if ($("ledger").checked) bars(moved);
-  graph.numbers(moved);
+  if (table.open) graph.numbers(moved);
 }
 
 /** How far the replay is; infinitely many collisions at once, after which bodies move on together, are one step. */
@@ -310,6 +313,7 @@ for (const id of ["arrows", "centre", "ledger", "curve"]) {
     if (data) build();
   });
 }
+table.addEventListener("toggle", () => { if (data) build(); });
 let seen = "";
 const resized = new ResizeObserver(() => {
   // A change of height alone is build's own.

@@ -431,6 +431,9 @@ test("optimal masses that are rounded are not called exact", async () => {
     await page.check("#moving");
     await shows(page, "#masses-note", "≈ The optimal masses are irrational");
     await shows(page, ".quantity.eta .hint", "≈ for the optimal masses, which were rounded");
+    await page.waitForFunction(() => location.hash.includes("rounded=yes"));
+    await page.reload();
+    await shows(page, "#masses-note", "≈ The optimal masses are irrational");
     await page.fill("#masses", "7/5");
     await shows(page, ".quantity.eta .hint", "exact");
     assert.equal(await page.textContent("#masses-note"), "");
@@ -475,6 +478,7 @@ test("graphs and numbers of each body follow the player", async () => {
     await page.waitForSelector("#graph .curve");
     assert.equal(await page.locator("#graph .curve").count(), 2);
     await page.click("#motion summary");
+    await page.waitForSelector("#now td");
     const numbers = () => page.$$eval("#now tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent).join(" ")));
     const cursor = async () => Number(await page.getAttribute("#graph .zero", "x1"));
     assert.deepEqual(await numbers(), ["1 1 2 1", "2 0 0 0"]);
