@@ -13,7 +13,7 @@ from typing import List, Optional
 from . import LimitReached, __version__, audit, check_table, language
 from .bounces import restitution
 from .chain import Chain
-from .table import table_text
+from .table import separated, table_text
 from .tools import (
     catalogue,
     check,
@@ -137,7 +137,8 @@ def _worksheet(arguments: argparse.Namespace) -> None:
 
 
 def _plot(arguments: argparse.Namespace) -> str:
-    parts = {name: [part for part in getattr(arguments, name).split(",") if part] for name in ("ratio", "e", "n")}
+    axes = {name: separated(getattr(arguments, name), name) for name in ("ratio", "e", "n")}
+    parts = {name: [part for part in axis.split(",") if part] for name, axis in axes.items()}
     if not all(part.strip().isdecimal() for part in parts["n"]):
         raise ValueError(f"-n: numbers of bodies are needed, not {arguments.n}")
     numbers = [int(part) for part in parts["n"]]

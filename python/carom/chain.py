@@ -8,8 +8,8 @@ from enum import Enum
 from typing import Any, List, Optional, Protocol, Sequence, Tuple, Union, overload
 
 from . import _engine
-from .number import Answer, Exact, Number, Rational, count_of, number_of, text_of
-from .rows import Cells, etas, is_column, plain
+from .number import Answer, Exact, Number, Rational, Undecided, answer_of, count_of, number_of, text_of
+from .rows import Cells, each_row, etas, is_column, is_list, plain
 
 
 class Column(Protocol):
@@ -23,6 +23,9 @@ class Column(Protocol):
     def dtype(self) -> Any:
         """The type of its entries."""
 
+
+_Rows = Union[Exact, Column, List[Exact]]
+"""A number, or one for each row."""
 
 _DIGITS = 15
 """Digits of the decimal that an enclosure shows; its ends agree to three more at least."""
@@ -120,6 +123,28 @@ class BestN:
         if isinstance(other, int) and not isinstance(other, bool):
             return self.least == other == self.greatest
         return NotImplemented
+
+    def _compared(self, other: Any, relation: str) -> bool:
+        number = isinstance(other, (int, float)) and not isinstance(other, bool)
+        if not number and not isinstance(other, BestN):
+            return NotImplemented
+        ends = [(other, other) if number else (other.least, other.greatest), (self.least, self.greatest)]
+        found = None if None in (*ends[0], *ends[1]) else answer_of(ends[1], ends[0], relation)
+        if found is None:
+            raise Undecided(f"{self} {relation} {other} is open")
+        return found
+
+    def __lt__(self, other: Any) -> bool:
+        return self._compared(other, "<")
+
+    def __le__(self, other: Any) -> bool:
+        return self._compared(other, "<=")
+
+    def __gt__(self, other: Any) -> bool:
+        return self._compared(other, ">")
+
+    def __ge__(self, other: Any) -> bool:
+        return self._compared(other, ">=")
 
     def __hash__(self) -> int:
         return hash(self.least) if self.least == self.greatest else hash((self.least, self.greatest))
@@ -301,11 +326,11 @@ def eta(  # type: ignore[overload-overlap]
 ) -> Number: ...
 @overload
 def eta(
-    m1: Union[Exact, Column],
-    m2: Union[Exact, Column],
+    m1: _Rows,
+    m2: _Rows,
     *,
     e: Union[Exact, Column],
-    n: Union[int, Column],
+    n: Union[int, Column, List[int]],
     floats: Optional[str] = None,
 ) -> Cells: ...
 def eta(
@@ -315,9 +340,10 @@ def eta(
 
     ``n`` bodies of optimal mass are inserted, or those of ``masses``. One of the two is needed; ``n=0`` means none.
 
-    Any of ``m1``, ``m2``, ``e`` and ``n`` may be a NumPy array or a column of a data frame: the answer is then a
-    :class:`Cells`, with an enclosure for each row. ``floats`` says what doubles mean: ``"decimal"``, the number that is
-    printed (0.9 is nine tenths), or ``"exact"``, the double itself. Without it a float is refused.
+    Any of ``m1``, ``m2``, ``e`` and ``n`` may be a NumPy array or a column of a data frame, and all but ``e`` a list:
+    the answer is then a :class:`Cells`, with an enclosure for each row. ``floats`` says what doubles mean:
+    ``"decimal"``, the number that is printed (0.9 is nine tenths), or ``"exact"``, the double itself. Without it a
+    float is refused.
 
     >>> eta(10, 1, e="9/10", n=0)
     Fraction(361, 1210)
@@ -328,7 +354,8 @@ def eta(
         found = _engine.eta(m1, m2, e, n)
         if found is not None:
             return Rational(*found) if isinstance(found, tuple) else Answer((m1, m2, e, n), "eta", (), found)
-        if is_column(m1) or is_column(m2) or is_column(e) or is_column(n):
+        # A list for e has a coefficient for each collision.
+        if any(map(is_list, (m1, m2, n))) or is_column(e):
             return etas(m1, m2, e, n, floats)
     if floats is not None:
         m1, m2, e = (plain(value, floats) for value in (m1, m2, e))
@@ -336,20 +363,28 @@ def eta(
 
 
 @overload
-def threshold(m1: Exact, m2: Exact, *, n: int) -> Number: ...
+def threshold(  # type: ignore[overload-overlap]
+    m1: Exact, m2: Exact, *, n: int, floats: Optional[str] = None
+) -> Number: ...
 @overload
 def threshold(m1: Exact, m2: Exact, *, masses: Sequence[Exact]) -> List[Number]: ...
+@overload
+def threshold(m1: _Rows, m2: _Rows, *, n: Union[int, Column, List[int]], floats: Optional[str] = None) -> Cells: ...
 def threshold(
-    m1: Exact, m2: Exact, *, n: Optional[int] = None, masses: Optional[Sequence[Exact]] = None
-) -> Union[Number, List[Number]]:
+    m1: Any, m2: Any, *, n: Any = None, masses: Optional[Sequence[Exact]] = None, floats: Optional[str] = None
+) -> Union[Number, List[Number], Cells]:
     """The least restitution with which an inserted body helps: L_n of equation (19), or one for each of given masses.
+
+    ``m1``, ``m2`` and ``n`` may be columns, as for :func:`eta`.
 
     >>> threshold(64, 1, n=2)
     Fraction(44, 81)
     >>> threshold(10, 1, masses=[2])
     [Fraction(7, 11)]
     """
-    return Chain(m1, m2, n=n, masses=masses).threshold()
+    if masses is None and any(map(is_list, (m1, m2, n))):
+        return each_row({"m1": m1, "m2": m2, "n": n}, floats, lambda row: _ends(Chain(**row).threshold()))
+    return Chain(plain(m1, floats), plain(m2, floats), n=n, masses=masses).threshold()
 
 
 @overload
@@ -374,13 +409,31 @@ def helps(
     return Chain(m1, m2, e=e, n=n, masses=masses).helps()
 
 
-def best_n(m1: Exact, m2: Exact, *, e: Exact) -> BestN:
+@overload
+def best_n(  # type: ignore[overload-overlap]
+    m1: Exact, m2: Exact, *, e: Exact, floats: Optional[str] = None
+) -> BestN: ...
+@overload
+def best_n(m1: _Rows, m2: _Rows, *, e: _Rows, floats: Optional[str] = None) -> Cells: ...
+def best_n(m1: Any, m2: Any, *, e: Any, floats: Optional[str] = None) -> Union[BestN, Cells]:
     """The best number of inserted bodies of optimal mass.
+
+    ``m1``, ``m2`` and ``e`` may be columns, as for :func:`eta`. A best number that is infinite has infinite ends;
+    where any number is as good as any other they are 0 and infinity.
 
     >>> best_n(64, 1, e="44/81")
     BestN(least=2, greatest=2, tie=True)
     """
-    return Chain(m1, m2, e=e).best_n()
+    if any(map(is_list, (m1, m2, e))):
+        return each_row({"m1": m1, "m2": m2, "e": e}, floats, lambda row: _ends(Chain(**row).best_n()))
+    return Chain(*(plain(value, floats) for value in (m1, m2)), e=plain(e, floats)).best_n()
+
+
+def _ends(answer: Any) -> Tuple[float, float]:
+    """The doubles around an answer."""
+    if not isinstance(answer, BestN):
+        return answer.lo, answer.hi
+    return (0, math.inf) if answer.least is None or answer.greatest is None else (answer.least, answer.greatest)
 
 
 def masses(m1: Exact, m2: Exact, *, n: int, e: Optional[_Restitution] = None) -> List[Number]:

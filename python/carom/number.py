@@ -97,6 +97,8 @@ def _foreign(value: Any) -> Any:
         return exact if exact is not None else (value.exact_lo, value.exact_hi)
     module = type(value).__module__.partition(".")[0]
     if module == "flint":
+        if type(value).__name__ == "fmpz":
+            return Fraction(int(value))
         if hasattr(value, "p") and hasattr(value, "q"):
             return Fraction(int(value.p), int(value.q))
         if type(value).__name__ == "arb":
@@ -194,6 +196,16 @@ class Number:
         """A double at least the number."""
         return _outward(self.exact_hi, math.inf)
 
+    @property
+    def mid(self) -> Fraction:
+        """The middle between the ends, exactly."""
+        return (self.exact_lo + self.exact_hi) / 2
+
+    @property
+    def radius(self) -> Fraction:
+        """How far the ends are from the middle, exactly."""
+        return (self.exact_hi - self.exact_lo) / 2
+
     def digits(self, count: int, *, rounding: str = "nearest") -> str:
         """The number with so many significant digits, each of them right.
 
@@ -226,6 +238,8 @@ class Number:
         return _result("+", other, self)
 
     def __sub__(self, other: Any) -> Number:
+        if isinstance(other, Number) and _same(self, other):
+            return Rational(0)
         return _result("-", self, other)
 
     def __rsub__(self, other: Any) -> Number:
@@ -447,18 +461,19 @@ class Enclosure(Number):
             digits *= 2
         if lo == hi:
             return lo
-        raise ValueError(f"{self} has no one nearest double")
+        hint = "; float(x.mid) is its middle, float(x.radius) how far it reaches" if self.measured else ""
+        raise ValueError(f"{self} has no one nearest double{hint}")
 
     def __str__(self) -> str:
-        if not self.measured:
-            try:
-                return self.digits(_SHOWN)
-            except Undecided:
-                pass
-        return f"[{self.lo!r}, {self.hi!r}]"
+        if self.measured:
+            return _plus_minus(self.exact_lo, self.exact_hi)
+        try:
+            return self.digits(_SHOWN)
+        except Undecided:
+            return f"[{self.lo!r}, {self.hi!r}]"
 
     def __repr__(self) -> str:
-        return f"Enclosure({self})"
+        return f"Enclosure([{self.lo!r}, {self.hi!r}])" if self.measured else f"Enclosure({self})"
 
     def _repr_html_(self) -> str:
         """The closed form as MathML, which browsers show by themselves, and the digits."""
@@ -507,12 +522,13 @@ class Answer(Enclosure):
     @property
     def lo(self) -> float:
         """A double at most the number."""
-        return self._found.lo
+        # The engine's zero may have a sign.
+        return self._found.lo + 0.0
 
     @property
     def hi(self) -> float:
         """A double at least the number; at most two doubles above ``lo`` where nothing is measured."""
-        return self._found.hi
+        return self._found.hi + 0.0
 
     @property
     def exact_lo(self) -> Fraction:
@@ -557,10 +573,8 @@ class Answer(Enclosure):
         return _at(answer, self._place)
 
     def __str__(self) -> str:
-        decimal_ = self._found.decimal
-        if decimal_ is not None and not self.measured:
-            return decimal_
-        return f"[{self.lo!r}, {self.hi!r}]"
+        found = None if self.measured else self._found.decimal
+        return super().__str__() if found is None else found
 
     def _mathml(self) -> Optional[str]:
         return self._found.mathml
@@ -703,6 +717,9 @@ class Computed(Enclosure):
         return done[id(self)]
 
 
+# In Python's own messages both have the name that they show.
+Answer.__name__ = Computed.__name__ = "Enclosure"
+
 _Ends = Tuple[Fraction, Fraction]
 
 _LONG = 4_096
@@ -808,12 +825,16 @@ def _operand(value: Any) -> Optional[Number]:
         return Rational(int(value.numerator), int(value.denominator))
     if isinstance(value, decimal.Decimal) and value.is_finite():
         return Rational(Fraction(value))
-    return None
+    exact = _foreign(value)
+    return Rational(exact) if isinstance(exact, Fraction) else None
 
 
 def _result(operation: str, left: Any, right: Any) -> Number:
     sides = _operand(left), _operand(right)
     if sides[0] is None or sides[1] is None:
+        for value in (left, right):
+            if isinstance(value, float):
+                text_of(value, operation)
         return NotImplemented
     exact = sides[0].exact, sides[1].exact
     if exact[0] is not None and exact[1] is not None:
@@ -837,7 +858,7 @@ def _decided(left: Number, right: Any, relation: str) -> bool:
         return True
     for digits in _REFINED:
         a, b = left.narrower(digits), other.narrower(digits)
-        found = _answer(a, b, relation)
+        found = answer_of(a, b, relation)
         if found is not None:
             return found
         if left.measured or other.measured:
@@ -845,14 +866,18 @@ def _decided(left: Number, right: Any, relation: str) -> bool:
     raise Undecided(f"{left} {relation} {other} is open: their enclosures overlap")
 
 
+def _same(left: Number, right: Number) -> bool:
+    """Whether they are one object or have one closed form; a measured value may be any in its range."""
+    if left.measured or right.measured:
+        return False
+    return left is right or (left.radical is not None and left.radical == right.radical)
+
+
 def _equal(left: Number, right: Any) -> bool:
     """Whether two numbers are known to be equal; a warning where they may be and nothing tells."""
     other = right if isinstance(right, Number) else None
-    if left is other and not left.measured:
+    if other is not None and _same(left, other):
         return True
-    if other is not None and not (left.measured or other.measured) and left.radical is not None:
-        if left.radical == other.radical:
-            return True
     try:
         return _decided(left, right, "==")
     except Undecided as error:
@@ -863,9 +888,9 @@ def _equal(left: Number, right: Any) -> bool:
         return False
 
 
-def _answer(a: _Ends, b: _Ends, relation: str) -> Optional[bool]:
+def answer_of(a: _Ends, b: _Ends, relation: str) -> Optional[bool]:
     if relation in (">", ">="):
-        return _answer(b, a, "<" if relation == ">" else "<=")
+        return answer_of(b, a, "<" if relation == ">" else "<=")
     below, above = a[1] < b[0], a[0] > b[1]
     if relation == "==":
         return True if a[0] == a[1] == b[0] == b[1] else False if below or above else None
@@ -877,6 +902,27 @@ def _answer(a: _Ends, b: _Ends, relation: str) -> Optional[bool]:
 def _rounded(number: Fraction, digits: int, rounding: str) -> str:
     sign = "-" if number < 0 else ""
     return _engine.rounded((f"{sign}{abs(number.numerator):x}", f"{number.denominator:x}"), digits, rounding)
+
+
+def _plus_minus(lo: Fraction, hi: Fraction) -> str:
+    """A centre and a reach of two digits, which hold both ends: no possible value is outside."""
+    centre, reach = (lo + hi) / 2, (hi - lo) / 2
+    if not reach:
+        return str(centre)
+    place = 1 - decimal.Decimal(_rounded(reach, 2, "up")).adjusted()
+    scale = Fraction(10) ** place
+    middle = round(centre * scale)
+    width = math.ceil(max(hi * scale - middle, middle - lo * scale))
+    if 0 <= place <= _SHOWN:
+        return f"{_decimal_of(middle, place)} ± {_decimal_of(width, place)}"
+    return f"({middle} ± {width})e{-place}"
+
+
+def _decimal_of(whole: int, places: int) -> str:
+    """A whole number of units of the last place as a decimal."""
+    digits = str(abs(whole)).rjust(places + 1, "0")
+    point = f".{digits[-places:]}" if places else ""
+    return f"{'-' if whole < 0 else ''}{digits[: len(digits) - places]}{point}"
 
 
 def _outward(number: Fraction, towards: float) -> float:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple
 
 from . import _engine
 from .number import WrongType, count_of, text_of
@@ -47,7 +48,12 @@ class Cells:
 
 def is_column(value: Any) -> bool:
     """Whether it is an array or a column of a data frame."""
-    return getattr(value, "ndim", 0) > 0 and hasattr(value, "dtype")
+    return hasattr(value, "dtype") and (getattr(value, "ndim", 0) > 0 or hasattr(value, "to_numpy"))
+
+
+def is_list(value: Any) -> bool:
+    """Whether it has a number for each row: a column, or a list."""
+    return isinstance(value, list) or is_column(value)
 
 
 def plain(value: Any, floats: Optional[str]) -> Any:
@@ -64,9 +70,7 @@ def etas(m1: Any, m2: Any, e: Any, n: Any, floats: Optional[str]) -> Cells:
     import numpy
 
     given = {"m1": m1, "m2": m2, "e": e, "n": n}
-    arrays = {name: numpy.asarray(value) for name, value in given.items() if is_column(value)}
-    shape = numpy.broadcast_shapes(*(array.shape for array in arrays.values()))
-    whole = {name: numpy.broadcast_to(array, shape).ravel() for name, array in arrays.items()}
+    shape, whole = _whole(given)
 
     def column(name: str) -> Any:
         if name in whole:
@@ -79,11 +83,54 @@ def etas(m1: Any, m2: Any, e: Any, n: Any, floats: Optional[str]) -> Cells:
         column("e"),
         _counts(whole["n"] if "n" in whole else numpy.array([count_of(n, "n")], "u8")),
     )
-    size = 1
-    for length in shape:
-        size *= length
-    lo, hi = filled(size, rows.fill)
+    lo, hi = filled(math.prod(shape), rows.fill)
     return Cells(lo.reshape(shape), hi.reshape(shape))
+
+
+def each_row(given: Dict[str, Any], floats: Optional[str], ends: Callable[[Dict[str, Any]], Tuple[Any, Any]]) -> Cells:
+    """The ends of an answer for each row, one chain after the other."""
+    import numpy
+
+    shape, whole = _whole(given)
+    found = numpy.empty((2, math.prod(shape)))
+    for row in range(found.shape[1]):
+        try:
+            values = {
+                name: _meant(whole[name][row] if name in whole else value, floats) for name, value in given.items()
+            }
+            found[:, row] = ends(values)
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"row {row}: {error}") from None
+    return Cells(found[0].reshape(shape), found[1].reshape(shape))
+
+
+def _whole(given: Dict[str, Any]) -> Tuple[Tuple[int, ...], Dict[str, Any]]:
+    """The shape that all columns have together, and each of them in that shape, without a missing value."""
+    import numpy
+
+    arrays = {name: _array(name, value) for name, value in given.items() if is_list(value)}
+    shape = numpy.broadcast_shapes(*(array.shape for array in arrays.values()))
+    return shape, {name: numpy.broadcast_to(array, shape).ravel() for name, array in arrays.items()}
+
+
+def _array(name: str, value: Any) -> Any:
+    import numpy
+
+    # Of a list the numbers themselves: NumPy would make texts of a text and a number, floats of a float and an integer.
+    array = numpy.array(value, object) if isinstance(value, list) else numpy.asarray(value)
+    if isinstance(value, list) and all(type(one) is int for one in value):
+        array = numpy.array(value)
+    missing = numpy.isnan(array) if array.dtype.kind == "f" else [one is None for one in array.flat]
+    if numpy.any(missing):
+        raise ValueError(f"row {int(numpy.argmax(missing))}: {name}: the value is missing")
+    return array
+
+
+def _meant(value: Any, floats: Optional[str]) -> Any:
+    """An entry of a column as the number that it is said to mean."""
+    # A number of 32 bits is printed shorter than the double next to it.
+    number = str(value) if getattr(getattr(value, "dtype", None), "kind", "") == "f" and floats == "decimal" else value
+    return plain(number, floats)
 
 
 def _column(name: str, array: Any, floats: Optional[str]) -> Any:
@@ -108,9 +155,8 @@ def _column(name: str, array: Any, floats: Optional[str]) -> Any:
 def _texts(name: str, array: Any, floats: Optional[str]) -> Tuple[bool, List[str]]:
     found = []
     for row, value in enumerate(array):
-        number = str(value) if getattr(value, "dtype", None) is not None and floats == "decimal" else value
         try:
-            found.append(text_of(plain(number, floats), name))
+            found.append(text_of(_meant(value, floats), name))
         except (TypeError, ValueError) as error:
             raise type(error)(f"row {row}: {error}") from None
     return (False, found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     import pandas
 
 Grid = Union[Exact, Sequence[Exact]]
-"""An axis: a number, a list of them, or a text ``"1,2,10"``, ``"start:stop:step"``, ``"start:stop:xFACTOR"``."""
+"""An axis: a number, a list of them, or a text ``"1; 2; 10"``, ``"start:stop:step"``, ``"start:stop:xFACTOR"``."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,14 +99,39 @@ _SHOWN = 12
 
 def grid_of(values: Any, name: str) -> Optional[str]:
     """The text of an axis."""
-    if values is None or isinstance(values, str):
-        return values
+    if values is None:
+        return None
+    if isinstance(values, str):
+        return separated(values, name)
     if not hasattr(values, "__iter__"):
         return text_of(values, name)
     texts = [text_of(value, name) for value in values]
     if any("," in text or ":" in text for text in texts):
         raise ValueError(f"{name}: in a list each value is one number")
     return ",".join(texts)
+
+
+_DECIMAL = re.compile(r"(?<![\d.,/])(\d+),(\d+)(?![\d.,/:])")
+"""A comma that may be a decimal point: the only one between two whole numbers."""
+
+
+def separated(text: str, name: str) -> str:
+    """A text whose commas separate; one of which a comma may be a decimal point has two readings."""
+    if ";" in text:
+        # The commas of such a list are decimal ones.
+        elements = [element.strip() for element in text.split(";")]
+        if any("," in element for element in elements):
+            raise ValueError(f"{name}: {text!r}: write decimal points instead of commas")
+        return ",".join(elements)
+    # A list of whole numbers has no decimal commas.
+    if name == "n" or not _DECIMAL.search(text):
+        return text
+    decimal = re.sub(r",\s+", "; ", _DECIMAL.sub(r"\1.\2", text))
+    listed = re.sub(r",\s*", "; ", text)
+    raise ValueError(
+        f"{name}: {text!r} has two readings: write {decimal!r} if the comma is a decimal point, "
+        f"{listed!r} if it separates two numbers"
+    )
 
 
 def plan(want: str, ratio: Any, e: Any, n: Any) -> _engine.Plan:

@@ -7,10 +7,12 @@ import io
 import json
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _engine
-from .number import Exact, count_of, text_of
+from .number import Exact, WrongType, count_of, text_of
+from .rows import is_list
 from .source import Text, source_of
 
 _MOST = 1_000_000
@@ -39,6 +41,31 @@ class Collision:
     pair: Tuple[int, int]
     before: Tuple[Union[Fraction, str], Union[Fraction, str]]
     after: Tuple[Union[Fraction, str], Union[Fraction, str]]
+    lost: Union[Fraction, str]
+    """The kinetic energy lost in it."""
+
+
+Scene = Union[Text, Mapping[str, Any]]
+"""The text of a scene file, a file that ends in ``.toml``, or what such a file says as a dictionary."""
+
+
+def _scene_of(scene: Scene) -> str:
+    """The text of a scene."""
+    if not isinstance(scene, Mapping):
+        return source_of(scene, ".toml").text
+    return "".join(f"{json.dumps(str(key))} = {_toml(value, str(key))}\n" for key, value in scene.items())
+
+
+def _toml(value: Any, name: str) -> str:
+    """A value as TOML writes it; a number that is no whole one is a text there."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml(one, str(key))}" for key, one in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(one, name) for one in value) + "]"
+    if isinstance(value, (bool, str)):
+        return json.dumps(value)
+    text = text_of(value, name)
+    return text if isinstance(value, int) else json.dumps(text)
 
 
 class Replay:
@@ -54,7 +81,14 @@ class Replay:
         """The velocities at the end: final, where the replay is complete."""
         self.positions = [_number(text) for text in self.data["positions"]]
         self.time = _number(self.data["time"])
-        self.collisions = [_collision(entry) for entry in self.data["collisions"]]
+        self.energy = {name: _number(text) for name, text in (self.data["energy"] or {}).items()}
+        """The kinetic energy at the beginning, ``initial``, in the end, ``final``, and what was ``lost``."""
+
+    @cached_property
+    def collisions(self) -> List[Collision]:
+        """Those that are listed, in order."""
+        losses = [row["energy_lost"] for row in csv.DictReader(_lines(self.csv()))]
+        return [_collision(entry, lost) for entry, lost in zip(self.data["collisions"], losses)]
 
     def _form(self, form: str, digits: Optional[int] = None) -> str:
         until, most, listed, through, orders = self._options
@@ -64,7 +98,7 @@ class Replay:
         return iter(self.collisions)
 
     def __len__(self) -> int:
-        return len(self.collisions)
+        return len(self.data["collisions"])
 
     def __repr__(self) -> str:
         return f"Replay({self.status!r}, count={self.count})"
@@ -101,13 +135,18 @@ def _number(text: str) -> Union[Fraction, str]:
         return text
 
 
-def _collision(entry: Mapping[str, Any]) -> Collision:
+def _lines(text: str) -> Iterator[str]:
+    """The lines of a CSV text that are no comments."""
+    return (line for line in text.splitlines() if line[:1] != "#")
+
+
+def _collision(entry: Mapping[str, Any], lost: str) -> Collision:
     before, after = ((_number(pair[0]), _number(pair[1])) for pair in (entry["before"], entry["after"]))
-    return Collision(_number(entry["time"]), (entry["pair"][0], entry["pair"][1]), before, after)
+    return Collision(_number(entry["time"]), (entry["pair"][0], entry["pair"][1]), before, after, _number(lost))
 
 
 def replay(
-    scene: Text,
+    scene: Scene,
     *,
     until: Optional[Exact] = None,
     max_events: int = _MOST,
@@ -117,19 +156,19 @@ def replay(
 ) -> Replay:
     """Follows bodies on a line from one collision to the next, exactly, as ``carom replay`` does.
 
-    ``scene`` is the text of a scene file, or a file that ends in ``.toml``.
+    ``scene`` is the text of a scene file, a file that ends in ``.toml``, or a dictionary.
 
-    >>> bodies = ["mass = 1\\nposition = 0\\nvelocity = 1", "mass = 3\\nposition = 1"]
-    >>> replay("\\n[[body]]\\n".join(["restitution = 1", *bodies])).velocities
+    >>> bodies = [{"mass": 1, "position": 0, "velocity": 1}, {"mass": 3, "position": 1}]
+    >>> replay({"restitution": 1, "body": bodies}).velocities
     [Fraction(-1, 2), Fraction(1, 2)]
     """
     time = None if until is None else text_of(until, "until")
     most, listed = count_of(max_events, "max_events"), count_of(list_at_most, "list_at_most")
-    return Replay(source_of(scene, ".toml").text, (time, most, listed, through_collapse, orders))
+    return Replay(_scene_of(scene), (time, most, listed, through_collapse, orders))
 
 
 def worksheet(
-    scene: Text,
+    scene: Scene,
     *,
     form: str = "text",
     sheet: str = "both",
@@ -155,7 +194,7 @@ def worksheet(
 
 
 def worksheet_pdf(
-    scene: Text,
+    scene: Scene,
     *,
     sheet: str = "both",
     title: Optional[str] = None,
@@ -172,7 +211,7 @@ def worksheet_pdf(
 
 
 def _sheets(
-    scene: Text,
+    scene: Scene,
     form: str,
     sheet: str,
     title: Optional[str],
@@ -184,7 +223,7 @@ def _sheets(
 ) -> bytes:
     if paper not in ("a4", "letter"):
         raise ValueError(f"paper: {paper!r} is unknown; write a4 or letter")
-    text = source_of(scene, ".toml").text
+    text = _scene_of(scene)
     drawn = (count_of(versions[0], "versions"), count_of(versions[1], "seed"))
     return _engine.worksheet(text, form, sheet, title, standard, digits, exact, paper == "letter", drawn)
 
@@ -199,7 +238,7 @@ def plot(
     ratio: Union[Exact, Sequence[Exact]] = (),
     e: Union[Exact, Sequence[Exact]] = (),
     n: Union[int, Sequence[int]] = (),
-    scene: Optional[Text] = None,
+    scene: Optional[Scene] = None,
     title: Optional[str] = None,
     xlim: Optional[Point] = None,
     ylim: Optional[Point] = None,
@@ -217,7 +256,7 @@ def plot(
     if picture == "velocities":
         if scene is None:
             raise ValueError("the picture velocities needs a scene")
-        return Picture(_engine.plot_velocities(source_of(scene, ".toml").text, looks))
+        return Picture(_engine.plot_velocities(_scene_of(scene), looks))
     ratios = [text_of(value, "ratio") for value in _several(ratio)]
     coefficients = [text_of(value, "e") for value in _several(e)]
     numbers = [count_of(value, "n") for value in _several(n)]
@@ -251,7 +290,9 @@ class CheckedCell:
 
 
 def check_table(table: Any, *, rounding: str = "nearest") -> List[CheckedCell]:
-    """Judges somebody's table: a CSV file, rows as dictionaries, or a data frame.
+    """Judges somebody's table: a CSV file, a data frame, a dictionary of columns, or rows.
+
+    A row is a dictionary, or a list if the first one is the heading.
 
     Columns: ``ratio`` (or ``m1`` and ``m2``), ``e``, ``n``, and one or more of ``eta``, ``threshold``, ``best-n``. A
     number is right if it is the value rounded to as many places as are written.
@@ -307,8 +348,31 @@ def _rows(table: Any) -> Iterator[Tuple[int, Mapping[str, Any]]]:
             plain = {key: value.replace("\u2044", "/") for key, value in row.items()}
             values = {key: value.replace(",", ".") if separator == ";" else value for key, value in plain.items()}
             yield at, values
-    else:
-        yield from enumerate(table, 1)
+        return
+    if isinstance(table, Mapping):
+        columns = [value if is_list(value) else [value] for value in table.values()]
+        if len({len(column) for column in columns}) > 1:
+            raise ValueError("the columns are not equally long")
+        table = [table.keys(), *zip(*columns)]
+    yield from _named(list(table))
+
+
+def _named(rows: List[Any]) -> Iterator[Tuple[int, Mapping[str, Any]]]:
+    """Rows by their headings; where rows are lists the first one has these, and is line 1."""
+    heading = None
+    for line, row in enumerate(rows, 1):
+        if isinstance(row, Mapping):
+            yield line, row
+            continue
+        if isinstance(row, str) or not hasattr(row, "__iter__"):
+            raise WrongType(f"line {line}: a row is a dictionary or a list, not {row!r}")
+        fields = list(row)
+        if heading is None:
+            heading = fields
+        elif len(fields) == len(heading):
+            yield line, dict(zip(heading, fields))
+        else:
+            raise ValueError(f"line {line}: the heading has {len(heading)} fields, the line has {len(fields)}")
 
 
 def _written(value: Any) -> str:

@@ -161,6 +161,18 @@ def test_velocities_are_enclosed_each_with_its_own_digits():
     assert found[4].radical and "\\frac" in found[4]._repr_latex_()
 
 
+def test_best_numbers_are_ordered_where_they_are_one_number():
+    best = carom.best_n(100, 1, e="0.9")
+    assert 2 < best > 2 and best >= best and best < math.inf and not best <= 2
+    assert sorted([best, carom.best_n(10, 1, e="0.9")])[1] is best and carom.best_n(2, 1, e=1) > 10**9
+    assert carom.best_n(10, 1, e="[0.5, 0.9]") >= 0
+    for open_ in (carom.best_n(10, 1, e="[0.5, 0.9]"), carom.best_n(1, 1, e=1)):
+        with pytest.raises(carom.Undecided, match="is open"):
+            bool(open_ > 1)
+    with pytest.raises(TypeError):
+        bool(best < "a")
+
+
 def test_measured_inputs_give_wide_enclosures():
     x = carom.eta("57.1 ± 0.1", 46, e="[0.84, 0.90]", n=0)
     assert x.measured and x.lo < x.hi
@@ -169,7 +181,7 @@ def test_measured_inputs_give_wide_enclosures():
             assert carom.eta(m1, 46, e=e, n=0) in x
     with pytest.raises(ValueError, match="do not round"):
         x.digits(10)
-    with pytest.raises(ValueError, match="nearest double"):
+    with pytest.raises(ValueError, match="nearest double; float\\(x.mid\\) is its middle"):
         float(x)
     assert carom.helps(10, 1, e="[0.1, 0.9]", n=1) == "depends"
     best = carom.best_n(10, 1, e="[0.5, 0.9]")

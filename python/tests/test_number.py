@@ -7,6 +7,7 @@ import decimal
 import math
 import pickle
 import random
+import re
 import statistics
 from fractions import Fraction
 
@@ -54,6 +55,38 @@ def test_arithmetic_never_leaves_the_true_value_outside():
         if value and x.exact is None:
             assert hi - lo <= abs(value) * Fraction(1, 10**38), (x, value)
             assert abs(Fraction(x.digits(30)) - value) <= abs(value) * Fraction(1, 10**29)
+
+
+def test_a_measured_result_shows_a_centre_and_a_reach_that_hold_all_its_values():
+    for e, n in (("0.9 ± 0.01", 7), ("[0.1, 0.9]", 0), ("0.5 ± 0.0000001", 3)):
+        share = carom.eta(10, 1, e=e, n=n)
+        for x in (share, -share, share * 10**30, share / 10**30, share - share):
+            centre, reach = re.sub(r"[()]|e.*", "", str(x)).split(" ± ")
+            scale = Fraction("1e" + str(x).partition(")e")[2]) if ")e" in str(x) else 1
+            lo, hi = ((Fraction(centre) + sign * Fraction(reach)) * scale for sign in (-1, 1))
+            assert lo <= x.exact_lo < x.exact_hi <= hi and hi - lo < 3 * (x.exact_hi - x.exact_lo), (x, repr(x))
+            assert x.mid - x.radius == x.exact_lo and x.mid + x.radius == x.exact_hi
+    assert str(carom.eta("10 ± 0.1", 1, e="9/10", n=2)) == "0.4775 ± 0.0018"
+
+
+def test_a_number_less_itself_is_zero():
+    x = carom.eta(10, 1, e="9/10", n=7)
+    assert x - x == 0 and not x - carom.eta(10, 1, e="9/10", n=7) and isinstance(x - x, Fraction)
+
+
+def test_messages_name_the_type_that_is_shown():
+    x = carom.eta(10, 1, e="9/10", n=7)
+    for number in (x, 2 * x):
+        with pytest.raises(AttributeError, match="'Enclosure' object"):
+            number.nothing()
+        with pytest.raises(TypeError, match="0.5 is not exact; write"):
+            bool(number + 0.5)
+        assert str(pickle.loads(pickle.dumps(number))) == str(number)
+
+
+def test_zero_has_no_sign():
+    lo = carom.velocities("[1, 2]", 1, e="[0.5, 1]", masses=[1])[0].lo
+    assert math.copysign(1, lo) == 1
 
 
 def test_measured_results_stay_ranges():
@@ -206,3 +239,6 @@ def test_mpmath_sympy_and_flint():
     assert x.to_flint().overlaps(flint.arb(x.digits(40))) and exact.to_flint() == flint.fmpq(15625000000, 282429536481)
     assert carom.eta(10, 1, e=flint.fmpq(1, 2), n=0) == carom.eta(10, 1, e="1/2", n=0)
     assert carom.eta(10, 1, e=flint.arb("0.5", "0.01"), n=0).measured
+    x = carom.eta(10, 1, e="9/10", n=2)
+    half = flint.fmpq(1, 2)
+    assert str(x + half) == str(half + x) == str(x + Fraction(1, 2)) and x < flint.fmpz(1)

@@ -12,6 +12,34 @@ import carom
 numpy = pytest.importorskip("numpy")
 
 
+def test_thresholds_and_best_numbers_have_columns_as_eta_has():
+    ratios = [64, 10, "1/3"]
+    found = carom.threshold(ratios, 1, n=numpy.array([1, 2, 3]))
+    best = carom.best_n(numpy.array([64.0, 10.0, 1.0]), 1, e=["44/81", "0.9", 1], floats="decimal")
+    for row, (m1, n) in enumerate(zip(ratios, (1, 2, 3))):
+        one = carom.threshold(m1, 1, n=n)
+        assert (found.lo[row], found.hi[row]) == (one.lo, one.hi)
+    assert list(best.lo) == [2, int(carom.best_n(10, 1, e="0.9")), 0] and best.hi[2] == numpy.inf
+    with pytest.raises(carom.WrongType, match="row 1: .*0.5 is not exact"):
+        carom.threshold([1, 0.5], 1, n=1)
+
+
+def test_lists_and_columns_of_polars_are_columns():
+    known = carom.eta(numpy.array([10, 20]), 1, e="0.9", n=2)
+    assert (carom.eta([10, "20"], 1, e="0.9", n=[2, 2]).lo == known.lo).all()
+    polars = pytest.importorskip("polars")
+    assert (carom.eta(polars.Series([10, 20]), 1, e=polars.Series(["0.9", "0.9"]), n=2).lo == known.lo).all()
+
+
+def test_a_missing_value_is_named_by_its_row():
+    pandas = pytest.importorskip("pandas")
+    for column in (pandas.Series([1, None], dtype="Int64"), [1, None], numpy.array([1.0, numpy.nan])):
+        with pytest.raises(ValueError, match="row 1: m1: the value is missing"):
+            carom.eta(column, 1, e="0.9", n=2)
+        with pytest.raises(ValueError, match="row 1: n: the value is missing"):
+            carom.eta(1, 1, e="0.9", n=column)
+
+
 def test_each_row_is_enclosed_as_the_call_for_it_alone():
     random.seed(7)
     count = 400
@@ -64,8 +92,8 @@ def test_columns_of_a_data_frame_and_shapes():
         ({"n": numpy.array([1.0, 2.0])}, "n: a column of whole numbers"),
         ({"m1": numpy.array([True])}, "m1: a column of truth values"),
         ({"m1": numpy.array([1, 2]), "n": numpy.array([1, 2, 3])}, "shape"),
-        ({"m1": numpy.array([1.5, float("nan")]), "floats": "exact"}, "row 1: m1: a finite number"),
-        ({"m1": numpy.array([None, 1], object)}, "row 0: m1: None"),
+        ({"m1": numpy.array([1.5, float("nan")]), "floats": "exact"}, "row 1: m1: the value is missing"),
+        ({"m1": numpy.array([None, 1], object)}, "row 0: m1: the value is missing"),
     ],
 )
 def test_a_bad_row_is_named(arguments, message):

@@ -92,6 +92,27 @@ def test_bad_tables_are_value_errors(arguments, sign):
         carom.table(ratio="0:1:1e-30", e=1, n=1)
 
 
+@pytest.mark.parametrize(
+    ("text", "readings"),
+    [
+        ("1,5", "write '1.5' if the comma is a decimal point, '1; 5' if"),
+        ("0,9", "write '0.9' if"),
+        ("1,000", "has two readings"),
+        ("0,5, 1,5", "write '0.5; 1.5' if .*, '0; 5; 1; 5' if"),
+        ("1,5; 2", "decimal points"),
+    ],
+)
+def test_a_decimal_comma_is_not_taken_for_a_list(text, readings):
+    for made in (carom.table, carom.table_text):
+        with pytest.raises(ValueError, match=readings):
+            made(ratio=text, e=1, n=1)
+        with pytest.raises(ValueError, match=readings):
+            made(ratio=1, e=text, n=1)
+    for whole in ("1; 5", "1, 5", [1, 5]):
+        assert carom.table(ratio=whole, e=1, n="0,1").axes == {"ratio": ["1", "5"], "e": ["1"], "n": ["0", "1"]}
+    assert carom.table(ratio="1,2,10", e="0.5,0.9", n=0).lo.shape == (3, 2, 1)
+
+
 def test_a_table_larger_than_memory_is_a_limit():
     for arguments in ({"ratio": "1:1000000000:1", "e": 1, "n": 1}, {"ratio": "1:10000:1", "e": "0:1:0.0001", "n": 1}):
         with pytest.raises(carom.LimitReached, match="50000000 allowed.*carom.sweep writes tables of any size"):

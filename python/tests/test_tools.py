@@ -219,6 +219,34 @@ def test_tables_are_checked_cell_by_cell(tmp_path):
             carom.check_table(rows)
 
 
+def test_tables_are_checked_as_lists_and_as_columns():
+    heading, right, wrong = ["ratio", "e", "n", "eta"], [4, 1, 0, "0.64"], ["4", "1", "0", "0.65"]
+    columns = {name: [right[i], wrong[i]] for i, name in enumerate(heading)}
+    for table in ([heading, right, wrong], columns):
+        assert [(cell.line, cell.right) for cell in carom.check_table(table)] == [(2, True), (3, False)]
+    for table, sign in (
+        ([heading, [1]], "line 2: the heading has 4 fields, the line has 1"),
+        ([["m1", "m2"], [1, 2]], "no column is called eta"),
+        ([1], "line 1: a row is a dictionary or a list"),
+        ({"ratio": [1], "e": []}, "not equally long"),
+    ):
+        with pytest.raises(ValueError, match=sign):
+            carom.check_table(table)
+
+
+def test_scenes_are_dictionaries_as_well():
+    half = Fraction(1, 2)
+    bodies = [{"mass": 1, "position": 0, "velocity": 1}, {"mass": "3", "position": half}]
+    found = carom.replay({"restitution": half, "body": bodies})
+    (collision,) = found.collisions
+    assert (collision.time, collision.after, collision.lost) == (half, (Fraction(-1, 8), 3 * half**3), Fraction(9, 32))
+    assert found.energy == {"initial": half, "final": Fraction(7, 32), "lost": Fraction(9, 32)}
+    chain = {"first": 2, "last": 1, "inserted": [Fraction(3, 2)], "restitution": half}
+    assert "<svg" in carom.plot("velocities", scene={"chain": chain})
+    with pytest.raises(carom.WrongType, match="restitution: the float 0.5"):
+        carom.replay({"restitution": 0.5, "body": bodies})
+
+
 def run(*arguments):
     return subprocess.run([sys.executable, "-m", "carom", *arguments], capture_output=True, text=True, timeout=300)
 
@@ -234,6 +262,8 @@ def test_the_module_is_a_command(tmp_path):
         0,
         ["eta", "15625000000/282429536481", "helps", "exactly", "on", "the", "threshold"],
     )
+    out = run("plot", "eta-n", "--ratio", "1,5", "-e", "0.9", "-n", "3")
+    assert out.returncode == 2 and "two readings" in out.stderr
     for arguments in (("eval", "--m1", "0", "--m2", "1"), ("audit", "no.claim"), ("replay", str(tmp_path / "c.claim"))):
         out = run(*arguments)
         assert out.returncode == 2 and out.stderr.startswith("error: ") and "Traceback" not in out.stderr, out.stderr

@@ -4,7 +4,7 @@ import { Client, clientWith } from "./client.js";
 import { $, announce, later, make, outdated, save, sentence, settle, showFault } from "./dom.js";
 import { cell, number, plain, plusMinus, short, written } from "./numbers.js";
 import * as predict from "./predict.js";
-import { COUNT, MASS, RESTITUTION, attach, move } from "./sliders.js";
+import { COUNT, MASS, RESTITUTION, VELOCITY, attach, move } from "./sliders.js";
 import * as stage from "./stage.js";
 import * as state from "./state.js";
 import { whyButton } from "./why.js";
@@ -20,7 +20,7 @@ const EXAMPLES = [
   ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
   ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
   ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", n: "0", velocities: "1, -1" }],
-  ["Two bodies towards a third", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1" }],
+  ["Two bodies towards a third", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1/2" }],
 ];
 /** Collisions that are listed. */
 const MOST_ROWS = 300;
@@ -36,6 +36,8 @@ let answers = null;
 let replay = null;
 let pictureUrl = null;
 let pictureText = "";
+/** The inserted masses as they were rounded from the optimal ones, as long as these are what is typed. */
+let rounded = null;
 
 /** The elements of a list, for the sliders; commas in brackets belong to ranges. What the list means, the engine says. */
 function elements(text) {
@@ -64,32 +66,47 @@ const fields = () => ({
   digits: $("digits").value,
 });
 
-function showEach() {
+/** What has a slider for each element: a name for the eye and one for the ear, from the place in the list. */
+const LISTS = [
+  { id: "e", scale: RESTITUTION, shown: () => $("each").checked, exact: () => answers?.plain.e,
+    name: (i) => `e${i + 1}`, said: (i) => `Restitution of collision ${i + 1}` },
+  { id: "masses", scale: MASS, shown: () => $("given").checked, exact: () => answers?.plain.masses,
+    name: (i) => `m of ${i + 2}`, said: (i) => `Mass of body ${i + 2}` },
+  { id: "v0", scale: VELOCITY, shown: () => $("moving").checked, exact: () => answers?.plain.velocities,
+    name: (i) => `v of ${i + 1}`, said: (i) => `Velocity of body ${i + 1}` },
+];
+
+/** A slider for each element of the lists that are shown. */
+function showLists() {
   const each = $("each").checked;
   $("e-label").textContent = each ? "Restitutions e₁, e₂, …" : "Restitution e";
   $("e-slider").hidden = each;
   $("e").closest(".field").classList.toggle("list", each);
-  const list = each ? elements($("e").value) : [];
-  const box = $("each-sliders");
-  box.hidden = !each || list.length > MOST_SLIDERS;
+  for (const list of LISTS) showSliders(list);
+}
+
+function showSliders({ id, scale, shown, exact, name, said }) {
+  const list = shown() ? elements($(id).value) : [];
+  const box = $(`${id}-sliders`);
+  box.hidden = !list[0] || list.length > MOST_SLIDERS;
   if (box.hidden) return;
   if (box.children.length !== list.length) {
     box.replaceChildren(...list.map((_, i) => {
-      const slider = make("input", { type: "range", min: "0", max: "1000", "aria-label": `Restitution of collision ${i + 1}, slider` });
+      const slider = make("input", { type: "range", min: "0", max: String(scale.max), "aria-label": `${said(i)}, slider` });
       slider.addEventListener("input", () => {
-        const now = elements($("e").value);
-        now[i] = RESTITUTION.text(Number(slider.value));
-        $("e").value = joined(now);
+        const now = elements($(id).value);
+        now[i] = scale.text(Number(slider.value));
+        $(id).value = joined(now);
         ask();
       });
-      return make("label", {}, `e${i + 1}`, slider);
+      return make("label", {}, name(i), slider);
     }));
   }
+  const known = exact()?.length === list.length ? exact() : list;
   [...box.querySelectorAll("input")].forEach((slider, i) => {
-    const text = answers?.plain.e.length === list.length ? answers.plain.e[i] : list[i];
-    const [above, below = "1"] = text.split("/");
+    const [above, below = "1"] = known[i].split("/");
     const near = Number(above) / Number(below);
-    if (Number.isFinite(near) && !slider.matches(":active")) slider.value = String(RESTITUTION.position(near));
+    if (Number.isFinite(near)) move(slider, scale, near);
   });
 }
 
@@ -122,6 +139,7 @@ function restore() {
   for (const key of ["m1", "m2", "e", "n", "digits"]) $(key).value = state.get(key, BEGINNING[key]);
   $("masses").value = state.get("masses", "");
   $("given").checked = state.get("inserted", "optimal") === "given";
+  rounded = state.get("rounded", "") ? $("masses").value : null;
   $("v0").value = state.get("velocities", "");
   $("moving").checked = Boolean($("v0").value);
   $("each").checked = several($("e").value);
@@ -130,12 +148,15 @@ function restore() {
   layout();
 }
 
+const isRounded = () => $("given").checked && rounded !== null && $("masses").value === rounded;
+
 function layout() {
   $("masses-field").hidden = !$("given").checked;
   $("velocities-field").hidden = !$("moving").checked;
+  $("masses-note").textContent = isRounded() ? "≈ The optimal masses are irrational. These are rounded, and the answers are those of the rounded masses." : "";
   $("rest").hidden = $("moving").checked;
   form.querySelector('[data-field="n"]').hidden = $("given").checked;
-  showEach();
+  showLists();
 }
 
 /** An inserted body as the paper and as the stage count it. */
@@ -201,6 +222,7 @@ function card(quantity) {
   else if (quantity === "helps") {
     body = make("div", { class: "number" }, make("p", { class: "decimal" }, value), make("p", { class: "hint" }, HELPS[value] ?? ""));
   } else body = number(value, { formula });
+  if (isRounded() && value) body.append(make("p", { class: "hint" }, "≈ for the optimal masses, which were rounded"));
   const section = make("section", { class: `card quantity ${quantity}` }, head, body);
   section.dataset.quantity = quantity;
   return section;
@@ -267,7 +289,7 @@ function showAgain() {
   box.replaceChildren(
     make("strong", {}, depends ? "Bodies may meet again after the pass. " : "Bodies meet again after the pass. "),
     depends ? "It depends on the measured inputs whether the velocities below are final. "
-      : "The velocities after the pass are not final, and neither are those of the paper's (22)–(24). ",
+      : "The velocities after the pass are not final. ",
     whyButton("bodies meet again", answers.why.recollides));
   if (replay && !replay.error) {
     box.append(" ", make("button", { type: "button", class: "small", onclick: stage.showAll }, "Play all collisions"));
@@ -357,8 +379,9 @@ const paint = later(async () => {
 
 async function ask() {
   const request = fields();
-  state.keep({ ...request, masses: $("given").checked ? request.masses : "", picture: $("picture").value }, BEGINNING);
-  showEach();
+  const kept = { masses: $("given").checked ? request.masses : "", picture: $("picture").value, rounded: isRounded() ? "yes" : "" };
+  state.keep({ ...request, ...kept }, BEGINNING);
+  showLists();
   predict.changed();
   const found = await engine.ask("answers", request);
   if (!found) return;
@@ -370,6 +393,7 @@ async function ask() {
     return;
   }
   answers = found;
+  showLists();
   const cards = ["eta", "threshold", "helps", "best-n"].filter((quantity) => found.answers[quantity]).map(card);
   $("quantities").replaceChildren(...cards);
   showSummary();
@@ -413,6 +437,37 @@ async function copy(text, what) {
   }
 }
 
+/** A table as a file: of a list of numbers each is exact where it is short, else with its certified digits. */
+function saveRows(rows, name) {
+  const quoted = (text) => (/[",]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  save(rows.map((row) => row.map((text) => quoted(String(text))).join(",")).join("\n") + "\n", name, "text/csv");
+}
+
+/** The longest fraction that is written into a file instead of its decimal. */
+const LONGEST_EXACT = 60;
+const entry = (x) => (x.exact?.length <= LONGEST_EXACT ? x.exact : x.decimal ?? x.enclosure.join(" to "));
+
+function saveBodies() {
+  const { masses, velocities, losses } = answers.answers;
+  const heads = ["body", "mass", "velocity_after_the_pass", "heat_of_the_collision_with_the_next"];
+  saveRows([heads, ...masses.value.map((mass, i) =>
+    [i + 1, entry(mass), ...[velocities, losses].map((list) => (list?.value?.[i] ? entry(list.value[i]) : ""))])], "carom-bodies.csv");
+}
+
+function saveCollisions() {
+  const about = replay.events.some((c) => c.time.approximate) ? "approximate_" : "";
+  const heads = ["time", "left_before", "right_before", "left_after", "right_after", "energy_lost"].map((name) => about + name);
+  saveRows([["number", "bodies", ...heads], ...replay.events.map((c) =>
+    [c.number, c.pair, ...[c.time, ...c.before, ...c.after, c.lost].map((x) => x.text)])], "carom-collisions.csv");
+}
+
+/** Everything as at the beginning; Back returns to what was before. */
+function reset() {
+  state.step(Object.fromEntries(Object.keys(BEGINNING).map((key) => [key, ""])));
+  restore();
+  ask();
+}
+
 export function start() {
   $("preset").append(...EXAMPLES.map(([name], i) => make("option", { value: String(i) }, name)));
   $("preset").addEventListener("change", () => {
@@ -436,7 +491,7 @@ export function start() {
   attach($("e-slider"), $("e"), RESTITUTION, ask);
   attach($("n-slider"), $("n"), COUNT, () => { fit(); fitVelocities(); ask(); });
   for (const id of ["m1", "m2", "e", "v0", "digits"]) $(id).addEventListener("input", ask);
-  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); ask(); });
+  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); layout(); ask(); });
   $("moving").addEventListener("change", () => {
     // Velocities of all bodies go with given masses; without inserted bodies all masses are given.
     if ($("moving").checked && !$("given").checked && $("n").value.trim() !== "0") $("given").click();
@@ -453,7 +508,10 @@ export function start() {
   $("given").addEventListener("change", () => {
     const list = answers?.answers.masses?.value;
     if ($("given").checked && !$("masses").value && list) {
-      $("masses").value = list.slice(1, -1).map((m) => (m.exact?.length <= 16 ? m.exact : m.decimal ?? m.enclosure[0])).join(", ");
+      const inner = list.slice(1, -1);
+      const typed = inner.map((m) => (m.exact?.length <= 16 ? m.exact : m.decimal ?? m.enclosure[0]));
+      $("masses").value = joined(typed);
+      rounded = inner.some((m, i) => m.exact !== typed[i]) ? $("masses").value : null;
     }
     fit();
     fitVelocities();
@@ -464,6 +522,9 @@ export function start() {
   $("closed").addEventListener("change", () => answers && showBodies());
   $("picture").addEventListener("change", () => { state.keep({ picture: $("picture").value }, BEGINNING); paint(); });
   $("picture-save").addEventListener("click", () => save(pictureText, `carom-${$("picture").value}.svg`, "image/svg+xml"));
+  $("bodies-save").addEventListener("click", saveBodies);
+  $("collisions-save").addEventListener("click", saveCollisions);
+  $("reset").addEventListener("click", reset);
   $("copy-link").addEventListener("click", () => copy(state.link(), "Link"));
   $("copy-command").addEventListener("click", () => {
     const text = command();

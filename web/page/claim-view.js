@@ -35,7 +35,7 @@ export function claimView(claim, open, level = "h3") {
     claim.method ? `by ${claim.method}` : null].filter(Boolean).join(" · ");
   const box = make("article", { class: "claim" }, title, make("p", { class: "hint" }, facts));
   if (!claim.as_expected) {
-    box.append(make("p", { class: "unexpected" }, `The claim expects to be ${claim.expected}.`));
+    box.append(make("p", { class: "unexpected" }, `Expected: ${claim.expected}.`));
   }
   if (claim.hypotheses.length) {
     box.append(make("p", { class: "label" }, "For"), make("div", { class: "hypotheses" },

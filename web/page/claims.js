@@ -74,7 +74,7 @@ function showFaults({ list, more }) {
       type: "button", class: "small",
       onclick: () => { text.focus(); text.setSelectionRange(fault.start, Math.max(fault.end, fault.start)); },
     }, `line ${fault.line}, column ${fault.column}`)),
-    make("pre", { class: "caret", tabIndex: 0 }, fault.excerpt))),
+    fault.excerpt ? make("pre", { class: "caret", tabIndex: 0 }, fault.excerpt) : null)),
     ...(more ? [make("p", {}, `and ${more} more`)] : []));
 }
 
@@ -84,14 +84,16 @@ async function judge() {
   const mine = ++serial;
   const source = text.value;
   state.keep({ claim: source }, { claim: EXAMPLES[0][1] });
-  if (!BEGINS.test(source)) {
+  const head = BEGINS.test(source) ? "" : headOf(source);
+  if (head === null) {
     engine.stop();
     showFaults({ list: [], more: 0 });
     fresh(true);
-    $("verdicts").replaceChildren(make("p", { class: "hint" }, "A claim begins with its name and title and ends with what it says: "), template());
+    $("verdicts").replaceChildren(make("p", { class: "hint" }, "A claim begins with its name and title and ends with what it says: "), template(TEMPLATE));
     return;
   }
-  const found = await engine.ask("audit", { text: source });
+  // Word processors write curly quotation marks.
+  const found = await engine.ask("audit", { text: head + source.replace(/[“”„]/g, '"') });
   if (!found || mine !== serial) return;
   fresh(true);
   if (found.error) {
@@ -100,7 +102,13 @@ async function judge() {
     $("verdicts").replaceChildren();
     return;
   }
-  showFaults(found.faults);
+  const names = head ? undeclared(found.faults) : [];
+  showFaults(head ? withoutHead(found.faults, head) : found.faults);
+  if (names.length) {
+    $("verdicts").replaceChildren(make("p", { class: "hint" }, "A claim declares its names: "),
+      template(`claim mine "What it says, in words"\ngiven ${names.join(", ")} real\n${head.split("\n")[1]}${source.trim()}\n`, false));
+    return;
+  }
   $("verdicts").replaceChildren(...(found.claims.length ? found.claims.map((claim) => claimView(claim, null))
     : [make("p", { class: "hint" }, found.faults.list.length ? "No verdict before the error is corrected." : "No claims.")]));
   settle($("verdicts"));
@@ -115,24 +123,46 @@ function fresh(on) {
   outdated($("verdicts"), !on);
 }
 
+/** What makes a claim of a text without a name: as in Python, `prove` stands in it, or it is one statement; else null. */
+function headOf(source) {
+  if (/^\s*prove\b/m.test(source)) return 'claim law ""\n';
+  return /^[^\n]*[=<>≤≥≠][^\n]*$/.test(source.trim()) ? 'claim law ""\nprove ' : null;
+}
+
+/** The names that faults are about where each fault is a name without a declaration. */
+function undeclared({ list, more }) {
+  const names = list.map(({ message }) => /^nothing declares the name (\w+)$/.exec(message)?.[1]);
+  return more || names.includes(undefined) ? [] : [...new Set(names)];
+}
+
+/** Faults at the places of the text as it was typed, without the head before it. */
+function withoutHead({ list, more }, head) {
+  const [, prove] = head.split("\n");
+  return { more, list: list.map((fault) => ({
+    ...fault, start: Math.max(0, fault.start - head.length), end: Math.max(0, fault.end - head.length),
+    line: Math.max(1, fault.line - 1), column: fault.line === 2 ? fault.column - prove.length : fault.column, excerpt: "",
+  })) };
+}
+
 const TEMPLATE = `claim mine "What it says, in words"
 given m1, m2 > 0;  e in [0, 1]
 prove m1*(1 + e)/(m1 + m2) >= 0
 `;
 
-function template() {
-  return make("div", { class: "buttons" }, make("pre", { class: "language" }, TEMPLATE), make("button", {
-    type: "button", onclick: begin,
+/** A claim to begin with. What is typed becomes a comment before it, unless the claim contains it. */
+function template(claim, comment = true) {
+  return make("div", { class: "buttons" }, make("pre", { class: "language" }, claim), make("button", {
+    type: "button", onclick: () => begin(claim, comment),
   }, "Begin with this"));
 }
 
-/** Puts the template behind what is typed, which becomes a comment. The browser's undo takes both back. */
-function begin() {
-  const typed = text.value.trim() ? `${text.value.trim().replace(/^/gm, "# ")}\n\n` : "";
+/** Puts a claim in the place of what is typed. The browser's undo takes it back. */
+function begin(claim, comment) {
+  const typed = comment && text.value.trim() ? `${text.value.trim().replace(/^/gm, "# ")}\n\n` : "";
   text.focus();
   text.select();
   // The only way to change a field that its undo knows.
-  if (!document.execCommand("insertText", false, typed + TEMPLATE)) text.value = typed + TEMPLATE;
+  if (!document.execCommand("insertText", false, typed + claim)) text.value = typed + claim;
   edited();
 }
 

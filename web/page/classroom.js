@@ -63,11 +63,19 @@ async function ask(name) {
   state.keep(named(request), named(tool.beginning));
   const found = await tool.engine.ask(tool.call, request);
   if (!found) return;
+  if (found.error) found.error.help ??= separation(request[found.error.field] ?? "", found.error.field);
   showFault($(`${name}-form`), $(`${name}-error`), found.error);
   for (const id of tool.results) outdated($(id), Boolean(found.error));
   for (const button of document.querySelectorAll(name === "sheet" ? "[data-sheet-form], #sheets-print" : "none")) button.disabled = Boolean(found.error);
   if (found.error) announce(sentence(found.error));
   else tool.show(found);
+}
+
+/** What is to be written where several numbers stand without what separates them in a field. */
+function separation(text, field) {
+  const numbers = text.split("\n").map((line) => line.trim().split(/[;,]?\s+|;/)).find((line) => line.length > 1);
+  if (!numbers?.every((number) => /^[\d.,/]+$/.test(number))) return null;
+  return field === "readings" ? "write one reading a line" : `separate numbers by semicolons: ${numbers.join("; ")}`;
 }
 
 /** A number of a sheet: a true minus sign, a power of ten raised. */
@@ -113,7 +121,8 @@ function showChecked({ columns, cells, summary, right }) {
 }
 
 function showBounced({ said, consistent }) {
-  const [first, ...rest] = said;
+  // The engine names the flag of the command line.
+  const [first, ...rest] = said.map((line) => line.replace("give one with --within", "fill in \"Each reading is within ±\""));
   $("bounced").replaceChildren(make("p", { class: `said ${consistent ? "good" : "bad"}` }, first), ...rest.map((line) => make("p", {}, line)));
 }
 

@@ -55,6 +55,38 @@ export function fraction(text) {
   return math;
 }
 
+/** A formula on one line, as the claim language writes it: fractions and roots keep their strokes. */
+export function line(node) {
+  const parts = [...node.children].map(line);
+  const whole = (text) => (/^[\w.]+$/.test(text) ? text : `(${text})`);
+  switch (node.localName) {
+    case "mfrac": return parts.map(whole).join("/");
+    case "msqrt": return `sqrt(${parts.join("")})`;
+    case "mroot": return `${whole(parts[0])}^(1/${parts[1]})`;
+    case "msup": return parts.map(whole).join("^");
+    default: return parts.length ? parts.join("") : node.textContent;
+  }
+}
+
+/** Copied tables are lines of fields with tabs between them, which spreadsheets read: without buttons, formulas on one line. */
+document.addEventListener("copy", (event) => {
+  const range = getSelection().rangeCount ? getSelection().getRangeAt(0) : null;
+  const around = range?.commonAncestorContainer;
+  if (!(around?.nodeType === Node.ELEMENT_NODE ? around : around?.parentElement)?.closest("table, .scroll:has(table)")) return;
+  const part = range.cloneContents();
+  const rows = [...part.querySelectorAll("tr")];
+  const cells = (root) => [...root.querySelectorAll("th, td")];
+  // Of a single cell there is no row.
+  if (!rows.length && !part.querySelector("math, td")) return;
+  for (const shown of part.querySelectorAll("button, .power")) shown.remove();
+  for (const math of part.querySelectorAll("math")) math.replaceWith(line(math));
+  const field = (cell) => cell.textContent.trim().replace(/\s+/g, " ").replaceAll("−", "-").replaceAll("\u2062", "*") + "\t".repeat((cell.colSpan || 1) - 1);
+  const text = rows.length ? rows.map((row) => cells(row).map(field).join("\t")).join("\n")
+    : (cells(part).length ? cells(part) : [part]).map(field).join("\t");
+  event.clipboardData.setData("text/plain", text);
+  event.preventDefault();
+});
+
 /** Offers a text as a file. */
 export function save(text, name, type) {
   const url = URL.createObjectURL(new Blob([text], { type }));

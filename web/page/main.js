@@ -54,6 +54,8 @@ for (const link of document.querySelectorAll("[data-show]")) {
     classroom.reveal();
   });
 }
+// In a page of somebody else's the room stands alone.
+document.documentElement.classList.toggle("embedded", new URLSearchParams(location.search).has("embed"));
 state.onRestore(() => enter(wanted()));
 enter(wanted());
 

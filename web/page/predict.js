@@ -49,7 +49,11 @@ export function start(fields, play) {
     const found = await engine.ask("predict", { ...fields(), quantity, guess: $("guess").value });
     if (!found) return;
     showFault($("predict-form"), $("predict-error"), found.error);
-    if (found.error) return;
+    if (found.error) {
+      // The verdict on a former guess is none on this one.
+      $("mark").textContent = "";
+      return;
+    }
     marked = true;
     $("mark").textContent = words(found, quantity);
     show();

@@ -25,6 +25,13 @@ export const MASS = {
 /** Restitutions in thousandths. */
 export const RESTITUTION = { max: 1000, text: (k) => decimal(k, 3), position: (x) => Math.round(1000 * x) };
 
+/** Velocities in hundredths, from -2 to 2. */
+export const VELOCITY = {
+  max: 400,
+  text: (k) => `${k < 200 ? "-" : ""}${decimal(Math.abs(k - 200), 2)}`,
+  position: (x) => Math.min(400, Math.max(0, Math.round(100 * x) + 200)),
+};
+
 /** Numbers of inserted bodies. */
 export const COUNT = { max: 24, text: (k) => String(k), position: (x) => Math.min(24, x) };
 

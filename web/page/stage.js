@@ -4,10 +4,10 @@
 // Arrows and bars have lengths from doubles, too. The numbers in words are the engine's, exact or certified.
 
 import { $, announce, make } from "./dom.js";
+import * as graph from "./graph.js";
+import { colour, shape } from "./graph.js";
 import { written } from "./numbers.js";
 
-const SVG = "http://www.w3.org/2000/svg";
-const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777"];
 /** Seconds of a replay at speed 1, and between two rounds. */
 const SECONDS = 7;
 const PAUSE = 0.8;
@@ -15,7 +15,12 @@ const PAUSE = 0.8;
 const LANE = 16;
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** What holds the table of the numbers of each body. */
+const table = $("now").closest("details");
+
 let data = null;
+/** What graph.history makes of it. */
+let states = [];
 let all = false;
 let now = 0;
 let playing = false;
@@ -27,13 +32,6 @@ let centre = null;
 let across = (x) => x;
 let state = { past: -1 };
 let sounds = null;
-
-const shape = (name, attributes, text) => {
-  const node = document.createElementNS(SVG, name);
-  for (const key in attributes) node.setAttribute(key, attributes[key]);
-  if (text) node.textContent = text;
-  return node;
-};
 
 /** When the struck pairs have all met once: the end of the pass. */
 function passEnd() {
@@ -54,32 +52,17 @@ function place(corners, t) {
   return t1 > t0 ? x0 + (x1 - x0) * Math.min(1, (t - t0) / (t1 - t0)) : x1;
 }
 
-/** The velocities after so many collisions, and the heat of these, as doubles. */
-function motion(past) {
-  const { start, masses } = data.drawn;
-  const velocities = [...start];
-  for (const c of data.events.slice(0, past)) {
-    for (let body = c.first; body <= c.last; body++) {
-      if (body - 1 in velocities) velocities[body - 1] = c.drawn_after[body === c.first ? 0 : 1];
-    }
-  }
-  const energies = velocities.map((v, i) => (masses[i] * v * v) / 2);
-  const momenta = velocities.map((v, i) => masses[i] * v);
-  return { velocities, energies, momenta };
-}
-
 const sum = (list) => list.reduce((all, x) => all + x, 0);
 
 /** The largest velocity, and momentum to one side, that is to be drawn. */
 function extremes() {
   let [speed, left, right] = [0, 0, 0];
-  for (let past = 0; past <= Math.min(data.events.length, 400); past++) {
-    const { velocities, momenta } = motion(past);
+  for (const { velocities, momenta } of states.slice(0, 401)) {
     speed = Math.max(speed, ...velocities.map(Math.abs));
     right = Math.max(right, sum(momenta.filter((p) => p > 0)));
     left = Math.max(left, -sum(momenta.filter((p) => p < 0)));
   }
-  return { speed: speed || 1, left, right, whole: sum(motion(0).energies) || 1 };
+  return { speed: speed || 1, left, right, whole: sum(states[0].energies) || 1 };
 }
 
 function build() {
@@ -115,9 +98,9 @@ function build() {
   discs = worldlines.map((_, i) => {
     const radius = Math.max(half[i] * unit, 3);
     const group = shape("g", {});
-    group.append(shape("circle", { cy: rail, r: radius, fill: COLOURS[i % COLOURS.length], class: "body" }));
+    group.append(shape("circle", { cy: rail, r: radius, fill: colour(i), class: "body" }));
     if (numbered) group.append(shape("text", { y: height - 4, class: "body-number" }, String(i + 1)));
-    const arrow = shape("path", { class: "arrow", stroke: COLOURS[i % COLOURS.length], fill: COLOURS[i % COLOURS.length] });
+    const arrow = shape("path", { class: "arrow", stroke: colour(i), fill: colour(i) });
     arrow.toggleAttribute("hidden", !$("arrows").checked);
     group.append(arrow);
     arrows.push(arrow);
@@ -127,6 +110,7 @@ function build() {
   centre = $("centre").checked ? shape("path", { class: "centre", d: `M0 ${rail - 9}l6 9l-6 9l-6 -9z` }) : null;
   if (centre) stage.append(centre);
   state = { past: -1, most: extremes(), longest: Math.min(70, width / 6) };
+  graph.build(data, states, stop());
   draw();
 }
 
@@ -145,7 +129,7 @@ function bars({ energies, momenta }) {
   // A little less than the box, for the mark at the end.
   const width = Math.max(box.clientWidth, 280) - 6;
   const piece = (x, y, w, i, more = {}) => shape("rect", {
-    x: x.toFixed(2), y, width: Math.max(w, 0).toFixed(2), height: 16, fill: COLOURS[i % COLOURS.length], class: "piece", ...more });
+    x: x.toFixed(2), y, width: Math.max(w, 0).toFixed(2), height: 16, fill: colour(i), class: "piece", ...more });
   const { whole, left, right } = state.most;
   const parts = [shape("text", { x: 0, y: 12, class: "bar-name" }, "kinetic energy, and heat of the collisions so far")];
   let x = 0;
@@ -194,6 +178,7 @@ function draw() {
     const [x, v] = data.drawn.centre;
     centre.setAttribute("transform", `translate(${across(x + v * now).toFixed(2)} 0)`);
   }
+  graph.move(now);
   $("time").value = String(Math.round((1000 * now) / stop()));
   $("clock").textContent = `t = ${now.toFixed(2)}`;
   const past = data.events.filter((c) => c.drawn_time <= now * (1 + 1e-12)).length;
@@ -203,9 +188,10 @@ function draw() {
   $("time").setAttribute("aria-valuetext", progress(past));
   $("event").replaceChildren(...words(past));
   if (playing || document.activeElement?.closest("#player")) announce($("event").textContent);
-  const moved = motion(past);
+  const moved = states[past];
   arrows.forEach((arrow, i) => arrow.setAttribute("d", arrowPath(moved.velocities[i])));
   if ($("ledger").checked) bars(moved);
+  if (table.open) graph.numbers(moved);
 }
 
 /** How far the replay is; infinitely many collisions at once, after which bodies move on together, are one step. */
@@ -215,7 +201,7 @@ const progress = (past) => data.events.some((c) => c.joined)
 /** The last collision in words, with its exact numbers. */
 function words(past) {
   const count = make("strong", {}, `${progress(past)} `);
-  if (past === 0) return [count, "Nothing has collided yet."];
+  if (past === 0) return [count, data.events.length ? "Nothing has collided yet." : `This replay has no collision: ${data.end}.`];
   const c = data.events[past - 1];
   if (c.joined) {
     return [count, `Bodies ${c.pair} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": infinitely many collisions. They move on together with velocity ",
@@ -287,7 +273,8 @@ function setAll(on) {
 export function show(replay) {
   const before = data;
   data = replay;
-  for (const part of ["stage", "player", "event", "views", "options"]) $(part).toggleAttribute("hidden", !replay);
+  states = replay ? graph.history(replay) : [];
+  for (const part of ["stage", "player", "event", "views", "options", "motion"]) $(part).toggleAttribute("hidden", !replay);
   $("bars").toggleAttribute("hidden", !replay || !$("ledger").checked);
   // Until the first replay is there, a press of a button would do nothing.
   $("player").disabled = !replay;
@@ -320,12 +307,13 @@ $("time").addEventListener("input", () => {
   now = (Number($("time").value) / 1000) * stop();
   draw();
 });
-for (const id of ["arrows", "centre", "ledger"]) {
+for (const id of ["arrows", "centre", "ledger", "curve"]) {
   $(id).addEventListener("change", () => {
     $("bars").toggleAttribute("hidden", !data || !$("ledger").checked);
     if (data) build();
   });
 }
+table.addEventListener("toggle", () => { if (data) build(); });
 let seen = "";
 const resized = new ResizeObserver(() => {
   // A change of height alone is build's own.

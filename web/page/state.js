@@ -12,7 +12,7 @@ const listeners = [];
 /** The value of a key, or another where there is none. */
 export const get = (key, otherwise) => (state.has(key) ? state.get(key) : otherwise);
 
-const address = () => (state.size ? `#${state}` : location.pathname);
+const address = () => (state.size ? `#${state}` : location.pathname + location.search);
 
 function writeNow() {
   if (state.toString() !== read().toString()) history.replaceState(null, "", address());

@@ -226,8 +226,8 @@ test("restitutions for each collision, masses of one's own, measured values", as
     await page.fill("#n", "2");
     await page.check("#each");
     assert.equal(await page.inputValue("#e"), "9/10, 9/10, 9/10");
-    assert.equal(await page.locator("#each-sliders input").count(), 3);
-    await page.focus("#each-sliders label:nth-child(2) input");
+    assert.equal(await page.locator("#e-sliders input").count(), 3);
+    await page.focus("#e-sliders label:nth-child(2) input");
     await page.keyboard.press("ArrowLeft");
     assert.equal(await page.inputValue("#e"), "9/10, 0.899, 9/10");
     await shows(page, ".quantity.best-n", "one coefficient of restitution");
@@ -422,5 +422,170 @@ test("everything has a name, and the keyboard reaches it", async () => {
     await shows(page, "#table-note", "rows");
     assert.equal(await page.getAttribute("#tab-table", "aria-selected"), "true");
     await page.waitForFunction(() => document.querySelector("#announcer").textContent.includes("best number 3"));
+  });
+});
+
+test("optimal masses that are rounded are not called exact", async () => {
+  await visit("#m1=2&n=1&e=1/2", async (page) => {
+    await answered(page);
+    await page.check("#moving");
+    await shows(page, "#masses-note", "≈ The optimal masses are irrational");
+    await shows(page, ".quantity.eta .hint", "≈ for the optimal masses, which were rounded");
+    await page.waitForFunction(() => location.hash.includes("rounded=yes"));
+    await page.reload();
+    await shows(page, "#masses-note", "≈ The optimal masses are irrational");
+    await page.fill("#masses", "7/5");
+    await shows(page, ".quantity.eta .hint", "exact");
+    assert.equal(await page.textContent("#masses-note"), "");
+    assert.ok(!(await page.textContent(".quantity.eta")).includes("≈ for the optimal"));
+  });
+  await visit("#m1=4&n=1&e=1/2", async (page) => {
+    await answered(page);
+    await page.check("#given");
+    assert.equal(await page.textContent("#masses-note"), "", "2 is the optimal mass itself");
+  });
+});
+
+test("a copied table keeps its fractions and leaves its buttons out", async () => {
+  await visit("#m1=2&n=0&e=1/3&inserted=given&masses=3", async (page) => {
+    await answered(page);
+    await page.click("#collisions-card summary");
+    await page.waitForSelector("#collisions tbody tr");
+    const copied = async (selector) => {
+      await page.evaluate((s) => getSelection().selectAllChildren(document.querySelector(s)), selector);
+      await page.keyboard.press("Control+C");
+      return page.evaluate(() => navigator.clipboard.readText());
+    };
+    const [head, first] = (await copied("#collisions")).split("\n");
+    assert.equal(head, "No.\tBodies\tTime\tVelocities before\t\tVelocities after\t\tLost as heat");
+    assert.equal(first, "1\t1–2\t1\t1\t0\t1/5\t8/15\t8/15");
+    assert.doesNotMatch(await copied("#bodies"), /why\?/);
+    assert.match(await copied("#bodies"), /^2 inserted\t3\t0\.3555\d+ = 16\/45\t/m);
+    assert.equal(await copied("#collisions tbody td:nth-child(6)"), "1/5");
+  });
+});
+
+test("the replay says at once why it has no collision", async () => {
+  await visit("#m1=2&e=1/2&inserted=given&masses=1&velocities=2;1;0", async (page) => {
+    await answered(page);
+    await shows(page, "#event", "This replay has no collision: the bodies 1 to 3 touch");
+  });
+});
+
+test("graphs and numbers of each body follow the player", async () => {
+  await visit("#m1=2&n=0&e=1/2", async (page) => {
+    await answered(page);
+    await page.waitForSelector("#graph .curve");
+    assert.equal(await page.locator("#graph .curve").count(), 2);
+    await page.click("#motion summary");
+    await page.waitForSelector("#now td");
+    const numbers = () => page.$$eval("#now tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent).join(" ")));
+    const cursor = async () => Number(await page.getAttribute("#graph .zero", "x1"));
+    assert.deepEqual(await numbers(), ["1 1 2 1", "2 0 0 0"]);
+    assert.equal(await cursor(), 0);
+    await page.click("#forward");
+    assert.deepEqual(await numbers(), ["1 0.5 1 0.25", "2 1 1 0.5"]);
+    assert.ok(await cursor() > 10);
+    for (const kind of ["places", "momenta", "energies"]) {
+      await page.selectOption("#curve", kind);
+      const [points, name] = [await page.getAttribute("#graph .curve", "points"), await page.getAttribute("#graph", "aria-label")];
+      assert.doesNotMatch(points, /NaN|Infinity/);
+      assert.match(name, { places: /position/, momenta: /momentum/, energies: /kinetic energy/ }[kind]);
+    }
+    await shoot(page, "graph");
+  });
+});
+
+test("sliders set inserted masses and velocities, and Reset takes everything back", async () => {
+  await visit("#m1=2&e=1/2&inserted=given&masses=1;1&velocities=1;0;0;0", async (page) => {
+    await answered(page);
+    assert.equal(await page.locator("#masses-sliders input").count(), 2);
+    await page.focus("#v0-sliders label:nth-child(4) input");
+    await page.keyboard.press("ArrowLeft");
+    assert.equal(await page.inputValue("#v0"), "1, 0, 0, -0.01");
+    await page.focus("#masses-sliders label:nth-child(2) input");
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await page.inputValue("#masses"), "1, 1.1");
+    await shows(page, "#bodies td", "1.1");
+    await page.click("#reset");
+    await shows(page, ".quantity.eta .decimal", "0.37313");
+    assert.equal(await page.evaluate(() => location.hash), "");
+    assert.equal(await page.isVisible("#v0-sliders"), false);
+    await page.goBack();
+    await page.waitForFunction(() => document.querySelector("#masses").value === "1, 1.1");
+  });
+});
+
+test("bodies and collisions are saved as CSV, all of them", async () => {
+  await visit("#m1=2&n=0&e=1/3&inserted=given&masses=3", async (page) => {
+    await answered(page);
+    await page.waitForSelector("#collisions tbody tr", { state: "attached" });
+    const saved = async (selector) => {
+      const [file] = await Promise.all([page.waitForEvent("download"), page.click(selector)]);
+      return readFileSync(await file.path(), "utf8").split("\n");
+    };
+    assert.deepEqual((await saved("#bodies-save")).slice(0, 2), ["body,mass,velocity_after_the_pass,heat_of_the_collision_with_the_next", "1,2,1/5,8/15"]);
+    await page.click("#collisions-card summary");
+    const lines = await saved("#collisions-save");
+    assert.equal(lines[1], "1,1–2,1,1,0,1/5,8/15,8/15");
+    assert.equal(lines.length - 2, await page.locator("#collisions tbody tr").count());
+  });
+});
+
+test("embedded, a room stands alone", async () => {
+  await visit("?embed=1#m1=2&n=0&e=1/2", async (page) => {
+    await answered(page);
+    assert.equal(await page.isVisible("header"), false);
+    assert.equal(await page.isVisible("footer"), false);
+    assert.ok(await page.isVisible("#play"));
+    await page.click("#reset");
+    await page.waitForFunction(() => !location.hash && location.search === "?embed=1");
+  });
+});
+
+test("a statement without a head is judged, and its declarations are proposed", async () => {
+  await visit("#room=claims", async (page) => {
+    await shows(page, "#verdicts .badge", "refuted");
+    await page.fill("#claim-text", "given x real\nprove x^2 >= 0");
+    await shows(page, "#verdicts .badge", "proved");
+    await page.fill("#claim-text", "p = m*v");
+    await shows(page, "#verdicts pre", "given p, m, v real\nprove p = m*v");
+    // The marks are at the names as they are typed.
+    assert.deepEqual(await page.$$eval("#mirror mark", (marks) => marks.map((mark) => mark.textContent)), ["p", "m", "v"]);
+    await shows(page, "#faults button", "line 1, column 1");
+    await page.click("#verdicts button");
+    await shows(page, "#verdicts .badge", "refuted");
+    assert.doesNotMatch(await page.inputValue("#claim-text"), /#/);
+    await page.fill("#claim-text", "claim a “A”\ngiven x real\nprove x^2 >= 0");
+    await shows(page, "#verdicts .badge", "proved");
+    assert.equal(await page.textContent("#faults"), "");
+  });
+});
+
+test("an unreadable guess takes the verdict of the former one away", async () => {
+  await visit("", async (page) => {
+    await answered(page);
+    await page.click("#predict");
+    await page.fill("#guess", "0.5");
+    await page.click("#check");
+    await shows(page, "#mark", "Too large");
+    await page.fill("#guess", "abc");
+    await page.click("#check");
+    await shows(page, "#guess-error", "abc");
+    assert.equal(await page.textContent("#mark"), "");
+  });
+});
+
+test("advice in the classroom names what is on the page", async () => {
+  await visit("#room=classroom", async (page) => {
+    await shows(page, "#bounced", "e = ");
+    await page.fill("#b-readings", "1.2, 0.77, 0.49");
+    await shows(page, "#bounce-form .error", "write one reading a line");
+    await page.fill("#b-within", "");
+    await page.fill("#b-readings", "1.2\n0.77\n0.49\n0.31");
+    await shows(page, "#bounced", 'fill in "Each reading is within ±"');
+    assert.doesNotMatch(await page.textContent("#bounced"), /--/);
+    await page.fill("#w-masses", "10 5 2");
+    await shows(page, "#sheet-form .error", "separate numbers by semicolons: 10; 5; 2");
   });
 });
