@@ -13,6 +13,7 @@ mod comment;
 mod comparison;
 mod derivative;
 mod document;
+mod domain;
 mod expression;
 mod form;
 mod function;

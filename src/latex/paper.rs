@@ -6,6 +6,7 @@
 
 use super::clause::{self, Purpose, misplaced};
 use super::comment::first_word;
+use super::domain::domains;
 use super::document::{Clause, Display, Lines, Part, document};
 use super::expression::{Read, Reader};
 use super::input::Manuscript;
@@ -313,12 +314,14 @@ impl<'l> Assembly<'l> {
         text.push("prove 0 = 0", Span::default());
         let (claims, preamble) = clauses_placed(text.text(), &self.preamble, &|span| text.place(span))?;
         let mut roles = claims.first().map(|claim| roles(claim, &preamble)).unwrap_or_default();
+        let domains = claims.first().map(|claim| domains(claim, &preamble)).unwrap_or_default();
         let (names, mut first): (Names, Option<Diagnostic>) = (self.names.clone(), None);
         // Behind a name that is missing the others are looked for.
         for _ in 0..MISSING_LIMIT {
             let mut scope = Scope {
                 names: &mut self.names,
                 roles: roles.clone(),
+                domains: domains.clone(),
                 bound: Vec::new(),
                 decisions: said.decisions,
                 upper: true,

@@ -1,5 +1,6 @@
 //! What the names of an equation are, and what its comments decide.
 
+use super::domain::Domain;
 use super::name::{Names, Symbol, mentions};
 use super::refusal::one_value;
 use super::token::Token;
@@ -45,6 +46,8 @@ pub(crate) struct Scope<'a> {
     pub names: &'a mut Names,
     /// What the declared names are, by their spelling.
     pub roles: BTreeMap<String, Role>,
+    /// The domains of the declared variables, by their spelling.
+    pub domains: BTreeMap<String, Domain>,
     /// Names that a sum, a product, a limit or a quantifier binds: key and spelling.
     pub bound: Vec<(String, String)>,
     /// What comments decide.
