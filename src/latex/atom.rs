@@ -199,7 +199,8 @@ impl<'t> Reader<'t, '_, '_> {
                 return Err(ambiguous("these bars", readings, write, start));
             }
         }
-        let inner = self.sum_in(&self.tokens[self.at + 1..*second])?;
+        let body = &self.tokens[self.at + 1..*second];
+        let inner = self.in_bars(|reader| reader.sum_in(body))?;
         self.at = second + 1;
         Ok(inner.within("abs"))
     }

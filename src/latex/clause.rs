@@ -11,7 +11,7 @@ use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
 const VERBS: &[&str] =
-    &["name", "skip", "comma", "pm", "digits", "e", "log", "inline", "begin", "end", "continues", "begins", "by"];
+    &["name", "skip", "comma", "pm", "digits", "e", "d", "log", "inline", "begin", "end", "continues", "begins", "by"];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +98,7 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             decisions.digits = count.parse().ok();
         }
         ["e", "is", "base"] => decisions.e_is_base = true,
+        ["d", "is", "number"] => decisions.d_is_number = true,
         ["log", "is", word @ ("natural" | "decimal")] => decisions.log_is_natural = Some(*word == "natural"),
         ["log", ..] => {
             return Err(expected("`log is natural` or `log is decimal`", "something else", first.span));
@@ -110,6 +111,7 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             return Err(expected("a number from 1 to 100, as in `digits 3`", "something else", first.span));
         }
         ["e", ..] => return Err(expected("`e is base`", "something else", first.span)),
+        ["d", ..] => return Err(expected("`d is number`", "something else", first.span)),
         _ => return Ok(false),
     }
     Ok(true)

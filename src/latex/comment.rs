@@ -123,7 +123,9 @@ pub(crate) fn rename(said: &Clause, names: &mut Names) -> Result<(), Diagnostic>
     let Some(from) = tokens.get(next + 2).filter(|_| is_as).map(|t| t.span.start - said.span.start) else {
         return Err(expected(wanted, "something else", said.span));
     };
-    names.set(&key, said.text[from..].trim(), said.span)
+    names.set(&key, said.text[from..].trim(), said.span)?;
+    names.renamed.insert(key);
+    Ok(())
 }
 
 /// The name in LaTeX at `at`, if one stands there: a letter by its command, or a letter with braces below.

@@ -71,7 +71,7 @@ impl Reader<'_, '_, '_> {
         text.push(", ", start);
         text.append(&body.text);
         text.push(")", start);
-        Ok(Piece::new(text, 5))
+        Ok(Piece { is_vector: body.is_vector, ..Piece::new(text, 5) })
     }
 }
 

@@ -213,6 +213,10 @@ pub(crate) struct Names {
     key: BTreeMap<String, String>,
     /// Keys that stand for an expression, as `m_{12}` for `m(12)`.
     meaning: BTreeMap<String, String>,
+    /// What a member of a family is, by its key.
+    pub members: BTreeMap<String, String>,
+    /// Keys to which a comment gives a name.
+    pub renamed: BTreeSet<String>,
     /// How often each key occurs in equations.
     pub count: BTreeMap<String, usize>,
     /// Spellings of functions that a formula defines, as f(x): an index below such a name is no argument.
@@ -277,6 +281,11 @@ impl Names {
         self.spelling.insert(key.to_string(), spelling.to_string());
         self.key.insert(spelling.to_string(), key.to_string());
         Ok(())
+    }
+
+    /// Whether a comment gives this key its name.
+    pub(crate) fn is_renamed(&self, key: &str) -> bool {
+        self.renamed.contains(key)
     }
 
     /// Whether a comment names a value of this function, as v(t) is one of v, or of any.

@@ -9,9 +9,11 @@ use super::comment::first_word;
 use super::domain::domains;
 use super::document::{Clause, Display, Lines, Part, document};
 use super::expression::{Read, Reader};
+use super::index::no_upper_index;
 use super::input::Manuscript;
 use super::name::Names;
-use super::outcome::{Equation, Outcome, Paper};
+use super::offered::offered;
+use super::outcome::{Equation, Outcome, Paper, Wanted};
 use super::place::Placed;
 use super::prepare::prepared;
 use super::refusal::{ambiguous, expected, refused};
@@ -21,6 +23,7 @@ use super::statement::{Said, joined};
 use super::structure::structured;
 use super::token::{Token, tokens};
 use super::typeset::typeset;
+use super::vector::Vectors;
 use carom_checker::claim::parse::{clauses_placed, parse_placed};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
@@ -100,6 +103,10 @@ struct Assembly<'l> {
     needed: Option<Span>,
     /// Names that equations have got.
     taken: BTreeSet<String>,
+    /// Where the equation that was read last has vectors.
+    vectors: Vectors,
+    /// Where hypotheses and definitions have vectors.
+    supposed: Vectors,
     out: Paper,
 }
 
@@ -115,14 +122,18 @@ impl<'l> Assembly<'l> {
             undefined: BTreeMap::new(),
             needed: None,
             taken: BTreeSet::new(),
+            vectors: Vectors::default(),
+            supposed: Vectors::default(),
             out: Paper::default(),
         }
     }
 
     fn finished(mut self) -> Paper {
         let names = &self.names;
-        let spelled = |key: &str| names.spelled(key).or(names.meaning(key)).unwrap_or("pi").to_string();
+        let member = |key: &str| names.members.get(key).map(String::as_str);
+        let spelled = |key: &str| names.spelled(key).or(names.meaning(key)).or(member(key)).unwrap_or(key).to_string();
         self.out.names = names.count.iter().map(|(key, count)| (key.clone(), spelled(key), *count)).collect();
+        self.out.offered = offered(&self.out.undeclared, names, &self.preamble);
         self.out
     }
 
@@ -290,6 +301,7 @@ impl<'l> Assembly<'l> {
             (Purpose::Assume(label), _) => {
                 said.of_no_claim().map_err(one)?;
                 let goal = self.goal(&tokens, said, local)?;
+                self.supposed = self.supposed.with(self.vectors);
                 let mut text = lines_of(local);
                 let label = label.as_ref().map_or(String::new(), |label| format!("{label}: "));
                 text.push(&format!("assume {label}"), equation.span);
@@ -331,9 +343,15 @@ impl<'l> Assembly<'l> {
                 has_printed: false,
                 value: None,
                 has_logic: false,
+                has_choice: false,
+                counts: false,
+                within_bars: false,
+                vectors: Vectors::default(),
                 missing: None,
             };
-            let read = read(&mut scope);
+            let read = read(&mut scope)
+                .and_then(|value| scope.vectors.allowed(self.supposed, scope.has_choice).map(|()| value));
+            self.vectors = scope.vectors;
             let missing = scope.missing.take();
             let fault = match (read, &first) {
                 (Ok(value), None) => {
@@ -350,17 +368,19 @@ impl<'l> Assembly<'l> {
             };
             let is_first = first.is_none();
             first.get_or_insert(fault);
-            let Some(Missing { symbol, applied }) = missing else { break };
+            let Some(Missing { symbol, wanted }) = missing else { break };
             let key = symbol.key();
             if let Some(definition) = self.undefined.get(&key) {
                 self.needed = is_first.then_some(*definition);
                 break;
             }
-            let printed = if applied { format!("{key}(…)") } else { key };
-            *self.out.undeclared.entry(printed).or_default() += 1;
+            let printed = if wanted == Wanted::Function { format!("{key}(…)") } else { key };
+            let known = self.out.undeclared.entry(printed).or_insert(wanted);
+            *known = wanted.max(*known);
             self.names.count.clone_from(&names.count);
             let Ok(name) = self.names.of(&symbol) else { break };
-            roles.insert(name, if applied { Role::Applied(1) } else { Role::Variable });
+            let is_applied = [Wanted::Function, Wanted::Family].contains(&wanted);
+            roles.insert(name, if is_applied { Role::Applied(1) } else { Role::Variable });
         }
         self.names = names;
         Err(first.into_iter().collect())
@@ -382,6 +402,7 @@ impl<'l> Assembly<'l> {
                 let readings = ["both statements, with the upper and with the lower signs", "one of the two"];
                 return Err(ambiguous("±", readings, ["write `%carom pm and`", "write `%carom pm or`"], span));
             };
+            scope.has_choice |= !both;
             if !both && scope.signed == 1 {
                 // One of two values is said where the sign stands, not of all that the formula says.
                 scope.splits = true;
@@ -451,7 +472,7 @@ fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Read
     let mut reader = Reader { tokens, at: 0, depth: 0, whole: Span { start, end }, scope };
     let out = read(&mut reader)?;
     match reader.peek() {
-        None => Ok(out),
+        None => no_upper_index(tokens, reader.scope).map(|()| out),
         Some(token) => {
             let span = token.span;
             if let Some((said, _)) = reader.text_here() {

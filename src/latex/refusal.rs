@@ -57,6 +57,12 @@ pub(crate) fn undeclared(name: &str, applied: bool, span: Span) -> Diagnostic {
     refused(message, help, span)
 }
 
+/// A member of a family that no comment declares.
+pub(crate) fn no_family(member: &str, family: &str, span: Span) -> Diagnostic {
+    let help = format!("declare a family with an index k of its own, `%carom given {family}(k) real`");
+    refused(format!("nothing declares the family {family}, of which {member} is a member"), help, span)
+}
+
 /// A value of a function that is known at one place alone, where it is asked for at others.
 pub(crate) fn one_value(what: &str, span: Span) -> Diagnostic {
     let help =

@@ -2,8 +2,10 @@
 
 use super::domain::Domain;
 use super::name::{Names, Symbol, mentions};
+use super::outcome::Wanted;
 use super::refusal::one_value;
 use super::token::Token;
+use super::vector::Vectors;
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::{Claim, Expr, ExprKind, Item};
 use carom_checker::claim::walk;
@@ -36,6 +38,8 @@ pub(crate) struct Decisions {
     pub digits: Option<usize>,
     /// Whether e is the base of exponentials.
     pub e_is_base: bool,
+    /// Whether d before a name is a number, and no differential.
+    pub d_is_number: bool,
     /// Whether `\log` without a base is the natural logarithm (or the one to base 10).
     pub log_is_natural: Option<bool>,
 }
@@ -66,6 +70,14 @@ pub(crate) struct Scope<'a> {
     pub value: Option<Span>,
     /// Whether an implication, a quantifier or a negation was read.
     pub has_logic: bool,
+    /// Whether `or`, `not` or `exists` was read.
+    pub has_choice: bool,
+    /// Whether a range or an index is being read, whose names are natural numbers.
+    pub counts: bool,
+    /// Whether what stands in bars is being read.
+    pub within_bars: bool,
+    /// Where vectors were read.
+    pub vectors: Vectors,
     /// The name that nothing declares, where the reading ended for want of it.
     pub missing: Option<Missing>,
 }
@@ -96,8 +108,15 @@ impl Scope<'_> {
 pub(crate) struct Missing {
     /// The name.
     pub symbol: Symbol,
-    /// Whether a parenthesis follows it, as behind a function.
-    pub applied: bool,
+    /// What it may be.
+    pub wanted: Wanted,
+}
+
+impl Missing {
+    /// The family that a name with an index below it is a member of.
+    pub(crate) fn family(symbol: &Symbol) -> Missing {
+        Missing { symbol: Symbol { below: None, ..symbol.clone() }, wanted: Wanted::Family }
+    }
 }
 
 /// What the names are that a claim and its preamble declare.

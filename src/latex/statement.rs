@@ -189,6 +189,7 @@ impl Reader<'_, '_, '_> {
                 let help = "put parentheses around what belongs together, or write two formulas";
                 return Err(refused("a comma or a wide space before `or`", help, self.since(self.tokens[from].span)));
             }
+            self.scope.has_choice = true;
             list.push(self.conjunction()?);
         }
         Ok(joined(list, " or ", 3, 4))
@@ -286,7 +287,7 @@ impl Reader<'_, '_, '_> {
     fn negation(&mut self) -> Read<Said> {
         let span = self.span();
         if self.take_command(&["neg", "lnot"]) || self.take_text(&["not"]) {
-            self.scope.has_logic = true;
+            (self.scope.has_logic, self.scope.has_choice) = (true, true);
             let inner = self.negation()?;
             let mut text = Placed::new("not ", span);
             text.append(&inner.at_least(5));
@@ -303,6 +304,7 @@ impl Reader<'_, '_, '_> {
             return self.quantified("for all ", span);
         }
         if is(&["exists", "there is", "there exists"]) || self.peek().is_some_and(|t| t.is("exists")) {
+            self.scope.has_choice = true;
             return self.quantified("exists ", span);
         }
         if is(&["maximum of", "minimum of", "the maximum of", "the minimum of"]) {
@@ -385,6 +387,7 @@ impl Reader<'_, '_, '_> {
         let Some(over) = over else { return self.expected("\\text{over} and the variables") };
         let outside = self.scope.bound.len();
         let body = &self.tokens[next..over];
+        self.scope.has_choice = true;
         self.at = over;
         self.take_text(&["over"]);
         let bindings = self.bindings()?;
