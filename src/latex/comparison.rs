@@ -122,7 +122,7 @@ impl Reader<'_, '_, '_> {
                     self.number_only(&left, "an order of vectors", place)?;
                     self.number_only(&right, "an order of vectors", place)?;
                 }
-                self.alike(&[left.kind(), right.kind()], place)?;
+                self.alike(&[left.kind(), right.kind()], place);
                 left = right;
                 text.push(&format!(" {relation} "), place);
                 text.append(&left.text);

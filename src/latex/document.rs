@@ -8,6 +8,7 @@ use super::comment::first_word;
 use super::macros::{Macros, defines, group};
 use super::number::Numbers;
 use super::refusal::refused;
+use super::script::with_scripts;
 use super::structure::unknown_condition;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
@@ -346,7 +347,8 @@ impl Reader<'_> {
         }
         let span =
             Span { start: self.tokens[at].span.start, end: self.tokens[last.min(self.tokens.len() - 1)].span.end };
-        let read = self.macros.expand(&self.tokens[inside..end]).and_then(|body| self.rows(environment, &body));
+        let body = self.macros.expand(&self.tokens[inside..end]);
+        let read = body.and_then(|body| self.rows(environment, &with_scripts(&body)));
         match read {
             Ok(rows) => {
                 let environment = environment.to_string();

@@ -125,7 +125,8 @@ impl<'t> Reader<'t, '_, '_> {
             count += 1;
             only = Some((sign, term));
         }
-        self.alike(&kinds, self.since(start))?;
+        let whole = self.since(start);
+        self.alike(&kinds, whole);
         match only {
             Some((Some('-'), _)) if count == 1 => Ok(Piece { is_vector, is_matrix, ..Piece::new(text, 2) }),
             Some((_, term)) if count == 1 => Ok(term),

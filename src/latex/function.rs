@@ -176,7 +176,15 @@ impl<'t> Reader<'t, '_, '_> {
             self.at = next;
             return Ok(piece);
         }
-        if self.peek().is_some_and(|t| t.command().is_some_and(|c| FUNCTIONS.contains(&c))) {
+        if let Some(inner) = self.peek().and_then(Token::command).filter(|c| FUNCTIONS.contains(c)) {
+            // With parentheses of its own the inner function says where it ends.
+            let here = self.at;
+            self.at += 1;
+            let is_closed = self.parenthesis()?.is_some();
+            if is_closed {
+                return self.function(inner, span);
+            }
+            self.at = here;
             return Err(refused("a function of a function without parentheses", format!("write \\{name}(…)"), span));
         }
         if self.peek().is_some_and(|t| ["frac", "dfrac", "tfrac"].iter().any(|f| t.is(f))) {

@@ -48,12 +48,20 @@ impl Reader<'_, '_, '_> {
         Ok(self.scope.bound.iter().map(|bound| &bound.0).find(|bound| names.contains(*bound)).cloned())
     }
 
+    /// Whether what a comment says that a name stands for speaks of this bound name.
+    pub(crate) fn is_said_with(&self, said: &str, index: &str) -> bool {
+        let own = self.scope.bound.iter().rev().find(|bound| bound.0 == index).map(|bound| bound.1.as_str());
+        said.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).any(|word| Some(word) == own)
+    }
+
     /// Refuses a name that depends on a bound index and is declared as one number, or not at all.
     pub(crate) fn depends_on(&mut self, symbol: &Symbol, index: &str, is_declared: bool) -> Diagnostic {
         let (key, family) = (symbol.key(), symbol.upper_key());
         if !is_declared && symbol.below.is_some() {
             self.scope.missing = Some(Missing::family(symbol));
         }
+        // An index within an accent belongs to no family by itself.
+        let family = if symbol.below.is_some() { family } else { "a".to_string() };
         let instead = if is_declared { format!(" instead of {key}") } else { String::new() };
         let help = format!(
             "declare a family{instead}, `%carom given {family}(k) real` with an index k of its own; in a word such as max set \

@@ -34,6 +34,7 @@ mod prepare;
 mod refusal;
 mod row;
 mod scope;
+mod script;
 mod statement;
 mod structure;
 mod symbol;

@@ -5,6 +5,7 @@
 //! have one key. A key has one spelling in the claim language, the first that a comment uses. Two keys never share a spelling.
 
 use super::macros::group;
+use super::prepare::SPACES;
 use super::refusal::{expected, refused};
 use super::token::{Kind, Token};
 use carom_checker::claim::lex::GREEK;
@@ -185,7 +186,7 @@ pub(crate) fn canonical(tokens: &[Token]) -> String {
                 out.push(*c);
             }
             Kind::Command(name) if UPRIGHT.contains(&name.as_str()) => {}
-            Kind::Command(name) if [",", ";", ":", "!", " "].contains(&name.as_str()) => {}
+            Kind::Command(name) if SPACES.contains(&name.as_str()) => {}
             Kind::Command(name) => out.push_str(&format!("\\{name}")),
             _ => {}
         }

@@ -288,6 +288,9 @@ impl<'l> Assembly<'l> {
     ) -> Result<Outcome, Vec<Diagnostic>> {
         let one = |fault: Diagnostic| vec![fault];
         let tokens = prepared(&equation.tokens).map_err(one)?;
+        if tokens.is_empty() {
+            return Err(one(refused("this formula is empty", "write a formula, or remove it", equation.span)));
+        }
         let sign = match said.purpose {
             Purpose::Let | Purpose::Prove => self.sign_of_definition(&tokens, said, local)?,
             Purpose::Assume(_) | Purpose::Skip(_) => None,
@@ -301,6 +304,7 @@ impl<'l> Assembly<'l> {
             (Purpose::Assume(label), _) => {
                 said.of_no_claim().map_err(one)?;
                 let goal = self.goal(&tokens, said, local)?;
+                self.vectors.supposed(&self.names).map_err(one)?;
                 self.supposed = self.supposed.with(self.vectors);
                 let mut text = lines_of(local);
                 let label = label.as_ref().map_or(String::new(), |label| format!("{label}: "));

@@ -10,7 +10,7 @@ use super::token::{Kind, Token, words};
 use carom_diagnostic::Diagnostic;
 
 /// Spaces; they separate a factor from a parenthesis that follows it.
-pub(crate) const SPACES: &[&str] = &[",", ";", ":", "!", " ", "/", "thinspace", "enspace", "hfill", "hfil"];
+pub(crate) const SPACES: &[&str] = &[",", ";", ":", ">", "!", " ", "/", "thinspace", "medspace", "thickspace", "enspace", "hfill", "hfil"];
 /// Commands that change only how a formula looks.
 pub(crate) const LOOKS: &[&str] = &[
     "displaystyle",
@@ -203,8 +203,8 @@ fn blank(tokens: &[Token], at: usize) -> Option<(f64, usize)> {
         "hfill" | "hfil" => 100.0,
         "enspace" => 5.0,
         " " => 3.3,
-        ";" => 2.8,
-        ":" => 2.2,
+        ";" | "thickspace" => 2.8,
+        ":" | ">" | "medspace" => 2.2,
         "!" => 0.0,
         _ if SPACES.contains(&name) => 1.7,
         _ => return None,

@@ -77,7 +77,10 @@ impl Reader<'_, '_, '_> {
         if !matches!(meaning, Some(Meaning::Member(_)))
             && let Some(index) = self.bound_below(&symbol)?
         {
-            return Err(self.depends_on(&symbol, &index, meaning.is_some()));
+            let is_said = matches!(&meaning, Some(Meaning::Said(said)) if self.is_said_with(said, &index));
+            if !is_said {
+                return Err(self.depends_on(&symbol, &index, meaning.is_some()));
+            }
         }
         let Some(meaning) = meaning else { return self.unknown(&symbol, next) };
         self.scope.names.seen(&symbol.key());
@@ -178,8 +181,11 @@ impl Reader<'_, '_, '_> {
                 let (symbol, after) = scripts(inner, first, inner[0].span, after)?;
                 if after == inner.len() {
                     let key = symbol.key();
-                    let plain = symbol.below.is_none() && symbol.primes == 0;
-                    return scripts(self.tokens, if plain { key } else { format!("{{{key}}}") }, start, next);
+                    let plain = symbol.below.is_none();
+                    let base = if plain { symbol.base } else { format!("{{{key}}}") };
+                    let (outer, next) = scripts(self.tokens, base, start, next)?;
+                    let primes = outer.primes + if plain { symbol.primes } else { 0 };
+                    return Ok((Symbol { primes, ..outer }, next));
                 }
             }
             return Err(refused("an index below a group", "put the index behind a single letter", start));

@@ -6,7 +6,7 @@
 //! a comment gives, `%carom name \vec{v} as v`, is a number and no vector.
 
 use super::expression::{Read, Reader};
-use super::name::Symbol;
+use super::name::{Names, Symbol};
 use super::piece::Piece;
 use super::refusal::refused;
 use carom_diagnostic::{Diagnostic, Span};
@@ -21,12 +21,26 @@ pub(crate) struct Vectors {
     pub bare: Option<Span>,
     /// As a length.
     pub lengths: Option<Span>,
+    /// Beside numbers.
+    pub mixed: Option<Span>,
 }
 
 impl Vectors {
     /// With what was read elsewhere.
     pub(crate) fn with(self, other: Vectors) -> Vectors {
-        Vectors { bare: self.bare.or(other.bare), lengths: self.lengths.or(other.lengths) }
+        Vectors { bare: self.bare.or(other.bare), lengths: self.lengths.or(other.lengths), mixed: None }
+    }
+
+    /// Whether what is supposed makes no number of a vector, which others would read as one.
+    ///
+    /// # Errors
+    /// A vector beside a number, unless comments name vectors as numbers.
+    pub(crate) fn supposed(self, names: &Names) -> Result<(), Diagnostic> {
+        let is_named = names.renamed.iter().any(|key| VECTORS.iter().any(|mark| key.contains(mark)));
+        match self.mixed.filter(|_| !is_named) {
+            Some(span) => Err(no_vector("a vector beside a number in what is supposed", span)),
+            None => Ok(()),
+        }
     }
 
     /// Whether each component says the same.
@@ -78,12 +92,11 @@ impl Reader<'_, '_, '_> {
         }
     }
 
-    /// Refuses a vector beside a number other than 0, in a sum or a comparison.
-    pub(crate) fn alike(&self, parts: &[(bool, bool)], span: Span) -> Read<()> {
-        let is_mixed = parts.iter().any(|(is_vector, _)| *is_vector) && parts.iter().any(|(is_vector, is_zero)| !is_vector && !is_zero);
-        match is_mixed {
-            true => Err(no_vector("a vector beside a number", span)),
-            false => Ok(()),
+    /// Takes note of a vector beside a number other than 0, in a sum or a comparison.
+    pub(crate) fn alike(&mut self, parts: &[(bool, bool)], span: Span) {
+        let has_number = parts.iter().any(|(is_vector, is_zero)| !is_vector && !is_zero);
+        if has_number && parts.iter().any(|(is_vector, _)| *is_vector) {
+            self.scope.vectors.mixed.get_or_insert(span);
         }
     }
 
