@@ -11,7 +11,7 @@ use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
 const VERBS: &[&str] =
-    &["name", "skip", "comma", "pm", "digits", "e", "d", "log", "inline", "begin", "end", "continues", "begins", "by"];
+    &["name", "skip", "comma", "pm", "digits", "e", "d", "product", "log", "inline", "begin", "end", "continues", "begins", "by"];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,6 +159,7 @@ pub(crate) fn of(clauses: &[Clause], decisions: Decisions, names: &mut Names) ->
             }
             "continues" | "begins" if rest.is_empty() => {}
             "name" => super::comment::rename(first, names)?,
+            "product" if lines.len() == 1 => super::comment::factors(first, names)?,
             "let" if rest.is_empty() && lines.len() == 1 => is(Purpose::Let)?,
             "assume" if rest.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && lines.len() == 1 => {
                 is(Purpose::Assume(Some(rest.to_string()).filter(|label| !label.is_empty())))?;

@@ -128,6 +128,24 @@ pub(crate) fn rename(said: &Clause, names: &mut Names) -> Result<(), Diagnostic>
     Ok(())
 }
 
+/// `product K, \sigma`: behind these numbers a parenthesis is a factor.
+pub(crate) fn factors(said: &Clause, names: &mut Names) -> Result<(), Diagnostic> {
+    let tokens = raw_tokens(&said.text, said.span.start)?;
+    let rest = &tokens["product".len().min(tokens.len())..];
+    for part in super::symbol::commas(rest) {
+        let found = match part.first() {
+            Some(first) => base(part, 0)?.map(|(base, next)| scripts(part, base, first.span, next)).transpose()?,
+            None => None,
+        };
+        let Some((symbol, _)) = found.filter(|found| found.1 == part.len()) else {
+            return Err(expected("names with commas between them, as in `product K, w`", "something else", said.span));
+        };
+        let name = names.of(&symbol)?;
+        names.factors.insert(name);
+    }
+    Ok(())
+}
+
 /// The name in LaTeX at `at`, if one stands there: a letter by its command, or a letter with braces below.
 fn latex_name(tokens: &[Token], at: usize) -> Result<Option<(super::name::Symbol, usize)>, Diagnostic> {
     let token = &tokens[at];

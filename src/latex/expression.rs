@@ -193,8 +193,10 @@ impl<'t> Reader<'t, '_, '_> {
                 return Err(ambiguous(what, readings, write, Span { start: start.start, end: span.end }));
             }
             let digits = self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit());
-            if !is_explicit && digits && !is_first {
-                let help = "write a product with \\cdot, a power x^{2}, or an index x_{2}";
+            let is_said = factors.last().and_then(|(_, before)| before.name.as_ref()).is_some_and(|n| self.scope.names.factors.contains(n));
+            if !is_explicit && digits && !is_first && !is_said {
+                let help = "write a product with \\cdot, a power x^{2}, or an index x_{2}; for a product behind the number n \
+                            `%carom product n`";
                 return Err(refused("a number stands behind a factor", help, span));
             }
             if !is_explicit
@@ -215,8 +217,9 @@ impl<'t> Reader<'t, '_, '_> {
             if !is_explicit
                 && factors.last().is_some_and(|(_, before)| before.is_number)
                 && self.scope.decisions.is_measured != Some(false)
-                && let Some((inner, _)) = self.parenthesis()?
+                && let Some((inner, next)) = self.parenthesis()?
                 && inner.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()))
+                && !self.is_factor(next)
             {
                 return Err(super::measured::two_readings(false, span));
             }
@@ -242,6 +245,15 @@ impl<'t> Reader<'t, '_, '_> {
         }
         self.linear(&factors, self.since(start))?;
         if factors.is_empty() { self.expected("an expression") } else { Ok(product(factors)) }
+    }
+
+    /// Whether digits in parentheses, which end before `next`, are a factor of the number before them and no uncertainty: in
+    /// an exponent, behind a number in parentheses, or before another parenthesis.
+    fn is_factor(&self, next: usize) -> bool {
+        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
+        self.scope.is_exponent
+            || before.is_some_and(|t| t.is_char(')'))
+            || self.tokens.get(next).is_some_and(|t| t.is_char('('))
     }
 
     /// Whether a factor begins here without a sign before it.
@@ -440,7 +452,10 @@ impl<'t> Reader<'t, '_, '_> {
             let message = "an exponent of two digits without braces prints as a power of one digit and a factor";
             return Err(refused(message, "write the braces, as in x^{12}", span));
         }
-        let exponent = self.sum_in(inner)?;
+        let outer = std::mem::replace(&mut self.scope.is_exponent, true);
+        let exponent = self.sum_in(inner);
+        self.scope.is_exponent = outer;
+        let exponent = exponent?;
         self.number_only(&base, "a power of a vector", span)?;
         self.number_only(&exponent, "a vector as an exponent", span)?;
         self.at = next;

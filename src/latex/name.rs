@@ -216,6 +216,8 @@ pub(crate) struct Names {
     meaning: BTreeMap<String, String>,
     /// What a member of a family is, by its key.
     pub members: BTreeMap<String, String>,
+    /// Spellings of numbers behind which a parenthesis, or a number, is a factor.
+    pub factors: BTreeSet<String>,
     /// Keys to which a comment gives a name.
     pub renamed: BTreeSet<String>,
     /// How often each key occurs in equations.

@@ -194,6 +194,7 @@ impl<'l> Assembly<'l> {
                 }
             },
             "name" => super::comment::rename(first, &mut self.names).map_err(one)?,
+            "product" => super::comment::factors(first, &mut self.names).map_err(one)?,
             "paper" | "source" | "section" | "reading" | "given" | "let" | "define" | "assume" => {
                 let text = clause::read(lines, &mut self.names).map_err(one)?;
                 self.declare(&text)?;
@@ -349,6 +350,7 @@ impl<'l> Assembly<'l> {
                 has_logic: false,
                 has_choice: false,
                 counts: false,
+                is_exponent: false,
                 within_bars: false,
                 vectors: Vectors::default(),
                 missing: None,

@@ -74,6 +74,8 @@ pub(crate) struct Scope<'a> {
     pub has_choice: bool,
     /// Whether a range or an index is being read, whose names are natural numbers.
     pub counts: bool,
+    /// Whether an exponent is being read, where no number is a measured one.
+    pub is_exponent: bool,
     /// Whether what stands in bars is being read.
     pub within_bars: bool,
     /// Where vectors were read.

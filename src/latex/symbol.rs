@@ -88,7 +88,9 @@ impl Reader<'_, '_, '_> {
         self.at = next;
         match meaning {
             Meaning::Number(name, role) => {
-                self.no_application(&symbol)?;
+                if !self.scope.names.factors.contains(&name) {
+                    self.no_application(&symbol)?;
+                }
                 self.no_unit(&symbol, at)?;
                 let mut piece = Piece::atom(&name, symbol.span);
                 piece.name = (role == Role::Variable).then_some(name);
@@ -422,7 +424,7 @@ impl Reader<'_, '_, '_> {
             let key = symbol.key();
             let readings = ["a product", "the value of a function"];
             let write = [
-                format!("write {key} \\cdot (…)"),
+                format!("write `%carom product {key}`, or {key} \\cdot (…)"),
                 format!("declare the function in a comment: `%carom let {key}(x) = …`"),
             ];
             let write = write.each_ref().map(String::as_str);
