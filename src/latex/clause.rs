@@ -11,7 +11,7 @@ use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
 const VERBS: &[&str] =
-    &["name", "skip", "comma", "pm", "digits", "e", "d", "product", "log", "inline", "begin", "end", "continues", "begins", "by"];
+    &["name", "skip", "comma", "pm", "digits", "e", "d", "product", "remark", "log", "inline", "begin", "end", "continues", "begins", "by"];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +98,7 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             decisions.digits = count.parse().ok();
         }
         ["e", "is", "base"] => decisions.e_is_base = true,
+        ["remark"] => decisions.has_remarks = true,
         ["d", "is", "number"] => decisions.d_is_number = true,
         ["log", "is", word @ ("natural" | "decimal")] => decisions.log_is_natural = Some(*word == "natural"),
         ["log", ..] => {
@@ -111,6 +112,7 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             return Err(expected("a number from 1 to 100, as in `digits 3`", "something else", first.span));
         }
         ["e", ..] => return Err(expected("`e is base`", "something else", first.span)),
+        ["remark", ..] => return Err(expected("the end of this clause", "something else", first.span)),
         ["d", ..] => return Err(expected("`d is number`", "something else", first.span)),
         _ => return Ok(false),
     }

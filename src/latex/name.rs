@@ -5,6 +5,7 @@
 //! have one key. A key has one spelling in the claim language, the first that a comment uses. Two keys never share a spelling.
 
 use super::macros::group;
+use super::phrase::key_of;
 use super::prepare::SPACES;
 use super::refusal::{expected, refused};
 use super::token::{Kind, Token};
@@ -75,6 +76,7 @@ pub(crate) fn base(tokens: &[Token], at: usize) -> Result<Option<(String, usize)
     let Some(token) = tokens.get(at) else { return Ok(None) };
     Ok(match &token.kind {
         Kind::Char(c) if c.is_ascii_alphabetic() => Some((c.to_string(), at + 1)),
+        Kind::Command(name) if key_of(name).is_some() => key_of(name).map(|key| (key.to_string(), at + 1)),
         Kind::Command(name) if is_letter(name) => {
             // The change of a quantity is a name of two letters, where a comment declares it.
             Some((format!("\\{name}"), at + 1))
@@ -214,6 +216,8 @@ pub(crate) struct Names {
     key: BTreeMap<String, String>,
     /// Keys that stand for an expression, as `m_{12}` for `m(12)`.
     meaning: BTreeMap<String, String>,
+    /// Names of several signs: what prints, and the key.
+    pub phrases: Vec<(Vec<Kind>, String)>,
     /// What a member of a family is, by its key.
     pub members: BTreeMap<String, String>,
     /// Spellings of numbers behind which a parenthesis, or a number, is a factor.

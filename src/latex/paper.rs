@@ -212,7 +212,7 @@ impl<'l> Assembly<'l> {
     }
 
     fn display(&mut self, display: &Display) {
-        let list = match equations(display) {
+        let list = match equations(display, self.decisions.has_remarks) {
             Ok(list) => list,
             Err(fault) => {
                 // It may be a hypothesis.
@@ -292,6 +292,7 @@ impl<'l> Assembly<'l> {
         if tokens.is_empty() {
             return Err(one(refused("this formula is empty", "write a formula, or remove it", equation.span)));
         }
+        let tokens = self.names.with_phrases(&tokens);
         let sign = match said.purpose {
             Purpose::Let | Purpose::Prove => self.sign_of_definition(&tokens, said, local)?,
             Purpose::Assume(_) | Purpose::Skip(_) => None,

@@ -6,6 +6,7 @@
 use super::binding::relation_of;
 use super::macros::group;
 use super::refusal::refused;
+use super::remark::MARKS;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::Diagnostic;
 
@@ -169,6 +170,11 @@ pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
     if let Some(last) = out.last().filter(|_| dots > 1) {
         let help = "write what is meant, a sum with its index or a number";
         return Err(refused("dots at the end of a formula are not read", help, last.span));
+    }
+    // What confirms the equation stands behind a space.
+    let is_mark = |t: &Token| t.command().is_some_and(|name| MARKS.contains(&name));
+    if out.len() > 1 && is_mark(&out[out.len() - 1]) && out[out.len() - 2].is("quad") {
+        out.pop();
     }
     // A full stop or a comma ends the sentence that the formula belongs to.
     while out.last().is_some_and(|t| {

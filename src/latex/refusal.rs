@@ -35,7 +35,7 @@ pub(crate) fn unit(span: Span) -> Diagnostic {
 /// Words that are not read where they stand.
 pub(crate) fn unread_words(said: &str, span: Span) -> Diagnostic {
     let help = "words that are read: and, or, not, if, for, where, if and only if, for all, exists, maximum of, limit of; \
-                or pass the equation over by `%carom skip`";
+                `%carom remark` passes over words that are no part of the equation, `%carom skip` the equation";
     refused(format!("the words “{said}” are not read here"), help, span)
 }
 
@@ -87,6 +87,9 @@ pub(crate) fn command(name: &str, span: Span) -> Diagnostic {
         "pmod" | "bmod" | "mod" => "write a congruence with a multiple, as in n = 2 k + 1",
         "unit" | "SI" | "si" | "qty" | "num" => {
             "declare the unit with the name, `%carom given v > 0 in m/s`, and write the number alone"
+        }
+        "langle" | "rangle" | "Sigma" => {
+            "if it is a part of a name, give that a name: `%carom name \\langle v \\rangle as v_mean`"
         }
         "propto" | "sim" | "simeq" | "ll" | "gg" | "lesssim" | "gtrsim" | "cong" => {
             "write the equation or the inequality that is meant, or `%carom skip`"

@@ -38,6 +38,8 @@ pub(crate) struct Decisions {
     pub digits: Option<usize>,
     /// Whether e is the base of exponentials.
     pub e_is_base: bool,
+    /// Whether words at the ends of an equation are no part of it.
+    pub has_remarks: bool,
     /// Whether d before a name is a number, and no differential.
     pub d_is_number: bool,
     /// Whether `\log` without a base is the natural logarithm (or the one to base 10).

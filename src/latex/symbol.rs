@@ -92,6 +92,7 @@ impl Reader<'_, '_, '_> {
                     self.no_application(&symbol)?;
                 }
                 self.no_unit(&symbol, at)?;
+                self.ends_product(&symbol)?;
                 let mut piece = Piece::atom(&name, symbol.span);
                 piece.name = (role == Role::Variable).then_some(name);
                 piece.is_matrix = role == Role::Matrix;
@@ -425,7 +426,7 @@ impl Reader<'_, '_, '_> {
             let readings = ["a product", "the value of a function"];
             let write = [
                 format!("write `%carom product {key}`, or {key} \\cdot (…)"),
-                format!("declare the function in a comment: `%carom let {key}(x) = …`"),
+                format!("declare the function, `%carom let {key}(x) = …`, or name its value, `%carom name {key}(x) as x1`"),
             ];
             let write = write.each_ref().map(String::as_str);
             return Err(ambiguous(&format!("{key} before a parenthesis"), readings, write, symbol.span));
