@@ -60,8 +60,12 @@ pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
 /// Comments to begin with, for the names that nothing declares.
 fn to_declare(found: &Paper) -> Option<String> {
     let mut out: Vec<String> = found.offered.iter().map(|clause| format!("`%carom {clause}`")).collect();
-    let functions: Vec<&str> =
-        found.undeclared.iter().filter(|(_, wanted)| **wanted == Wanted::Function).map(|(name, _)| name.as_str()).collect();
+    let functions: Vec<&str> = found
+        .undeclared
+        .iter()
+        .filter(|(_, wanted)| **wanted == Wanted::Function)
+        .map(|(name, _)| name.as_str())
+        .collect();
     if !functions.is_empty() {
         out.push(format!("functions or factors: {}", functions.join(", ")));
     }

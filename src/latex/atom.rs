@@ -105,7 +105,8 @@ impl<'t> Reader<'t, '_, '_> {
     /// `{}^{n}C_k`, with its indices from `at` on: the binomial coefficient. Other names have no index at their left.
     fn left_index(&mut self, at: usize) -> Read<Piece> {
         let start = self.span();
-        let help = "write a binomial coefficient as \\binom{n}{k}; give another name with an index at its left one of its own";
+        let help =
+            "write a binomial coefficient as \\binom{n}{k}; give another name with an index at its left one of its own";
         let other = || refused("an index at the left of a name is not read", help, start);
         let (above, next) = argument(self.tokens, at + 1)?;
         let (symbol, end) = begin(self.tokens.get(next..).unwrap_or_default()).ok_or_else(other)?;

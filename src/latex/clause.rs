@@ -10,8 +10,24 @@ use carom_checker::claim::parse::begins_clause;
 use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
-const VERBS: &[&str] =
-    &["name", "skip", "comma", "pm", "digits", "e", "d", "product", "remark", "log", "inline", "begin", "end", "continues", "begins", "by"];
+const VERBS: &[&str] = &[
+    "name",
+    "skip",
+    "comma",
+    "pm",
+    "digits",
+    "e",
+    "d",
+    "product",
+    "remark",
+    "log",
+    "inline",
+    "begin",
+    "end",
+    "continues",
+    "begins",
+    "by",
+];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]

@@ -384,7 +384,8 @@ impl Reader<'_> {
     /// a comment passes over no more than that row, which is not known.
     fn unread(&mut self, environment: &str, body: &[Token], span: Span, fault: Diagnostic) {
         let has_rows = body.iter().any(|t| t.is("\\"));
-        let clauses = comments(body).into_iter().filter(|clause| !has_rows || first_word(&clause.text) != "skip").collect();
+        let clauses =
+            comments(body).into_iter().filter(|clause| !has_rows || first_word(&clause.text) != "skip").collect();
         let cells = vec![vec![Token { kind: Kind::Char('='), span, apart: true }]];
         let row = Row { cells, clauses, span, fault: Some(fault), ..Row::default() };
         self.out.parts.push(Part::Display(Display { environment: environment.to_string(), rows: vec![row], span }));

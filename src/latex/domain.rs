@@ -59,7 +59,13 @@ pub(crate) fn domains(claim: &Claim, preamble: &Preamble) -> BTreeMap<String, Do
 
 /// The constraints of a declaration, each as text: that of one variable of the same domain, taken apart.
 fn bounds(binding: &Binding) -> Vec<String> {
-    let alone = |constraint| Binding { constraints: vec![constraint], natural: false, indices: None, unit: None, ..binding.clone() };
+    let alone = |constraint| Binding {
+        constraints: vec![constraint],
+        natural: false,
+        indices: None,
+        unit: None,
+        ..binding.clone()
+    };
     let text = |binding: &Binding| {
         let whole = Style::Text.binding(binding);
         let names = Style::Text.binding(&Binding { constraints: Vec::new(), ..binding.clone() });
@@ -116,7 +122,8 @@ impl Reader<'_, '_, '_> {
         // Without a bound of its own the name is the declared one.
         if domain.supposed || (missing && !said.is_empty()) {
             let declared = if missing { format!("{kind} {whole}") } else { format!("{kind}, with its hypotheses") };
-            let readings = [format!("the values that are declared, {declared}"), format!("all {kind} numbers with this bound")];
+            let readings =
+                [format!("the values that are declared, {declared}"), format!("all {kind} numbers with this bound")];
             let write = [by_comment(name, &format!("{kind} {whole}")), by_comment(name, kind)];
             let (readings, write) = (readings.each_ref().map(String::as_str), write.each_ref().map(String::as_str));
             return Err(ambiguous(&format!("the domain of {key}"), readings, write, span));
@@ -135,7 +142,8 @@ impl Reader<'_, '_, '_> {
         }
         let key = symbol.key();
         let readings = ["the numbers 0, 1, 2, …", "the numbers 1, 2, …"];
-        let write = [format!("declare `%carom given {key} natural`"), format!("declare `%carom given {key} natural >= 1`")];
+        let write =
+            [format!("declare `%carom given {key} natural`"), format!("declare `%carom given {key} natural >= 1`")];
         Err(ambiguous("\\mathbb{N}", readings, write.each_ref().map(String::as_str), symbol.span))
     }
 
@@ -166,7 +174,8 @@ impl Reader<'_, '_, '_> {
 
 /// A bound name without any domain.
 pub(crate) fn no_domain(key: &str, span: Span) -> Diagnostic {
-    let help = format!("write `> 0`, `\\in [0, 1]` or `\\text{{real}}` behind it, or declare it: `%carom given {key} real`");
+    let help =
+        format!("write `> 0`, `\\in [0, 1]` or `\\text{{real}}` behind it, or declare it: `%carom given {key} real`");
     refused(format!("nothing says which values {key} takes"), help, span)
 }
 

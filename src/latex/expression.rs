@@ -193,7 +193,10 @@ impl<'t> Reader<'t, '_, '_> {
                 return Err(ambiguous(what, readings, write, Span { start: start.start, end: span.end }));
             }
             let digits = self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit());
-            let is_said = factors.last().and_then(|(_, before)| before.name.as_ref()).is_some_and(|n| self.scope.names.factors.contains(n));
+            let is_said = factors
+                .last()
+                .and_then(|(_, before)| before.name.as_ref())
+                .is_some_and(|n| self.scope.names.factors.contains(n));
             if !is_explicit && digits && !is_first && !is_said {
                 let help = "write a product with \\cdot, a power x^{2}, or an index x_{2}; for a product behind the number n \
                             `%carom product n`";

@@ -349,7 +349,8 @@ impl<'t> Reader<'t, '_, '_> {
 
     fn over(&mut self, word: &str, start: Span) -> Read<Piece> {
         let (below, above) = self.below_and_above()?;
-        let range = "write the range of the index, \\sum_{i=1}^{n}; where it is a name, `%carom name \\sum F_x as F_net`";
+        let range =
+            "write the range of the index, \\sum_{i=1}^{n}; where it is a name, `%carom name \\sum F_x as F_net`";
         let (Some(below), Some(above)) = (below, above) else {
             return Err(refused(format!("this {word} has no range"), range, start));
         };

@@ -77,11 +77,15 @@ pub(crate) fn no_upper_index(tokens: &[Token], scope: &Scope<'_>) -> Result<(), 
     let mut upper: Vec<(usize, Symbol, &[Token])> = Vec::new();
     let mut part = 0;
     for (at, token) in tokens.iter().enumerate() {
-        part += usize::from(relation_of(token).is_some() || matches!(token.char(), Some('+' | '-' | ',')) || token.is("quad"));
+        part += usize::from(
+            relation_of(token).is_some() || matches!(token.char(), Some('+' | '-' | ',')) || token.is("quad"),
+        );
         let is_script = at > 0 && matches!(tokens[at - 1].char(), Some('_' | '^'));
         let Some((symbol, next)) = begin(&tokens[at..]).filter(|_| !is_script) else { continue };
         let role = |key: &str| scope.names.spelled(key).and_then(|name| scope.roles.get(name));
-        if let Some(below) = symbol.below.as_ref().filter(|_| !matches!(role(&symbol.upper_key()), Some(Role::Applied(_)))) {
+        if let Some(below) =
+            symbol.below.as_ref().filter(|_| !matches!(role(&symbol.upper_key()), Some(Role::Applied(_))))
+        {
             lower.push((part, symbol.base.clone(), names_in(below)));
         }
         if tokens.get(at + next).is_some_and(|t| t.is_char('^'))

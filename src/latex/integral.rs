@@ -24,7 +24,9 @@ impl Reader<'_, '_, '_> {
         }
         let (from, to) = (self.sum_in(below)?, self.sum_in(above)?);
         let end = own_differential(&self.tokens[self.at..]).map(|place| self.at + place);
-        if end.is_none() && let Some((tokens, next)) = in_numerator(&self.tokens[self.at..]) {
+        if end.is_none()
+            && let Some((tokens, next)) = in_numerator(&self.tokens[self.at..])
+        {
             let behind = self.at + next;
             let here = std::mem::replace(&mut self.at, behind);
             if self.begins_factor() || self.peek().is_some_and(|t| t.is("cdot") || t.is("times") || t.is_char('/')) {
@@ -110,7 +112,8 @@ fn in_numerator(tokens: &[Token]) -> Option<(Vec<Token>, usize)> {
         };
         level == 0 && ["frac", "dfrac", "tfrac"].iter().any(|name| token.is(name))
     })?;
-    let ends = |t: &Token| super::binding::relation_of(t).is_some() || matches!(t.char(), Some('+' | ',')) || t.is("int");
+    let ends =
+        |t: &Token| super::binding::relation_of(t).is_some() || matches!(t.char(), Some('+' | ',')) || t.is("int");
     if tokens[..at].iter().any(ends) || tokens.get(at + 1)?.kind != Kind::Open {
         return None;
     }

@@ -99,7 +99,14 @@ impl Reader<'_, '_, '_> {
             if has_sign && !in_parentheses {
                 if let Some(more) = self.own_power(&digits, uncertainty.as_deref().unwrap_or_default()) {
                     let uncertainty = Some(more);
-                    return Ok(Printed { is_negative, digits, uncertainty, has_sign, exponent, span: self.since(start) });
+                    return Ok(Printed {
+                        is_negative,
+                        digits,
+                        uncertainty,
+                        has_sign,
+                        exponent,
+                        span: self.since(start),
+                    });
                 }
                 let readings = ["a power of ten for both numbers", "a power of ten for the uncertainty alone"];
                 let write = ["write (57.1 \\pm 0.1) \\times 10^{3}", "write it without, as in 1.40 \\pm 0.00057"];
@@ -122,11 +129,16 @@ impl Reader<'_, '_, '_> {
     /// The uncertainty with the power of ten here, if that makes its last digit the last one of the value: `0.00243 \pm 6 \cdot 10^{-5}`.
     fn own_power(&mut self, digits: &str, uncertainty: &str) -> Option<String> {
         let here = self.at;
-        let power = self.number().ok().filter(|piece| piece.text.text() == "10" && self.take_char('^')).and_then(|_| {
-            let (inner, next) = argument(self.tokens, self.at).ok()?;
-            self.at = next;
-            words(inner).replace(' ', "").parse::<i64>().ok().filter(|power| power.abs() <= POWER_LIMIT && *power != 0)
-        });
+        let power =
+            self.number().ok().filter(|piece| piece.text.text() == "10" && self.take_char('^')).and_then(|_| {
+                let (inner, next) = argument(self.tokens, self.at).ok()?;
+                self.at = next;
+                words(inner)
+                    .replace(' ', "")
+                    .parse::<i64>()
+                    .ok()
+                    .filter(|power| power.abs() <= POWER_LIMIT && *power != 0)
+            });
         match power.filter(|power| places(uncertainty) - power == places(digits)) {
             Some(power) => Some(format!("{uncertainty}e{power}")),
             None => {

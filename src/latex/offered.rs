@@ -43,7 +43,8 @@ impl Declared {
 pub(crate) fn offered(undeclared: &BTreeMap<String, Wanted>, names: &Names, preamble: &Preamble) -> Vec<String> {
     let families: Vec<&String> = undeclared.iter().filter(|(_, w)| **w == Wanted::Family).map(|(key, _)| key).collect();
     // What is a member of a family is no number.
-    let is_member = |key: &str| families.iter().any(|family| key.strip_prefix(*family).is_some_and(|rest| rest.starts_with('_')));
+    let is_member =
+        |key: &str| families.iter().any(|family| key.strip_prefix(*family).is_some_and(|rest| rest.starts_with('_')));
     let is_free = |index: &&&str| !undeclared.contains_key(**index) && names.spelled(index).is_none();
     let index = ["k", "j", "i", "l", "m", "n", "q"].iter().find(is_free).unwrap_or(&"kk");
     let mut declared = Declared { names: names.clone(), preamble: preamble.clone() };
@@ -62,7 +63,8 @@ pub(crate) fn offered(undeclared: &BTreeMap<String, Wanted>, names: &Names, prea
             continue;
         }
         // A name that has a spelling already is declared by that.
-        let known = names.spelled(key).map(str::to_string).and_then(|name| Some((name.clone(), declared.clone(), name)));
+        let known =
+            names.spelled(key).map(str::to_string).and_then(|name| Some((name.clone(), declared.clone(), name)));
         let new = || {
             let name = (0..100).map(|n| fresh(key, n)).find(|name| declared.renamed(key, name).is_some())?;
             Some((name.clone(), declared.renamed(key, &name)?, String::new()))

@@ -6,8 +6,8 @@
 
 use super::clause::{self, Purpose, misplaced};
 use super::comment::first_word;
-use super::domain::domains;
 use super::document::{Clause, Display, Lines, Part, document};
+use super::domain::domains;
 use super::expression::{Read, Reader};
 use super::index::no_upper_index;
 use super::input::Manuscript;
@@ -385,7 +385,12 @@ impl<'l> Assembly<'l> {
             let known = self.out.undeclared.entry(printed).or_insert(wanted);
             *known = wanted.max(*known);
             self.names.count.clone_from(&names.count);
-            let Ok(name) = self.names.of(&symbol) else { break };
+            let Ok(name) = self.names.of(&symbol).or_else(|_| {
+                let own = format!("unspelled_{}", roles.len());
+                self.names.set(&symbol.key(), &own, symbol.span).map(|()| own)
+            }) else {
+                break;
+            };
             let is_applied = [Wanted::Function, Wanted::Family].contains(&wanted);
             roles.insert(name, if is_applied { Role::Applied(1) } else { Role::Variable });
         }

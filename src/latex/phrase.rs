@@ -124,7 +124,8 @@ impl Reader<'_, '_, '_> {
         }
         let key = symbol.key();
         let readings = ["a factor behind the name", "a part of what the sign is over"];
-        let write = ["put the factor before it, or write \\cdot".to_string(), format!("name all of it instead of {key}")];
+        let write =
+            ["put the factor before it, or write \\cdot".to_string(), format!("name all of it instead of {key}")];
         Err(ambiguous(&format!("what follows {key}"), readings, write.each_ref().map(String::as_str), symbol.span))
     }
 }

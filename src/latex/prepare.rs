@@ -11,7 +11,8 @@ use super::token::{Kind, Token, words};
 use carom_diagnostic::Diagnostic;
 
 /// Spaces; they separate a factor from a parenthesis that follows it.
-pub(crate) const SPACES: &[&str] = &[",", ";", ":", ">", "!", " ", "/", "thinspace", "medspace", "thickspace", "enspace", "hfill", "hfil"];
+pub(crate) const SPACES: &[&str] =
+    &[",", ";", ":", ">", "!", " ", "/", "thinspace", "medspace", "thickspace", "enspace", "hfill", "hfil"];
 /// Commands that change only how a formula looks.
 pub(crate) const LOOKS: &[&str] = &[
     "displaystyle",

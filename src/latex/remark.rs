@@ -9,9 +9,49 @@ use super::token::{Kind, Token, words};
 
 /// Words of which a statement is made.
 const LOGIC: &[&str] = &[
-    "if", "for", "when", "whenever", "where", "with", "without", "provided", "as", "and", "or", "not", "iff", "exists", "all", "each",
-    "every", "any", "then", "otherwise", "else", "unless", "only", "except", "assuming", "given", "suppose", "let", "maximum",
-    "minimum", "limit", "mod", "modulo", "natural", "real", "integer", "is", "constant", "const", "neither", "nor", "no", "never",
+    "if",
+    "for",
+    "when",
+    "whenever",
+    "where",
+    "with",
+    "without",
+    "provided",
+    "as",
+    "and",
+    "or",
+    "not",
+    "iff",
+    "exists",
+    "all",
+    "each",
+    "every",
+    "any",
+    "then",
+    "otherwise",
+    "else",
+    "unless",
+    "only",
+    "except",
+    "assuming",
+    "given",
+    "suppose",
+    "let",
+    "maximum",
+    "minimum",
+    "limit",
+    "mod",
+    "modulo",
+    "natural",
+    "real",
+    "integer",
+    "is",
+    "constant",
+    "const",
+    "neither",
+    "nor",
+    "no",
+    "never",
 ];
 
 /// Signs that end a proof or confirm an equation.
@@ -49,6 +89,7 @@ fn remark(tokens: &[Token], at: usize) -> Option<(usize, usize)> {
     let count = |sign: char| said.matches(sign).count();
     let is_logic = said.split(|c: char| !c.is_alphabetic()).any(|word| LOGIC.contains(&word));
     let is_whole = count('(') == count(')') && count('[') == count(']') && said.chars().any(char::is_alphabetic);
-    let holds_formula = inner.iter().any(|t| matches!(t.kind, Kind::Dollar(_)) || matches!(t.char(), Some('=' | '<' | '>')));
+    let holds_formula =
+        inner.iter().any(|t| matches!(t.kind, Kind::Dollar(_)) || matches!(t.char(), Some('=' | '<' | '>')));
     (is_whole && !is_logic && !holds_formula).then_some((at, next))
 }

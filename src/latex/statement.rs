@@ -70,9 +70,7 @@ impl Reader<'_, '_, '_> {
     /// A statement.
     pub(crate) fn statement(&mut self) -> Read<Said> {
         let mut list = vec![self.implication()?];
-        while self.take_command(&["Leftrightarrow", "iff", "Longleftrightarrow"])
-            || self.take_text(EQUIVALENT)
-        {
+        while self.take_command(&["Leftrightarrow", "iff", "Longleftrightarrow"]) || self.take_text(EQUIVALENT) {
             list.push(self.implication()?);
         }
         self.scope.has_logic |= list.len() > 1;
@@ -143,7 +141,8 @@ impl Reader<'_, '_, '_> {
 
     /// Where the words for all stand behind the statement here, on its level.
     fn place_of_for_all(&mut self) -> Option<usize> {
-        const ENDS: [&str; 6] = ["Rightarrow", "implies", "Longrightarrow", "Leftrightarrow", "iff", "Longleftrightarrow"];
+        const ENDS: [&str; 6] =
+            ["Rightarrow", "implies", "Longrightarrow", "Leftrightarrow", "iff", "Longleftrightarrow"];
         let here = self.at;
         let mut level = 0i64;
         let found = (here..self.tokens.len()).find(|place| {
@@ -163,7 +162,8 @@ impl Reader<'_, '_, '_> {
             self.begins_for_all()
         });
         self.at = here;
-        let joins = |t: &Token| ["land", "wedge", "neg", "lnot", "colon"].iter().any(|name| t.is(name)) || t.is_char(':');
+        let joins =
+            |t: &Token| ["land", "wedge", "neg", "lnot", "colon"].iter().any(|name| t.is(name)) || t.is_char(':');
         let before = found.map(|place| &self.tokens[here..place]).unwrap_or_default();
         let last = before.iter().rposition(|t| !is_space(t) && !t.is("quad"))?;
         (!joins(&before[last]) && !super::prepare::after_text(&before[..=last])).then_some(found?)

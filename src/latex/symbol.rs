@@ -371,7 +371,8 @@ impl Reader<'_, '_, '_> {
             return Ok(());
         }
         let readings = ["a differential", "a product with the number d"];
-        let write = ["write the derivative or the integral, or `%carom skip`", "write `%carom d is number`, or d \\cdot x"];
+        let write =
+            ["write the derivative or the integral, or `%carom skip`", "write `%carom d is number`, or d \\cdot x"];
         Err(ambiguous("a d before a name", readings, write, symbol.span))
     }
 
@@ -426,7 +427,9 @@ impl Reader<'_, '_, '_> {
             let readings = ["a product", "the value of a function"];
             let write = [
                 format!("write `%carom product {key}`, or {key} \\cdot (…)"),
-                format!("declare the function, `%carom let {key}(x) = …`, or name its value, `%carom name {key}(x) as x1`"),
+                format!(
+                    "declare the function, `%carom let {key}(x) = …`, or name its value, `%carom name {key}(x) as x1`"
+                ),
             ];
             let write = write.each_ref().map(String::as_str);
             return Err(ambiguous(&format!("{key} before a parenthesis"), readings, write, symbol.span));

@@ -15,19 +15,22 @@ impl Reader<'_, '_, '_> {
     /// Refuses letters here, behind the number `before`, that are a unit or a product of names.
     pub(crate) fn no_unit_in_letters(&mut self, before: &Piece) -> Read<()> {
         let number = before.text.text();
-        if !number.chars().all(|c| c.is_ascii_digit() || "^()*./-e".contains(c)) || !number.starts_with(|c: char| c.is_ascii_digit()) {
+        if !number.chars().all(|c| c.is_ascii_digit() || "^()*./-e".contains(c))
+            || !number.starts_with(|c: char| c.is_ascii_digit())
+        {
             return Ok(());
         }
         let is_spaced = self.at > 0 && is_space(&self.tokens[self.at - 1]);
         let Some((unit, letters, span)) = self.letters_of_unit() else { return Ok(()) };
         // 4 km may be a coefficient and two names, as in b^2 = 4 k m; 11 km and 0.5 km are seldom that.
         let is_long = number.chars().count() > 1;
-        let is_unit = if is_spaced { letters > 1 || is_long } else { letters > 1 && is_long };
+        let is_unit = [letters > 1, is_long, is_spaced].iter().filter(|sign| **sign).count() > 1;
         if !is_unit {
             return Ok(());
         }
         let readings = [format!("the unit {unit}"), "a product of names".to_string()];
-        let write = ["declare the unit with the name, `%carom given x > 0 in m`, and write the number alone", "write \\cdot"];
+        let write =
+            ["declare the unit with the name, `%carom given x > 0 in m`, and write the number alone", "write \\cdot"];
         Err(ambiguous("letters behind a number", readings.each_ref().map(String::as_str), write, span))
     }
 
@@ -37,7 +40,9 @@ impl Reader<'_, '_, '_> {
         let start = self.tokens.get(at)?.span;
         while let Some(token) = self.tokens.get(at) {
             match token.char() {
-                Some(c) if c.is_ascii_alphabetic() && !(token.apart && letters > 0 && !unit.ends_with('/')) => letters += 1,
+                Some(c) if c.is_ascii_alphabetic() && !(token.apart && letters > 0 && !unit.ends_with('/')) => {
+                    letters += 1
+                }
                 Some('/') if letters > 0 => {}
                 Some('^') if letters > 0 => {
                     let (inner, next) = argument(self.tokens, at + 1).ok()?;
@@ -52,10 +57,13 @@ impl Reader<'_, '_, '_> {
         }
         let span = Span { start: start.start, end: self.tokens[at.checked_sub(1)?].span.end };
         let run: String = unit.chars().take_while(char::is_ascii_alphabetic).collect();
-        let is_name = letters > 1 && self.scope.names.spelled(&run).is_some_and(|name| self.scope.roles.contains_key(name));
+        let is_name =
+            run.len() > 1 && self.scope.names.spelled(&run).is_some_and(|name| self.scope.roles.contains_key(name));
         let here = std::mem::replace(&mut self.at, at);
         let goes_on = self.begins_factor()
-            || self.peek().is_some_and(|t| matches!(t.char(), Some('/' | '_' | '\'' | '!')) || t.is("cdot") || t.is("times"));
+            || self
+                .peek()
+                .is_some_and(|t| matches!(t.char(), Some('/' | '_' | '\'' | '!')) || t.is("cdot") || t.is("times"));
         self.at = here;
         (letters > 0 && !is_name && !goes_on && Unit::read(&unit).is_ok()).then_some((unit, letters, span))
     }
