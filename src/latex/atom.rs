@@ -187,6 +187,16 @@ impl<'t> Reader<'t, '_, '_> {
         Ok(piece)
     }
 
+    /// Whether a fraction of two numerals begins here.
+    pub(crate) fn is_numeric_fraction(&mut self) -> bool {
+        if !self.peek().is_some_and(|t| ["frac", "tfrac", "dfrac"].iter().any(|name| t.is(name))) {
+            return false;
+        }
+        let is_number = |tokens: &[Token]| tokens.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()));
+        let Ok((above, next)) = argument(self.tokens, self.at + 1) else { return false };
+        argument(self.tokens, next).is_ok_and(|(below, _)| is_number(above) && is_number(below))
+    }
+
     /// Where to read on behind the sign of degrees, if it stands here.
     fn degrees(&self) -> Option<usize> {
         let token = self.tokens.get(self.at)?;

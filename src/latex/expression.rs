@@ -250,15 +250,6 @@ impl<'t> Reader<'t, '_, '_> {
         if factors.is_empty() { self.expected("an expression") } else { Ok(product(factors)) }
     }
 
-    /// Whether digits in parentheses, which end before `next`, are a factor of the number before them and no uncertainty: in
-    /// an exponent, behind a number in parentheses, or before another parenthesis.
-    fn is_factor(&self, next: usize) -> bool {
-        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
-        self.scope.is_exponent
-            || before.is_some_and(|t| t.is_char(')'))
-            || self.tokens.get(next).is_some_and(|t| t.is_char('('))
-    }
-
     /// Whether a factor begins here without a sign before it.
     pub(crate) fn begins_factor(&mut self) -> bool {
         let Some(token) = self.peek() else { return false };
@@ -332,16 +323,6 @@ impl<'t> Reader<'t, '_, '_> {
         }
     }
 
-    /// Whether a fraction of two numerals begins here.
-    fn is_numeric_fraction(&mut self) -> bool {
-        if !self.peek().is_some_and(|t| ["frac", "tfrac", "dfrac"].iter().any(|name| t.is(name))) {
-            return false;
-        }
-        let is_number = |tokens: &[Token]| tokens.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()));
-        let Ok((above, next)) = argument(self.tokens, self.at + 1) else { return false };
-        argument(self.tokens, next).is_ok_and(|(below, _)| is_number(above) && is_number(below))
-    }
-
     /// A factor with its power; a fraction contributes several.
     pub(crate) fn factor(&mut self) -> Read<Vec<(bool, Piece)>> {
         let start = self.span();
@@ -398,7 +379,12 @@ impl<'t> Reader<'t, '_, '_> {
         }
         if self.is_next_char('_') {
             let span = self.span();
-            return Err(refused("this index belongs to no name", "put the index behind a letter", span));
+            let is_behind = self.at > 0 && matches!(self.tokens[self.at - 1].char(), Some(']' | '|'));
+            let help = match is_behind {
+                true => "write the two values of the antiderivative, F(b) - F(a)",
+                false => "put the index behind a letter",
+            };
+            return Err(refused("this index belongs to no name", help, span));
         }
         if self.is_next_char('^') {
             self.at += 1;

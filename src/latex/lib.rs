@@ -44,6 +44,7 @@ mod token;
 mod typeset;
 mod unit;
 mod vector;
+mod whole;
 
 pub use input::{DEPTH_LIMIT, INPUTS_LIMIT, Manuscript, is_paper, manuscript};
 pub use markdown::latex_of;

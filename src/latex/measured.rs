@@ -3,7 +3,7 @@
 //! Contract: a rounded number says that the exact value is at most half a unit of its last digit away; one with an uncertainty says
 //! that the value lies between its two bounds. Behind `=` a number is exact, and ± may mean two values, unless a comment decides.
 
-use super::expression::{Read, Reader};
+use super::expression::{Read, Reader, is_space};
 use super::name::argument;
 use super::piece::Piece;
 use super::place::Placed;
@@ -53,6 +53,15 @@ impl Reader<'_, '_, '_> {
             (Some(_), Some(true)) => Ok(true),
             (Some(printed), None) => Err(two_readings(printed.has_sign, printed.span)),
         }
+    }
+
+    /// Whether digits in parentheses, which end before `next`, are a factor of the number before them and no uncertainty: in
+    /// an exponent, behind a number in parentheses, or before another parenthesis.
+    pub(crate) fn is_factor(&self, next: usize) -> bool {
+        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
+        self.scope.is_exponent
+            || before.is_some_and(|t| t.is_char(')'))
+            || self.tokens.get(next).is_some_and(|t| t.is_char('('))
     }
 
     /// Whether a side of a comparison ends here.

@@ -8,8 +8,7 @@ use super::clause::{self, Purpose, misplaced};
 use super::comment::first_word;
 use super::document::{Clause, Display, Lines, Part, document};
 use super::domain::domains;
-use super::expression::{Read, Reader};
-use super::index::no_upper_index;
+use super::expression::Read;
 use super::input::Manuscript;
 use super::name::Names;
 use super::offered::offered;
@@ -24,6 +23,7 @@ use super::structure::structured;
 use super::token::{Token, tokens};
 use super::typeset::typeset;
 use super::vector::Vectors;
+use super::whole::whole;
 use carom_checker::claim::parse::{clauses_placed, parse_placed};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
@@ -473,29 +473,6 @@ impl<'l> Assembly<'l> {
         match claims.pop() {
             Some(claim) => Ok(Outcome::Read(Box::new(Claim { typeset: typeset(&equation.rows), ..claim }))),
             None => Err(vec![refused("this formula is no claim", "pass it over by `%carom skip`", equation.span)]),
-        }
-    }
-}
-
-/// Reads all tokens of a formula.
-fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Reader<'_, '_, '_>) -> Read<T>) -> Read<T> {
-    let start = tokens.first().map_or(0, |t| t.span.start);
-    let end = tokens.last().map_or(start, |t| t.span.end);
-    let mut reader = Reader { tokens, at: 0, depth: 0, whole: Span { start, end }, scope };
-    let out = read(&mut reader)?;
-    match reader.peek() {
-        None => no_upper_index(tokens, reader.scope).map(|()| out),
-        Some(token) => {
-            let span = token.span;
-            if let Some((said, _)) = reader.text_here() {
-                return Err(super::refusal::unread_words(&said, span));
-            }
-            Err(match token.command() {
-                Some(name) if !super::prepare::is_operator(name) => super::refusal::command(name, span),
-                _ => {
-                    expected("an operator, a relation or the end of the formula", &format!("`{}`", token.text()), span)
-                }
-            })
         }
     }
 }

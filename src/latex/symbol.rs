@@ -310,6 +310,12 @@ impl Reader<'_, '_, '_> {
         if self.is_behind_number(self.at) && is_upright(&self.tokens[self.at]) {
             return Err(unit(symbol.span));
         }
+        if key == "\\delta" && base(self.tokens, next)?.is_some() {
+            let readings = ["a small change of what follows", "a product with the number \\delta"];
+            let write =
+                ["give the change a name, `%carom name \\delta x as dx`", "declare it, `%carom given \\delta real`"];
+            return Err(ambiguous("\\delta before a name", readings, write, symbol.span));
+        }
         let wanted = match self.tokens.get(next).is_some_and(|t| t.is_char('(')) {
             true => Wanted::Function,
             false if self.scope.counts => Wanted::Natural,

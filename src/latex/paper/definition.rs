@@ -1,6 +1,6 @@
 //! Definitions of a paper: `x := A`, `f(x) := A`, and `f(x) = A` where nothing else says what f is.
 
-use super::{Assembly, Head, lines_of, whole};
+use super::{Assembly, Head, lines_of};
 use crate::binding::relation_of;
 use crate::clause::{Purpose, Said};
 use crate::expression::{Read, Reader};
@@ -11,6 +11,7 @@ use crate::refusal::{one_value, refused};
 use crate::symbol::commas;
 use crate::token::Token;
 use crate::vector::no_vector;
+use crate::whole::whole;
 use carom_diagnostic::{Diagnostic, Span};
 use std::collections::BTreeSet;
 

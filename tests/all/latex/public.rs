@@ -52,7 +52,11 @@ fn a_quantifier_forgets_that_its_name_is_natural() {
         (n, r"\forall n: n \ge 0", "for all n natural: n >= 0"),
         (least, r"n \ge 1 \quad \text{for all } n", "for all n natural >= 1: n >= 1"),
         (least, r"\forall n > 0: n \ge 1", "for all n natural > 0: n >= 1"),
-        (n, r"\text{minimum of } n^2 \text{ over } n \ge 0 \text{ is } 0", "(for all n natural >= 0: n^2 >= 0) and (exists n natural >= 0: n^2 = 0)"),
+        (
+            n,
+            r"\text{minimum of } n^2 \text{ over } n \ge 0 \text{ is } 0",
+            "(for all n natural >= 0: n^2 >= 0) and (exists n natural >= 0: n^2 = 0)",
+        ),
         ("%carom given n natural; x real", r"\forall x, n > 0: x n > 0", "for all x > 0; n natural > 0: x*n > 0"),
         (
             "%carom given x, y real",
@@ -165,9 +169,11 @@ fn a_differential_is_a_product() {
         (names, r"\frac{dv}{g + kv^2} = -dt", "a d before a name"),
         (names, r"d\vec{r} = 1", "a differential"),
         ("%carom given g, k, t, v real", r"dv = g dt", "a differential"),
+        ("%carom given W, F, x real", r"\delta W = F \delta x", "a small change"),
     ]);
     is_read(&[
         (names, r"2 g d = v^2", "2*g*d = v^2"),
+        ("%carom name \\delta W as dW\n%carom given dW, v real", r"\delta W = v", "dW = v"),
         ("%carom d is number\n%carom given d, g, v real", r"2dg = v^2", "2*d*g = v^2"),
     ]);
     assert!(read(r"\[ \frac{dv}{g} = -dt \]").offered.iter().all(|clause| !clause.contains(" d")));
@@ -290,6 +296,7 @@ fn what_is_printed_otherwise_is_refused() {
         (names, r"\int_{0}^{u} \frac{dv}{g} \frac{1}{v} = T", "how far this integral reaches"),
         ("%carom pm interval\n%carom given k real", r"k = 1.40 \pm 5.7\cdot 10^{-4}", "a power of ten behind ±"),
         (names, r"{}^{14}C = x", "an index at the left"),
+        (names, r"\left[ x^2 \right]_{u}^{T} = 1", "the two values"),
         (names, r"x = \square", r"\square is not read"),
         (
             names,
