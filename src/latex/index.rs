@@ -4,13 +4,17 @@
 //! is the index of another name in the same formula is refused as a power where it may be an upper index.
 
 use super::binding::relation_of;
+use super::document::{Document, Part};
 use super::expression::{Read, Reader};
 use super::name::{Symbol, UPRIGHT, argument, begin};
 use super::refusal::{ambiguous, refused};
 use super::scope::{Missing, Role, Scope};
 use super::token::{Kind, Token, raw_tokens};
 use carom_diagnostic::Diagnostic;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// For each Greek letter the names below which it stands, by their keys.
+pub(crate) type Indices = BTreeMap<String, BTreeMap<String, Symbol>>;
 
 /// The keys of the names in an index; words that are set upright are none.
 fn names_in(tokens: &[Token]) -> BTreeSet<String> {
@@ -71,8 +75,29 @@ impl Reader<'_, '_, '_> {
     }
 }
 
+/// The Greek letters in what stands below names in a paper, each with these names.
+pub(crate) fn greek_indices(document: &Document) -> Indices {
+    let mut out = Indices::new();
+    for part in &document.parts {
+        let Part::Display(display) = part else { continue };
+        for cell in display.rows.iter().flat_map(|row| &row.cells) {
+            for symbol in (0..cell.len()).filter_map(|at| begin(&cell[at..])).map(|found| found.0) {
+                let below = symbol.below.as_deref().map(names_in).unwrap_or_default();
+                for index in below.into_iter().filter(|name| name.starts_with('\\')) {
+                    out.entry(index).or_default().insert(symbol.key(), symbol.clone());
+                }
+            }
+        }
+    }
+    out
+}
+
 /// Refuses a power whose exponent is the lower index of a number in the same formula, as in `p^\mu p_\mu`.
 pub(crate) fn no_upper_index(tokens: &[Token], scope: &Scope<'_>) -> Result<(), Diagnostic> {
+    let role = |key: &str| scope.names.spelled(key).and_then(|name| scope.roles.get(name));
+    let is_number = |symbol: &Symbol| {
+        !matches!(role(&symbol.upper_key()), Some(Role::Applied(_))) && !scope.names.is_renamed(&symbol.key())
+    };
     let mut lower: Vec<(usize, String, BTreeSet<String>)> = Vec::new();
     let mut upper: Vec<(usize, Symbol, &[Token])> = Vec::new();
     let mut part = 0;
@@ -82,10 +107,7 @@ pub(crate) fn no_upper_index(tokens: &[Token], scope: &Scope<'_>) -> Result<(), 
         );
         let is_script = at > 0 && matches!(tokens[at - 1].char(), Some('_' | '^'));
         let Some((symbol, next)) = begin(&tokens[at..]).filter(|_| !is_script) else { continue };
-        let role = |key: &str| scope.names.spelled(key).and_then(|name| scope.roles.get(name));
-        if let Some(below) =
-            symbol.below.as_ref().filter(|_| !matches!(role(&symbol.upper_key()), Some(Role::Applied(_))))
-        {
+        if let Some(below) = symbol.below.as_ref().filter(|_| is_number(&symbol)) {
             lower.push((part, symbol.base.clone(), names_in(below)));
         }
         if tokens.get(at + next).is_some_and(|t| t.is_char('^'))
@@ -98,15 +120,15 @@ pub(crate) fn no_upper_index(tokens: &[Token], scope: &Scope<'_>) -> Result<(), 
     for (part, symbol, above) in upper {
         let names = names_in(above);
         let is_index = |(other, base, below): &(usize, String, BTreeSet<String>)| {
-            let mut common = names.intersection(below).peekable();
-            let is_greek = common.clone().any(|name| name.starts_with('\\'));
-            common.peek().is_some() && (is_greek || *other == part || *base == symbol.base)
+            !names.is_disjoint(below) && (*other == part || *base == symbol.base)
         };
-        if lower.iter().any(is_index) {
+        let is_greek =
+            names.iter().filter_map(|name| scope.indices.get(name)).any(|lower| lower.values().any(is_number));
+        if is_greek || lower.iter().any(is_index) {
             let key = symbol.key();
             let readings = ["a power", "an upper index"];
             let write = [
-                "give the name with that index below it another name, or declare a family, `%carom given p(k) real`",
+                "name what has that index below it, `%carom name p_\\mu as pm`, or declare a family, `%carom given p(k) real`",
                 "name the components, as in p_0^2 - p_1^2, or write `%carom skip`",
             ];
             return Err(ambiguous(&format!("what stands above {key}"), readings, write, symbol.span));

@@ -45,12 +45,16 @@ pub(crate) fn offered(undeclared: &BTreeMap<String, Wanted>, names: &Names, prea
     // What is a member of a family is no number.
     let is_member =
         |key: &str| families.iter().any(|family| key.strip_prefix(*family).is_some_and(|rest| rest.starts_with('_')));
+    // An index of a member is a natural number.
+    let index_of = |key: &str| Some(key.split_once("_{")?.1.trim_end_matches('\'').strip_suffix('}')?.to_string());
+    let counts: Vec<String> = undeclared.keys().filter(|key| is_member(key)).filter_map(|key| index_of(key)).collect();
     let is_free = |index: &&&str| !undeclared.contains_key(**index) && names.spelled(index).is_none();
     let index = ["k", "j", "i", "l", "m", "n", "q"].iter().find(is_free).unwrap_or(&"kk");
     let mut declared = Declared { names: names.clone(), preamble: preamble.clone() };
     let (mut renamed, mut lists): (Vec<String>, [Vec<String>; 3]) = (Vec::new(), Default::default());
     for (key, wanted) in undeclared.iter().filter(|(key, w)| **w != Wanted::Function && !is_member(key)) {
         let (place, argument) = match wanted {
+            Wanted::Number if counts.contains(key) => (0, String::new()),
             Wanted::Natural => (0, String::new()),
             Wanted::Family => (1, format!("({index})")),
             Wanted::Number | Wanted::Function => (2, String::new()),

@@ -9,6 +9,7 @@ use super::comment::first_word;
 use super::document::{Clause, Display, Lines, Part, document};
 use super::domain::domains;
 use super::expression::Read;
+use super::index::{Indices, greek_indices};
 use super::input::Manuscript;
 use super::name::Names;
 use super::offered::offered;
@@ -52,6 +53,7 @@ pub fn paper_of(whole: &Manuscript) -> Result<Paper, Vec<Diagnostic>> {
     let tokens = structured(&tokens(text).map_err(|fault| vec![fault])?);
     let document = document(&tokens, &Lines::of(text), &whole.unread);
     let mut reader = Assembly::new(&whole.source);
+    reader.indices = greek_indices(&document);
     reader.out.inline = document.inline;
     let mut waiting: Vec<Clause> = Vec::new();
     for part in document.parts {
@@ -101,6 +103,8 @@ struct Assembly<'l> {
     undefined: BTreeMap<String, Span>,
     /// The place of such a definition that the equation being read needs.
     needed: Option<Span>,
+    /// Greek letters that stand below names, with the names.
+    indices: Indices,
     /// Names that equations have got.
     taken: BTreeSet<String>,
     /// Where the equation that was read last has vectors.
@@ -121,6 +125,7 @@ impl<'l> Assembly<'l> {
             broken: None,
             undefined: BTreeMap::new(),
             needed: None,
+            indices: Indices::new(),
             taken: BTreeSet::new(),
             vectors: Vectors::default(),
             supposed: Vectors::default(),
@@ -340,6 +345,7 @@ impl<'l> Assembly<'l> {
                 names: &mut self.names,
                 roles: roles.clone(),
                 domains: domains.clone(),
+                indices: &self.indices,
                 bound: Vec::new(),
                 decisions: said.decisions,
                 upper: true,

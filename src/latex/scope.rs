@@ -1,6 +1,7 @@
 //! What the names of an equation are, and what its comments decide.
 
 use super::domain::Domain;
+use super::index::Indices;
 use super::name::{Names, Symbol, mentions};
 use super::outcome::Wanted;
 use super::refusal::one_value;
@@ -54,6 +55,8 @@ pub(crate) struct Scope<'a> {
     pub roles: BTreeMap<String, Role>,
     /// The domains of the declared variables, by their spelling.
     pub domains: BTreeMap<String, Domain>,
+    /// Greek letters that stand below names in the paper, with the names.
+    pub indices: &'a Indices,
     /// Names that a sum, a product, a limit or a quantifier binds: key and spelling.
     pub bound: Vec<(String, String)>,
     /// What comments decide.

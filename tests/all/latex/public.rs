@@ -188,7 +188,15 @@ fn an_upper_index_is_a_power() {
         (names, r"p^j g_j = m", "an upper index"),
         (names, r"p^{nj} g_j = m", "an upper index"),
     ]);
+    let found = said(&format!("{names}\n\\[ m = (p^\\mu)^2 \\] \\[ p_\\mu = m \\]"));
+    assert!(found[0].contains("an upper index"), "{found:?}");
     is_read(&[
+        (
+            r"%carom name p_\mu as pm
+%carom given p, pm, \mu real",
+            r"p^\mu = p_\mu",
+            "p^mu = pm",
+        ),
         (names, r"u_n = q^n m", "u_n = q^n*m"),
         ("%carom given a(k), x real; n natural", r"\sum_{k=0}^{n} a_k x^k = 1", "sum(k = 0..n, a(k)*x^k) = 1"),
     ]);
