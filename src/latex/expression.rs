@@ -214,7 +214,7 @@ impl<'t> Reader<'t, '_, '_> {
             if token.is("times") && factors.last().is_some_and(|(_, before)| before.is_vector) {
                 return Err(no_vector("a product of vectors", span));
             }
-            if let Some((_, before)) = factors.last().filter(|_| !is_explicit) {
+            if let Some((false, before)) = factors.last().filter(|_| !is_explicit) {
                 self.no_unit_in_letters(before)?;
             }
             if !is_explicit

@@ -158,6 +158,7 @@ fn a_unit_is_a_product_of_names() {
         (names, r"b^2 = 4km", "b^2 = 4*k*m"),
         (names, r"x = \frac{1}{2}\,kx^2", "x = 1/2*k*x^2"),
         (names, r"x = 2\,mg\sin v", "x = 2*m*g*sin(v)"),
+        (names, r"x = \frac{99}{101} \, m", "x = 99/101*m"),
         (names, r"x = 10 \cdot k m", "x = 10*k*m"),
     ]);
 }
