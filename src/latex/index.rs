@@ -5,7 +5,7 @@
 
 use super::binding::relation_of;
 use super::document::{Document, Part};
-use super::expression::{Read, Reader};
+use super::expression::{NESTING_LIMIT, Read, Reader};
 use super::name::{Symbol, UPRIGHT, argument, begin};
 use super::refusal::{ambiguous, refused};
 use super::scope::{Missing, Role, Scope};
@@ -80,7 +80,7 @@ pub(crate) fn greek_indices(document: &Document) -> Indices {
     let mut out = Indices::new();
     for part in &document.parts {
         let Part::Display(display) = part else { continue };
-        for cell in display.rows.iter().flat_map(|row| &row.cells) {
+        for cell in display.rows.iter().flat_map(|row| &row.cells).filter(|cell| depth(cell) <= NESTING_LIMIT) {
             for symbol in (0..cell.len()).filter_map(|at| begin(&cell[at..])).map(|found| found.0) {
                 let below = symbol.below.as_deref().map(names_in).unwrap_or_default();
                 for index in below.into_iter().filter(|name| name.starts_with('\\')) {
@@ -90,6 +90,16 @@ pub(crate) fn greek_indices(document: &Document) -> Indices {
         }
     }
     out
+}
+
+/// How deep groups are nested in these tokens.
+fn depth(tokens: &[Token]) -> usize {
+    let deeper = |(level, most): (usize, usize), token: &Token| match token.kind {
+        Kind::Open => (level + 1, most.max(level + 1)),
+        Kind::Close => (level.saturating_sub(1), most),
+        _ => (level, most),
+    };
+    tokens.iter().fold((0, 0), deeper).1
 }
 
 /// Refuses a power whose exponent is the lower index of a number in the same formula, as in `p^\mu p_\mu`.

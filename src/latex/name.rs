@@ -153,13 +153,13 @@ fn primes(tokens: &[Token], at: usize) -> Option<(usize, usize)> {
 
 /// The argument at `at`: a group, one command with its group, or one token.
 pub(crate) fn argument(tokens: &[Token], at: usize) -> Result<(&[Token], usize), Diagnostic> {
-    match tokens.get(at) {
-        Some(Token { kind: Kind::Open, .. }) => group(tokens, at),
-        Some(token) if token.command().is_some_and(|name| UPRIGHT.contains(&name) || ACCENTS.contains(&name)) => {
-            let (_, next) = argument(tokens, at + 1)?;
-            Ok((&tokens[at..next], next))
-        }
-        Some(_) => Ok((&tokens[at..=at], at + 1)),
+    let is_mark = |t: &&Token| t.command().is_some_and(|name| UPRIGHT.contains(&name) || ACCENTS.contains(&name));
+    let marks = tokens.get(at..).unwrap_or_default().iter().take_while(is_mark).count();
+    let last = at + marks;
+    match tokens.get(last) {
+        Some(Token { kind: Kind::Open, .. }) if marks == 0 => group(tokens, at),
+        Some(Token { kind: Kind::Open, .. }) => group(tokens, last).map(|(_, next)| (&tokens[at..next], next)),
+        Some(_) => Ok((&tokens[at..=last], last + 1)),
         None => {
             let span = tokens.last().map_or(Span::default(), |t| t.span);
             Err(expected("an argument", "the end of the formula", span))

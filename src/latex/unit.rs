@@ -7,7 +7,7 @@ use super::expression::{Read, Reader, is_space};
 use super::name::argument;
 use super::piece::Piece;
 use super::refusal::ambiguous;
-use super::token::words;
+use super::token::{Token, words};
 use carom_checker::claim::syntax::Unit;
 use carom_diagnostic::Span;
 
@@ -40,10 +40,18 @@ impl Reader<'_, '_, '_> {
         let start = self.tokens.get(at)?.span;
         while let Some(token) = self.tokens.get(at) {
             match token.char() {
-                Some(c) if c.is_ascii_alphabetic() && !(token.apart && letters > 0 && !unit.ends_with('/')) => {
+                Some(c) if c.is_ascii_alphabetic() && !(token.apart && letters > 0 && !unit.ends_with(['/', '*'])) => {
                     letters += 1
                 }
                 Some('/') if letters > 0 => {}
+                None if letters > 0
+                    && token.is("cdot")
+                    && self.tokens.get(at + 1).and_then(Token::char).is_some_and(|c| c.is_ascii_alphabetic()) =>
+                {
+                    unit.push('*');
+                    at += 1;
+                    continue;
+                }
                 Some('^') if letters > 0 => {
                     let (inner, next) = argument(self.tokens, at + 1).ok()?;
                     unit += &format!("^{}", words(inner));

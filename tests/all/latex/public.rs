@@ -150,6 +150,7 @@ fn a_unit_is_a_product_of_names() {
         (names, r"v = 11 km", "the unit km"),
         (names, r"v = 2.5\,m", "the unit m"),
         (names, r"v = 3\;m/s", "the unit m/s"),
+        (names, r"v = 5\,kg \cdot m/s", "the unit kg*m/s"),
     ]);
     is_read(&[
         (names, r"x = 2 m v", "x = 2*m*v"),

@@ -312,6 +312,8 @@ fn a_limit_has_no_name() {
         format!("\\[ {}1{} = 1 \\]", "(".repeat(300), ")".repeat(300)),
         format!("\\[ {}1{} = 1 \\]", "{".repeat(100_000), "}".repeat(100_000)),
         format!("\\[ {}1{} = 1 \\]", "\\boxed{".repeat(3000), "}".repeat(3000)),
+        format!("\\[ {}1{} = 1 \\]", "x_{\\mu^{".repeat(5000), "}}".repeat(5000)),
+        format!("\\[ {}1{} = 1 \\]", "\\bar{x_{".repeat(5000), "}}".repeat(5000)),
     ] {
         let found = paper(&source).unwrap();
         let Outcome::NotRead(faults) = &found.equations[0].outcome else { panic!("{:?}", found.equations[0]) };
