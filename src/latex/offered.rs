@@ -67,8 +67,7 @@ pub(crate) fn offered(undeclared: &BTreeMap<String, Wanted>, names: &Names, prea
             continue;
         }
         // A name that has a spelling already is declared by that.
-        let known =
-            names.spelled(key).map(str::to_string).and_then(|name| Some((name.clone(), declared.clone(), name)));
+        let known = names.spelled(key).map(str::to_string).map(|name| (name.clone(), declared.clone(), name));
         let new = || {
             let name = (0..100).map(|n| fresh(key, n)).find(|name| declared.renamed(key, name).is_some())?;
             Some((name.clone(), declared.renamed(key, &name)?, String::new()))
