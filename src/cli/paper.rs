@@ -6,7 +6,7 @@ use crate::claim::diagnostic::{Diagnostic, Source};
 use crate::claim::parse::text_of;
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::{Claim, Expectation};
-use crate::latex::{Outcome, Paper, is_paper, manuscript, paper_of};
+use crate::latex::{Outcome, Paper, Wanted, is_paper, manuscript, paper_of};
 use crate::report::counted;
 use std::path::Path;
 
@@ -57,17 +57,17 @@ pub(super) fn add(path: &Path, bytes: &[u8], out: &mut Files) {
     out.sources.push(source);
 }
 
-/// A comment to begin with, for the names that nothing declares.
+/// Comments to begin with, for the names that nothing declares.
 fn to_declare(found: &Paper) -> Option<String> {
-    let (functions, numbers): (Vec<&String>, Vec<&String>) =
-        found.undeclared.keys().partition(|name| name.ends_with("(…)"));
-    let list = |names: &[&String]| names.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ");
-    let mut out = Vec::new();
-    if !numbers.is_empty() {
-        out.push(format!("`%carom given {} real`", list(&numbers)));
-    }
+    let mut out: Vec<String> = found.offered.iter().map(|clause| format!("`%carom {clause}`")).collect();
+    let functions: Vec<&str> = found
+        .undeclared
+        .iter()
+        .filter(|(_, wanted)| **wanted == Wanted::Function)
+        .map(|(name, _)| name.as_str())
+        .collect();
     if !functions.is_empty() {
-        out.push(format!("functions or factors: {}", list(&functions)));
+        out.push(format!("functions or factors: {}", functions.join(", ")));
     }
     (!out.is_empty()).then(|| format!("nothing declares these names; to begin with: {}", out.join("; ")))
 }

@@ -1,7 +1,7 @@
 //! What an expression is made of: names, numerals, parentheses, absolute values.
 
 use super::expression::{Read, Reader, is_space, top_level};
-use super::name::argument;
+use super::name::{argument, begin};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, command, refused};
@@ -81,6 +81,9 @@ impl<'t> Reader<'t, '_, '_> {
         if below || (next == self.at + 3 && inner.first().and_then(Token::char).is_some_and(char::is_alphabetic)) {
             return self.symbol();
         }
+        if inner.is_empty() && self.tokens.get(next).is_some_and(|t| matches!(t.char(), Some('^' | '_'))) {
+            return self.left_index(next);
+        }
         if inner.iter().any(|t| t.is("over") || t.is("atop") || t.is("choose")) {
             return Err(command("over", start));
         }
@@ -97,6 +100,29 @@ impl<'t> Reader<'t, '_, '_> {
         }
         self.at = next;
         Ok(piece.closed())
+    }
+
+    /// `{}^{n}C_k`, with its indices from `at` on: the binomial coefficient. Other names have no index at their left.
+    fn left_index(&mut self, at: usize) -> Read<Piece> {
+        let start = self.span();
+        let help =
+            "write a binomial coefficient as \\binom{n}{k}; give another name with an index at its left one of its own";
+        let other = || refused("an index at the left of a name is not read", help, start);
+        let (above, next) = argument(self.tokens, at + 1)?;
+        let (symbol, end) = begin(self.tokens.get(next..).unwrap_or_default()).ok_or_else(other)?;
+        let is_binomial = self.tokens[at].is_char('^') && symbol.base == "C" && symbol.primes == 0;
+        let (true, Some(below), false) = (is_binomial, symbol.below.clone(), self.is_known(&symbol)?) else {
+            return Err(other());
+        };
+        let outer = std::mem::replace(&mut self.scope.counts, true);
+        let both = self.sum_in(above).and_then(|above| Ok((above, self.sum_in(&below)?)));
+        self.scope.counts = outer;
+        let (above, below) = both?;
+        self.at = next + end;
+        let mut text = above.text.between("binomial(", ", ");
+        text.append(&below.text);
+        text.push(")", start);
+        Ok(Piece::new(text, 5))
     }
 
     /// A numeral; `1\mathrm{e}5` is one as well.
@@ -161,6 +187,16 @@ impl<'t> Reader<'t, '_, '_> {
         Ok(piece)
     }
 
+    /// Whether a fraction of two numerals begins here.
+    pub(crate) fn is_numeric_fraction(&mut self) -> bool {
+        if !self.peek().is_some_and(|t| ["frac", "tfrac", "dfrac"].iter().any(|name| t.is(name))) {
+            return false;
+        }
+        let is_number = |tokens: &[Token]| tokens.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()));
+        let Ok((above, next)) = argument(self.tokens, self.at + 1) else { return false };
+        argument(self.tokens, next).is_ok_and(|(below, _)| is_number(above) && is_number(below))
+    }
+
     /// Where to read on behind the sign of degrees, if it stands here.
     fn degrees(&self) -> Option<usize> {
         let token = self.tokens.get(self.at)?;
@@ -199,7 +235,8 @@ impl<'t> Reader<'t, '_, '_> {
                 return Err(ambiguous("these bars", readings, write, start));
             }
         }
-        let inner = self.sum_in(&self.tokens[self.at + 1..*second])?;
+        let body = &self.tokens[self.at + 1..*second];
+        let inner = self.in_bars(|reader| reader.sum_in(body))?;
         self.at = second + 1;
         Ok(inner.within("abs"))
     }

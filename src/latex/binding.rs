@@ -53,45 +53,83 @@ impl Reader<'_, '_, '_> {
     pub(crate) fn bindings(&mut self) -> Read<Placed> {
         let mut text = Placed::default();
         loop {
+            let mut names = Vec::new();
             loop {
                 let (symbol, name) = self.declared_name()?;
-                text.push(&name, symbol.span);
-                self.scope.bound.push((symbol.key(), name));
+                self.scope.bound.push((symbol.key(), name.clone()));
+                names.push((symbol, name));
                 if !self.take_char(',') {
                     break;
                 }
-                text.push(", ", symbol.span);
             }
-            let mut any = false;
-            loop {
-                let span = self.span();
-                if let Some(relation) = self.peek().and_then(relation_of) {
-                    self.at += 1;
-                    text.push(&format!(" {relation} "), span);
-                    text.append(&self.sum()?.text);
-                } else if let Some(word) =
-                    ["real", "natural", "integer"].into_iter().find(|word| self.take_text(&[word]))
-                {
-                    text.push(&format!(" {word}"), span);
-                } else if any && self.take_text(&["and"]) {
-                    text.push(" and", span);
-                    continue;
-                } else if self.take_command(&["in"]) {
-                    text.append(&self.domain()?);
-                } else {
-                    break;
-                }
-                any = true;
-            }
-            if !any {
-                return self.expected("a domain: `> 0`, `\\in [0, 1]`, `\\text{real}`");
-            }
+            self.binding(&names, &mut text)?;
             let span = self.span();
             if !self.take_char(';') {
                 return Ok(text);
             }
             text.push("; ", span);
         }
+    }
+
+    /// The domain of names that stand before it.
+    fn binding(&mut self, names: &[(Symbol, String)], text: &mut Placed) -> Read<()> {
+        let (mut said, mut bounds): (Placed, Vec<String>) = (Placed::default(), Vec::new());
+        let (mut has_kind, mut is_counted) = (false, false);
+        loop {
+            let span = self.span();
+            let from = said.text().len();
+            if let Some(relation) = self.peek().and_then(relation_of) {
+                self.at += 1;
+                said.push(&format!(" {relation} "), span);
+                said.append(&self.sum()?.text);
+            } else if let Some(word) = ["real", "natural", "integer"].into_iter().find(|word| self.take_text(&[word])) {
+                said.push(&format!(" {word}"), span);
+                has_kind = true;
+                continue;
+            } else if !said.text().is_empty() && self.take_text(&["and"]) {
+                said.push(" and", span);
+                continue;
+            } else if self.take_command(&["in"]) {
+                match self.number_set()? {
+                    Some(Some(kind)) => {
+                        said.push(&format!(" {kind}"), span);
+                        has_kind = true;
+                        continue;
+                    }
+                    Some(None) => {
+                        is_counted = true;
+                        continue;
+                    }
+                    None => {
+                        let domain = self.domain()?;
+                        has_kind |= domain.text().contains("..");
+                        said.append(&domain);
+                    }
+                }
+            } else {
+                break;
+            }
+            bounds.push(said.text()[from..].trim().to_string());
+        }
+        // Names of different kinds are declared one by one.
+        let kinds = names.iter().map(|(symbol, name)| match has_kind {
+            true => Ok(String::new()),
+            false if is_counted => self.declared_as_natural(symbol, name, &bounds),
+            false => self.kind_of_bound(symbol, name, &bounds),
+        });
+        let kinds = kinds.collect::<Read<Vec<String>>>()?;
+        let is_one = kinds.iter().all(|kind| *kind == kinds[0]);
+        for (place, ((symbol, name), kind)) in names.iter().zip(&kinds).enumerate() {
+            if place > 0 {
+                text.push(if is_one { ", " } else { "; " }, symbol.span);
+            }
+            text.push(name, symbol.span);
+            if !is_one || place + 1 == names.len() {
+                text.push(kind, symbol.span);
+                text.append(&said);
+            }
+        }
+        Ok(())
     }
 
     /// `[a, b)` or `\{a, \dots, b\}`, behind `\in`.

@@ -10,8 +10,24 @@ use carom_checker::claim::parse::begins_clause;
 use carom_diagnostic::{Diagnostic, Span};
 
 /// Words that begin a clause in a comment, besides those of the claim language.
-const VERBS: &[&str] =
-    &["name", "skip", "comma", "pm", "digits", "e", "log", "inline", "begin", "end", "continues", "begins", "by"];
+const VERBS: &[&str] = &[
+    "name",
+    "skip",
+    "comma",
+    "pm",
+    "digits",
+    "e",
+    "d",
+    "product",
+    "remark",
+    "log",
+    "inline",
+    "begin",
+    "end",
+    "continues",
+    "begins",
+    "by",
+];
 
 /// What an equation is.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +114,8 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             decisions.digits = count.parse().ok();
         }
         ["e", "is", "base"] => decisions.e_is_base = true,
+        ["remark"] => decisions.has_remarks = true,
+        ["d", "is", "number"] => decisions.d_is_number = true,
         ["log", "is", word @ ("natural" | "decimal")] => decisions.log_is_natural = Some(*word == "natural"),
         ["log", ..] => {
             return Err(expected("`log is natural` or `log is decimal`", "something else", first.span));
@@ -110,6 +128,8 @@ pub(crate) fn decides(lines: &[Clause], decisions: &mut Decisions) -> Result<boo
             return Err(expected("a number from 1 to 100, as in `digits 3`", "something else", first.span));
         }
         ["e", ..] => return Err(expected("`e is base`", "something else", first.span)),
+        ["remark", ..] => return Err(expected("the end of this clause", "something else", first.span)),
+        ["d", ..] => return Err(expected("`d is number`", "something else", first.span)),
         _ => return Ok(false),
     }
     Ok(true)
@@ -157,6 +177,7 @@ pub(crate) fn of(clauses: &[Clause], decisions: Decisions, names: &mut Names) ->
             }
             "continues" | "begins" if rest.is_empty() => {}
             "name" => super::comment::rename(first, names)?,
+            "product" if lines.len() == 1 => super::comment::factors(first, names)?,
             "let" if rest.is_empty() && lines.len() == 1 => is(Purpose::Let)?,
             "assume" if rest.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && lines.len() == 1 => {
                 is(Purpose::Assume(Some(rest.to_string()).filter(|label| !label.is_empty())))?;

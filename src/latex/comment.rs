@@ -95,35 +95,59 @@ pub(crate) fn first_word(text: &str) -> &str {
     text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default()
 }
 
-/// `name m_{12} as m12`: the key and what it stands for.
+/// `name m_{12} as m12`: a name, the value of a function at one place, or several signs, and what it stands for.
 pub(crate) fn rename(said: &Clause, names: &mut Names) -> Result<(), Diagnostic> {
     let tokens = raw_tokens(&said.text, said.span.start)?;
-    let wanted = "a name and what it is called, as in `%carom name m_{12} as m12`";
-    let Some((first, next)) = base(&tokens, 4)? else { return Err(expected(wanted, "something else", said.span)) };
-    let (first, next) = match tokens.get(next) {
-        // A change is a name of two letters.
-        Some(token) if first == "\\Delta" && base(&tokens, next)?.is_some() => {
-            let (second, after) = base(&tokens, next)?.unwrap_or((token.text(), next + 1));
-            (format!("{first} {second}"), after)
-        }
-        _ => (first, next),
+    let first = "name".len();
+    let is_as = |at: &usize| {
+        let (Some(a), Some(s)) = (tokens.get(*at), tokens.get(at + 1)) else { return false };
+        a.is_char('a') && a.apart && s.is_char('s') && !s.apart && tokens.get(at + 2).is_some_and(|t| t.apart)
     };
-    let (symbol, next) = scripts(&tokens, first, tokens[4].span, next)?;
-    let mut key = symbol.key();
-    let mut next = next;
-    // The value of a function at one place.
-    if tokens.get(next).is_some_and(|t| t.is_char('('))
-        && let Some(length) = tokens[next..].iter().position(|t| t.is_char(')'))
-    {
-        key = format!("{key}({})", canonical(&tokens[next + 1..next + length]));
-        next += length + 1;
-    }
-    let is_as =
-        tokens.get(next).is_some_and(|t| t.is_char('a')) && tokens.get(next + 1).is_some_and(|t| t.is_char('s'));
-    let Some(from) = tokens.get(next + 2).filter(|_| is_as).map(|t| t.span.start - said.span.start) else {
+    let Some(end) = (first + 1..tokens.len()).rev().find(is_as) else {
+        let wanted = "a name and what it is called, as in `%carom name m_{12} as m12`";
         return Err(expected(wanted, "something else", said.span));
     };
-    names.set(&key, said.text[from..].trim(), said.span)
+    let spelling = said.text[tokens[end + 2].span.start - said.span.start..].trim();
+    let printed = &tokens[first..end];
+    let Some(key) = key_of_name(printed)? else { return names.phrase(printed, spelling, said.span) };
+    names.set(&key, spelling, said.span)?;
+    names.renamed.insert(key);
+    Ok(())
+}
+
+/// The key of a name, or of the value of a function at one place, if these tokens are one.
+fn key_of_name(tokens: &[Token]) -> Result<Option<String>, Diagnostic> {
+    let Some((first, next)) = base(tokens, 0)? else { return Ok(None) };
+    let (first, next) = match base(tokens, next)? {
+        // A change is a name of two letters.
+        Some((second, after)) if first == "\\Delta" => (format!("{first} {second}"), after),
+        _ => (first, next),
+    };
+    let (symbol, next) = scripts(tokens, first, tokens[0].span, next)?;
+    let key = symbol.key();
+    let is_value = tokens.get(next).is_some_and(|t| t.is_char('(')) && tokens.last().is_some_and(|t| t.is_char(')'));
+    Ok(match next == tokens.len() {
+        true => Some(key),
+        false => is_value.then(|| format!("{key}({})", canonical(&tokens[next + 1..tokens.len() - 1]))),
+    })
+}
+
+/// `product K, \sigma`: behind these numbers a parenthesis is a factor.
+pub(crate) fn factors(said: &Clause, names: &mut Names) -> Result<(), Diagnostic> {
+    let tokens = raw_tokens(&said.text, said.span.start)?;
+    let rest = &tokens["product".len().min(tokens.len())..];
+    for part in super::symbol::commas(rest) {
+        let found = match part.first() {
+            Some(first) => base(part, 0)?.map(|(base, next)| scripts(part, base, first.span, next)).transpose()?,
+            None => None,
+        };
+        let Some((symbol, _)) = found.filter(|found| found.1 == part.len()) else {
+            return Err(expected("names with commas between them, as in `product K, w`", "something else", said.span));
+        };
+        let name = names.of(&symbol)?;
+        names.factors.insert(name);
+    }
+    Ok(())
 }
 
 /// The name in LaTeX at `at`, if one stands there: a letter by its command, or a letter with braces below.

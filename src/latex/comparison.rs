@@ -91,6 +91,7 @@ impl Reader<'_, '_, '_> {
                 && self.begins_printed(self.at + 1, is_approximate)?
             {
                 self.at += 1;
+                self.number_only(&left, "a printed number for a vector", place)?;
                 also.push(self.printed(&left)?);
                 let behind = self.span();
                 if self.peek().is_some_and(super::expression::is_upright) {
@@ -116,12 +117,19 @@ impl Reader<'_, '_, '_> {
                     }
                     return self.cases(&left);
                 }
-                left = self.sum()?;
+                let right = self.sum()?;
+                if relation != "=" {
+                    self.number_only(&left, "an order of vectors", place)?;
+                    self.number_only(&right, "an order of vectors", place)?;
+                }
+                self.alike(&[left.kind(), right.kind()], place);
+                left = right;
                 text.push(&format!(" {relation} "), place);
                 text.append(&left.text);
                 count += 1;
             } else if token.is("in") {
                 self.at += 1;
+                self.number_only(&left, "an interval of vectors", place)?;
                 also.push(self.member(&left)?);
             } else if let Some(modulo) =
                 self.tokens[self.at..].iter().find(|t| t.is("pmod") || t.is("bmod") || t.is("mod"))
@@ -173,7 +181,7 @@ impl Reader<'_, '_, '_> {
     /// since the right side has no value elsewhere.
     fn cases(&mut self, left: &Piece) -> Read<Said> {
         let start = self.span();
-        self.scope.has_logic = true;
+        (self.scope.has_logic, self.scope.has_choice) = (true, true);
         let (rows, next) = self.cases_here()?;
         let (mut list, mut before): (Vec<Said>, Vec<Said>) = (Vec::new(), Vec::new());
         let mut covers = false;

@@ -41,6 +41,7 @@ impl Reader<'_, '_, '_> {
             };
             let (symbol, mut next) = scripts(below, first, below[at].span, next)?;
             let name = self.inside(&below[at..next], |inside| inside.symbol())?;
+            self.number_only(&name, "a derivative by a vector", symbol.span)?;
             let Some(name) = name.name else {
                 return Err(refused("a derivative is by a variable", "declare it: `%carom given x real`", symbol.span));
             };
@@ -103,7 +104,7 @@ impl Reader<'_, '_, '_> {
         let mut text = Placed::new("derivative(", start);
         text.append(&of.text);
         text.push(&format!(", {})", by.join(", ")), start);
-        Ok(Some(Piece::new(text, 5)))
+        Ok(Some(Piece { is_vector: of.is_vector, ..Piece::new(text, 5) }))
     }
 
     /// What stands behind `\frac{d}{dx}`: one factor that ends the product.

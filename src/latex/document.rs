@@ -8,6 +8,7 @@ use super::comment::first_word;
 use super::macros::{Macros, defines, group};
 use super::number::Numbers;
 use super::refusal::refused;
+use super::script::with_scripts;
 use super::structure::unknown_condition;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
@@ -74,7 +75,7 @@ pub(crate) struct Document {
 }
 
 /// Environments of displayed formulas.
-const DISPLAYS: &[&str] =
+pub(crate) const DISPLAYS: &[&str] =
     &["equation", "align", "gather", "multline", "eqnarray", "flalign", "alignat", "displaymath", "math"];
 /// Environments of other packages that are written like one of these.
 const ALIKE: &[(&str, &str)] = &[("IEEEeqnarray", "eqnarray"), ("dmath", "equation"), ("xalignat", "alignat")];
@@ -334,9 +335,20 @@ impl Reader<'_> {
 
     /// Reads the displayed formula whose body is `inside..end`.
     fn display(&mut self, environment: &str, at: usize, inside: usize, end: usize, last: usize) {
+        if let Some((environment, inner)) = self.within(environment, inside..end) {
+            let first = comments(&self.tokens[inside..inner.start]);
+            let behind = comments(&self.tokens[inner.end..end]);
+            self.display(&environment, at, inner.start, inner.end, last);
+            if let Some(Part::Display(display)) = self.out.parts.last_mut() {
+                display.rows.first_mut().into_iter().for_each(|row| drop(row.clauses.splice(0..0, first.clone())));
+                display.rows.last_mut().into_iter().for_each(|row| row.clauses.extend(behind.clone()));
+            }
+            return;
+        }
         let span =
             Span { start: self.tokens[at].span.start, end: self.tokens[last.min(self.tokens.len() - 1)].span.end };
-        let read = self.macros.expand(&self.tokens[inside..end]).and_then(|body| self.rows(environment, &body));
+        let body = self.macros.expand(&self.tokens[inside..end]);
+        let read = body.and_then(|body| self.rows(environment, &with_scripts(&body)));
         match read {
             Ok(rows) => {
                 let environment = environment.to_string();
@@ -349,19 +361,44 @@ impl Reader<'_> {
         }
     }
 
+    /// The environment of displayed formulas that is all that stands between `$$` or `\[`, without a number, and its body:
+    /// pages in Markdown write it so.
+    fn within(&self, environment: &str, body: Range<usize>) -> Option<(String, Range<usize>)> {
+        let is_mark = |t: &Token| matches!(t.kind, Kind::Comment(_) | Kind::Char('.' | ','));
+        let tokens = self.tokens.get(body.clone())?;
+        let begin = body.start + tokens.iter().position(|t| !matches!(t.kind, Kind::Comment(_)))?;
+        if !["$$", "["].contains(&environment) || !self.tokens[begin].is("begin") {
+            return None;
+        }
+        let (name, inside) = self::environment(self.tokens, begin)?;
+        let plain = name.trim_end_matches('*');
+        let is_read = DISPLAYS.contains(&plain) && !["math", "displaymath"].contains(&plain);
+        let end = end_of(self.tokens, inside).filter(|end| is_read && *end < body.end)?;
+        let (closed, next) = self::environment(self.tokens, end)?;
+        let inside = if plain == "alignat" { group(self.tokens, inside).ok()?.1 } else { inside };
+        let is_whole = closed == name && self.tokens[next.min(body.end)..body.end].iter().all(is_mark);
+        is_whole.then(|| (format!("{plain}*"), inside..end))
+    }
+
     /// A displayed formula that is not read, with its comments: it may be a hypothesis, or passed over. In one of several rows
     /// a comment passes over no more than that row, which is not known.
     fn unread(&mut self, environment: &str, body: &[Token], span: Span, fault: Diagnostic) {
         let has_rows = body.iter().any(|t| t.is("\\"));
-        let clauses = body.iter().filter_map(|token| match &token.kind {
-            Kind::Comment(text) => Some(Clause { text: text.clone(), span: token.span }),
-            _ => None,
-        });
-        let clauses = clauses.filter(|clause| !has_rows || first_word(&clause.text) != "skip").collect();
+        let clauses =
+            comments(body).into_iter().filter(|clause| !has_rows || first_word(&clause.text) != "skip").collect();
         let cells = vec![vec![Token { kind: Kind::Char('='), span, apart: true }]];
         let row = Row { cells, clauses, span, fault: Some(fault), ..Row::default() };
         self.out.parts.push(Part::Display(Display { environment: environment.to_string(), rows: vec![row], span }));
     }
+}
+
+/// The comments among tokens.
+fn comments(tokens: &[Token]) -> Vec<Clause> {
+    let comments = tokens.iter().filter_map(|token| match &token.kind {
+        Kind::Comment(text) => Some(Clause { text: text.clone(), span: token.span }),
+        _ => None,
+    });
+    comments.collect()
 }
 
 /// Whether a token is a comment that says what holds for others.

@@ -11,6 +11,7 @@ use super::prepare::SPACES;
 use super::refusal::{ambiguous, expected, limit, refused};
 use super::scope::Scope;
 use super::token::{Kind, Token, words};
+use super::vector::no_vector;
 use carom_diagnostic::{Diagnostic, Span};
 
 /// The deepest nesting of parentheses, fractions and scripts in a formula.
@@ -94,6 +95,8 @@ impl<'t> Reader<'t, '_, '_> {
         let mut text = Placed::default();
         let mut count = 0;
         let mut only = None;
+        let start = self.span();
+        let mut kinds: Vec<(bool, bool)> = Vec::new();
         let (mut before_is_number, mut is_vector, mut is_matrix) = (false, false, false);
         loop {
             let span = self.span();
@@ -111,6 +114,7 @@ impl<'t> Reader<'t, '_, '_> {
             let term = self.term()?;
             before_is_number = term.is_number;
             is_vector = is_vector || term.is_vector;
+            kinds.push(term.kind());
             is_matrix = is_matrix || term.is_matrix;
             match sign {
                 Some('-') if count == 0 => text.push("-", span),
@@ -121,6 +125,8 @@ impl<'t> Reader<'t, '_, '_> {
             count += 1;
             only = Some((sign, term));
         }
+        let whole = self.since(start);
+        self.alike(&kinds, whole);
         match only {
             Some((Some('-'), _)) if count == 1 => Ok(Piece { is_vector, is_matrix, ..Piece::new(text, 2) }),
             Some((_, term)) if count == 1 => Ok(term),
@@ -187,8 +193,13 @@ impl<'t> Reader<'t, '_, '_> {
                 return Err(ambiguous(what, readings, write, Span { start: start.start, end: span.end }));
             }
             let digits = self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit());
-            if !is_explicit && digits && !is_first {
-                let help = "write a product with \\cdot, a power x^{2}, or an index x_{2}";
+            let is_said = factors
+                .last()
+                .and_then(|(_, before)| before.name.as_ref())
+                .is_some_and(|n| self.scope.names.factors.contains(n));
+            if !is_explicit && digits && !is_first && !is_said {
+                let help = "write a product with \\cdot, a power x^{2}, or an index x_{2}; for a product behind the number n \
+                            `%carom product n`";
                 return Err(refused("a number stands behind a factor", help, span));
             }
             if !is_explicit
@@ -201,13 +212,17 @@ impl<'t> Reader<'t, '_, '_> {
                 return Err(ambiguous("a number before a fraction of numbers", readings, write, span));
             }
             if token.is("times") && factors.last().is_some_and(|(_, before)| before.is_vector) {
-                return Err(product_of_vectors(span));
+                return Err(no_vector("a product of vectors", span));
+            }
+            if let Some((false, before)) = factors.last().filter(|_| !is_explicit) {
+                self.no_unit_in_letters(before)?;
             }
             if !is_explicit
                 && factors.last().is_some_and(|(_, before)| before.is_number)
                 && self.scope.decisions.is_measured != Some(false)
-                && let Some((inner, _)) = self.parenthesis()?
+                && let Some((inner, next)) = self.parenthesis()?
                 && inner.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()))
+                && !self.is_factor(next)
             {
                 return Err(super::measured::two_readings(false, span));
             }
@@ -225,15 +240,13 @@ impl<'t> Reader<'t, '_, '_> {
                 match divides && !rest.is_empty() {
                     true => factors.push((true, product([(false, first)].into_iter().chain(rest).collect()).closed())),
                     false => {
-                        if first.is_vector && factors.iter().any(|(_, before)| before.is_vector) {
-                            return Err(product_of_vectors(span));
-                        }
                         factors.push((divides, first));
                         factors.extend(rest);
                     }
                 }
             }
         }
+        self.linear(&factors, self.since(start))?;
         if factors.is_empty() { self.expected("an expression") } else { Ok(product(factors)) }
     }
 
@@ -310,16 +323,6 @@ impl<'t> Reader<'t, '_, '_> {
         }
     }
 
-    /// Whether a fraction of two numerals begins here.
-    fn is_numeric_fraction(&mut self) -> bool {
-        if !self.peek().is_some_and(|t| ["frac", "tfrac", "dfrac"].iter().any(|name| t.is(name))) {
-            return false;
-        }
-        let is_number = |tokens: &[Token]| tokens.iter().all(|t| t.char().is_some_and(|c| c.is_ascii_digit()));
-        let Ok((above, next)) = argument(self.tokens, self.at + 1) else { return false };
-        argument(self.tokens, next).is_ok_and(|(below, _)| is_number(above) && is_number(below))
-    }
-
     /// A factor with its power; a fraction contributes several.
     pub(crate) fn factor(&mut self) -> Read<Vec<(bool, Piece)>> {
         let start = self.span();
@@ -336,6 +339,7 @@ impl<'t> Reader<'t, '_, '_> {
                 list = list.into_iter().map(|(d, piece)| (d, piece.closed())).collect();
             }
             list.push((true, if below.level < 4 { below.closed() } else { below }));
+            self.linear(&list, self.since(start))?;
             return match self.peek().is_some_and(|t| t.is_char('^') || t.is_char('!')) {
                 true => {
                     let base = product(list).closed();
@@ -359,6 +363,7 @@ impl<'t> Reader<'t, '_, '_> {
         if self.is_next_char('!') {
             self.at += 1;
             let span = self.since(start);
+            self.number_only(&out, "a factorial of a vector", span)?;
             let mut text = out.at_least(5);
             text.push("!", span);
             out = Piece::new(text, 5);
@@ -374,7 +379,12 @@ impl<'t> Reader<'t, '_, '_> {
         }
         if self.is_next_char('_') {
             let span = self.span();
-            return Err(refused("this index belongs to no name", "put the index behind a letter", span));
+            let is_behind = self.at > 0 && matches!(self.tokens[self.at - 1].char(), Some(']' | '|'));
+            let help = match is_behind {
+                true => "write the two values of the antiderivative, F(b) - F(a)",
+                false => "put the index behind a letter",
+            };
+            return Err(refused("this index belongs to no name", help, span));
         }
         if self.is_next_char('^') {
             self.at += 1;
@@ -431,16 +441,15 @@ impl<'t> Reader<'t, '_, '_> {
             let message = "an exponent of two digits without braces prints as a power of one digit and a factor";
             return Err(refused(message, "write the braces, as in x^{12}", span));
         }
-        let exponent = self.sum_in(inner)?;
+        let outer = std::mem::replace(&mut self.scope.is_exponent, true);
+        let exponent = self.sum_in(inner);
+        self.scope.is_exponent = outer;
+        let exponent = exponent?;
+        self.number_only(&base, "a power of a vector", span)?;
+        self.number_only(&exponent, "a vector as an exponent", span)?;
         self.at = next;
         Ok(base.to(&exponent))
     }
-}
-
-/// A product of two names that are marked as vectors.
-fn product_of_vectors(span: Span) -> Diagnostic {
-    let help = "write it with components or lengths, as in v w \\cos \\theta; a name without its mark is a number";
-    refused("a product of vectors is not read", help, span)
 }
 
 /// Whether a token only spaces.

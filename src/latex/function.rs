@@ -56,6 +56,7 @@ impl<'t> Reader<'t, '_, '_> {
                 }
                 let (inner, next) = argument(self.tokens, self.at)?;
                 let of = self.sum_in(inner)?;
+                self.number_only(&of, "a root of a vector", start)?;
                 self.at = next;
                 match order.map(|(order, _)| order) {
                     None => Ok(of.within("sqrt")),
@@ -125,6 +126,7 @@ impl<'t> Reader<'t, '_, '_> {
             applied(name, &text)
         } else {
             let of = self.bare_argument(name)?;
+            self.number_only(&of, "a function of a vector", start)?;
             self.reach(name, start)?;
             applied(name, &of.within("").text)
         };
@@ -174,17 +176,27 @@ impl<'t> Reader<'t, '_, '_> {
             self.at = next;
             return Ok(piece);
         }
-        if self.peek().is_some_and(|t| t.command().is_some_and(|c| FUNCTIONS.contains(&c))) {
+        if let Some(inner) = self.peek().and_then(Token::command).filter(|c| FUNCTIONS.contains(c)) {
+            // With parentheses of its own the inner function says where it ends.
+            let here = self.at;
+            self.at += 1;
+            let is_closed = self.parenthesis()?.is_some();
+            if is_closed {
+                return self.function(inner, span);
+            }
+            self.at = here;
             return Err(refused("a function of a function without parentheses", format!("write \\{name}(…)"), span));
         }
         if self.peek().is_some_and(|t| ["frac", "dfrac", "tfrac"].iter().any(|f| t.is(f))) {
             let (above, next) = argument(self.tokens, self.at + 1)?;
             let (below, next) = argument(self.tokens, next)?;
-            let mut text = self.sum_in(above)?.at_least(3);
+            let (above, below) = (self.sum_in(above)?, self.sum_in(below)?);
+            self.number_only(&below, "a quotient by a vector", span)?;
+            let mut text = above.at_least(3);
             text.push("/", span);
-            text.append(&self.sum_in(below)?.at_least(5));
+            text.append(&below.at_least(5));
             self.at = next;
-            return Ok(Piece::new(text, 3));
+            return Ok(Piece { is_vector: above.is_vector, ..Piece::new(text, 3) });
         }
         let first = self.atom()?;
         let is_name = |t: &Token| t.char().is_some_and(char::is_alphabetic) || t.command().is_some_and(is_letter);
@@ -233,7 +245,9 @@ impl<'t> Reader<'t, '_, '_> {
             if place > 0 {
                 text.push(", ", start);
             }
-            text.append(&self.sum_in(part)?.text);
+            let part = self.sum_in(part)?;
+            self.number_only(&part, "a function of a vector", start)?;
+            text.append(&part.text);
         }
         text.push(")", start);
         Ok(text)
@@ -251,7 +265,12 @@ impl<'t> Reader<'t, '_, '_> {
         let Some((end, _)) = end else {
             return Err(refused(format!("\\{open} is not closed"), format!("write \\{close} where it ends"), start));
         };
-        let inner = self.sum_in(&self.tokens[self.at + 1..end])?;
+        let body = &self.tokens[self.at + 1..end];
+        let inner = match function {
+            "abs" => self.in_bars(|reader| reader.sum_in(body))?,
+            _ => self.sum_in(body)?,
+        };
+        self.number_only(&inner, "a function of a vector", start)?;
         self.at = end + 1;
         Ok(inner.within(function))
     }
@@ -281,7 +300,9 @@ impl<'t> Reader<'t, '_, '_> {
                 if place > 0 {
                     text.push(", ", start);
                 }
-                text.append(&self.sum_in(cell)?.text);
+                let entry = self.sum_in(cell)?;
+                self.number_only(&entry, "a matrix of vectors", start)?;
+                text.append(&entry.text);
             }
         }
         self.at = next;
@@ -328,7 +349,8 @@ impl<'t> Reader<'t, '_, '_> {
 
     fn over(&mut self, word: &str, start: Span) -> Read<Piece> {
         let (below, above) = self.below_and_above()?;
-        let range = "write the range of the index: \\sum_{i=1}^{n}";
+        let range =
+            "write the range of the index, \\sum_{i=1}^{n}; where it is a name, `%carom name \\sum F_x as F_net`";
         let (Some(below), Some(above)) = (below, above) else {
             return Err(refused(format!("this {word} has no range"), range, start));
         };
@@ -347,11 +369,17 @@ impl<'t> Reader<'t, '_, '_> {
             );
             return Err(refused(format!("this {word} is infinite"), help, start));
         }
-        let (from, to) = (self.sum_in(&below[equals + 1..])?, self.sum_in(above)?);
+        let outer = std::mem::replace(&mut self.scope.counts, true);
+        let ends = self.sum_in(&below[equals + 1..]).and_then(|from| Ok((from, self.sum_in(above)?)));
+        self.scope.counts = outer;
+        let (from, to) = ends?;
         let name = self.scope.bind(&index)?;
         let body = self.term();
         self.scope.bound.pop();
         let body = body?;
+        if word != "sum" {
+            self.number_only(&body, "a product of vectors", start)?;
+        }
         let rest = &self.tokens[self.at..];
         let goes_on = rest.first().is_some_and(|t| t.is_char('+') || t.is_char('-'));
         let is_relation = |t: &&Token| matches!(t.char(), Some('=' | '<' | '>')) || t.is("le") || t.is("ge");
@@ -368,7 +396,7 @@ impl<'t> Reader<'t, '_, '_> {
         text.push(", ", start);
         text.append(&body.text);
         text.push(")", start);
-        Ok(Piece::new(text, 5))
+        Ok(Piece { is_vector: body.is_vector, ..Piece::new(text, 5) })
     }
 }
 

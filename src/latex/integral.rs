@@ -2,7 +2,7 @@
 
 use super::derivative::differential;
 use super::expression::{Read, Reader};
-use super::name::{base, scripts};
+use super::name::{argument, base, begin, scripts};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused};
@@ -23,6 +23,27 @@ impl Reader<'_, '_, '_> {
             return Err(refused("this integral is improper", help, start));
         }
         let (from, to) = (self.sum_in(below)?, self.sum_in(above)?);
+        let end = own_differential(&self.tokens[self.at..]).map(|place| self.at + place);
+        if end.is_none()
+            && let Some((tokens, next)) = in_numerator(&self.tokens[self.at..])
+        {
+            let behind = self.at + next;
+            let here = std::mem::replace(&mut self.at, behind);
+            if self.begins_factor() || self.peek().is_some_and(|t| t.is("cdot") || t.is("times") || t.is_char('/')) {
+                let readings = ["up to its fraction with the differential", "over all that follows"];
+                let write = ["write parentheses around the integral", "write the differential behind the integrand"];
+                return Err(ambiguous("how far this integral reaches", readings, write, self.since(start)));
+            }
+            self.at = here;
+            let whole = self.inside(&tokens, |inner| inner.between((from, to), start))?;
+            self.at = behind;
+            return Ok(whole);
+        }
+        self.between((from, to), start)
+    }
+
+    /// The integrand here with its differential, between these ends.
+    fn between(&mut self, (from, to): (Piece, Piece), start: Span) -> Read<Piece> {
         let Some(end) = own_differential(&self.tokens[self.at..]).map(|place| self.at + place) else {
             let help = "write it behind the integrand, as in \\int_a^b f(x) \\, dx";
             return Err(refused("the variable of this integral is not read", help, start));
@@ -40,7 +61,11 @@ impl Reader<'_, '_, '_> {
         let (variable, next) = scripts(self.tokens, first, self.tokens[behind].span, next)?;
         let integrand = &self.tokens[self.at..end];
         let name = self.scope.bind(&variable)?;
-        let body = if integrand.is_empty() { Ok(Piece::atom("1", start)) } else { self.sum_in(integrand) };
+        let body = match integrand {
+            [] => Ok(Piece::atom("1", start)),
+            [sign] if sign.is_char('-') => Ok(Piece::new(Placed::new("-1", start), 2)),
+            _ => self.sum_in(integrand),
+        };
         self.scope.bound.pop();
         let body = body?;
         let words: Vec<&str> =
@@ -71,8 +96,39 @@ impl Reader<'_, '_, '_> {
         text.push(", ", start);
         text.append(&body.text);
         text.push(")", start);
-        Ok(Piece::new(text, 5))
+        Ok(Piece { is_vector: body.is_vector, ..Piece::new(text, 5) })
     }
+}
+
+/// The integrand of `\int_0^u \frac{dv}{g + k v^2}` with its differential behind it, and where its fraction ends: the first
+/// fraction outside of all braces, if the numerator ends with the differential.
+fn in_numerator(tokens: &[Token]) -> Option<(Vec<Token>, usize)> {
+    let mut level = 0i64;
+    let at = tokens.iter().position(|token| {
+        level += match token.kind {
+            Kind::Open | Kind::Char('(' | '[') => 1,
+            Kind::Close | Kind::Char(')' | ']') => -1,
+            _ => 0,
+        };
+        level == 0 && ["frac", "dfrac", "tfrac"].iter().any(|name| token.is(name))
+    })?;
+    let ends =
+        |t: &Token| super::binding::relation_of(t).is_some() || matches!(t.char(), Some('+' | ',')) || t.is("int");
+    if tokens[..at].iter().any(ends) || tokens.get(at + 1)?.kind != Kind::Open {
+        return None;
+    }
+    let (above, next) = argument(tokens, at + 1).ok()?;
+    let (_, end) = argument(tokens, next).ok()?;
+    let d = own_differential(above)?;
+    let behind = differential(above, d)?;
+    let (_, last) = begin(&above[behind..])?;
+    if behind + last != above.len() {
+        return None;
+    }
+    let one = Token { kind: Kind::Char('1'), ..above[d].clone() };
+    let rest = if d == 0 { vec![one] } else { above[..d].to_vec() };
+    let parts = [&tokens[..at + 2], &rest, &tokens[next - 1..end], &above[d..]];
+    Some((parts.concat(), end))
 }
 
 /// Where the differential of the integral stands, outside of all braces and parentheses; those within have their own.

@@ -1,10 +1,11 @@
 //! A Markdown file as LaTeX: its displayed formulas and its comments, at the same places.
 //!
 //! Contract: the result has as many bytes as the source, and each formula and comment stands where it stands there. Formulas
-//! are `$$ … $$` and code blocks with the word `math`, in block quotes and lists as well; a comment is `<!-- carom … -->`. A
+//! are `$$ … $$`, environments such as `\begin{align}`, and code blocks with the word `math`, in block quotes and lists as well; a comment is `<!-- carom … -->`. A
 //! comment of several lines is one line, whose parts [`NEXT_LINE`] separates. Other code and other comments are passed over.
 //! Formulas in running text are kept on lines with `<!-- carom inline`.
 
+use super::document::DISPLAYS;
 use super::token::NEXT_LINE;
 use std::collections::BTreeMap;
 
@@ -36,6 +37,8 @@ pub fn latex_of(source: &str) -> String {
 enum Inside<'s> {
     Text,
     Formula,
+    /// An environment of displayed formulas, up to its `\end{…}`.
+    Environment(&'s str),
     /// A comment, and the byte at which its clause begins, if it is one.
     Comment(Option<usize>),
     /// Code up to a fence of this sign and length, and whether it is a formula.
@@ -140,6 +143,12 @@ impl<'s> Page<'s> {
                     at = end.map_or(line.len(), |end| at + end);
                     self.inside = if end.is_some() { Inside::Text } else { Inside::Formula };
                 }
+                Inside::Environment(name) => {
+                    let end = end_of(rest, name);
+                    self.keep(start + at, &rest[..end.unwrap_or(rest.len())]);
+                    at = end.map_or(line.len(), |end| at + end);
+                    self.inside = if end.is_some() { Inside::Text } else { Inside::Environment(name) };
+                }
                 Inside::Comment(clause) => {
                     let end = rest.find("-->");
                     if let Some(from) = clause.filter(|from| *from < start + line.len()) {
@@ -162,8 +171,12 @@ impl<'s> Page<'s> {
                     }
                 }
                 Inside::Text | Inside::Fence(..) => {
-                    let Some(place) = rest.find(['$', '<', '`']) else { return };
+                    let Some(place) = rest.find(['$', '<', '`', '\\']) else { return };
                     at += place;
+                    if let Some(name) = begun(&line[at..]) {
+                        self.inside = Inside::Environment(name);
+                        continue;
+                    }
                     let signs = ["$$", "<!--", "`", if has_inline { "$" } else { "$$" }];
                     let mark = signs.into_iter().find(|mark| line[at..].starts_with(mark));
                     at += mark.map_or(1, |mark| self.mark(start + at, &line[at..], mark));
@@ -214,6 +227,26 @@ impl<'s> Page<'s> {
             }
         }
     }
+}
+
+/// The environment of displayed formulas that `\begin{…}` begins here.
+fn begun(text: &str) -> Option<&str> {
+    let rest = text.strip_prefix("\\begin{")?;
+    let name = &rest[..rest.find('}')?];
+    let plain = name.strip_suffix('*').unwrap_or(name);
+    (plain != "math" && DISPLAYS.contains(&plain)).then_some(name)
+}
+
+/// Where the `\end{…}` of an environment ends.
+fn end_of(text: &str, name: &str) -> Option<usize> {
+    let mut from = 0;
+    while let Some(at) = text[from..].find("\\end{") {
+        from += at + "\\end{".len();
+        if text[from..].strip_prefix(name).is_some_and(|rest| rest.starts_with('}')) {
+            return Some(from + name.len() + 1);
+        }
+    }
+    None
 }
 
 /// The signs of code in a part of a text that stand side by side: how many, and where they begin.

@@ -3,7 +3,7 @@
 //! Contract: a rounded number says that the exact value is at most half a unit of its last digit away; one with an uncertainty says
 //! that the value lies between its two bounds. Behind `=` a number is exact, and ± may mean two values, unless a comment decides.
 
-use super::expression::{Read, Reader};
+use super::expression::{Read, Reader, is_space};
 use super::name::argument;
 use super::piece::Piece;
 use super::place::Placed;
@@ -38,7 +38,13 @@ impl Reader<'_, '_, '_> {
             return Ok(true);
         }
         let before = std::mem::replace(&mut self.at, at);
-        let found = self.value().ok().filter(|_| self.ends_side());
+        let from = self.at;
+        let found = self.value();
+        let has_sign = self.tokens[from.min(self.at)..self.at].iter().any(|t| t.is("pm"));
+        if let (Err(fault), true, Some(true)) = (&found, has_sign, self.scope.decisions.is_measured) {
+            return Err(fault.clone());
+        }
+        let found = found.ok().filter(|_| self.ends_side());
         self.at = before;
         let Decisions { is_measured, digits, .. } = self.scope.decisions;
         match (found, is_measured) {
@@ -47,6 +53,15 @@ impl Reader<'_, '_, '_> {
             (Some(_), Some(true)) => Ok(true),
             (Some(printed), None) => Err(two_readings(printed.has_sign, printed.span)),
         }
+    }
+
+    /// Whether digits in parentheses, which end before `next`, are a factor of the number before them and no uncertainty: in
+    /// an exponent, behind a number in parentheses, or before another parenthesis.
+    pub(crate) fn is_factor(&self, next: usize) -> bool {
+        let before = self.tokens[..self.at].iter().rev().find(|t| !is_space(t));
+        self.scope.is_exponent
+            || before.is_some_and(|t| t.is_char(')'))
+            || self.tokens.get(next).is_some_and(|t| t.is_char('('))
     }
 
     /// Whether a side of a comparison ends here.
@@ -91,8 +106,19 @@ impl Reader<'_, '_, '_> {
         let power = self.span();
         if self.take_command(&["times", "cdot"]) {
             if has_sign && !in_parentheses {
+                if let Some(more) = self.own_power(&digits, uncertainty.as_deref().unwrap_or_default()) {
+                    let uncertainty = Some(more);
+                    return Ok(Printed {
+                        is_negative,
+                        digits,
+                        uncertainty,
+                        has_sign,
+                        exponent,
+                        span: self.since(start),
+                    });
+                }
                 let readings = ["a power of ten for both numbers", "a power of ten for the uncertainty alone"];
-                let write = ["write (57.1 \\pm 0.1) \\times 10^{3}", "write both numbers without it"];
+                let write = ["write (57.1 \\pm 0.1) \\times 10^{3}", "write it without, as in 1.40 \\pm 0.00057"];
                 return Err(ambiguous("a power of ten behind ±", readings, write, power));
             }
             let is_ten = self.number().is_ok_and(|piece| piece.text.text() == "10");
@@ -107,6 +133,28 @@ impl Reader<'_, '_, '_> {
             return Err(limit("digits of a power of ten", POWER_LIMIT as usize, start));
         }
         Ok(Printed { is_negative, digits, uncertainty, has_sign, exponent, span: self.since(start) })
+    }
+
+    /// The uncertainty with the power of ten here, if that makes its last digit the last one of the value: `0.00243 \pm 6 \cdot 10^{-5}`.
+    fn own_power(&mut self, digits: &str, uncertainty: &str) -> Option<String> {
+        let here = self.at;
+        let power =
+            self.number().ok().filter(|piece| piece.text.text() == "10" && self.take_char('^')).and_then(|_| {
+                let (inner, next) = argument(self.tokens, self.at).ok()?;
+                self.at = next;
+                words(inner)
+                    .replace(' ', "")
+                    .parse::<i64>()
+                    .ok()
+                    .filter(|power| power.abs() <= POWER_LIMIT && *power != 0)
+            });
+        match power.filter(|power| places(uncertainty) - power == places(digits)) {
+            Some(power) => Some(format!("{uncertainty}e{power}")),
+            None => {
+                self.at = here;
+                None
+            }
+        }
     }
 
     /// `(1)` directly behind the digits: the uncertainty in units of the last digit.

@@ -5,6 +5,8 @@
 //! have one key. A key has one spelling in the claim language, the first that a comment uses. Two keys never share a spelling.
 
 use super::macros::group;
+use super::phrase::key_of;
+use super::prepare::SPACES;
 use super::refusal::{expected, refused};
 use super::token::{Kind, Token};
 use carom_checker::claim::lex::GREEK;
@@ -74,6 +76,7 @@ pub(crate) fn base(tokens: &[Token], at: usize) -> Result<Option<(String, usize)
     let Some(token) = tokens.get(at) else { return Ok(None) };
     Ok(match &token.kind {
         Kind::Char(c) if c.is_ascii_alphabetic() => Some((c.to_string(), at + 1)),
+        Kind::Command(name) if key_of(name).is_some() => key_of(name).map(|key| (key.to_string(), at + 1)),
         Kind::Command(name) if is_letter(name) => {
             // The change of a quantity is a name of two letters, where a comment declares it.
             Some((format!("\\{name}"), at + 1))
@@ -150,13 +153,13 @@ fn primes(tokens: &[Token], at: usize) -> Option<(usize, usize)> {
 
 /// The argument at `at`: a group, one command with its group, or one token.
 pub(crate) fn argument(tokens: &[Token], at: usize) -> Result<(&[Token], usize), Diagnostic> {
-    match tokens.get(at) {
-        Some(Token { kind: Kind::Open, .. }) => group(tokens, at),
-        Some(token) if token.command().is_some_and(|name| UPRIGHT.contains(&name) || ACCENTS.contains(&name)) => {
-            let (_, next) = argument(tokens, at + 1)?;
-            Ok((&tokens[at..next], next))
-        }
-        Some(_) => Ok((&tokens[at..=at], at + 1)),
+    let is_mark = |t: &&Token| t.command().is_some_and(|name| UPRIGHT.contains(&name) || ACCENTS.contains(&name));
+    let marks = tokens.get(at..).unwrap_or_default().iter().take_while(is_mark).count();
+    let last = at + marks;
+    match tokens.get(last) {
+        Some(Token { kind: Kind::Open, .. }) if marks == 0 => group(tokens, at),
+        Some(Token { kind: Kind::Open, .. }) => group(tokens, last).map(|(_, next)| (&tokens[at..next], next)),
+        Some(_) => Ok((&tokens[at..=last], last + 1)),
         None => {
             let span = tokens.last().map_or(Span::default(), |t| t.span);
             Err(expected("an argument", "the end of the formula", span))
@@ -185,7 +188,7 @@ pub(crate) fn canonical(tokens: &[Token]) -> String {
                 out.push(*c);
             }
             Kind::Command(name) if UPRIGHT.contains(&name.as_str()) => {}
-            Kind::Command(name) if [",", ";", ":", "!", " "].contains(&name.as_str()) => {}
+            Kind::Command(name) if SPACES.contains(&name.as_str()) => {}
             Kind::Command(name) => out.push_str(&format!("\\{name}")),
             _ => {}
         }
@@ -213,6 +216,14 @@ pub(crate) struct Names {
     key: BTreeMap<String, String>,
     /// Keys that stand for an expression, as `m_{12}` for `m(12)`.
     meaning: BTreeMap<String, String>,
+    /// Names of several signs: what prints, and the key.
+    pub phrases: Vec<(Vec<Kind>, String)>,
+    /// What a member of a family is, by its key.
+    pub members: BTreeMap<String, String>,
+    /// Spellings of numbers behind which a parenthesis, or a number, is a factor.
+    pub factors: BTreeSet<String>,
+    /// Keys to which a comment gives a name.
+    pub renamed: BTreeSet<String>,
     /// How often each key occurs in equations.
     pub count: BTreeMap<String, usize>,
     /// Spellings of functions that a formula defines, as f(x): an index below such a name is no argument.
@@ -277,6 +288,11 @@ impl Names {
         self.spelling.insert(key.to_string(), spelling.to_string());
         self.key.insert(spelling.to_string(), key.to_string());
         Ok(())
+    }
+
+    /// Whether a comment gives this key its name.
+    pub(crate) fn is_renamed(&self, key: &str) -> bool {
+        self.renamed.contains(key)
     }
 
     /// Whether a comment names a value of this function, as v(t) is one of v, or of any.

@@ -44,6 +44,19 @@ impl Equation {
     }
 }
 
+/// What a name may be that nothing declares.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Wanted {
+    /// A number.
+    Number,
+    /// A natural number: the end of a sum, or an index.
+    Natural,
+    /// A family of numbers.
+    Family,
+    /// A function, or a factor.
+    Function,
+}
+
 /// A paper.
 #[derive(Debug, Default)]
 pub struct Paper {
@@ -53,9 +66,11 @@ pub struct Paper {
     pub faults: Vec<Diagnostic>,
     /// The paper's names in its equations: as printed, in the claim language, and how often each occurs.
     pub names: Vec<(String, String, usize)>,
-    /// The names in its equations that nothing declares, as printed, and in how many equations each is missing. What is
-    /// written like a function of a number has an argument.
-    pub undeclared: BTreeMap<String, usize>,
+    /// The names in its equations that nothing declares, as printed, and what each may be. What is written like a function of a
+    /// number has an argument.
+    pub undeclared: BTreeMap<String, Wanted>,
+    /// Comments to begin with that declare these names; each is read where it is put before the equations.
+    pub offered: Vec<String>,
     /// The number of formulas in running text, which are not read.
     pub inline: usize,
 }

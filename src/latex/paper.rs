@@ -7,10 +7,13 @@
 use super::clause::{self, Purpose, misplaced};
 use super::comment::first_word;
 use super::document::{Clause, Display, Lines, Part, document};
-use super::expression::{Read, Reader};
+use super::domain::domains;
+use super::expression::Read;
+use super::index::{Indices, greek_indices};
 use super::input::Manuscript;
 use super::name::Names;
-use super::outcome::{Equation, Outcome, Paper};
+use super::offered::offered;
+use super::outcome::{Equation, Outcome, Paper, Wanted};
 use super::place::Placed;
 use super::prepare::prepared;
 use super::refusal::{ambiguous, expected, refused};
@@ -20,6 +23,8 @@ use super::statement::{Said, joined};
 use super::structure::structured;
 use super::token::{Token, tokens};
 use super::typeset::typeset;
+use super::vector::Vectors;
+use super::whole::whole;
 use carom_checker::claim::parse::{clauses_placed, parse_placed};
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::Claim;
@@ -48,6 +53,7 @@ pub fn paper_of(whole: &Manuscript) -> Result<Paper, Vec<Diagnostic>> {
     let tokens = structured(&tokens(text).map_err(|fault| vec![fault])?);
     let document = document(&tokens, &Lines::of(text), &whole.unread);
     let mut reader = Assembly::new(&whole.source);
+    reader.indices = greek_indices(&document);
     reader.out.inline = document.inline;
     let mut waiting: Vec<Clause> = Vec::new();
     for part in document.parts {
@@ -97,8 +103,14 @@ struct Assembly<'l> {
     undefined: BTreeMap<String, Span>,
     /// The place of such a definition that the equation being read needs.
     needed: Option<Span>,
+    /// Greek letters that stand below names, with the names.
+    indices: Indices,
     /// Names that equations have got.
     taken: BTreeSet<String>,
+    /// Where the equation that was read last has vectors.
+    vectors: Vectors,
+    /// Where hypotheses and definitions have vectors.
+    supposed: Vectors,
     out: Paper,
 }
 
@@ -113,15 +125,20 @@ impl<'l> Assembly<'l> {
             broken: None,
             undefined: BTreeMap::new(),
             needed: None,
+            indices: Indices::new(),
             taken: BTreeSet::new(),
+            vectors: Vectors::default(),
+            supposed: Vectors::default(),
             out: Paper::default(),
         }
     }
 
     fn finished(mut self) -> Paper {
         let names = &self.names;
-        let spelled = |key: &str| names.spelled(key).or(names.meaning(key)).unwrap_or("pi").to_string();
+        let member = |key: &str| names.members.get(key).map(String::as_str);
+        let spelled = |key: &str| names.spelled(key).or(names.meaning(key)).or(member(key)).unwrap_or(key).to_string();
         self.out.names = names.count.iter().map(|(key, count)| (key.clone(), spelled(key), *count)).collect();
+        self.out.offered = offered(&self.out.undeclared, names, &self.preamble);
         self.out
     }
 
@@ -182,6 +199,7 @@ impl<'l> Assembly<'l> {
                 }
             },
             "name" => super::comment::rename(first, &mut self.names).map_err(one)?,
+            "product" => super::comment::factors(first, &mut self.names).map_err(one)?,
             "paper" | "source" | "section" | "reading" | "given" | "let" | "define" | "assume" => {
                 let text = clause::read(lines, &mut self.names).map_err(one)?;
                 self.declare(&text)?;
@@ -199,7 +217,7 @@ impl<'l> Assembly<'l> {
     }
 
     fn display(&mut self, display: &Display) {
-        let list = match equations(display) {
+        let list = match equations(display, self.decisions.has_remarks) {
             Ok(list) => list,
             Err(fault) => {
                 // It may be a hypothesis.
@@ -276,6 +294,10 @@ impl<'l> Assembly<'l> {
     ) -> Result<Outcome, Vec<Diagnostic>> {
         let one = |fault: Diagnostic| vec![fault];
         let tokens = prepared(&equation.tokens).map_err(one)?;
+        if tokens.is_empty() {
+            return Err(one(refused("this formula is empty", "write a formula, or remove it", equation.span)));
+        }
+        let tokens = self.names.with_phrases(&tokens);
         let sign = match said.purpose {
             Purpose::Let | Purpose::Prove => self.sign_of_definition(&tokens, said, local)?,
             Purpose::Assume(_) | Purpose::Skip(_) => None,
@@ -289,6 +311,8 @@ impl<'l> Assembly<'l> {
             (Purpose::Assume(label), _) => {
                 said.of_no_claim().map_err(one)?;
                 let goal = self.goal(&tokens, said, local)?;
+                self.vectors.supposed(&self.names).map_err(one)?;
+                self.supposed = self.supposed.with(self.vectors);
                 let mut text = lines_of(local);
                 let label = label.as_ref().map_or(String::new(), |label| format!("{label}: "));
                 text.push(&format!("assume {label}"), equation.span);
@@ -313,12 +337,15 @@ impl<'l> Assembly<'l> {
         text.push("prove 0 = 0", Span::default());
         let (claims, preamble) = clauses_placed(text.text(), &self.preamble, &|span| text.place(span))?;
         let mut roles = claims.first().map(|claim| roles(claim, &preamble)).unwrap_or_default();
+        let domains = claims.first().map(|claim| domains(claim, &preamble)).unwrap_or_default();
         let (names, mut first): (Names, Option<Diagnostic>) = (self.names.clone(), None);
         // Behind a name that is missing the others are looked for.
         for _ in 0..MISSING_LIMIT {
             let mut scope = Scope {
                 names: &mut self.names,
                 roles: roles.clone(),
+                domains: domains.clone(),
+                indices: &self.indices,
                 bound: Vec::new(),
                 decisions: said.decisions,
                 upper: true,
@@ -328,9 +355,16 @@ impl<'l> Assembly<'l> {
                 has_printed: false,
                 value: None,
                 has_logic: false,
+                has_choice: false,
+                counts: false,
+                is_exponent: false,
+                within_bars: false,
+                vectors: Vectors::default(),
                 missing: None,
             };
-            let read = read(&mut scope);
+            let read = read(&mut scope)
+                .and_then(|value| scope.vectors.allowed(self.supposed, scope.has_choice).map(|()| value));
+            self.vectors = scope.vectors;
             let missing = scope.missing.take();
             let fault = match (read, &first) {
                 (Ok(value), None) => {
@@ -347,17 +381,24 @@ impl<'l> Assembly<'l> {
             };
             let is_first = first.is_none();
             first.get_or_insert(fault);
-            let Some(Missing { symbol, applied }) = missing else { break };
+            let Some(Missing { symbol, wanted }) = missing else { break };
             let key = symbol.key();
             if let Some(definition) = self.undefined.get(&key) {
                 self.needed = is_first.then_some(*definition);
                 break;
             }
-            let printed = if applied { format!("{key}(…)") } else { key };
-            *self.out.undeclared.entry(printed).or_default() += 1;
+            let printed = if wanted == Wanted::Function { format!("{key}(…)") } else { key };
+            let known = self.out.undeclared.entry(printed).or_insert(wanted);
+            *known = wanted.max(*known);
             self.names.count.clone_from(&names.count);
-            let Ok(name) = self.names.of(&symbol) else { break };
-            roles.insert(name, if applied { Role::Applied(1) } else { Role::Variable });
+            let Ok(name) = self.names.of(&symbol).or_else(|_| {
+                let own = format!("unspelled_{}", roles.len());
+                self.names.set(&symbol.key(), &own, symbol.span).map(|()| own)
+            }) else {
+                break;
+            };
+            let is_applied = [Wanted::Function, Wanted::Family].contains(&wanted);
+            roles.insert(name, if is_applied { Role::Applied(1) } else { Role::Variable });
         }
         self.names = names;
         Err(first.into_iter().collect())
@@ -379,6 +420,7 @@ impl<'l> Assembly<'l> {
                 let readings = ["both statements, with the upper and with the lower signs", "one of the two"];
                 return Err(ambiguous("±", readings, ["write `%carom pm and`", "write `%carom pm or`"], span));
             };
+            scope.has_choice |= !both;
             if !both && scope.signed == 1 {
                 // One of two values is said where the sign stands, not of all that the formula says.
                 scope.splits = true;
@@ -437,29 +479,6 @@ impl<'l> Assembly<'l> {
         match claims.pop() {
             Some(claim) => Ok(Outcome::Read(Box::new(Claim { typeset: typeset(&equation.rows), ..claim }))),
             None => Err(vec![refused("this formula is no claim", "pass it over by `%carom skip`", equation.span)]),
-        }
-    }
-}
-
-/// Reads all tokens of a formula.
-fn whole<T>(tokens: &[Token], scope: &mut Scope<'_>, read: impl FnOnce(&mut Reader<'_, '_, '_>) -> Read<T>) -> Read<T> {
-    let start = tokens.first().map_or(0, |t| t.span.start);
-    let end = tokens.last().map_or(start, |t| t.span.end);
-    let mut reader = Reader { tokens, at: 0, depth: 0, whole: Span { start, end }, scope };
-    let out = read(&mut reader)?;
-    match reader.peek() {
-        None => Ok(out),
-        Some(token) => {
-            let span = token.span;
-            if let Some((said, _)) = reader.text_here() {
-                return Err(super::refusal::unread_words(&said, span));
-            }
-            Err(match token.command() {
-                Some(name) if !super::prepare::is_operator(name) => super::refusal::command(name, span),
-                _ => {
-                    expected("an operator, a relation or the end of the formula", &format!("`{}`", token.text()), span)
-                }
-            })
         }
     }
 }

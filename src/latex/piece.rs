@@ -32,6 +32,11 @@ impl Piece {
         Piece { text, level, factors, is_number: false, name: None, is_vector: false, is_matrix: false }
     }
 
+    /// Whether it is a vector, and whether it is 0 or a matrix, which stands beside vectors.
+    pub(crate) fn kind(&self) -> (bool, bool) {
+        (self.is_vector, self.text.text() == "0" || self.is_matrix)
+    }
+
     /// A single sign or name.
     pub(crate) fn atom(text: &str, span: Span) -> Piece {
         Piece::new(Placed::new(text, span), 5)

@@ -6,11 +6,13 @@
 use super::binding::relation_of;
 use super::macros::group;
 use super::refusal::refused;
+use super::remark::MARKS;
 use super::token::{Kind, Token, words};
 use carom_diagnostic::Diagnostic;
 
 /// Spaces; they separate a factor from a parenthesis that follows it.
-pub(crate) const SPACES: &[&str] = &[",", ";", ":", "!", " ", "/", "thinspace", "enspace", "hfill", "hfil"];
+pub(crate) const SPACES: &[&str] =
+    &[",", ";", ":", ">", "!", " ", "/", "thinspace", "medspace", "thickspace", "enspace", "hfill", "hfil"];
 /// Commands that change only how a formula looks.
 pub(crate) const LOOKS: &[&str] = &[
     "displaystyle",
@@ -170,6 +172,11 @@ pub(crate) fn prepared(tokens: &[Token]) -> Result<Vec<Token>, Diagnostic> {
         let help = "write what is meant, a sum with its index or a number";
         return Err(refused("dots at the end of a formula are not read", help, last.span));
     }
+    // What confirms the equation stands behind a space.
+    let is_mark = |t: &Token| t.command().is_some_and(|name| MARKS.contains(&name));
+    if out.len() > 1 && is_mark(&out[out.len() - 1]) && out[out.len() - 2].is("quad") {
+        out.pop();
+    }
     // A full stop or a comma ends the sentence that the formula belongs to.
     while out.last().is_some_and(|t| {
         matches!(t.char(), Some('.' | ',' | ';'))
@@ -203,8 +210,8 @@ fn blank(tokens: &[Token], at: usize) -> Option<(f64, usize)> {
         "hfill" | "hfil" => 100.0,
         "enspace" => 5.0,
         " " => 3.3,
-        ";" => 2.8,
-        ":" => 2.2,
+        ";" | "thickspace" => 2.8,
+        ":" | ">" | "medspace" => 2.2,
         "!" => 0.0,
         _ if SPACES.contains(&name) => 1.7,
         _ => return None,

@@ -35,7 +35,7 @@ pub(crate) fn unit(span: Span) -> Diagnostic {
 /// Words that are not read where they stand.
 pub(crate) fn unread_words(said: &str, span: Span) -> Diagnostic {
     let help = "words that are read: and, or, not, if, for, where, if and only if, for all, exists, maximum of, limit of; \
-                or pass the equation over by `%carom skip`";
+                `%carom remark` passes over words that are no part of the equation, `%carom skip` the equation";
     refused(format!("the words “{said}” are not read here"), help, span)
 }
 
@@ -55,6 +55,12 @@ pub(crate) fn undeclared(name: &str, applied: bool, span: Span) -> Diagnostic {
         false => format!("declare it in a comment: `%carom given {name} > 0` or `%carom given {name} real`"),
     };
     refused(message, help, span)
+}
+
+/// A member of a family that no comment declares.
+pub(crate) fn no_family(member: &str, family: &str, span: Span) -> Diagnostic {
+    let help = format!("declare a family with an index k of its own, `%carom given {family}(k) real`");
+    refused(format!("nothing declares the family {family}, of which {member} is a member"), help, span)
 }
 
 /// A value of a function that is known at one place alone, where it is asked for at others.
@@ -81,6 +87,9 @@ pub(crate) fn command(name: &str, span: Span) -> Diagnostic {
         "pmod" | "bmod" | "mod" => "write a congruence with a multiple, as in n = 2 k + 1",
         "unit" | "SI" | "si" | "qty" | "num" => {
             "declare the unit with the name, `%carom given v > 0 in m/s`, and write the number alone"
+        }
+        "langle" | "rangle" | "Sigma" => {
+            "if it is a part of a name, give that a name: `%carom name \\langle v \\rangle as v_mean`"
         }
         "propto" | "sim" | "simeq" | "ll" | "gg" | "lesssim" | "gtrsim" | "cong" => {
             "write the equation or the inequality that is meant, or `%carom skip`"

@@ -5,11 +5,12 @@
 
 use super::binding::relation_of;
 use super::comment::first_word;
-use super::document::{Clause, Display};
+use super::document::{Clause, Display, Row};
 use super::expression::is_space;
 use super::form::shows_its_argument;
 use super::prepare::{after_text, printed};
 use super::refusal::{ambiguous, refused};
+use super::remark::without_remarks;
 use super::token::{Kind, Token};
 use carom_checker::claim::parse::is_keyword;
 use carom_diagnostic::{Diagnostic, Span};
@@ -38,12 +39,15 @@ pub(crate) struct Joined {
 ///
 /// # Errors
 /// Rows that may belong together or not.
-pub(crate) fn equations(display: &Display) -> Result<Vec<Joined>, Diagnostic> {
+pub(crate) fn equations(display: &Display, has_remarks: bool) -> Result<Vec<Joined>, Diagnostic> {
     let plain = display.environment.trim_end_matches('*');
     let mut out: Vec<Joined> = Vec::new();
     // Comments alone belong to the row that follows.
     let mut waiting: Vec<Clause> = Vec::new();
     for row in &display.rows {
+        let is_remarked = has_remarks || row.clauses.iter().any(|clause| first_word(&clause.text) == "remark");
+        let cells = if is_remarked { without_remarks(&row.cells) } else { row.cells.clone() };
+        let row = &Row { cells, ..row.clone() };
         let filled = row.cells.iter().filter(|cell| cell.iter().any(|t| !is_space(t))).count();
         // Words in the cells behind the equation are its condition.
         let is_condition = |cell: &Vec<Token>| {

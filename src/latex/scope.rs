@@ -1,8 +1,12 @@
 //! What the names of an equation are, and what its comments decide.
 
+use super::domain::Domain;
+use super::index::Indices;
 use super::name::{Names, Symbol, mentions};
+use super::outcome::Wanted;
 use super::refusal::one_value;
 use super::token::Token;
+use super::vector::Vectors;
 use carom_checker::claim::preamble::Preamble;
 use carom_checker::claim::syntax::{Claim, Expr, ExprKind, Item};
 use carom_checker::claim::walk;
@@ -35,6 +39,10 @@ pub(crate) struct Decisions {
     pub digits: Option<usize>,
     /// Whether e is the base of exponentials.
     pub e_is_base: bool,
+    /// Whether words at the ends of an equation are no part of it.
+    pub has_remarks: bool,
+    /// Whether d before a name is a number, and no differential.
+    pub d_is_number: bool,
     /// Whether `\log` without a base is the natural logarithm (or the one to base 10).
     pub log_is_natural: Option<bool>,
 }
@@ -45,6 +53,10 @@ pub(crate) struct Scope<'a> {
     pub names: &'a mut Names,
     /// What the declared names are, by their spelling.
     pub roles: BTreeMap<String, Role>,
+    /// The domains of the declared variables, by their spelling.
+    pub domains: BTreeMap<String, Domain>,
+    /// Greek letters that stand below names in the paper, with the names.
+    pub indices: &'a Indices,
     /// Names that a sum, a product, a limit or a quantifier binds: key and spelling.
     pub bound: Vec<(String, String)>,
     /// What comments decide.
@@ -63,6 +75,16 @@ pub(crate) struct Scope<'a> {
     pub value: Option<Span>,
     /// Whether an implication, a quantifier or a negation was read.
     pub has_logic: bool,
+    /// Whether `or`, `not` or `exists` was read.
+    pub has_choice: bool,
+    /// Whether a range or an index is being read, whose names are natural numbers.
+    pub counts: bool,
+    /// Whether an exponent is being read, where no number is a measured one.
+    pub is_exponent: bool,
+    /// Whether what stands in bars is being read.
+    pub within_bars: bool,
+    /// Where vectors were read.
+    pub vectors: Vectors,
     /// The name that nothing declares, where the reading ended for want of it.
     pub missing: Option<Missing>,
 }
@@ -93,8 +115,15 @@ impl Scope<'_> {
 pub(crate) struct Missing {
     /// The name.
     pub symbol: Symbol,
-    /// Whether a parenthesis follows it, as behind a function.
-    pub applied: bool,
+    /// What it may be.
+    pub wanted: Wanted,
+}
+
+impl Missing {
+    /// The family that a name with an index below it is a member of.
+    pub(crate) fn family(symbol: &Symbol) -> Missing {
+        Missing { symbol: Symbol { below: None, ..symbol.clone() }, wanted: Wanted::Family }
+    }
 }
 
 /// What the names are that a claim and its preamble declare.

@@ -23,9 +23,21 @@ impl Said {
     }
 }
 
+/// What words for all say behind a statement.
+struct ForAll {
+    bindings: Placed,
+    /// Where the words stand, and where they end with what they bind.
+    from: usize,
+    to: usize,
+    /// The number of names.
+    names: usize,
+}
+
 /// Words behind which a condition stands.
 pub(crate) const CONDITIONS: &[&str] =
     &["if", "for", "when", "whenever", "where", "with", "provided", "provided that", "as long as"];
+/// Words between two statements of which each implies the other.
+const EQUIVALENT: &[&str] = &["if and only if", "iff", "exactly if", "precisely if"];
 /// Words that say for which values of a name a statement is true.
 const FOR_ALL: &[&str] = &["for all", "for each", "for every", "for any"];
 
@@ -58,9 +70,7 @@ impl Reader<'_, '_, '_> {
     /// A statement.
     pub(crate) fn statement(&mut self) -> Read<Said> {
         let mut list = vec![self.implication()?];
-        while self.take_command(&["Leftrightarrow", "iff", "Longleftrightarrow"])
-            || self.take_text(&["if and only if", "iff", "exactly if", "precisely if"])
-        {
+        while self.take_command(&["Leftrightarrow", "iff", "Longleftrightarrow"]) || self.take_text(EQUIVALENT) {
             list.push(self.implication()?);
         }
         self.scope.has_logic |= list.len() > 1;
@@ -69,7 +79,22 @@ impl Reader<'_, '_, '_> {
 
     fn implication(&mut self) -> Read<Said> {
         const ARROWS: &[&str] = &["Rightarrow", "implies", "Longrightarrow"];
-        let left = self.disjunction()?;
+        let for_all = self.bound_behind()?;
+        let outside = self.scope.bound.len() - for_all.as_ref().map_or(0, |found| found.names);
+        let left = self.disjunction();
+        self.scope.bound.truncate(outside);
+        let left = left?;
+        if let Some(ForAll { bindings, from, to, .. }) = for_all {
+            let span = self.span();
+            if self.at != from {
+                return self.expected("the end of the statement before the words for all");
+            }
+            if let Some(value) = self.scope.value {
+                return Err(one_value("a function with a named value", value));
+            }
+            self.at = to;
+            return Ok(under("for all ", &bindings, &left, span));
+        }
         if self.take_command(ARROWS) {
             self.scope.has_logic = true;
             let right = self.disjunction()?;
@@ -86,17 +111,67 @@ impl Reader<'_, '_, '_> {
             let condition = self.disjunction()?;
             return Ok(joined(vec![condition, left], " => ", 2, 3));
         }
-        if self.begins_for_all() {
-            let span = self.span();
-            let outside = self.scope.bound.len();
-            let bindings = self.quantified_names();
-            self.scope.bound.truncate(outside);
-            if let Some(value) = self.scope.value {
-                return Err(one_value("a function with a named value", value));
-            }
-            return Ok(under("for all ", &bindings?, &left, span));
-        }
         Ok(left)
+    }
+
+    /// The names that words behind the statement here bind, `a_n > 0 \text{ for all } n`: they are bound in the statement as well.
+    fn bound_behind(&mut self) -> Read<Option<ForAll>> {
+        let here = self.at;
+        if self.begins_for_all() {
+            return Ok(None);
+        }
+        let Some(from) = self.place_of_for_all() else { return Ok(None) };
+        if let Some(exists) = self.tokens[here..from].iter().find(|t| t.is("exists")) {
+            let readings = ["a value for each", "one value for all"];
+            let write = ["begin with \\forall", "write parentheses around the statement behind \\exists"];
+            return Err(ambiguous("\\exists before words for all", readings, write, exists.span));
+        }
+        let outside = self.scope.bound.len();
+        self.at = from;
+        let bindings = self.quantified_names();
+        let to = std::mem::replace(&mut self.at, here);
+        match bindings {
+            Ok(bindings) => Ok(Some(ForAll { bindings, from, to, names: self.scope.bound.len() - outside })),
+            Err(fault) => {
+                self.scope.bound.truncate(outside);
+                Err(fault)
+            }
+        }
+    }
+
+    /// Where the words for all stand behind the statement here, on its level.
+    fn place_of_for_all(&mut self) -> Option<usize> {
+        const ENDS: [&str; 6] =
+            ["Rightarrow", "implies", "Longrightarrow", "Leftrightarrow", "iff", "Longleftrightarrow"];
+        let here = self.at;
+        let mut level = 0i64;
+        let found = (here..self.tokens.len()).find(|place| {
+            let token = &self.tokens[*place];
+            level += match token.kind {
+                Kind::Open | Kind::Char('(' | '[') => 1,
+                Kind::Close | Kind::Char(')' | ']') => -1,
+                _ => 0,
+            };
+            self.at = *place;
+            let ends = || token.command().is_some_and(|name| ENDS.contains(&name));
+            let is_text = token.is_text();
+            level == 0 && !is_space(token) && (ends() || (is_text && self.ends_statement()) || self.begins_for_all())
+        });
+        let found = found.filter(|place| {
+            self.at = *place;
+            self.begins_for_all()
+        });
+        self.at = here;
+        let joins =
+            |t: &Token| ["land", "wedge", "neg", "lnot", "colon"].iter().any(|name| t.is(name)) || t.is_char(':');
+        let before = found.map(|place| &self.tokens[here..place]).unwrap_or_default();
+        let last = before.iter().rposition(|t| !is_space(t) && !t.is("quad"))?;
+        (!joins(&before[last]) && !super::prepare::after_text(&before[..=last])).then_some(found?)
+    }
+
+    /// Whether words here part a statement from its condition, or from one that is equivalent.
+    fn ends_statement(&mut self) -> bool {
+        self.text_here().is_some_and(|(said, _)| CONDITIONS.contains(&&*said) || EQUIVALENT.contains(&&*said))
     }
 
     /// Whether `\forall` or words for it stand here.
@@ -114,6 +189,7 @@ impl Reader<'_, '_, '_> {
                 let help = "put parentheses around what belongs together, or write two formulas";
                 return Err(refused("a comma or a wide space before `or`", help, self.since(self.tokens[from].span)));
             }
+            self.scope.has_choice = true;
             list.push(self.conjunction()?);
         }
         Ok(joined(list, " or ", 3, 4))
@@ -211,7 +287,7 @@ impl Reader<'_, '_, '_> {
     fn negation(&mut self) -> Read<Said> {
         let span = self.span();
         if self.take_command(&["neg", "lnot"]) || self.take_text(&["not"]) {
-            self.scope.has_logic = true;
+            (self.scope.has_logic, self.scope.has_choice) = (true, true);
             let inner = self.negation()?;
             let mut text = Placed::new("not ", span);
             text.append(&inner.at_least(5));
@@ -228,6 +304,7 @@ impl Reader<'_, '_, '_> {
             return self.quantified("for all ", span);
         }
         if is(&["exists", "there is", "there exists"]) || self.peek().is_some_and(|t| t.is("exists")) {
+            self.scope.has_choice = true;
             return self.quantified("exists ", span);
         }
         if is(&["maximum of", "minimum of", "the maximum of", "the minimum of"]) {
@@ -310,6 +387,7 @@ impl Reader<'_, '_, '_> {
         let Some(over) = over else { return self.expected("\\text{over} and the variables") };
         let outside = self.scope.bound.len();
         let body = &self.tokens[next..over];
+        self.scope.has_choice = true;
         self.at = over;
         self.take_text(&["over"]);
         let bindings = self.bindings()?;

@@ -1,12 +1,15 @@
 //! Names in a formula: which declared name a letter with its index and primes is.
 
 use super::expression::{Read, Reader, is_space, is_upright, top_level};
+use super::index::is_shifted;
 use super::name::{Symbol, argument, base, canonical, scripts};
+use super::outcome::Wanted;
 use super::piece::Piece;
 use super::place::Placed;
-use super::refusal::{ambiguous, refused, undeclared, unit};
+use super::refusal::{ambiguous, no_family, refused, undeclared, unit};
 use super::scope::{Missing, Role};
 use super::token::{Kind, Token};
+use super::vector::is_zero;
 use carom_checker::claim::syntax::Unit;
 use carom_diagnostic::Span;
 
@@ -22,8 +25,6 @@ enum Meaning {
     Said(String),
 }
 
-/// Marks of names that are vectors.
-const VECTORS: &[&str] = &["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"];
 /// Functions that are often written without a backslash.
 const WORDS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "log", "sqrt", "sinh", "cosh", "tanh", "max", "min", "det"];
 
@@ -67,22 +68,41 @@ impl Reader<'_, '_, '_> {
         if let Some(value) = self.named_value(&symbol, next)? {
             return Ok(value);
         }
-        let Some(meaning) = self.meaning(&symbol)? else { return self.unknown(&symbol, next) };
+        if is_zero(&symbol) {
+            self.at = next;
+            return Ok(self.marked(Piece::atom("0", symbol.span), &symbol));
+        }
+        self.no_differential(&symbol, next)?;
+        let meaning = self.meaning(&symbol)?;
+        if !matches!(meaning, Some(Meaning::Member(_)))
+            && let Some(index) = self.bound_below(&symbol)?
+        {
+            let is_said = matches!(&meaning, Some(Meaning::Said(said)) if self.is_said_with(said, &index));
+            if !is_said {
+                return Err(self.depends_on(&symbol, &index, meaning.is_some()));
+            }
+        }
+        let Some(meaning) = meaning else { return self.unknown(&symbol, next) };
         self.scope.names.seen(&symbol.key());
         let at = self.at;
         self.at = next;
         match meaning {
             Meaning::Number(name, role) => {
-                self.no_application(&symbol)?;
+                if !self.scope.names.factors.contains(&name) {
+                    self.no_application(&symbol)?;
+                }
                 self.no_unit(&symbol, at)?;
+                self.ends_product(&symbol)?;
                 let mut piece = Piece::atom(&name, symbol.span);
                 piece.name = (role == Role::Variable).then_some(name);
                 piece.is_matrix = role == Role::Matrix;
-                piece.is_vector = VECTORS.iter().any(|mark| symbol.base.contains(mark));
-                Ok(piece)
+                Ok(self.marked(piece, &symbol))
             }
             Meaning::Said(said) => Ok(Piece::new(Placed::new(&format!("({said})"), symbol.span), 5)),
-            Meaning::Function(name) => self.application(&symbol, &name, start),
+            Meaning::Function(name) => {
+                let value = self.application(&symbol, &name, start)?;
+                Ok(self.marked(value, &symbol))
+            }
             Meaning::Member(name) => {
                 let below = symbol.below.clone().unwrap_or_default();
                 let is_letter =
@@ -97,11 +117,15 @@ impl Reader<'_, '_, '_> {
                     let write = write.each_ref().map(String::as_str);
                     return Err(ambiguous(&key, readings, write, symbol.span));
                 }
-                let index = self.sum_in(&below)?;
+                let outer = std::mem::replace(&mut self.scope.counts, true);
+                let index = self.sum_in(&below);
+                self.scope.counts = outer;
+                let index = index?;
                 self.no_application(&symbol)?;
                 let mut text = Placed::new(&name, symbol.span);
                 text.append(&index.text.between("(", ")"));
-                Ok(Piece::new(text, 5))
+                self.scope.names.members.insert(symbol.key(), text.text().to_string());
+                Ok(self.marked(Piece::new(text, 5), &symbol))
             }
         }
     }
@@ -160,8 +184,11 @@ impl Reader<'_, '_, '_> {
                 let (symbol, after) = scripts(inner, first, inner[0].span, after)?;
                 if after == inner.len() {
                     let key = symbol.key();
-                    let plain = symbol.below.is_none() && symbol.primes == 0;
-                    return scripts(self.tokens, if plain { key } else { format!("{{{key}}}") }, start, next);
+                    let plain = symbol.below.is_none();
+                    let base = if plain { symbol.base } else { format!("{{{key}}}") };
+                    let (outer, next) = scripts(self.tokens, base, start, next)?;
+                    let primes = outer.primes + if plain { symbol.primes } else { 0 };
+                    return Ok((Symbol { primes, ..outer }, next));
                 }
             }
             return Err(refused("an index below a group", "put the index behind a single letter", start));
@@ -283,15 +310,31 @@ impl Reader<'_, '_, '_> {
         if self.is_behind_number(self.at) && is_upright(&self.tokens[self.at]) {
             return Err(unit(symbol.span));
         }
-        let mut missing =
-            Missing { symbol: symbol.clone(), applied: self.tokens.get(next).is_some_and(|t| t.is_char('(')) };
+        if key == "\\delta" && base(self.tokens, next)?.is_some() {
+            let readings = ["a small change of what follows", "a product with the number \\delta"];
+            let write =
+                ["give the change a name, `%carom name \\delta x as dx`", "declare it, `%carom given \\delta real`"];
+            return Err(ambiguous("\\delta before a name", readings, write, symbol.span));
+        }
+        let wanted = match self.tokens.get(next).is_some_and(|t| t.is_char('(')) {
+            true => Wanted::Function,
+            false if self.scope.counts => Wanted::Natural,
+            false => Wanted::Number,
+        };
+        let mut missing = Missing { symbol: symbol.clone(), wanted };
+        if wanted != Wanted::Function && symbol.below.as_deref().is_some_and(is_shifted) {
+            missing = Missing::family(symbol);
+        }
         // The change of a quantity is one name.
         if key == "\\Delta"
             && let Some((second, after)) = base(self.tokens, next)?
         {
             missing.symbol = scripts(self.tokens, format!("{key} {second}"), symbol.span, after)?.0;
         }
-        let fault = undeclared(&missing.symbol.key(), missing.applied, missing.symbol.span);
+        let fault = match missing.wanted {
+            Wanted::Family => no_family(&symbol.key(), &missing.symbol.key(), symbol.span),
+            wanted => undeclared(&missing.symbol.key(), wanted == Wanted::Function, symbol.span),
+        };
         self.scope.missing = Some(missing);
         Err(fault)
     }
@@ -315,11 +358,28 @@ impl Reader<'_, '_, '_> {
             if place > 0 {
                 text.push(", ", symbol.span);
             }
-            text.append(&self.sum_in(argument)?.text);
+            let argument = self.sum_in(argument)?;
+            self.number_only(&argument, "a function of a vector", symbol.span)?;
+            text.append(&argument.text);
         }
         self.at = next;
         text.push(")", symbol.span);
         Ok(Piece::new(text, 5))
+    }
+
+    /// Refuses a d directly before a name: a differential belongs to an integral or a derivative.
+    fn no_differential(&self, symbol: &Symbol, next: usize) -> Read<()> {
+        let mut at = next;
+        while self.tokens.get(at).is_some_and(|t| t.is("!") || t.kind == Kind::Open) {
+            at += 1;
+        }
+        if symbol.key() != "d" || self.scope.decisions.d_is_number || base(self.tokens, at)?.is_none() {
+            return Ok(());
+        }
+        let readings = ["a differential", "a product with the number d"];
+        let write =
+            ["write the derivative or the integral, or `%carom skip`", "write `%carom d is number`, or d \\cdot x"];
+        Err(ambiguous("a d before a name", readings, write, symbol.span))
     }
 
     /// Whether what stands before a place ends a number, or a group that may.
@@ -372,8 +432,10 @@ impl Reader<'_, '_, '_> {
             let key = symbol.key();
             let readings = ["a product", "the value of a function"];
             let write = [
-                format!("write {key} \\cdot (…)"),
-                format!("declare the function in a comment: `%carom let {key}(x) = …`"),
+                format!("write `%carom product {key}`, or {key} \\cdot (…)"),
+                format!(
+                    "declare the function, `%carom let {key}(x) = …`, or name its value, `%carom name {key}(x) as x1`"
+                ),
             ];
             let write = write.each_ref().map(String::as_str);
             return Err(ambiguous(&format!("{key} before a parenthesis"), readings, write, symbol.span));

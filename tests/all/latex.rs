@@ -5,5 +5,6 @@ mod documents;
 mod example;
 mod files;
 mod planted;
+mod public;
 mod refused;
 mod round_trip;

@@ -2,6 +2,7 @@
 
 use super::{Clause, Reader, Row, end_of, environment};
 use crate::macros::{group, option};
+use crate::name::argument;
 use crate::refusal::refused;
 use crate::token::{Kind, Token, words};
 use carom_diagnostic::{Diagnostic, Span};
@@ -108,7 +109,11 @@ impl Reader<'_> {
                 }
                 Kind::Command(name) if ["label", "tag"].contains(&name.as_str()) && level == 0 => {
                     let star = usize::from(body.get(at + 1).is_some_and(|t| t.is_char('*')));
-                    let (inner, next) = group(body, at + 1 + star)?;
+                    // Without braces a tag is one sign.
+                    let (inner, next) = match name == "tag" {
+                        true => argument(body, at + 1 + star)?,
+                        false => group(body, at + 1 + star)?,
+                    };
                     match name.as_str() {
                         "label" => row.label = Some(words(inner)),
                         _ => row.number = Some(words(inner)),

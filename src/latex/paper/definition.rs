@@ -1,6 +1,6 @@
 //! Definitions of a paper: `x := A`, `f(x) := A`, and `f(x) = A` where nothing else says what f is.
 
-use super::{Assembly, Head, lines_of, whole};
+use super::{Assembly, Head, lines_of};
 use crate::binding::relation_of;
 use crate::clause::{Purpose, Said};
 use crate::expression::{Read, Reader};
@@ -10,6 +10,8 @@ use crate::place::Placed;
 use crate::refusal::{one_value, refused};
 use crate::symbol::commas;
 use crate::token::Token;
+use crate::vector::no_vector;
+use crate::whole::whole;
 use carom_diagnostic::{Diagnostic, Span};
 use std::collections::BTreeSet;
 
@@ -140,8 +142,12 @@ impl Assembly<'_> {
             said.of_no_claim().map_err(one)?;
         }
         let (list, value) = self.with_scope(said, local, |scope| {
+            let is_marked = crate::vector::is_marked(symbol) && !scope.names.is_renamed(&symbol.key());
             let list: Read<Vec<String>> = parameters.iter().map(|parameter| scope.bind(parameter)).collect();
             let read = whole(&value[..end], scope, |reader| reader.sum())?;
+            if read.is_vector && !read.is_matrix && !is_marked {
+                return Err(no_vector("a vector that is called by an unmarked name", span));
+            }
             match scope.double_sign {
                 Some(span) => {
                     let help = "define each of the two values by a name of its own";
@@ -155,6 +161,7 @@ impl Assembly<'_> {
         text.push(&format!("let {name}{list} = "), span);
         text.append(&value.text);
         self.declare(&text)?;
+        self.supposed = self.supposed.with(self.vectors);
         if !parameters.is_empty() {
             self.names.functions.insert(name);
         }
