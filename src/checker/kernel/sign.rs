@@ -322,7 +322,7 @@ impl Checker {
                 signs = if lengths.within(Signs::POSITIVE) { beyond } else { beyond.or(Signs::ZERO) };
                 break;
             }
-            (known.asked.take(), known.put_in.take());
+            known.forget_used();
         }
         known.asked.borrow_mut().extend(before.0);
         known.put_in.borrow_mut().extend(before.1);
