@@ -18,9 +18,11 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How many terms a polynomial may have that bounds its atoms.
-pub(super) const BOUND_TERMS: usize = 4;
+const BOUND_TERMS: usize = 4;
 /// How many terms a polynomial may have that is sought between the bounds of its atoms.
 const ASKED_TERMS: usize = 8;
+/// The most bits of a number in a polynomial that bounds atoms, or is sought between bounds.
+const BOUND_BITS: u64 = 256;
 /// How many bounds may rest on one another: x < y, y < z, z < 1.
 const CHAIN: usize = 4;
 /// Decimals that bound π: PI_DIGITS < π·10^20 < PI_DIGITS + 1.
@@ -257,9 +259,14 @@ impl Interval {
     }
 }
 
+/// Whether a polynomial has at most so many terms, and short numbers.
+fn is_short(poly: &Poly, terms: usize) -> bool {
+    poly.terms().count() <= terms && poly.terms().all(|(_, c)| c.numer().bits().max(c.denom().bits()) <= BOUND_BITS)
+}
+
 /// The atoms that a polynomial is linear in, outside of all its other terms, if it may bound them.
 pub(super) fn bounded_atoms(poly: &Poly) -> Vec<usize> {
-    if !(2..=BOUND_TERMS).contains(&poly.terms().count()) {
+    if poly.terms().nth(1).is_none() || !is_short(poly, BOUND_TERMS) {
         return Vec::new();
     }
     let alone = |m: &Monomial| if let [(atom, 1)] = m.as_slice() { Some(*atom) } else { None };
@@ -274,7 +281,7 @@ impl Checker {
             known.bounds.get(&atom).is_some_and(|places| !places.is_empty())
                 || matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi))
         };
-        if signs.is_settled() || poly.terms().count() > ASKED_TERMS || !poly.atoms().any(is_bounded) {
+        if signs.is_settled() || !is_short(poly, ASKED_TERMS) || !poly.atoms().any(is_bounded) {
             return Ok(signs);
         }
         let (inside, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
