@@ -5,7 +5,7 @@
 
 use super::enclosure::EXACT_BITS;
 use super::fraction::Poly;
-use super::known::Known;
+use super::known::{Known, Sign};
 use super::order::Signs;
 use super::poly::Monomial;
 use super::sign::Found;
@@ -275,13 +275,14 @@ pub(super) fn bounded_atoms(poly: &Poly) -> Vec<usize> {
 }
 
 impl Checker {
-    /// These signs, and where they are more than one, those that the polynomial may have between the bounds of its atoms.
+    /// These signs, and where they are more than one, those that the polynomial may have between the bounds of its atoms. It is
+    /// asked only about polynomials in one atom, about sines, cosines and π, and in their arguments: the theorems in Coq have no
+    /// intervals yet.
     pub(super) fn narrowed(&self, signs: Signs, poly: &Poly, known: &Known, found: &Found) -> Result<Signs, Refusal> {
-        let is_bounded = |atom: usize| {
-            known.bounds.get(&atom).is_some_and(|places| !places.is_empty())
-                || matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi))
-        };
-        if signs.is_settled() || !is_short(poly, ASKED_TERMS) || !poly.atoms().any(is_bounded) {
+        let turns = |atom: usize| matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi));
+        let of_one = || poly.terms().nth(1).is_some() && poly.atoms().collect::<BTreeSet<_>>().len() == 1;
+        let is_asked = || found.is_argument() || of_one() || poly.atoms().any(turns);
+        if signs.is_settled() || found.without_bounds || !is_short(poly, ASKED_TERMS) || !is_asked() {
             return Ok(signs);
         }
         let (inside, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
@@ -349,7 +350,9 @@ impl Checker {
         let of_atom = Poly::atom(atom);
         let places = known.bounds.get(&atom).into_iter().chain(known.places.get(&of_atom)).flatten();
         for place in places.copied() {
-            let Some(sign) = known.signs.get(place) else { continue };
+            // An equation is put in, it bounds nothing.
+            let is_equation = |sign: &Sign| sign.signs == Signs::ZERO && sign.poly.terms().nth(1).is_some();
+            let Some(sign) = known.signs.get(place).filter(|sign| !is_equation(sign)) else { continue };
             let is_atom = |m: &Monomial| matches!(m.as_slice(), [(a, 1)] if *a == atom);
             let Some((_, factor)) = sign.poly.terms().find(|t| is_atom(t.0)) else { continue };
             let r = self.interval_of(sign.poly.terms().filter(|t| !is_atom(t.0)), known, rest, found)?;

@@ -32,9 +32,16 @@ pub(super) struct Found {
     pub(super) ranges: Vec<Range>,
     /// How many arguments of sines and cosines the question stands in.
     arguments: usize,
+    /// Whether nothing is sought between bounds.
+    pub(super) without_bounds: bool,
 }
 
 impl Found {
+    /// Whether the question stands in the argument of a sine or cosine.
+    pub(super) fn is_argument(&self) -> bool {
+        self.arguments > 0
+    }
+
     pub(super) fn new(known: &Known) -> Found {
         Found { ranges: known.ranges.clone(), ..Found::default() }
     }
@@ -64,7 +71,9 @@ impl Checker {
         let mut rest = Signs::of_number(&f.coefficient);
         let mut open = Vec::new();
         for (poly, k) in &f.factors {
-            let signs = self.poly_signs(poly, known, NESTING, &mut Found::new(known))?.power(*k);
+            // What is learned does not depend on bounds: a fact that they show already is noted as well.
+            let mut plain = Found { without_bounds: true, ..Found::new(known) };
+            let signs = self.poly_signs(poly, known, NESTING, &mut plain)?.power(*k);
             let strict = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
             if strict { rest = rest.times(signs) } else { open.push((poly.clone(), *k)) }
         }
@@ -276,7 +285,7 @@ impl Checker {
                 }
                 let mut ranges = found.ranges.clone();
                 ranges.push(Range { index, from: over.from.clone(), to: over.to.clone() });
-                let mut inside = Found { ranges, arguments: found.arguments, ..Found::default() };
+                let mut inside = Found { signs: BTreeMap::new(), ranges, ..*found };
                 let body = self.fraction_signs(&over.body, known, depth, &mut inside)?;
                 // A range may be empty: an empty sum is 0, an empty product 1.
                 let kinds = if over.sum {
