@@ -139,7 +139,8 @@ class Intervals:
             out = self.form(a)
             for p, m, c in known.bounds.of.get(a, ()) if deep and all(a != r[0] for r in known.ranges) else ():
                 s = OF_SIGNS.get(known.notes[p])
-                if s:
+                # An equation of several terms is put in, it bounds nothing.
+                if s and not (known.notes[p] == 2 and len(p) > 1):
                     r = self.interval([term for term in p if term[0] != m], known, deep - 1)
                     out = both(out, scaled(plus(s, scaled(r, Q(-1))), Q(1, c)))
             known.bounds.ends[a, deep] = out
@@ -162,8 +163,9 @@ class Intervals:
         return out
 
     def interval_signs(self, terms, known):
-        """The signs that the interval of a polynomial leaves. Without bounds of its atoms it tells no more than their signs."""
-        tells = lambda a: a in known.bounds.some or self.atoms[a][0] in ("cos", "sin", "pi")
-        if not any(tells(a) for m, _ in terms for a, _ in m):
+        """The signs that the interval of a polynomial leaves, where the kernel asks for it."""
+        atoms, terms = {a for m, _ in terms for a, _ in m}, list(terms)
+        turns = any(self.atoms[a][0] in ("cos", "sin", "pi") for a in atoms)
+        if self.without_bounds or not (self.arguments or turns or len(atoms) == 1 and len(terms) > 1):
             return 7
         return signs_within(self.interval(terms, known))

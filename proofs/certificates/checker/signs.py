@@ -153,7 +153,9 @@ def put_in(p, atom, value, degree=20):
 class Values(Intervals, Terms):
     """Signs of expressions and whether they have values, from what a step cites."""
 
-    # Signs.
+    # Signs: whether bounds are left aside, and in how many arguments of sines and cosines a question stands.
+    without_bounds, arguments = False, 0
+
     def known(self, by, using):
         known = Known()
         for label in using:
@@ -210,7 +212,9 @@ class Values(Intervals, Terms):
         """Keeps what the sign of a fraction says of the one factor whose sign is open."""
         rest, open_ = sign(f.c), []
         for p, k in f.factors.items():
+            self.without_bounds = True
             signs = sign_power(self.poly_signs(p, known, {}), k)
+            self.without_bounds = False
             if signs in (1, 4):
                 rest = TIMES[rest][signs]
             else:
@@ -314,7 +318,12 @@ class Values(Intervals, Terms):
         """The sine is positive for u from 0 to π and negative from −π to 0, the cosine positive for u from −π/2 to π/2 and
         negative from there to 3π/2. At the ends of these arcs it is 0."""
         pi = atom(self.intern(("pi",)))
-        signs = lambda sign, turns: self.fraction_signs(total([u * F(sign), pi * F(turns)]), known, found)
+
+        def signs(sign, turns):
+            self.arguments += 1
+            out = self.fraction_signs(total([u * F(sign), pi * F(turns)]), known, {})
+            self.arguments -= 1
+            return out
         # The length to the end that two arcs share, and that to the other end, on either side.
         shared, ends = (signs(1, 0), ((-1, 1), (1, 1))) if kind == "sin" else (signs(-1, Q(1, 2)), ((1, Q(1, 2)), (-1, Q(3, 2))))
         for length, end, beyond in zip((shared, TIMES[1][shared]), ends, (POSITIVE, 1)):
