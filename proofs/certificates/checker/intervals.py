@@ -166,6 +166,6 @@ class Intervals:
         """The signs that the interval of a polynomial leaves, where the kernel asks for it."""
         atoms, terms = {a for m, _ in terms for a, _ in m}, list(terms)
         turns = any(self.atoms[a][0] in ("cos", "sin", "pi") for a in atoms)
-        if not (self.arguments or turns or len(atoms) == 1 and len(terms) > 1):
+        if not (self.arguments or turns or len(atoms) == 1):
             return 7
         return signs_within(self.interval(terms, known))
