@@ -5,7 +5,7 @@
 
 use super::document::Clause;
 use super::macros::group;
-use super::name::{Names, base, canonical, is_letter, scripts};
+use super::name::{Names, base, canonical, is_in_word, is_letter, scripts};
 use super::place::Placed;
 use super::refusal::{expected, refused};
 use super::token::{Kind, Token, raw_tokens};
@@ -203,7 +203,7 @@ fn identifier(tokens: &[Token], at: usize) -> usize {
     while let Some(token) = tokens.get(at + length)
         && !token.apart
         && let Some(c) = token.char()
-        && (c.is_alphanumeric() || c == '_' || c == '\'')
+        && is_in_word(c)
     {
         let after = tokens.get(at + length + 1);
         if c == '_' && after.is_none_or(|t| !t.char().is_some_and(char::is_alphanumeric)) {

@@ -1,7 +1,7 @@
 //! Derivatives: `\frac{d}{dx}`, `\frac{df}{dx}`, `\frac{\partial^2 f}{\partial x \partial y}`.
 
 use super::expression::{Read, Reader};
-use super::name::{argument, base, scripts};
+use super::name::{argument, base, scripts, words_of};
 use super::piece::{Piece, product};
 use super::place::Placed;
 use super::refusal::{ambiguous, one_value, refused};
@@ -83,8 +83,7 @@ impl Reader<'_, '_, '_> {
             None if body.is_empty() => self.differentiated(start)?,
             None => self.sum_in(body)?,
         };
-        let mentioned =
-            of.text.text().split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).collect::<Vec<_>>();
+        let mentioned = words_of(of.text.text()).collect::<Vec<_>>();
         let depends = |name: &&str| self.scope.roles.get(*name).is_some_and(|role| *role != Role::Variable);
         let is_constant = |by: &String| !mentioned.contains(&by.as_str()) && !mentioned.iter().any(depends);
         if of.name.is_none() && by.iter().any(is_constant) {

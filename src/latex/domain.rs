@@ -4,7 +4,7 @@
 //! than the formula says, both readings are possible and it is refused; so is a letter such as n that nothing declares.
 
 use super::expression::{Read, Reader};
-use super::name::{Symbol, argument};
+use super::name::{Symbol, argument, words_of};
 use super::refusal::{ambiguous, refused};
 use super::scope::Role;
 use super::token::words;
@@ -49,8 +49,7 @@ pub(crate) fn domains(claim: &Claim, preamble: &Preamble) -> BTreeMap<String, Do
     }
     for item in items() {
         let Item::Assume { prop, .. } = item else { continue };
-        let said = Style::Text.prop(prop);
-        for word in said.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')) {
+        for word in words_of(&Style::Text.prop(prop)) {
             out.entry(word.to_string()).and_modify(|domain| domain.supposed = true);
         }
     }

@@ -6,7 +6,7 @@
 use super::binding::relation_of;
 use super::document::{Document, Part};
 use super::expression::{NESTING_LIMIT, Read, Reader};
-use super::name::{Symbol, UPRIGHT, argument, begin};
+use super::name::{Symbol, UPRIGHT, argument, begin, words_of};
 use super::refusal::{ambiguous, refused};
 use super::scope::{Missing, Role, Scope};
 use super::token::{Kind, Token, raw_tokens};
@@ -55,7 +55,7 @@ impl Reader<'_, '_, '_> {
     /// Whether what a comment says that a name stands for speaks of this bound name.
     pub(crate) fn is_said_with(&self, said: &str, index: &str) -> bool {
         let own = self.scope.bound.iter().rev().find(|bound| bound.0 == index).map(|bound| bound.1.as_str());
-        said.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).any(|word| Some(word) == own)
+        words_of(said).any(|word| Some(word) == own)
     }
 
     /// Refuses a name that depends on a bound index and is declared as one number, or not at all.

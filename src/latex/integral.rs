@@ -2,7 +2,7 @@
 
 use super::derivative::differential;
 use super::expression::{Read, Reader};
-use super::name::{argument, base, begin, scripts};
+use super::name::{argument, base, begin, scripts, words_of};
 use super::piece::Piece;
 use super::place::Placed;
 use super::refusal::{ambiguous, refused};
@@ -68,8 +68,7 @@ impl Reader<'_, '_, '_> {
         };
         self.scope.bound.pop();
         let body = body?;
-        let words: Vec<&str> =
-            body.text.text().split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).collect();
+        let words: Vec<&str> = words_of(body.text.text()).collect();
         let has_names = words.iter().any(|word| word.starts_with(|c: char| c.is_alphabetic()));
         if has_names && !words.contains(&name.as_str()) {
             let help =

@@ -201,6 +201,16 @@ pub(crate) fn mentions(tokens: &[Token], key: &str) -> bool {
     (0..tokens.len()).any(|at| begin(&tokens[at..]).is_some_and(|found| found.0.key() == key))
 }
 
+/// Whether a sign may stand in a name of the claim language.
+pub(crate) fn is_in_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_' || c == '\''
+}
+
+/// The names, words and numerals of a text in the claim language.
+pub(crate) fn words_of(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c| !is_in_word(c))
+}
+
 /// The name that begins these tokens, and where it ends.
 pub(crate) fn begin(tokens: &[Token]) -> Option<(Symbol, usize)> {
     let (first, next) = base(tokens, 0).ok()??;
@@ -272,7 +282,7 @@ impl Names {
 
     /// Gives a key its spelling, or the expression that it stands for.
     pub(crate) fn set(&mut self, key: &str, spelling: &str, span: Span) -> Result<(), Diagnostic> {
-        if !spelling.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'') {
+        if !spelling.chars().all(is_in_word) {
             parse_expr(spelling).map_err(|_| {
                 let help = format!("write a name or an expression behind `as`: `%carom name {key} as x1`");
                 refused(format!("what {key} stands for is no expression of the claim language"), help, span)

@@ -109,7 +109,7 @@ class Bounds:
     def __init__(self, other=None):
         # By atom: the polynomials in which it is one term, with a number, and occurs in no other.
         self.of = {a: list(ps) for a, ps in other.of.items()} if other else {}
-        self.ends, self.some = {}, set(other.some) if other else set()
+        self.ends = {}
 
     def note(self, p, is_new):
         """The sign of p is noted, or more of it."""
@@ -119,7 +119,6 @@ class Bounds:
             for m, c in p:
                 if len(m) == 1 and m[0][1] == 1 and atoms.count(m[0][0]) == 1:
                     self.of.setdefault(m[0][0], []).append((p, m, c))
-                    self.some.update([m[0][0]] if len(p) > 1 else [])
 
 
 class Intervals:
@@ -163,8 +162,10 @@ class Intervals:
         return out
 
     def interval_signs(self, terms, known):
-        """The signs that the interval of a polynomial leaves, where the kernel asks for it."""
-        atoms, terms = {a for m, _ in terms for a, _ in m}, list(terms)
+        """The signs that the interval of a polynomial leaves. The kernel asks for it in fewer places: not of single atoms outside of
+        arguments, and in these only where a fact is noted."""
+        terms = list(terms)
+        atoms = {a for m, _ in terms for a, _ in m}
         turns = any(self.atoms[a][0] in ("cos", "sin", "pi") for a in atoms)
         if not (self.arguments or turns or len(atoms) == 1):
             return 7

@@ -9,7 +9,7 @@ from checker.terms import atom, F, factored, NO_DERIVATIVE, ONE, poly_product, s
 # A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
 SIGNS = {"=": 2, "!=": 5, "<": 1, "<=": 3, ">": 4, ">=": 6}
 NOT_ZERO, POSITIVE, NOT_NEGATIVE, ANY = 5, 4, 6, 7
-SETTLED = (1, 2, 4, NOT_ZERO)
+SETTLED = (1, 2, 4)
 SHOWN = {5: "other than 0", 4: "positive", 6: "at least 0", 7: "a number"}
 
 
@@ -285,7 +285,7 @@ class Values(Intervals, Terms):
         if kind == "ln":
             return self.fraction_signs(inner[0] - ONE, known, found)
         if kind in ("cos", "sin"):
-            return self.arc_signs(kind, inner[0], known, found)
+            return self.arc_signs(kind, inner[0], known)
         if kind == "power":
             base = self.fraction_signs(inner[0], known, found)
             if not self.is_whole(inner[1]):
@@ -312,7 +312,7 @@ class Values(Intervals, Terms):
                         out &= PLUS[SIGNS[p[2][0]]][sign(Q(p[1][1][1]))]
         return out
 
-    def arc_signs(self, kind, u, known, found):
+    def arc_signs(self, kind, u, known):
         """The sine is positive for u from 0 to π and negative from −π to 0, the cosine positive for u from −π/2 to π/2 and
         negative from there to 3π/2. At the ends of these arcs it is 0."""
         pi = atom(self.intern(("pi",)))

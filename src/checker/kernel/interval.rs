@@ -281,8 +281,8 @@ impl Checker {
     pub(super) fn narrowed(&self, signs: Signs, poly: &Poly, known: &Known, found: &Found) -> Result<Signs, Refusal> {
         let turns = |atom: usize| matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi));
         let of_one = || poly.terms().nth(1).is_some() && poly.atoms().collect::<BTreeSet<_>>().len() == 1;
-        let is_asked = || found.is_argument() || of_one() || poly.atoms().any(turns);
-        if signs.is_settled() || found.without_bounds || !is_short(poly, ASKED_TERMS) || !is_asked() {
+        let is_asked = || found.arguments > 0 || of_one() || poly.atoms().any(turns);
+        if signs.is_single() || found.without_bounds || !is_short(poly, ASKED_TERMS) || !is_asked() {
             return Ok(signs);
         }
         let (inside, from) = self.interval_of(poly.terms(), known, CHAIN, found)?.signs();
@@ -367,5 +367,22 @@ impl Checker {
         }
         known.intervals.borrow_mut().insert((atom, chain), out.clone());
         Ok(out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::enclosure::Enclosure;
+    use super::super::fraction::Work;
+    use super::{Signs, pi_decimal};
+
+    #[test]
+    fn pi_lies_outside_of_its_decimals() -> Result<(), super::Refusal> {
+        let work = Work::default();
+        for (up, beyond) in [(false, Signs::POSITIVE), (true, Signs::POSITIVE.turned())] {
+            let difference = Enclosure::pi(&work)?.minus(&Enclosure::exact(pi_decimal(up)), &work)?;
+            assert_eq!(difference.signs(), beyond);
+        }
+        Ok(())
     }
 }

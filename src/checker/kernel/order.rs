@@ -63,7 +63,7 @@ impl Signs {
     }
 
     /// Whether only one is possible.
-    pub fn is_settled(self) -> bool {
+    pub fn is_single(self) -> bool {
         self.0.count_ones() <= 1
     }
 

@@ -1,7 +1,7 @@
 //! Powers, exponentials and logarithms of fractions.
 //!
-//! b^E with a whole number E is multiplied out, and (−1)^E is a product of (−1)^m for products m of natural numbers. With an exponent that is a sum of natural monomials with positive whole
-//! coefficients, b^(E + F) = b^E·b^F, (b·c)^E = b^E·c^E and (b^E)^F = b^(E·F) hold for every b (0^0 = 1). Any other exponent
+//! b^E with a whole number E is multiplied out, and (−1)^E is a product of (−1)^m for products m of natural numbers. With
+//! an exponent that is a sum of natural monomials with positive whole coefficients, b^(E + F) = b^E·b^F, (b·c)^E = b^E·c^E and (b^E)^F = b^(E·F) hold for every b (0^0 = 1). Any other exponent
 //! that is not whole by its form needs b > 0 (or b ≥ 0 under a root of numerals), and then b^(E + F) = b^E·b^F holds as
 //! well. b^(−E) = 1/b^E holds wherever b^(−E) has a value, also for b = 0 and E = 0. Other exponents that may be negative
 //! whole numbers stay whole: b may be 0 there.

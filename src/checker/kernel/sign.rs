@@ -31,17 +31,12 @@ pub(super) struct Found {
     pub(super) signs: BTreeMap<usize, Signs>,
     pub(super) ranges: Vec<Range>,
     /// How many arguments of sines and cosines the question stands in.
-    arguments: usize,
-    /// Whether nothing is sought between bounds.
+    pub(super) arguments: usize,
+    /// Whether nothing is sought between bounds, but in such arguments.
     pub(super) without_bounds: bool,
 }
 
 impl Found {
-    /// Whether the question stands in the argument of a sine or cosine.
-    pub(super) fn is_argument(&self) -> bool {
-        self.arguments > 0
-    }
-
     pub(super) fn new(known: &Known) -> Found {
         Found { ranges: known.ranges.clone(), ..Found::default() }
     }
@@ -71,7 +66,7 @@ impl Checker {
         let mut rest = Signs::of_number(&f.coefficient);
         let mut open = Vec::new();
         for (poly, k) in &f.factors {
-            // What is learned does not depend on bounds: a fact that they show already is noted as well.
+            // What bounds show already is noted as well, but for signs of sines and cosines: Coq's theorems follow what is noted.
             let mut plain = Found { without_bounds: true, ..Found::new(known) };
             let signs = self.poly_signs(poly, known, NESTING, &mut plain)?.power(*k);
             let strict = signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less));
@@ -193,7 +188,7 @@ impl Checker {
             Some(atom) => self.atom_signs(atom, known, depth, found)?,
             None => match self.sum_signs(poly, known, depth, found)? {
                 // What follows from the terms alone need not be asked for.
-                sum if sum.is_settled() => sum,
+                sum if sum.is_single() => sum,
                 sum => self.narrowed(sum.and(self.noted(poly, known)?), poly, known, found)?,
             },
         };
@@ -201,7 +196,7 @@ impl Checker {
             let Some(Range { index, from, to }) = found.ranges.get(place).cloned() else { continue };
             let inside = |atom: usize| self.occurring.get(atom).is_some_and(|all| all.binary_search(&index).is_ok());
             let alone = poly.atoms().any(|a| a == index) && !poly.atoms().any(|a| a != index && inside(a));
-            if signs.is_settled() || !alone {
+            if signs.is_single() || !alone {
                 continue;
             }
             let one = |c: i64| Poly::term(vec![(index, 1)], BigRational::from_integer(c.into()));
