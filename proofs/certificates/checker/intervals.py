@@ -162,11 +162,11 @@ class Intervals:
         return out
 
     def interval_signs(self, terms, known):
-        """The signs that the interval of a polynomial leaves. The kernel asks for it in fewer places: not of single atoms outside of
-        arguments, and in these only where a fact is noted."""
+        """The signs that the interval of a polynomial leaves: of one atom with other terms or of cosines, sines and π, but not where a
+        fact is noted; and in the arguments of cosines and sines."""
         terms = list(terms)
         atoms = {a for m, _ in terms for a, _ in m}
         turns = any(self.atoms[a][0] in ("cos", "sin", "pi") for a in atoms)
-        if not (self.arguments or turns or len(atoms) == 1):
+        if not self.arguments and (self.noting or not (turns or len(atoms) == 1 and len(terms) > 1)):
             return 7
         return signs_within(self.interval(terms, known))

@@ -153,8 +153,8 @@ def put_in(p, atom, value, degree=20):
 class Values(Intervals, Terms):
     """Signs of expressions and whether they have values, from what a step cites."""
 
-    # Signs: in how many arguments of sines and cosines a question stands.
-    arguments = 0
+    # Signs: in how many arguments of sines and cosines a question stands, and whether a fact is being noted.
+    arguments, noting = 0, False
 
     def known(self, by, using):
         known = Known()
@@ -212,7 +212,9 @@ class Values(Intervals, Terms):
         """Keeps what the sign of a fraction says of the one factor whose sign is open."""
         rest, open_ = sign(f.c), []
         for p, k in f.factors.items():
+            self.noting = True
             signs = sign_power(self.poly_signs(p, known, {}), k)
+            self.noting = False
             if signs in (1, 4):
                 rest = TIMES[rest][signs]
             else:
