@@ -9,6 +9,10 @@ use carom::{
     table, table_checker,
 };
 
+/// Whoever embeds the library chooses an allocator; the program has one that is made for many small objects on several threads.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() -> std::process::ExitCode {
     cli::run()
 }

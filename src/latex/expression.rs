@@ -226,6 +226,16 @@ impl<'t> Reader<'t, '_, '_> {
             {
                 return Err(super::measured::two_readings(false, span));
             }
+            if !is_explicit
+                && factors.last().is_some_and(|(_, before)| !before.is_number)
+                && let Some((inner, next)) = self.parenthesis()?
+                && inner.iter().all(|t| t.is_char('.') || t.char().is_some_and(|c| c.is_ascii_digit()))
+                && self.tokens[next..].iter().all(is_space)
+            {
+                let readings = ["the number of this formula", "a factor"];
+                let write = ["write \\tag{…}", "write \\cdot before the number"];
+                return Err(ambiguous("a number in parentheses at the end", readings, write, span));
+            }
             if let Some(operator) = self.operator()? {
                 // A large operator reaches to the end of the product.
                 factors.push((divides, operator));
@@ -248,6 +258,11 @@ impl<'t> Reader<'t, '_, '_> {
         }
         self.linear(&factors, self.since(start))?;
         if factors.is_empty() { self.expected("an expression") } else { Ok(product(factors)) }
+    }
+
+    /// Whether a factor or a sign of a product or quotient stands here.
+    pub(crate) fn goes_on_as_product(&mut self) -> bool {
+        self.begins_factor() || self.peek().is_some_and(|t| t.is("cdot") || t.is("times") || t.is_char('/'))
     }
 
     /// Whether a factor begins here without a sign before it.

@@ -1,7 +1,7 @@
 //! Commands in a formula: functions, roots, matrices, sums and products.
 
 use super::document::{cells, end_of, environment};
-use super::expression::{Read, Reader, is_upright};
+use super::expression::{Read, Reader, is_space, is_upright};
 use super::macros::{group, option};
 use super::name::{argument, base, canonical, is_letter, scripts};
 use super::piece::{Piece, product};
@@ -374,11 +374,17 @@ impl<'t> Reader<'t, '_, '_> {
         self.scope.counts = outer;
         let (from, to) = ends?;
         let name = self.scope.bind(&index)?;
+        let from_here = self.at;
         let body = self.term();
         self.scope.bound.pop();
         let body = body?;
         if word != "sum" {
             self.number_only(&body, "a product of vectors", start)?;
+            if has_constant_end(&self.tokens[from_here..self.at], &below[0].kind) {
+                let readings = ["to the last factor with its index", "over all factors that follow"];
+                let write = ["write parentheses around the product", "write parentheses around what it reaches over"];
+                return Err(ambiguous("how far this product reaches", readings, write, start));
+            }
         }
         let rest = &self.tokens[self.at..];
         let goes_on = rest.first().is_some_and(|t| t.is_char('+') || t.is_char('-'));
@@ -435,4 +441,47 @@ pub(crate) fn rows(body: &[Token]) -> Vec<Vec<Token>> {
         }
     }
     out
+}
+
+/// Whether factors without the index stand behind the last one with it, or a sum or product with an index of the same name
+/// stands among them: over how many of them a product reaches changes its value.
+fn has_constant_end(tokens: &[Token], index: &Kind) -> bool {
+    let is_operator = |t: &Token| ["sum", "prod"].iter().any(|name| t.is(name));
+    let binds_again =
+        |(place, t): (usize, &Token)| is_operator(t) && tokens[place..].iter().take(4).any(|t| t.kind == *index);
+    if tokens.iter().enumerate().any(binds_again) {
+        return true;
+    }
+    let Some(last) = tokens.iter().rposition(|t| t.kind == *index) else { return false };
+    let mut level = 0i64;
+    // Outside of all that was open at the index.
+    let mut lowest = 0i64;
+    let mut at = last + 1;
+    for (place, token) in tokens.iter().enumerate().skip(last + 1) {
+        level += match token.kind {
+            Kind::Open | Kind::Char('(' | '[') => 1,
+            Kind::Close | Kind::Char(')' | ']') => -1,
+            _ => 0,
+        };
+        if level < lowest {
+            lowest = level;
+            at = place + 1;
+        }
+    }
+    // Exponents, indices, the other part of a fraction and signs behind a factor belong to it.
+    loop {
+        match tokens.get(at).map(|t| &t.kind) {
+            Some(Kind::Char('^' | '_')) => match argument(tokens, at + 1) {
+                Ok((_, next)) => at = next,
+                Err(_) => return false,
+            },
+            Some(Kind::Open) => match argument(tokens, at) {
+                Ok((_, next)) => at = next,
+                Err(_) => return false,
+            },
+            Some(Kind::Char('!' | '\'' | '|')) => at += 1,
+            Some(Kind::Command(_)) if tokens.get(at).is_some_and(is_space) => at += 1,
+            rest => return rest.is_some(),
+        }
+    }
 }

@@ -29,7 +29,7 @@ impl Reader<'_, '_, '_> {
         {
             let behind = self.at + next;
             let here = std::mem::replace(&mut self.at, behind);
-            if self.begins_factor() || self.peek().is_some_and(|t| t.is("cdot") || t.is("times") || t.is_char('/')) {
+            if self.goes_on_as_product() {
                 let readings = ["up to its fraction with the differential", "over all that follows"];
                 let write = ["write parentheses around the integral", "write the differential behind the integrand"];
                 return Err(ambiguous("how far this integral reaches", readings, write, self.since(start)));
@@ -60,6 +60,13 @@ impl Reader<'_, '_, '_> {
         };
         let (variable, next) = scripts(self.tokens, first, self.tokens[behind].span, next)?;
         let integrand = &self.tokens[self.at..end];
+        let here = std::mem::replace(&mut self.at, next);
+        if integrand.is_empty() && self.goes_on_as_product() {
+            let readings = ["the integrand", "a factor behind the integral of 1"];
+            let write = ["write the differential behind the integrand", "write parentheses around the integral"];
+            return Err(ambiguous("what stands behind the differential", readings, write, self.span()));
+        }
+        self.at = here;
         let name = self.scope.bind(&variable)?;
         let body = match integrand {
             [] => Ok(Piece::atom("1", start)),

@@ -40,6 +40,8 @@ pub(crate) const CONDITIONS: &[&str] =
 const EQUIVALENT: &[&str] = &["if and only if", "iff", "exactly if", "precisely if"];
 /// Words that say for which values of a name a statement is true.
 const FOR_ALL: &[&str] = &["for all", "for each", "for every", "for any"];
+/// Words before a name of which one value is meant.
+const EXISTENCE: &[&str] = &["exists", "there is", "there exists"];
 
 impl Reader<'_, '_, '_> {
     /// The words of `\text{…}` here, and where to read on.
@@ -69,12 +71,35 @@ impl Reader<'_, '_, '_> {
 
     /// A statement.
     pub(crate) fn statement(&mut self) -> Read<Said> {
-        let mut list = vec![self.implication()?];
-        while self.take_command(&["Leftrightarrow", "iff", "Longleftrightarrow"]) || self.take_text(EQUIVALENT) {
-            list.push(self.implication()?);
+        let mut list = Vec::new();
+        loop {
+            let begins = self.begins_quantifier();
+            let span = self.span();
+            let said = self.implication()?;
+            // What stands behind it, a condition or words for all, may be meant for it or for the whole.
+            list.push((said.level == 2 || (said.level == 1 && !begins), span, said));
+            if !self.take_command(&["Leftrightarrow", "iff", "Longleftrightarrow"]) && !self.take_text(EQUIVALENT) {
+                break;
+            }
         }
-        self.scope.has_logic |= list.len() > 1;
-        Ok(joined(list, " <=> ", 1, 2))
+        if list.len() > 1 {
+            self.scope.has_logic = true;
+            if let Some((_, span, _)) = list.iter().find(|(is_open, ..)| *is_open) {
+                let readings = ["a side of the equivalence alone", "a chain, or a condition of the whole"];
+                let write =
+                    ["write parentheses around the side", "write two equations, or parentheses around the whole"];
+                return Err(ambiguous("an implication or a condition beside an equivalence", readings, write, *span));
+            }
+        }
+        Ok(joined(list.into_iter().map(|(.., said)| said).collect(), " <=> ", 1, 2))
+    }
+
+    fn begins_quantifier(&mut self) -> bool {
+        let word = self.text_here();
+        let is_existence = |said: &str| EXISTENCE.contains(&said);
+        self.begins_for_all()
+            || word.is_some_and(|(said, _)| is_existence(&said))
+            || self.peek().is_some_and(|t| t.is("exists"))
     }
 
     fn implication(&mut self) -> Read<Said> {
@@ -303,7 +328,7 @@ impl Reader<'_, '_, '_> {
         if self.begins_for_all() {
             return self.quantified("for all ", span);
         }
-        if is(&["exists", "there is", "there exists"]) || self.peek().is_some_and(|t| t.is("exists")) {
+        if self.begins_quantifier() {
             self.scope.has_choice = true;
             return self.quantified("exists ", span);
         }

@@ -269,7 +269,8 @@ impl Prover {
         let mut cuts: Vec<(Rational, Expr)> = Vec::new();
         for argument in arguments {
             let Some(p) = self.letters.polynomial(argument).filter(|p| p.variables() == [letter]) else { continue };
-            let [constant, slope] = p.coefficients_in(letter).try_into().unwrap_or_default();
+            // Only a linear argument is cut.
+            let Ok([constant, slope]) = <[_; 2]>::try_from(p.coefficients_in(letter)) else { continue };
             let (constant, slope) = (constant.constant_term(), slope.constant_term());
             for k in -QUADRANTS..=QUADRANTS {
                 let turn = super::letters::product(vec![literal(&(Rational::from_signeds(k, 2) / &slope)), name(PI)]);
