@@ -198,7 +198,7 @@ impl<'t> Reader<'t, '_, '_> {
     }
 
     /// Where to read on behind the sign of degrees, if it stands here.
-    fn degrees(&self) -> Option<usize> {
+    pub(crate) fn degrees(&self) -> Option<usize> {
         let token = self.tokens.get(self.at)?;
         if token.is("degree") || token.is_char('°') {
             return Some(self.at + 1);

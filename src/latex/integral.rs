@@ -42,6 +42,26 @@ impl Reader<'_, '_, '_> {
         self.between((from, to), start)
     }
 
+    /// Whether a token stands in what is left of the product here.
+    fn in_this_term(&self, wanted: &Kind) -> bool {
+        let mut level = 0i64;
+        for token in &self.tokens[self.at..] {
+            level += match token.kind {
+                Kind::Open | Kind::Char('(' | '[') => 1,
+                Kind::Close | Kind::Char(')' | ']') => -1,
+                _ => 0,
+            };
+            let is_end = matches!(token.char(), Some('+' | '-' | ',')) || super::binding::relation_of(token).is_some();
+            if level < 0 || level == 0 && is_end {
+                return false;
+            }
+            if token.kind == *wanted {
+                return true;
+            }
+        }
+        false
+    }
+
     /// The integrand here with its differential, between these ends.
     fn between(&mut self, (from, to): (Piece, Piece), start: Span) -> Read<Piece> {
         let Some(end) = own_differential(&self.tokens[self.at..]).map(|place| self.at + place) else {
@@ -61,8 +81,9 @@ impl Reader<'_, '_, '_> {
         let (variable, next) = scripts(self.tokens, first, self.tokens[behind].span, next)?;
         let integrand = &self.tokens[self.at..end];
         let here = std::mem::replace(&mut self.at, next);
-        if integrand.is_empty() && self.goes_on_as_product() {
-            let readings = ["the integrand", "a factor behind the integral of 1"];
+        let first_kind = &self.tokens[behind].kind;
+        if self.goes_on_as_product() && (integrand.is_empty() || self.in_this_term(first_kind)) {
+            let readings = ["the integrand", "a factor behind the integral"];
             let write = ["write the differential behind the integrand", "write parentheses around the integral"];
             return Err(ambiguous("what stands behind the differential", readings, write, self.span()));
         }

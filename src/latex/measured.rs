@@ -27,6 +27,8 @@ struct Printed {
     has_sign: bool,
     /// The power of ten behind it.
     exponent: i64,
+    /// Whether all of it is in degrees.
+    in_degrees: bool,
     /// Where it stands.
     span: Span,
 }
@@ -86,17 +88,27 @@ impl Reader<'_, '_, '_> {
         if !self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit()) {
             return Err(not_read(start));
         }
-        let digits = self.number()?.text.text().to_string();
+        let (digits, mut in_degrees) = self.digits_and_degrees()?;
         let mut uncertainty = self.last_digits(&digits);
         let has_sign = uncertainty.is_none() && self.take_command(&["pm"]);
         if has_sign {
             if !self.peek().and_then(Token::char).is_some_and(|c| c.is_ascii_digit()) {
                 return Err(not_read(start));
             }
-            uncertainty = Some(self.number()?.text.text().to_string());
+            let (away, is_too) = self.digits_and_degrees()?;
+            uncertainty = Some(away);
+            // A sign of degrees behind one of two numbers may be meant for both.
+            if in_degrees != is_too && !in_parentheses {
+                let help =
+                    "write it behind both numbers, 57.3^\\circ \\pm 0.2^\\circ, or behind parentheses around them";
+                return Err(refused("degrees stand behind one number and not behind the other", help, start));
+            }
         }
         if in_parentheses && (uncertainty.is_none() || !self.take_char(')')) {
             return Err(not_read(start));
+        }
+        if let Some(next) = self.degrees().filter(|_| !in_degrees) {
+            (in_degrees, self.at) = (true, next);
         }
         if digits.contains('e') {
             return Err(not_read(start));
@@ -114,6 +126,7 @@ impl Reader<'_, '_, '_> {
                         uncertainty,
                         has_sign,
                         exponent,
+                        in_degrees,
                         span: self.since(start),
                     });
                 }
@@ -132,7 +145,15 @@ impl Reader<'_, '_, '_> {
         if exponent.abs() > POWER_LIMIT {
             return Err(limit("digits of a power of ten", POWER_LIMIT as usize, start));
         }
-        Ok(Printed { is_negative, digits, uncertainty, has_sign, exponent, span: self.since(start) })
+        Ok(Printed { is_negative, digits, uncertainty, has_sign, exponent, in_degrees, span: self.since(start) })
+    }
+
+    /// The digits of a number, and whether the sign of degrees stands behind it.
+    fn digits_and_degrees(&mut self) -> Read<(String, bool)> {
+        let number = self.number()?;
+        let text = number.text.text();
+        let inside = text.strip_prefix('(').and_then(|text| text.strip_suffix("*pi/180)"));
+        Ok((inside.unwrap_or(text).to_string(), inside.is_some()))
     }
 
     /// The uncertainty with the power of ten here, if that makes its last digit the last one of the value: `0.00243 \pm 6 \cdot 10^{-5}`.
@@ -183,10 +204,12 @@ impl Reader<'_, '_, '_> {
             None if printed.exponent == 0 => digits.to_string(),
             None => format!("{digits}e{}", printed.exponent),
         };
-        let value = scaled(&printed.digits);
+        let unit_of_angles = if printed.in_degrees { "*pi/180" } else { "" };
+        let value = scaled(&printed.digits) + unit_of_angles;
         let mut text = Placed::default();
         if let Some(uncertainty) = &printed.uncertainty {
-            let (value, away) = (if printed.is_negative { format!("-{value}") } else { value }, scaled(uncertainty));
+            let value = if printed.is_negative { format!("-{value}") } else { value };
+            let away = scaled(uncertainty) + unit_of_angles;
             text.push(&format!("{value} - {away} <= "), span);
             text.append(&exact.text);
             text.push(&format!(" <= {value} + {away}"), span);
@@ -195,7 +218,8 @@ impl Reader<'_, '_, '_> {
             let unit = last_unit(&printed, self.scope.decisions.digits)?;
             text.push("abs(", span);
             text.append(&exact.text);
-            text.push(&format!(" {} {value}) <= 0.5e{unit}", if printed.is_negative { '+' } else { '-' }), span);
+            let sign = if printed.is_negative { '+' } else { '-' };
+            text.push(&format!(" {sign} {value}) <= 0.5e{unit}{unit_of_angles}"), span);
         }
         Ok(Said { text, level: 6 })
     }
@@ -212,6 +236,10 @@ fn last_unit(printed: &Printed, said: Option<usize>) -> Read<i64> {
     let places = places(digits);
     let significant = digits.replace('.', "");
     let significant = significant.trim_start_matches('0');
+    if significant.is_empty() && places == 0 {
+        let help = "write the bound that is meant, as in |x| \\le 0.01";
+        return Err(refused("a number that is approximately 0 has no digits", help, *span));
+    }
     let Some(said) = said else {
         if places == 0 && digits.len() > 1 && digits.ends_with('0') {
             let readings = ["a number rounded to its last digit", "one rounded to its last digit other than 0"];

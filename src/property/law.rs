@@ -162,7 +162,7 @@ pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(usize)) -> 
     let deadline = started.checked_add(settings.time);
     let effort = Effort { first: None, deadline, random: settings.cases, seed: settings.seed };
     let mut number = 0;
-    let Tried { witness, held: points, open } = trial.tried(&effort, true, &mut || {
+    let Tried { witness, held: points, open, .. } = trial.tried(&effort, true, &mut || {
         number += 1;
         now(number);
     });

@@ -27,7 +27,7 @@ def number(e):
 
 
 def real(e, is_pi):
-    """Whether e is made of numbers, roots of numbers, and pi where that is the number, so that it has a value."""
+    """Whether e has a value, because of its form: section 9, "values of a point"."""
     if number(e) is not None:
         return True
     if e[0] == "name":
@@ -35,10 +35,33 @@ def real(e, is_pi):
     if e[0] in ("neg", "sum"):
         return all(real(part, is_pi) for part in nodes(e))
     if e[0] == "prod":
-        return all(real(p, is_pi) if sign == "*" else number(p) not in (None, 0) for sign, p in e[1])
-    if e[0] == "call":
-        return e[1] == "sqrt" and len(e[2]) == 1 and (number(e[2][0]) is not None and number(e[2][0]) >= 0)
-    return e[0] == "pow" and number(e[1]) is not None and number(e[1]) > 0 and number(e[2]) is not None
+        return all(
+            real(p, is_pi) if sign == "*" else number(p) not in (None, 0) or positive(p, is_pi) for sign, p in e[1]
+        )
+    if e[0] == "call" and len(e[2]) == 1:
+        a = e[2][0]
+        if e[1] == "exp":
+            return real(a, is_pi)
+        return e[1] in ("sqrt", "ln") and positive(a, is_pi) or e[1] == "sqrt" and number(a) == 0
+    return e[0] == "pow" and positive(e[1], is_pi) and number(e[2]) is not None
+
+
+def positive(e, is_pi):
+    """Whether e has a positive value, because of its form."""
+    if number(e) is not None:
+        return number(e) > 0
+    if e[0] == "name":
+        return is_pi and e[1] == PI
+    if e[0] == "sum":
+        return all(sign == 1 and positive(p, is_pi) for sign, p in e[1])
+    if e[0] == "prod":
+        return all(positive(p, is_pi) for _, p in e[1])
+    if e[0] == "call" and len(e[2]) == 1:
+        a = e[2][0]
+        if e[1] == "ln":
+            return number(a) is not None and number(a) > 1
+        return real(a, is_pi) if e[1] == "exp" else e[1] == "sqrt" and positive(a, is_pi)
+    return e[0] == "pow" and positive(e[1], is_pi) and number(e[2]) is not None
 
 
 def denied(p):

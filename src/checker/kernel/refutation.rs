@@ -15,7 +15,7 @@ use crate::claim::definedness::{Need, needs};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::{BTreeSet, HashSet};
 
 /// A claim as it is looked at where it is said to fail.
@@ -31,7 +31,7 @@ struct Parts {
 /// hypotheses hold there, and the goal is false or has no value.
 ///
 /// Sound: the returned claim supposes nothing but that variables have the values given, each at most one and of its kind
-/// (a number, or made of roots of numbers and of π so that it has a value; `pi` only where no name of the point's claim hides it),
+/// (a number, or made of numbers, of π and functions so that it has a value; `pi` only where no name of the point's claim hides it),
 /// and that families have the members given and all others in their domain, which holds a number. So there are values
 /// that satisfy what it supposes. For these the domains and hypotheses of the claim are shown to hold, and its goal is
 /// shown to be false. A goal `for all x …` fails if it fails for one x of the domain, and an extremum if its value, its
@@ -374,11 +374,11 @@ fn rational(e: &Expr) -> Option<BigRational> {
     }
 }
 
-/// Whether an expression is made of numbers, of roots of numbers that have them, and of π where `pi` is that number, by sums,
-/// products and quotients by numbers other than 0: it has a value.
+/// Whether an expression is made of numbers, and of π where `pi` is that number, by sums, products, exponentials, and by
+/// quotients, powers, roots and logarithms of what [`is_positive`]: it has a value.
 ///
-/// Sound: each of these is a real number, and so are sums and products of real numbers. Roots and powers are those of
-/// numbers alone, so that their base is seen to have the sign that they need.
+/// Sound: numbers and π are real numbers, and sums, products and exponentials of real numbers are. So are quotients by positive
+/// numbers and by numbers other than 0, and powers, roots and logarithms of positive numbers.
 fn is_real(e: &Expr, is_pi: bool) -> bool {
     if rational(e).is_some() {
         return true;
@@ -389,15 +389,38 @@ fn is_real(e: &Expr, is_pi: bool) -> bool {
         ExprKind::Sum(list) => list.iter().all(|(_, part)| is_real(part, is_pi)),
         ExprKind::Product(list) => list.iter().all(|(factor, part)| match factor {
             Factor::Times => is_real(part, is_pi),
-            Factor::Over => rational(part).is_some_and(|q| !q.is_zero()),
+            Factor::Over => rational(part).is_some_and(|q| !q.is_zero()) || is_positive(part, is_pi),
         }),
         ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
-            ("sqrt", [a]) => rational(a).is_some_and(|q| !q.is_negative()),
+            ("sqrt", [a]) => rational(a).is_some_and(|q| !q.is_negative()) || is_positive(a, is_pi),
+            ("exp", [a]) => is_real(a, is_pi),
+            ("ln", [a]) => is_positive(a, is_pi),
             _ => false,
         },
-        ExprKind::Power(base, exponent) => {
-            rational(base).is_some_and(|q| q.is_positive()) && rational(exponent).is_some()
-        }
+        ExprKind::Power(base, exponent) => is_positive(base, is_pi) && rational(exponent).is_some(),
+        _ => false,
+    }
+}
+
+/// Whether an expression is positive by its form: a positive number, π, an exponential, the logarithm of a number above 1, or a sum,
+/// product, quotient, power or root of these.
+///
+/// Sound: each of these is, and [`is_real`] of it.
+fn is_positive(e: &Expr, is_pi: bool) -> bool {
+    if let Some(q) = rational(e) {
+        return q.is_positive();
+    }
+    match &e.kind {
+        ExprKind::Name(name) => is_pi && name == PI,
+        ExprKind::Sum(list) => list.iter().all(|(sign, part)| *sign == Sign::Plus && is_positive(part, is_pi)),
+        ExprKind::Product(list) => list.iter().all(|(_, part)| is_positive(part, is_pi)),
+        ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
+            ("sqrt", [a]) => is_positive(a, is_pi),
+            ("exp", [a]) => is_real(a, is_pi),
+            ("ln", [a]) => rational(a).is_some_and(|q| q > BigRational::one()),
+            _ => false,
+        },
+        ExprKind::Power(base, exponent) => is_positive(base, is_pi) && rational(exponent).is_some(),
         _ => false,
     }
 }

@@ -327,16 +327,27 @@ fn searched(
     Ok(Decided::without_proof(case.undecided(reason, fail.limit())))
 }
 
-/// A refutation by the search for proofs: at a point with roots as coordinates, or of a goal `exists` that fails for all values.
-/// It takes this part of the time limit at most.
+/// A refutation by the search for proofs: at a point with roots as coordinates, or of an existence that fails for all values, where
+/// evaluation leaves it open. It takes this part of the time limit at most.
 fn refuted_by_proof(claim: &Claim, case: &Case, limits: &Limits, part: u32) -> Option<Certificate> {
     let limits = Limits { time: case.time_left().min(limits.time / part), ..limits.clone() };
-    let point = match &claim.goal.kind {
-        claim::PropKind::Exists(..) if !case.has_variables() => Point { values: Vec::new() },
-        claim::PropKind::Compare(..) => satisfiable::counterexample(claim, &limits)?,
+    let points = match &claim.goal.kind {
+        claim::PropKind::Exists(..) if !case.has_variables() => vec![Point { values: Vec::new() }],
+        claim::PropKind::Compare(..) => vec![satisfiable::counterexample(claim, &limits)?],
+        _ if says_existence(&claim.goal) => case.open_points().to_vec(),
         _ => return None,
     };
-    refuted::certificate(claim, &point, &limits)
+    let each = Limits { time: limits.time / u32::try_from(points.len()).unwrap_or(1).max(1), ..limits.clone() };
+    points.iter().find_map(|point| refuted::certificate(claim, point, &each))
+}
+
+/// Whether a statement says that something exists, alone or with others: an extremum says so of the place where it is attained.
+fn says_existence(p: &claim::Prop) -> bool {
+    match &p.kind {
+        claim::PropKind::Exists(..) | claim::PropKind::Extremum(_) => true,
+        claim::PropKind::And(list) => list.iter().any(says_existence),
+        _ => false,
+    }
 }
 
 /// What is said of the first claim that the argument cites and that is not proved.

@@ -134,18 +134,18 @@ impl Refuter<'_> {
     fn falsified(&self, point: &[(Expr, Expr)]) -> Option<Certificate> {
         let mut attempt = self.attempt(Refutes { point: point.to_vec(), undefined: None })?;
         let goal = attempt.goal()?;
-        if attempt.evaluate(&goal).is_none() {
-            let parts = match &goal.kind {
-                PropKind::And(list) => list.clone(),
-                _ => vec![goal.clone()],
-            };
-            let shown: Option<Vec<Label>> = parts.iter().map(|part| self.part(&mut attempt, part)).collect();
-            let shown = shown?;
-            if parts.len() > 1 {
-                attempt.logic(&goal, shown)?;
-            }
-        }
+        self.shown(&mut attempt, &goal)?;
         attempt.finished(self.claim)
+    }
+
+    /// Shows the goal at once, or part by part.
+    fn shown(&self, attempt: &mut Attempt, goal: &Prop) -> Option<Label> {
+        if let Some(label) = attempt.evaluate(goal) {
+            return Some(label);
+        }
+        let PropKind::And(parts) = &goal.kind else { return self.part(attempt, goal) };
+        let shown: Option<Vec<Label>> = parts.iter().map(|part| self.part(attempt, part)).collect();
+        attempt.logic(goal, shown?)
     }
 
     /// Shows a part of the goal: at once, or from its comparisons and limits.
@@ -188,6 +188,7 @@ impl Refuter<'_> {
             _ if matches!(atom.kind, PropKind::Exists(..) | PropKind::ForAll(..)) => match attempt.truth(atom) {
                 Some(true) => vec![atom],
                 Some(false) => vec![&denied],
+                None if matches!(atom.kind, PropKind::Exists(..)) => vec![&denied],
                 None => return None,
             },
             PropKind::Compare(..) | PropKind::Limit(_) => vec![atom],
@@ -199,10 +200,7 @@ impl Refuter<'_> {
                 let from = Name::new("from");
                 attempt.step(Rule::Limit { with: vec![(from, numeral(1))] }, p, true, false)
             }),
-            _ => attempt
-                .evaluate(p)
-                .or_else(|| attempt.step(Rule::Combination { times: None, terms: Vec::new() }, p, true, true))
-                .or_else(|| attempt.with_derivatives(p)),
+            _ => attempt.compared(p).or_else(|| attempt.with_derivatives(p)),
         };
         sides
             .iter()
@@ -346,12 +344,16 @@ impl Attempt {
             let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
             let denied = compare(a.clone(), relation.negated(), b.clone());
             let either = [denied, atom.clone()];
-            shown.extend(either.iter().find_map(|p| {
-                let rule = Rule::Combination { times: None, terms: Vec::new() };
-                self.evaluate(p).or_else(|| self.step(rule, p, true, true))
-            }));
+            shown.extend(either.iter().find_map(|p| self.compared(p)));
         }
         self.logic(p, shown)
+    }
+
+    /// Shows a comparison by its enclosures, by exact values, or by those of its powers.
+    fn compared(&mut self, p: &Prop) -> Option<Label> {
+        self.evaluate(p)
+            .or_else(|| self.step(Rule::Combination { times: None, terms: Vec::new() }, p, true, true))
+            .or_else(|| self.step(Rule::Power, p, true, true))
     }
 
     fn logic(&mut self, p: &Prop, from: Vec<Label>) -> Option<Label> {

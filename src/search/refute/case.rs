@@ -51,6 +51,8 @@ pub(crate) struct Case {
     trial: Option<Trial>,
     /// Number of points at which the goal was true, and at which it was left open.
     points: (usize, usize),
+    /// The first points that leave it open.
+    open: Vec<Point>,
     started: Moment,
     time: Duration,
 }
@@ -69,7 +71,17 @@ impl Case {
         let deadline = started.checked_add(limits.time / SAMPLE);
         let sample = if has_hypotheses { sample::sample(&plan, &statement, deadline) } else { None };
         let (plan, statement) = (Some(plan), Rc::new(statement));
-        Ok(Case { plan, statement, sample, is_shown: false, trial: None, points: (0, 0), started, time: limits.time })
+        Ok(Case {
+            plan,
+            statement,
+            sample,
+            is_shown: false,
+            trial: None,
+            points: (0, 0),
+            open: Vec::new(),
+            started,
+            time: limits.time,
+        })
     }
 
     /// Whether there are hypotheses and no point was found that satisfies them.
@@ -80,6 +92,11 @@ impl Case {
     /// Whether the claim declares anything.
     pub(crate) fn has_variables(&self) -> bool {
         !self.statement.bindings.is_empty()
+    }
+
+    /// The first points at which the hypotheses hold and evaluation leaves the goal open.
+    pub(crate) fn open_points(&self) -> &[Point] {
+        &self.open
     }
 
     /// Records a point at which the hypotheses were shown to hold.
@@ -141,6 +158,9 @@ impl Case {
             Stage::Last => Effort::whole(deadline),
         };
         let tried = self.trial.as_mut()?.tried(&effort, false, &mut || {});
+        if self.open.is_empty() {
+            self.open = tried.open_at;
+        }
         // The last stage may end earlier than the first.
         self.points = self.points.max((tried.held, tried.open));
         let witness = tried.witness?;

@@ -73,8 +73,7 @@ impl Closed {
         }
     }
 
-    /// The form as a sum of rational multiples of 1, of roots and of π, as a point of a refutation may have it; `None` where it
-    /// is made of more.
+    /// The form as a sum of products of powers, as a point of a refutation may have it; `None` where a number is too long.
     pub fn written(&self) -> Option<Expr> {
         let mut sum = Vec::new();
         for (product, c) in &self.0 {
@@ -88,8 +87,21 @@ impl Closed {
                         let base = literal(&Rational::from(*p));
                         factors.push(expr(ExprKind::Power(Box::new(base), Box::new(literal(q)))));
                     }
-                    Atom::Pi if *q == 1 => factors.push(name(PI)),
-                    Atom::Pi | Atom::Base(_) | Atom::Exp(_) | Atom::Ln(_) => return None,
+                    Atom::Exp(product) => {
+                        let argument = Closed::term(product.clone(), q.clone()).written()?;
+                        factors.push(apply("exp", argument));
+                    }
+                    Atom::Pi | Atom::Base(_) | Atom::Ln(_) => {
+                        let base = match atom {
+                            Atom::Base(sum) => sum.written()?,
+                            Atom::Ln(sum) => apply("ln", sum.written()?),
+                            _ => name(PI),
+                        };
+                        factors.push(match *q == 1 {
+                            true => base,
+                            false => expr(ExprKind::Power(Box::new(base), Box::new(literal(q)))),
+                        });
+                    }
                 }
             }
             if below_root != 1 {
@@ -150,6 +162,15 @@ impl Closed {
         Some(out)
     }
 
+    /// The first term of a sum, where that is positive by its form, and the sum divided by it: so a sum has one form as a base.
+    fn by_first_term(&self) -> Option<(Closed, Closed)> {
+        let (product, c) = self.0.iter().next().filter(|(_, c)| **c > 0)?;
+        let is_positive = product.keys().all(|atom| !matches!(atom, Atom::Ln(_)));
+        let first = Closed::term(if is_positive { product.clone() } else { Product::new() }, c.clone());
+        let rest = self.times(&first.power(&-Rational::ONE)?)?;
+        Some((first, rest))
+    }
+
     /// a^q, for a > 0, or for a product a and a whole q.
     pub fn power(&self, q: &Rational) -> Option<Closed> {
         let whole = i64::try_from(q).ok().filter(|k| k.abs() <= LARGEST);
@@ -157,14 +178,9 @@ impl Closed {
             return (0..k).try_fold(Closed::rational(&Rational::ONE), |power, _| power.times(self));
         }
         let Some((product, c)) = self.single() else {
-            // A sum: its first coefficient is taken out, where that is positive.
-            let (_, c) = self.0.iter().next()?;
-            if *c <= 0 {
-                return None;
-            }
-            let rest = Closed(self.0.iter().map(|(p, d)| (p.clone(), d / c)).collect());
+            let (first, rest) = self.by_first_term()?;
             let base = Closed::term(Product::from([(Atom::Base(rest), q.clone())]), Rational::ONE);
-            return Closed::rational(c).power(q)?.times(&base);
+            return first.power(q)?.times(&base);
         };
         // A logarithm may be negative.
         if whole.is_none() && product.keys().any(|atom| matches!(atom, Atom::Ln(_))) {
@@ -200,9 +216,8 @@ impl Closed {
     pub fn ln(&self) -> Option<Closed> {
         let ln = |a: Closed, k: Rational| Closed::term(Product::from([(Atom::Ln(a), Rational::ONE)]), k);
         let Some((product, c)) = self.single() else {
-            let (_, c) = self.0.iter().next().filter(|(_, c)| **c > 0)?;
-            let rest = Closed(self.0.iter().map(|(p, d)| (p.clone(), d / c)).collect());
-            return Closed::rational(c).ln()?.plus(&ln(rest, Rational::ONE));
+            let (first, rest) = self.by_first_term()?;
+            return first.ln()?.plus(&ln(rest, Rational::ONE));
         };
         let mut out = Closed::default();
         for (p, k) in primes(c)? {

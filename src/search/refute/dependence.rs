@@ -50,7 +50,14 @@ fn tied_by(statement: &Statement, bindings: &[Binding], goal: &Prop, more: Vec<P
     let families = bindings.iter().filter(|b| b.names.iter().any(|n| n.1.is_some()));
     let of_families: BTreeSet<String> = families.flat_map(super::names::names_of_binding).collect();
     let kept = |v: &String| of_families.contains(v) || !said.iter().all(|prop| lets_grow(prop, v));
-    let bound = |v: &String| of_families.contains(v) || said.iter().any(|prop| ties(prop, v, !statement.declares(PI)));
+    let mut single = Vec::new();
+    said.iter().for_each(|prop| comparisons(prop, &mut single));
+    let bound = |v: &String| {
+        let tying: Vec<&Prop> = single.iter().filter(|prop| ties(prop, v, !statement.declares(PI))).collect();
+        let sides: BTreeSet<Option<bool>> = tying.iter().map(|prop| bounds_above(prop, v)).collect();
+        // Below or above one bound a variable has room, whatever the others are.
+        of_families.contains(v) || sides.contains(&None) || sides.len() > 1
+    };
     (limits.iter().any(kept), derivatives.into_iter().find(bound))
 }
 
@@ -99,6 +106,40 @@ fn ties(prop: &Prop, variable: &str, is_pi: bool) -> bool {
     let mut names = super::names::names_of_prop(prop);
     names.retain(|name| !(FUNCTIONS.iter().any(|f| f.0 == name) || is_pi && name == PI));
     !open && names.contains(variable) && names.len() > 1
+}
+
+/// The parts of a conjunction, and the links of chains.
+fn comparisons(prop: &Prop, into: &mut Vec<Prop>) {
+    match &prop.kind {
+        PropKind::And(list) => list.iter().for_each(|p| comparisons(p, into)),
+        PropKind::Compare(sides, relations) => {
+            let links = sides.windows(2).zip(relations);
+            into.extend(links.map(|(pair, r)| {
+                let kind = PropKind::Compare(pair.to_vec(), vec![*r]);
+                Prop { kind, span: prop.span }
+            }));
+        }
+        _ => into.push(prop.clone()),
+    }
+}
+
+/// Whether an inequality bounds a variable from above or below by an expression without it; `None` where it does neither.
+fn bounds_above(prop: &Prop, variable: &str) -> Option<bool> {
+    let PropKind::Compare(sides, relations) = &prop.kind else { return None };
+    let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let is_it = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == variable);
+    let is_free = |e: &Expr| {
+        let mut names = BTreeSet::new();
+        crate::claim::free_names::names_in(e, &mut names);
+        !names.contains(variable)
+    };
+    let is_upper = match relation {
+        Relation::LessEqual => is_it(a),
+        Relation::GreaterEqual => is_it(b),
+        _ => return None,
+    };
+    let other = if is_it(a) { b } else { a };
+    ((is_it(a) || is_it(b)) && is_free(other)).then_some(is_upper)
 }
 
 fn speaks_of_what_moves(prop: &Prop) -> bool {

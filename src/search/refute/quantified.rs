@@ -2,9 +2,10 @@
 //!
 //! Contract: as in `truth`, only what is certain.
 //!
-//! Method: values that make the body true show `exists`. Where the body compares polynomials in one unknown (a real number, a
-//! natural number, or the difference of two natural numbers), signs change at roots alone, which Sturm's theorem isolates: the
-//! roots and a number between any two of them decide, or the whole numbers up to a bound of the roots.
+//! Method: values that make the body true show `exists`. Where the body compares rational functions of one unknown (a real number, a
+//! natural number, or the difference of two natural numbers), signs change at roots and poles alone, which Sturm's theorem
+//! isolates: these and a number between any two of them decide, or the whole numbers up to a bound of them. A pole in the domain
+//! leaves it open.
 //!
 //! Limits: [`QUANTIFIERS`] statements of one search, [`DEGREE`] and [`WHOLES`] of one statement.
 
@@ -15,12 +16,12 @@ use super::reading::{Reading, declaring};
 use super::sample::example;
 use crate::algebra::roots::{End, Interval, RealRoot};
 use crate::algebra::{Polynomial, Univariate};
-use crate::claim::definedness::needs;
+use crate::claim::definedness::{Need, needs, numerals};
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
 use crate::kernel::names::free_names;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::domain;
+use crate::kernel::statement::{domain, numeral};
 use crate::kernel::substitution::Substitution;
 use malachite::base::num::arithmetic::traits::Ceiling;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -63,7 +64,7 @@ impl Assignment {
 fn decided(bindings: &[Binding], body: &Prop) -> Option<bool> {
     let names: Vec<&str> = bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.as_str()).collect();
     let natural = bindings.iter().all(|b| b.natural);
-    let mut parts: Vec<Prop> = bindings.iter().flat_map(domain).collect();
+    let parts: Vec<Prop> = bindings.iter().flat_map(domain).collect();
     let lowest = match names.len() {
         1 => Some(Integer::ZERO),
         2 if natural && parts.is_empty() => None,
@@ -72,18 +73,29 @@ fn decided(bindings: &[Binding], body: &Prop) -> Option<bool> {
     if !natural && bindings.iter().any(|b| b.natural) {
         return None;
     }
-    parts.push(body.clone());
-    let body = Prop { kind: PropKind::And(parts), span: body.span };
+    let domain = Prop { kind: PropKind::And(parts), span: body.span };
     let mut reading = Reading::of(&super::expand::Statement::of(&declaring(bindings)?).ok()?, bindings)?;
-    let mut differences = Vec::new();
-    holds(&body, &mut |a, b| {
-        differences.push(difference(&mut reading, &names, a, b)?);
-        Some(Ordering::Equal)
-    })?;
+    let (mut differences, mut divisors) = (Vec::new(), Vec::new());
+    for part in [&domain, body] {
+        holds(part, &mut |a, b| {
+            differences.push(difference(&mut reading, &names, a, b)?);
+            [a, b].into_iter().try_for_each(|side| in_divisors(side, &mut divisors))?;
+            Some(Ordering::Equal)
+        })?;
+    }
+    let compared = differences.len();
+    for divisor in &divisors {
+        differences.push(difference(&mut reading, &names, divisor, &numeral(0))?);
+    }
     let signed: Vec<Univariate> = differences.iter().map(|d| d.1.clone()).collect();
     let at = |signs: Vec<Ordering>| {
+        let has_pole = signs.iter().skip(compared).any(|sign| sign.is_eq());
         let mut signs = signs.into_iter();
-        holds(&body, &mut |_, _| signs.next())
+        match holds(&domain, &mut |_, _| signs.next())? {
+            false => Some(false),
+            true if has_pole => None,
+            true => holds(body, &mut |_, _| signs.next()),
+        }
     };
     let at_number = |x: &Rational| at(signed.iter().map(|p| p.sign_at(x)).collect());
     if natural {
@@ -134,13 +146,13 @@ fn decided(bindings: &[Binding], body: &Prop) -> Option<bool> {
     Some(false)
 }
 
-/// The difference of two sides that have values everywhere, as a polynomial in the one unknown.
+/// A polynomial in the one unknown with the sign of the difference of two sides, where their divisors are not 0.
 fn difference(reading: &mut Reading, names: &[&str], a: &Expr, b: &Expr) -> Option<(Polynomial, Univariate)> {
-    if !has_a_value(a) || !has_a_value(b) {
-        return None;
-    }
     let (above, below) = reading.difference(a, b)?;
-    let p = above.scale(&below.as_constant().filter(|c| *c != 0)?);
+    let p = match below.as_constant() {
+        Some(c) => above.scale(&Some(c).filter(|c| *c != 0)?),
+        None => above.try_mul(&below).ok()?,
+    };
     let mut letters = Vec::new();
     for letter in p.variables() {
         let ExprKind::Name(n) = reading.letter(letter).kind else { return None };
@@ -157,10 +169,16 @@ fn difference(reading: &mut Reading, names: &[&str], a: &Expr, b: &Expr) -> Opti
     Some((p, one))
 }
 
-/// Whether an expression has a value everywhere, by its form.
-fn has_a_value(e: &Expr) -> bool {
-    let mut all = needs(e, &|_| false).is_ok_and(|needs| needs.is_empty());
-    parts(e, &mut |part| all = all && has_a_value(part));
+/// Adds the divisors of an expression that are no numerals; `None` where it may have no value for another reason.
+fn in_divisors(e: &Expr, into: &mut Vec<Expr>) -> Option<()> {
+    for need in needs(e, &|_| false).ok()? {
+        let Need::NotZero(divisor) = need else { return None };
+        if numerals(&divisor).ok().flatten().is_none_or(|n| n.sign == Ordering::Equal) {
+            into.push(divisor);
+        }
+    }
+    let mut all = Some(());
+    parts(e, &mut |part| all = all.and_then(|()| in_divisors(part, into)));
     all
 }
 
@@ -221,12 +239,22 @@ mod tests {
             ("exists i, j natural: 2*(i - j) = 5", false),
             ("for all k natural: k^2 > 10*k - 25", false),
             ("for all k natural: 4*k^2 != 1", true),
+            ("exists x > 0: x/(1 + x) = 1", false),
+            ("exists x > 0: x/(1 + x)^2 = 1/4", true),
+            ("exists x in [0, 1/2]: 1 - x = 0", false),
+            ("exists x < 0: 1/(x - 1) > 0", false),
+            ("exists k natural: 1/(k + 1) = 1/7", true),
+            ("exists k natural: 1/(2*k + 1) = 1/6", false),
         ] {
             assert_eq!(truth(said), Ok(holds), "{said}");
         }
         // Without a value somewhere, with two unknowns, and too far away.
-        for said in ["for all x real: x/x = 1", "for all x real: sqrt(x)^2 = x", "exists i, j natural: i + 2*j + 1 = 0"]
-        {
+        for said in [
+            "for all x real: x/x = 1",
+            "exists x in [0, 2]: 1/(x - 1) = 0",
+            "for all x real: sqrt(x)^2 = x",
+            "exists i, j natural: i + 2*j + 1 = 0",
+        ] {
             assert_eq!(truth(said), Err(Missing::Unknown), "{said}");
         }
     }

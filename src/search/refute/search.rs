@@ -15,6 +15,7 @@ use super::recurrence::recurrences;
 use super::solve::{Way, ways};
 use crate::claim::print;
 use crate::claim::syntax::*;
+use crate::claim::walk::{names_in, parts};
 use crate::kernel::statement::{constraints, domain, name};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -50,8 +51,8 @@ pub(super) struct Path {
     pub(super) free: Vec<(String, bool)>,
     /// Those that are computed from them.
     determined: Way,
-    /// Whether the values that are computed speak of π.
-    has_angles: bool,
+    /// Whether values that are computed are irrational wherever they are: they speak of π, exponentials or logarithms, or are constants.
+    is_irrational: bool,
 }
 
 /// What is chosen at a point: the way to satisfy the equations, the variables that are free on it, and the families.
@@ -170,8 +171,9 @@ impl Search {
                     way.iter().filter(|(computed, _)| computed == name).all(|(name, value)| speaks_of(value, name))
                 };
                 let free = self.names.iter().filter(|n| is_free(&n.0)).cloned().collect();
-                let has_angles = self.base.is_pi && way.iter().any(|(_, value)| speaks_of(value, PI));
-                self.paths.push(Path { free, determined: way.clone(), has_angles });
+                let is_pi = |value: &Expr| self.base.is_pi && speaks_of(value, PI);
+                let is_irrational = way.iter().any(|(_, value)| is_pi(value) || is_transcendental(value));
+                self.paths.push(Path { free, determined: way.clone(), is_irrational });
             }
         }
         before..self.paths.len()
@@ -342,9 +344,9 @@ impl Search {
             let fits = match &value {
                 // The author's sample may give a value to a natural number.
                 Number::Exact(q) => !self.base.naturals.contains(name) || is_natural(q),
-                // Rational numbers are easier to read, but of angles they are few.
+                // Rational numbers are easier to read, but of angles and logarithms they are few.
                 Number::Between(..) => {
-                    path.has_angles && !self.base.naturals.contains(name) && value.written().is_some()
+                    path.is_irrational && !self.base.naturals.contains(name) && value.written().is_some()
                 }
             };
             if !fits {
@@ -364,6 +366,18 @@ impl Search {
         // A hypothesis that divides says that the divisor is not 0, wherever in it it stands.
         self.hypotheses.iter().all(|h| !point.undefined(h) && point.truth(h) == Ok(true)).then_some(point)
     }
+}
+
+/// Whether an exponential or a logarithm stands in an expression, or no name at all.
+fn is_transcendental(e: &Expr) -> bool {
+    fn calls(e: &Expr) -> bool {
+        let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if ["exp", "ln"].contains(&f.text.as_str()));
+        parts(e, &mut |part| found |= calls(part));
+        found
+    }
+    let mut names = BTreeSet::new();
+    names_in(e, &mut names);
+    names.iter().all(|name| FUNCTIONS.iter().any(|f| f.0 == name)) || calls(e)
 }
 
 fn is_natural(q: &Rational) -> bool {

@@ -13,7 +13,7 @@ use crate::algebra::positivity::{self, Constraint};
 use crate::algebra::{Polynomial, factor};
 use crate::claim::syntax::*;
 use crate::claim::walk::names_in;
-use crate::kernel::statement::{compare, expr, numeral};
+use crate::kernel::statement::{apply, compare, expr, numeral};
 use crate::kernel::substitution::Substitution;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -28,6 +28,9 @@ const WORK: usize = 6_000;
 
 /// The most ways to satisfy the equations.
 const WAYS: usize = 4;
+
+/// The most exponentials and logarithms that are inverted.
+const INVERSIONS: usize = 4;
 
 /// The most terms of a polynomial that is factored, or of which the sign is sought.
 const TERMS: usize = 60;
@@ -48,7 +51,7 @@ pub(crate) fn ways(reading: &mut Reading, hypotheses: &[Prop], variables: &[Stri
     let mut comparisons = Vec::new();
     hypotheses.iter().for_each(|p| flatten(p, &mut comparisons));
     let (equations, others) = comparisons.into_iter().partition(|c| c.1 == Relation::Equal);
-    let mut solver = Solver { reading, variables, found: Vec::new(), work: WORK };
+    let mut solver = Solver { reading, variables, found: Vec::new(), work: WORK, inversions: INVERSIONS };
     solver.solve(equations, others, Vec::new());
     if solver.found.is_empty() {
         solver.found.push(Vec::new());
@@ -155,6 +158,8 @@ struct Solver<'a> {
     found: Vec<Way>,
     /// The terms that may still be read.
     work: usize,
+    /// How often an exponential or logarithm may still be inverted.
+    inversions: usize,
 }
 
 impl Solver<'_> {
@@ -193,6 +198,12 @@ impl Solver<'_> {
                 return;
             }
             for (place, (a, _, b)) in equations.iter().enumerate() {
+                let Some(inverted) = self.read(a, b).and_then(|p| self.inverted(&p)) else { continue };
+                let mut equations = equations.clone();
+                equations[place] = inverted;
+                return self.solve(equations, others, solved);
+            }
+            for (place, (a, _, b)) in equations.iter().enumerate() {
                 let Some(values) = self.on_a_circle(a, b, &solved) else { continue };
                 let mut put = Substitution::default();
                 values.iter().for_each(|(name, value)| put.replace(name, value));
@@ -216,6 +227,26 @@ impl Solver<'_> {
         let (p, _) = self.reading.difference(a, b)?;
         self.work = self.work.saturating_sub(p.term_count());
         Some(p)
+    }
+
+    /// An equation c·exp(a) + d = 0 as a = ln(−d/c), and one of a logarithm by the exponential.
+    fn inverted(&mut self, p: &Polynomial) -> Option<Comparison> {
+        self.inversions = self.inversions.checked_sub(1)?;
+        let letters: Vec<(u32, Expr)> = p.variables().into_iter().map(|v| (v, self.reading.letter(v))).collect();
+        letters.into_iter().filter(|(letter, _)| p.degree_in(*letter) == 1).find_map(|(letter, e)| {
+            let ExprKind::Apply(f, arguments) = &e.kind else { return None };
+            let [a] = arguments.as_slice() else { return None };
+            let inverse = if f.text == "exp" { "ln" } else { "exp" };
+            let mut names = BTreeSet::new();
+            names_in(a, &mut names);
+            if !["exp", "ln"].contains(&f.text.as_str()) || !self.variables.iter().any(|name| names.contains(name)) {
+                return None;
+            }
+            let [rest, coefficient] = p.coefficients_in(letter).try_into().ok()?;
+            let (above, below) = (self.reading.words(&rest.neg()), self.reading.words(&coefficient));
+            let value = expr(ExprKind::Product(vec![(Factor::Times, above), (Factor::Over, below)]));
+            Some((a.clone(), Relation::Equal, apply(inverse, value)))
+        })
     }
 
     /// Points of a circle x² + y² = r², by what was chosen for y as the tangent t of half their angle:

@@ -21,6 +21,9 @@ const SHRINKING: usize = 200;
 /// How many expressions are evaluated to make a failing point simpler.
 const SHRUNK: u64 = 300_000;
 
+/// How many points that leave a goal open are kept.
+const OPEN: usize = 3;
+
 /// At how many points limits are found anew before a proof is sought.
 const FIRST_LIMITS: usize = 4;
 
@@ -43,6 +46,8 @@ pub struct Tried {
     pub held: usize,
     /// How many points leave it open.
     pub open: usize,
+    /// The first of these.
+    pub(super) open_at: Vec<Point>,
 }
 
 /// A claim, ready to be tried.
@@ -80,13 +85,19 @@ impl Trial {
             self.identify();
         }
         self.goal.limits_left = if effort.first.is_some() { FIRST_LIMITS } else { LIMITS };
+        let statement = self.points.statement().clone();
         let Trial { points, goal, .. } = self;
         let (mut tried, mut failing) = (Tried::default(), None);
         points.each(effort, &mut |origin, choice, point| {
             now();
             match goal.at(point) {
                 Seen::Holds => tried.held += 1,
-                Seen::Open => tried.open += 1,
+                Seen::Open => {
+                    tried.open += 1;
+                    if tried.open_at.len() < OPEN {
+                        tried.open_at.push(as_point(&statement, point));
+                    }
+                }
                 Seen::Fails(broken) => failing = Some((origin, choice.clone(), broken, point.clone())),
             }
             failing.is_some()

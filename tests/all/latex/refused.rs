@@ -49,6 +49,9 @@ fn a_formula_is_read_as_something_else() {
         (r"a = b \text{ if } x > 0", "x > 0 => a = b"),
         (r"x \approx 0.543", "abs(x - 0.543) <= 0.5e-3"),
         (r"x \approx -5.43 \times 10^{-3}", "abs(x + 5.43e-3) <= 0.5e-5"),
+        (r"x \approx 57.3^\circ", "abs(x - 57.3*pi/180) <= 0.5e-1*pi/180"),
+        (r"x \approx (57.3 \pm 0.2)^\circ", "57.3*pi/180 - 0.2*pi/180 <= x <= 57.3*pi/180 + 0.2*pi/180"),
+        (r"x \approx -57^\circ \pm 2^\circ", "-57*pi/180 - 2*pi/180 <= x <= -57*pi/180 + 2*pi/180"),
         (r"x \approx 57.1 \pm 0.1", "57.1 - 0.1 <= x <= 57.1 + 0.1"),
         (r"a b \approx -57.13(12)", "-57.13 - 12e-2 <= a*b <= -57.13 + 12e-2"),
         (
@@ -143,6 +146,7 @@ fn an_ambiguity_is_decided_by_guessing() {
         r"\sum_{i=1}^{n} i + i = 0",
         r"\int_0^1 dz \, z^2 = a",
         r"\int_0^1 dx \cdot x = x",
+        r"\int_0^1 2 \, dx \, x = 1",
         r"x > 1 \Rightarrow x > 0 \Leftrightarrow x^2 \ge 0",
         r"x^2 \ge 0 \iff x > 1 \implies x > 0",
         r"x^2 = 4 \iff x = 2 \text{ if } x > 0",

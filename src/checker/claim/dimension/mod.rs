@@ -194,6 +194,7 @@ mod tests {
             "prove limit of x + v*s as s -> infinity is infinity",
             "prove det([v, v; x, x]) = v*x - v*x",
             "prove F(1)*x = m1*v^2",
+            "given h >= 1 in m; C = 3e8 in m/s; D = 2*pi*10^3 in m; r in [0, sqrt(2)] in m\nprove D/C >= 0*t",
             "given h >= 1 in m; r in [0, 2] in m; c = 3 in m/s; 0 < b < d in kg\nprove h + r + x > c*t and b < d",
         ] {
             assert_eq!(found(goal), "", "{goal}");

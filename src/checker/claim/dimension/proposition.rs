@@ -4,7 +4,9 @@ use super::super::print;
 use super::Stop;
 use super::expression::{Checker, Meaning};
 use super::size::Size;
+use crate::claim::free_names::names_in;
 use crate::claim::syntax::*;
+use std::collections::BTreeSet;
 
 impl<'c> Checker<'c> {
     /// Declarations and hypotheses.
@@ -79,7 +81,7 @@ impl<'c> Checker<'c> {
             .collect();
         for bound in bounds {
             // `x >= 1 in m` means 1 m.
-            if binding.unit.is_some() && self.constant(bound).is_some() {
+            if binding.unit.is_some() && (self.constant(bound).is_some() || self.is_numeral(bound)) {
                 continue;
             }
             let Some(found) = self.of(bound)? else { continue };
@@ -89,6 +91,14 @@ impl<'c> Checker<'c> {
             }
         }
         Ok(before)
+    }
+
+    /// Whether an expression is made of numbers alone, by functions that every claim has: `3e8`, `2*pi`, `sqrt(2)`.
+    fn is_numeral(&self, e: &Expr) -> bool {
+        let mut names = BTreeSet::new();
+        names_in(e, &mut names);
+        let is_own = |name: &String| name == PI || FUNCTIONS.iter().any(|f| f.0 == name);
+        names.iter().all(|name| is_own(name) && !self.names.contains_key(name))
     }
 
     /// A statement under names that it binds.
