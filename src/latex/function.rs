@@ -21,6 +21,9 @@ const QUOTIENTS: &[(&str, Option<&str>, &str)] =
 pub(crate) const WORDS: &[&str] =
     &["sech", "transpose", "trace", "inverse", "abs", "floor", "ceil", "cbrt", "sqrt", "binomial", "factorial"];
 
+/// Commands that close what another one opened.
+const CLOSING: &[&str] = &["rvert", "rVert", "rfloor", "rceil"];
+
 /// What stands below and above a large sign.
 type BelowAndAbove<'t> = (Option<&'t [Token]>, Option<&'t [Token]>);
 
@@ -480,7 +483,9 @@ fn has_constant_end(tokens: &[Token], index: &Kind) -> bool {
                 Err(_) => return false,
             },
             Some(Kind::Char('!' | '\'' | '|')) => at += 1,
-            Some(Kind::Command(_)) if tokens.get(at).is_some_and(is_space) => at += 1,
+            Some(Kind::Command(name)) if CLOSING.contains(&name.as_str()) || tokens.get(at).is_some_and(is_space) => {
+                at += 1;
+            }
             rest => return rest.is_some(),
         }
     }

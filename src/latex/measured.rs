@@ -238,7 +238,7 @@ fn last_unit(printed: &Printed, said: Option<usize>) -> Read<i64> {
     let significant = significant.trim_start_matches('0');
     if significant.is_empty() && places == 0 {
         let help = "write the bound that is meant, as in |x| \\le 0.01";
-        return Err(refused("a number that is approximately 0 has no digits", help, *span));
+        return Err(refused("what is approximately 0 has no significant digits", help, *span));
     }
     let Some(said) = said else {
         if places == 0 && digits.len() > 1 && digits.ends_with('0') {

@@ -136,9 +136,11 @@ fn a_refuted_claim_without_a_certificate_is_listed() {
 }
 
 #[test]
-fn what_a_quantifier_decides_at_a_point_is_refuted_with_a_certificate() {
+fn what_a_quantifier_or_a_logarithm_decides_at_a_point_is_refuted_with_a_certificate() {
     deep(|| {
-        for claim in parse(include_str!("../refutations/quantifiers.claim")).unwrap() {
+        let files =
+            [include_str!("../refutations/quantifiers.claim"), include_str!("../refutations/transcendental.claim")];
+        for claim in files.into_iter().flat_map(|text| parse(text).unwrap()) {
             let entry = judged(&claim);
             assert_eq!(entry.outcome.verdict, Verdict::Refuted, "{}", claim.name.text);
             let certificate = read(&entry.proof.unwrap_or_else(|| panic!("{}", claim.name.text)).certificate).unwrap();

@@ -155,7 +155,7 @@ fn an_ambiguity_is_decided_by_guessing() {
         r"\prod_{i=1}^{n} i^2 / n = a",
         r"\prod_{i=1}^{n} i \sum_{i=1}^{n} i = a",
         r"x = 2 y \; (3.1)",
-        r"x = y \qquad (3)",
+        r"x = y^2 \, (3)",
         r"\frac{d}{dx} x^2 y = 1",
         r"a > 0 \Rightarrow b > 0 \Rightarrow c > 0",
         r"x \approx 300",
