@@ -2,119 +2,32 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! h(u)·u′ by substitution, where u is a polynomial or moves by one function. Polynomials in the variable are lists of
-//! coefficients, from that of x^0 on. A list may have zeros that are not seen to be zeros: then the proposal fails, and nothing
-//! is lost.
+//! logarithms by parts; h(u)·u′ by substitution (`substitutions`); rational functions by partial fractions (`partial_fractions`).
+//! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
 
+use super::coefficients::*;
 use super::facts::negated;
-use super::letters::{as_power, natural, product, total, whole_power};
+use super::letters::{as_power, product, total, whole_power};
 use super::limits::{holds, over};
+use super::partial_fractions::of_fraction;
+use super::substitutions::by_substitution;
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, expr, name, numeral, power};
+use crate::kernel::statement::{apply, name, numeral, power};
 use crate::refute::literal::{is_zero, literal};
 use malachite::Rational;
 
-/// The highest degree of a polynomial, and the highest power of a sine or cosine.
-const DEGREE: usize = 12;
 /// How deep products are taken apart.
 const DEPTH: usize = 8;
-
-/// A polynomial in the variable.
-type Coefficients = Vec<Expr>;
-
-fn times(a: &Expr, b: &Expr) -> Expr {
-    if is_zero(a) || is_zero(b) { numeral(0) } else { product(vec![a.clone(), b.clone()]) }
-}
-
-fn add(list: Vec<Expr>) -> Expr {
-    let list: Vec<Expr> = list.into_iter().filter(|e| !is_zero(e)).collect();
-    total(list.into_iter().map(|e| (Sign::Plus, e)).collect())
-}
-
-/// An expression as a polynomial in x whose coefficients are free of x.
-fn polynomial(e: &Expr, x: &str) -> Option<Coefficients> {
-    if !holds(e, x) {
-        return Some(vec![e.clone()]);
-    }
-    match &e.kind {
-        ExprKind::Name(_) => Some(vec![numeral(0), numeral(1)]),
-        ExprKind::Negate(a) => Some(scaled(&polynomial(a, x)?, &negated(numeral(1)))),
-        ExprKind::Sum(list) => {
-            let mut out = Vec::new();
-            for (sign, part) in list {
-                let part = polynomial(part, x)?;
-                let part = if *sign == Sign::Plus { part } else { scaled(&part, &negated(numeral(1))) };
-                out = plus(&out, &part);
-            }
-            Some(out)
-        }
-        ExprKind::Product(list) => {
-            let mut out = vec![numeral(1)];
-            for (factor, part) in list {
-                out = match factor {
-                    Factor::Times => multiplied(&out, &polynomial(part, x)?)?,
-                    Factor::Over if holds(part, x) => return None,
-                    Factor::Over => scaled(&out, &over(numeral(1), part.clone())),
-                };
-            }
-            Some(out)
-        }
-        ExprKind::Power(base, exponent) => {
-            let k = natural(exponent).filter(|k| (*k as usize) <= DEGREE)?;
-            let base = polynomial(base, x)?;
-            (0..k).try_fold(vec![numeral(1)], |out, _| multiplied(&out, &base))
-        }
-        _ => None,
-    }
-}
-
-fn scaled(p: &[Expr], c: &Expr) -> Coefficients {
-    p.iter().map(|a| times(c, a)).collect()
-}
-
-fn plus(p: &[Expr], q: &[Expr]) -> Coefficients {
-    let at = |list: &[Expr], i: usize| list.get(i).cloned().unwrap_or_else(|| numeral(0));
-    (0..p.len().max(q.len())).map(|i| add(vec![at(p, i), at(q, i)])).collect()
-}
-
-fn multiplied(p: &[Expr], q: &[Expr]) -> Option<Coefficients> {
-    if p.len() + q.len() > DEGREE + 2 {
-        return None;
-    }
-    let terms = |k: usize| (0..=k).filter_map(|i| Some(times(p.get(i)?, q.get(k - i)?))).collect();
-    Some((0..(p.len() + q.len()).saturating_sub(1)).map(|k| add(terms(k))).collect())
-}
-
-fn derivative_of(p: &[Expr]) -> Coefficients {
-    (1u32..).zip(p.iter().skip(1)).map(|(k, c)| times(&numeral(k), c)).collect()
-}
-
-/// The antiderivative that is 0 at 0.
-fn antiderivative_of(p: &[Expr]) -> Coefficients {
-    let raised = (1u32..).zip(p).map(|(k, c)| times(c, &over(numeral(1), numeral(k))));
-    std::iter::once(numeral(0)).chain(raised).collect()
-}
-
-fn written(p: &[Expr], x: &Expr) -> Expr {
-    add(p.iter().enumerate().map(|(k, c)| times(c, &whole_power(x.clone(), i64::try_from(k).unwrap_or(0)))).collect())
-}
-
-/// The slope p of a linear expression p·x + q.
-fn slope(u: &Expr, x: &str) -> Option<Expr> {
-    match polynomial(u, x)?.as_slice() {
-        [_, p] => Some(p.clone()),
-        _ => None,
-    }
-}
 
 /// An antiderivative of f in x.
 pub(super) fn antiderivative(f: &Expr, x: &str) -> Option<Expr> {
     of(f, x, DEPTH)
 }
 
-fn of(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
+/// The same, taken apart to a depth.
+pub(super) fn of(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
     let depth = depth.checked_sub(1)?;
     if !holds(f, x) {
         return Some(times(f, &name(x)));
@@ -133,7 +46,7 @@ fn of(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
 }
 
 /// The factors of a product with their exponents, quotients and whole powers of products taken apart.
-fn factors(e: &Expr, exponent: &Expr, out: &mut Vec<(Expr, Expr)>) {
+pub(super) fn factors(e: &Expr, exponent: &Expr, out: &mut Vec<(Expr, Expr)>) {
     match &e.kind {
         ExprKind::Product(list) => {
             for (factor, part) in list {
@@ -155,15 +68,8 @@ fn factors(e: &Expr, exponent: &Expr, out: &mut Vec<(Expr, Expr)>) {
     }
 }
 
-/// A number that an exponent made of numerals is, where it is whole.
-fn whole(e: &Expr) -> Option<i64> {
-    match crate::claim::definedness::number(e)? {
-        (top, 1) => i64::try_from(top).ok(),
-        _ => None,
-    }
-}
-
-fn raised(base: &Expr, exponent: &Expr) -> Expr {
+/// A power of an expression, a whole one by its number.
+pub(super) fn raised(base: &Expr, exponent: &Expr) -> Expr {
     match whole(exponent) {
         Some(k) => whole_power(base.clone(), k),
         None => power(base, exponent),
@@ -173,16 +79,19 @@ fn raised(base: &Expr, exponent: &Expr) -> Expr {
 fn of_product(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
     let mut list = Vec::new();
     factors(f, &numeral(1), &mut list);
+    list.retain(|(_, k)| !is_zero(k));
     let (moving, still): (Vec<_>, Vec<_>) = list.into_iter().partition(|(base, k)| holds(base, x) || holds(k, x));
     let constant = product(still.iter().map(|(base, k)| raised(base, k)).collect());
     let found = of_factors(&moving, x, depth).or_else(|| {
         // Sums among the factors, multiplied out.
         let (place, terms) = moving.iter().enumerate().find_map(|(i, (base, k))| match (&base.kind, whole(k)) {
-            (ExprKind::Sum(terms), Some(1)) => Some((i, terms)),
+            (ExprKind::Sum(terms), Some(k @ 1..=4)) => Some((i, (terms, k))),
             _ => None,
         })?;
+        let (terms, k) = terms;
         let others = moving.iter().enumerate().filter(|(i, _)| *i != place);
-        let others: Vec<Expr> = others.map(|(_, (base, k))| raised(base, k)).collect();
+        let rest = whole_power(moving[place].0.clone(), k - 1);
+        let others: Vec<Expr> = others.map(|(_, (base, k))| raised(base, k)).chain([rest]).collect();
         let term = |(sign, e): &(Sign, Expr)| {
             let whole = product(others.iter().cloned().chain([e.clone()]).collect());
             Some((*sign, of(&whole, x, depth)?))
@@ -193,14 +102,19 @@ fn of_product(f: &Expr, x: &str, depth: usize) -> Option<Expr> {
 }
 
 fn of_factors(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
-    if let [(base, exponent)] = list {
-        return of_power(base, exponent, x, depth);
+    match list {
+        [] => return Some(name(x)),
+        [(base, exponent)] => return of_power(base, exponent, x, depth),
+        _ => {}
     }
-    sines_and_cosines(list, x).or_else(|| by_parts(list, x, depth)).or_else(|| by_substitution(list, x))
+    sines_and_cosines(list, x)
+        .or_else(|| by_parts(list, x, depth))
+        .or_else(|| by_substitution(list, x, depth))
+        .or_else(|| of_fraction(list, x))
 }
 
 /// The antiderivative of u^k in u, where k is free of it.
-fn power_rule(u: &Expr, k: &Expr) -> Expr {
+pub(super) fn power_rule(u: &Expr, k: &Expr) -> Expr {
     if whole(k) == Some(-1) {
         return apply("ln", u.clone());
     }
@@ -223,10 +137,12 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
         && let [u] = arguments.as_slice()
     {
         let k = whole(exponent)?;
+        if function.text == "ln" && k == 1 {
+            return of_logarithm(&[numeral(1)], u, x, depth);
+        }
         let p = slope(u, x)?;
         return match (function.text.as_str(), k) {
             ("exp", k) => Some(over(whole_power(base.clone(), k), product(vec![literal(&Rational::from(k)), p]))),
-            ("ln", 1) => Some(over(total(vec![(Sign::Plus, times(u, base)), (Sign::Minus, u.clone())]), p)),
             ("sinh", 1) => Some(over(apply("cosh", u.clone()), p)),
             ("cosh", 1) => Some(over(apply("sinh", u.clone()), p)),
             ("tanh", 1) => Some(over(apply("ln", apply("cosh", u.clone())), p)),
@@ -238,7 +154,9 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
         };
     }
     // A whole power of a sum is multiplied out.
-    let (ExprKind::Sum(terms), Some(k @ 2..=4)) = (&base.kind, whole(exponent)) else { return None };
+    let (ExprKind::Sum(terms), Some(k @ 2..=4)) = (&base.kind, whole(exponent)) else {
+        return of_fraction(&[(base.clone(), exponent.clone())], x);
+    };
     let rest = whole_power(base.clone(), k - 1);
     let term = |(sign, e): &(Sign, Expr)| Some((*sign, of(&product(vec![rest.clone(), e.clone()]), x, depth)?));
     Some(total(terms.iter().map(term).collect::<Option<Vec<_>>>()?))
@@ -291,6 +209,34 @@ fn sines_and_cosines(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     Some(over(value, p))
 }
 
+/// ∫p·ln u = P·ln u − Σ k·∫P·l′/l for u = c·∏ l^k; where there is one l and it is linear, P is 0 at its zero.
+fn of_logarithm(p: &[Expr], u: &Expr, x: &str, depth: usize) -> Option<Expr> {
+    let mut list = Vec::new();
+    factors(u, &numeral(1), &mut list);
+    list.retain(|(l, _)| holds(l, x));
+    let mut whole_p = antiderivative_of(p);
+    let mut terms = Vec::new();
+    let polynomials: Option<Vec<_>> = list.iter().map(|(l, k)| Some((polynomial(l, x)?, whole(k)?, l))).collect();
+    let polynomials = polynomials?;
+    if let [(l, k, _)] = polynomials.as_slice()
+        && let [b, a] = l.as_slice()
+    {
+        let zero = negated(over(b.clone(), a.clone()));
+        let at_zero = whole_p.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, &zero), c.clone()]));
+        whole_p[0] = negated(at_zero);
+        let part = scaled(&divided(&whole_p, &zero), &literal(&Rational::from(*k)));
+        terms.push((Sign::Minus, written(&antiderivative_of(&part), &name(x))));
+    } else {
+        for (l, k, as_written) in &polynomials {
+            let above = scaled(&multiplied(&whole_p, &derivative_of(l))?, &literal(&Rational::from(*k)));
+            let quotient = over(written(&above, &name(x)), (*as_written).clone());
+            terms.push((Sign::Minus, of(&quotient, x, depth)?));
+        }
+    }
+    terms.push((Sign::Plus, times(&written(&whole_p, &name(x)), &apply("ln", u.clone()))));
+    Some(total(terms))
+}
+
 /// p·g for a polynomial p and g one of exp, sin, cos or ln of a linear argument, or exp times a sine or cosine.
 fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     let one = |e: &(Expr, Expr)| whole(&e.1) == Some(1);
@@ -311,18 +257,7 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
             if let ExprKind::Apply(f, arguments) = &g.0.kind
                 && let ("ln", [u]) = (f.text.as_str(), arguments.as_slice())
             {
-                // ∫p·ln u = P·ln u − ∫P·u′/u, where P is 0 at the zero of u.
-                let (a, b) = (slope(u, x)?, polynomial(u, x)?.first()?.clone());
-                let mut whole = antiderivative_of(&p);
-                let zero = negated(over(b, a.clone()));
-                let at_zero = whole.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, &zero), c.clone()]));
-                whole[0] = negated(at_zero);
-                let divided = divided(&whole, &zero);
-                let left = times(&written(&whole, &name(x)), &g.0);
-                return Some(total(vec![
-                    (Sign::Plus, left),
-                    (Sign::Minus, of(&written(&divided, &name(x)), x, depth)?),
-                ]));
+                return of_logarithm(&p, u, x, depth);
             }
             // ∫p·g = p·G − ∫p′·G, with G a multiple of a function of the same kind.
             let mut terms = Vec::new();
@@ -356,129 +291,4 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
         }
         _ => None,
     }
-}
-
-/// The quotient of a polynomial that is 0 at a place, by x − place.
-fn divided(p: &[Expr], place: &Expr) -> Coefficients {
-    let mut out = Vec::new();
-    let mut carried = numeral(0);
-    for c in p.iter().skip(1).rev() {
-        carried = add(vec![times(&carried, place), c.clone()]);
-        out.push(carried.clone());
-    }
-    out.reverse();
-    out
-}
-
-/// r·h(u)^k where r is a multiple of u′: a polynomial u of degree 2 or more, or the logarithm of a linear one.
-fn by_substitution(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
-    for (place, (base, exponent)) in list.iter().enumerate() {
-        let others: Vec<&(Expr, Expr)> =
-            list.iter().enumerate().filter(|(i, _)| *i != place).map(|(_, factor)| factor).collect();
-        if let Some(value) = by_inner_function(base, exponent, &others, x) {
-            return Some(value);
-        }
-        let inner = match (&base.kind, polynomial(base, x)) {
-            (_, Some(p)) => Some((p, None)),
-            (ExprKind::Apply(f, u), None) if f.text != "ln" => {
-                Some((polynomial(u.first()?, x)?, Some(f.text.as_str())))
-            }
-            _ => None,
-        };
-        if let Some((u, function)) = inner
-            && u.len() > 2
-            && let Some(ratio) = ratio_of(&others, &derivative_of(&u), x)
-        {
-            let value = match (function, whole(exponent)) {
-                (None, _) if !holds(exponent, x) => power_rule(base, exponent),
-                (Some("exp"), Some(k)) => over(raised(base, exponent), literal(&Rational::from(k))),
-                (Some(f @ ("sin" | "cos")), Some(1)) => {
-                    let ExprKind::Apply(_, at) = &base.kind else { return None };
-                    let other = apply(if f == "sin" { "cos" } else { "sin" }, at.first()?.clone());
-                    if f == "sin" { negated(other) } else { other }
-                }
-                _ => continue,
-            };
-            return Some(times(&ratio, &value));
-        }
-        // ln(u)^k/w, where w is u, or both are multiples of the variable.
-        if let (ExprKind::Apply(f, u), [(other, minus_one)]) = (&base.kind, others.as_slice())
-            && let ("ln", [u], Some(-1)) = (f.text.as_str(), u.as_slice(), whole(minus_one))
-            && let (Some(p), Some(q)) = (polynomial(u, x), polynomial(other, x))
-            && p.len() == 2
-            && q.len() == 2
-            && (u == other || is_zero(&p[0]) && is_zero(&q[0]))
-        {
-            return Some(over(power_rule(base, exponent), q[1].clone()));
-        }
-    }
-    None
-}
-
-/// r·h(u)^k where u is made of one function of a linear argument and r is a multiple of u′.
-fn by_inner_function(base: &Expr, exponent: &Expr, others: &[&(Expr, Expr)], x: &str) -> Option<Expr> {
-    let (u, value) = match &base.kind {
-        ExprKind::Apply(f, arguments) if f.text == "exp" && derivative_of_one(arguments.first()?, x).is_some() => {
-            let k = literal(&Rational::from(whole(exponent)?));
-            (arguments.first()?, over(raised(base, exponent), k))
-        }
-        _ if !holds(exponent, x) => (base, power_rule(base, exponent)),
-        _ => return None,
-    };
-    let mut slope = Vec::new();
-    factors(&derivative_of_one(u, x)?, &numeral(1), &mut slope);
-    let (moving, still): (Vec<_>, Vec<_>) = slope.into_iter().partition(|(e, k)| holds(e, x) || holds(k, x));
-    let same = moving.len() == others.len() && moving.iter().all(|factor| others.contains(&factor));
-    same.then(|| over(value, product(still.iter().map(|(e, k)| raised(e, k)).collect())))
-}
-
-/// The derivative of an expression in which one function of a linear argument moves: p·g(v) and terms that are still.
-fn derivative_of_one(u: &Expr, x: &str) -> Option<Expr> {
-    match &u.kind {
-        ExprKind::Sum(list) => {
-            let mut moving = list.iter().filter(|(_, e)| holds(e, x));
-            let (Some((sign, e)), None) = (moving.next(), moving.next()) else { return None };
-            let slope = derivative_of_one(e, x)?;
-            Some(if *sign == Sign::Plus { slope } else { negated(slope) })
-        }
-        ExprKind::Negate(e) => derivative_of_one(e, x).map(negated),
-        ExprKind::Product(list) => {
-            let place = list.iter().position(|(how, e)| *how == Factor::Times && holds(e, x))?;
-            if list.iter().filter(|(_, e)| holds(e, x)).count() > 1 {
-                return None;
-            }
-            let mut out = list.clone();
-            out[place].1 = derivative_of_one(&list[place].1, x)?;
-            Some(expr(ExprKind::Product(out)))
-        }
-        ExprKind::Apply(f, arguments) => {
-            let [v] = arguments.as_slice() else { return None };
-            let p = slope(v, x)?;
-            let outer = match f.text.as_str() {
-                "exp" => u.clone(),
-                "ln" => over(numeral(1), v.clone()),
-                "sin" => apply("cos", v.clone()),
-                "cos" => negated(apply("sin", v.clone())),
-                "sinh" => apply("cosh", v.clone()),
-                "cosh" => apply("sinh", v.clone()),
-                _ => return None,
-            };
-            Some(times(&p, &outer))
-        }
-        _ => None,
-    }
-}
-
-/// c where the product of the factors is c·p, by the highest coefficients.
-fn ratio_of(list: &[&(Expr, Expr)], p: &[Expr], x: &str) -> Option<Expr> {
-    let mut q = vec![numeral(1)];
-    for (base, k) in list {
-        let k @ 1.. = whole(k)? else { return None };
-        let factor = polynomial(base, x)?;
-        for _ in 0..k {
-            q = multiplied(&q, &factor)?;
-        }
-    }
-    let same = q.len() == p.len() && q.iter().zip(p).all(|(a, b)| is_zero(a) == is_zero(b));
-    same.then(|| Some(over(q.last()?.clone(), p.last()?.clone()))).flatten()
 }

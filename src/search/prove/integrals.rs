@@ -3,7 +3,7 @@
 use super::antiderivatives::antiderivative;
 use super::facts::{minus, negated};
 use super::letters::{as_power, product, total};
-use super::limits::over;
+use super::limits::{holds, over};
 use super::slopes::put_in;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
@@ -13,10 +13,15 @@ use crate::kernel::statement::{compare, expr, name, numeral, power, prop};
 
 /// An expression with the integrals in it replaced by their values by antiderivatives, where these are found.
 pub(crate) fn with_values_of_integrals(e: &Expr) -> Expr {
+    with_values_by(e, &mut |x, f| antiderivative(f, &x.name.text))
+}
+
+/// The same, with this way to find an antiderivative.
+fn with_values_by(e: &Expr, find: &mut dyn FnMut(&Index, &Expr) -> Option<Expr>) -> Expr {
     let mut out = e.clone();
-    crate::claim::walk::parts_mut(&mut out, &mut |part| *part = with_values_of_integrals(part));
+    crate::claim::walk::parts_mut(&mut out, &mut |part| *part = with_values_by(part, find));
     if let ExprKind::IntegralOver(x, f) = &out.kind
-        && let Some(big_f) = antiderivative(f, &x.name.text)
+        && let Some(big_f) = find(x, f)
         && let (Ok(to), Ok(from)) = (put_in(&big_f, &x.name.text, &x.to), put_in(&big_f, &x.name.text, &x.from))
     {
         return minus(&to, &from);
@@ -51,7 +56,8 @@ impl Prover {
     /// A comparison with the values of its integrals in their places.
     fn by_values_of_integrals(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison")) };
-        let plain: Vec<Expr> = sides.iter().map(with_values_of_integrals).collect();
+        let mut find = |x: &Index, f: &Expr| self.antiderivative_between(f, &x.name.text, x);
+        let plain: Vec<Expr> = sides.iter().map(|e| with_values_by(e, &mut find)).collect();
         if plain == *sides {
             return Err(Fail::No("an antiderivative"));
         }
@@ -61,12 +67,33 @@ impl Prover {
         self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
     }
 
+    /// An antiderivative with a value between the ends: ln(−u) stands for ln(u) where u is negative at one of them.
+    fn antiderivative_between(&mut self, f: &Expr, x: &str, ends: &Index) -> Option<Expr> {
+        let found = antiderivative(f, x)?;
+        Some(self.with_positive_arguments(&found, x, &[(*ends.from).clone(), (*ends.to).clone()]))
+    }
+
+    fn with_positive_arguments(&mut self, e: &Expr, x: &str, ends: &[Expr]) -> Expr {
+        let mut out = e.clone();
+        crate::claim::walk::parts_mut(&mut out, &mut |part| *part = self.with_positive_arguments(part, x, ends));
+        if let ExprKind::Apply(function, at) = &mut out.kind
+            && let ("ln", [u]) = (function.text.as_str(), at.as_mut_slice())
+            && holds(u, x)
+        {
+            let values: Vec<Expr> = ends.iter().filter_map(|end| put_in(u, x, end).ok()).collect();
+            if values.iter().any(|u| self.signs_of(u).within(Signs::of(Relation::Less))) {
+                *u = negated(u.clone());
+            }
+        }
+        out
+    }
+
     /// F(b) − F(a) = integral(x = a..b, f), put in for the integral.
     pub(super) fn learn_integral(&mut self, variable: &Index, f: &Expr) -> Result<bool, Fail> {
         let no = || Fail::No("an antiderivative");
         let x = self.fresh("t");
         let f = put_in(f, &variable.name.text, &name(&x))?;
-        let big_f = antiderivative(&with_values_of_integrals(&f), &x).ok_or_else(no)?;
+        let big_f = self.antiderivative_between(&with_values_of_integrals(&f), &x, variable).ok_or_else(no)?;
         let (a, b) = (&variable.from, &variable.to);
         let values = minus(&put_in(&big_f, &x, b)?, &put_in(&big_f, &x, a)?);
         let integral = over_interval(variable, &x, &f);
