@@ -53,6 +53,17 @@ impl Prover {
         if let Ok(label) = self.by_integrals(goal) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_tangent_of_a_step(goal) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_sums_of_their_end(goal)) {
+            return Ok(label);
+        }
+        if self.splits < 8
+            && let Ok(label) = self.attempt(|c| c.by_weighted_tangents(goal, a, b))
+        {
+            return Ok(label);
+        }
         // With little effort: no cases, and small programs only.
         let quiet = self.splits >= 8;
         if !quiet
@@ -237,6 +248,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_bases(goal, a, relation, b)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_power_of_exponential(goal, a, relation, b)) {
+            return Ok(label);
+        }
         // Not within one another.
         if self.within_powers {
             return Err(Fail::No("powers"));
@@ -312,6 +326,9 @@ impl Prover {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_what_is_left(goal, a, relation, b)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.without_divisors(goal, a, relation, b)) {

@@ -14,7 +14,7 @@ use crate::algebra::{Monomial, Polynomial};
 use crate::certificate::{Label, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, compare, expr, numeral};
+use crate::kernel::statement::{apply, compare, expr, numeral, power};
 use crate::refute::literal::literal;
 use malachite::{Natural, Rational};
 
@@ -64,8 +64,11 @@ impl Prover {
         for _ in 0..ROUNDS {
             let mut changed = false;
             for (label, fact) in self.facts() {
-                changed |= self.attempt(|c| c.take_logarithms(&label, &fact)).is_ok();
+                let taken = self.attempt(|c| c.take_logarithms(&label, &fact));
+                // Of exp(x) = 2 nothing is left where 2 is put in for exp(x).
+                changed |= taken.or_else(|_| self.without_equations(|c| c.take_logarithms(&label, &fact))).is_ok();
             }
+            changed |= self.split_logarithms(goal);
             if !changed {
                 return Err(no());
             }
@@ -95,6 +98,7 @@ impl Prover {
         }
         let t = total(parts);
         self.define(&t);
+        self.split_logarithms(goal);
         self.within_logarithms = true;
         let shown = self.without_cases(&compare(t.clone(), order, numeral(0)));
         self.within_logarithms = false;
@@ -103,6 +107,44 @@ impl Prover {
         let factor = |k: i64| product(vec![literal(&Rational::from(k)), less.clone()]);
         let line = Term { facts: vec![tangent], factor: factor(-sign) };
         self.combination(goal.clone(), vec![line, Term { facts: vec![shown], factor: factor(sign) }])
+    }
+
+    /// Proves a comparison of x^n with exp(n·y) from that with exp(y)^n.
+    pub(super) fn by_power_of_exponential(
+        &mut self,
+        goal: &Prop,
+        a: &Expr,
+        relation: Relation,
+        b: &Expr,
+    ) -> Result<Label, Fail> {
+        let no = || Fail::No("a power and an exponential");
+        let exponent_of = |e: &Expr| match &e.kind {
+            ExprKind::Apply(f, list) if f.text == "exp" => list.first().cloned(),
+            _ => None,
+        };
+        let (n, whole, is_left) = match (as_power(a), exponent_of(b), exponent_of(a), as_power(b)) {
+            (Some((_, n)), Some(whole), ..) => (n, whole, false),
+            (_, _, Some(whole), Some((_, n))) => (n, whole, true),
+            _ => return Err(no()),
+        };
+        let (top, bottom) = (self.letters.polynomial(&whole), self.letters.polynomial(&n));
+        let (top, bottom) = (top.ok_or_else(no)?, bottom.filter(|n| !n.is_constant()).ok_or_else(no)?);
+        let part = self.letters.written(&top.exact_divide(&bottom).ok_or_else(no)?);
+        let other = power(&apply("exp", part), &n);
+        let (left, right) = if is_left { (other, b.clone()) } else { (a.clone(), other) };
+        let shown = self.show(&compare(left, relation, right))?;
+        self.combination(goal.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
+    }
+
+    /// Runs a part of the search in which no equation is put in, where there is one.
+    fn without_equations<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        if self.equations.is_empty() {
+            return Err(Fail::No("an equation that is put in"));
+        }
+        let equations = std::mem::take(&mut self.equations);
+        let shown = self.attempt(run);
+        self.equations = equations;
+        shown
     }
 
     /// Adds ln A = ln B, or an inequality, for a fact about two products with exponents.
@@ -120,7 +162,7 @@ impl Prover {
         let below = (below.0.clone(), -&below.1);
         let mut parts = self.logarithm(above, 1)?;
         parts.extend(self.logarithm(&below, -1)?);
-        let t = total(parts);
+        let t = total(parts.clone());
         let written =
             |c: &Prover, (m, q): &(Monomial, Rational)| c.letters.written(&Polynomial::term(m.clone(), q.clone()));
         let (a, b) = (written(self, above), written(self, &below));
@@ -138,15 +180,26 @@ impl Prover {
         let least = if relation == Relation::Equal { Relation::GreaterEqual } else { relation };
         let minus_t = expr(ExprKind::Negate(Box::new(t.clone())));
         let low = self.tangent_at(&minus_t)?;
+        let apart = self.exponential_apart(&t, &parts, -1)?;
         // t = (A − B)/A − ((1 − t) − exp(−t)).
-        let mut label = self.beside(&known, compare(t.clone(), least, numeral(0)), (low, -1), a)?;
+        let mut label = self.beside(&known, compare(t.clone(), least, numeral(0)), (low, apart, -1), a)?;
         if relation == Relation::Equal {
             let high = self.tangent_at(&t)?;
+            let apart = self.exponential_apart(&t, &parts, 1)?;
             // t = (A − B)/B + ((1 + t) − exp(t)).
-            let most = self.beside(&known, compare(t, Relation::LessEqual, numeral(0)), (high, 1), b)?;
+            let most = self.beside(&known, compare(t, Relation::LessEqual, numeral(0)), (high, apart, 1), b)?;
             label = self.logic(&[&label, &most], &shown)?;
         }
         self.take_in(&label, &shown)
+    }
+
+    /// exp(±t) = exp(±t1)·exp(±(t − t1)) for the first part t1 of t, where t is a quotient: its exponential is not seen to be a product.
+    fn exponential_apart(&mut self, t: &Expr, parts: &[(Sign, Expr)], sign: i32) -> Result<Option<Label>, Fail> {
+        let divides = self.read(t, false).is_some_and(|r| r.factors.iter().any(|f| f.power < 0));
+        let ([first, rest @ ..], true) = (parts, divides && parts.len() > 1) else { return Ok(None) };
+        let [first, rest] = [total(vec![first.clone()]), total(rest.to_vec())];
+        let of = |e: Expr| if sign < 0 { expr(ExprKind::Negate(Box::new(e))) } else { e };
+        self.exponential_of_a_sum(&of(first), &of(rest)).map(Some)
     }
 
     /// A bound from a tangent and a fact over a divisor.
@@ -154,13 +207,13 @@ impl Prover {
         &mut self,
         known: &Known,
         shown: Prop,
-        (tangent, sign): (Label, i32),
+        (tangent, apart, sign): (Label, Option<Label>, i32),
         divisor: Expr,
     ) -> Result<Label, Fail> {
         let factors: Vec<Expr> = known.factors.iter().cloned().chain([over(numeral(1), divisor)]).collect();
         let own = Term { facts: known.facts.clone(), factor: product(factors) };
-        let line = Term { facts: vec![tangent], factor: literal(&Rational::from(sign)) };
-        self.combination(shown, vec![line, own])
+        let line = |label| Term { facts: vec![label], factor: literal(&Rational::from(sign)) };
+        self.combination(shown, [tangent].into_iter().chain(apart).map(line).chain([own]).collect())
     }
 
     /// The logarithm of a monomial with a positive number, times 1 or −1, as a sum.
@@ -195,12 +248,12 @@ impl Prover {
 }
 
 /// The logarithm of a number by its primes.
-fn logarithm_of_number(n: &Natural) -> Vec<(i64, Expr)> {
+pub(super) fn logarithm_of_number(n: &Natural) -> Vec<(i64, Expr)> {
     primes(n).into_iter().map(|(p, k)| (k, apply("ln", literal(&Rational::from(p))))).collect()
 }
 
 /// Multiples times a whole number, as terms.
-fn signed(list: Vec<(i64, Expr)>, by: i64) -> Vec<(Sign, Expr)> {
+pub(super) fn signed(list: Vec<(i64, Expr)>, by: i64) -> Vec<(Sign, Expr)> {
     let term = |(k, e): (i64, Expr)| {
         let size = literal(&Rational::from((k * by).abs()));
         (if k * by < 0 { Sign::Minus } else { Sign::Plus }, product(vec![size, e]))

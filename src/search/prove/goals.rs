@@ -117,6 +117,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_natural_values(goal, bindings, body)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_far_members(goal, bindings, body)) {
+            return Ok(label);
+        }
         let (all, inner) = together(bindings, body);
         let mut point: Vec<(String, Expr)> = match self.example(&all, inner) {
             Some(point) => point,

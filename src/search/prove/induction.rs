@@ -16,6 +16,11 @@ impl Prover {
             return Err(Fail::No("induction"));
         }
         let candidates = self.candidates(goal);
+        for variable in &candidates {
+            if let Ok(label) = self.on_its_own(|c| c.induction_from_zero(goal, variable)) {
+                return Ok(label);
+            }
+        }
         // Without cases first: most steps need none, and cases do not help if the step needs two previous members.
         for splits in [3, 0] {
             for together in [false, true] {
@@ -32,6 +37,50 @@ impl Prover {
             }
         }
         Err(Fail::No("induction"))
+    }
+
+    /// By induction on what a variable is more than its least value, where an exponent or the end of a sum or product says so:
+    /// 2^(n - 1) is a power of that, which the power of the next one is known by.
+    fn induction_from_zero(&mut self, goal: &Prop, variable: &str) -> Result<Label, Fail> {
+        let no = || Fail::No("an exponent that is less");
+        let least = self.least(variable).ok_or_else(no)?;
+        let mut sides = Vec::new();
+        super::goals::sides_in(goal, &mut sides);
+        if !sides.iter().any(|e| has_exponent_below(e, variable)) {
+            return Err(no());
+        }
+        let fresh = self.fresh("k");
+        let later = super::limits::plus(&name(&fresh), numeral(least));
+        let mut reduced = |p: &Prop| -> Result<Prop, Fail> {
+            let mut out = put(p, variable, &later)?;
+            in_exponents(&mut out, &mut |e| {
+                if let Some(p) = self.letters.polynomial(e) {
+                    *e = self.letters.written(&p);
+                }
+            });
+            Ok(out)
+        };
+        let body = reduced(goal)?;
+        self.inductions += 1;
+        let every = self.induction(&fresh, None, &body, 3)?;
+        self.inductions -= 1;
+        let before = super::facts::minus(&name(variable), &numeral(least));
+        let shown = self.instance(&every, &before)?;
+        self.logic(&[&shown], goal).or_else(|_| {
+            let terms = vec![crate::certificate::Term { facts: vec![shown], factor: numeral(1) }];
+            self.combination(goal.clone(), terms)
+        })
+    }
+
+    /// Shows a goal by induction on a variable, without another attempt before.
+    pub(super) fn show_by_induction_on(&mut self, goal: &Prop, variable: &str) -> Result<Label, Fail> {
+        if self.inductions > 0 {
+            return Err(Fail::No("induction"));
+        }
+        let splits = std::mem::replace(&mut self.splits, 0);
+        let shown = self.induction_on(goal, variable, false, 3);
+        self.splits = splits;
+        shown
     }
 
     /// Proves an equation about members that a `for all` fact relates to each other by induction, without cases. Linear programs
@@ -211,6 +260,38 @@ fn products_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
         out.push(e.clone());
     }
     crate::refute::expand::parts(e, &mut |part| products_to(part, variable, out));
+}
+
+/// Whether a power or the end of a sum or product says a variable less a number.
+fn has_exponent_below(e: &Expr, variable: &str) -> bool {
+    let less = |e: &Expr| {
+        matches!(&e.kind, ExprKind::Sum(list)
+            if list.iter().any(|(sign, e)| *sign == Sign::Minus && super::letters::natural(e).is_some()))
+            && super::limits::holds(e, variable)
+    };
+    let own = match &e.kind {
+        ExprKind::Power(_, exponent) => less(exponent),
+        ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => less(&index.to),
+        _ => false,
+    };
+    let mut found = own;
+    crate::refute::expand::parts(e, &mut |part| found |= has_exponent_below(part, variable));
+    found
+}
+
+/// Changes the exponents and the ends of sums and products in a comparison.
+fn in_exponents(p: &mut Prop, change: &mut dyn FnMut(&mut Expr)) {
+    fn within(e: &mut Expr, change: &mut dyn FnMut(&mut Expr)) {
+        match &mut e.kind {
+            ExprKind::Power(_, exponent) => change(exponent),
+            ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => change(&mut index.to),
+            _ => {}
+        }
+        crate::claim::walk::parts_mut(e, &mut |part| within(part, change));
+    }
+    if let PropKind::Compare(sides, _) = &mut p.kind {
+        sides.iter_mut().for_each(|e| within(e, change));
+    }
 }
 
 /// Whether induction on a variable may help: it occurs in an exponent, as the end of a sum or product, or in an index.

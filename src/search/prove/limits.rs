@@ -119,10 +119,16 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_closed_members(goal, l)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_expansion(goal, l)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_absolute_value(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.attempt(|c| c.by_signs_of_a_parameter(goal, l)) {
             return Ok(label);
         }
         let next = plus(&n, numeral(1));

@@ -1,6 +1,7 @@
 //! Signs of exponentials, and of sums of logarithms as the logarithm of a product.
 
-use super::letters::{product, whole_power};
+use super::exponents::{logarithm_of_number, signed};
+use super::letters::{product, total, whole_power};
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -44,6 +45,49 @@ impl Prover {
             let wrong = c.combination(compare(exponent.clone(), relations[0], numeral(0)), terms.to_vec())?;
             c.logic(&[&wrong], goal).or_else(|_| c.absurd(0, goal, None))
         })
+    }
+
+    /// Puts in ln(a/b) = ln(a) − ln(b), and likewise for other products of positive factors, for the logarithms in a goal and in the
+    /// facts. Returns whether there is one.
+    pub(super) fn split_logarithms(&mut self, goal: &Prop) -> bool {
+        let mut sides = Vec::new();
+        super::goals::sides_in(goal, &mut sides);
+        self.facts().iter().for_each(|(_, fact)| super::goals::sides_in(fact, &mut sides));
+        let mut logs = Vec::new();
+        sides.iter().for_each(|e| logarithms_in(e, &mut logs));
+        let mut any = false;
+        for u in logs {
+            any |= self.attempt(|c| c.split_logarithm(&u)).is_ok();
+        }
+        any
+    }
+
+    fn split_logarithm(&mut self, u: &Expr) -> Result<(), Fail> {
+        let no = || Fail::No("a logarithm of a product");
+        let reading = self.read(u, false).ok_or_else(no)?;
+        let plain = reading.factors.len() == 1 && reading.factors[0].power == 1 && reading.number == 1;
+        if plain || reading.factors.is_empty() || reading.number <= 0 {
+            return Err(no());
+        }
+        let log = |e: &Expr, k: i64| {
+            let part = apply("ln", e.clone());
+            let size = product(vec![literal(&Rational::from(k.abs())), part]);
+            (if k < 0 { Sign::Minus } else { Sign::Plus }, size)
+        };
+        let mut terms = Vec::new();
+        for f in &reading.factors {
+            terms.push(log(&self.letters.written(&f.poly), i64::from(f.power)));
+        }
+        for (part, k) in [(reading.number.numerator_ref(), 1), (reading.number.denominator_ref(), -1)] {
+            terms.extend(signed(logarithm_of_number(part), k));
+        }
+        let equation = compare(apply("ln", u.clone()), Relation::Equal, total(terms));
+        if self.known(&equation).is_some() {
+            return Err(no());
+        }
+        let label = self.emit(Rule::Power, equation)?;
+        self.put_in(&label);
+        Ok(())
     }
 
     /// Orders two numbers by a fact about their logarithms: the opposite order would contradict that fact.
@@ -124,6 +168,17 @@ impl Prover {
     }
 }
 
-fn is_logarithm(e: &Expr) -> bool {
+pub(super) fn is_logarithm(e: &Expr) -> bool {
     matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln")
+}
+
+/// What the logarithms in an expression are taken of.
+fn logarithms_in(e: &Expr, out: &mut Vec<Expr>) {
+    if let ExprKind::Apply(f, at) = &e.kind
+        && let ("ln", [u]) = (f.text.as_str(), at.as_slice())
+        && !out.contains(u)
+    {
+        out.push(u.clone());
+    }
+    crate::claim::walk::parts(e, &mut |part| logarithms_in(part, out));
 }

@@ -37,6 +37,7 @@ mod exponents;
 mod extrema;
 mod facts;
 mod fail;
+mod far_members;
 mod formulas;
 mod fourier_motzkin;
 mod goals;
@@ -52,6 +53,7 @@ mod limits;
 mod logarithms;
 mod means;
 mod narrowing;
+mod parameters;
 mod partial_fractions;
 mod powers;
 mod products;
@@ -68,6 +70,7 @@ mod squares;
 mod substitutions;
 mod sums;
 mod sums_of_squares;
+mod tails;
 mod tangents;
 mod taylor;
 #[cfg(test)]
@@ -227,6 +230,8 @@ pub(crate) struct Prover {
     in_boxes: bool,
     /// How many more such searches may fail.
     box_searches: usize,
+    /// Number of parameters whose signs are distinguished for a limit.
+    parameters: usize,
 }
 
 /// The kernel's work of evaluation for which the time until a deadline is enough: the kernel itself looks at no clock. A step is checked
@@ -281,6 +286,7 @@ impl Prover {
             in_residues: false,
             in_boxes: false,
             box_searches: boxes::SEARCHES,
+            parameters: 0,
         })
     }
 

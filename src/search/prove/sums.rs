@@ -1,4 +1,5 @@
-//! Sums up to a variable in closed form, by an antidifference of what is summed (`algebra::gosper`).
+//! Sums up to a variable in closed form, by an antidifference of what is summed (`algebra::gosper`). What is summed may hold the
+//! variable, as in sum(k = 1..n, k/n): it is then a constant beside an end of its own.
 
 use super::letters::{natural, total};
 use super::limits::holds;
@@ -28,14 +29,27 @@ impl Prover {
         sums_to(e, variable, &mut sums);
         let (mut closed, mut facts) = (e.clone(), Vec::new());
         for s in sums {
-            if let Some(value) = self.closed_sum(&s, variable)
-                && let Ok(fact) = self.attempt(|c| c.is_closed_form(&s, &value, variable))
-            {
+            if let Ok((value, fact)) = self.attempt(|c| c.in_closed_form(&s, variable)) {
                 replace(&mut closed, &s, &value);
                 facts.push(fact);
             }
         }
         if facts.is_empty() { Err(Fail::No("a sum in closed form")) } else { Ok((closed, facts)) }
+    }
+
+    /// The same where a sum holds the variable besides as its end, for which no induction on it is of use.
+    pub(super) fn by_sums_of_their_end(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let mut sides = Vec::new();
+        super::goals::sides_in(goal, &mut sides);
+        let is_own = |n: &String| {
+            let mut sums = Vec::new();
+            sides.iter().for_each(|e| sums_to(e, n, &mut sums));
+            sums.iter().any(|s| matches!(&s.kind, ExprKind::SumOver(_, body) if holds(body, n)))
+        };
+        if !self.naturals.iter().any(is_own) {
+            return Err(Fail::No("a sum that holds its end"));
+        }
+        self.by_sums(goal)
     }
 
     /// A comparison with the closed forms of its sums up to natural numbers put in.
@@ -58,12 +72,56 @@ impl Prover {
         if any { self.quietly(goal) } else { Err(Fail::No("a sum in closed form")) }
     }
 
+    /// What a sum comes to, and the fact that it does so for every value of the variable that it ends at.
+    fn in_closed_form(&mut self, s: &Expr, variable: &str) -> Result<(Expr, Label), Fail> {
+        let ExprKind::SumOver(index, body) = &s.kind else { return Err(Fail::No("a sum")) };
+        if matches!(index.to.kind, ExprKind::Name(_)) && !holds(body, variable) {
+            let value = self.closed_sum(s, variable).ok_or(Fail::No("a closed form"))?;
+            let fact = self.is_closed_form(s, &value, variable)?;
+            return Ok((value, fact));
+        }
+        self.with_another_end(index, body, variable)
+    }
+
+    /// The same for a sum that holds the variable besides as its end: first to any end, while the variable stands for a constant.
+    fn with_another_end(&mut self, index: &Index, body: &Expr, variable: &str) -> Result<(Expr, Label), Fail> {
+        let (end, k) = (self.fresh("m"), self.fresh("k"));
+        let to_end = Index { to: Box::new(name(&end)), ..index.clone() };
+        let other = expr(ExprKind::SumOver(to_end, Box::new(body.clone())));
+        let value = self.closed_sum(&other, &end).ok_or(Fail::No("a closed form"))?;
+        let put = |e: &Expr, old: &str, new: &Expr| super::slopes::put_in(e, old, new);
+        let here = name(&k);
+        let whole = expr(ExprKind::SumOver(index.clone(), Box::new(body.clone())));
+        let own_end = put(&index.to, variable, &here)?;
+        let own_value = put(&value, &end, &index.to)?;
+        let goal = compare(put(&whole, variable, &here)?, Relation::Equal, put(&own_value, variable, &here)?);
+        let (other, value) = (put(&other, variable, &here)?, put(&value, variable, &here)?);
+        // A divisor may need the variable to be other than 0. The kernel takes it out of a sum from a to m + a, and of none that may be
+        // empty.
+        let has_divisor = divides(body, variable);
+        let first = if has_divisor { natural(&index.from).unwrap_or(0) } else { 0 };
+        let later = sum(vec![(Sign::Plus, name(&end)), (Sign::Plus, numeral(first))]);
+        let (other, value) = (put(&other, &end, &later)?, put(&value, &end, &later)?);
+        let own_end = super::facts::minus(&own_end, &numeral(first));
+        let bound = has_divisor.then(|| Constraint::Relation(Relation::GreaterEqual, numeral(1)));
+        let binding = Binding::of(Name::new(&k), true, bound.into_iter().collect());
+        let every = prop(PropKind::ForAll(vec![binding], Box::new(goal.clone())));
+        let splits = std::mem::replace(&mut self.splits, 9);
+        let shown = self.on_its_own(|c| {
+            c.block(&every, |c, _| {
+                let to_any_end = c.is_closed_form(&other, &value, &end)?;
+                let label = c.instance(&to_any_end, &own_end)?;
+                c.logic(&[&label], &goal).or_else(|_| c.quietly(&goal))
+            })
+        });
+        self.splits = splits;
+        Ok((own_value, shown?))
+    }
+
     /// Shows that a sum has this value for every value of the variable.
-    fn is_closed_form(&mut self, s: &Expr, value: &Expr, variable: &str) -> Result<Label, Fail> {
+    pub(super) fn is_closed_form(&mut self, s: &Expr, value: &Expr, variable: &str) -> Result<Label, Fail> {
         let k = self.fresh("k");
-        let mut map = Substitution::default();
-        map.replace(variable, &name(&k));
-        let at = |e: &Expr| map.expr(e).map_err(Fail::from);
+        let at = |e: &Expr| super::slopes::put_in(e, variable, &name(&k));
         let body = compare(at(s)?, Relation::Equal, at(value)?);
         let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(body)));
         let splits = std::mem::replace(&mut self.splits, 0);
@@ -223,10 +281,25 @@ impl Default for Term {
     }
 }
 
-/// The sums up to a variable.
+/// Whether an expression divides by what holds a variable.
+fn divides(e: &Expr, variable: &str) -> bool {
+    let mut found = match &e.kind {
+        ExprKind::Product(list) => list.iter().any(|(how, e)| *how == Factor::Over && holds(e, variable)),
+        _ => false,
+    };
+    parts(e, &mut |part| found |= divides(part, variable));
+    found
+}
+
+/// The sums up to a variable, or up to a number more or less.
 fn sums_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
+    let is_end = |e: &Expr| match &e.kind {
+        ExprKind::Name(n) => n == variable,
+        ExprKind::Sum(_) => holds(e, variable),
+        _ => false,
+    };
     if let ExprKind::SumOver(index, _) = &e.kind
-        && matches!(&index.to.kind, ExprKind::Name(n) if n == variable)
+        && is_end(&index.to)
     {
         if !out.iter().any(|s| key::expr(s) == key::expr(e)) {
             out.push(e.clone());

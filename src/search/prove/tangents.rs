@@ -1,8 +1,8 @@
 //! The inequality 1 + x <= exp(x), tried for the exponentials and logarithms in a goal.
 
-use super::letters::product;
+use super::letters::{product, total, whole_power};
 use super::{Fail, Prover};
-use crate::certificate::{Label, Rule};
+use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::tangent;
 use crate::kernel::order::Signs;
@@ -32,6 +32,97 @@ impl Prover {
         })
     }
 
+    /// The step of an induction about logarithms: the goal is the hypothesis, and ln(v) − ln(u) between 1 − u/v and v/u − 1, with
+    /// ln(v) in the goal and ln(u) in the hypothesis.
+    pub(super) fn by_tangent_of_a_step(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("logarithms in the step of an induction");
+        if self.inductions == 0 {
+            return Err(no());
+        }
+        let PropKind::Compare(_, relations) = &goal.kind else { return Err(no()) };
+        let sign: i64 = match relations.as_slice() {
+            [relation] => relation.is_greater().map(|greater| if greater { -1 } else { 1 }).ok_or_else(no)?,
+            _ => return Err(no()),
+        };
+        let mut own = Vec::new();
+        logarithms_of(goal, &mut own);
+        let mut tried = 0;
+        for (label, fact) in self.facts().iter().rev() {
+            let mut known = Vec::new();
+            logarithms_of(fact, &mut known);
+            if !matches!(fact.kind, PropKind::Compare(..)) || known.is_empty() {
+                continue;
+            }
+            let pairs = own.iter().flat_map(|v| known.iter().filter(move |u| *u != v).map(move |u| (v, u)));
+            for (v, u) in pairs {
+                for x in [super::facts::minus(v, u), super::facts::minus(u, v)] {
+                    tried += 1;
+                    let shown = self.attempt(|c| {
+                        let tangent = c.tangent_fact(&x)?;
+                        let factors =
+                            [(1, 1), (1, 2), (2, 1)].map(|(n, d)| literal(&Rational::from_signeds(sign * n, d)));
+                        let with = |factor: Expr| {
+                            let own = Term { facts: vec![label.clone()], factor: numeral(1) };
+                            vec![own, Term { facts: vec![tangent.clone()], factor }]
+                        };
+                        let found = factors.into_iter().find_map(|f| c.combination(goal.clone(), with(f)).ok());
+                        found.ok_or_else(no)
+                    });
+                    if shown.is_ok() || tried >= TANGENTS {
+                        return shown;
+                    }
+                }
+            }
+        }
+        Err(no())
+    }
+
+    /// Proves a comparison of sums p·ln(u) with positive weights p, by tangents of the logarithms times their weights:
+    /// p·(1 − ln(u) − c) <= p/(u·exp(c)), where c is 0 or a logarithm without a weight.
+    pub(super) fn by_weighted_tangents(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+        let no = || Fail::No("logarithms with weights");
+        let whole = self.letters.polynomial(&super::facts::minus(a, b)).ok_or_else(no)?;
+        let (mut weighted, mut beside) = (Vec::new(), vec![None]);
+        for (m, _) in whole.terms() {
+            let is_log = |v: u32| self.letters.expr(v).is_some_and(super::logarithms::is_logarithm);
+            let (logs, others): (Vec<_>, Vec<_>) = m.powers().iter().partition(|(v, _)| is_log(*v));
+            let [(v, 1)] = logs.as_slice() else { continue };
+            let log = self.letters.expr(*v).cloned().ok_or_else(no)?;
+            if others.is_empty() {
+                beside.extend([Some((Sign::Minus, log.clone())), Some((Sign::Plus, log))]);
+                continue;
+            }
+            let weight =
+                others.iter().filter_map(|(v, k)| Some(whole_power(self.letters.expr(*v)?.clone(), i64::from(*k))));
+            weighted.push((product(weight.collect()), log));
+        }
+        if weighted.is_empty() || weighted.len() * beside.len() > TANGENTS {
+            return Err(no());
+        }
+        for (weight, log) in weighted {
+            if !self.signs_of(&weight).within(Signs::NOT_NEGATIVE) {
+                continue;
+            }
+            for more in &beside {
+                let terms = [(Sign::Minus, log.clone())].into_iter().chain(more.clone()).collect();
+                let _ = self.attempt(|c| c.weighted_tangent(&weight, &total(terms)));
+            }
+        }
+        self.quietly(goal).or_else(|_| self.with_solved_equations(|c| c.quietly(goal)))
+    }
+
+    /// p·(1 + x) <= p·exp(x).
+    fn weighted_tangent(&mut self, weight: &Expr, x: &Expr) -> Result<(), Fail> {
+        let tangent = self.tangent_fact(x)?;
+        let one_and = sum(vec![(Sign::Plus, numeral(1)), (Sign::Plus, x.clone())]);
+        let sides = [one_and, apply("exp", x.clone())].map(|e| product(vec![weight.clone(), e]));
+        let [low, high] = sides;
+        let shown = compare(low, Relation::LessEqual, high);
+        let terms = vec![Term { facts: vec![tangent], factor: weight.clone() }];
+        let label = self.combination(shown.clone(), terms)?;
+        self.take_in(&label, &shown)
+    }
+
     /// Adds the fact 1 + x <= exp(x) for each of these exponents x.
     fn tangents(&mut self, exponents: &[Expr]) -> Result<(), Fail> {
         let mut any = false;
@@ -41,12 +132,13 @@ impl Prover {
         if any { Ok(()) } else { Err(Fail::No("a tangent")) }
     }
 
-    /// The exponents at which the tangent may help: the exponents in the goal and the logarithms there, for an equation
-    /// those in facts as well, their opposites, and sums of two of these.
+    /// The exponents at which the tangent may help: the exponents in the goal and the logarithms there, for an equation and in the
+    /// step of an induction those in facts as well, their opposites, and sums of two of these.
     fn exponents(&mut self, goal: &Prop) -> Vec<Expr> {
         let mut sides = Vec::new();
         super::goals::sides_in(goal, &mut sides);
-        if matches!(&goal.kind, PropKind::Compare(_, relations) if *relations == [Relation::Equal]) {
+        let is_equation = matches!(&goal.kind, PropKind::Compare(_, relations) if *relations == [Relation::Equal]);
+        if is_equation || self.inductions > 0 {
             let facts: Vec<Rc<Prop>> = self.checker.facts().map(|f| f.1.clone()).collect();
             facts.iter().for_each(|p| super::goals::sides_in(p, &mut sides));
         }
@@ -129,5 +221,18 @@ impl Prover {
             Some(label) => Ok(label),
             None => self.tangent_at(x),
         }
+    }
+}
+
+/// The logarithms in a comparison.
+fn logarithms_of(p: &Prop, out: &mut Vec<Expr>) {
+    fn within(e: &Expr, out: &mut Vec<Expr>) {
+        if super::logarithms::is_logarithm(e) && !out.contains(e) {
+            out.push(e.clone());
+        }
+        crate::claim::walk::parts(e, &mut |part| within(part, out));
+    }
+    if let PropKind::Compare(sides, _) = &p.kind {
+        sides.iter().for_each(|e| within(e, out));
     }
 }

@@ -1,0 +1,110 @@
+//! Limits that depend on parameters: the members of a sequence by their closed form, and parameters of any sign case by case.
+
+use super::facts::minus;
+use super::letters::product;
+use super::limits::{holds, over, plus};
+use super::slopes::put_in;
+use super::{Fail, Prover, implies};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::kernel::key;
+use crate::kernel::names::names_in;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{apply, compare, name, numeral, power};
+use std::collections::BTreeSet;
+
+/// The most parameters whose signs are distinguished.
+const PARAMETERS: usize = 2;
+
+impl Prover {
+    /// Proves a limit after replacing members of sequences u(k + 1) = a·u(k) + b by a^n·(u(0) − p) + p with p = b/(1 − a), or by
+    /// u(0) + n·b where a is 1.
+    pub(super) fn by_closed_members(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let no = || Fail::No("a sequence in closed form");
+        let n = name(&l.variable.text);
+        let (mut closed, mut facts) = (l.of.clone(), Vec::new());
+        for sequence in self.checker.statement().sequences.clone() {
+            let member = |at: Expr| apply(&sequence.name, at);
+            if !mentions(&closed, &member(n.clone())) {
+                continue;
+            }
+            let before = self.letters.of(&member(name(&sequence.index)));
+            let step = self.letters.polynomial(&sequence.step).ok_or_else(no)?;
+            let slope = step.derivative(before);
+            let rest = step.substitute(before, &Polynomial::zero()).map_err(|_| no())?;
+            let (a, b) = (self.letters.written(&slope), self.letters.written(&rest));
+            if step.degree_in(before) != 1 || holds(&a, &sequence.index) || holds(&b, &sequence.index) {
+                return Err(no());
+            }
+            let first = sequence.initial.clone();
+            let times = |e: Expr| product(vec![e, power(&a, &n)]);
+            let value = if rest.is_zero() {
+                times(first)
+            } else if slope.is_one() {
+                plus(&first, product(vec![b, n.clone()]))
+            } else {
+                let fixed = over(b, minus(&numeral(1), &a));
+                plus(&times(minus(&first, &fixed)), fixed)
+            };
+            let own = member(n.clone());
+            facts.push(self.on_its_own(|c| c.is_closed_form(&own, &value, &l.variable.text))?);
+            super::sums::replace(&mut closed, &own, &value);
+        }
+        if facts.is_empty() {
+            return Err(no());
+        }
+        self.between(goal, l, (&closed, &closed), &facts, 1)
+    }
+
+    /// Proves a limit where a real parameter is negative, 0 and positive.
+    pub(super) fn by_signs_of_a_parameter(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let no = || Fail::No("a parameter of any sign");
+        if self.parameters >= PARAMETERS {
+            return Err(no());
+        }
+        let mut names = BTreeSet::new();
+        names_in(&l.of, &mut names);
+        names.remove(&l.variable.text);
+        // What stands beside the value tells nothing by its sign.
+        let open = names
+            .into_iter()
+            .find(|n| self.is_a_name(n) && !holds(&l.value, n) && self.signs_of(&name(n)) == Signs::ANY);
+        let open = name(&open.ok_or_else(no)?);
+        self.parameters += 1;
+        let mut from = Vec::new();
+        for relation in [Relation::Less, Relation::Equal, Relation::Greater] {
+            let case = compare(open.clone(), relation, numeral(0));
+            let shown = self.block(&implies(&case, goal), |c, _| {
+                if relation == Relation::Equal {
+                    let zero = put_in(&l.of, &open_name(&open), &numeral(0))?;
+                    return c.between(goal, l, (&zero, &zero), &[], 1);
+                }
+                c.limit(goal, l)
+            });
+            match shown {
+                Ok(label) => from.push(label),
+                Err(fail) => {
+                    self.parameters -= 1;
+                    return Err(fail);
+                }
+            }
+        }
+        self.parameters -= 1;
+        self.emit(Rule::Logic { from }, goal.clone())
+    }
+}
+
+fn open_name(e: &Expr) -> String {
+    match &e.kind {
+        ExprKind::Name(n) => n.clone(),
+        _ => String::new(),
+    }
+}
+
+/// Whether an expression occurs in another.
+fn mentions(e: &Expr, part: &Expr) -> bool {
+    let mut found = key::expr(e) == key::expr(part);
+    crate::claim::walk::parts(e, &mut |e| found |= mentions(e, part));
+    found
+}
