@@ -76,7 +76,7 @@ impl Prover {
         };
         let mut terms = Vec::new();
         for f in &reading.factors {
-            terms.push(log(&self.letters.written(&f.poly), i64::from(f.power)));
+            terms.push(log(&self.letters.written(&f.poly), f.power));
         }
         for (part, k) in [(reading.number.numerator_ref(), 1), (reading.number.denominator_ref(), -1)] {
             terms.extend(signed(logarithm_of_number(part), k));
