@@ -365,8 +365,14 @@ mod tests {
         let half_root = root(&number(6, 1), 2).times(&number(-1, 2)).expect("short");
         assert_eq!(said_of(half_root, number(-1, 2).plus(&turns(1, 1)).expect("short")), "pi - 1/2 - sqrt(6)/2");
         assert_eq!(said_of(root(&number(2, 1), 3), none()), "2^(1/3)");
-        assert_eq!(said(&number(1, 1).exp().expect("e")), None);
-        assert_eq!(said(&turns(1, 1).times(&turns(1, 1)).expect("short")), None);
+        assert_eq!(said_of(number(-1, 2).exp().expect("e"), none()), "exp(-1/2)");
+        assert_eq!(said_of(number(6, 1).ln().expect("ln"), none()), "ln(2) + ln(3)");
+        assert_eq!(said_of(turns(1, 1).times(&turns(1, 1)).expect("short"), none()), "pi^2");
+        // A sum has one form as a base: (e + 1/e)^-1 is e/(1 + e^2).
+        let [e, rest] = [number(1, 1), number(-1, 1)].map(|k| k.exp().expect("e"));
+        let base = e.plus(&rest).and_then(|sum| sum.power(&Rational::from(-1))).expect("short");
+        let other = number(2, 1).exp().and_then(|square| square.plus(&number(1, 1))).expect("short");
+        assert_eq!(Some(base), other.power(&Rational::from(-1)).and_then(|inverse| inverse.times(&e)));
     }
 
     #[test]
