@@ -395,13 +395,13 @@ class Checker(Logic):
         need(a.c and b.c and collect(a, ONE, True, 1) == collect(b, ONE, True, -1), why)
         for base, places in bases.items():
             balance, signs = total([e * F(side) for e, _, side in places]), self.signs(base, known)
-            if signs == POSITIVE:
+            if not signs & ~POSITIVE:
                 logs.append(balance * atom(self.intern(("ln", base))))
                 continue
             exponents = [self.signs(e, known) for e, _, _ in places]
             whole = all(w for _, w, _ in places) and (not signs & 2 or not any(e & 1 for e in exponents))
             both = len({side for _, _, side in places}) == 2
-            root = both and not signs & 1 and all(e == POSITIVE for e in exponents)
+            root = both and not signs & 1 and not any(e & ~POSITIVE for e in exponents)
             need(not balance.c and (whole or root), why)
         need(not self.expanded_logarithms(total(logs), known).c, why)
 
@@ -419,7 +419,7 @@ class Checker(Logic):
         for p, k in f.factors.items():
             p = F(1, {p: 1})
             inner = self.atoms[p.single()[0]] if p.single() else (None,)
-            if inner[0] != "power" and self.signs(p, known) == 1:
+            if inner[0] != "power" and not self.signs(p, known) & ~1:
                 p, c = p * F(-1), c * (-1) ** abs(k)
             factors.append((p, k))
         return c, factors
@@ -427,7 +427,7 @@ class Checker(Logic):
     def logarithm_of(self, x, known):
         """ln of a product of factors of known sign as a sum."""
         c, factors = self.turned(x, known)
-        if c <= 0 or any(self.signs(p, known) != POSITIVE for p, _ in factors):
+        if c <= 0 or any(self.signs(p, known) & ~POSITIVE for p, _ in factors):
             return atom(self.intern(("ln", x)))
         terms = [atom(self.intern(("ln", F(p)))) * F(k) for p, k in primes(c)]
         for p, k in factors:
