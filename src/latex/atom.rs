@@ -125,8 +125,19 @@ impl<'t> Reader<'t, '_, '_> {
         Ok(Piece::new(text, 5))
     }
 
-    /// A numeral; `1\mathrm{e}5` is one as well.
+    /// A numeral, perhaps in degrees.
     pub(crate) fn number(&mut self) -> Read<Piece> {
+        let mut piece = self.numeral()?;
+        if let Some(next) = self.degrees() {
+            self.at = next;
+            let (text, span) = (format!("({}*pi/180)", piece.text.text()), piece.text.span());
+            piece = Piece::new(Placed::new(&text, self.since(span)), 5);
+        }
+        Ok(piece)
+    }
+
+    /// A numeral; `1\mathrm{e}5` is one as well.
+    pub(crate) fn numeral(&mut self) -> Read<Piece> {
         let start = self.span();
         let mut text = String::new();
         let digits = |reader: &mut Self, text: &mut String| {
@@ -177,10 +188,6 @@ impl<'t> Reader<'t, '_, '_> {
         {
             let help = "write the exact number, as \\frac{1}{3}, or \\approx 0.333";
             return Err(refused("a number that goes on with dots is not read", help, self.since(start)));
-        }
-        if let Some(next) = self.degrees() {
-            self.at = next;
-            return Ok(Piece::new(Placed::new(&format!("({text}*pi/180)"), self.since(start)), 5));
         }
         let mut piece = Piece::atom(&text, self.since(start));
         piece.is_number = true;

@@ -461,11 +461,7 @@ fn has_constant_end(tokens: &[Token], index: &Kind) -> bool {
     let mut lowest = 0i64;
     let mut at = last + 1;
     for (place, token) in tokens.iter().enumerate().skip(last + 1) {
-        level += match token.kind {
-            Kind::Open | Kind::Char('(' | '[') => 1,
-            Kind::Close | Kind::Char(')' | ']') => -1,
-            _ => 0,
-        };
+        level += token.nesting();
         if level < lowest {
             lowest = level;
             at = place + 1;
@@ -474,14 +470,12 @@ fn has_constant_end(tokens: &[Token], index: &Kind) -> bool {
     // Exponents, indices, the other part of a fraction and signs behind a factor belong to it.
     loop {
         match tokens.get(at).map(|t| &t.kind) {
-            Some(Kind::Char('^' | '_')) => match argument(tokens, at + 1) {
-                Ok((_, next)) => at = next,
-                Err(_) => return false,
-            },
-            Some(Kind::Open) => match argument(tokens, at) {
-                Ok((_, next)) => at = next,
-                Err(_) => return false,
-            },
+            Some(kind @ (Kind::Open | Kind::Char('^' | '_'))) => {
+                match argument(tokens, at + usize::from(*kind != Kind::Open)) {
+                    Ok((_, next)) => at = next,
+                    Err(_) => return false,
+                }
+            }
             Some(Kind::Char('!' | '\'' | '|')) => at += 1,
             Some(Kind::Command(name)) if CLOSING.contains(&name.as_str()) || tokens.get(at).is_some_and(is_space) => {
                 at += 1;

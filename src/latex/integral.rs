@@ -46,11 +46,7 @@ impl Reader<'_, '_, '_> {
     fn in_this_term(&self, wanted: &Kind) -> bool {
         let mut level = 0i64;
         for token in &self.tokens[self.at..] {
-            level += match token.kind {
-                Kind::Open | Kind::Char('(' | '[') => 1,
-                Kind::Close | Kind::Char(')' | ']') => -1,
-                _ => 0,
-            };
+            level += token.nesting();
             let is_end = matches!(token.char(), Some('+' | '-' | ',')) || super::binding::relation_of(token).is_some();
             if level < 0 || level == 0 && is_end {
                 return false;
@@ -132,11 +128,7 @@ impl Reader<'_, '_, '_> {
 fn in_numerator(tokens: &[Token]) -> Option<(Vec<Token>, usize)> {
     let mut level = 0i64;
     let at = tokens.iter().position(|token| {
-        level += match token.kind {
-            Kind::Open | Kind::Char('(' | '[') => 1,
-            Kind::Close | Kind::Char(')' | ']') => -1,
-            _ => 0,
-        };
+        level += token.nesting();
         level == 0 && ["frac", "dfrac", "tfrac"].iter().any(|name| token.is(name))
     })?;
     let ends =

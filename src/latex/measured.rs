@@ -150,10 +150,10 @@ impl Reader<'_, '_, '_> {
 
     /// The digits of a number, and whether the sign of degrees stands behind it.
     fn digits_and_degrees(&mut self) -> Read<(String, bool)> {
-        let number = self.number()?;
-        let text = number.text.text();
-        let inside = text.strip_prefix('(').and_then(|text| text.strip_suffix("*pi/180)"));
-        Ok((inside.unwrap_or(text).to_string(), inside.is_some()))
+        let digits = self.numeral()?.text.text().to_string();
+        let behind = self.degrees();
+        self.at = behind.unwrap_or(self.at);
+        Ok((digits, behind.is_some()))
     }
 
     /// The uncertainty with the power of ten here, if that makes its last digit the last one of the value: `0.00243 \pm 6 \cdot 10^{-5}`.

@@ -230,11 +230,7 @@ fn ends_with_words(tokens: &[Token]) -> bool {
 fn has_condition_behind(tokens: &[Token]) -> bool {
     let mut level = 0i64;
     tokens.iter().any(|token| {
-        level += match token.kind {
-            Kind::Open | Kind::Char('(' | '[') => 1,
-            Kind::Close | Kind::Char(')' | ']') => -1,
-            _ => 0,
-        };
+        level += token.nesting();
         level == 0 && (token.is_text() || token.is_char(',') || token.is_char(';'))
     })
 }

@@ -172,11 +172,7 @@ impl Reader<'_, '_, '_> {
         let mut level = 0i64;
         let found = (here..self.tokens.len()).find(|place| {
             let token = &self.tokens[*place];
-            level += match token.kind {
-                Kind::Open | Kind::Char('(' | '[') => 1,
-                Kind::Close | Kind::Char(')' | ']') => -1,
-                _ => 0,
-            };
+            level += token.nesting();
             self.at = *place;
             let ends = || token.command().is_some_and(|name| ENDS.contains(&name));
             let is_text = token.is_text();

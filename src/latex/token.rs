@@ -43,6 +43,15 @@ pub(crate) enum Kind {
 }
 
 impl Token {
+    /// 1 where it opens a brace or parenthesis, −1 where it closes one: the sum of these is the level of nesting.
+    pub(crate) fn nesting(&self) -> i64 {
+        match self.kind {
+            Kind::Open | Kind::Char('(' | '[') => 1,
+            Kind::Close | Kind::Char(')' | ']') => -1,
+            _ => 0,
+        }
+    }
+
     /// Whether it is this command.
     pub(crate) fn is(&self, name: &str) -> bool {
         matches!(&self.kind, Kind::Command(own) if own == name)

@@ -30,9 +30,9 @@ struct Parts {
 /// The claim that another one fails at a point: the variables have the values of the point, their domains and all
 /// hypotheses hold there, and the goal is false or has no value.
 ///
-/// Sound: the returned claim supposes nothing but that variables have the values given, each at most one and of its kind
-/// (a number, or made of numbers, of π and functions so that it has a value; `pi` only where no name of the point's claim hides it),
-/// and that families have the members given and all others in their domain, which holds a number. So there are values
+/// Sound: the returned claim supposes nothing but that variables have the values given, and that families have the members given
+/// and all others in their domain, which holds a number. A variable has at most one value, which is of its kind: a number, or an
+/// expression that [`is_real`], where `pi` is the number if no name of the point's claim hides it. So there are values
 /// that satisfy what it supposes. For these the domains and hypotheses of the claim are shown to hold, and its goal is
 /// shown to be false. A goal `for all x …` fails if it fails for one x of the domain, and an extremum if its value, its
 /// bound or its uniqueness fails, which is what it says by definition. A variable that grows in a limit is no place of the
@@ -374,8 +374,8 @@ fn rational(e: &Expr) -> Option<BigRational> {
     }
 }
 
-/// Whether an expression is made of numbers, and of π where `pi` is that number, by sums, products, exponentials, and by
-/// quotients, powers, roots and logarithms of what [`is_positive`]: it has a value.
+/// Whether an expression has a value by its form. It is made of numbers, and of π where `pi` is that number, by sums, products and
+/// exponentials. Divisors, bases of powers, and what stands under roots and logarithms [`is_positive`].
 ///
 /// Sound: numbers and π are real numbers, and sums, products and exponentials of real numbers are. So are quotients by positive
 /// numbers and by numbers other than 0, and powers, roots and logarithms of positive numbers.

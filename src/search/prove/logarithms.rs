@@ -56,32 +56,34 @@ impl Prover {
         let mut logs = Vec::new();
         sides.iter().for_each(|e| logarithms_in(e, &mut logs));
         let mut any = false;
-        for u in logs {
-            any |= self.attempt(|c| c.split_logarithm(&u)).is_ok();
+        for log in logs {
+            any |= self.attempt(|c| c.split_logarithm(&log)).is_ok();
         }
         any
     }
 
-    fn split_logarithm(&mut self, u: &Expr) -> Result<(), Fail> {
+    fn split_logarithm(&mut self, log: &Expr) -> Result<(), Fail> {
         let no = || Fail::No("a logarithm of a product");
+        let ExprKind::Apply(_, at) = &log.kind else { return Err(no()) };
+        let [u] = at.as_slice() else { return Err(no()) };
         let reading = self.read(u, false).ok_or_else(no)?;
         let plain = reading.factors.len() == 1 && reading.factors[0].power == 1 && reading.number == 1;
         if plain || reading.factors.is_empty() || reading.number <= 0 {
             return Err(no());
         }
-        let log = |e: &Expr, k: i64| {
+        let multiple = |e: &Expr, k: i64| {
             let part = apply("ln", e.clone());
             let size = product(vec![literal(&Rational::from(k.abs())), part]);
             (if k < 0 { Sign::Minus } else { Sign::Plus }, size)
         };
         let mut terms = Vec::new();
         for f in &reading.factors {
-            terms.push(log(&self.letters.written(&f.poly), f.power));
+            terms.push(multiple(&self.letters.written(&f.poly), f.power));
         }
         for (part, k) in [(reading.number.numerator_ref(), 1), (reading.number.denominator_ref(), -1)] {
             terms.extend(signed(logarithm_of_number(part), k));
         }
-        let equation = compare(apply("ln", u.clone()), Relation::Equal, total(terms));
+        let equation = compare(log.clone(), Relation::Equal, total(terms));
         if self.known(&equation).is_some() {
             return Err(no());
         }
@@ -172,13 +174,10 @@ pub(super) fn is_logarithm(e: &Expr) -> bool {
     matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "ln")
 }
 
-/// What the logarithms in an expression are taken of.
-fn logarithms_in(e: &Expr, out: &mut Vec<Expr>) {
-    if let ExprKind::Apply(f, at) = &e.kind
-        && let ("ln", [u]) = (f.text.as_str(), at.as_slice())
-        && !out.contains(u)
-    {
-        out.push(u.clone());
+/// Adds the logarithms in an expression, each once.
+pub(super) fn logarithms_in(e: &Expr, out: &mut Vec<Expr>) {
+    if is_logarithm(e) && !out.contains(e) {
+        out.push(e.clone());
     }
     crate::claim::walk::parts(e, &mut |part| logarithms_in(part, out));
 }

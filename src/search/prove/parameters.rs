@@ -70,14 +70,14 @@ impl Prover {
         let open = names
             .into_iter()
             .find(|n| self.is_a_name(n) && !holds(&l.value, n) && self.signs_of(&name(n)) == Signs::ANY);
-        let open = name(&open.ok_or_else(no)?);
+        let open = open.ok_or_else(no)?;
         self.parameters += 1;
         let mut from = Vec::new();
         for relation in [Relation::Less, Relation::Equal, Relation::Greater] {
-            let case = compare(open.clone(), relation, numeral(0));
+            let case = compare(name(&open), relation, numeral(0));
             let shown = self.block(&implies(&case, goal), |c, _| {
                 if relation == Relation::Equal {
-                    let zero = put_in(&l.of, &open_name(&open), &numeral(0))?;
+                    let zero = put_in(&l.of, &open, &numeral(0))?;
                     return c.between(goal, l, (&zero, &zero), &[], 1);
                 }
                 c.limit(goal, l)
@@ -92,13 +92,6 @@ impl Prover {
         }
         self.parameters -= 1;
         self.emit(Rule::Logic { from }, goal.clone())
-    }
-}
-
-fn open_name(e: &Expr) -> String {
-    match &e.kind {
-        ExprKind::Name(n) => n.clone(),
-        _ => String::new(),
     }
 }
 

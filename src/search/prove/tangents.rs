@@ -226,13 +226,7 @@ impl Prover {
 
 /// The logarithms in a comparison.
 fn logarithms_of(p: &Prop, out: &mut Vec<Expr>) {
-    fn within(e: &Expr, out: &mut Vec<Expr>) {
-        if super::logarithms::is_logarithm(e) && !out.contains(e) {
-            out.push(e.clone());
-        }
-        crate::claim::walk::parts(e, &mut |part| within(part, out));
-    }
     if let PropKind::Compare(sides, _) = &p.kind {
-        sides.iter().for_each(|e| within(e, out));
+        sides.iter().for_each(|e| super::logarithms::logarithms_in(e, out));
     }
 }

@@ -239,7 +239,7 @@ impl Points {
     }
 
     /// The statement.
-    pub(super) fn statement(&self) -> &Statement {
+    pub(super) fn statement(&self) -> &Rc<Statement> {
         &self.statement
     }
 

@@ -15,7 +15,7 @@ use super::recurrence::recurrences;
 use super::solve::{Way, ways};
 use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::claim::walk::{names_in, parts};
+use crate::claim::walk::names_in;
 use crate::kernel::statement::{constraints, domain, name};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -370,14 +370,9 @@ impl Search {
 
 /// Whether an exponential or a logarithm stands in an expression, or no name at all.
 fn is_transcendental(e: &Expr) -> bool {
-    fn calls(e: &Expr) -> bool {
-        let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if ["exp", "ln"].contains(&f.text.as_str()));
-        parts(e, &mut |part| found |= calls(part));
-        found
-    }
     let mut names = BTreeSet::new();
     names_in(e, &mut names);
-    names.iter().all(|name| FUNCTIONS.iter().any(|f| f.0 == name)) || calls(e)
+    names.iter().all(|name| FUNCTIONS.iter().any(|f| f.0 == name)) || names.contains("exp") || names.contains("ln")
 }
 
 fn is_natural(q: &Rational) -> bool {

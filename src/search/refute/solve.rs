@@ -243,10 +243,14 @@ impl Solver<'_> {
                 return None;
             }
             let [rest, coefficient] = p.coefficients_in(letter).try_into().ok()?;
-            let (above, below) = (self.reading.words(&rest.neg()), self.reading.words(&coefficient));
-            let value = expr(ExprKind::Product(vec![(Factor::Times, above), (Factor::Over, below)]));
-            Some((a.clone(), Relation::Equal, apply(inverse, value)))
+            Some((a.clone(), Relation::Equal, apply(inverse, self.root_of(&coefficient, &rest))))
         })
+    }
+
+    /// The value −d/c that c·x + d = 0 gives x.
+    fn root_of(&self, c: &Polynomial, d: &Polynomial) -> Expr {
+        let (above, below) = (self.reading.words(&d.neg()), self.reading.words(c));
+        expr(ExprKind::Product(vec![(Factor::Times, above), (Factor::Over, below)]))
     }
 
     /// Points of a circle x² + y² = r², by what was chosen for y as the tangent t of half their angle:
@@ -299,8 +303,7 @@ impl Solver<'_> {
                 continue;
             }
             let [rest, coefficient] = p.coefficients_in(*letter).try_into().ok()?;
-            let (above, below) = (self.reading.words(&rest.neg()), self.reading.words(&coefficient));
-            let value = expr(ExprKind::Product(vec![(Factor::Times, above), (Factor::Over, below)]));
+            let value = self.root_of(&coefficient, &rest);
             if self.is_never_zero(&coefficient, others) {
                 return Some(Solution { name: name.clone(), value, vanishing: None });
             }

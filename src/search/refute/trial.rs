@@ -85,7 +85,7 @@ impl Trial {
             self.identify();
         }
         self.goal.limits_left = if effort.first.is_some() { FIRST_LIMITS } else { LIMITS };
-        let statement = self.points.statement().clone();
+        let statement = Rc::clone(self.points.statement());
         let Trial { points, goal, .. } = self;
         let (mut tried, mut failing) = (Tried::default(), None);
         points.each(effort, &mut |origin, choice, point| {
