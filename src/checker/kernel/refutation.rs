@@ -32,7 +32,7 @@ struct Parts {
 ///
 /// Sound: the returned claim supposes nothing but that variables have the values given, and that families have the members given
 /// and all others in their domain, which holds a number. A variable has at most one value, which is of its kind: a number, or an
-/// expression that [`is_real`], where `pi` is the number if no name of the point's claim hides it. So there are values
+/// expression that `is_real`, where `pi` is the number if no name of the point's claim hides it. So there are values
 /// that satisfy what it supposes. For these the domains and hypotheses of the claim are shown to hold, and its goal is
 /// shown to be false. A goal `for all x …` fails if it fails for one x of the domain, and an extremum if its value, its
 /// bound or its uniqueness fails, which is what it says by definition. A variable that grows in a limit is no place of the
