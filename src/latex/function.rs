@@ -12,8 +12,10 @@ use super::token::{Kind, Token};
 use carom_diagnostic::Span;
 
 /// Functions with one argument, by their commands and as upright words.
-pub(crate) const FUNCTIONS: &[&str] =
-    &["sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln", "log", "sinh", "cosh", "tanh", "coth", "sech", "det"];
+pub(crate) const FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "ln", "log", "sinh", "cosh", "tanh",
+    "coth", "sech", "det",
+];
 /// Functions that are quotients of others: numerator, which is 1 where none is named, and denominator.
 const QUOTIENTS: &[(&str, Option<&str>, &str)] =
     &[("cot", Some("cos"), "sin"), ("sec", None, "cos"), ("csc", None, "sin"), ("coth", Some("cosh"), "sinh")];
@@ -107,10 +109,11 @@ impl<'t> Reader<'t, '_, '_> {
             let (inner, next) = argument(self.tokens, self.at)?;
             if inner.first().is_some_and(|t| t.is_char('-')) {
                 let readings = ["the inverse function", "one over the function"];
-                let write = [
-                    "declare the angle and assume its value, `%carom assume sin(theta) = x`".to_string(),
-                    format!("write \\frac{{1}}{{\\{name} x}}"),
-                ];
+                let inverse = match name {
+                    "sin" | "cos" | "tan" => format!("write \\arc{name}"),
+                    _ => format!("declare a name for it and assume its value, `%carom assume {name}(u) = x`"),
+                };
+                let write = [inverse, format!("write \\frac{{1}}{{\\{name} x}}")];
                 let write = write.each_ref().map(String::as_str);
                 return Err(ambiguous(&format!("\\{name}^{{-1}}"), readings, write, self.since(start)));
             }

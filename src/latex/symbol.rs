@@ -26,7 +26,10 @@ enum Meaning {
 }
 
 /// Functions that are often written without a backslash.
-const WORDS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "log", "sqrt", "sinh", "cosh", "tanh", "max", "min", "det"];
+const WORDS: &[&str] = &[
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "ln", "log", "sqrt", "sinh", "cosh", "tanh", "max",
+    "min", "det",
+];
 
 impl Reader<'_, '_, '_> {
     /// What a name is, if a comment or a sum around it declares it.

@@ -13,10 +13,10 @@ const LENGTH: usize = 20_000;
 /// Commands of formulas that are read, besides letters, accents, spaces and relations.
 const COMMANDS: &[&str] = &[
     "frac", "dfrac", "tfrac", "cfrac", "sqrt", "binom", "dbinom", "tbinom", "sum", "prod", "int", "lim", "max", "min",
-    "exp", "ln", "sin", "cos", "tan", "sinh", "cosh", "tanh", "det", "partial", "prime", "infty", "left", "right",
-    "lvert", "rvert", "lfloor", "rfloor", "lceil", "rceil", "lbrace", "rbrace", "{", "}", "quad", "qquad", "lt", "gt",
-    "forall", "exists", "neg", "lnot", "begin", "end", "ast", "div", "top", "intercal", "mathrm", "dots", "cdots",
-    "ldots", "colon", "\\",
+    "exp", "ln", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "det", "partial", "prime",
+    "infty", "left", "right", "lvert", "rvert", "lfloor", "rfloor", "lceil", "rceil", "lbrace", "rbrace", "{", "}",
+    "quad", "qquad", "lt", "gt", "forall", "exists", "neg", "lnot", "begin", "end", "ast", "div", "top", "intercal",
+    "mathrm", "dots", "cdots", "ldots", "colon", "\\",
 ];
 /// Environments within a formula.
 const ENVIRONMENTS: &[&str] = &["cases", "dcases", "matrix", "pmatrix", "bmatrix", "vmatrix", "aligned", "split"];

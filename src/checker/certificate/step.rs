@@ -158,6 +158,8 @@ pub enum Rule {
         /// The number u.
         with: Vec<(Name, Expr)>,
     },
+    /// What arcsin, arccos and arctan are by their inverses, and that they rise or fall.
+    Arc,
     /// A function of one variable at two values, from the sign of its derivative: the mean value theorem.
     Slope {
         /// The sign of the derivative, for all values in an interval.
@@ -213,6 +215,7 @@ impl Rule {
             Rule::Mean { .. } => "mean",
             Rule::Tangent { .. } => "tangent",
             Rule::Circle { .. } => "circle",
+            Rule::Arc => "arc",
             Rule::Slope { .. } => "slope",
             Rule::Intermediate { .. } => "intermediate",
             Rule::Limit { .. } => "limit",
@@ -293,6 +296,7 @@ impl Show {
             | Rule::Mean { .. }
             | Rule::Tangent { .. }
             | Rule::Circle { .. }
+            | Rule::Arc
             | Rule::Limit { .. } => {}
         }
     }

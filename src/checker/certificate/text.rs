@@ -374,6 +374,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "mean" => Rule::Mean { with },
         "tangent" => Rule::Tangent { with },
         "circle" => Rule::Circle { with },
+        "arc" => Rule::Arc,
         "slope" => Rule::Slope { source: one(&mut given)?, with, from: given.by_ref().collect() },
         "intermediate" => Rule::Intermediate { with, from: given.by_ref().collect() },
         "limit" => Rule::Limit { with },

@@ -120,6 +120,7 @@ pub fn needs(e: &Expr, whole: &dyn Fn(&str) -> bool) -> Result<Vec<Need>, TooLon
         ExprKind::Apply(f, arguments) => match (f.text.as_str(), arguments.first()) {
             ("sqrt" | "cbrt", Some(a)) => vec![Need::NotNegative(a.clone())],
             ("ln", Some(a)) => vec![Need::Positive(a.clone())],
+            ("arcsin" | "arccos", Some(a)) => from_one(a).map(Need::NotNegative).to_vec(),
             _ => Vec::new(),
         },
         ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) => {
@@ -136,6 +137,13 @@ pub fn needs(e: &Expr, whole: &dyn Fn(&str) -> bool) -> Result<Vec<Need>, TooLon
         | ExprKind::Matrix(_)
         | ExprKind::IntegralOver(..) => Vec::new(),
     })
+}
+
+/// 1 − a and 1 + a: how far a sine is from 1 and −1.
+pub(crate) fn from_one(a: &Expr) -> [Expr; 2] {
+    let one = || Expr { kind: ExprKind::Number("1".to_string()), span: a.span };
+    [Sign::Minus, Sign::Plus]
+        .map(|sign| Expr { kind: ExprKind::Sum(vec![(Sign::Plus, one()), (sign, a.clone())]), span: a.span })
 }
 
 /// Whether an expression is a whole number by its form: made of whole numbers, natural variables, indices and members

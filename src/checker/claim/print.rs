@@ -244,7 +244,11 @@ impl Style {
             (Style::Latex, "abs") => format!("\\left|{list}\\right|"),
             (Style::Latex, "floor") => format!("\\left\\lfloor {list}\\right\\rfloor"),
             (Style::Latex, "ceil") => format!("\\left\\lceil {list}\\right\\rceil"),
-            (Style::Latex, "exp" | "ln" | "cosh" | "sinh" | "tanh" | "det" | "sin" | "cos" | "tan" | "max" | "min") => {
+            (
+                Style::Latex,
+                "exp" | "ln" | "cosh" | "sinh" | "tanh" | "det" | "sin" | "cos" | "tan" | "arcsin" | "arccos"
+                | "arctan" | "max" | "min",
+            ) => {
                 format!("\\{}\\left({list}\\right)", name.text)
             }
             (Style::Unicode, "sqrt") => match arguments {

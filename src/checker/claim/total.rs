@@ -10,7 +10,7 @@ use super::walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions with a value at every real number.
-const EVERYWHERE: [&str; 10] = ["abs", "max", "min", "exp", "cos", "sin", "cosh", "sinh", "sech", "tanh"];
+const EVERYWHERE: [&str; 11] = ["abs", "max", "min", "exp", "cos", "sin", "arctan", "cosh", "sinh", "sech", "tanh"];
 
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
 /// and by what is positive by its form, and nothing in it has another condition. `named` says of a name whether what it

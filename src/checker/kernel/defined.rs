@@ -11,7 +11,7 @@ use super::statement::{constraints, domain, name};
 use super::term::Atom;
 use super::tree::parts;
 use super::{Checker, Reason, Refusal, rejected};
-use crate::claim::definedness::{Exponent, Need, exponent, is_whole, needs, numerals};
+use crate::claim::definedness::{Exponent, Need, exponent, from_one, is_whole, needs, numerals};
 use crate::claim::syntax::*;
 use std::collections::BTreeSet;
 
@@ -151,7 +151,7 @@ impl Checker {
     }
 
     /// Whether an expression that has a value can be differentiated by a variable, however often: bases of powers
-    /// that are no numerals are not 0, and roots are of positive numbers, so that the same holds nearby.
+    /// that are no numerals are not 0, roots are of positive numbers and arcs of what is less than 1 from 0, so that the same holds nearby.
     pub(super) fn smooth(&mut self, e: &Expr, by: &str, known: &mut Known) -> Result<(), Refusal> {
         let natural = self.natural_names();
         let is_natural = |name: &str| natural.contains(name);
@@ -164,6 +164,11 @@ impl Checker {
             ExprKind::Apply(f, arguments) if matches!(f.text.as_str(), "sqrt" | "cbrt") => {
                 for argument in arguments {
                     self.need(argument, Signs::POSITIVE, known)?;
+                }
+            }
+            ExprKind::Apply(f, arguments) if matches!(f.text.as_str(), "arcsin" | "arccos") => {
+                for distance in arguments.iter().flat_map(from_one) {
+                    self.need(&distance, Signs::POSITIVE, known)?;
                 }
             }
             ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) if index.name.text == by => {

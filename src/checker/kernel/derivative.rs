@@ -1,4 +1,4 @@
-//! Derivatives of fractions, by the rules for sums, products, powers, logarithms, cosines and sines.
+//! Derivatives of fractions, by the rules for sums, products, powers, logarithms, cosines, sines and arcs.
 
 use super::fraction::Fraction;
 use super::term::Atom;
@@ -60,6 +60,14 @@ impl Checker {
             Some(Atom::Sine(u)) => {
                 let cosine = Fraction::atom(self.intern(Atom::Cosine(u.clone())));
                 Ok(self.derivative(&u, by, depth)?.times(&cosine, &self.work)?)
+            }
+            Some(Atom::Arcsine(x)) => {
+                let slope = self.arc_derivative(&x, true)?;
+                Ok(self.derivative(&x, by, depth)?.times(&slope, &self.work)?)
+            }
+            Some(Atom::Arctangent(x)) => {
+                let slope = self.arc_derivative(&x, false)?;
+                Ok(self.derivative(&x, by, depth)?.times(&slope, &self.work)?)
             }
             Some(Atom::Integral(integral)) => self.integral_derivative(&integral, variable, by, depth),
             Some(Atom::Power(base, exponent)) if self.is_free_of(&exponent, variable)? => {

@@ -180,6 +180,20 @@ impl Enclosure {
         Ok((wider(cosine)?, wider(sine)?))
     }
 
+    /// The number between −π/2 and π/2 with this tangent. It rises.
+    pub(crate) fn arctan(&self, work: &Work) -> Result<Enclosure, Refusal> {
+        let low = arctan_of(&self.low, work)?;
+        let high = if self.number().is_some() { low.clone() } else { arctan_of(&self.high, work)? };
+        Enclosure::between(low.low, high.high, work)
+    }
+
+    /// The number from −π/2 to π/2 with this sine, which lies between −1 and 1. It rises.
+    pub(crate) fn arcsin(&self, work: &Work) -> Result<Enclosure, Refusal> {
+        let low = arcsin_of(&self.low, work)?;
+        let high = if self.number().is_some() { low.clone() } else { arcsin_of(&self.high, work)? };
+        Enclosure::between(low.low, high.high, work)
+    }
+
     /// The same, and as much more or less as 2^-k.
     fn widened(&self, k: i64, work: &Work) -> Result<Enclosure, Refusal> {
         Enclosure::between(&self.low - two_to(-k), &self.high + two_to(-k), work)
@@ -288,6 +302,49 @@ fn arctan_of_inverse(k: i64, work: &Work) -> Result<Enclosure, Refusal> {
         power = power.times(&square, work)?;
     }
     sum.widened(350, work)
+}
+
+/// arctan q: that of −q is opposite, and that of q > 1 is π/2 less that of 1/q. For 0 < q ≤ 1, arctan q = 2·arctan(q/(1 + √(1 + q²))), three
+/// times; then t ≤ tan(π/32) < 1/10, and the terms of Σ (−1)^j·t^(2j + 1)/(2j + 1) alternate and get smaller: what is left after the 50th is
+/// less than 10^-101 < 2^-335, eight times that less than 2^-330.
+fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+    let one = Enclosure::integer(1);
+    if q.is_zero() {
+        return Ok(Enclosure::integer(0));
+    }
+    if q.is_negative() {
+        return Ok(arctan_of(&-q, work)?.negated());
+    }
+    if *q > BigRational::one() {
+        let half = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2)));
+        return Enclosure::pi(work)?.times(&half, work)?.minus(&arctan_of(&q.recip(), work)?, work);
+    }
+    let mut t = Enclosure::between(q.clone(), q.clone(), work)?;
+    for _ in 0..3 {
+        let root = one.plus(&t.times(&t, work)?, work)?.root(2, work)?;
+        t = t.times(&one.plus(&root, work)?.inverse(work)?, work)?;
+    }
+    let (mut power, square) = (t.clone(), t.times(&t, work)?.negated());
+    let mut sum = Enclosure::integer(0);
+    for j in 0..50 {
+        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2 * j + 1)));
+        sum = sum.plus(&power.times(&over, work)?, work)?;
+        power = power.times(&square, work)?;
+    }
+    sum.times(&Enclosure::integer(8), work)?.widened(330, work)
+}
+
+/// arcsin q for −1 ≤ q ≤ 1: the number whose tangent is q/√(1 − q²), or a quarter turn.
+fn arcsin_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+    let rest = BigRational::one() - q * q;
+    if rest.is_negative() {
+        return rejected(Reason::NotDecided);
+    }
+    if rest.is_zero() {
+        return Enclosure::pi(work)?.times(&Enclosure::exact(q / BigRational::from_integer(BigInt::from(2))), work);
+    }
+    let root = root_of(&rest, 2, work)?;
+    Enclosure::exact(q.clone()).times(&root.inverse(work)?, work)?.arctan(work)
 }
 
 /// cos q and sin q: the real and the imaginary part of Σ (i·t)^n/n! for t = q − 2·k·π, |t| < 4. What is left of either behind the 119th

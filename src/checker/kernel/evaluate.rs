@@ -12,7 +12,7 @@ use super::statement::Statement;
 use super::term::{FUNCTIONS, numeral};
 use super::value::{Value, all, determinant, real_power, transposed};
 use super::{Checker, Reason, Refusal, rejected};
-use crate::claim::definedness::{Exponent, exponent, is_whole};
+use crate::claim::definedness::{Exponent, exponent, from_one, is_whole};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -229,6 +229,15 @@ impl Point<'_> {
             "ln" => self.number_that_is(argument, Signs::POSITIVE)?.ln(work)?,
             "cos" => self.number(argument)?.cosine_and_sine(work)?.0,
             "sin" => self.number(argument)?.cosine_and_sine(work)?.1,
+            "arctan" => self.number(argument)?.arctan(work)?,
+            "arcsin" | "arccos" => {
+                for distance in from_one(argument) {
+                    self.number_that_is(&distance, Signs::NOT_NEGATIVE)?;
+                }
+                let arc = self.number(argument)?.arcsin(work)?;
+                let half = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2)));
+                if f == "arcsin" { arc } else { Enclosure::pi(work)?.times(&half, work)?.minus(&arc, work)? }
+            }
             "cosh" | "sinh" | "sech" | "tanh" => {
                 let x = self.number(argument)?;
                 let (up, down) = (x.exp(work)?, x.negated().exp(work)?);

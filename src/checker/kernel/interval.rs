@@ -58,6 +58,12 @@ impl End {
         End { number, turns: BigRational::zero(), open, from: BTreeSet::new() }
     }
 
+    /// A multiple of π.
+    fn turns(numerator: i64, denominator: i64, open: bool) -> End {
+        let turns = BigRational::new(numerator.into(), denominator.into());
+        End { number: BigRational::zero(), turns, open, from: BTreeSet::new() }
+    }
+
     /// Its order to 0, if decimals of π show it.
     fn sign(&self) -> Option<Ordering> {
         let zero = BigRational::zero();
@@ -276,10 +282,13 @@ pub(super) fn bounded_atoms(poly: &Poly) -> Vec<usize> {
 
 impl Checker {
     /// These signs, and where they are more than one, those that the polynomial may have between the bounds of its atoms. It is
-    /// asked only about polynomials in one atom, about sines, cosines and π, and in their arguments: the theorems in Coq have no
+    /// asked only about polynomials in one atom, about sines, cosines, arcs and π, and in their arguments: the theorems in Coq have no
     /// intervals yet.
     pub(super) fn narrowed(&self, signs: Signs, poly: &Poly, known: &Known, found: &Found) -> Result<Signs, Refusal> {
-        let turns = |atom: usize| matches!(self.atoms.get(atom), Some(Atom::Cosine(_) | Atom::Sine(_) | Atom::Pi));
+        let turns = |atom: usize| {
+            use Atom::*;
+            matches!(self.atoms.get(atom), Some(Cosine(_) | Sine(_) | Arcsine(_) | Arctangent(_) | Pi))
+        };
         let of_one = || poly.terms().nth(1).is_some() && poly.atoms().collect::<BTreeSet<_>>().len() == 1;
         let is_asked = || found.arguments > 0 || of_one() || poly.atoms().any(turns);
         if signs.is_single() || found.without_bounds || !is_short(poly, ASKED_TERMS) || !is_asked() {
@@ -339,8 +348,11 @@ impl Checker {
         let mut out = match self.atoms.get(atom) {
             Some(Atom::Cosine(_) | Atom::Sine(_)) => Interval::around(-one(), one(), false),
             Some(Atom::Pi) => {
-                let pi = End { number: BigRational::zero(), turns: one(), open: false, from: BTreeSet::new() };
-                return Ok(Interval { low: Some(pi.clone()), high: Some(pi) });
+                return Ok(Interval { low: Some(End::turns(1, 1, false)), high: Some(End::turns(1, 1, false)) });
+            }
+            Some(arc @ (Atom::Arcsine(_) | Atom::Arctangent(_))) => {
+                let open = matches!(arc, Atom::Arctangent(_));
+                Interval { low: Some(End::turns(-1, 2, open)), high: Some(End::turns(1, 2, open)) }
             }
             Some(Atom::Exponential(_)) => Interval::of_signs(Signs::POSITIVE),
             _ if self.is_natural_atom(atom) => Interval::of_signs(Signs::NOT_NEGATIVE),

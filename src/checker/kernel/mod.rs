@@ -12,8 +12,8 @@
 //! equations to put in from the facts under `using`, and from nothing else. No step changes the meaning of a later one.
 //!
 //! **What is assumed.** The axioms of the ordered field of reals; exp and its inverse ln on positive numbers, with
-//! b^E = exp(E·ln b); cos and sin with their sums of angles, cos² + sin² = 1 and the least zero π of sin above 0; their
-//! derivatives; induction. Four theorems of analysis as well: the inequality of the weighted means of two values, exp above
+//! b^E = exp(E·ln b); cos and sin with their sums of angles, cos² + sin² = 1 and the least zero π of sin above 0; arcsin and arctan as the
+//! inverses of sin and tan between −π/2 and π/2; their derivatives; induction. Four theorems of analysis as well: the inequality of the weighted means of two values, exp above
 //! its tangent (`analysis`), the mean value theorem (`slope`) and the intermediate value theorem (`intermediate`).
 //! [`Accepted::rests_on`] names those of the four that a proof uses.
 //!
@@ -23,6 +23,7 @@
 //! Work, depth and size have limits. A certificate that reaches one is not rejected: the verdict is [`Verdict::Declined`].
 
 pub mod analysis;
+pub mod arc;
 mod arithmetic;
 mod defined;
 mod derivative;
@@ -490,6 +491,7 @@ impl Checker {
             Rule::Mean { with } => self.mean(goal, with, known)?,
             Rule::Tangent { with } => self.tangent(goal, with, known)?,
             Rule::Circle { with } => self.circle(goal, with, known)?,
+            Rule::Arc => self.arc_rule(goal, known)?,
             Rule::Slope { source, with, from } => self.slope(goal, source, with, from, known)?,
             Rule::Intermediate { with, from } => self.intermediate(goal, with, from, known)?,
             Rule::Limit { with } => self.limit(goal, with, known)?,

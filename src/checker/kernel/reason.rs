@@ -114,6 +114,8 @@ pub enum Reason {
     Numeral(String),
     /// The two sides of the combination differ.
     NoIdentity,
+    /// Not of a form that rule `arc` shows.
+    NotAnArc,
     /// The signs do not show the comparison.
     Signs,
     /// The multiplier may be 0.
@@ -238,6 +240,9 @@ impl std::fmt::Display for Reason {
             Reason::NotAReal(name) => return write!(f, "{name} is no real variable"),
             Reason::DerivativeOfMember => "a derivative of a member of a family or sequence, or of a sum over an index",
             Reason::Numeral(text) => return write!(f, "the numeral {text} cannot be read"),
+            Reason::NotAnArc => {
+                "it has to be `f(a) R f(b)` for arcsin, arccos or arctan, or `arcsin(x) = y` or `arctan(x) = y`"
+            }
             Reason::NoIdentity => "the two sides of the identity differ",
             Reason::Signs => "the signs do not show this",
             Reason::MultiplierMayBeZero => "the multiplier may be 0",

@@ -377,7 +377,7 @@ fn rational(e: &Expr) -> Option<BigRational> {
 /// Whether an expression has a value by its form. It is made of numbers, and of π where `pi` is that number, by sums, products and
 /// exponentials. Divisors, bases of powers, and what stands under roots and logarithms [`is_positive`].
 ///
-/// Sound: numbers and π are real numbers, and sums, products and exponentials of real numbers are. So are quotients by positive
+/// Sound: numbers and π are real numbers, and sums, products, exponentials and arctangents of real numbers are. So are quotients by positive
 /// numbers and by numbers other than 0, and powers, roots and logarithms of positive numbers.
 fn is_real(e: &Expr, is_pi: bool) -> bool {
     if rational(e).is_some() {
@@ -393,7 +393,7 @@ fn is_real(e: &Expr, is_pi: bool) -> bool {
         }),
         ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
             ("sqrt", [a]) => rational(a).is_some_and(|q| !q.is_negative()) || is_positive(a, is_pi),
-            ("exp", [a]) => is_real(a, is_pi),
+            ("exp" | "arctan", [a]) => is_real(a, is_pi),
             ("ln", [a]) => is_positive(a, is_pi),
             _ => false,
         },
@@ -403,7 +403,7 @@ fn is_real(e: &Expr, is_pi: bool) -> bool {
 }
 
 /// Whether an expression is positive by its form: a positive number, π, an exponential, the logarithm of a number above 1, or a sum,
-/// product, quotient, power or root of these.
+/// product, quotient, power, root or arctangent of these.
 ///
 /// Sound: each of these is, and [`is_real`] of it.
 fn is_positive(e: &Expr, is_pi: bool) -> bool {
@@ -415,7 +415,7 @@ fn is_positive(e: &Expr, is_pi: bool) -> bool {
         ExprKind::Sum(list) => list.iter().all(|(sign, part)| *sign == Sign::Plus && is_positive(part, is_pi)),
         ExprKind::Product(list) => list.iter().all(|(_, part)| is_positive(part, is_pi)),
         ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
-            ("sqrt", [a]) => is_positive(a, is_pi),
+            ("sqrt" | "arctan", [a]) => is_positive(a, is_pi),
             ("exp", [a]) => is_real(a, is_pi),
             ("ln", [a]) => rational(a).is_some_and(|q| q > BigRational::one()),
             _ => false,

@@ -186,6 +186,14 @@ impl Checker {
                 let u = inner(self, &u)?;
                 Ok(self.cosine_and_sine(&u)?.1)
             }
+            Atom::Arcsine(x) => {
+                let x = inner(self, &x)?;
+                self.arc("arcsin", &x)
+            }
+            Atom::Arctangent(x) => {
+                let x = inner(self, &x)?;
+                self.arc("arctan", &x)
+            }
             Atom::Integral(integral) => {
                 let (from, to) = (inner(self, &integral.from)?, inner(self, &integral.to)?);
                 let body = inner(self, &integral.body)?;

@@ -266,6 +266,8 @@ impl Checker {
                 let shifted = Fraction::sum(&[inner.clone(), Fraction::integer(-1)], &self.work)?;
                 self.fraction_signs(&shifted, known, depth, found)?
             }
+            // Both rise with x, and are 0 at 0.
+            Some(Atom::Arcsine(x) | Atom::Arctangent(x)) => self.fraction_signs(x, known, depth, found)?,
             Some(Atom::Cosine(u)) => self.arc_signs(u, [(-1, 1), (1, 3)], known, depth, found)?,
             Some(Atom::Sine(u)) => self.arc_signs(u, [(0, 2), (-2, 0)], known, depth, found)?,
             Some(Atom::Member(name, _)) => self.member_signs(name, known)?,

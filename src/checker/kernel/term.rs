@@ -47,6 +47,10 @@ pub(super) enum Atom {
     Cosine(Fraction),
     /// sin of a fraction.
     Sine(Fraction),
+    /// arcsin of a fraction with positive coefficient.
+    Arcsine(Fraction),
+    /// arctan of a fraction with positive coefficient.
+    Arctangent(Fraction),
 }
 
 impl Atom {
@@ -58,9 +62,12 @@ impl Atom {
             Atom::Over(over) => over.from.atoms().chain(over.to.atoms()).chain(over.body.atoms()).collect(),
             Atom::Integral(i) => i.from.atoms().chain(i.to.atoms()).chain(i.body.atoms()).collect(),
             Atom::Power(base, exponent) => base.atoms().chain(exponent.atoms()).collect(),
-            Atom::Exponential(inner) | Atom::Logarithm(inner) | Atom::Cosine(inner) | Atom::Sine(inner) => {
-                inner.atoms().collect()
-            }
+            Atom::Exponential(inner)
+            | Atom::Logarithm(inner)
+            | Atom::Cosine(inner)
+            | Atom::Sine(inner)
+            | Atom::Arcsine(inner)
+            | Atom::Arctangent(inner) => inner.atoms().collect(),
         }
     }
 }
@@ -81,8 +88,23 @@ pub(super) struct Over {
 }
 
 /// The functions that the kernel knows.
-pub(crate) const FUNCTIONS: [&str; 12] =
-    ["det", "transpose", "sqrt", "cbrt", "exp", "ln", "cos", "sin", "cosh", "sinh", "sech", "tanh"];
+pub(crate) const FUNCTIONS: [&str; 15] = [
+    "det",
+    "transpose",
+    "sqrt",
+    "cbrt",
+    "exp",
+    "ln",
+    "cos",
+    "sin",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "cosh",
+    "sinh",
+    "sech",
+    "tanh",
+];
 
 /// A number, or a matrix of them.
 pub(super) enum Value {
@@ -398,6 +420,7 @@ impl Checker {
             "ln" => self.logarithm(&x)?,
             "cos" => self.cosine_and_sine(&x)?.0,
             "sin" => self.cosine_and_sine(&x)?.1,
+            "arcsin" | "arccos" | "arctan" => self.arc(name, &x)?,
             "cosh" | "sinh" | "sech" | "tanh" => self.hyperbolic(name, argument, &x, depth)?,
             _ => return rejected(Reason::Undeclared(name.to_string())),
         }))

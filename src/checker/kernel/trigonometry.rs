@@ -2,7 +2,7 @@
 //!
 //! Contract: as in `term`, a fraction has the value of its expression wherever that has one. To add two numbers u and v is
 //! to multiply cos u + i·sin u by cos v + i·sin v; a term p·v with a whole number p ≤ [`MULTIPLE_LIMIT`] is v, p times. What is left
-//! are the atoms cos v and sin v, v with a numerator 1 and positive first coefficient. cos² + sin² = 1 is not used in reading.
+//! are the atoms cos v and sin v, v with a numerator 1 and positive first coefficient, or what [`super::arc`] knows of an arc v. cos² + sin² = 1 is not used in reading.
 //! A multiple of π/120 has its values in square roots (`claim::circle`), and a whole multiple n·π has cos = (−1)^n, sin = 0;
 //! 2·n·π has cos = 1.
 
@@ -96,7 +96,10 @@ impl Checker {
         let (times, rest) = if top.unsigned_abs() <= MULTIPLE_LIMIT { (top, rest) } else { (1, part) };
         let turned = (times < 0) != rest.coefficient.is_negative();
         let rest = if rest.coefficient.is_negative() { rest.negated() } else { rest };
-        let one = (self.atom_fraction(Atom::Cosine(rest.clone())), self.atom_fraction(Atom::Sine(rest)));
+        let one = match self.of_an_arc(&rest)? {
+            Some(known) => known,
+            None => (self.atom_fraction(Atom::Cosine(rest.clone())), self.atom_fraction(Atom::Sine(rest))),
+        };
         let (cosine, sine) = self.multiple(&one, times.unsigned_abs())?;
         Ok((cosine, if turned { sine.negated() } else { sine }))
     }
@@ -122,12 +125,12 @@ impl Checker {
         }
         for (order, sign) in [(Relation::Less, Relation::Greater), (Relation::LessEqual, Relation::GreaterEqual)] {
             if key::prop(&below_the_argument(u, order)) == shown {
-                return self.are_lengths(std::slice::from_ref(u), sign, known);
+                return self.are(&[(u.clone(), sign)], known);
             }
             // π, not a variable of that name.
             if !self.is_declared(PI) && key::prop(&below_the_tangent(u, order)) == shown {
                 let rest = sum(vec![(Sign::Plus, name(PI)), (Sign::Minus, u.clone())]);
-                return self.are_lengths(&[u.clone(), rest], sign, known);
+                return self.are(&[(u.clone(), sign), (rest, sign)], known);
             }
         }
         let (left, relation, right) = single(goal)?;
@@ -145,11 +148,12 @@ impl Checker {
         let value = if f.text == "cos" { cosine } else { sine };
         if value.minus(&said, &self.work)?.is_zero() { Ok(()) } else { rejected(Reason::NoIdentity) }
     }
-    /// Refuses lengths that are not seen to be positive, or not negative.
-    fn are_lengths(&mut self, lengths: &[Expr], relation: Relation, known: &Known) -> Result<(), Refusal> {
-        for length in lengths {
-            if !self.signs_of_expr(length, known)?.within(Signs::of(relation)) {
-                return rejected(Reason::Needs(compare(length.clone(), relation, numeral(0))));
+
+    /// Refuses expressions that are not seen to have their relation to 0.
+    pub(super) fn are(&mut self, parts: &[(Expr, Relation)], known: &Known) -> Result<(), Refusal> {
+        for (part, relation) in parts {
+            if !self.signs_of_expr(part, known)?.within(Signs::of(*relation)) {
+                return rejected(Reason::Needs(compare(part.clone(), *relation, numeral(0))));
             }
         }
         Ok(())

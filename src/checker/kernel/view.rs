@@ -170,6 +170,8 @@ impl Checker {
             Some(Atom::Pi) => name(PI),
             Some(Atom::Cosine(u)) => apply("cos", self.fraction_expr(u)),
             Some(Atom::Sine(u)) => apply("sin", self.fraction_expr(u)),
+            Some(Atom::Arcsine(x)) => apply("arcsin", self.fraction_expr(x)),
+            Some(Atom::Arctangent(x)) => apply("arctan", self.fraction_expr(x)),
             Some(Atom::Power(base, exponent)) => {
                 let (base, exponent) = (self.fraction_expr(base), self.fraction_expr(exponent));
                 expr(ExprKind::Power(Box::new(base), Box::new(exponent)))

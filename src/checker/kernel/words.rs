@@ -256,6 +256,8 @@ impl Checker {
             Some(Atom::Pi) => name(PI),
             Some(Atom::Cosine(u)) => apply("cos", self.fraction_words(u)),
             Some(Atom::Sine(u)) => apply("sin", self.fraction_words(u)),
+            Some(Atom::Arcsine(x)) => apply("arcsin", self.fraction_words(x)),
+            Some(Atom::Arctangent(x)) => apply("arctan", self.fraction_words(x)),
             Some(Atom::Power(base, exponent)) => {
                 expr(ExprKind::Power(Box::new(self.fraction_words(base)), Box::new(self.fraction_words(exponent))))
             }

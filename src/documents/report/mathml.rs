@@ -198,7 +198,7 @@ fn apply(name: &Name, arguments: &[Expr]) -> String {
     match name.text.as_str() {
         "sqrt" => format!("<msqrt>{list}</msqrt>"),
         "cbrt" => format!("<mroot>{}{}</mroot>", row(&[list]), number("3")),
-        "exp" | "ln" | "cosh" | "sinh" | "tanh" | "sech" | "det" | "transpose" => {
+        "exp" | "ln" | "arcsin" | "arccos" | "arctan" | "cosh" | "sinh" | "tanh" | "sech" | "det" | "transpose" => {
             row(&[format!("<mi>{}</mi>", escape(&name.text)), fenced(&list)])
         }
         _ => row(&[identifier(&name.text), fenced(&list)]),

@@ -173,6 +173,57 @@ pub fn pi() -> &'static Enclosure {
     })
 }
 
+/// arctan x for x between two rationals. It rises.
+#[must_use]
+pub fn arctan(low: &Rational, high: &Rational) -> Enclosure {
+    let (least, most) = arctan_of(low);
+    (least, if low == high { most } else { arctan_of(high).1 })
+}
+
+/// arctan x: π/2 less arctan(1/x) for x > 1, and arctan(1/2) + arctan((2·x − 1)/(x + 2)) for 0 ≤ x ≤ 1, whose last argument lies between −1/2
+/// and 1/3.
+fn arctan_of(x: &Rational) -> Enclosure {
+    static HALF: OnceLock<Enclosure> = OnceLock::new();
+    if *x < 0 {
+        let (low, high) = arctan_of(&-x);
+        return (-high, -low);
+    }
+    if *x > 1 {
+        let (low, high) = arctan_of(&(Rational::ONE / x));
+        let quarter = |pi: &Rational| pi / Rational::from(2);
+        return outward((quarter(&pi().0) - high, quarter(&pi().1) - low));
+    }
+    if *x == 0 {
+        return (Rational::ZERO, Rational::ZERO);
+    }
+    let half = HALF.get_or_init(|| small_arctan(&Rational::from_signeds(1, 2)));
+    let two = Rational::from(2);
+    let rest = small_arctan(&((x * &two - Rational::ONE) / (x + two)));
+    outward((&half.0 + rest.0, &half.1 + rest.1))
+}
+
+/// arctan y for |y| ≤ 1/2: Σ (−1)^j·y^(2j + 1)/(2j + 1) in whole multiples of 2^−SCALE.
+///
+/// What is left behind the 125th term is below 2^−251/251 < 2^−258. y is off by one unit, so y² by two at most, and y^(2j + 1) by at most four,
+/// since each step divides an error by four or more and adds two; each of 125 terms is rounded by one unit more. That is less than
+/// 2^10 units, and all together less than 2^31 of them.
+fn small_arctan(y: &Rational) -> Enclosure {
+    let mut power = (y << SCALE).floor();
+    let square = (&power * &power) >> SCALE;
+    let mut sum = Integer::ZERO;
+    for j in 0..125u64 {
+        let term = &power / Integer::from(2 * j + 1);
+        if j % 2 == 0 {
+            sum += term
+        } else {
+            sum -= term
+        }
+        power = (power * &square) >> SCALE;
+    }
+    let slack = Integer::ONE << 31u64;
+    outward((Rational::from(&sum - &slack) >> SCALE, Rational::from(sum + slack) >> SCALE))
+}
+
 /// cos x and sin x for x between two rationals: those of the first, as much wider as these are apart.
 #[must_use]
 pub fn cos_sin(low: &Rational, high: &Rational) -> Option<(Enclosure, Enclosure)> {
@@ -244,6 +295,11 @@ mod tests {
         let (cos, sin) = cos_sin(&q("1000"), &q("1000")).expect("moderate");
         contains(&cos, "0.562379076290702991078249226605395968755811821738196");
         contains(&sin, "0.826879540532002560255887429109218141212724967847788");
+        contains(&arctan(&q("1/10"), &q("1/10")), "0.09966865249116202737844611987802059024327832250431");
+        contains(&arctan(&q("1"), &q("1")), "0.78539816339744830961566084581987572104929234984377");
+        contains(&arctan(&q("1000"), &q("1000")), "1.56979632712822975256479466");
+        let (low, high) = arctan(&q("-3"), &q("-3"));
+        contains(&(-high, -low), "1.249045772398254425829917077281090123077829404129");
         assert!(cos_sin(&q("1e9"), &q("1e9")).is_none());
         assert!(ln(&q("0"), &q("1")).is_none() && exp(&q("0"), &q("1000000")).is_none());
     }
@@ -262,6 +318,18 @@ mod tests {
             let back = ln(&low, &high).expect("positive");
             prop_assert!(back.0 <= x && x <= back.1);
             prop_assert!(&back.1 - &back.0 < Rational::ONE / Rational::from(2).pow(150u64));
+        }
+
+        #[test]
+        fn the_tangent_of_an_arc_is_its_argument(n in -90_000i64..90_000, d in 1i64..3_000) {
+            let x = Rational::from_signeds(n, d);
+            let (low, high) = arctan(&x, &x);
+            prop_assert!(low <= high && &high - &low < Rational::ONE / Rational::from(2).pow(200u64));
+            let (cosine, sine) = cos_sin(&low, &high).expect("small");
+            // sin θ = x·cos θ, and the cosine is not negative.
+            let ends = [&x * &cosine.0, &x * &cosine.1];
+            let (least, most) = if x < 0 { (&ends[1], &ends[0]) } else { (&ends[0], &ends[1]) };
+            prop_assert!(cosine.1 > 0 && sine.0 <= *most && sine.1 >= *least);
         }
 
         #[test]

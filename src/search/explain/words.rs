@@ -316,6 +316,7 @@ impl<'a> Words<'a> {
                 lead.push(say(":"));
                 lead
             }
+            Rule::Arc => vec![say("By the inverse functions of sine and tangent:")],
             Rule::Intermediate { with, from } => {
                 let mut lead = vec![say("The intermediate value theorem applies, with the sides at both ends from ")];
                 for (place, label) in from.iter().take(2).enumerate() {

@@ -60,13 +60,14 @@ pub(super) fn method(certificate: &Certificate, shown: &Accepted) -> &'static st
     let steps: Vec<&Show> = certificate.steps.iter().filter_map(Step::show).collect();
     let any = |is: &dyn Fn(&Show) -> bool| steps.iter().any(|step| is(step));
     let families = families(shown);
-    let order: [(&Is, &str); 12] = [
+    let order: [(&Is, &str); 13] = [
         (&|s| matches!(s.rule, Rule::Limit { .. } | Rule::Squeeze { .. }), "limit"),
         (&|s| matches!(s.rule, Rule::Extremum { .. }), "extremum"),
         (&|s| matches!(s.rule, Rule::Induction { .. }), "induction"),
         (&|s| matches!(s.rule, Rule::Mean { .. }), "mean inequality"),
         (&|s| matches!(s.rule, Rule::Tangent { .. }), "tangent"),
         (&|s| matches!(s.rule, Rule::Slope { .. }), "derivative"),
+        (&|s| matches!(s.rule, Rule::Arc), "inverse functions"),
         (&|s| matches!(s.rule, Rule::Circle { .. }), "unit circle"),
         (&|s| matches!(s.rule, Rule::Intermediate { .. }), "intermediate value"),
         (&|s| matches!(s.rule, Rule::Witness { .. }), "witness"),

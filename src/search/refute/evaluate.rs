@@ -7,7 +7,7 @@ use super::Moment;
 use super::expand::parts;
 use super::matrix::{Value, determinant};
 use super::number::{
-    LARGEST, Missing, Number, Result, add, between, cosine_and_sine, exponential, hyperbolic, invert, large_power,
+    LARGEST, Missing, Number, Result, add, arc, between, cosine_and_sine, exponential, hyperbolic, invert, large_power,
     logarithm, multiply, negate, of_some_size, pi, root, whole_power,
 };
 use super::quantified::QUANTIFIERS;
@@ -313,6 +313,7 @@ impl Assignment {
             "cos" => cosine_and_sine(&self.number(argument)?)?.0,
             "sin" => cosine_and_sine(&self.number(argument)?)?.1,
             "ln" => logarithm(&self.number(argument)?, || crate::claim::print::expr(e))?,
+            "arcsin" | "arccos" | "arctan" => arc(text, &self.number(argument)?, || crate::claim::print::expr(e))?,
             "cosh" | "sinh" | "tanh" | "sech" => hyperbolic(text, &self.number(argument)?)?,
             _ => self.indexed(name, argument)?,
         }))

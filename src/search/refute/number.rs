@@ -354,6 +354,49 @@ pub(super) fn logarithm(a: &Number, text: impl Fn() -> String) -> Result<Number>
     Ok(between(low, high).formed(form))
 }
 
+/// Squares of sines and tangents, as numerator and denominator, and k where the angle is π/k.
+const SINES: [(u64, u64, i64); 4] = [(1, 4, 6), (1, 2, 4), (3, 4, 3), (1, 1, 2)];
+const TANGENTS: [(u64, u64, i64); 3] = [(1, 3, 6), (1, 1, 4), (3, 1, 3)];
+
+/// arcsin, arccos or arctan of a; where it is a part of π that these lists know, in closed form.
+pub(super) fn arc(name: &str, a: &Number, text: impl Fn() -> String) -> Result<Number> {
+    let quarter = || multiply(&Number::Exact(Rational::from_signeds(1, 2)), &pi());
+    let (low, high) = a.ends();
+    if name != "arctan" && (*low > 1 || *high < -1) {
+        return Err(Missing::Undefined(format!("{} is the arc of a number that is not between -1 and 1", text())));
+    }
+    if name == "arccos" {
+        return Ok(add(&quarter(), &negate(&arc("arcsin", a, text)?)));
+    }
+    if *low == 0 && *high == 0 {
+        return Ok(Number::Exact(Rational::ZERO));
+    }
+    let square = multiply(a, a);
+    let is_it = |(top, bottom, _): &&(u64, u64, i64)| {
+        holds(&square, Relation::Equal, &Number::Exact(Rational::from_unsigneds(*top, *bottom))) == Some(true)
+    };
+    let known = if name == "arctan" { TANGENTS.iter().find(is_it) } else { SINES.iter().find(is_it) };
+    if let Some((_, _, k)) = known.filter(|_| *low > 0 || *high < 0) {
+        return Ok(multiply(&Number::Exact(Rational::from_signeds(if *low > 0 { 1 } else { -1 }, *k)), &pi()));
+    }
+    if name == "arctan" {
+        let (low, high) = elementary::arctan(low, high);
+        return Ok(between(low, high));
+    }
+    if *low <= -1 || *high >= 1 {
+        return Err(Missing::Unknown);
+    }
+    // The arcsin of s is the arctan of s/√(1 − s²).
+    let tangent = |s: &Rational| {
+        let rest = Number::Exact(Rational::ONE - s * s);
+        Ok(multiply(&Number::Exact(s.clone()), &invert(&root(&rest, 2), String::new)?))
+    };
+    let (least, most) = (tangent(low)?, tangent(high)?);
+    let (low, high) =
+        (elementary::arctan(least.ends().0, least.ends().1), elementary::arctan(most.ends().0, most.ends().1));
+    Ok(between(low.0, high.1))
+}
+
 /// cosh, sinh, tanh or sech of a.
 pub(super) fn hyperbolic(name: &str, a: &Number) -> Result<Number> {
     let (up, down) = (exponential(a)?, exponential(&negate(a))?);

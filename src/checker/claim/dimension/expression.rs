@@ -35,8 +35,24 @@ pub(super) struct Checker<'c> {
 }
 
 /// Functions of numbers, whose values are numbers.
-const OF_NUMBERS: &[&str] =
-    &["exp", "ln", "cosh", "sinh", "tanh", "sech", "sin", "cos", "tan", "factorial", "binomial", "floor", "ceil"];
+const OF_NUMBERS: &[&str] = &[
+    "exp",
+    "ln",
+    "cosh",
+    "sinh",
+    "tanh",
+    "sech",
+    "sin",
+    "cos",
+    "tan",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "factorial",
+    "binomial",
+    "floor",
+    "ceil",
+];
 
 impl<'c> Checker<'c> {
     /// Counts a step, one level deeper.

@@ -153,6 +153,7 @@ impl Printer {
             return Ok(match name {
                 "det" => (format!("det2 {}", at(self.matrix(argument)?, ATOM)), APPLICATION),
                 "cos" | "sin" => return unsupported(span, "sin and cos of what is no angle"),
+                "arcsin" | "arccos" | "arctan" => return unsupported(span, "arcsin, arccos and arctan"),
                 "transpose" => return unsupported(span, "a matrix where a number is needed"),
                 "cbrt" if !self.inside && !self.is_positive(argument)? => {
                     return unsupported(span, "the cube root of what may be 0");

@@ -395,6 +395,7 @@ impl Writer<'_> {
             Rule::Unfold => self.unfold(goal)?,
             Rule::Mean { with } => self.mean(goal, with, &given)?,
             Rule::Tangent { with } => self.tangent(goal, with, &given)?,
+            Rule::Arc => return Err(Open::Untranslated(show.label.clone(), "arc")),
             Rule::Circle { .. } => return Err(Open::Untranslated(show.label.clone(), "circle")),
             Rule::Intermediate { .. } => return Err(Open::Untranslated(show.label.clone(), "intermediate")),
             Rule::Slope { source, with, from } => self.slope(show, source, with, from, &given)?,

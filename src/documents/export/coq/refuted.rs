@@ -54,7 +54,9 @@ fn prop_is_computed(p: &Prop) -> bool {
 fn expr_is_computed(e: &Expr) -> bool {
     let fits = match &e.kind {
         ExprKind::Derivative(..) => false,
-        ExprKind::Apply(f, _) => !["exp", "ln", "cosh", "sinh", "tanh", "sech"].contains(&f.text.as_str()),
+        ExprKind::Apply(f, _) => {
+            !["exp", "ln", "arcsin", "arccos", "arctan", "cosh", "sinh", "tanh", "sech"].contains(&f.text.as_str())
+        }
         // What is no root is natural, or refused where the statement is printed.
         ExprKind::Power(_, exponent) => {
             definedness::numerals(exponent).is_ok_and(|known| known.is_none_or(|known| known.is_whole))

@@ -1,0 +1,152 @@
+//! arcsin, arccos and arctan: how they are read, and rule `arc`.
+//!
+//! Contract: as in `term`. arccos x is π/2 − arcsin x. arcsin and arctan are odd, so an argument has a positive coefficient, and
+//! those of the constants [`of_a_constant`] are multiples of π. Everything else is an atom. Its cosine and sine are read off the
+//! right triangle ([`Checker::of_an_arc`]).
+
+use super::fraction::Fraction;
+use super::known::Known;
+use super::order::Signs;
+use super::statement::{apply, compare, expr, name, numeral, product, sum};
+use super::term::Atom;
+use super::tree::single;
+use super::{Checker, Reason, Refusal, rejected};
+use crate::claim::syntax::*;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+/// The angles between 0 and π/2 whose squared sine or tangent is this number, as parts of π: (numerator and denominator of the square, denominator of the angle).
+const SINES: [(i64, i64, i64); 4] = [(1, 4, 6), (1, 2, 4), (3, 4, 3), (1, 1, 2)];
+const TANGENTS: [(i64, i64, i64); 3] = [(1, 3, 6), (1, 1, 4), (3, 1, 3)];
+
+fn part(k: i64) -> BigRational {
+    BigRational::new(BigInt::from(1), BigInt::from(k))
+}
+
+/// `3/2*pi - y` and `y + 3/2*pi`: both are positive where y lies less than three right angles from 0.
+pub fn within_three_right_angles(y: &Expr) -> [Expr; 2] {
+    let three = [(Factor::Times, numeral(3)), (Factor::Over, numeral(2)), (Factor::Times, name(PI))];
+    let three = expr(ExprKind::Product(three.to_vec()));
+    [
+        sum(vec![(Sign::Plus, three.clone()), (Sign::Minus, y.clone())]),
+        sum(vec![(Sign::Plus, y.clone()), (Sign::Plus, three)]),
+    ]
+}
+
+/// What is 0 where `f(x) = y` for f = arcsin or arctan, if y lies between −π/2 and π/2.
+pub fn turned_back(f: &str, x: &Expr, y: &Expr) -> Expr {
+    let right = if f == "arctan" { product(vec![x.clone(), apply("cos", y.clone())]) } else { x.clone() };
+    sum(vec![(Sign::Plus, apply("sin", y.clone())), (Sign::Minus, right)])
+}
+
+impl Checker {
+    /// arcsin, arccos or arctan of x.
+    pub(super) fn arc(&mut self, function: &str, x: &Fraction) -> Result<Fraction, Refusal> {
+        if function == "arccos" {
+            let pi = Fraction::atom(self.intern(Atom::Pi));
+            let quarter = pi.times(&Fraction::number(part(2)), &self.work)?;
+            return quarter.minus(&self.arc("arcsin", x)?, &self.work);
+        }
+        if x.is_zero() {
+            return Ok(Fraction::integer(0));
+        }
+        if x.coefficient.is_negative() {
+            return Ok(self.arc(function, &x.negated())?.negated());
+        }
+        let is_sine = function == "arcsin";
+        if let Some(k) = self.of_a_constant(x, if is_sine { &SINES } else { &TANGENTS })? {
+            return Fraction::atom(self.intern(Atom::Pi)).times(&Fraction::number(part(k)), &self.work);
+        }
+        Ok(self.atom_fraction(if is_sine { Atom::Arcsine(x.clone()) } else { Atom::Arctangent(x.clone()) }))
+    }
+
+    /// The k of an angle π/k, by the square of its sine or tangent. The positive constant is a rational number times powers of
+    /// numbers: of `sqrt(x^2)/x`, whose square is a number too, the sign is not known.
+    fn of_a_constant(&self, x: &Fraction, angles: &[(i64, i64, i64)]) -> Result<Option<i64>, Refusal> {
+        let is_constant = |atom: usize| matches!(self.atoms.get(atom), Some(Atom::Power(base, e)) if base.as_number().is_some() && e.as_number().is_some());
+        if !x.factors.keys().all(|poly| poly.single_atom().is_some_and(is_constant)) {
+            return Ok(None);
+        }
+        let square = x.times(x, &self.work)?;
+        let Some(square) = square.as_number() else { return Ok(None) };
+        let is_it = |(top, bottom, _): &&(i64, i64, i64)| *square == BigRational::new((*top).into(), (*bottom).into());
+        Ok(angles.iter().find(is_it).map(|angle| angle.2))
+    }
+
+    /// The cosine and sine of a fraction that is an arc: of arcsin x, √(1 − x²) and x; of arctan x, 1/√(1 + x²) and x/√(1 + x²).
+    ///
+    /// Sound: an arc lies between −π/2 and π/2, where no cosine is negative.
+    pub(super) fn of_an_arc(&mut self, arc: &Fraction) -> Result<Option<(Fraction, Fraction)>, Refusal> {
+        let alone =
+            arc.factors.iter().next().filter(|(_, k)| arc.factors.len() == 1 && **k == 1 && arc.coefficient.is_one());
+        let Some(atom) = alone.and_then(|(poly, _)| poly.single_atom()) else { return Ok(None) };
+        Ok(match self.atoms.get(atom).cloned() {
+            Some(Atom::Arcsine(x)) => Some((self.root_of_one_and_square(&x, -1)?, x)),
+            Some(Atom::Arctangent(x)) => {
+                let cosine = self.root_of_one_and_square(&x, 1)?.power(-1)?;
+                let sine = x.times(&cosine, &self.work)?;
+                Some((cosine, sine))
+            }
+            _ => None,
+        })
+    }
+
+    /// √(1 + s·x²).
+    fn root_of_one_and_square(&mut self, x: &Fraction, s: i64) -> Result<Fraction, Refusal> {
+        let square = x.times(x, &self.work)?.times(&Fraction::integer(s), &self.work)?;
+        let under = Fraction::sum(&[Fraction::integer(1), square], &self.work)?;
+        self.power(&under, &Fraction::number(part(2)))
+    }
+
+    /// The derivative of an arc by its argument: of arcsin x, 1/√(1 − x²); of arctan x, 1/(1 + x²).
+    pub(super) fn arc_derivative(&mut self, x: &Fraction, is_sine: bool) -> Result<Fraction, Refusal> {
+        let root = self.root_of_one_and_square(x, if is_sine { -1 } else { 1 })?;
+        root.power(if is_sine { -1 } else { -2 })
+    }
+
+    /// Rule `arc`:
+    /// - `f(a) relation f(b)` for f = arcsin, arccos or arctan, if `a relation b`, or for arccos `b relation a`;
+    /// - `arcsin(x) = y` if sin y = x and cos y ≥ 0; `arctan(x) = y` if sin y = x·cos y and cos y > 0; in both cases
+    ///   −3π/2 < y < 3π/2.
+    ///
+    /// Sound: arcsin and arctan rise strictly and arccos falls strictly where they have values. Less than three right angles from 0
+    /// the cosine is not negative only from −π/2 to π/2, and positive only between them. There y is the arcsin of its
+    /// sine, and the arctan of its tangent.
+    pub(super) fn arc_rule(&mut self, goal: &Prop, known: &mut Known) -> Result<(), Refusal> {
+        self.prop_defined(goal, known)?;
+        let (left, relation, right) = single(goal)?;
+        let Some((f, x)) = as_arc(left) else { return rejected(Reason::NotAnArc) };
+        if let Some((g, b)) = as_arc(right)
+            && f == g
+        {
+            let (first, second) = if f == "arccos" { (b, x) } else { (x, b) };
+            let difference = sum(vec![(Sign::Plus, first.clone()), (Sign::Minus, second.clone())]);
+            if self.signs_of_expr(&difference, known)?.within(Signs::of(relation)) {
+                return Ok(());
+            }
+            if relation != Relation::Equal {
+                return rejected(Reason::Needs(compare(first.clone(), relation, second.clone())));
+            }
+        }
+        // π, not a variable of that name.
+        if relation != Relation::Equal || f == "arccos" || self.is_declared(PI) {
+            return rejected(Reason::NotAnArc);
+        }
+        let cosine = if f == "arctan" { Relation::Greater } else { Relation::GreaterEqual };
+        let [above, below] = within_three_right_angles(right);
+        self.are(&[(turned_back(f, x, right), Relation::Equal), (apply("cos", right.clone()), cosine)], known)?;
+        self.are(&[(above, Relation::Greater), (below, Relation::Greater)], known)
+    }
+}
+
+/// The function and the argument of an arc.
+fn as_arc(e: &Expr) -> Option<(&str, &Expr)> {
+    match &e.kind {
+        ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
+            (word @ ("arcsin" | "arccos" | "arctan"), [x]) => Some((word, x)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
