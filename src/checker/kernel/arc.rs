@@ -141,7 +141,7 @@ impl Checker {
 }
 
 /// The function and the argument of an arc.
-fn as_arc(e: &Expr) -> Option<(&str, &Expr)> {
+pub fn as_arc(e: &Expr) -> Option<(&str, &Expr)> {
     match &e.kind {
         ExprKind::Apply(f, list) => match (f.text.as_str(), list.as_slice()) {
             (word @ ("arcsin" | "arccos" | "arctan"), [x]) => Some((word, x)),

@@ -2,7 +2,7 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! logarithms by parts; h(u)·u′ by substitution (`substitutions`); rational functions by partial fractions (`partial_fractions`).
+//! logarithms by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial fractions (`partial_fractions`).
 //! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
@@ -11,7 +11,7 @@ use super::coefficients::*;
 use super::facts::negated;
 use super::letters::{as_power, product, total, whole_power};
 use super::limits::{holds, over};
-use super::partial_fractions::of_fraction;
+use super::partial_fractions::{of_fraction, root, signed};
 use super::substitutions::by_substitution;
 use crate::claim::syntax::*;
 use crate::kernel::statement::{apply, name, numeral, power};
@@ -153,6 +153,9 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
             _ => None,
         };
     }
+    if let Some(found) = of_root(base, exponent, x) {
+        return Some(found);
+    }
     // A whole power of a sum is multiplied out.
     let (ExprKind::Sum(terms), Some(k @ 2..=4)) = (&base.kind, whole(exponent)) else {
         return of_fraction(&[(base.clone(), exponent.clone())], x);
@@ -160,6 +163,30 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
     let rest = whole_power(base.clone(), k - 1);
     let term = |(sign, e): &(Sign, Expr)| Some((*sign, of(&product(vec![rest.clone(), e.clone()]), x, depth)?));
     Some(total(terms.iter().map(term).collect::<Option<Vec<_>>>()?))
+}
+
+/// u^(1/2) and u^(−1/2) for u = c + a·x²: with s = √a, r = √c, the antiderivative of 1/√u is arcsin(s·x/r)/s where a is negative, and
+/// ln(s·x + √u)/s where it is positive; that of √u is half of x·√u and of c times the other.
+fn of_root(base: &Expr, exponent: &Expr, x: &str) -> Option<Expr> {
+    let (k, p) = (rational(exponent)?, polynomial(base, x)?);
+    let half = literal(&Rational::from_signeds(1, 2));
+    let [c, zero, a] = p.as_slice() else { return None };
+    let ((false, _), (falls, size), true) = (signed(c), signed(a), is_zero(zero)) else { return None };
+    let s = root(&size);
+    let along = times(&s, &name(x));
+    let inverse = match falls {
+        true => apply("arcsin", over(along, root(c))),
+        false => apply("ln", add(vec![along, apply("sqrt", base.clone())])),
+    };
+    let inverse = over(inverse, s);
+    match () {
+        () if k == Rational::from_signeds(-1, 2) => Some(inverse),
+        () if k == Rational::from_signeds(1, 2) => {
+            let first = product(vec![half.clone(), name(x), apply("sqrt", base.clone())]);
+            Some(add(vec![first, product(vec![half, c.clone(), inverse])]))
+        }
+        () => None,
+    }
 }
 
 /// w^k·(1 − w²)^times.

@@ -6,7 +6,7 @@
 //! - exp(s), ln(1 + s) and (1 + s)^a where s tends to 0: Taylor's polynomial with a remainder C·|s|^(n + 1), for |s| <= 1/2
 //!   (Eberl, "Verified real asymptotics in Isabelle/HOL", 2019, has the general theory);
 //! - exp(u) where u tends to −infinity: 0 and (−u/j)^(−j), since exp lies above its tangent, and (u/j)^j <= exp(u);
-//! - sin(s), cos(s) where s tends to 0: the same; of another argument −1 and 1;
+//! - sin(s), cos(s), arcsin(s), arctan(s) where s tends to 0: the same; sine and cosine of another argument −1 and 1;
 //! - ln(x): 0 and j·x^(1/j), for the same reason.
 //!
 //! In the expression each stands for its atom, at the end that the sign of the atom's factor asks for. Nothing here is shown:
@@ -228,6 +228,8 @@ impl Prover {
             ExprKind::Apply(f, list) if f.text == "exp" => (Function::Exponential, list.first()?.clone()),
             ExprKind::Apply(f, list) if f.text == "sin" => (Function::Sine, list.first()?.clone()),
             ExprKind::Apply(f, list) if f.text == "cos" => (Function::Cosine, list.first()?.clone()),
+            ExprKind::Apply(f, list) if f.text == "arcsin" => (Function::Arcsine, list.first()?.clone()),
+            ExprKind::Apply(f, list) if f.text == "arctan" => (Function::Arctangent, list.first()?.clone()),
             ExprKind::Apply(_, list) => (Function::Logarithm, list.first()?.clone()),
             ExprKind::Power(base, exponent) => (Function::Root(self.letters.number(exponent)?), (**base).clone()),
             _ => return None,
@@ -244,6 +246,7 @@ impl Prover {
             match piece.function {
                 Function::Exponential => self.exponential_piece(&mut piece, ends, plan)?,
                 Function::Sine | Function::Cosine => self.circular_piece(&mut piece, ends, plan)?,
+                Function::Arcsine | Function::Arctangent => self.arc_piece(&mut piece, ends, plan)?,
                 _ => self.other_piece(&mut piece, ends, plan)?,
             }
         }
@@ -297,6 +300,17 @@ impl Prover {
         }
         piece.bounds = [-1, 1].map(|k| Some(literal(&Rational::from(k))));
         Some(())
+    }
+
+    /// arcsin(u) and arctan(u): by the expansion at 0 where u tends to it.
+    fn arc_piece(&mut self, piece: &mut Piece, ends: Bounds, plan: &mut Plan) -> Option<()> {
+        for end in ends.iter().flatten() {
+            match self.tends(&end.value, &plan.x) {
+                Tends::To(limit) if self.is_zero(&limit) => {}
+                _ => return None,
+            }
+        }
+        self.expanded(piece, ends, plan)
     }
 
     /// ln(u) and u^a: by the expansion at 1, u over its leading term; a divisor without one is between 0 and the inverse of its

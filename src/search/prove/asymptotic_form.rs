@@ -6,6 +6,7 @@
 //! limits in a symbolic manipulation system", 1996, has the general theory).
 
 use super::Prover;
+use super::asymptotic_bounds::Tends;
 use super::facts::{minus, negated};
 use super::letters::{as_power, natural, product};
 use super::limits::{holds, over};
@@ -60,13 +61,14 @@ pub(super) fn atoms(e: &Expr, x: &str, out: &mut Vec<Expr>) -> Option<()> {
         ExprKind::Power(base, exponent) if is_plain(base, exponent, x) => {}
         ExprKind::Power(_, exponent) if holds(exponent, x) => return None,
         ExprKind::Power(..) => once(e, out),
-        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "exp" | "ln" | "sin" | "cos") && list.len() == 1 => {
-            once(e, out)
-        }
+        ExprKind::Apply(f, list) if MOVING.contains(&f.text.as_str()) && list.len() == 1 => once(e, out),
         _ => return None,
     }
     Some(())
 }
+
+/// Functions with bounds of their own.
+const MOVING: [&str; 6] = ["exp", "ln", "sin", "cos", "arcsin", "arctan"];
 
 /// Adds an expression that is not there yet.
 fn once(e: &Expr, out: &mut Vec<Expr>) {
@@ -210,6 +212,11 @@ impl Prover {
         match &out.kind {
             ExprKind::Product(list) => self.product_by(list, x, equations),
             ExprKind::Apply(f, list) if f.text == "ln" => self.logarithm_by(list.first()?, x, equations),
+            ExprKind::Apply(f, list) if f.text == "arccos" => {
+                let quarter = over(name(PI), numeral(2));
+                Some(minus(&quarter, &apply("arcsin", list.first()?.clone())))
+            }
+            ExprKind::Apply(f, list) if f.text == "arctan" => self.arctangent_by(list.first()?, x, equations),
             // The addition formulas leave terms as arguments.
             ExprKind::Apply(f, _) if matches!(f.text.as_str(), "sin" | "cos") => self.simplified(&out),
             // 1 − 2/(exp(2·u) + 1), in which one exponential grows.
@@ -279,6 +286,28 @@ impl Prover {
             factors.push(power(&rest, &exponent));
         }
         product(factors)
+    }
+
+    /// arctan(u): where u grows beyond all bounds, ±π/2 − arctan(1/u); where it tends to c, arctan(c) + arctan((u − c)/(1 + c·u)).
+    fn arctangent_by(&mut self, u: &Expr, x: &str, equations: &mut Vec<(Expr, Expr)>) -> Option<Expr> {
+        let whole = apply("arctan", u.clone());
+        let (first, rest) = match self.tends(u, x) {
+            Tends::To(c) if self.is_zero(&c) => return Some(whole),
+            Tends::To(c) => {
+                let below = sum(vec![(Sign::Plus, numeral(1)), (Sign::Plus, product(vec![c.clone(), u.clone()]))]);
+                (apply("arctan", c.clone()), over(minus(u, &c), below))
+            }
+            end @ (Tends::PlusInfinity | Tends::MinusInfinity) => {
+                let quarter = over(name(PI), numeral(2));
+                let is_above = matches!(end, Tends::PlusInfinity);
+                (if is_above { quarter } else { negated(quarter) }, negated(over(numeral(1), u.clone())))
+            }
+            Tends::Elsewhere => return None,
+        };
+        let rest = self.written_by(&rest, x, equations)?;
+        let new = sum(vec![(Sign::Plus, first), (Sign::Plus, apply("arctan", rest))]);
+        equations.push((whole, new.clone()));
+        Some(new)
     }
 
     /// ln(u) = ln(c) + r·ln(x) + ln(u/(c·x^r)).

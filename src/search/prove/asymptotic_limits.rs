@@ -378,6 +378,7 @@ impl Prover {
         let (gap, place, factor) = match function {
             Function::Exponential => (minus(q, p), apply("exp", p.clone()), apply("exp", p.clone())),
             Function::Logarithm => (minus(&function.at(p), &function.at(q)), numeral(1), over(numeral(1), q.clone())),
+            Function::Arcsine | Function::Arctangent => return self.emit(Rule::Arc, values),
             Function::Root(a) if *a > 0 => return self.emit(Rule::Monotone { from }, values),
             // 1/q − 1/p = (p − q)/(p·q).
             Function::Root(a) if *a == -1 => {

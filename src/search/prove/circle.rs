@@ -56,7 +56,7 @@ impl Prover {
     }
 
     /// Adds a fact, unless it is known.
-    fn new_fact(&mut self, rule: Rule, shown: Prop) -> Result<(), Fail> {
+    pub(super) fn new_fact(&mut self, rule: Rule, shown: Prop) -> Result<(), Fail> {
         if self.known(&shown).is_none() {
             let label = self.emit(rule, shown.clone())?;
             self.take_in(&label, &shown)?;

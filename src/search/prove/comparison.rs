@@ -44,6 +44,9 @@ impl Prover {
         {
             return Ok(label);
         }
+        if let Ok(label) = self.by_arcs(goal, a, relation, b) {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_chain(goal, a, relation, b) {
             return Ok(label);
         }
@@ -369,7 +372,7 @@ impl Prover {
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
-    fn speaks_of_numbers(&self, p: &Prop) -> bool {
+    pub(super) fn speaks_of_numbers(&self, p: &Prop) -> bool {
         let mut names = BTreeSet::new();
         crate::kernel::names::names_in_prop(p, &mut names);
         let sequences = &self.checker.statement().sequences;

@@ -12,6 +12,7 @@
 
 mod absolute;
 mod antiderivatives;
+mod arcs;
 mod argument;
 mod asymptotic_bounds;
 mod asymptotic_form;
@@ -222,6 +223,8 @@ pub(crate) struct Prover {
     slopes_open: usize,
     /// Whether powers of facts are tried.
     within_powers: bool,
+    /// Whether an equation or order of arcs is tried.
+    within_arcs: bool,
     /// Whether the logarithms of a goal's sides are compared.
     within_logarithms: bool,
     /// Whether the remainders of a natural number are distinguished.
@@ -282,6 +285,7 @@ impl Prover {
             stationary: slopes::STATIONARY,
             slopes_open: 0,
             within_powers: false,
+            within_arcs: false,
             within_logarithms: false,
             in_residues: false,
             in_boxes: false,

@@ -1,7 +1,8 @@
-//! Integration of rational functions whose divisors are products of linear ones, by partial fractions.
+//! Integration of rational functions whose divisors are products of linear ones and at most one quadratic, by partial fractions.
 //!
 //! Method: a divisor l = p·x + q takes P(x) to its value at −q/p and a polynomial times l. Two divisors are separated by
-//! p·m − p′·l = p·q′ − p′·q. A quadratic divisor is taken apart if it is a difference of squares or has rational roots.
+//! p·m − p′·l = p·q′ − p′·q. A quadratic divisor is taken apart if it is a difference of squares or has rational roots; else it is
+//! a sum of squares, and what stands over it is a part of its derivative and a number, whose integrals are a logarithm and an arctan.
 
 use super::antiderivatives::power_rule;
 use super::coefficients::*;
@@ -24,6 +25,7 @@ type Divisor = (Coefficients, i64);
 pub(super) fn of_fraction(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     let mut above = vec![numeral(1)];
     let mut below: Vec<Divisor> = Vec::new();
+    let mut quadratic: Option<Coefficients> = None;
     for (base, exponent) in list {
         let (k, p) = (whole(exponent)?, polynomial(base, x)?);
         if k.unsigned_abs() > DEGREE as u64 {
@@ -33,7 +35,14 @@ pub(super) fn of_fraction(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
             above = multiplied(&above, &p)?;
         }
         if k < 0 {
-            for l in linear_factors(&p)? {
+            let Some(list) = linear_factors(&p) else {
+                if k != -1 || quadratic.is_some() || p.len() != 3 {
+                    return None;
+                }
+                quadratic = Some(p);
+                continue;
+            };
+            for l in list {
                 match below.iter_mut().find(|known| known.0 == l) {
                     Some(known) => known.1 -= k,
                     None => below.push((l, -k)),
@@ -42,7 +51,79 @@ pub(super) fn of_fraction(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
         }
     }
     let count: i64 = below.iter().map(|l| l.1).sum();
-    (1..=DIVISORS).contains(&count).then(|| of_quotient(above, below, x))
+    if count > DIVISORS {
+        return None;
+    }
+    match quadratic {
+        Some(q) => beside_quadratic(above, below, &q, x),
+        None => (count > 0).then(|| of_quotient(above, below, x)),
+    }
+}
+
+/// The antiderivative of a polynomial A over linear divisors and a sum of squares Q: at the zero r of l = p·x + q,
+/// A/(l·Q) = (A(r)/Q(r))/l + (A − A(r)/Q(r)·Q)/(l·Q), whose last numerator l divides.
+fn beside_quadratic(above: Coefficients, mut below: Vec<Divisor>, q: &[Expr], x: &str) -> Option<Expr> {
+    below.retain(|l| l.1 > 0);
+    let Some(((l, k), others)) = below.split_last() else { return over_sum_of_squares(above, q, x) };
+    if !others.is_empty() {
+        return None;
+    }
+    let zero = negated(quotient(&l[0], &l[1]));
+    let share = quotient(&at(&above, &zero), &at(q, &zero));
+    let first = of_quotient(vec![share.clone()], vec![(l.clone(), *k)], x);
+    let rest = plus(&above, &scaled(q, &negated(share)));
+    let rest = scaled(&divided(&rest, &zero), &quotient(&numeral(1), &l[1]));
+    Some(add(vec![first, beside_quadratic(rest, vec![(l.clone(), k - 1)], q, x)?]))
+}
+
+/// The antiderivative of A/Q for Q = a·x² + b·x + c: of a polynomial, a part of ln Q, and a part of arctan((2·a·x + b)/d)
+/// with d² = 4·a·c − b².
+fn over_sum_of_squares(mut above: Coefficients, q: &[Expr], x: &str) -> Option<Expr> {
+    let [c, b, a] = q else { return None };
+    let mut whole = vec![numeral(0); above.len()];
+    while above.len() > 2 {
+        let k = above.len() - 3;
+        let lead = quotient(&above.pop()?, a);
+        above[k] = add(vec![above[k].clone(), negated(times(&lead, c))]);
+        above[k + 1] = add(vec![above[k + 1].clone(), negated(times(&lead, b))]);
+        whole[k] = lead;
+    }
+    let half = literal(&Rational::from_signeds(1, 2));
+    let (last, first) = (above.first()?.clone(), above.get(1).cloned().unwrap_or_else(|| numeral(0)));
+    let of_logarithm = times(&half, &quotient(&first, a));
+    // What is left beside the part of Q′.
+    let rest = add(vec![last, negated(times(&of_logarithm, b))]);
+    let (divisor, argument) = if is_zero(b) {
+        let (((false, c), (false, a)) | ((true, c), (true, a))) = (signed(c), signed(a)) else { return None };
+        let (below, inside) = (times(&root(&a), &root(&c)), quotient(&root(&a), &root(&c)));
+        (if signed(q.last()?).0 { negated(below) } else { below }, times(&inside, &name(x)))
+    } else {
+        let (c, b, a) = (rational(c)?, rational(b)?, rational(a)?);
+        let d = Rational::from(4) * &a * &c - &b * &b;
+        if d <= 0 {
+            return None;
+        }
+        let d = root(&literal(&d));
+        let top = written(&[literal(&b), literal(&(Rational::from(2) * &a))], &name(x));
+        (times(&half, &d), over(top, d))
+    };
+    let list = [
+        written(&antiderivative_of(&whole), &name(x)),
+        times(&of_logarithm, &apply("ln", positive(q, x))),
+        times(&quotient(&rest, &divisor), &apply("arctan", argument)),
+    ];
+    Some(add(list.to_vec()))
+}
+
+/// A sum of squares, or its opposite, whichever is positive at 0.
+fn positive(q: &[Expr], x: &str) -> Expr {
+    let e = written(q, &name(x));
+    if q.first().is_some_and(|c| signed(c).0) { negated(e) } else { e }
+}
+
+/// p at a place.
+fn at(p: &[Expr], place: &Expr) -> Expr {
+    p.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, place), c.clone()]))
 }
 
 /// The antiderivative of a polynomial over linear divisors.
@@ -70,7 +151,7 @@ fn of_quotient(mut above: Coefficients, mut below: Vec<Divisor>, x: &str) -> Exp
         }
         ([(l, _), ..], _) => {
             let zero = negated(quotient(&l[0], &l[1]));
-            let value = above.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, &zero), c.clone()]));
+            let value = at(&above, &zero);
             let rest = scaled(&divided(&above, &zero), &quotient(&numeral(1), &l[1]));
             add(vec![of_quotient(rest, without(0), x), of_quotient(vec![value], below.clone(), x)])
         }
@@ -116,7 +197,7 @@ fn linear_factors(p: &[Expr]) -> Option<Vec<Coefficients>> {
 }
 
 /// Whether an expression is written as a negative one, and without its signs.
-fn signed(e: &Expr) -> (bool, Expr) {
+pub(super) fn signed(e: &Expr) -> (bool, Expr) {
     match &e.kind {
         ExprKind::Negate(a) => {
             let (sign, size) = signed(a);
@@ -144,7 +225,7 @@ fn signed(e: &Expr) -> (bool, Expr) {
 }
 
 /// The square root of a positive expression, of squares as what is squared.
-fn root(e: &Expr) -> Expr {
+pub(super) fn root(e: &Expr) -> Expr {
     if let Some((root, true)) = rational(e).and_then(|q| root_of(&q, 2)) {
         return literal(&root);
     }

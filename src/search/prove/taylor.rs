@@ -1,4 +1,4 @@
-//! Taylor's polynomials of exp, ln, sin, cos and powers, with a remainder.
+//! Taylor's polynomials of exp, ln, sin, cos, arcsin, arctan and powers, with a remainder.
 
 use super::facts::minus;
 use super::letters::{product, whole_power};
@@ -10,13 +10,15 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Ceiling};
 use malachite::base::num::basic::traits::{One, Zero};
 
-/// A function with an expansion: exp, sin and cos at 0, the others at 1.
+/// A function with an expansion: ln and powers at 1, the others at 0.
 #[derive(Clone, PartialEq)]
 pub(super) enum Function {
     Exponential,
     Logarithm,
     Sine,
     Cosine,
+    Arcsine,
+    Arctangent,
     /// y^a.
     Root(Rational),
 }
@@ -34,6 +36,8 @@ impl Function {
             Function::Logarithm => apply("ln", y.clone()),
             Function::Sine => apply("sin", y.clone()),
             Function::Cosine => apply("cos", y.clone()),
+            Function::Arcsine => apply("arcsin", y.clone()),
+            Function::Arctangent => apply("arctan", y.clone()),
             Function::Root(a) => power(y, &literal(a)),
         }
     }
@@ -57,6 +61,8 @@ impl Function {
             Function::Logarithm => [zero, one, -part(2), part(3)],
             Function::Sine => [zero.clone(), one, zero, -part(6)],
             Function::Cosine => [one, zero.clone(), -part(2), zero],
+            Function::Arcsine => [zero.clone(), one, zero, part(6)],
+            Function::Arctangent => [zero.clone(), one, zero, -part(3)],
             Function::Root(a) => {
                 let second = a * (a - Rational::ONE) * part(2);
                 let third = &second * (a - Rational::from(2)) * part(3);
@@ -74,11 +80,11 @@ impl Function {
             |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
         let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
         let c = match self {
-            Function::Exponential | Function::Logarithm | Function::Sine | Function::Cosine => 2 * degree,
             Function::Root(a) => {
                 let size = a.clone().abs() * ((a.clone() - Rational::ONE).abs() + Rational::ONE);
                 u32::try_from(&Ceiling::ceiling(size)).unwrap_or(u32::MAX).max(1)
             }
+            _ => 2 * degree,
         };
         let rest = product(vec![numeral(c), whole_power(s.clone(), i64::from(degree) + 1)]);
         let turned = degree.is_multiple_of(2) && side == Side::Below;

@@ -104,6 +104,9 @@ impl Prover {
             ExprKind::Apply(name, at) if matches!(name.text.as_str(), "cos" | "sin") && at.len() == 1 => {
                 self.learn_circle(&at[0].clone())
             }
+            ExprKind::Apply(name, at) if matches!(name.text.as_str(), "arcsin" | "arctan") && at.len() == 1 => {
+                self.learn_arc(e)
+            }
             ExprKind::Name(_) => self.learn_pi().map(|()| false),
             ExprKind::Apply(name, at) if at.len() == 1 => self.learn_member(e, name, &at[0]),
             ExprKind::SumOver(index, body) => self.learn_over(e, true, index, body),
