@@ -554,6 +554,36 @@ class Checker(Logic):
         value = multiple(self.point(of), k)[a[1] == "sin"]
         need(not (value - said).c, "the two sides of the identity differ")
 
+    def rule_arc(self, goal, s, known):
+        """Sound: arcsin and arctan rise strictly, arccos falls. A number Y strictly between −3·π/2 and 3·π/2 lies between −π/2
+        and π/2 where its cosine is not negative, and strictly where it is positive. There Y is the arcsin of its sine, or the
+        arctan of its tangent."""
+        self.has_value(goal, known)
+        (left, relation, right), why = single(goal), "this is no comparison of two arcs, and no equation for an arc"
+        arcs = [e[1] if e[0] == "call" and e[1] in ("arcsin", "arccos", "arctan") else None for e in (left, right)]
+        need(arcs[0], why)
+        if arcs[0] == arcs[1]:
+            ends = [e[2][0] for e in ((left, right) if arcs[0] != "arccos" else (right, left))]
+            if self.has(plus(*ends, -1), SIGNS[relation], known):
+                return
+            need(relation == "=" and arcs[0] != "arccos", f"needs {text(compare(ends[0], relation, ends[1]))}")
+        need(relation == "=" and arcs[0] != "arccos", why)
+        of, (cos, sin) = left[2][0], [N("call", f, (right,)) for f in ("cos", "sin")]
+        line = of if arcs[0] == "arcsin" else N("prod", (("*", of), ("*", cos)))
+        need(self.has(plus(sin, line, -1), SIGNS["="], known), f"needs {text(compare(sin, '=', line))}")
+        self.show(cos, NOT_NEGATIVE if arcs[0] == "arcsin" else POSITIVE, known)
+        for side in (-1, 1):
+            need(self.within_three_quarters(right, side, known), f"{text(right)} is not shown to be less than 3/4 of a turn")
+
+    def within_three_quarters(self, e, side, known):
+        """Whether 3·π/2 + e is positive, or 3·π/2 − e for the side −1. π is the number, whatever has its name."""
+        ends = atom(self.intern(("pi",))) * F(Q(3, 2))
+        found = self.fraction_signs(total([ends, self.read(e) * F(side)]), known, {})
+        if known.equations:
+            ends = self.replaced_all(ends, known.equations)
+            found &= self.fraction_signs(total([ends, self.read(e, known.equations) * F(side)]), known, {})
+        return not found & ~POSITIVE
+
     def rule_slope(self, goal, s, known):
         self.has_value(goal, known)
         fact, s, relation = self.fact(s.sources[0]), s._replace(sources=s.sources[1:]), single(goal)[1]
@@ -704,6 +734,7 @@ Step = collections.namedtuple("Step", "label rule goal sources by using values t
 COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 999), "induction": (2, 2),
           "existence": (2, 2), "witness": (0, 999), "extremum": (0, 999), "combination": (0, 0), "name": (0, 0), "power": (0, 0),
           "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "circle": (0, 0),
+          "arc": (0, 0),
           "limit": (0, 0), "slope": (1, 999), "intermediate": (2, 999),
           "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
 

@@ -60,6 +60,11 @@ def compare(a, relation, b):
     return N("cmp", (a, b), (relation,))
 
 
+def to_the_ends(x):
+    """1 − x and 1 + x: neither is negative where arcsin(x) and arccos(x) have values."""
+    return plus(num(1), x, -1), plus(num(1), x)
+
+
 def names_in(x, out=None):
     """Every name in a tree but those that are bound in it."""
     out = set() if out is None else out
@@ -221,7 +226,7 @@ PRINTED = re.compile(r"(?a:(?P<text>\w[-\w.'′*]*))")
 CLAUSES = set("claim source section number reading note using given let define assume prove expect".split())
 RESERVED = CLAUSES | set("""and or not exists for all each in is at over of as by with maximum minimum limit infinity have
     obtain case real natural sum product integral derivative only conclude""".split())
-FUNCTIONS = set("det transpose sqrt cbrt exp ln cos sin cosh sinh sech tanh".split())
+FUNCTIONS = set("det transpose sqrt cbrt exp ln cos sin arcsin arccos arctan cosh sinh sech tanh".split())
 # The number π, wherever the claim declares nothing of this name.
 PI = "pi"
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")

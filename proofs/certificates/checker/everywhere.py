@@ -2,7 +2,7 @@
 from .claims import nodes
 from .signs import number
 
-EVERYWHERE = ("abs", "max", "min", "exp", "cos", "sin", "cosh", "sinh", "sech", "tanh")
+EVERYWHERE = ("abs", "max", "min", "exp", "cos", "sin", "arctan", "cosh", "sinh", "sech", "tanh")
 
 
 def has_a_value(e, named, positive):

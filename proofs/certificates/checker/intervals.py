@@ -10,6 +10,8 @@ ABOUT_PI = Q("3.14159265358979323846"), Q("3.14159265358979323847")
 LONGEST = 10_000
 OPEN, REACHED, NONE = (Q(0), Q(0), True), (Q(0), Q(0), False), (None, None)
 ONE, PI = ((Q(1), Q(0), False),) * 2, ((Q(0), Q(1), False),) * 2
+QUARTERS = ((Q(0), Q(-1, 2), False), (Q(0), Q(1, 2), False))
+INSIDE_QUARTERS = tuple((*end[:2], True) for end in QUARTERS)
 TURNING, NATURAL, ABOVE = ((Q(-1), Q(0), False), ONE[1]), (REACHED, None), (OPEN, None)
 # The interval of a set of signs: 1 for negative, 2 for zero, 4 for positive. Facts that contradict each other leave none.
 OF_SIGNS = {0: (OPEN, OPEN), 1: (None, OPEN), 2: (REACHED, REACHED), 3: (None, REACHED), 4: ABOVE, 6: NATURAL}
@@ -126,6 +128,8 @@ class Intervals:
 
     def form(self, a):
         kind = self.atoms[a][0]
+        if kind in ("arctangent", "arcsine"):
+            return QUARTERS if kind == "arcsine" else INSIDE_QUARTERS
         if kind in ("cos", "sin", "pi"):
             return PI if kind == "pi" else TURNING
         return ABOVE if kind == "exp" else NATURAL if self.is_natural(a) else NONE
@@ -162,11 +166,11 @@ class Intervals:
         return out
 
     def interval_signs(self, terms, known):
-        """The signs that the interval of a polynomial leaves: of one atom with other terms or of cosines, sines and π, but not where a
-        fact is noted; and in the arguments of cosines and sines."""
+        """The signs that the interval of a polynomial leaves: of one atom with other terms, or of cosines, sines, arcs and π, but
+        not where a fact is noted; and in the arguments of cosines and sines."""
         terms = list(terms)
         atoms = {a for m, _ in terms for a, _ in m}
-        turns = any(self.atoms[a][0] in ("cos", "sin", "pi") for a in atoms)
+        turns = any(self.atoms[a][0] in ("cos", "sin", "pi", "arctangent", "arcsine") for a in atoms)
         if not self.arguments and (self.noting or not (turns or len(atoms) == 1 and len(terms) > 1)):
             return 7
         return signs_within(self.interval(terms, known))

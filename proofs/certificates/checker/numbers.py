@@ -6,7 +6,7 @@ import functools
 import math
 from fractions import Fraction as Q
 
-from checker.claims import FUNCTIONS, names_in, need, PI, room, text
+from checker.claims import FUNCTIONS, names_in, need, PI, room, text, to_the_ends
 from checker.signs import exponent, NOT_NEGATIVE, NOT_ZERO, POSITIVE, SHOWN, sign, SIGNS
 
 BITS, EXACT, LONGEST = 256, 10_000, 100_000
@@ -172,6 +172,52 @@ def of_circle(q):
     return [(Q(both, UNITS) - error, Q(both, UNITS) + error) for both in sums]
 
 
+def arctangent(x):
+    """It rises."""
+    return between(arctangent_of(x[0])[0], arctangent_of(x[1])[1])
+
+
+def arctangent_of(q):
+    """The arctangent of q by its series, in whole multiples of 1/UNITS. It is odd, for q > 0 it is π/2 less that of 1/q, and
+    twice that of q/(1 + √(1 + q²))."""
+    if q <= 0:
+        return negated(arctangent_of(-q)) if q else exactly(0)
+    if q > 1:
+        low, high = arctangent_of(1 / q)
+        return pi()[0] / 2 - high, pi()[1] / 2 - low
+    t = math.floor(q * UNITS)
+    for _ in range(8):
+        t = t * UNITS // (UNITS + math.isqrt(UNITS * UNITS + t * t))
+    # q/(1 + √(1 + q²)) changes at most half as much as q. Rounding the root makes t less than 1 too great, and rounding the
+    # quotient less than 1 too small. So the error of t stays below 2 units, and the arctangent changes no more than t does.
+    # t is now below UNITS/256, for tan(π/1024) < 1/256.
+    total_, power = 0, t
+    for n in range(20):
+        total_ += (-power if n % 2 else power) // (2 * n + 1)
+        power = power * t // UNITS * t // UNITS
+    # The error of a power is below 2: of that of the one before 1/256² remains, of the first rounding less than 1/256, of the
+    # second less than 1. So that of a term is below 3, and that of the sum below 60. The terms alternate and get smaller, so
+    # what is left out is less than the next one, which is below 1/256^41 = 2^-328. With the error of t all that is below 64
+    # units, and 256 times as much in the end: 2^-306.
+    error = Q(64, UNITS)
+    return 256 * (Q(total_, UNITS) - error), 256 * (Q(total_, UNITS) + error)
+
+
+def arcsine(x):
+    """It rises from −1 to 1."""
+    return between(arcsine_of(x[0])[0], arcsine_of(x[1])[1])
+
+
+def arcsine_of(q):
+    """For 0 <= q <= 1 it is twice the arctangent of q/(1 + √(1 − q²)). That quotient is at most 1, so it changes by less than
+    1/UNITS where the root is rounded to a multiple of that."""
+    if q <= 0:
+        return negated(arcsine_of(-q)) if q else exactly(0)
+    root_ = math.isqrt(math.floor((1 - q * q) * UNITS * UNITS))
+    low, high = (q * UNITS / (UNITS + r) for r in (root_ + 1, root_))
+    return 2 * arctangent_of(low)[0], 2 * arctangent_of(high)[1]
+
+
 def real_power(b, e):
     """b^E for b > 0, or b >= 0 under a positive number E."""
     if e[0] == e[1] and e[0].denominator <= 64:
@@ -294,6 +340,15 @@ class Point:
             return determinant(x) if f == "det" else [list(column) for column in zip(*x)]
         if f in ("cos", "sin"):
             return cosine_and_sine(self.number(e))[f == "sin"]
+        if f == "arctan":
+            return arctangent(self.number(e))
+        if f in ("arcsin", "arccos"):
+            x = self.number(e)
+            for part, room_ in zip(to_the_ends(e), (negated(x), x)):
+                signs = signs_of(plus(exactly(1), room_))
+                need(not signs & ~NOT_NEGATIVE, f"{text(part)} is not shown to be {SHOWN[NOT_NEGATIVE]}")
+            arc = arcsine(x)
+            return arc if f == "arcsin" else plus(times(between(*pi()), exactly(Q(1, 2))), negated(arc))
         if f in FUNCTIONS:
             x = self.number(e)
             up, down, half = exponential(x), exponential(negated(x)), exactly(Q(1, 2))

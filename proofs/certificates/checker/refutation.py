@@ -3,7 +3,9 @@ import operator
 import re
 from fractions import Fraction
 
-from .claims import PI, Claim, N, compare, constraints, domain, names_in, need, nodes, num, plus, put, subtrees, text
+from .claims import (
+    PI, Claim, N, compare, constraints, domain, names_in, need, nodes, num, plus, put, subtrees, text, to_the_ends,
+)
 from .signs import exponent, whole_by_form
 
 COMPARE = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
@@ -40,7 +42,7 @@ def real(e, is_pi):
         )
     if e[0] == "call" and len(e[2]) == 1:
         a = e[2][0]
-        if e[1] == "exp":
+        if e[1] in ("exp", "arctan"):
             return real(a, is_pi)
         return e[1] in ("sqrt", "ln") and positive(a, is_pi) or e[1] == "sqrt" and number(a) == 0
     return e[0] == "pow" and positive(e[1], is_pi) and number(e[2]) is not None
@@ -60,7 +62,7 @@ def positive(e, is_pi):
         a = e[2][0]
         if e[1] == "ln":
             return number(a) is not None and number(a) > 1
-        return real(a, is_pi) if e[1] == "exp" else e[1] == "sqrt" and positive(a, is_pi)
+        return real(a, is_pi) if e[1] == "exp" else e[1] in ("sqrt", "arctan") and positive(a, is_pi)
     return e[0] == "pow" and positive(e[1], is_pi) and number(e[2]) is not None
 
 
@@ -147,6 +149,8 @@ def without_value(e, bindings, goal, sequences):
         needed = [compare(e[3], "<=", plus(e[4], num(1)))]
     elif e[0] == "call" and e[1] in ("sqrt", "cbrt", "ln"):
         needed = [compare(e[2][0], ">" if e[1] == "ln" else ">=", zero)]
+    elif e[0] == "call" and e[1] in ("arcsin", "arccos"):
+        needed = [compare(part, ">=", zero) for part in to_the_ends(e[2][0])]
     elif e[0] == "call" and len(e[2]) == 1:
         family = next((b for b in bindings if any(n == e[1] and i is not None for n, i in b[1])), None)
         if family or e[1] in [u[0] for u in sequences]:

@@ -2,9 +2,9 @@
 from copy import copy
 from fractions import Fraction as Q
 
-from checker.claims import conjuncts, constraints, domain, N, names_in, need, nodes, Refused, single, text
+from checker.claims import conjuncts, constraints, domain, N, names_in, need, nodes, Refused, single, text, to_the_ends
 from checker.intervals import Bounds, Intervals
-from checker.terms import atom, F, factored, NO_DERIVATIVE, ONE, poly_product, size, Terms, the_atom, total
+from checker.terms import ARCS, atom, F, factored, NO_DERIVATIVE, ONE, poly_product, size, Terms, the_atom, total
 
 # A set of signs is a sum of 1 for negative, 2 for zero, 4 for positive.
 SIGNS = {"=": 2, "!=": 5, "<": 1, "<=": 3, ">": 4, ">=": 6}
@@ -286,6 +286,9 @@ class Values(Intervals, Terms):
             return POSITIVE
         if kind == "ln":
             return self.fraction_signs(inner[0] - ONE, known, found)
+        if kind in ARCS:
+            # Both are 0 at 0 and rise.
+            return self.fraction_signs(inner[0], known, found)
         if kind in ("cos", "sin"):
             return self.arc_signs(kind, inner[0], known)
         if kind == "power":
@@ -353,6 +356,8 @@ class Values(Intervals, Terms):
                 yield e[1], NOT_ZERO, e[2] if k is None else None
         elif e[0] == "call" and e[1] in ("sqrt", "cbrt", "ln"):
             yield e[2][0], POSITIVE if e[1] == "ln" else NOT_NEGATIVE, None
+        elif e[0] == "call" and e[1] in ("arcsin", "arccos"):
+            yield from ((part, NOT_NEGATIVE, None) for part in to_the_ends(e[2][0]))
 
     def has(self, e, signs, known):
         found = self.fraction_signs(self.read(e), known, {})

@@ -89,6 +89,12 @@ ONE, ZERO = F(1), F(0)
 NO_DERIVATIVE = "a derivative of a member of a family or sequence, of a sum over an index, or of what stands in an integral"
 # What a sum or product over an index, and an integral, binds in its body: an atom with the number of these around it.
 BOUND = {"over": "index", "integral": "place"}
+# The atoms of arctan and arcsin, and where one is a known part of π: by the square of an argument that is positive.
+ARCS = ("arctangent", "arcsine")
+PARTS_OF_PI = {
+    "arctangent": {Q(1, 3): Q(1, 6), Q(1): Q(1, 4), Q(3): Q(1, 3)},
+    "arcsine": {Q(1, 4): Q(1, 6), Q(1, 2): Q(1, 4), Q(3, 4): Q(1, 3), Q(1): Q(1, 2)},
+}
 
 
 def turned(u, v):
@@ -388,6 +394,9 @@ class Terms:
             return self.exponential(x) if f == "exp" else self.logarithm(x)
         if f in ("cos", "sin"):
             return self.point(x)[f == "sin"]
+        if f in ("arcsin", "arccos", "arctan"):
+            arc = self.arc("arctangent" if f == "arctan" else "arcsine", x)
+            return total([self.atom("pi") * F(Q(1, 2)), -arc]) if f == "arccos" else arc
         up, down, half, plain = self.exponential(x), self.exponential(-x), F(Q(1, 2)), self.read(arguments[0])
         up, down = self.put_in(("exp", plain)) or up, self.put_in(("exp", -plain)) or down
         cosh, sinh = total([up, down]) * half, total([up, -down]) * half
@@ -508,8 +517,37 @@ class Terms:
         p = abs(part.c.numerator)
         p = p if p <= circle.MULTIPLE_LIMIT else 1
         v = part * F(Q(1 if part.c > 0 else -1, p))
-        c, s = multiple((self.atom("cos", v), self.atom("sin", v)), p)
+        c, s = multiple(self.point_of_arc(v) or (self.atom("cos", v), self.atom("sin", v)), p)
         return (c, s) if part.c > 0 else (c, -s)
+
+    def point_of_arc(self, v):
+        """The cosine and the sine of an arctangent or arcsine, or None. Both arcs lie between −π/2 and π/2. There the cosine is
+        not negative, so it is a root, read as one that is written."""
+        a, k = v.single() or (None, 1)
+        if k != 1 or a is None or self.atoms[a][0] not in ARCS:
+            return None
+        kind, f = self.atoms[a]
+        root = self.power(total([ONE, f * f if kind == "arctangent" else -(f * f)]), F(Q(1, 2)))
+        return (root, f) if kind == "arcsine" else (root.power(-1), f * root.power(-1))
+
+    def arc(self, kind, f):
+        """arctan or arcsin of f. Both are odd. A square tells which positive number it belongs to only where f is positive, as
+        constant roots are: the square of sqrt(x^2)/x is 1 as well."""
+        if f.c <= 0:
+            return -self.arc(kind, -f) if f.c else ZERO
+        part = PARTS_OF_PI[kind].get(self.square_of_root(f))
+        return self.atom("pi") * F(part) if part else self.atom(kind, f)
+
+    def square_of_root(self, f):
+        """The square of a number, or of a number times roots of positive numbers, where it is rational; else None."""
+        out = F(f.c * f.c)
+        for p, k in f.factors.items():
+            _, base, e = self.kind(p, "power") or (None, ZERO, ONE)
+            twice = 2 * k * e.c
+            if base.factors or e.factors or base.c <= 0 or twice.denominator != 1:
+                return None
+            out *= base.power(int(twice))
+        return out.c
 
     def over(self, kind, depth, low, high, body):
         """A sum term by term, a product factor by factor; what does not depend on the index is taken out. Divisors are
@@ -570,13 +608,17 @@ class Terms:
             return ONE
         if kind == "integral":
             return self.integral_derivative(a, x)
-        need(kind in ("ln", "exp", "power", "cos", "sin"), NO_DERIVATIVE)
+        need(kind in ("ln", "exp", "power", "cos", "sin", *ARCS), NO_DERIVATIVE)
         slope = self.derivative(inner[0], x)
         if kind == "ln":
             return slope * inner[0].power(-1)
         if kind in ("cos", "sin"):
             other = atom(self.intern(("sin" if kind == "cos" else "cos", inner[0])))
             return slope * (-other if kind == "cos" else other)
+        if kind == "arctangent":
+            return slope * total([ONE, inner[0] * inner[0]]).power(-1)
+        if kind == "arcsine":
+            return slope * self.power(total([ONE, -(inner[0] * inner[0])]), F(Q(1, 2))).power(-1)
         if kind == "exp":
             return slope * atom(a)
         base, e = inner
@@ -640,4 +682,6 @@ class Terms:
             return self.over(new[0], new[1], self.whole(new[2]), self.whole(new[3]), new[4])
         if kind in ("cos", "sin"):
             return self.point(new[0])[kind == "sin"]
+        if kind in ARCS:
+            return self.arc(kind, new[0])
         return self.exponential(new[0]) if kind == "exp" else self.logarithm(new[0])
