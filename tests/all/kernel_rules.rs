@@ -80,7 +80,7 @@ macro_rules! files {
     };
 }
 
-files! { refutations evaluate combination intervals power logic blocks quantifiers sums order slope integral circle limits intermediate names }
+files! { refutations evaluate combination intervals power logic blocks quantifiers sums order slope integral circle arc limits intermediate names }
 
 #[test]
 fn examples_of_the_page_about_the_format() {
@@ -95,8 +95,8 @@ fn examples_of_the_page_about_the_format() {
             count += 1;
         }
     }
-    // One for each rule, a second for `slope`; `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 25);
+    // One for each rule, a second for `slope` and for `arc`; `suppose` and `let` share one; and two refutations.
+    assert_eq!(count, 27);
 }
 
 /// Propositions are compared by their keys.

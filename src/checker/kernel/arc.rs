@@ -7,14 +7,14 @@
 use super::fraction::Fraction;
 use super::known::Known;
 use super::order::Signs;
-use super::statement::{apply, compare, expr, name, numeral, product, sum};
+use super::statement::{apply, compare, product, sum};
 use super::term::Atom;
 use super::tree::single;
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::syntax::*;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, ToPrimitive};
 
 /// The angles between 0 and π/2 whose squared sine or tangent is this number, as parts of π: (numerator and denominator of the square, denominator of the angle).
 const SINES: [(i64, i64, i64); 4] = [(1, 4, 6), (1, 2, 4), (3, 4, 3), (1, 1, 2)];
@@ -24,29 +24,22 @@ fn part(k: i64) -> BigRational {
     BigRational::new(BigInt::from(1), BigInt::from(k))
 }
 
-/// `3/2*pi - y` and `y + 3/2*pi`: both are positive where y lies less than three right angles from 0.
-pub fn within_three_right_angles(y: &Expr) -> [Expr; 2] {
-    let three = [(Factor::Times, numeral(3)), (Factor::Over, numeral(2)), (Factor::Times, name(PI))];
-    let three = expr(ExprKind::Product(three.to_vec()));
-    [
-        sum(vec![(Sign::Plus, three.clone()), (Sign::Minus, y.clone())]),
-        sum(vec![(Sign::Plus, y.clone()), (Sign::Plus, three)]),
-    ]
-}
-
-/// What is 0 where `f(x) = y` for f = arcsin or arctan, if y lies between −π/2 and π/2.
-pub fn turned_back(f: &str, x: &Expr, y: &Expr) -> Expr {
+/// What holds where `f(x) = y` for f = arcsin or arctan: `sin(y) = x`, or `sin(y) = x*cos(y)`.
+pub fn turned_back(f: &str, x: &Expr, y: &Expr) -> Prop {
     let right = if f == "arctan" { product(vec![x.clone(), apply("cos", y.clone())]) } else { x.clone() };
-    sum(vec![(Sign::Plus, apply("sin", y.clone())), (Sign::Minus, right)])
+    compare(apply("sin", y.clone()), Relation::Equal, right)
 }
 
 impl Checker {
+    /// π/2, whatever a claim declares.
+    fn quarter_turn(&mut self) -> Result<Fraction, Refusal> {
+        Fraction::atom(self.intern(Atom::Pi)).times(&Fraction::number(part(2)), &self.work)
+    }
+
     /// arcsin, arccos or arctan of x.
     pub(super) fn arc(&mut self, function: &str, x: &Fraction) -> Result<Fraction, Refusal> {
         if function == "arccos" {
-            let pi = Fraction::atom(self.intern(Atom::Pi));
-            let quarter = pi.times(&Fraction::number(part(2)), &self.work)?;
-            return quarter.minus(&self.arc("arcsin", x)?, &self.work);
+            return self.quarter_turn()?.minus(&self.arc("arcsin", x)?, &self.work);
         }
         if x.is_zero() {
             return Ok(Fraction::integer(0));
@@ -55,23 +48,30 @@ impl Checker {
             return Ok(self.arc(function, &x.negated())?.negated());
         }
         let is_sine = function == "arcsin";
-        if let Some(k) = self.of_a_constant(x, if is_sine { &SINES } else { &TANGENTS })? {
+        if let Some(k) = self.of_a_constant(x, if is_sine { &SINES } else { &TANGENTS }) {
             return Fraction::atom(self.intern(Atom::Pi)).times(&Fraction::number(part(k)), &self.work);
         }
         Ok(self.atom_fraction(if is_sine { Atom::Arcsine(x.clone()) } else { Atom::Arctangent(x.clone()) }))
     }
 
-    /// The k of an angle π/k, by the square of its sine or tangent. The positive constant is a rational number times powers of
+    /// The k of an angle π/k, by the square of its sine or tangent. The positive constant is a rational number times powers of positive
     /// numbers: of `sqrt(x^2)/x`, whose square is a number too, the sign is not known.
-    fn of_a_constant(&self, x: &Fraction, angles: &[(i64, i64, i64)]) -> Result<Option<i64>, Refusal> {
-        let is_constant = |atom: usize| matches!(self.atoms.get(atom), Some(Atom::Power(base, e)) if base.as_number().is_some() && e.as_number().is_some());
-        if !x.factors.keys().all(|poly| poly.single_atom().is_some_and(is_constant)) {
-            return Ok(None);
+    fn of_a_constant(&self, x: &Fraction, angles: &[(i64, i64, i64)]) -> Option<i64> {
+        let mut square = &x.coefficient * &x.coefficient;
+        for (poly, k) in &x.factors {
+            let Some(Atom::Power(base, e)) = poly.single_atom().and_then(|atom| self.atoms.get(atom)) else {
+                return None;
+            };
+            let (base, e) = (base.as_number()?, e.as_number()?);
+            let twice = e * BigRational::from_integer(BigInt::from(*k) * BigInt::from(2));
+            // Longer ones are none of these angles.
+            let power = twice.is_integer().then(|| twice.to_i32()).flatten().filter(|k| k.unsigned_abs() <= 8)?;
+            if !base.is_positive() || base.numer().bits().max(base.denom().bits()) > 64 {
+                return None;
+            }
+            square *= num_traits::Pow::pow(base, power);
         }
-        let square = x.times(x, &self.work)?;
-        let Some(square) = square.as_number() else { return Ok(None) };
-        let is_it = |(top, bottom, _): &&(i64, i64, i64)| *square == BigRational::new((*top).into(), (*bottom).into());
-        Ok(angles.iter().find(is_it).map(|angle| angle.2))
+        angles.iter().find(|(top, bottom, _)| square == BigRational::new((*top).into(), (*bottom).into())).map(|a| a.2)
     }
 
     /// The cosine and sine of a fraction that is an arc: of arcsin x, √(1 − x²) and x; of arctan x, 1/√(1 + x²) and x/√(1 + x²).
@@ -92,17 +92,22 @@ impl Checker {
         })
     }
 
+    /// 1 + s·x².
+    fn one_and_square(&self, x: &Fraction, s: i64) -> Result<Fraction, Refusal> {
+        let square = x.times(x, &self.work)?.times(&Fraction::integer(s), &self.work)?;
+        Fraction::sum(&[Fraction::integer(1), square], &self.work)
+    }
+
     /// √(1 + s·x²).
     fn root_of_one_and_square(&mut self, x: &Fraction, s: i64) -> Result<Fraction, Refusal> {
-        let square = x.times(x, &self.work)?.times(&Fraction::integer(s), &self.work)?;
-        let under = Fraction::sum(&[Fraction::integer(1), square], &self.work)?;
+        let under = self.one_and_square(x, s)?;
         self.power(&under, &Fraction::number(part(2)))
     }
 
     /// The derivative of an arc by its argument: of arcsin x, 1/√(1 − x²); of arctan x, 1/(1 + x²).
     pub(super) fn arc_derivative(&mut self, x: &Fraction, is_sine: bool) -> Result<Fraction, Refusal> {
-        let root = self.root_of_one_and_square(x, if is_sine { -1 } else { 1 })?;
-        root.power(if is_sine { -1 } else { -2 })
+        let under = self.one_and_square(x, if is_sine { -1 } else { 1 })?;
+        if is_sine { self.power(&under, &Fraction::number(-part(2))) } else { under.power(-1) }
     }
 
     /// Rule `arc`:
@@ -125,18 +130,32 @@ impl Checker {
             if self.signs_of_expr(&difference, known)?.within(Signs::of(relation)) {
                 return Ok(());
             }
-            if relation != Relation::Equal {
+            if relation != Relation::Equal || f == "arccos" {
                 return rejected(Reason::Needs(compare(first.clone(), relation, second.clone())));
             }
         }
-        // π, not a variable of that name.
-        if relation != Relation::Equal || f == "arccos" || self.is_declared(PI) {
+        if relation != Relation::Equal || f == "arccos" {
             return rejected(Reason::NotAnArc);
         }
-        let cosine = if f == "arctan" { Relation::Greater } else { Relation::GreaterEqual };
-        let [above, below] = within_three_right_angles(right);
-        self.are(&[(turned_back(f, x, right), Relation::Equal), (apply("cos", right.clone()), cosine)], known)?;
-        self.are(&[(above, Relation::Greater), (below, Relation::Greater)], known)
+        let equation = turned_back(f, x, right);
+        let (sine, _, other) = single(&equation)?;
+        let difference = sum(vec![(Sign::Plus, sine.clone()), (Sign::Minus, other.clone())]);
+        if !self.signs_of_expr(&difference, known)?.within(Signs::ZERO) {
+            return rejected(Reason::Needs(equation));
+        }
+        self.need(
+            &apply("cos", right.clone()),
+            if f == "arctan" { Signs::POSITIVE } else { Signs::NOT_NEGATIVE },
+            known,
+        )?;
+        let y = self.fraction(right)?;
+        let three = self.quarter_turn()?.times(&Fraction::integer(3), &self.work)?;
+        for room in [three.minus(&y, &self.work)?, Fraction::sum(&[three, y], &self.work)?] {
+            if !self.signs_of(&room, known)?.within(Signs::POSITIVE) {
+                return rejected(Reason::BeyondThreeQuarters(right.clone()));
+            }
+        }
+        Ok(())
     }
 }
 

@@ -295,7 +295,8 @@ fn artanh(z: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
 /// than 5^-151 < 2^-350.
 fn arctan_of_inverse(k: i64, work: &Work) -> Result<Enclosure, Refusal> {
     let over = |n: i64| Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n)));
-    let (mut power, square) = (over(k), over(-k * k));
+    // No exact number: such sums would be long.
+    let (mut power, square) = (over(k).widened(400, work)?, over(-k * k));
     let mut sum = Enclosure::integer(0);
     for j in 0..75 {
         sum = sum.plus(&power.times(&over(2 * j + 1), work)?, work)?;
@@ -305,8 +306,8 @@ fn arctan_of_inverse(k: i64, work: &Work) -> Result<Enclosure, Refusal> {
 }
 
 /// arctan q: that of −q is opposite, and that of q > 1 is π/2 less that of 1/q. For 0 < q ≤ 1, arctan q = 2·arctan(q/(1 + √(1 + q²))), three
-/// times; then t ≤ tan(π/32) < 1/10, and the terms of Σ (−1)^j·t^(2j + 1)/(2j + 1) alternate and get smaller: what is left after the 50th is
-/// less than 10^-101 < 2^-335, eight times that less than 2^-330.
+/// times; then t ≤ tan(π/32) < 1/10, and the terms of Σ (−1)^j·t^(2j + 1)/(2j + 1) alternate and get smaller: what is left behind the 50th is
+/// less than 10^-101 < 2^-335, and behind a power of t below 2^-335 it is too. Eight times that is less than 2^-330.
 fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
     let one = Enclosure::integer(1);
     if q.is_zero() {
@@ -330,6 +331,9 @@ fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
         let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2 * j + 1)));
         sum = sum.plus(&power.times(&over, work)?, work)?;
         power = power.times(&square, work)?;
+        if power.low.abs().max(power.high.abs()) < two_to(-335) {
+            break;
+        }
     }
     sum.times(&Enclosure::integer(8), work)?.widened(330, work)
 }

@@ -116,6 +116,8 @@ pub enum Reason {
     NoIdentity,
     /// Not of a form that rule `arc` shows.
     NotAnArc,
+    /// A number that is not seen to lie less than three quarters of a turn from 0.
+    BeyondThreeQuarters(Expr),
     /// The signs do not show the comparison.
     Signs,
     /// The multiplier may be 0.
@@ -217,6 +219,9 @@ impl std::fmt::Display for Reason {
             Reason::OtherSequence(name) => return write!(f, "the cited claim's sequence {name} is another here"),
             Reason::ValueForNoVariable => "each variable has one value, and nothing else has any",
             Reason::ItSays(p) => return write!(f, "with these values it says {}", key::prop(p)),
+            Reason::BeyondThreeQuarters(e) => {
+                return write!(f, "{} is not shown to be less than 3/4 of a turn", key::expr(e));
+            }
             Reason::Needs(p) => return write!(f, "needs {}", key::prop(p)),
             Reason::InductionDomain => "induction is on one variable `natural` or `natural >= b`, b a numeral",
             Reason::ExtremumDomain => "an extremum is over real variables, with a value for each outside their scope",
@@ -240,9 +245,7 @@ impl std::fmt::Display for Reason {
             Reason::NotAReal(name) => return write!(f, "{name} is no real variable"),
             Reason::DerivativeOfMember => "a derivative of a member of a family or sequence, or of a sum over an index",
             Reason::Numeral(text) => return write!(f, "the numeral {text} cannot be read"),
-            Reason::NotAnArc => {
-                "it has to be `f(a) R f(b)` for arcsin, arccos or arctan, or `arcsin(x) = y` or `arctan(x) = y`"
-            }
+            Reason::NotAnArc => "this is no comparison of two arcs, and no equation for an arc",
             Reason::NoIdentity => "the two sides of the identity differ",
             Reason::Signs => "the signs do not show this",
             Reason::MultiplierMayBeZero => "the multiplier may be 0",

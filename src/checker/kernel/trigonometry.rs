@@ -125,12 +125,12 @@ impl Checker {
         }
         for (order, sign) in [(Relation::Less, Relation::Greater), (Relation::LessEqual, Relation::GreaterEqual)] {
             if key::prop(&below_the_argument(u, order)) == shown {
-                return self.are(&[(u.clone(), sign)], known);
+                return self.are_lengths(std::slice::from_ref(u), sign, known);
             }
             // π, not a variable of that name.
             if !self.is_declared(PI) && key::prop(&below_the_tangent(u, order)) == shown {
                 let rest = sum(vec![(Sign::Plus, name(PI)), (Sign::Minus, u.clone())]);
-                return self.are(&[(u.clone(), sign), (rest, sign)], known);
+                return self.are_lengths(&[u.clone(), rest], sign, known);
             }
         }
         let (left, relation, right) = single(goal)?;
@@ -149,11 +149,11 @@ impl Checker {
         if value.minus(&said, &self.work)?.is_zero() { Ok(()) } else { rejected(Reason::NoIdentity) }
     }
 
-    /// Refuses expressions that are not seen to have their relation to 0.
-    pub(super) fn are(&mut self, parts: &[(Expr, Relation)], known: &Known) -> Result<(), Refusal> {
-        for (part, relation) in parts {
-            if !self.signs_of_expr(part, known)?.within(Signs::of(*relation)) {
-                return rejected(Reason::Needs(compare(part.clone(), *relation, numeral(0))));
+    /// Refuses lengths that are not seen to be positive, or not negative.
+    fn are_lengths(&mut self, lengths: &[Expr], relation: Relation, known: &Known) -> Result<(), Refusal> {
+        for length in lengths {
+            if !self.signs_of_expr(length, known)?.within(Signs::of(relation)) {
+                return rejected(Reason::Needs(compare(length.clone(), relation, numeral(0))));
             }
         }
         Ok(())

@@ -10,7 +10,7 @@ use super::limits::over;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::arc::{as_arc, turned_back, within_three_right_angles};
+use crate::kernel::arc::{as_arc, turned_back};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, name, numeral};
 use crate::kernel::trigonometry::{below_the_argument, below_the_tangent};
@@ -119,15 +119,14 @@ impl Prover {
             return self.emit(Rule::Arc, goal);
         }
         let cosine = if f == "arctan" { Relation::Greater } else { Relation::GreaterEqual };
-        let [above, below] = within_three_right_angles(y);
+        let three = quarter_turn(3);
         let parts = [
-            (turned_back(f, x, y), Relation::Equal),
-            (above, Relation::Greater),
-            (below, Relation::Greater),
-            (apply("cos", y.clone()), cosine),
+            turned_back(f, x, y),
+            compare(y.clone(), Relation::Less, three.clone()),
+            compare(y.clone(), Relation::Greater, negated(three)),
+            compare(apply("cos", y.clone()), cosine, numeral(0)),
         ];
-        for (part, relation) in parts {
-            let needed = compare(part, relation, numeral(0));
+        for needed in parts {
             let label = self.without_cases(&needed)?;
             self.take_in(&label, &needed)?;
         }
