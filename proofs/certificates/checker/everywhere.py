@@ -10,6 +10,8 @@ def has_a_value(e, named, positive):
     tag = e[0]
     if tag == "prod":
         here = all(operator == "*" or number(part) or is_positive(part, positive) for operator, part in e[1])
+    elif tag == "call" and e[1] in ("sqrt", "cbrt", "ln"):
+        here = all(is_positive(part, positive) for part in nodes(e))
     elif tag == "call":
         here = e[1] in EVERYWHERE and named(e[1])
     elif tag == "name":
@@ -23,12 +25,14 @@ def has_a_value(e, named, positive):
 
 
 def is_positive(e, positive):
-    """Whether e is a sum, product, quotient or whole power of positive numbers and names."""
+    """Whether e is a sum, product, quotient, whole power, root or arctan of positive numbers and names, or an exponential."""
     tag, inner = e[0], lambda part: is_positive(part, positive)
     if tag == "num":
         return number(e) > 0
     if tag == "name":
         return positive(e[1])
+    if tag == "call":
+        return e[1] == "exp" or e[1] in ("sqrt", "cbrt", "arctan") and all(inner(part) for part in nodes(e))
     if tag == "sum":
         return all(sign == 1 and inner(part) for sign, part in e[1])
     if tag == "prod":

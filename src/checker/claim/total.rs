@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const EVERYWHERE: [&str; 11] = ["abs", "max", "min", "exp", "cos", "sin", "arctan", "cosh", "sinh", "sech", "tanh"];
 
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
-/// and by what is positive by its form, and nothing in it has another condition. `named` says of a name whether what it
+/// and by what is positive by its form, takes roots and logarithms of such, and nothing in it has another condition. `named` says of a name whether what it
 /// stands for has a value, `positive` whether it is declared positive; families, definitions with parameters, sums and products
 /// are taken to have conditions.
 pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool, positive: &dyn Fn(&str) -> bool) -> bool {
@@ -21,6 +21,9 @@ pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool, positive: &dyn
         ExprKind::Product(list) => list.iter().all(|(factor, a)| {
             *factor == Factor::Times || number(a).is_some_and(|(top, _)| top != 0) || is_positive(a, positive)
         }),
+        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "sqrt" | "cbrt" | "ln") => {
+            list.iter().all(|a| is_positive(a, positive))
+        }
         ExprKind::Apply(f, _) => EVERYWHERE.contains(&f.text.as_str()) && named(&f.text),
         ExprKind::Name(name) => named(name),
         ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
@@ -31,12 +34,18 @@ pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool, positive: &dyn
     all
 }
 
-/// Whether an expression is positive by its form: sums, products, quotients and whole powers of positive numbers and names.
+/// Whether an expression is positive by its form: sums, products, quotients, whole powers, roots and arctangents of positive numbers
+/// and names, and exponentials.
 fn is_positive(e: &Expr, positive: &dyn Fn(&str) -> bool) -> bool {
     let inner = |e: &Expr| is_positive(e, positive);
     match &e.kind {
         ExprKind::Number(_) => number(e).is_some_and(|(top, _)| top > 0),
         ExprKind::Name(name) => positive(name),
+        ExprKind::Apply(f, list) => match f.text.as_str() {
+            "exp" => true,
+            "sqrt" | "cbrt" | "arctan" => list.iter().all(inner),
+            _ => false,
+        },
         ExprKind::Sum(list) => list.iter().all(|(sign, e)| *sign == Sign::Plus && inner(e)),
         ExprKind::Product(list) => list.iter().all(|(_, e)| inner(e)),
         ExprKind::Power(base, exponent) => inner(base) && number(exponent).is_some_and(|(_, below)| below == 1),

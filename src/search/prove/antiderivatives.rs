@@ -2,7 +2,7 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! logarithms by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial fractions (`partial_fractions`).
+//! logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial fractions (`partial_fractions`).
 //! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
@@ -140,6 +140,11 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
         if function.text == "ln" && k == 1 {
             return of_logarithm(&[numeral(1)], u, x, depth);
         }
+        if k == 1
+            && let Some(found) = of_arc(&[numeral(1)], base, x, depth)
+        {
+            return Some(found);
+        }
         let p = slope(u, x)?;
         return match (function.text.as_str(), k) {
             ("exp", k) => Some(over(whole_power(base.clone(), k), product(vec![literal(&Rational::from(k)), p]))),
@@ -264,6 +269,19 @@ fn of_logarithm(p: &[Expr], u: &Expr, x: &str, depth: usize) -> Option<Expr> {
     Some(total(terms))
 }
 
+/// ∫p·arc(u) = P·arc(u) − ∫P·u′·arc′(u) for arc = arctan or arcsin and a linear u.
+fn of_arc(p: &[Expr], arc: &Expr, x: &str, depth: usize) -> Option<Expr> {
+    let ExprKind::Apply(f, arguments) = &arc.kind else { return None };
+    let ([u], true) = (arguments.as_slice(), matches!(f.text.as_str(), "arctan" | "arcsin")) else { return None };
+    let (square, whole_p) = (whole_power(u.clone(), 2), written(&antiderivative_of(p), &name(x)));
+    let below = match f.text.as_str() {
+        "arctan" => add(vec![square, numeral(1)]),
+        _ => apply("sqrt", add(vec![numeral(1), negated(square)])),
+    };
+    let rest = of(&over(times(&slope(u, x)?, &whole_p), below), x, depth)?;
+    Some(total(vec![(Sign::Plus, times(&whole_p, arc)), (Sign::Minus, rest)]))
+}
+
 /// p·g for a polynomial p and g one of exp, sin, cos or ln of a linear argument, or exp times a sine or cosine.
 fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     let one = |e: &(Expr, Expr)| whole(&e.1) == Some(1);
@@ -285,6 +303,9 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
                 && let ("ln", [u]) = (f.text.as_str(), arguments.as_slice())
             {
                 return of_logarithm(&p, u, x, depth);
+            }
+            if let Some(found) = of_arc(&p, &g.0, x, depth) {
+                return Some(found);
             }
             // ∫p·g = p·G − ∫p′·G, with G a multiple of a function of the same kind.
             let mut terms = Vec::new();

@@ -44,6 +44,13 @@ impl Prover {
         {
             return Ok(label);
         }
+        // A floor of a number lies between the whole numbers next to it.
+        if !self.integers.is_empty()
+            && self.splits == 0
+            && let Ok(label) = self.attempt(|c| c.in_whole_numbers(goal, 0))
+        {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_arcs(goal, a, relation, b) {
             return Ok(label);
         }

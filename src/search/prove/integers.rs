@@ -6,14 +6,18 @@
 //!
 //! Cost: two steps for each integer, which the certificate keeps only where they are used.
 
+use super::sign_charts::enclosed;
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
-use crate::certificate::{Rule, Term};
+use crate::certificate::{Label, Rule, Term};
 use crate::claim::definedness::is_whole;
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::statement::{compare, name, numeral, sum};
 use crate::kernel::substitution::Substitution;
+use crate::refute::literal::literal;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Floor;
 use malachite::base::num::conversion::traits::IsInteger;
 use std::collections::BTreeSet;
 
@@ -77,6 +81,48 @@ impl Prover {
             let stem = up.trim_end_matches("up").trim_end_matches('_').to_string();
             let _ = self.attempt(|c| c.name_integer(if stem.is_empty() { "k" } else { &stem }, &up, &down, d));
         }
+        if !self.integers.is_empty() {
+            for (label, fact) in self.facts() {
+                let PropKind::Compare(sides, relations) = &fact.kind else { continue };
+                for (pair, relation) in sides.windows(2).zip(relations) {
+                    let part = compare(pair[0].clone(), *relation, pair[1].clone());
+                    let _ = self.attempt(|c| c.beside_whole_numbers(&label, &part));
+                }
+            }
+        }
+    }
+
+    /// From a comparison with a number that is not rational, that with the whole number next to it.
+    fn beside_whole_numbers(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
+        let no = || Fail::No("a number between whole numbers");
+        let PropKind::Compare(sides, relations) = &fact.kind else { return Err(no()) };
+        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let is_number = |e: &Expr| self.speaks_of_numbers(&compare(e.clone(), Relation::Equal, numeral(0)));
+        let (e, other, relation, sign) = match (is_number(a), is_number(b)) {
+            (true, false) => (a, b, relation.turned(), -1),
+            (false, true) => (b, a, *relation, 1),
+            _ => return Err(no()),
+        };
+        let (low, high) = enclosed(e).ok_or_else(no)?;
+        let floor = Rational::from((&low).floor());
+        if low == high || Rational::from(high.floor()) != floor {
+            return Err(no());
+        }
+        let (bound, k) = match relation.is_greater() {
+            Some(true) => (Relation::Greater, floor),
+            Some(false) => (Relation::Less, floor + Rational::from(1)),
+            None => return Err(no()),
+        };
+        let k = literal(&k);
+        let label = self.known(fact).map_or_else(|| self.logic(&[label], fact), Ok)?;
+        let number = self.emit(Rule::Evaluate, compare(e.clone(), bound, k.clone()))?;
+        let shown = compare(other.clone(), bound, k);
+        // other − k = (other − e) + (e − k), in which the fact may say e − other.
+        let term =
+            |label: &Label, sign: i64| Term { facts: vec![label.clone()], factor: literal(&Rational::from(sign)) };
+        let terms = vec![term(&label, sign), term(&number, 1)];
+        let label = self.combination(shown.clone(), terms)?;
+        self.take_in(&label, &shown)
     }
 
     /// Gives a real name, which is returned, to the difference of two natural numbers.

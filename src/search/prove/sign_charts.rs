@@ -481,7 +481,7 @@ fn enclosed_at(e: &Expr, x: &str, place: &Expr) -> Option<(Rational, Rational)> 
 }
 
 /// Numbers between which an expression lies that is made of numbers and π.
-fn enclosed(e: &Expr) -> Option<(Rational, Rational)> {
+pub(super) fn enclosed(e: &Expr) -> Option<(Rational, Rational)> {
     let at = Assignment { is_pi: true, ..Assignment::default() };
     let value = at.number(e).ok()?;
     let (low, high) = value.ends();

@@ -1,4 +1,4 @@
-//! Integration by substitution: h(u)·u′ where u is a polynomial, or moves by one function.
+//! Integration by substitution: h(u)·u′ where u is a polynomial, a power of the variable, or moves by one function.
 
 use super::antiderivatives::{factors, of, power_rule, raised};
 use super::coefficients::*;
@@ -33,7 +33,33 @@ pub(super) fn by_substitution(list: &[(Expr, Expr)], x: &str, depth: usize) -> O
             return Some(over(power_rule(base, exponent), q[1].clone()));
         }
     }
-    None
+    (2..=4).rev().find_map(|k| by_power_of_the_variable(list, x, k, depth))
+}
+
+/// x^(k − 1 + k·m)·g(x^k) for a product g of powers of polynomials: the antiderivative of w^m·g(w)/k, at w = x^k.
+fn by_power_of_the_variable(list: &[(Expr, Expr)], x: &str, k: usize, depth: usize) -> Option<Expr> {
+    let (mut m, mut factors) = (1 - i64::try_from(k).ok()?, Vec::new());
+    let w = (1..).map(|i| format!("w{i}")).find(|w| w != x && !list.iter().any(|(e, _)| holds(e, w)))?;
+    for (base, exponent) in list {
+        if matches!(&base.kind, ExprKind::Name(n) if n == x) {
+            m += whole(exponent)?;
+            continue;
+        }
+        let p = polynomial(base, x)?;
+        if holds(exponent, x) || p.iter().enumerate().any(|(i, c)| i % k != 0 && !is_zero(c)) {
+            return None;
+        }
+        let p: Coefficients = p.into_iter().step_by(k).collect();
+        factors.push(raised(&written(&p, &name(&w)), exponent));
+    }
+    let k_as_whole = i64::try_from(k).ok()?;
+    if m % k_as_whole != 0 || factors.is_empty() {
+        return None;
+    }
+    factors.push(raised(&name(&w), &literal(&Rational::from(m / k_as_whole))));
+    let found = of(&product(factors), &w, depth)?;
+    let value = put_in(&found, &w, &raised(&name(x), &literal(&Rational::from(k_as_whole)))).ok()?;
+    Some(over(value, literal(&Rational::from(k_as_whole))))
 }
 
 /// p(x)·h(u)^k where u is a polynomial of degree 2 or more and p is u′·q(u): the antiderivative of q(w)·h(w)^k, at w = u.
