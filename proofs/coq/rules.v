@@ -16,6 +16,7 @@ rule unfold: product_last, product_first, sum_last, sum_first, product_empty, su
 rule mean: mean_weak, mean_strict
 rule tangent: tangent_weak, tangent_strict
 rule circle: unit_circle, within_one, below_the_argument, below_the_tangent, multiple
+rule arc: arcs_rise, arcsine_is, arctangent_is, of_arctangent, of_arcsine, slopes_of_arcs
 rule slope: slope, slope_between, smooth_on, slope_integral, differentiable, slope_sign, sloped
 rule intermediate: intermediate, smooth_on, differentiable
 rule limit: lim_inv, lim_seq_inv
@@ -974,3 +975,26 @@ Qed.
 Lemma multiple : forall k u, cos (INR (S k) * u) = cos (INR k * u) * cos u - sin (INR k * u) * sin u
   /\ sin (INR (S k) * u) = sin (INR k * u) * cos u + cos (INR k * u) * sin u.
 Proof. intros. rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l. split; [apply cos_plus | apply sin_plus]. Qed.
+
+(** arctan and arcsin rise, and arccos falls, each strictly. *)
+Lemma arcs_rise : forall a b, a < b -> atan a < atan b /\ (-1 <= a -> b <= 1 -> asin a < asin b /\ acos b < acos a).
+Proof.
+  intros a b h. split; [now apply atan_increasing |]. intros l r. rewrite !acos_asin by lra.
+  enough (asin a < asin b) by lra. apply Rnot_le_lt. intro n. assert (p := asin_bound a). assert (q := asin_bound b).
+  assert (z := sin_incr_1 (asin b) (asin a)). rewrite !sin_asin in z by lra. lra.
+Qed.
+(** An angle is the arc of its sine, or of its tangent: its cosine keeps it from the other half of the circle, the range from another turn. *)
+Lemma arcsine_is : forall x y, sin y = x -> 0 <= cos y -> - (3 * (PI / 2)) < y < 3 * (PI / 2) -> asin x = y.
+Proof. intros x y <- c h. destruct (cosine_arc y) as (_ & _ & _ & a), (cosine_arc (- y)) as (_ & _ & _ & b).
+  rewrite cos_neg in b. apply asin_sin. split; apply Rnot_lt_le; intro; lra. Qed.
+Lemma arctangent_is : forall x y, sin y = x * cos y -> 0 < cos y -> - (3 * (PI / 2)) < y < 3 * (PI / 2) -> atan x = y.
+Proof. intros x y e c h. destruct (cosine_arc y) as (_ & _ & a & _), (cosine_arc (- y)) as (_ & _ & b & _). rewrite cos_neg in b.
+  replace x with (tan y) by (unfold tan; rewrite e; field; lra). apply atan_tan. split; apply Rnot_le_lt; intro; lra. Qed.
+(** The cosine and sine of an arc. *)
+Lemma of_arctangent : forall x, cos (atan x) = 1 / sqrt (1 + x ^ 2) /\ sin (atan x) = x / sqrt (1 + x ^ 2).
+Proof. intro x. rewrite cos_atan, sin_atan, <- !Rsqr_pow2. tauto. Qed.
+Lemma of_arcsine : forall x, -1 <= x <= 1 -> cos (asin x) = sqrt (1 - x ^ 2) /\ sin (asin x) = x.
+Proof. intros x h. rewrite cos_asin, sin_asin, <- Rsqr_pow2 by exact h. tauto. Qed.
+Lemma slopes_of_arcs : forall x, is_derive atan x (/ (1 + x ^ 2)) /\ (-1 < x < 1 -> is_derive asin x (1 / sqrt (1 - x ^ 2))).
+Proof. intro x. split; [| intro h; rewrite <- Rsqr_pow2]; apply is_derive_Reals; [apply derivable_pt_lim_atan |].
+  exact (derive_pt_eq_1 _ _ _ _ (derive_pt_asin x h)). Qed.
