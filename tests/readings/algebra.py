@@ -140,9 +140,16 @@ def differentiated(e, name):
             "exp": lambda: e,
             "ln": lambda: ("/", ONE, a),
             "sqrt": lambda: ("/", ONE, times(number(2), e)),
+            "arctan": lambda: ("/", ONE, plus(ONE, ("^", a, number(2)))),
+            "arcsin": lambda: ("/", ONE, ("call", "sqrt", [minus(ONE, ("^", a, number(2)))])),
+            "arccos": lambda: negated(("/", ONE, ("call", "sqrt", [minus(ONE, ("^", a, number(2)))]))),
         }[e[1]]()
         return times(outer, inner)
     raise ValueError(kind)
+
+
+# What a function is changed to where a claim is to be false.
+OTHERS = {"sin": "cos", "cos": "sin", "arcsin": "arccos", "arccos": "arcsin", "arctan": "arcsin"}
 
 
 def spoiled(e, rng):
@@ -151,7 +158,7 @@ def spoiled(e, rng):
 
     def walk(node, path):
         kind = node[0]
-        if kind == "num" or kind == "neg" or kind in "+-" or kind == "call" and node[1] in ("sin", "cos"):
+        if kind == "num" or kind == "neg" or kind in "+-" or kind == "call" and node[1] in OTHERS:
             places.append(path)
         children = node[2] if kind == "call" else node[1:] if kind in LEVELS else ()
         for i, child in enumerate(children):
@@ -174,5 +181,5 @@ def changed(e, path, rng):
     if kind == "neg":
         return e[1]
     if kind == "call":
-        return kind, "cos" if e[1] == "sin" else "sin", e[2]
+        return kind, OTHERS[e[1]], e[2]
     return ("-" if kind == "+" else "+"), e[1], e[2]

@@ -136,6 +136,28 @@ def tan(x):
     return divide(sin(x), cos(x))
 
 
+def arctan(x):
+    return apply(x, mpmath.atan, lambda a: inverse(1 + a * a))
+
+
+def arcsin(x):
+    """At 1 and -1 an arcsin has no derivative. What is too near to them is taken for them, as under a root."""
+    room = (1 - x) * (1 + x)
+    if is_zero(room):
+        if isinstance(x, Dual):
+            if moves(x):
+                raise Undefined
+            raise Unclear
+        return mpmath.sign(x) * mpmath.pi / 2
+    if real(room) < 0:
+        raise Undefined
+    return apply(x, mpmath.asin, lambda a: inverse(root((1 - a) * (1 + a), 2)))
+
+
+def arccos(x):
+    return mpmath.pi / 2 - arcsin(x)
+
+
 def ln(x):
     if is_zero(x) or real(x) < 0:
         raise Undefined

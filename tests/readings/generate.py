@@ -10,6 +10,7 @@ import re
 
 import abbreviations
 import angles
+import arcs
 import derivatives
 import integrals
 import limits
@@ -44,6 +45,7 @@ KINDS = {
     "whole numbers and abbreviations": (abbreviations.whole_numbers, 6),
     "sequences": (abbreviations.sequences, 3),
     "exponents": (abbreviations.exponents, 2),
+    "arcs": (arcs.any_kind, 12),
     "quantified numbers": (abbreviations.quantified, 5),
     PREAMBLE: (abbreviations.preamble, 2),
     SIGNS: (None, 3),

@@ -12,13 +12,13 @@ POLYNOMIAL = (
 )  # fmt: skip
 SMOOTH = POLYNOMIAL + (
     "1/t", "k/(t + m)", "1/(1 + t^2)", "t/(1 + t^2)", "c*t", "c*t^2 + k", "t^2/(k + t^2)", "k - t", "c/t", "(t + c)^2",
-    "m*t + c", "sqrt(t^2 + k)", "1/t^2",
+    "m*t + c", "sqrt(t^2 + k)", "1/t^2", "arctan(t)", "arctan(t/k)", "t*arctan(c*t)",
 )  # fmt: skip
 CIRCULAR = (
     "sin(t)", "cos(t)", "sin(t)^2", "cos(t)^2", "sin(2*t)", "cos(2*t)", "sin(t)*cos(t)", "k*sin(t) + m*cos(t)",
     "cos(3*t)", "sin(t/2)", "cos(t/2)", "sin(t + pi/3)", "cos(t - pi/4)", "1/(k + cos(t))", "sin(t)/(2 + cos(t))",
     "c*cos(t)", "c*sin(t) + cos(t)", "exp(sin(t))", "sqrt(2 + cos(t))", "cos(t/3)", "(c + cos(t))^2", "tan(t)",
-    "-cos(t)", "sin(t)^3", "c/(2 + sin(t))", "sin(t/2)^2", "2*sin(t/2)*cos(t/2)",
+    "-cos(t)", "sin(t)^3", "c/(2 + sin(t))", "sin(t/2)^2", "2*sin(t/2)*cos(t/2)", "arctan(sin(t))", "arcsin(cos(t)/2)",
 )  # fmt: skip
 
 
@@ -98,7 +98,7 @@ class Maker:
 
     def rewritten(self, text):
         """A text with one numeral, relation, sign or function changed."""
-        places = list(re.finditer(r"\d+|<=|>=|(?<= )[-+<>=](?= )|\b(?:sin|cos|max|min)\b", text))
+        places = list(re.finditer(r"\d+|<=|>=|(?<= )[-+<>=](?= )|\b(?:sin|cos|max|min|arcsin|arccos|arctan)\b", text))
         if not places:
             return text
         found = self.pick(places)
@@ -107,6 +107,7 @@ class Maker:
             new = str(max(0, int(old) + self.pick((1, -1))))
         else:
             swaps = {"+": "-", "-": "+", "<": ">=", ">": "<=", "sin": "cos", "cos": "sin", "max": "min", "min": "max"}
+            swaps |= {"arcsin": "arccos", "arccos": "arcsin", "arctan": "arcsin"}
             swaps |= {"<=": self.pick(("<", ">=")), ">=": self.pick((">", "<=")), "=": self.pick(("<=", "!=", "<"))}
             new = swaps[old]
         return text[: found.start()] + new + text[found.end() :]

@@ -19,7 +19,7 @@ CLAUSES = (
 ).split()
 FUNCTIONS = (
     "sqrt cbrt exp ln cosh sinh tanh sech det transpose abs max min factorial binomial trace inverse floor ceil ceiling"
-    " sin cos tan"
+    " sin cos tan arcsin arccos arctan"
 ).split()
 # Words with an index, its range and a body.
 FOLDS = ("sum", "product", "integral")

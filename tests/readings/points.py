@@ -80,7 +80,7 @@ class Points:
                     break
 
     def special(self):
-        """Points at which a divisor or what stands under a root is 0."""
+        """Points at which a divisor or what stands under a root is 0, or an arcsin or arccos ends."""
         seen = set()
         for zero in itertools.islice(critical(self.claim, self.claim.goal), 6):
             if str(zero) in seen:
@@ -160,7 +160,7 @@ def equations(hypotheses):
 
 
 def critical(claim, tree, inside=frozenset()):
-    """What must not be 0, or where a root begins, in a goal: expressions of the claim's own variables."""
+    """What must not be 0, or where a root begins or an arcsin ends, in a goal: expressions of the claim's own variables."""
     if tree[0] in ("all", "exists"):
         inside = inside | {name for binding in tree[1] for name, _ in binding.names}
     if tree[0] in FOLDS:
@@ -172,6 +172,8 @@ def critical(claim, tree, inside=frozenset()):
         found = tree[2]
     if tree[0] == "call" and tree[1] in ("sqrt", "abs", "ln"):
         found = tree[2][0]
+    if tree[0] == "call" and tree[1] in ("arcsin", "arccos"):
+        found = ("-", ("num", "1"), ("^", tree[2][0], ("num", "2")))
     if tree[0] == "call" and tree[1] == "tan":
         found = ("call", "cos", tree[2])
     if found is not None and found[0] != "num" and not names_in(found) & inside:

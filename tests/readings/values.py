@@ -15,6 +15,9 @@ from dual import (
     Dual,
     Unclear,
     Undefined,
+    arccos,
+    arcsin,
+    arctan,
     cos,
     cosh,
     divide,
@@ -41,6 +44,7 @@ from matrix import added, det, inverse, matrix_power, product, scaled, trace, tr
 from quadrature import quadrature
 
 FUNCTIONS = {"exp": exp, "ln": ln, "sin": sin, "cos": cos, "tan": tan, "cosh": cosh, "sinh": sinh, "tanh": tanh}
+FUNCTIONS |= {"arcsin": arcsin, "arccos": arccos, "arctan": arctan}
 FUNCTIONS |= {"sech": sech, "abs": size, "floor": whole_part}
 FUNCTIONS |= {"sqrt": lambda x: root(x, 2), "cbrt": lambda x: root(x, 3)}
 FUNCTIONS |= {"ceil": lambda x: -whole_part(-x), "ceiling": lambda x: -whole_part(-x)}
