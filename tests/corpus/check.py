@@ -345,6 +345,15 @@ def call(name, argument, env):
         if v <= 0:
             raise Undefined
         return mpmath.log(v)
+    if name in ("arcsin", "arccos"):
+        if abs(v) > 1:
+            # As above; the root of a sum of squares may lie above 1 by rounding.
+            if abs(v) > 1 + CLOSE * CLOSE:
+                raise Undefined
+            v = mpmath.sign(v)
+        return mpmath.asin(v) if name == "arcsin" else mpmath.acos(v)
+    if name == "arctan":
+        return mpmath.atan(v)
     if name == "tan" and abs(mpmath.cos(v)) < CLOSE:
         raise Undefined
     if name == "det":

@@ -23,8 +23,9 @@ from checker.signs import number  # noqa: E402
 DOMAINS = {
     "x": ("real", (-2, -1, 0, 0.5, 3)), "y": ("> 0", (0.5, 2)), "z": (">= 0", (0, 1.5)), "v": ("< 0", (-0.5, -2)),
     "p": ("real", (-1.5, -1, 0, 0.5, 2)), "q": ("> 0", (0.5, 3)), "n": ("natural", (0, 1, 2, 3)),
-    "m": ("natural >= 1", (1, 2, 3)),
+    "m": ("natural >= 1", (1, 2, 3)), "r": ("in [-1, 1]", (-1, -0.6, 0, 0.8, 1)),
 }
+ARCS = ("arcsin", "arccos", "arctan")
 NATURAL = {"n", "m", "i", "j"}
 
 
@@ -57,7 +58,7 @@ def value(e, at):
     if tag == "num":
         return float(e[1])
     if tag == "name":
-        return float(at[e[1]])
+        return math.pi if e[1] == "pi" else float(at[e[1]])
     if tag == "neg":
         return -value(e[1], at)
     if tag == "sum":
@@ -99,6 +100,12 @@ def value(e, at):
         if a <= 0:
             raise Undefined
         return math.log(a)
+    if e[1] in ARCS:
+        if e[1] != "arctan":
+            if abs(a) > 1 + 1e-9:
+                raise Undefined
+            a = max(-1, min(1, a))  # what is beyond 1 by rounding
+        return getattr(math, "a" + e[1][3:])(a)
     return exact(getattr(math, e[1])(a), 1)
 
 
@@ -120,7 +127,7 @@ class Maker:
             exponents += [f"({k}{c})" for k in naturals for c in ("-1", "*2", "+1", "/2")] + [f"(-{k})" for k in naturals]
             return f"({sub()})^{pick(exponents)}"
         if kind < 10:
-            return f"{pick(('sqrt', 'cbrt', 'exp', 'ln', 'exp', 'cosh'))}({sub()})"
+            return f"{pick(('sqrt', 'cbrt', 'exp', 'ln', 'exp', 'cosh', 'arctan', 'arcsin', 'sin'))}({sub()})"
         naturals = [n for n in names if n in NATURAL]
         if naturals and "i" not in names:
             return f"{pick(('sum', 'product'))}(i = {pick(('0', '1'))}..{pick(naturals)}, {self.expr(depth - 1, names + ['i'])})"
@@ -166,6 +173,7 @@ class Maker:
                 yield N("prod", tuple(("*" if s > 0 else "/", N("call", "exp", (part,))) for s, part in a[1]))
             if e[1] in ("exp", "ln") and a[0] == "call" and a[1] in ("exp", "ln") and a[1] != e[1]:
                 yield a[2][0]
+        yield from self.laws_of_arcs(e)
         if e[0] == "over":
             if e[5][0] == ("sum" if e[1] == "sum" else "prod"):
                 yield N(e[5][0], tuple((o, N(*e[:5], part)) for o, part in e[5][1]))
@@ -178,6 +186,30 @@ class Maker:
             yield N("pow", N("call", "sqrt", (e,)), num(2))
             yield N("call", "sqrt", (N("pow", e, num(2)),))
             yield N("prod", (("*", N("pow", e, num(2))), ("/", e)))
+
+    def laws_of_arcs(self, e):
+        call = lambda f, a: N("call", f, (a,))
+        over = lambda a, b: N("prod", (("*", a), ("/", b)))
+        square = lambda a: N("pow", a, num(2))
+        if e[0] != "call":
+            return
+        (a,), quarter = e[2], over(N("name", "pi"), num(2))
+        if e[1] in ("sin", "cos", "arcsin", "arctan") and a[0] == "neg":
+            yield N("neg", call(e[1], a[1]))
+        if e[1] in ("sin", "cos", "arcsin", "arccos") and a[0] == "call" and a[1].removeprefix("arc") == e[1].removeprefix("arc") != a[1]:
+            yield a[2][0]
+        if e[1] == "cos" and a[0] == "call" and a[1] in ("arcsin", "arctan"):
+            root = call("sqrt", plus(num(1), square(a[2][0]), 1 if a[1] == "arctan" else -1))
+            yield root if a[1] == "arcsin" else over(num(1), root)
+        if e[1] == "sin" and a[0] == "call" and a[1] in ("arccos", "arctan"):
+            root = call("sqrt", plus(num(1), square(a[2][0]), 1 if a[1] == "arctan" else -1))
+            yield root if a[1] == "arccos" else over(a[2][0], root)
+        if e[1] in ("arcsin", "arccos"):
+            yield plus(quarter, call("arccos" if e[1] == "arcsin" else "arcsin", a), -1)
+            yield call("arctan", over(a, call("sqrt", plus(num(1), square(a), -1))))
+        if e[1] == "arctan":
+            yield plus(quarter, call("arctan", over(num(1), a)), -1)
+            yield call("arcsin", over(a, call("sqrt", plus(num(1), square(a)))))
 
 
 def shaped(part, swap):
@@ -192,7 +224,8 @@ def holds(goal, at):
     if not (math.isfinite(a) and math.isfinite(b)):
         raise OverflowError  # beyond the floating-point numbers nothing is compared
     near = abs(a - b) <= 1e-4 * max(1, abs(a), abs(b))
-    return {"=": near, ">": a > b or near, ">=": a > b or near, "!=": True}[relation] and not (relation == ">" and a == b)
+    holding = {"=": near, ">": a > b or near, ">=": a > b or near, "<": a < b or near, "<=": a < b or near, "!=": True}
+    return holding[relation] and not (relation in "<>" and a == b)
 
 
 def step(chance):
@@ -212,7 +245,14 @@ def step(chance):
         given.append("w real")
     a = Parser(maker.expr(chance.choice((1, 2, 2, 3)))).expr()
     rule = chance.choice(("combination", "combination", "power"))
-    if chance.random() < 0.7:
+    if chance.random() < 0.12:
+        f = chance.choice(ARCS)
+        a, b = (N("call", f, (Parser(maker.expr(chance.choice((0, 1, 1)))).expr(),)) for _ in range(2))
+        rule, goal = "arc", compare(a, chance.choice(("<", "<=", ">", ">=", "=", "!=")), b)
+    elif chance.random() < 0.7:
+        if chance.random() < 0.15:
+            rule = chance.choice(("arc", "combination"))
+            a = N("call", chance.choice(ARCS), (a if rule == "combination" else Parser(maker.expr(1)).expr(),))
         b = a
         for _ in range(chance.choice((1, 1, 2, 3))):
             b = maker.changed(b)
@@ -222,7 +262,7 @@ def step(chance):
     else:
         rule, goal = "combination", compare(a, chance.choice((">", ">=", "!=")), num(0))
     shown = text(goal)[1:-1]
-    facts = sum(1 for n in names if DOMAINS[n][0] not in ("real", "natural")) + (equation is not None)
+    facts = sum(0 if DOMAINS[n][0] in ("real", "natural") else 2 if n == "r" else 1 for n in names) + (equation is not None)
     by = [f"h{k + 1}" for k in range(facts) if chance.random() < 0.9]
     lines = [f"1 {rule}: {shown}"] + (["    | by " + " ".join(by)] if by else [])
     if equation and chance.random() < 0.8:

@@ -37,7 +37,7 @@ class Maker:
         if not self.angles:
             return self.turns()
         theta = self.one(*self.angles)
-        part = self.one(theta, theta, f"2*{theta}", f"{theta}/2", f"3*{theta}/2", f"-{theta}", f"{theta}/3")
+        part = self.one(theta, theta, f"arctan({theta})", f"arccos({self.atom()})", f"2*{theta}", f"{theta}/2", f"3*{theta}/2", f"-{theta}", f"{theta}/3")
         if self.likely(0.3):
             part += self.one(" + ", " - ") + self.one(self.turns().lstrip("-"), *self.angles)
         return part
@@ -98,7 +98,7 @@ class Maker:
         if choice == 19:
             return f"{self.one('trace', 'det')}({self.matrices_of()})"
         if choice == 20:
-            return f"{self.one('exp', 'sqrt', 'ln', 'cosh')}({e()})"
+            return f"{self.one('exp', 'sqrt', 'ln', 'cosh', 'arctan', 'arcsin', 'arccos')}({self.one(e, e, self.angle)()})"
         if choice == 21:
             i = self.one("i", "j", "k1")
             self.naturals.append(i)
