@@ -219,14 +219,16 @@ fn floor_boundary(text: &str, mut at: usize) -> usize {
 
 /// What to write instead of a word that other languages have and this one does not.
 fn instead(name: &str) -> Option<&'static str> {
-    const ARC: &str =
-        "declare the angle, `given theta in [0, pi]`, and assume the value of its cosine, sine or tangent";
     const COMPLEX: &str = "there are no complex numbers; declare the real and the imaginary part: `given x, y real`";
     Some(match name {
         "cot" => "write cos(x)/sin(x)",
         "sec" => "write 1/cos(x)",
         "csc" => "write 1/sin(x)",
-        "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" => ARC,
+        "asin" => "write arcsin(x)",
+        "acos" => "write arccos(x)",
+        "atan" => "write arctan(x)",
+        "atan2" => "write arctan(y/x), with the case x > 0 in a hypothesis",
+        "arccot" | "acot" => "write pi/2 - arctan(x)",
         "log" => "write the natural logarithm as ln(x), the logarithm to base b as ln(x)/ln(b)",
         "lg" | "log10" => "write ln(x)/ln(10)",
         "log2" | "lb" => "write ln(x)/ln(2)",

@@ -428,7 +428,7 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("n!! = 1", "there is no n!! (write (n!)! or a product)"),
         ("binomial(n) = 1", "binomial takes 2 arguments"),
         ("max(x) = 1", "max takes 2 to 8 arguments"),
-        ("arcsin(x) = y", "declare the angle, `given theta in [0, pi]`"),
+        ("asin(x) = y", "write arcsin(x)"),
         ("sec(x) = y", "write 1/cos(x)"),
         ("x + cos_x = sin(x)", "nothing declares the name cos_x"),
         ("for all pi > 0: pi > x", "pi is the number π, which nothing else may be called here (choose another name)"),

@@ -134,7 +134,7 @@ impl Names<'_> {
             self.used(&name.text, Role::Value, name.span);
             let mut inside = BTreeSet::new();
             walk::names_in(value, &mut inside);
-            let is_number = |n: &str| n == PI || FUNCTIONS.iter().any(|f| f.0 == n);
+            let is_number = |n: &str| n == PI || is_built_in(n);
             if let Some(other) = inside.iter().find(|n| !is_number(n)) {
                 let message = format!("the sample value of {} mentions {other}", name.text);
                 let help = Some("give a number, such as 3/5 or sqrt(2)".to_string());
@@ -159,7 +159,7 @@ impl Names<'_> {
             let message = "pi is used as the number π before it is declared".to_string();
             let help = Some("declare it first, or choose another name".to_string());
             self.faults.push(Diagnostic::new(Fault::Other { message, help }, name.span));
-        } else if FUNCTIONS.iter().any(|f| f.0 == name.text) {
+        } else if is_built_in(&name.text) {
             let message = format!("{} is a built-in function", name.text);
             let fault = Fault::Other { message, help: Some("choose another name".to_string()) };
             self.faults.push(Diagnostic::new(fault, name.span));

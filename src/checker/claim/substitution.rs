@@ -310,7 +310,7 @@ impl Substitution {
 
 /// Whether a member of a family or sequence occurs.
 fn has_member(e: &Expr) -> bool {
-    let here = matches!(&e.kind, ExprKind::Apply(f, _) if !FUNCTIONS.iter().any(|known| known.0 == f.text));
+    let here = matches!(&e.kind, ExprKind::Apply(f, _) if !is_built_in(&f.text));
     let mut found = here;
     parts(e, &mut |part| found = found || has_member(part));
     found

@@ -133,6 +133,11 @@ pub const FUNCTIONS: &[(&str, usize)] = &[
     ("transpose", 1),
 ];
 
+/// Whether the language knows a function of this name.
+pub fn is_built_in(name: &str) -> bool {
+    FUNCTIONS.iter().any(|f| f.0 == name)
+}
+
 /// The number π, where a claim does not declare it.
 pub const PI: &str = "pi";
 

@@ -42,7 +42,7 @@ fn is_evaluated(p: &Prop, names: &BTreeSet<&str>) -> bool {
         match &e.kind {
             ExprKind::Name(n) => names.contains(n) || n == PI,
             ExprKind::IntegralOver(..) | ExprKind::Derivative(..) | ExprKind::Matrix(..) => false,
-            ExprKind::Apply(f, _) if FUNCTIONS.iter().all(|g| g.0 != f.text) => false,
+            ExprKind::Apply(f, _) if !is_built_in(&f.text) => false,
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
                 let ends = of(&index.from, names) && of(&index.to, names);
                 names.push(index.name.text.clone());

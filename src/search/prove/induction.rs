@@ -184,9 +184,7 @@ impl Prover {
     /// Substitutes the equations that give a member at a numeral: `u(0) = 1`.
     fn put_in_first_members(&mut self) {
         let is_member = |e: &Expr| match &e.kind {
-            ExprKind::Apply(f, at) => {
-                at.iter().all(|e| super::letters::natural(e).is_some()) && !FUNCTIONS.iter().any(|g| g.0 == f.text)
-            }
+            ExprKind::Apply(f, at) => at.iter().all(|e| super::letters::natural(e).is_some()) && !is_built_in(&f.text),
             _ => false,
         };
         let is_first = |p: &Prop| match &p.kind {
@@ -310,8 +308,7 @@ fn within(e: &Expr, variable: &str) -> bool {
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) => false,
         ExprKind::Apply(f, list) => {
-            (!crate::claim::syntax::FUNCTIONS.iter().any(|g| g.0 == f.text) && list.iter().any(holds))
-                || list.iter().any(|e| within(e, variable))
+            (!is_built_in(&f.text) && list.iter().any(holds)) || list.iter().any(|e| within(e, variable))
         }
         ExprKind::Negate(a) => within(a, variable),
         ExprKind::Sum(list) => list.iter().any(|(_, e)| within(e, variable)),

@@ -115,7 +115,7 @@ pub(super) fn members_in(e: &Expr, out: &mut Vec<(String, Expr)>) {
         ExprKind::Number(_) | ExprKind::Name(_) => {}
         ExprKind::Apply(f, list) => {
             list.iter().for_each(|e| members_in(e, out));
-            if let ([at], false) = (list.as_slice(), FUNCTIONS.iter().any(|g| g.0 == f.text)) {
+            if let ([at], false) = (list.as_slice(), is_built_in(&f.text)) {
                 out.push((f.text.clone(), at.clone()));
             }
         }

@@ -82,7 +82,7 @@ mod witnesses;
 
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
-use crate::claim::syntax::{Claim, Expr, FUNCTIONS, PI, Proof, Prop, PropKind, Relation};
+use crate::claim::syntax::{Claim, Expr, PI, Proof, Prop, PropKind, Relation, is_built_in};
 use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
 use crate::kernel::{Accepted, Checker, Refusal};
@@ -501,7 +501,7 @@ impl Prover {
 
     /// Whether a name is a variable, family or sequence: no function of the language, and not π.
     fn is_a_name(&self, name: &str) -> bool {
-        !FUNCTIONS.iter().any(|f| f.0 == name) && (name != PI || self.checker.statement().declares(PI))
+        !is_built_in(name) && (name != PI || self.checker.statement().declares(PI))
     }
 
     /// The facts whose signs a step may use. A `for all` fact that contains a sum is left out, because the kernel applies

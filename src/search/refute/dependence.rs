@@ -104,7 +104,7 @@ fn ties(prop: &Prop, variable: &str, is_pi: bool) -> bool {
         _ => false,
     };
     let mut names = super::names::names_of_prop(prop);
-    names.retain(|name| !(FUNCTIONS.iter().any(|f| f.0 == name) || is_pi && name == PI));
+    names.retain(|name| !(is_built_in(name) || is_pi && name == PI));
     !open && names.contains(variable) && names.len() > 1
 }
 

@@ -149,5 +149,5 @@ fn speaks_of_a_name(edge: &Prop) -> bool {
     let PropKind::Compare(sides, _) = &edge.kind else { return false };
     let mut names = BTreeSet::new();
     sides.iter().for_each(|e| names_in(e, &mut names));
-    names.iter().any(|name| name != PI && FUNCTIONS.iter().all(|f| f.0 != name))
+    names.iter().any(|name| name != PI && !is_built_in(name))
 }

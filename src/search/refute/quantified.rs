@@ -49,7 +49,7 @@ impl Assignment {
         let said = here.prop(&Prop { kind, span: body.span }).map_err(|_| Missing::Unknown)?;
         let mut names = BTreeSet::new();
         free_names(&said, &mut names);
-        let is_known = names.iter().all(|n| n == PI && self.is_pi || FUNCTIONS.iter().any(|f| f.0 == n));
+        let is_known = names.iter().all(|n| n == PI && self.is_pi || is_built_in(n));
         let PropKind::Exists(bindings, body) = &said.kind else { return Err(Missing::Unknown) };
         let left = self.quantifiers.get().checked_sub(1).filter(|_| is_known).ok_or(Missing::Unknown)?;
         self.quantifiers.set(left);

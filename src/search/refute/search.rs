@@ -372,7 +372,7 @@ impl Search {
 fn is_transcendental(e: &Expr) -> bool {
     let mut names = BTreeSet::new();
     names_in(e, &mut names);
-    names.iter().all(|name| FUNCTIONS.iter().any(|f| f.0 == name)) || names.contains("exp") || names.contains("ln")
+    names.iter().all(|name| is_built_in(name)) || names.contains("exp") || names.contains("ln")
 }
 
 fn is_natural(q: &Rational) -> bool {

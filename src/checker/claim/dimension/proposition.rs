@@ -97,7 +97,7 @@ impl<'c> Checker<'c> {
     fn is_numeral(&self, e: &Expr) -> bool {
         let mut names = BTreeSet::new();
         names_in(e, &mut names);
-        let is_own = |name: &String| name == PI || FUNCTIONS.iter().any(|f| f.0 == name);
+        let is_own = |name: &String| name == PI || is_built_in(name);
         names.iter().all(|name| is_own(name) && !self.names.contains_key(name))
     }
 

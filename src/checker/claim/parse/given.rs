@@ -39,7 +39,7 @@ impl Parser {
                     (Kind::Word(index), Kind::Sign(")")) => !self.declared.contains(index),
                     _ => false,
                 };
-                let is_function = FUNCTIONS.iter().any(|f| f.0 == name);
+                let is_function = is_built_in(name);
                 let is_written_out =
                     super::super::abbreviation::is_one(name) || super::super::trigonometry::is_function(name);
                 let is_abbreviation = is_written_out && !is_family;

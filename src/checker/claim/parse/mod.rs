@@ -88,7 +88,7 @@ const RESERVED: &[&str] = &[
 
 /// Whether a word is the name of a function that the language knows.
 fn is_function(word: &str) -> bool {
-    FUNCTIONS.iter().any(|f| f.0 == word)
+    is_built_in(word)
         || super::trigonometry::is_function(word)
         || super::abbreviation::is_one(word)
         || super::floor::is_function(word)

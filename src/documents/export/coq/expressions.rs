@@ -148,7 +148,7 @@ impl Printer {
             let placed = self.in_place(&call)?;
             return self.real(&placed);
         }
-        if FUNCTIONS.iter().any(|f| f.0 == name) {
+        if is_built_in(name) {
             let [argument] = arguments else { return unsupported(span, format!("{name} of several arguments")) };
             return Ok(match name {
                 "det" => (format!("det2 {}", at(self.matrix(argument)?, ATOM)), APPLICATION),
