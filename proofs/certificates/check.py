@@ -669,7 +669,7 @@ class Checker(Logic):
             self.learn_signs(atom(x) - least, NOT_NEGATIVE, known)
             self.learn_signs(atom(x), PLUS[NOT_NEGATIVE][sign(least.c)], known)
         if natural:
-            self.learn_for_all(x, known)
+            self.learn_for_all(x, known, True)
         def run():
             for e in (goal[1], goal[3]):
                 self.defined(e, known)

@@ -179,7 +179,7 @@ class Values(Intervals, Terms):
         if p[0] == "and":
             for part in p[1]:
                 self.learn(part, known)
-        if p[0] == "all" and len(p[1]) == 1 and len(p[1][0][1]) == 1 and p[1][0][2]:
+        if p[0] == "all" and len(p[1]) == 1 and len(p[1][0][1]) == 1:
             known.for_all.append(p)
         if p[0] == "cmp":
             for side in p[1]:
@@ -311,7 +311,7 @@ class Values(Intervals, Terms):
             whole = [("range", True, *indices, True)] if indices else []
             for _, (binding,), body in known.for_all:
                 (k, index), limits = binding[1][0], list(binding[3])
-                for p in conjuncts(body) if index is None and limits in ([], whole) else []:
+                for p in conjuncts(body) if binding[2] and index is None and limits in ([], whole) else []:
                     left = p[1][0] if p[0] == "cmp" and len(p[2]) == 1 else p
                     if left[0] == "call" and left[1] == inner[0] and list(left[2]) == [N("name", k)] and p[1][1][0] == "num":
                         out &= PLUS[SIGNS[p[2][0]]][sign(Q(p[1][1][1]))]
@@ -434,13 +434,15 @@ class Values(Intervals, Terms):
         known.ranges.append((index, low, high))
         for f in (atom(index) - low, high - atom(index)):
             self.learn_signs(f, NOT_NEGATIVE, known)
-        self.learn_for_all(index, known)
+        self.learn_for_all(index, known, True)
         return self.inside({name: index}, run)
 
-    def learn_for_all(self, index, known):
-        """What cited facts `for all` natural numbers say of an index that lies in their domain."""
+    def learn_for_all(self, index, known, natural):
+        """What cited facts `for all` numbers of a kind say of an index or bound variable of that kind that lies in their domain."""
         for _, (binding,), body in list(known.for_all):
-            name = binding[1][0][0]
+            (name, family), kind = binding[1][0], bool(binding[2])
+            if family is not None or kind != natural:
+                continue
             def learn():
                 for p in constraints(binding, N("name", name)):
                     a, relation, b = single(p)
@@ -505,5 +507,7 @@ class Values(Intervals, Terms):
                     for e in p[1]:
                         self.defined(e, known)
                     self.learn(p, known)
+                if len(b[1]) == 1 and not b[2]:
+                    self.learn_for_all(self.scope[b[1][0][0]], known, False)
             return run(known)
         return self.inside({}, enter)

@@ -145,7 +145,7 @@ impl Checker {
         }
         // What these facts say of the variable outside, they do not say of this one: it is not in scope yet.
         if natural {
-            self.learn_for_all(&atom, known)?;
+            self.learn_for_all(true, &atom, known)?;
         }
         self.scope.push(Variable { name: variable, natural, atom: atom.clone() });
         self.defined(&limit.of, known)?;

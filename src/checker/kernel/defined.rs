@@ -142,7 +142,7 @@ impl Checker {
             for difference in [place.minus(from, &checker.work)?, to.minus(&place, &checker.work)?] {
                 checker.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
             }
-            checker.learn_for_all(&Atom::Bound(bound), known)?;
+            checker.learn_for_all(true, &Atom::Bound(bound), known)?;
             run(checker, known)
         });
         self.binders -= 1;
@@ -192,11 +192,12 @@ impl Checker {
         Ok(())
     }
 
-    /// Puts an index into the cited facts for all values of one natural variable whose domain it satisfies.
-    pub(super) fn learn_for_all(&mut self, index: &Atom, known: &mut Known) -> Result<(), Refusal> {
+    /// Puts a variable into the cited facts for all values of one variable of its kind whose domain it satisfies: a natural index, or
+    /// a real variable that is bound.
+    pub(super) fn learn_for_all(&mut self, natural: bool, index: &Atom, known: &mut Known) -> Result<(), Refusal> {
         for (binding, body, place) in known.for_all.clone() {
-            let Some((variable, None)) = binding.names.first() else { continue };
-            self.scope.push(super::Variable { name: variable.text.clone(), natural: true, atom: index.clone() });
+            let Some((variable, None)) = binding.names.first().filter(|_| binding.natural == natural) else { continue };
+            self.scope.push(super::Variable { name: variable.text.clone(), natural, atom: index.clone() });
             known.comes_from(Some(place));
             let result = self.learn_at(&binding, &variable.text, &body, known);
             known.comes_from(None);
@@ -281,7 +282,8 @@ impl Checker {
         }
     }
 
-    /// Runs something where the names of bindings are declared and their domains known.
+    /// Runs something where the names of bindings are declared and their domains known, and what cited facts say for all numbers of
+    /// such a domain.
     pub(super) fn within<T>(
         &mut self,
         bindings: &[Binding],
@@ -300,6 +302,9 @@ impl Checker {
                     checker.defined(a, known)?;
                     checker.defined(b, known)?;
                     checker.learn(&fact, known)?;
+                }
+                if let ([(name, _)], false) = (binding.names.as_slice(), binding.natural) {
+                    checker.learn_for_all(false, &Atom::Variable(name.text.clone()), known)?;
                 }
             }
             Ok(())

@@ -29,7 +29,7 @@ pub(super) struct Known {
     pub(super) equations: Rc<Vec<Equation>>,
     /// The ranges of the indices in scope.
     pub(super) ranges: Vec<Range>,
-    /// Cited facts for all values of one natural variable, with their places under `by`.
+    /// Cited facts for all values of one variable, with their places under `by`.
     pub(super) for_all: Vec<(Binding, Prop, usize)>,
     /// The places under `by` that the answers so far rest on.
     pub(super) asked: RefCell<BTreeSet<usize>>,
@@ -85,7 +85,7 @@ pub(super) struct Range {
 pub(super) enum Lesson {
     /// The signs that a fraction may have, with the places of the equations that were put in to read it.
     Sign(Fraction, Signs, BTreeSet<usize>),
-    /// Something for all values of one natural variable.
+    /// Something for all values of one variable.
     ForAll(Box<Binding>, Prop),
 }
 
@@ -323,7 +323,6 @@ impl Checker {
             PropKind::And(list) => list.iter().try_for_each(|p| self.read_fact(p, known, out)),
             PropKind::ForAll(bindings, body) => {
                 if let [binding] = bindings.as_slice()
-                    && binding.natural
                     && binding.names.len() == 1
                 {
                     out.push(Lesson::ForAll(Box::new(binding.clone()), (**body).clone()));

@@ -359,7 +359,9 @@ impl Checker {
                 }
                 _ => false,
             };
-            let Some((index, None)) = binding.names.first().filter(|_| for_every_index) else { continue };
+            let Some((index, None)) = binding.names.first().filter(|_| binding.natural && for_every_index) else {
+                continue;
+            };
             for part in conjuncts(body) {
                 let Ok((Expr { kind: ExprKind::Apply(f, arguments), .. }, relation, bound)) = single(part) else {
                     continue;

@@ -108,6 +108,17 @@ impl Prover {
         Ok(true)
     }
 
+    /// Shows that expressions have values everywhere from one end to another, which the kernel then learns where it asks for it. Returns
+    /// whether there is something that it did not know.
+    fn have_values_between(&mut self, [from, to]: [&Expr; 2], x: &str, exprs: [&Expr; 2]) -> bool {
+        let ends = Constraint::Interval { from: from.clone(), from_closed: true, to: to.clone(), to_closed: true };
+        let binding = Binding::of(Name::new(x), false, vec![ends]);
+        let itself = |e: &Expr| compare(e.clone(), Relation::Equal, e.clone());
+        let every = |e: &Expr| prop(PropKind::ForAll(vec![binding.clone()], Box::new(itself(e))));
+        let mut shown = exprs.into_iter().map(|e| self.known(&every(e)).is_none() && self.quietly(&every(e)).is_ok());
+        shown.next().unwrap_or(false) | shown.next().unwrap_or(false)
+    }
+
     /// F(b) − F(a) relation integral(x = a..b, f), from F′ relation f, and what follows from it; F′ is given as well. Where a > b,
     /// the relation of F′ is the opposite one. An equation is tried on all numbers, between the ends, and on one side of 0:
     /// the kernel adds no bounds up, so that 1/x needs to be told that x > 0.
@@ -159,7 +170,14 @@ impl Prover {
                     })
                 })?;
                 let with = vec![(Name::new("a"), a.clone()), (Name::new("b"), b.clone())];
-                let label = c.emit(Rule::Slope { source, with, from: Vec::new() }, goal.clone())?;
+                let rule = Rule::Slope { source, with, from: Vec::new() };
+                let label = c.emit(rule.clone(), goal.clone()).or_else(|fail| {
+                    let (from, to) = if up { (&a, &b) } else { (&b, &a) };
+                    if !up && !down || !c.have_values_between([from, to], x, [big_f, f]) {
+                        return Err(fail);
+                    }
+                    c.emit(rule, goal.clone())
+                })?;
                 conclude(c, label)
             });
             if shown.is_ok() {
