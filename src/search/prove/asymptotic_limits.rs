@@ -99,7 +99,8 @@ impl Prover {
                 let steps = steps_at(&bound.steps, &at)?;
                 let order = c.ordered(is_lower, &value, &form, &steps, &shown)?;
                 for (a, b) in equations {
-                    let label = c.emit(Rule::Power, compare(here(a)?, Relation::Equal, here(b)?))?;
+                    let equation = compare(here(a)?, Relation::Equal, here(b)?);
+                    let label = c.emit(Rule::Power, equation.clone()).or_else(|_| c.without_cases(&equation))?;
                     c.put_in(&label);
                 }
                 let mut terms = vec![Term { facts: vec![order], factor: numeral(1) }];
