@@ -157,3 +157,21 @@ fn nothing_false_is_shown() {
     .collect();
     assert!(shown.is_empty(), "{shown:#?}");
 }
+
+#[test]
+fn integrals_that_are_arcs_are_found() {
+    all_are_shown(&[
+        "prove integral(x = 0..1, 1/(x^2 + x + 1)) = pi/(3*sqrt(3))",
+        "prove integral(x = 0..1, sqrt(1 - x^2)) = pi/4",
+        "prove integral(x = 0..1, x/(1 + x^4)) = pi/8",
+        "given a, b > 0\nprove integral(x = 0..b, 1/(a^2 + x^2)) = arctan(b/a)/a",
+    ]);
+}
+
+#[test]
+fn an_integral_ends_at_a_symbolic_bound_below_its_pole() {
+    all_are_shown(&[
+        "given m, b, T > 0\nassume b*T < m\nprove integral(t = 0..T, b/(m - b*t)) = ln(m/(m - b*T))",
+        "given a > 0; c in (0, a)\nprove integral(s = 0..c, 1/(a^2 - s^2)) = ln((a + c)/(a - c))/(2*a)",
+    ]);
+}
