@@ -1,8 +1,8 @@
 //! arcsin, arccos and arctan: how they are read, and rule `arc`.
 //!
 //! Contract: as in `term`. arccos x is π/2 − arcsin x. arcsin and arctan are odd, so an argument has a positive coefficient, and
-//! those of the constants [`of_a_constant`] are multiples of π. Everything else is an atom. Its cosine and sine are read off the
-//! right triangle ([`Checker::of_an_arc`]).
+//! those of the constants `of_a_constant` are multiples of π. Everything else is an atom. Its cosine and sine are read off the
+//! right triangle (`of_an_arc`).
 
 use super::fraction::Fraction;
 use super::known::Known;

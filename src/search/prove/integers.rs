@@ -104,10 +104,11 @@ impl Prover {
             _ => return Err(no()),
         };
         let (low, high) = enclosed(e).ok_or_else(no)?;
-        let floor = Rational::from((&low).floor());
-        if low == high || Rational::from(high.floor()) != floor {
+        let floor = (&low).floor();
+        if low == high || high.floor() != floor {
             return Err(no());
         }
+        let floor = Rational::from(floor);
         let (bound, k) = match relation.is_greater() {
             Some(true) => (Relation::Greater, floor),
             Some(false) => (Relation::Less, floor + Rational::from(1)),
