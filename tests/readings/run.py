@@ -12,6 +12,7 @@ Prints every wrong verdict with the text of its claim, then a table by kind. Exi
 import argparse
 import collections
 import functools
+import itertools
 import json
 import multiprocessing
 import pathlib
@@ -70,8 +71,8 @@ def rows(carom, claims, seed):
 
 def blind_spots():
     """The known claims for which a wrong verdict would not be noticed, or a right one would be called wrong."""
-    for folder in ("deceptions", "truths"):
-        for text in generate.claims_of(generate.TESTS / folder / "readings.claim"):
+    for folder, name in itertools.product(("deceptions", "truths"), ("readings.claim", "arcs.claim")):
+        for text in generate.claims_of(generate.TESTS / folder / name):
             is_true = folder != "deceptions" or text.startswith("claim true")
             wrong, right = ("refuted", "proved") if is_true else ("proved", "refuted")
             if not compare(text, wrong, None, 1).fault:

@@ -50,8 +50,8 @@ FUNCTIONS |= {"sqrt": lambda x: root(x, 2), "cbrt": lambda x: root(x, 3)}
 FUNCTIONS |= {"ceil": lambda x: -whole_part(-x), "ceiling": lambda x: -whole_part(-x)}
 # Beyond 2 to this power the digits may not suffice for a difference.
 MAGNITUDE = 150
-# The largest arguments at which the exponential functions keep their digits.
-ARGUMENTS = {"exp": 75, "cosh": 75, "sinh": 75, "sech": 75, "tanh": 38}
+# The largest arguments at which these functions keep their digits, and an arctan is not too near to π/2.
+ARGUMENTS = {"exp": 75, "cosh": 75, "sinh": 75, "sech": 75, "tanh": 38, "arctan": mpf(10) ** 30}
 STEPS_LIMIT = 60_000
 MEMBERS_LIMIT = 2_000
 
