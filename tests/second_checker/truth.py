@@ -133,6 +133,20 @@ class Maker:
             return f"{pick(('sum', 'product'))}(i = {pick(('0', '1'))}..{pick(naturals)}, {self.expr(depth - 1, names + ['i'])})"
         return f"(-{sub()})"
 
+    def of_arcs(self):
+        """A law of arcs, with the right sign or the wrong one."""
+        pick = self.chance.choice
+        x, sign, other = pick(self.names + ["r", "r", "r"]), pick("+-"), pick(("sqrt(2)/2", "sqrt(3)/2", "1/2", "1", "sqrt(3)", "1/sqrt(3)"))
+        f, g = pick(("sin", "cos", "tan")), pick(("arcsin", "arctan"))
+        return pick((
+            f"cos(arcsin({x})) = sqrt(1 {sign} {x}^2)", f"sin(arccos({x})) = sqrt(1 {sign} {x}^2)", f"sin(arcsin({x})) = {sign} {x}",
+            f"cos(arctan({x})) = 1/sqrt(1 {sign} {x}^2)", f"sin(arctan({x})) = {x}/sqrt(1 {sign} {x}^2)",
+            f"sin(2*arctan({x})) = 2*{x}/(1 {sign} {x}^2)", f"cos(2*arccos({x})) = 2*{x}^2 {sign} 1",
+            f"arccos({x}) = pi/2 {sign} arcsin({x})", f"arccos(-{x}) = pi {sign} arccos({x})", f"{g}(-{x}) = 0 {sign} {g}({x})",
+            f"arc{f}({other}) = pi/{pick('23456')}", f"arccos({x}) {pick(('<=', '<'))} pi", f"{g}({x}) {pick(('<=', '<'))} pi/2",
+            f"derivative(arctan({x}), {x}) = 1/(1 {sign} {x}^2)",
+        )).replace("= + ", "= ")
+
     def changed(self, e):
         """The tree with one law applied somewhere, whether it holds there or not."""
         places = [t for t in subtrees(e)]
@@ -231,6 +245,9 @@ def holds(goal, at):
 def step(chance):
     """(claim, steps, goal, the variables, the sides of the equation that is supposed, or None)."""
     maker = Maker(chance)
+    arcs = chance.choice(("law", "order")) if chance.random() < 0.2 else None
+    if arcs and "r" not in maker.names:
+        maker.names[0] = "r"
     names = [n for n in maker.names]
     given = [f"{n} {DOMAINS[n][0]}" for n in names]
     equation = left = None
@@ -245,9 +262,12 @@ def step(chance):
         given.append("w real")
     a = Parser(maker.expr(chance.choice((1, 2, 2, 3)))).expr()
     rule = chance.choice(("combination", "combination", "power"))
-    if chance.random() < 0.12:
-        f = chance.choice(ARCS)
-        a, b = (N("call", f, (Parser(maker.expr(chance.choice((0, 1, 1)))).expr(),)) for _ in range(2))
+    if arcs == "law":
+        rule, goal = "combination", Parser(maker.of_arcs()).prop()
+    elif arcs:
+        f, simple = chance.choice(ARCS), ("0", "1", "1/2", "-1", "r", "r", "r/2", "0 - r")
+        inside = (maker.expr(1) if chance.random() < 0.3 else chance.choice(simple) for _ in range(2))
+        a, b = (N("call", f, (Parser(e).expr(),)) for e in inside)
         rule, goal = "arc", compare(a, chance.choice(("<", "<=", ">", ">=", "=", "!=")), b)
     elif chance.random() < 0.7:
         if chance.random() < 0.15:
