@@ -13,9 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 const EVERYWHERE: [&str; 11] = ["abs", "max", "min", "exp", "cos", "sin", "arctan", "cosh", "sinh", "sech", "tanh"];
 
 /// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
-/// and by what is positive by its form, takes roots and logarithms of such, and nothing in it has another condition. `named` says of a name whether what it
-/// stands for has a value, `positive` whether it is declared positive; families, definitions with parameters, sums and products
-/// are taken to have conditions.
+/// and by what is positive by its form, takes roots and logarithms of such, and nothing in it has another condition. `named` says
+/// of a name whether what it stands for has a value, `positive` whether it is declared positive; families, definitions with
+/// parameters, sums and products are taken to have conditions.
 pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool, positive: &dyn Fn(&str) -> bool) -> bool {
     let mut all = match &e.kind {
         ExprKind::Product(list) => list.iter().all(|(factor, a)| {

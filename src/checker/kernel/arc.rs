@@ -16,9 +16,13 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
-/// The angles between 0 and π/2 whose squared sine or tangent is this number, as parts of π: (numerator and denominator of the square, denominator of the angle).
-const SINES: [(i64, i64, i64); 4] = [(1, 4, 6), (1, 2, 4), (3, 4, 3), (1, 1, 2)];
-const TANGENTS: [(i64, i64, i64); 3] = [(1, 3, 6), (1, 1, 4), (3, 1, 3)];
+/// A fraction, numerator first, and the k of an angle π/k.
+pub type KnownAngle = (i64, i64, i64);
+
+/// The angles whose squared sine is known, or for arctan whose squared tangent is.
+pub fn known_angles(f: &str) -> &'static [KnownAngle] {
+    if f == "arctan" { &[(1, 3, 6), (1, 1, 4), (3, 1, 3)] } else { &[(1, 4, 6), (1, 2, 4), (3, 4, 3), (1, 1, 2)] }
+}
 
 fn part(k: i64) -> BigRational {
     BigRational::new(BigInt::from(1), BigInt::from(k))
@@ -47,16 +51,16 @@ impl Checker {
         if x.coefficient.is_negative() {
             return Ok(self.arc(function, &x.negated())?.negated());
         }
-        let is_sine = function == "arcsin";
-        if let Some(k) = self.of_a_constant(x, if is_sine { &SINES } else { &TANGENTS }) {
+        if let Some(k) = self.of_a_constant(x, known_angles(function)) {
             return Fraction::atom(self.intern(Atom::Pi)).times(&Fraction::number(part(k)), &self.work);
         }
-        Ok(self.atom_fraction(if is_sine { Atom::Arcsine(x.clone()) } else { Atom::Arctangent(x.clone()) }))
+        let atom = if function == "arcsin" { Atom::Arcsine(x.clone()) } else { Atom::Arctangent(x.clone()) };
+        Ok(self.atom_fraction(atom))
     }
 
     /// The k of an angle π/k, by the square of its sine or tangent. The positive constant is a rational number times powers of positive
     /// numbers: of `sqrt(x^2)/x`, whose square is a number too, the sign is not known.
-    fn of_a_constant(&self, x: &Fraction, angles: &[(i64, i64, i64)]) -> Option<i64> {
+    fn of_a_constant(&self, x: &Fraction, angles: &[KnownAngle]) -> Option<i64> {
         let mut square = &x.coefficient * &x.coefficient;
         for (poly, k) in &x.factors {
             let Some(Atom::Power(base, e)) = poly.single_atom().and_then(|atom| self.atoms.get(atom)) else {
@@ -143,11 +147,8 @@ impl Checker {
         if !self.signs_of_expr(&difference, known)?.within(Signs::ZERO) {
             return rejected(Reason::Needs(equation));
         }
-        self.need(
-            &apply("cos", right.clone()),
-            if f == "arctan" { Signs::POSITIVE } else { Signs::NOT_NEGATIVE },
-            known,
-        )?;
+        let cosine = if f == "arctan" { Signs::POSITIVE } else { Signs::NOT_NEGATIVE };
+        self.need(&apply("cos", right.clone()), cosine, known)?;
         let y = self.fraction(right)?;
         let three = self.quarter_turn()?.times(&Fraction::integer(3), &self.work)?;
         for room in [three.minus(&y, &self.work)?, Fraction::sum(&[three, y], &self.work)?] {

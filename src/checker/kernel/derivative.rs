@@ -61,13 +61,9 @@ impl Checker {
                 let cosine = Fraction::atom(self.intern(Atom::Cosine(u.clone())));
                 Ok(self.derivative(&u, by, depth)?.times(&cosine, &self.work)?)
             }
-            Some(Atom::Arcsine(x)) => {
-                let slope = self.arc_derivative(&x, true)?;
-                Ok(self.derivative(&x, by, depth)?.times(&slope, &self.work)?)
-            }
-            Some(Atom::Arctangent(x)) => {
-                let slope = self.arc_derivative(&x, false)?;
-                Ok(self.derivative(&x, by, depth)?.times(&slope, &self.work)?)
+            Some(ref arc @ (Atom::Arcsine(ref x) | Atom::Arctangent(ref x))) => {
+                let slope = self.arc_derivative(x, matches!(arc, Atom::Arcsine(_)))?;
+                Ok(self.derivative(x, by, depth)?.times(&slope, &self.work)?)
             }
             Some(Atom::Integral(integral)) => self.integral_derivative(&integral, variable, by, depth),
             Some(Atom::Power(base, exponent)) if self.is_free_of(&exponent, variable)? => {

@@ -172,6 +172,11 @@ impl Enclosure {
         part(16, 5)?.plus(&part(-4, 239)?, work)
     }
 
+    /// π/2.
+    pub(crate) fn quarter_turn(work: &Work) -> Result<Enclosure, Refusal> {
+        Enclosure::pi(work)?.times(&Enclosure::exact(two_to(-1)), work)
+    }
+
     /// The cosine and the sine. Both change by at most as much as their argument does.
     pub(crate) fn cosine_and_sine(&self, work: &Work) -> Result<(Enclosure, Enclosure), Refusal> {
         let (cosine, sine) = cosine_and_sine_of(&self.low, work)?;
@@ -305,9 +310,10 @@ fn arctan_of_inverse(k: i64, work: &Work) -> Result<Enclosure, Refusal> {
     sum.widened(350, work)
 }
 
-/// arctan q: that of −q is opposite, and that of q > 1 is π/2 less that of 1/q. For 0 < q ≤ 1, arctan q = 2·arctan(q/(1 + √(1 + q²))), three
-/// times; then t ≤ tan(π/32) < 1/10, and the terms of Σ (−1)^j·t^(2j + 1)/(2j + 1) alternate and get smaller: what is left behind the 50th is
-/// less than 10^-101 < 2^-335, and behind a power of t below 2^-335 it is too. Eight times that is less than 2^-330.
+/// arctan q: that of −q is opposite, and that of q > 1 is π/2 less that of 1/q. For 0 < q ≤ 1, it is twice that of
+/// q/(1 + √(1 + q²)), which is taken three times; then t ≤ tan(π/32) < 1/10. The terms of Σ (−1)^j·t^(2j + 1)/(2j + 1) alternate
+/// and get smaller: what is left behind the 50th is less than 10^-101 < 2^-335, and behind a power of t below 2^-335 it is
+/// too. Eight times that is less than 2^-330.
 fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
     let one = Enclosure::integer(1);
     if q.is_zero() {
@@ -317,8 +323,7 @@ fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
         return Ok(arctan_of(&-q, work)?.negated());
     }
     if *q > BigRational::one() {
-        let half = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2)));
-        return Enclosure::pi(work)?.times(&half, work)?.minus(&arctan_of(&q.recip(), work)?, work);
+        return Enclosure::quarter_turn(work)?.minus(&arctan_of(&q.recip(), work)?, work);
     }
     let mut t = Enclosure::between(q.clone(), q.clone(), work)?;
     for _ in 0..3 {
@@ -345,7 +350,7 @@ fn arcsin_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
         return rejected(Reason::NotDecided);
     }
     if rest.is_zero() {
-        return Enclosure::pi(work)?.times(&Enclosure::exact(q / BigRational::from_integer(BigInt::from(2))), work);
+        return Enclosure::quarter_turn(work)?.times(&Enclosure::exact(q.clone()), work);
     }
     let root = root_of(&rest, 2, work)?;
     Enclosure::exact(q.clone()).times(&root.inverse(work)?, work)?.arctan(work)

@@ -9,7 +9,7 @@ use super::fraction::Work;
 use super::names::free_names;
 use super::order::Signs;
 use super::statement::Statement;
-use super::term::{FUNCTIONS, numeral};
+use super::term::numeral;
 use super::value::{Value, all, determinant, real_power, transposed};
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::definedness::{Exponent, exponent, from_one, is_whole};
@@ -43,9 +43,7 @@ impl Checker {
     pub(super) fn evaluate(&mut self, goal: &Prop, using: &[String]) -> Fallible<()> {
         let mut names = BTreeSet::new();
         free_names(goal, &mut names);
-        if let Some(other) =
-            names.into_iter().find(|n| !FUNCTIONS.contains(&n.as_str()) && n != PI && !self.is_declared(n))
-        {
+        if let Some(other) = names.into_iter().find(|n| !is_built_in(n) && n != PI && !self.is_declared(n)) {
             return rejected(Reason::Undeclared(other));
         }
         let facts = using.iter().map(|label| self.fact(label)).collect::<Fallible<Vec<_>>>()?;
@@ -80,7 +78,7 @@ impl Point<'_> {
             ExprKind::Name(name) => {
                 self.values.insert(name.clone(), value);
             }
-            ExprKind::Apply(family, arguments) if !FUNCTIONS.contains(&family.text.as_str()) => {
+            ExprKind::Apply(family, arguments) if !is_built_in(&family.text) => {
                 let [index] = arguments.as_slice() else { return rejected(Reason::Arguments(family.text.clone())) };
                 let index = self.whole(index)?;
                 self.members.insert((family.text.clone(), index), Enclosure::exact(value));
@@ -235,8 +233,7 @@ impl Point<'_> {
                     self.number_that_is(&distance, Signs::NOT_NEGATIVE)?;
                 }
                 let arc = self.number(argument)?.arcsin(work)?;
-                let half = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2)));
-                if f == "arcsin" { arc } else { Enclosure::pi(work)?.times(&half, work)?.minus(&arc, work)? }
+                if f == "arcsin" { arc } else { Enclosure::quarter_turn(work)?.minus(&arc, work)? }
             }
             "cosh" | "sinh" | "sech" | "tanh" => {
                 let x = self.number(argument)?;

@@ -7,7 +7,7 @@ use super::order::Signs;
 use super::statement::{Sequence, Statement};
 use super::term::Atom;
 use super::tree::parts;
-use super::{Checker, Reason, Refusal, cited, quantifier, rejected, statement, term};
+use super::{Checker, Reason, Refusal, cited, quantifier, rejected, statement};
 use crate::certificate::Label;
 use crate::claim::definedness::is_natural;
 use crate::claim::syntax::*;
@@ -28,7 +28,7 @@ impl Checker {
             names_in(&u.step, &mut names);
             names.remove(&u.index);
             names_in(&u.initial, &mut names);
-            let known = |n: &String| self.is_declared(n) || term::FUNCTIONS.contains(&n.as_str()) || n == PI;
+            let known = |n: &String| self.is_declared(n) || is_built_in(n) || n == PI;
             if let Some(free) = names.iter().find(|n| !known(n)) {
                 return rejected(Reason::Undeclared(free.clone()));
             }

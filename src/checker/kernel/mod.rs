@@ -12,9 +12,10 @@
 //! equations to put in from the facts under `using`, and from nothing else. No step changes the meaning of a later one.
 //!
 //! **What is assumed.** The axioms of the ordered field of reals; exp and its inverse ln on positive numbers, with
-//! b^E = exp(E·ln b); cos and sin with their sums of angles, cos² + sin² = 1 and the least zero π of sin above 0; arcsin and arctan as the
-//! inverses of sin and tan between −π/2 and π/2; their derivatives; induction. Four theorems of analysis as well: the inequality of the weighted means of two values, exp above
-//! its tangent (`analysis`), the mean value theorem (`slope`) and the intermediate value theorem (`intermediate`).
+//! b^E = exp(E·ln b); cos and sin with their sums of angles, cos² + sin² = 1 and the least zero π of sin above 0; arcsin and
+//! arctan as the inverses of sin and tan between −π/2 and π/2; their derivatives; induction. Four theorems of analysis as well:
+//! the inequality of the weighted means of two values, exp above its tangent (`analysis`), the mean value theorem (`slope`) and
+//! the intermediate value theorem (`intermediate`).
 //! [`Accepted::rests_on`] names those of the four that a proof uses.
 //!
 //! The kernel imports the syntax tree, the exact points of the unit circle, the certificate as data, num-bigint and num-rational. It

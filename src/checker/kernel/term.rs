@@ -87,25 +87,6 @@ pub(super) struct Over {
     pub(super) body: Fraction,
 }
 
-/// The functions that the kernel knows.
-pub(crate) const FUNCTIONS: [&str; 15] = [
-    "det",
-    "transpose",
-    "sqrt",
-    "cbrt",
-    "exp",
-    "ln",
-    "cos",
-    "sin",
-    "arcsin",
-    "arccos",
-    "arctan",
-    "cosh",
-    "sinh",
-    "sech",
-    "tanh",
-];
-
 /// A number, or a matrix of them.
 pub(super) enum Value {
     /// A number.

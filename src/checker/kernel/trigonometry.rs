@@ -2,7 +2,8 @@
 //!
 //! Contract: as in `term`, a fraction has the value of its expression wherever that has one. To add two numbers u and v is
 //! to multiply cos u + i·sin u by cos v + i·sin v; a term p·v with a whole number p ≤ [`MULTIPLE_LIMIT`] is v, p times. What is left
-//! are the atoms cos v and sin v, v with a numerator 1 and positive first coefficient, or what [`super::arc`] knows of an arc v. cos² + sin² = 1 is not used in reading.
+//! are the atoms cos v and sin v, v with a numerator 1 and positive first coefficient, or what [`super::arc`] knows of an arc v.
+//! cos² + sin² = 1 is not used in reading.
 //! A multiple of π/120 has its values in square roots (`claim::circle`), and a whole multiple n·π has cos = (−1)^n, sin = 0;
 //! 2·n·π has cos = 1.
 

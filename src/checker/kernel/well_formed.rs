@@ -9,7 +9,6 @@
 //! Depth and size are bounded, so that recursion over what was looked at is safe.
 
 use super::substitution::Room;
-use super::term::FUNCTIONS;
 use super::{Reason, Refusal, rejected};
 use crate::certificate::{Refutes, Rule, Show};
 use crate::claim::syntax::*;
@@ -223,7 +222,7 @@ impl<'a> Walk<'a> {
         if name == PI && self.uses_pi {
             return rejected(Reason::NameInUse(name.to_string()));
         }
-        if FUNCTIONS.contains(&name) {
+        if is_built_in(name) {
             return rejected(Reason::NoName(name.to_string()));
         }
         if (self.taken)(name) || !self.known.insert(name) {
@@ -273,7 +272,7 @@ impl<'a> Walk<'a> {
             ExprKind::Number(text) => numeral(text)?,
             ExprKind::Name(text) => self.used(text)?,
             ExprKind::Apply(function, arguments) => {
-                match (FUNCTIONS.contains(&function.text.as_str()), arguments.len()) {
+                match (is_built_in(&function.text), arguments.len()) {
                     (_, 0) => return malformed(Shape::Arguments),
                     (true, 1) => {}
                     (true, _) => return rejected(Reason::Arguments(function.text.clone())),

@@ -2,7 +2,8 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial fractions (`partial_fractions`).
+//! logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial
+//! fractions (`partial_fractions`).
 //! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
 //! Reference: M. Bronstein, Symbolic Integration I, Springer 2005, chapters 1 and 5, for what goes beyond this.
@@ -14,6 +15,7 @@ use super::limits::{holds, over};
 use super::partial_fractions::{of_fraction, root, signed};
 use super::substitutions::by_substitution;
 use crate::claim::syntax::*;
+use crate::kernel::arc::as_arc;
 use crate::kernel::statement::{apply, name, numeral, power};
 use crate::refute::literal::{is_zero, literal};
 use malachite::Rational;
@@ -170,11 +172,10 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
     Some(total(terms.iter().map(term).collect::<Option<Vec<_>>>()?))
 }
 
-/// u^(1/2) and u^(−1/2) for u = c + a·x²: with s = √a, r = √c, the antiderivative of 1/√u is arcsin(s·x/r)/s where a is negative, and
-/// ln(s·x + √u)/s where it is positive; that of √u is half of x·√u and of c times the other.
+/// u^(1/2) and u^(−1/2) for u = c + a·x²: with s = √|a|, r = √c, the antiderivative of 1/√u is arcsin(s·x/r)/s where a is negative,
+/// and ln(s·x + √u)/s where it is positive; that of √u is half of x·√u and of c times the other.
 fn of_root(base: &Expr, exponent: &Expr, x: &str) -> Option<Expr> {
-    let (k, p) = (rational(exponent)?, polynomial(base, x)?);
-    let half = literal(&Rational::from_signeds(1, 2));
+    let (twice, p) = (rational(exponent)? * Rational::from(2), polynomial(base, x)?);
     let [c, zero, a] = p.as_slice() else { return None };
     let ((false, _), (falls, size), true) = (signed(c), signed(a), is_zero(zero)) else { return None };
     let s = root(&size);
@@ -184,14 +185,12 @@ fn of_root(base: &Expr, exponent: &Expr, x: &str) -> Option<Expr> {
         false => apply("ln", add(vec![along, apply("sqrt", base.clone())])),
     };
     let inverse = over(inverse, s);
-    match () {
-        () if k == Rational::from_signeds(-1, 2) => Some(inverse),
-        () if k == Rational::from_signeds(1, 2) => {
-            let first = product(vec![half.clone(), name(x), apply("sqrt", base.clone())]);
-            Some(add(vec![first, product(vec![half, c.clone(), inverse])]))
-        }
-        () => None,
+    if twice == -1 {
+        return Some(inverse);
     }
+    let half = literal(&Rational::from_signeds(1, 2));
+    let first = product(vec![half.clone(), name(x), apply("sqrt", base.clone())]);
+    (twice == 1).then(|| add(vec![first, product(vec![half, c.clone(), inverse])]))
 }
 
 /// w^k·(1 − w²)^times.
@@ -271,12 +270,12 @@ fn of_logarithm(p: &[Expr], u: &Expr, x: &str, depth: usize) -> Option<Expr> {
 
 /// ∫p·arc(u) = P·arc(u) − ∫P·u′·arc′(u) for arc = arctan or arcsin and a linear u.
 fn of_arc(p: &[Expr], arc: &Expr, x: &str, depth: usize) -> Option<Expr> {
-    let ExprKind::Apply(f, arguments) = &arc.kind else { return None };
-    let ([u], true) = (arguments.as_slice(), matches!(f.text.as_str(), "arctan" | "arcsin")) else { return None };
+    let (f, u) = as_arc(arc)?;
     let (square, whole_p) = (whole_power(u.clone(), 2), written(&antiderivative_of(p), &name(x)));
-    let below = match f.text.as_str() {
+    let below = match f {
         "arctan" => add(vec![square, numeral(1)]),
-        _ => apply("sqrt", add(vec![numeral(1), negated(square)])),
+        "arcsin" => apply("sqrt", add(vec![numeral(1), negated(square)])),
+        _ => return None,
     };
     let rest = of(&over(times(&slope(u, x)?, &whole_p), below), x, depth)?;
     Some(total(vec![(Sign::Plus, times(&whole_p, arc)), (Sign::Minus, rest)]))

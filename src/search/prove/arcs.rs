@@ -1,11 +1,13 @@
 //! Comparisons with arcsin, arccos and arctan.
 //!
-//! Method: an equation is solved for one of its arcs, `arctan(x) = y`; it holds if x is the tangent of y and y lies between −π/2 and π/2. An order of
-//! two arcs is that of their arguments. An arc beside something else that lies in its range is compared with the arc of its sine or tangent.
+//! Method: an equation is solved for one of its arcs, `arctan(x) = y`; it holds if x is the tangent of y and y lies between −π/2
+//! and π/2. An order of two arcs is that of their arguments. An arc beside a number in its range is compared with the arc of the
+//! number's sine or tangent.
 //!
 //! Certificate: rule `arc`, with what it needs shown before.
 
 use super::facts::{minus, negated};
+use super::letters::product;
 use super::limits::over;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
@@ -18,9 +20,9 @@ use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
-/// Half of π, or its opposite.
-fn quarter_turn(times: i64) -> Expr {
-    super::letters::product(vec![literal(&Rational::from_signeds(times, 2)), name(PI)])
+/// A multiple of π/2.
+pub(super) fn quarter_turn(times: i64) -> Expr {
+    product(vec![literal(&Rational::from_signeds(times, 2)), name(PI)])
 }
 
 impl Prover {
@@ -47,10 +49,7 @@ impl Prover {
         let signs = self.signs_of(arc);
         let is_negative = signs.within(Signs::of(Relation::LessEqual));
         let u = if is_negative { negated(arc.clone()) } else { arc.clone() };
-        let order = match () {
-            () if signs.within(Signs::NOT_ZERO) => Relation::Less,
-            () => Relation::LessEqual,
-        };
+        let order = if signs.within(Signs::NOT_ZERO) { Relation::Less } else { Relation::LessEqual };
         let rule = Rule::Circle { with: vec![(Name::new("u"), u.clone())] };
         let (order_of_arc, shown, factor) = if f == "arctan" {
             (order, below_the_tangent(&u, order), over(numeral(1), apply("cos", arc.clone())))
@@ -140,7 +139,7 @@ impl Prover {
             Some((g, other)) if f == g => other.clone(),
             // A number as the arc of its own sine or tangent.
             _ => {
-                if !self.speaks_of_numbers(&compare(y.clone(), relation, numeral(0))) {
+                if !self.is_of_numbers(y) {
                     return Err(Fail::No("a number"));
                 }
                 let sine = apply("sin", y.clone());

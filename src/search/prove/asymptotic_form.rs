@@ -6,6 +6,7 @@
 //! limits in a symbolic manipulation system", 1996, has the general theory).
 
 use super::Prover;
+use super::arcs::quarter_turn;
 use super::asymptotic_bounds::Tends;
 use super::facts::{minus, negated};
 use super::letters::{as_power, natural, product};
@@ -213,8 +214,7 @@ impl Prover {
             ExprKind::Product(list) => self.product_by(list, x, equations),
             ExprKind::Apply(f, list) if f.text == "ln" => self.logarithm_by(list.first()?, x, equations),
             ExprKind::Apply(f, list) if f.text == "arccos" => {
-                let quarter = over(name(PI), numeral(2));
-                Some(minus(&quarter, &apply("arcsin", list.first()?.clone())))
+                Some(minus(&quarter_turn(1), &apply("arcsin", list.first()?.clone())))
             }
             ExprKind::Apply(f, list) if f.text == "arctan" => self.arctangent_by(list.first()?, x, equations),
             // The addition formulas leave terms as arguments.
@@ -298,9 +298,8 @@ impl Prover {
                 (apply("arctan", c.clone()), over(minus(u, &c), below))
             }
             end @ (Tends::PlusInfinity | Tends::MinusInfinity) => {
-                let quarter = over(name(PI), numeral(2));
-                let is_above = matches!(end, Tends::PlusInfinity);
-                (if is_above { quarter } else { negated(quarter) }, negated(over(numeral(1), u.clone())))
+                let times = if matches!(end, Tends::PlusInfinity) { 1 } else { -1 };
+                (quarter_turn(times), negated(over(numeral(1), u.clone())))
             }
             Tends::Elsewhere => return None,
         };

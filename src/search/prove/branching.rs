@@ -348,12 +348,6 @@ impl Search<'_> {
 impl Prover {
     /// Shows a comparison by arithmetic of whole numbers, against its opposite.
     pub(super) fn by_whole_numbers(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        // With little effort: no products.
-        self.in_whole_numbers(goal, usize::from(self.splits < 8))
-    }
-
-    /// The same, with products of facts up to a level.
-    pub(super) fn in_whole_numbers(&mut self, goal: &Prop, most: usize) -> Result<Label, Fail> {
         if self.naturals.is_empty() {
             return Err(Fail::No("whole numbers"));
         }
@@ -364,16 +358,16 @@ impl Prover {
         if *relation == Relation::Equal {
             let mut both = Vec::new();
             for relation in [Relation::LessEqual, Relation::GreaterEqual] {
-                both.push(self.in_whole_numbers(&compare(a.clone(), relation, b.clone()), most)?);
+                both.push(self.by_whole_numbers(&compare(a.clone(), relation, b.clone()))?);
             }
             return self.emit(Rule::Logic { from: both }, goal.clone());
         }
         self.against_opposite(goal, |c, _| {
             c.solve_equations();
-            (0..=most)
-                .map(|level| c.absurd_in_whole_numbers(goal, level))
-                .find(Result::is_ok)
-                .ok_or(Fail::No("whole numbers"))?
+            // With little effort: no products.
+            let quiet = c.splits >= 8;
+            c.absurd_in_whole_numbers(goal, 0)
+                .or_else(|fail| if quiet { Err(fail) } else { c.absurd_in_whole_numbers(goal, 1) })
         })
     }
 

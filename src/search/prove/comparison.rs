@@ -44,13 +44,6 @@ impl Prover {
         {
             return Ok(label);
         }
-        // A floor of a number lies between the whole numbers next to it.
-        if !self.integers.is_empty()
-            && self.splits == 0
-            && let Ok(label) = self.attempt(|c| c.in_whole_numbers(goal, 0))
-        {
-            return Ok(label);
-        }
         if let Ok(label) = self.by_arcs(goal, a, relation, b) {
             return Ok(label);
         }
@@ -379,9 +372,20 @@ impl Prover {
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
-    pub(super) fn speaks_of_numbers(&self, p: &Prop) -> bool {
+    fn speaks_of_numbers(&self, p: &Prop) -> bool {
         let mut names = BTreeSet::new();
         crate::kernel::names::names_in_prop(p, &mut names);
+        self.name_no_variable(&names)
+    }
+
+    /// The same of an expression.
+    pub(super) fn is_of_numbers(&self, e: &Expr) -> bool {
+        let mut names = BTreeSet::new();
+        crate::kernel::names::names_in(e, &mut names);
+        self.name_no_variable(&names)
+    }
+
+    fn name_no_variable(&self, names: &BTreeSet<String>) -> bool {
         let sequences = &self.checker.statement().sequences;
         names.iter().all(|n| !self.is_a_name(n) || sequences.iter().any(|s| s.name == *n))
     }

@@ -97,8 +97,7 @@ impl Prover {
         let no = || Fail::No("a number between whole numbers");
         let PropKind::Compare(sides, relations) = &fact.kind else { return Err(no()) };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
-        let is_number = |e: &Expr| self.speaks_of_numbers(&compare(e.clone(), Relation::Equal, numeral(0)));
-        let (e, other, relation, sign) = match (is_number(a), is_number(b)) {
+        let (e, other, relation, sign) = match (self.is_of_numbers(a), self.is_of_numbers(b)) {
             (true, false) => (a, b, relation.turned(), -1),
             (false, true) => (b, a, *relation, 1),
             _ => return Err(no()),

@@ -108,15 +108,15 @@ impl Prover {
         Ok(true)
     }
 
-    /// Shows that expressions have values everywhere from one end to another, which the kernel then learns where it asks for it. Returns
-    /// whether there is something that it did not know.
+    /// Shows that expressions have values everywhere from one end to another, which the kernel then learns where it asks for
+    /// it. Returns whether there is something that it did not know.
     fn have_values_between(&mut self, [from, to]: [&Expr; 2], x: &str, exprs: [&Expr; 2]) -> bool {
         let ends = Constraint::Interval { from: from.clone(), from_closed: true, to: to.clone(), to_closed: true };
         let binding = Binding::of(Name::new(x), false, vec![ends]);
         let itself = |e: &Expr| compare(e.clone(), Relation::Equal, e.clone());
         let every = |e: &Expr| prop(PropKind::ForAll(vec![binding.clone()], Box::new(itself(e))));
-        let mut shown = exprs.into_iter().map(|e| self.known(&every(e)).is_none() && self.quietly(&every(e)).is_ok());
-        shown.next().unwrap_or(false) | shown.next().unwrap_or(false)
+        let is_new = |e: &&Expr| self.known(&every(e)).is_none() && self.quietly(&every(e)).is_ok();
+        exprs.into_iter().filter(is_new).count() > 0
     }
 
     /// F(b) − F(a) relation integral(x = a..b, f), from F′ relation f, and what follows from it; F′ is given as well. Where a > b,

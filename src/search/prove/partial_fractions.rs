@@ -1,4 +1,5 @@
-//! Integration of rational functions whose divisors are products of linear ones and at most one quadratic, by partial fractions.
+//! Integration of rational functions by partial fractions: over products of linear divisors, or over powers of one linear divisor
+//! and a quadratic one.
 //!
 //! Method: a divisor l = p·x + q takes P(x) to its value at −q/p and a polynomial times l. Two divisors are separated by
 //! p·m − p′·l = p·q′ − p′·q. A quadratic divisor is taken apart if it is a difference of squares or has rational roots; else it is

@@ -7,6 +7,7 @@
 use super::closed::Closed;
 use super::turns::cosine_and_sine_of;
 use crate::claim::syntax::*;
+use crate::kernel::arc::{KnownAngle, known_angles};
 use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::{elementary, rational};
 use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
@@ -354,11 +355,7 @@ pub(super) fn logarithm(a: &Number, text: impl Fn() -> String) -> Result<Number>
     Ok(between(low, high).formed(form))
 }
 
-/// Squares of sines and tangents, as numerator and denominator, and k where the angle is π/k.
-const SINES: [(u64, u64, i64); 4] = [(1, 4, 6), (1, 2, 4), (3, 4, 3), (1, 1, 2)];
-const TANGENTS: [(u64, u64, i64); 3] = [(1, 3, 6), (1, 1, 4), (3, 1, 3)];
-
-/// arcsin, arccos or arctan of a; where it is a part of π that these lists know, in closed form.
+/// arcsin, arccos or arctan of a; that of a known angle in closed form.
 pub(super) fn arc(name: &str, a: &Number, text: impl Fn() -> String) -> Result<Number> {
     let quarter = || multiply(&Number::Exact(Rational::from_signeds(1, 2)), &pi());
     let (low, high) = a.ends();
@@ -372,11 +369,10 @@ pub(super) fn arc(name: &str, a: &Number, text: impl Fn() -> String) -> Result<N
         return Ok(Number::Exact(Rational::ZERO));
     }
     let square = multiply(a, a);
-    let is_it = |(top, bottom, _): &&(u64, u64, i64)| {
-        holds(&square, Relation::Equal, &Number::Exact(Rational::from_unsigneds(*top, *bottom))) == Some(true)
+    let is_it = |(top, bottom, _): &&KnownAngle| {
+        holds(&square, Relation::Equal, &Number::Exact(Rational::from_signeds(*top, *bottom))) == Some(true)
     };
-    let known = if name == "arctan" { TANGENTS.iter().find(is_it) } else { SINES.iter().find(is_it) };
-    if let Some((_, _, k)) = known.filter(|_| *low > 0 || *high < 0) {
+    if let Some((_, _, k)) = known_angles(name).iter().find(is_it).filter(|_| *low > 0 || *high < 0) {
         return Ok(multiply(&Number::Exact(Rational::from_signeds(if *low > 0 { 1 } else { -1 }, *k)), &pi()));
     }
     if name == "arctan" {
