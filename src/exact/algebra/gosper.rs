@@ -1,11 +1,14 @@
-//! Sums of hypergeometric terms in closed form, by Gosper's algorithm.
+//! Sums of hypergeometric terms: closed forms by Gosper's algorithm, recurrences by Zeilberger's.
 //!
 //! Contract: for the ratio t(i + 1)/t(i) of a term as a quotient of polynomials, [`antidifference`] finds a quotient R of
-//! polynomials with T(i + 1) − T(i) = t(i) for T = R·t, if it comes to one. Other variables are parameters.
+//! polynomials with T(i + 1) − T(i) = t(i) for T = R·t, if it comes to one. Other variables are parameters. [`recurrence`] does so
+//! for a combination of F(n, i) and F(n + 1, i) whose weights are free of i.
 //!
 //! Method (R. W. Gosper, 1978; Petkovšek, Wilf, Zeilberger, "A = B", chapter 5): t(i + 1)/t(i) = a(i)/b(i)·c(i + 1)/c(i), where a(i)
 //! and b(i + h) have no factor in common for h = 0, 1, 2, …; then T = b(i − 1)·x(i)/c(i)·t for a polynomial x with
 //! a(i)·x(i + 1) − b(i − 1)·x(i) = c(i), whose degree is bounded. What is not found proves nothing: factors may be reducible.
+//! D. Zeilberger, 1991 (chapter 6): with F(n + 1, i)/F(n, i) = u/v, the term w·F(n, i) + F(n + 1, i) is (w·v + u)·F/v, and w is one more
+//! unknown of the same linear equations, c·(w·v + u) standing for c.
 //!
 //! Limits: `SHIFT`, `DEGREE`.
 
@@ -24,6 +27,41 @@ const DEGREE: u32 = 12;
 /// t(i + 1)/t(i) = `above`/`below`.
 #[must_use]
 pub fn antidifference(above: &Polynomial, below: &Polynomial, i: Var) -> Option<(Polynomial, Polynomial)> {
+    let (a, before, c) = normal_form(above, below, i)?;
+    let (x, _, under) = solution(&a, &before, &[], &c, i)?;
+    Some((before.try_mul(&x).ok()?, c.try_mul(&under).ok()?))
+}
+
+/// Weights w and w′ free of i, and a quotient R of polynomials, with G(i + 1) − G(i) = w·F(n, i) + w′·F(n + 1, i) for G = R·F(n, i).
+#[derive(Debug)]
+pub struct Recurrence {
+    /// w
+    pub own: Polynomial,
+    /// w′
+    pub next: Polynomial,
+    /// The numerator and the denominator of R.
+    pub certificate: (Polynomial, Polynomial),
+}
+
+/// A recurrence in n for the sum over i of a term F(n, i), where F(n, i + 1)/F(n, i) = `step` and F(n + 1, i)/F(n, i) = `next`.
+#[must_use]
+pub fn recurrence(step: &(Polynomial, Polynomial), next: &(Polynomial, Polynomial), i: Var) -> Option<Recurrence> {
+    let (u, v) = next;
+    let (above, below) = (v.try_mul(&step.0).ok()?, shifted(v, i, 1)?.try_mul(&step.1).ok()?);
+    let (a, before, c) = normal_form(&above, &below, i)?;
+    let (x, weights, under) = solution(&a, &before, &[c.try_mul(v).ok()?], &c.try_mul(u).ok()?, i)?;
+    let own = weights.into_iter().next()?;
+    // What both weights have in common goes to the certificate.
+    let polynomial = gcd(&own, &under).ok()?;
+    let (own, next) = (own.exact_divide(&polynomial)?, under.exact_divide(&polynomial)?);
+    let number = next.content();
+    let scaled = |p: &Polynomial| p.scale(&(Rational::from(1) / &number));
+    let certificate = (scaled(&before.try_mul(&x).ok()?), c.try_mul(v).ok()?.try_mul(&polynomial).ok()?);
+    Some(Recurrence { own: scaled(&own), next: scaled(&next), certificate })
+}
+
+/// a(i), b(i − 1) and c(i) with `above`/`below` = a(i)/b(i)·c(i + 1)/c(i), and no factor of a in b moved on.
+fn normal_form(above: &Polynomial, below: &Polynomial, i: Var) -> Option<(Polynomial, Polynomial, Polynomial)> {
     let common = gcd(above, below).ok()?;
     let (mut a, mut b) = (above.exact_divide(&common)?, below.exact_divide(&common)?);
     let mut c = Polynomial::one();
@@ -40,9 +78,7 @@ pub fn antidifference(above: &Polynomial, below: &Polynomial, i: Var) -> Option<
             }
         }
     }
-    let before = shifted(&b, i, -1)?;
-    let x = solution(&a, &before, &c, i)?;
-    Some((before.try_mul(&x.0).ok()?, c.try_mul(&x.1).ok()?))
+    Some((a, shifted(&b, i, -1)?, c))
 }
 
 /// p(i + k).
@@ -68,9 +104,16 @@ fn distance(f: &Polynomial, g: &Polynomial, i: Var) -> Option<u32> {
     (moved.try_mul(&g1).ok()? == g.try_mul(&f1).ok()?).then_some(h)
 }
 
-/// A polynomial x with a(i)·x(i + 1) − b(i)·x(i) = c(i), over a denominator without i.
-fn solution(a: &Polynomial, b: &Polynomial, c: &Polynomial, i: Var) -> Option<(Polynomial, Polynomial)> {
-    let (la, lb, lc) = (a.degree_in(i), b.degree_in(i), c.degree_in(i));
+/// A polynomial x and weights w, over one denominator without i, with a(i)·x(i + 1) − b(i)·x(i) − Σ w·others(i) = c(i).
+fn solution(
+    a: &Polynomial,
+    b: &Polynomial,
+    others: &[Polynomial],
+    c: &Polynomial,
+    i: Var,
+) -> Option<(Polynomial, Vec<Polynomial>, Polynomial)> {
+    let (la, lb) = (a.degree_in(i), b.degree_in(i));
+    let lc = others.iter().chain([c]).map(|p| p.degree_in(i)).max()?;
     let top = |p: &Polynomial, k: u32| p.coefficients_in(i).get(k as usize).cloned().unwrap_or_else(Polynomial::zero);
     let degree = if la != lb || top(a, la) != top(b, lb) {
         lc.checked_sub(la.max(lb))?
@@ -83,9 +126,10 @@ fn solution(a: &Polynomial, b: &Polynomial, c: &Polynomial, i: Var) -> Option<(P
     if degree > DEGREE {
         return None;
     }
-    // One column for each coefficient of x, and c as the last.
+    // One column for each coefficient of x, one for each weight, and c as the last.
     let rows = (la.max(lb) + degree).max(lc) as usize + 1;
-    let mut matrix = vec![vec![Polynomial::zero(); degree as usize + 2]; rows];
+    let own = degree as usize + 1;
+    let mut matrix = vec![vec![Polynomial::zero(); own + others.len() + 1]; rows];
     let mut fill = |column: usize, p: &Polynomial| {
         p.coefficients_in(i).into_iter().enumerate().for_each(|(row, value)| matrix[row][column] = value);
     };
@@ -94,9 +138,11 @@ fn solution(a: &Polynomial, b: &Polynomial, c: &Polynomial, i: Var) -> Option<(P
         let next = shifted(&power, i, 1)?;
         fill(k as usize, &a.try_mul(&next).ok()?.sub(&b.try_mul(&power).ok()?));
     }
-    fill(degree as usize + 1, c);
-    let (values, below) = solved(matrix)?;
-    Some((Polynomial::from_coefficients_in(i, &values), below))
+    others.iter().enumerate().for_each(|(k, other)| fill(own + k, &other.neg()));
+    fill(own + others.len(), c);
+    let (mut values, below) = solved(matrix)?;
+    let weights = values.split_off(own);
+    Some((Polynomial::from_coefficients_in(i, &values), weights, below))
 }
 
 /// A solution of linear equations, the last column on the right: numerators over one denominator. What stays free is 0.
@@ -184,6 +230,22 @@ mod tests {
         for (name, above, below) in cases {
             assert!(is_antidifference(&above, &below), "{name}");
         }
+    }
+
+    #[test]
+    fn sums_of_binomial_coefficients_have_a_recurrence() {
+        const N: Var = 2;
+        let n = |k: i64| Polynomial::variable(N).add(&Polynomial::integer(k));
+        let square = |p: &Polynomial| p.pow(2).unwrap();
+        // binomial(n, i + 1)/binomial(n, i), and binomial(n + 1, i)/binomial(n, i).
+        let (step, next) = ((n(0).sub(&i(0)), i(1)), (n(1), n(1).sub(&i(0))));
+        let own = recurrence(&step, &next, I).unwrap();
+        // w·2^n + w′·2^(n + 1) = 0.
+        assert_eq!(own.own, own.next.scale(&Rational::from(-2)));
+        let squares = recurrence(&(square(&step.0), square(&step.1)), &(square(&next.0), square(&next.1)), I).unwrap();
+        // (n + 1)·binomial(2·n + 2, n + 1) = 2·(2·n + 1)·binomial(2·n, n).
+        let double = n(0).scale(&Rational::from(2)).add(&Polynomial::one()).scale(&Rational::from(-2));
+        assert_eq!(squares.own.mul(&n(1)), squares.next.mul(&double));
     }
 
     #[test]

@@ -42,29 +42,34 @@ impl Prover {
     /// By induction on what a variable is more than its least value, where an exponent or the end of a sum or product says so:
     /// 2^(n - 1) is a power of that, which the power of the next one is known by.
     fn induction_from_zero(&mut self, goal: &Prop, variable: &str) -> Result<Label, Fail> {
-        let no = || Fail::No("an exponent that is less");
-        let least = self.least(variable).ok_or_else(no)?;
         let mut sides = Vec::new();
         super::goals::sides_in(goal, &mut sides);
-        if !sides.iter().any(|e| has_exponent_below(e, variable)) {
-            return Err(no());
+        if self.least(variable).is_none() || !sides.iter().any(|e| has_exponent_below(e, variable)) {
+            return Err(Fail::No("an exponent that is less"));
         }
+        self.from_zero(goal, variable, &mut |c, k, body| c.induction(k, None, body, 3))
+    }
+
+    /// By a statement for all natural numbers k of what a variable is more than its least value; `every` shows it.
+    pub(super) fn from_zero(
+        &mut self,
+        goal: &Prop,
+        variable: &str,
+        every: &mut dyn FnMut(&mut Prover, &str, &Prop) -> Result<Label, Fail>,
+    ) -> Result<Label, Fail> {
+        let least = self.least(variable).unwrap_or(0);
         let fresh = self.fresh("k");
-        let later = super::limits::plus(&name(&fresh), numeral(least));
-        let mut reduced = |p: &Prop| -> Result<Prop, Fail> {
-            let mut out = put(p, variable, &later)?;
-            in_exponents(&mut out, &mut |e| {
-                if let Some(p) = self.letters.polynomial(e) {
-                    *e = self.letters.written(&p);
-                }
-            });
-            Ok(out)
-        };
-        let body = reduced(goal)?;
+        let later = if least > 0 { super::limits::plus(&name(&fresh), numeral(least)) } else { name(&fresh) };
+        let mut body = put(goal, variable, &later)?;
+        in_exponents(&mut body, &mut |e| {
+            if let Some(p) = self.letters.polynomial(e) {
+                *e = self.letters.written(&p);
+            }
+        });
         self.inductions += 1;
-        let every = self.induction(&fresh, None, &body, 3)?;
+        let every = every(self, &fresh, &body)?;
         self.inductions -= 1;
-        let before = super::facts::minus(&name(variable), &numeral(least));
+        let before = if least > 0 { super::facts::minus(&name(variable), &numeral(least)) } else { name(variable) };
         let shown = self.instance(&every, &before)?;
         self.logic(&[&shown], goal).or_else(|_| {
             let terms = vec![crate::certificate::Term { facts: vec![shown], factor: numeral(1) }];

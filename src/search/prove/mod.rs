@@ -42,6 +42,7 @@ mod far_members;
 mod formulas;
 mod fourier_motzkin;
 mod goals;
+mod hypergeometric;
 mod ideal;
 mod induction;
 mod instances;
@@ -74,6 +75,7 @@ mod sums_of_squares;
 mod tails;
 mod tangents;
 mod taylor;
+mod telescoping;
 #[cfg(test)]
 mod tests;
 mod universal;

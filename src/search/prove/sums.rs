@@ -228,7 +228,7 @@ impl Prover {
     }
 
     /// A quotient of polynomials in the index, with letters that do not depend on it.
-    fn quotient(&mut self, e: &Expr, index: &str) -> Option<Quotient> {
+    pub(super) fn quotient(&mut self, e: &Expr, index: &str) -> Option<Quotient> {
         let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
         Some(match &e.kind {
             ExprKind::Negate(a) => {
@@ -265,7 +265,7 @@ impl Prover {
 }
 
 /// A polynomial over another.
-type Quotient = (Polynomial, Polynomial);
+pub(super) type Quotient = (Polynomial, Polynomial);
 
 /// A member of a sum: a quotient in the index times the rest, and by what the rest is multiplied where the index is one more.
 struct Term {
