@@ -3,8 +3,10 @@
 //! The code that detects an error makes a [`Fault`]. [`Diagnostic::render`] turns it into a message with file, line, column,
 //! the source line and a caret. Only this file words these messages.
 
+mod foreign;
 mod source;
 
+pub use foreign::{binds, domain, foreign};
 pub use source::Source;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
@@ -118,42 +120,20 @@ impl Diagnostic {
     pub fn help(&self) -> Option<String> {
         match &self.fault {
             Fault::Expected { help, .. } | Fault::Other { help, .. } => help.clone(),
-            Fault::Undeclared { name, nearest, applied } => {
-                Some(match nearest.as_ref().filter(|_| instead(name).is_none()) {
-                    Some(nearest) => format!("did you mean {nearest}?"),
-                    None if instead(name).is_some() => instead(name).unwrap_or_default().to_string(),
-                    None if *applied => {
-                        format!(
-                            "there is no such function; define it, as in `let {name}(x) = x^2`, or for a product write {name}*(…)"
-                        )
-                    }
-                    None => format!("declare it, for instance `given {name} > 0` or `given {name} real`"),
-                })
-            }
+            Fault::Undeclared { name, nearest, applied } => Some(match (foreign(name), nearest) {
+                (Some(instead), _) => instead.to_string(),
+                (None, Some(nearest)) => format!("did you mean {nearest}?"),
+                (None, None) if *applied => {
+                    format!(
+                        "there is no such function; define it, as in `let {name}(x) = x^2`, or for a product write {name}*(…)"
+                    )
+                }
+                (None, None) => format!("declare it, for instance `given {name} > 0` or `given {name} real`"),
+            }),
             Fault::Empty => Some("a claim begins with: claim NAME \"Title\"".to_string()),
             Fault::Pi => Some("choose another name".to_string()),
             Fault::Missing { .. } => Some("add a line such as: prove a = b".to_string()),
-            Fault::Stray(c) => match c {
-                '.' => Some("write a digit before the decimal point, as in 0.5; a range is 1..n".to_string()),
-                '\\' => Some(
-                    "in a claim file write sqrt(x), a/b, x^2, <=; a paper in LaTeX is read from a file that ends in .tex"
-                        .to_string(),
-                ),
-                '≈' => Some("write the bound that is meant, as in |x - 0.543| <= 0.0005".to_string()),
-                '±' | '∓' => Some(
-                    "write both statements, one with + and one with -; a measured value is an interval: `given x in [57.0, 57.2]`"
-                        .to_string(),
-                ),
-                '%' => Some("a comment begins with #; a percentage is a decimal, as in 0.05".to_string()),
-                '∫' => Some(INTEGRAL.to_string()),
-                '∂' => Some("write derivative(f, x)".to_string()),
-                '∑' => Some("write sum(i = 1..n, x)".to_string()),
-                '∏' => Some("write product(i = 1..n, x)".to_string()),
-                '°' => Some("write an angle with pi: 30° is pi/6".to_string()),
-                '&' => Some("write `and`".to_string()),
-                '{' | '}' => Some("group with parentheses: (…)".to_string()),
-                _ => None,
-            },
+            Fault::Stray(c) => foreign(c.encode_utf8(&mut [0; 4])).map(str::to_string),
             Fault::OpenText => Some("write the text on one line, between \"…\"".to_string()),
             Fault::NotText => Some("save the file as UTF-8".to_string()),
             _ => None,
@@ -198,10 +178,6 @@ impl Diagnostic {
     }
 }
 
-/// How an integral is written.
-const INTEGRAL: &str =
-    "write integral(x = a..b, f) for a definite integral; for an indefinite one say derivative(F, x) = f";
-
 /// The line and the column at which a range of a text begins, both from 1, the column in characters.
 fn place(span: Span, text: &str) -> (usize, usize) {
     let before = &text[..floor_boundary(text, span.start)];
@@ -215,40 +191,6 @@ fn floor_boundary(text: &str, mut at: usize) -> usize {
         at -= 1;
     }
     at
-}
-
-/// What to write instead of a word that other languages have and this one does not.
-fn instead(name: &str) -> Option<&'static str> {
-    const COMPLEX: &str = "there are no complex numbers; declare the real and the imaginary part: `given x, y real`";
-    Some(match name {
-        "cot" => "write cos(x)/sin(x)",
-        "sec" => "write 1/cos(x)",
-        "csc" => "write 1/sin(x)",
-        "asin" => "write arcsin(x)",
-        "acos" => "write arccos(x)",
-        "atan" => "write arctan(x)",
-        "atan2" => "write arctan(y/x), with the case x > 0 in a hypothesis",
-        "arccot" | "acot" => "write pi/2 - arctan(x)",
-        "log" => "write the natural logarithm as ln(x), the logarithm to base b as ln(x)/ln(b)",
-        "lg" | "log10" => "write ln(x)/ln(10)",
-        "log2" | "lb" => "write ln(x)/ln(2)",
-        "coth" => "write 1/tanh(x)",
-        "csch" => "write 1/sinh(x)",
-        "arcosh" | "acosh" => "write ln(x + sqrt(x^2 - 1))",
-        "arsinh" | "asinh" => "write ln(x + sqrt(x^2 + 1))",
-        "artanh" | "atanh" => "write ln((1 + x)/(1 - x))/2",
-        "sgn" | "sign" => "write x/|x| where x != 0",
-        "mod" => "declare the quotient and the remainder: `given q natural; r in 0..6` and `assume n = 7*q + r`",
-        "int" | "integrate" | "Integrate" => INTEGRAL,
-        "e" => "for the base of exponentials write exp(x), for a restitution declare it: `given e in [0, 1]`",
-        "diff" | "Derivative" | "D" => "write derivative(f, x)",
-        "O" | "o" => "there is no O(…); state a bound with a constant, such as |f - g| <= C*h^2 for h in (0, 1)",
-        "Re" | "Im" | "conj" => COMPLEX,
-        "tr" => "write trace(M)",
-        "inv" => "write inverse(M)",
-        "choose" | "binom" => "write binomial(n, k)",
-        _ => return None,
-    })
 }
 
 /// The candidate nearest to a word, if it is near enough to be a typing error.

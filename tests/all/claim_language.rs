@@ -81,6 +81,7 @@ proptest! {
         "claim", "given", "prove", "let", "assume", "using", "by", "have", "case", "x", "n", "1", "2.5", "(", ")", "{", "}",
         "=", "<=>", "=>", "and", "or", "not", "for all", "exists", "maximum of", "limit of", "in", "[", "²", "⁻¹", "√", "m₁", "]", ",", ";", ":",
         "+", "-", "*", "/", "^", "\"t\"", "\n", "natural", "> 0", "sum(i = 1..n, i)", "define u by", "->", "infinity", "is",
+        "mod", "iff", "forall", "there", "max of", "lim", "prime(", "positive", "e", "exists!", "∀", "ℝ", "½", "&&", "|", "<>", ":=", "sin²",
     ]), 0..60)) {
         let source = words.join(" ");
         if let Err(faults) = parse(&source) {
@@ -129,7 +130,11 @@ fn faults_are_said_where_they_are() {
             &with("prove x**2 = y"),
             "3:8 expected a comparison sign such as = or >=, found `**` (powers are written a^b)",
         ),
-        (&with("prove z = y"), "3:7 nothing declares the name z (did you mean x?)"),
+        (
+            &with("prove z = y"),
+            "3:7 nothing declares the name z (declare it, for instance `given z > 0` or `given z real`)",
+        ),
+        (&with("let speed = x\nprove sped = y"), "4:7 nothing declares the name sped (did you mean speed?)"),
         (&with("let a = x"), "1:7 claim c has no `prove` clause (add a line such as: prove a = b)"),
         (&with("given x > 1\nprove x = x"), "3:7 the name x is declared twice"),
         (&with("given e in [0, 1\nprove x = x"), "4:1 expected `]` or `)` to close the interval, found `prove`"),
@@ -266,6 +271,102 @@ fn a_character_that_is_no_part_of_the_language_brings_a_second_fault() {
     {
         let source = format!("claim c \"t\"\ngiven x > 0\nprove {goal}\n");
         assert_eq!(messages(&source), [format!("the character {character:?} is not part of the language")], "{goal}");
+    }
+}
+
+#[test]
+fn what_other_languages_write_is_one_fault_with_what_to_write_instead() {
+    for (rest, said, help) in [
+        ("prove n^2 mod 4 = 0", "3:11 the claim language has no `mod`", "`n - 5*floor(n/5)`"),
+        ("prove n % 3 = 0", "3:9 the character '%'", "`n - 5*floor(n/5)`"),
+        ("prove 3 divides n^3 - n", "3:9 the claim language has no `divides`", "`exists k natural: n = 3*k`"),
+        ("prove 3 | n", "3:9 expected a comparison sign", "`exists k natural: n = 3*k`"),
+        ("prove gcd(n, n) = n", "3:7 nothing declares the name gcd", "there is no gcd"),
+        ("prove prime(n)", "3:7 the claim language has no `prime`", "a*b = p => a = 1 or b = 1"),
+        ("prove x = y iff y = x", "3:13 the claim language has no `iff`", "`A <=> B`"),
+        ("prove x = y if and only if y = x", "3:13 the claim language has no `if`", "`A <=> B`"),
+        ("prove if x > 1 then x > 0", "3:7 the claim language has no `if`", "`A => B`"),
+        ("prove x > 1 -> x > 0", "3:13 expected the end of the clause", "`A => B`"),
+        ("prove x > 1 implies x > 0", "3:13 the claim language has no `implies`", "`A => B`"),
+        ("prove x => y", "3:9 expected a comparison sign", "write >= for"),
+        ("prove x =< y", "3:10 expected an expression", "write <="),
+        ("prove x <> y", "3:10 expected an expression", "write !="),
+        ("prove x ≥≥ y", "3:10 expected an expression", "write one sign: >="),
+        ("prove x ⩾ y", "3:9 the character '⩾'", "write >="),
+        ("prove x > 1 && y > 1", "3:13 the character '&'", "write `and`"),
+        ("prove x > 1 || y > 1", "3:13 expected the end of the clause", "write `or`"),
+        ("prove forall z real, z = z", "3:7 the claim language has no `forall`", "`for all y real: …`"),
+        ("prove for every z real: z = z", "3:11 the claim language has no `every`", "`for all y real: …`"),
+        ("prove ∀ z: z = z", "3:7 the character '∀'", "`for all y real: …`"),
+        ("prove ∃ z ∈ [0, 1]: z = z", "3:7 the character '∃'", "`exists y in [0, 1]: …`"),
+        ("prove there exists z real: z = z", "3:7 the claim language has no `there`", "`exists y in [0, 1]: …`"),
+        ("prove exists! z real: z = x", "3:13 expected a name", "for exactly one y"),
+        ("assume n in {1, 2}\nprove n < 4", "3:10 expected a comparison sign", "`n = 1 or n = 2 or n = 3`"),
+        ("assume x ∈ ℝ\nprove x = x", "3:12 the character 'ℝ'", "`x real`"),
+        ("given z ∈ ℝ\nprove z = z", "3:11 the character 'ℝ'", "`x real`"),
+        ("given k in N\nprove k >= 0", "3:12 the set N is no domain here", "`n natural`"),
+        ("given z rational\nprove z = z", "3:9 the claim language has no `rational`", "`let x = p/q`"),
+        ("given positive z\nprove z = z", "3:7 the claim language has no `positive`", "`x > 0`"),
+        ("given real z\nprove z = z", "3:7 expected a name to declare", "`given x real`"),
+        ("given z in [0, oo)\nprove z >= 0", "3:15 nothing declares the name oo", "`x >= 0`"),
+        ("given z in [0, ∞)\nprove z >= 0", "3:15 expected an expression", "`x >= 0`"),
+        ("prove limit of 1/z as z -> inf is 0", "3:28 nothing declares the name inf", "`as x -> infinity`"),
+        ("prove max of z over z in [0, 1] is 1", "3:7 the claim language has no `max of`", "`maximum of f"),
+        ("prove sup of z over z in [0, 1] is 1", "3:7 the claim language has no `sup of`", "`maximum of f"),
+        ("prove lim z->0 sin(z)/z = 1", "3:7 the claim language has no `lim`", "`limit of f as x -> 0 is L`"),
+        ("prove lim(sin(z)/z, z, 0) = 1", "3:7 nothing declares the name lim", "`limit of f as x -> 0 is L`"),
+        ("prove limit of z as z to 0 is 0", "3:23 the claim language has no `to`", "`limit of f as x -> 0 is L`"),
+        ("prove derivative(z^n, z) = n*z^(n - 1)", "3:18 nothing declares the name z", "`given z real`"),
+        ("prove false", "3:7 the claim language has no `false`", "`prove not (A and B)`"),
+        ("prove x = ½", "3:11 the character '½'", "1/2"),
+        ("let a := 2\nprove x = a", "3:7 expected `=`", "write = for :="),
+        ("prove sum(k,1,n,k) = n", "3:12 expected `=` and a range", "sum(k = 1..n, f)"),
+        ("prove int(z, z, 0, 1) = x", "3:7 nothing declares the name int", "integral(x = a..b, f)"),
+        ("prove sin^2 x = 1", "3:13 expected a comparison sign", "write sin(x)^2"),
+        ("prove sin² x = 1", "3:12 expected a comparison sign", "write sin(x)^2"),
+    ] {
+        let source = format!("claim c \"t\"\ngiven x, y > 0;  n natural\n{rest}\n");
+        let found = fault(&source);
+        assert!(found.starts_with(said) && found.contains(help), "{rest}: {found}");
+        assert_eq!(messages(&source).len(), 1, "{rest}: {:?}", messages(&source));
+    }
+    // A word that the claim declares is one of its names.
+    for rest in [
+        "given iff > 0, inf > 0\nprove iff + inf > 0",
+        "given oo > 0, z in [0, oo)\nprove z >= 0",
+        "given mod(k), lim(k) real\nprove mod(n) + lim(n) = lim(n) + mod(n)",
+        "let gcd(a, b) = a*b\nprove for all prime, positive > 0: gcd(prime, positive) > 0",
+    ] {
+        lines(&format!("claim c \"t\"\ngiven n natural\n{rest}\n"));
+    }
+    let own = fault("claim c \"t\"\ngiven n > 0, iff > 0\nprove n iff = 1\n");
+    assert!(own.contains("write n*iff for a product"), "{own}");
+    let shared = "given lim(k) real;  n natural\nclaim c \"t\"\nprove lim(n) = lim(n)\n";
+    assert!(parse(shared).is_ok(), "the preamble gives lim and n");
+}
+
+#[test]
+fn what_a_help_offers_is_read() {
+    for rest in [
+        "prove exists k natural: n = 5*k",
+        "prove n - 5*floor(n/5) < 5",
+        "given g natural >= 1\nassume exists i, j natural: a = i*g and b = j*g\n\
+         assume for all d, i, j natural: a = i*d and b = j*d => d <= g\nprove g >= 1",
+        "given m natural >= 1\nassume exists i, j natural: m = i*a and m = j*b\n\
+         assume for all i, j natural: i*a = j*b and i*a > 0 => m <= i*a\nprove m >= 1",
+        "given p natural >= 2\nassume for all a_1, b_1 natural: a_1*b_1 = p => a_1 = 1 or b_1 = 1\nprove p > 1",
+        "given p integer; q natural >= 1\nlet x = p/q\nprove x*q = p",
+        "given k integer\nlet x = 2*k + 1\nprove x = 2*k + 1",
+        "prove exists y real: y = 2*a and (for all z real: z = 2*a => z = y)",
+        "prove maximum of x over x in [0, 1] is 1",
+        "prove maximum of x over x in [0, 1] at x = 1 is 1",
+        "prove limit of x as x -> 0 from above is 0",
+        "prove limit of sum(k = 1..m, 1/2^k) as m natural -> infinity is 1",
+        "prove not (a > b and a < b)",
+        "prove integral(x = 0..1, x) = 1/2 and derivative(a^2, a) = 2*a",
+    ] {
+        let source = format!("claim c \"t\"\ngiven n, b natural;  a >= 0\n{rest}\n");
+        assert!(parse(&source).is_ok(), "{}", fault(&source));
     }
 }
 

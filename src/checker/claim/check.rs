@@ -1,7 +1,7 @@
 //! Names: each is declared exactly once, and used according to its declaration.
 
 use super::definedness::is_natural;
-use super::diagnostic::{Diagnostic, Fault, nearest};
+use super::diagnostic::{Diagnostic, Fault, binds, nearest};
 use super::preamble::Preamble;
 use super::syntax::*;
 use super::walk;
@@ -25,6 +25,8 @@ struct Names<'a> {
     natural: BTreeSet<String>,
     /// The names in scope in the order of their declaration: a scope ends by taking back its own.
     scope: Vec<String>,
+    /// The names that were reported as declared nowhere: each is one fault.
+    missing: BTreeSet<String>,
     faults: &'a mut Vec<Diagnostic>,
 }
 
@@ -32,7 +34,13 @@ struct Names<'a> {
 pub(super) fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
     let mut found = Vec::new();
     names(claim, &mut found);
-    faults.extend(found.into_iter().filter(|fault| !is_pi(fault)));
+    // The form that stands for `lim(f, x, 0)` or `int(f, x, 0, 1)` declares its variable.
+    let is_bound = found.iter().any(|fault| matches!(&fault.fault, Fault::Undeclared { name, .. } if binds(name)));
+    let is_variable = |fault: &Diagnostic| match &fault.fault {
+        Fault::Undeclared { name, applied, .. } => name.len() == 1 && !applied,
+        _ => false,
+    };
+    faults.extend(found.into_iter().filter(|fault| !is_pi(fault) && !(is_bound && is_variable(fault))));
 }
 
 /// Whether a fault is that nothing declares `pi`, which needs no declaration.
@@ -85,7 +93,7 @@ fn missing(faults: Vec<Diagnostic>) -> BTreeSet<String> {
 
 impl<'a> Names<'a> {
     fn new(faults: &'a mut Vec<Diagnostic>) -> Names<'a> {
-        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), faults }
+        Names { roles: BTreeMap::new(), natural: BTreeSet::new(), scope: Vec::new(), missing: BTreeSet::new(), faults }
     }
 }
 
@@ -233,13 +241,17 @@ impl Names<'_> {
 
     fn used(&mut self, name: &str, role: Role, span: Span) {
         match self.roles.get(name) {
+            None if self.missing.contains(name) => {}
             None => {
+                self.missing.insert(name.to_string());
                 let mut known: Vec<&str> = self.roles.keys().map(String::as_str).collect();
                 if role != Role::Value {
                     FUNCTIONS.iter().for_each(|f| known.push(f.0));
                     super::abbreviation::names().for_each(|f| known.push(f));
                     WRITTEN_OUT.iter().for_each(|f| known.push(f));
                 }
+                // Another variable is no typing error of a letter.
+                known.retain(|near| name.len() > 1 || near.len() > 1);
                 let nearest = nearest(name, known);
                 let fault = Fault::Undeclared { name: name.to_string(), nearest, applied: role != Role::Value };
                 self.faults.push(Diagnostic::new(fault, span));

@@ -142,7 +142,7 @@ pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
         } else if let Some((sign, word)) = OVER.iter().find(|over| source[at..].starts_with(over.0)) {
             at += sign.len() - 1;
             Kind::Word((*word).to_string())
-        } else if c.is_alphabetic() || c == '_' {
+        } else if (c.is_alphabetic() || c == '_') && !"ℝℚℤℕℂ".contains(c) {
             let length = name_length(&source[at..], &out);
             at += length;
             match name(&source[start..at], Span { start, end: at }, &mut faults) {
@@ -180,7 +180,13 @@ pub(crate) fn tokens(source: &str) -> (Vec<Token>, Vec<Diagnostic>) {
             Kind::Sign(sign)
         } else {
             at += c.len_utf8();
-            faults.push(Diagnostic::new(Fault::Stray(c), Span { start, end: at }));
+            // `&&` is one fault.
+            match faults.last_mut() {
+                Some(Diagnostic { fault: Fault::Stray(before), span }) if *before == c && span.end == start => {
+                    span.end = at
+                }
+                _ => faults.push(Diagnostic::new(Fault::Stray(c), Span { start, end: at })),
+            }
             continue;
         };
         out.push(Token { kind, span: Span { start, end: at }, first_on_line });

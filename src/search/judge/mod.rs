@@ -171,11 +171,20 @@ fn unknown(name: &str) -> Fault {
 
 /// The fault of a claim that makes no sense, at its place.
 pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
+    // A goal without a name, as 0 = 1, is there to be proved from them.
+    let mut names = std::collections::BTreeSet::new();
+    crate::claim::walk::free_names(&claim.goal, &mut |name, _| {
+        names.insert(name.to_string());
+    });
+    let itself = match names.is_empty() {
+        true => "; to prove the contradiction itself write `prove not (A and B)` in their place",
+        false => "",
+    };
     match fault {
         Fault::Contradictory { hypotheses } => Diagnostic::new(
             diagnostic::Fault::Other {
                 message: format!("the hypotheses of {} contradict each other: {hypotheses}", claim.name.text),
-                help: Some("no values satisfy these hypotheses; remove or weaken one".to_string()),
+                help: Some(format!("no values satisfy these hypotheses; remove or weaken one{itself}")),
             },
             claim.name.span,
         ),

@@ -97,6 +97,7 @@ impl Parser {
         self.declared = self.preamble.names.clone();
         self.values = Values::of(&self.preamble.items);
         self.growing.clear();
+        self.bound.clear();
         let title = match self.peek() {
             Kind::Text(_) => self.text().unwrap_or_default(),
             _ => {

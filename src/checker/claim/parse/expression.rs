@@ -160,7 +160,9 @@ impl Parser {
                 self.need_sign("(", &format!("after {word}"))?;
                 let name = self.name("an index name")?;
                 if !self.sign("=") {
-                    return Err(self.expected("`=` and a range such as 1..n"));
+                    let form = if word == "integral" { "x = a..b, f" } else { "k = 1..n, f" };
+                    let help = format!("write the variable and its range first: {word}({form})");
+                    return Err(self.expected_with("`=` and a range such as 1..n", Some(help)));
                 }
                 let from = Box::new(self.expr()?);
                 self.need_sign("..", "between the first and the last value")?;

@@ -15,7 +15,7 @@ mod proposition;
 mod unit;
 mod well_founded;
 
-use super::diagnostic::{Diagnostic, Fault, nearest};
+use super::diagnostic::{Diagnostic, Fault, domain, foreign, nearest};
 use super::lex::{FILE_LIMIT, Kind, Token, tokens};
 use super::preamble::Preamble;
 use super::print::Style;
@@ -32,9 +32,6 @@ pub(super) const CLAUSES: &[&str] = &[
 
 /// Words that begin a clause of a preamble.
 const PREAMBLE: &[&str] = &["paper", "source", "section", "reading", "given", "let", "define", "assume"];
-
-/// Words by which other languages add a condition.
-const CONDITIONS: &[&str] = &["if", "when", "where", "whenever", "provided", "unless"];
 
 /// What is expected after the names of a declaration.
 const DOMAIN: &str = "a domain: `real`, `natural`, `integer`, `> 0`, `in [0, 1]` or `in 1..n`";
@@ -250,6 +247,8 @@ struct Parser {
     preamble: Preamble,
     /// The names that the claim, or the preamble, has declared so far.
     declared: BTreeSet<String>,
+    /// The names that a quantifier, a sum, a parameter or a label of the claim introduces.
+    bound: BTreeSet<String>,
     /// What the preamble's declarations and those of the claim so far tell of names.
     values: Values,
     /// The variables of limits, and whether they are natural numbers, if the file says so.
@@ -276,6 +275,7 @@ impl Parser {
             printed: BTreeMap::new(),
             preamble: Preamble::default(),
             declared: BTreeSet::new(),
+            bound: BTreeSet::new(),
             values: Values::default(),
             growing: Vec::new(),
             whole: None,
@@ -363,6 +363,9 @@ impl Parser {
         if self.is_explained() {
             return Reported;
         }
+        if let Some((word, span, help)) = self.foreign_word(expected) {
+            return self.other(&format!("the claim language has no `{word}`"), Some(help), span);
+        }
         let help = help.or_else(|| {
             let previous = self.at.checked_sub(1).map(|i| &self.tokens[i]);
             let is_name = |word: &str| !RESERVED.contains(&word) && !CLAUSES.contains(&word);
@@ -376,9 +379,25 @@ impl Parser {
                 (_, Kind::Word(w)) if self.tokens[self.at].first_on_line && is_name(w) => {
                     nearest(w, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?"))
                 }
-                (Some(_), Kind::Word(w)) if CONDITIONS.contains(&w.as_str()) => {
-                    Some("write a condition as a hypothesis, `assume A`, or as an implication, `A => B`".to_string())
+                (_, Kind::Word(w)) if matches!(w.as_str(), "in" | "infinity") => foreign(w).map(str::to_string),
+                (Some(Kind::Word(w)), _) if expected == "`of`" => foreign(w).map(str::to_string),
+                (Some(Kind::Word(w)), Kind::Sign("!")) if w == "exists" => foreign("exists !").map(str::to_string),
+                (_, Kind::Sign("=")) if expected == "`is`" => Some("write `is` before the value".to_string()),
+                (Some(Kind::Sign("=")), Kind::Sign("<")) => Some("write <=".to_string()),
+                (Some(Kind::Sign("<")), Kind::Sign(">")) => Some("write !=".to_string()),
+                (Some(Kind::Sign(a)), Kind::Sign(b)) if a == b && relation_of(a).is_some() => {
+                    Some(format!("write one sign: {a}"))
                 }
+                (_, Kind::Sign("=>")) => Some("write >= for a comparison; `A => B` joins two statements".to_string()),
+                (Some(Kind::Sign("<")), Kind::Sign("->")) => foreign("<->").map(str::to_string),
+                (_, Kind::Sign("->")) if !expected.starts_with("`=`") => foreign("->").map(str::to_string),
+                (_, Kind::Sign(":")) if *next == Kind::Sign("=") => Some("write = for :=".to_string()),
+                (_, Kind::Sign("|")) if *next == Kind::Sign("|") => Some("write `or`".to_string()),
+                (Some(Kind::Number(_) | Kind::Word(_) | Kind::Sign(")")), Kind::Sign("|")) if expected != DOMAIN => {
+                    foreign("divides").map(|help| format!("{help}; for a product with |x| write *"))
+                }
+                (Some(Kind::Word(w)), Kind::Sign("{")) if w == "in" => foreign(w).map(str::to_string),
+                (_, Kind::Sign("==")) if *next == Kind::Sign(">") => foreign("->").map(str::to_string),
                 (_, Kind::Sign("==")) => Some("equality is written with one sign: a = b".to_string()),
                 (_, Kind::Sign("**")) => Some("powers are written a^b".to_string()),
                 (Some(Kind::Number(n)), Kind::Word(w)) if is_name(w) => Some(format!("write {n}*{w}")),
@@ -413,14 +432,17 @@ impl Parser {
     }
 
     /// Whether a fault that is already reported explains one here: a keyword that the claim uses as a name, here or just
-    /// before, or a character just before that the language does not have.
+    /// before, or a character of its clause that the language does not have.
     fn is_explained(&self) -> bool {
         let before = self.at.checked_sub(1).map(|i| &self.tokens[i]);
         let is_refused = |token: &Token| match &token.kind {
             Kind::Word(word) => self.refused.contains(word),
             _ => false,
         };
-        let between = before.map_or(0, |token| token.span.end)..self.span().end;
+        // Up to the token behind, so that a character after a word is one with it.
+        let from = self.clause_begun().map_or(0, |token| token.span.start);
+        let to = self.tokens.get(self.at + 1).map_or(self.span().end, |token| token.span.start);
+        let between = from..to.max(from);
         let lexed = &self.faults[..self.lexed];
         let first = lexed.partition_point(|fault| fault.span.start < between.start);
         let mut strays = lexed[first..].iter().take_while(|fault| fault.span.start < between.end);
@@ -431,21 +453,68 @@ impl Parser {
     /// What to write for `sin x` or `sin^2(x)` where the fault is behind the name of a function.
     fn function_without_parentheses(&self) -> Option<String> {
         let before = |back: usize| self.at.checked_sub(back).map(|i| &self.tokens[i].kind);
+        let (power, of) = match (before(1), before(2)) {
+            (Some(Kind::Number(power)), Some(Kind::Sign("^"))) => (power.clone(), before(3)),
+            (Some(Kind::Raised(power)), of) => (power.clone(), of),
+            _ => (String::new(), before(1)),
+        };
         let function = |kind: Option<&Kind>| match kind {
             Some(Kind::Word(word)) if is_function(word) => Some(word.clone()),
             _ => None,
         };
         match self.peek() {
-            Kind::Word(argument) if !is_keyword(argument) => {
-                function(before(1)).map(|name| format!("write {name}({argument})"))
-            }
+            Kind::Word(argument) if !is_keyword(argument) => function(of).map(|name| match power.as_str() {
+                "" => format!("write {name}({argument})"),
+                _ => format!("write {name}({argument})^{power}"),
+            }),
             Kind::Number(argument) => function(before(1)).map(|name| format!("write {name}({argument}*x)")),
-            Kind::Sign("(") => {
-                let (Some(Kind::Number(power)), Some(Kind::Sign("^"))) = (before(1), before(2)) else { return None };
-                function(before(3)).map(|name| format!("write the power behind the argument: {name}(x)^{power}"))
+            Kind::Sign("(") if !power.is_empty() => {
+                function(of).map(|name| format!("write the power behind the argument: {name}(x)^{power}"))
             }
             _ => None,
         }
+    }
+
+    /// The word with which the current clause begins.
+    fn clause_begun(&self) -> Option<&Token> {
+        let begins = |token: &&Token| {
+            token.first_on_line && matches!(&token.kind, Kind::Word(word) if CLAUSES.contains(&word.as_str()))
+        };
+        self.tokens[..self.at].iter().rev().find(begins)
+    }
+
+    /// The word of other languages that explains a fault here, its place and what to write instead: the nearest one of the
+    /// clause before this place, or at it, that is no name of the claim.
+    fn foreign_word(&self, expected: &str) -> Option<(String, Span, &'static str)> {
+        if !self.in_expression() {
+            return None;
+        }
+        for at in (0..=self.at).rev() {
+            let (token, next) = (&self.tokens[at], self.tokens.get(at + 1));
+            let word = match &token.kind {
+                Kind::Word(word) if token.first_on_line && CLAUSES.contains(&word.as_str()) && at < self.at => break,
+                Kind::Word(word) if !is_keyword(word) => word,
+                Kind::Sign("{" | "}") if at < self.at => break,
+                _ => continue,
+            };
+            // A label, or a name that stands here for a number.
+            let is_label = matches!(next, Some(Token { kind: Kind::Sign(":"), .. }));
+            let is_domain = expected == DOMAIN && at + 1 >= self.at && domain(word).is_some();
+            let is_name = self.declared.contains(word) || self.bound.contains(word) && !is_domain;
+            if is_label || is_name || at + 1 < self.at && word.len() <= 2 {
+                continue;
+            }
+            if matches!(next, Some(Token { kind: Kind::Word(of), .. }) if of == "of") {
+                let form = format!("{word} of");
+                if let Some(help) = foreign(&form) {
+                    return Some((form, token.span, help));
+                }
+            }
+            if let Some(help) = foreign(word) {
+                return Some((word.clone(), token.span, help));
+            }
+        }
+        None
     }
 
     /// Whether the current clause is one of expressions, and no method has begun in it.
@@ -495,10 +564,16 @@ impl Parser {
                     let message = format!("the names {first} and {text} look the same in print");
                     self.other(&message, Some("give one of them another name"), span);
                 }
+                if what != "a name" {
+                    self.bound.insert(text.clone());
+                }
                 Ok(Name { text, span })
             }
             Kind::Word(text) => {
-                let help = format!("`{text}` is a keyword; choose another name");
+                let help = match text.as_str() {
+                    "real" | "natural" => format!("write the domain behind the name: `given x {text}`"),
+                    _ => format!("`{text}` is a keyword; choose another name"),
+                };
                 let reported = self.expected_with(what, Some(help));
                 self.refused.push(text);
                 Err(reported)

@@ -320,8 +320,7 @@ impl Parser {
             && ["R", "Q", "Z", "N"].contains(&set.as_str())
             && !matches!(self.peek(), Kind::Sign(".."))
         {
-            let help = "write `x real`, `x integer`, `x natural`, or an interval such as `x in [0, 1]`; for newton `x real in N`";
-            return Err(self.expected_with("`..` between the first and the last value", Some(help.to_string())));
+            return Err(self.other(&format!("the set {set} is no domain here"), foreign("ℝ"), from.span));
         }
         self.need_sign("..", "between the first and the last value")?;
         let to = self.expr()?;

@@ -57,6 +57,7 @@ impl Parser {
                 self.at += length;
                 Ok(unit)
             }
+            Err(_) if self.is_explained() => Err(Reported),
             Err(fault) => {
                 let place = places.iter().find(|(end, _)| *end > fault.place.start).or(places.last());
                 let span = place.map_or(self.span(), |(_, span)| *span);
