@@ -40,7 +40,7 @@ pub(super) fn check(claim: &Claim, faults: &mut Vec<Diagnostic>) {
         Fault::Undeclared { name, applied, .. } => name.len() == 1 && !applied,
         _ => false,
     };
-    faults.extend(found.into_iter().filter(|fault| !is_pi(fault) && !(is_bound && is_variable(fault))));
+    faults.extend(found.into_iter().filter(|fault| !(is_pi(fault) || is_bound && is_variable(fault))));
 }
 
 /// Whether a fault is that nothing declares `pi`, which needs no declaration.

@@ -171,14 +171,13 @@ fn unknown(name: &str) -> Fault {
 
 /// The fault of a claim that makes no sense, at its place.
 pub fn diagnostic(claim: &Claim, fault: Fault) -> Diagnostic {
-    // A goal without a name, as 0 = 1, is there to be proved from them.
-    let mut names = std::collections::BTreeSet::new();
-    crate::claim::walk::free_names(&claim.goal, &mut |name, _| {
-        names.insert(name.to_string());
-    });
-    let itself = match names.is_empty() {
-        true => "; to prove the contradiction itself write `prove not (A and B)` in their place",
-        false => "",
+    // A goal between numerals, as 0 = 1, is there to be proved from them.
+    let is_numeral = |e: &claim::Expr| matches!(e.kind, claim::ExprKind::Number(_));
+    let itself = match &claim.goal.kind {
+        claim::PropKind::Compare(sides, _) if sides.iter().all(is_numeral) => {
+            "; to prove the contradiction itself write `prove not (A and B)` in their place"
+        }
+        _ => "",
     };
     match fault {
         Fault::Contradictory { hypotheses } => Diagnostic::new(
