@@ -6,6 +6,7 @@
 
 pub mod hand;
 mod hypotheses;
+mod other_limit;
 pub mod refuted;
 pub mod repair;
 mod satisfiable;
@@ -32,6 +33,9 @@ const CONTRADICTION: u32 = 5;
 
 /// The part of the time limit for showing that a counterexample exists, before a proof is sought.
 const EARLY: u32 = 20;
+
+/// The part of the time limit for proving that a limit is another.
+const EXPANDED: u32 = 3;
 
 /// The part of the time limit that the search for a proof leaves to the search for a counterexample.
 const LEFT: u32 = 8;
@@ -309,7 +313,17 @@ fn searched(
     if let Ok(held) = prove::at_once(claim, accepted, limits) {
         return Ok(Decided { outcome: case.proved(), held: Some(held) });
     }
-    if let Some(refuted) = case.counterexample(Stage::First) {
+    let first = case.counterexample(Stage::First);
+    let points = match first.as_ref().and_then(|first| first.witness.as_ref()) {
+        Some(witness) => vec![witness.point.clone()],
+        None => case.open_points().to_vec(),
+    };
+    let short = Limits { time: case.time_left() / EXPANDED, ..limits.clone() };
+    if let Some(witness) = other_limit::witness(claim, &points, &short) {
+        let refuted = first.unwrap_or_else(|| case.refuted("limit"));
+        return Ok(Decided::without_proof(Outcome { witness: Some(witness), ..refuted }));
+    }
+    if let Some(refuted) = first {
         return Ok(Decided::without_proof(refuted));
     }
     // Where evaluation found no point for the hypotheses it finds no counterexample either: it is shown to exist, or not.

@@ -6,7 +6,8 @@
 //! - exp(s), ln(1 + s) and (1 + s)^a where s tends to 0: Taylor's polynomial with a remainder C·|s|^(n + 1), for |s| <= 1/2
 //!   (Eberl, "Verified real asymptotics in Isabelle/HOL", 2019, has the general theory);
 //! - exp(u) where u tends to −infinity: 0 and (−u/j)^(−j), since exp lies above its tangent, and (u/j)^j <= exp(u);
-//! - sin(s), cos(s), arcsin(s), arctan(s) where s tends to 0: the same; sine and cosine of another argument −1 and 1;
+//! - sin(s), cos(s), arcsin(s), arctan(s) where s tends to 0: the same; sine and cosine of another argument −1 and 1,
+//!   and so have the powers t^x that `alternating` leaves;
 //! - ln(x): 0 and j·x^(1/j), for the same reason.
 //!
 //! In the expression each stands for its atom, at the end that the sign of the atom's factor asks for. Nothing here is shown:
@@ -15,12 +16,13 @@
 //! Limits: [`ATOMS`].
 
 use super::Prover;
-use super::asymptotic_form::{Leading, atoms, put_for_atom, raised, total};
+use super::asymptotic_form::{Leading, atoms, is_turning, put_for_atom, raised, total};
 use super::facts::{minus, power_of};
 use super::letters::{product, whole_power};
 use super::limits::over;
 use super::taylor::{Function, Side};
 use crate::algebra::Polynomial;
+use crate::certificate::Label;
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::order::Signs;
@@ -164,6 +166,8 @@ pub(super) struct Plan {
     /// What the expansions need, for all y near the centre.
     pub lemmas: Vec<Prop>,
     pub small: Vec<Small>,
+    /// What is known for all values of x.
+    pub facts: Vec<Label>,
 }
 
 impl Prover {
@@ -231,6 +235,9 @@ impl Prover {
             ExprKind::Apply(f, list) if f.text == "arcsin" => (Function::Arcsine, list.first()?.clone()),
             ExprKind::Apply(f, list) if f.text == "arctan" => (Function::Arctangent, list.first()?.clone()),
             ExprKind::Apply(_, list) => (Function::Logarithm, list.first()?.clone()),
+            ExprKind::Power(base, exponent) if is_turning(base, exponent, &plan.x) => {
+                (Function::Turning((**base).clone()), (**exponent).clone())
+            }
             ExprKind::Power(base, exponent) => (Function::Root(self.letters.number(exponent)?), (**base).clone()),
             _ => return None,
         };
@@ -241,6 +248,8 @@ impl Prover {
             let root = raised(&name(&plan.x), &Rational::from_unsigneds(1, plan.root));
             piece.bounds = [Some(numeral(0)), Some(product(vec![numeral(plan.root), root]))];
             piece.reasons = [1, plan.root].map(|parts| Some(Reason::Logarithm { parts }));
+        } else if matches!(piece.function, Function::Turning(_)) {
+            piece.bounds = [-1, 1].map(|k| Some(literal(&Rational::from(k))));
         } else {
             let ends = self.bounds_of(&argument, plan)?;
             match piece.function {

@@ -48,6 +48,11 @@ fn is_plain(base: &Expr, exponent: &Expr, x: &str) -> bool {
     !holds(exponent, x) && (matches!(&base.kind, ExprKind::Name(n) if n == x) || !holds(base, x))
 }
 
+/// Whether a power is t^x for a constant t.
+pub(super) fn is_turning(base: &Expr, exponent: &Expr, x: &str) -> bool {
+    !holds(base, x) && matches!(&exponent.kind, ExprKind::Name(n) if n == x)
+}
+
 /// The parts that are no sums, products or whole powers, the outermost ones; `None` where one is not read here.
 pub(super) fn atoms(e: &Expr, x: &str, out: &mut Vec<Expr>) -> Option<()> {
     if !holds(e, x) {
@@ -60,6 +65,8 @@ pub(super) fn atoms(e: &Expr, x: &str, out: &mut Vec<Expr>) -> Option<()> {
         ExprKind::Product(list) => list.iter().try_for_each(|(_, e)| atoms(e, x, out))?,
         ExprKind::Power(base, exponent) if natural(exponent).is_some() => atoms(base, x, out)?,
         ExprKind::Power(base, exponent) if is_plain(base, exponent, x) => {}
+        // A power of what may be negative; the others are exponentials here.
+        ExprKind::Power(base, exponent) if is_turning(base, exponent, x) => once(e, out),
         ExprKind::Power(_, exponent) if holds(exponent, x) => return None,
         ExprKind::Power(..) => once(e, out),
         ExprKind::Apply(f, list) if MOVING.contains(&f.text.as_str()) && list.len() == 1 => once(e, out),
@@ -217,8 +224,15 @@ impl Prover {
                 Some(minus(&quarter_turn(1), &apply("arcsin", list.first()?.clone())))
             }
             ExprKind::Apply(f, list) if f.text == "arctan" => self.arctangent_by(list.first()?, x, equations),
-            // The addition formulas leave terms as arguments.
-            ExprKind::Apply(f, _) if matches!(f.text.as_str(), "sin" | "cos") => self.simplified(&out),
+            ExprKind::Apply(f, list) if matches!(f.text.as_str(), "sin" | "cos") => {
+                let argument = self.read(list.first()?, false)?;
+                match argument.factors.iter().all(|f| f.poly.terms().count() == 1) {
+                    // The sine of a multiple stays whole: it is linear in itself.
+                    true => self.turned(&f.text, list.first()?, argument.number < 0),
+                    // The addition formulas leave terms as arguments.
+                    false => self.simplified(&out),
+                }
+            }
             // 1 − 2/(exp(2·u) + 1), in which one exponential grows.
             ExprKind::Apply(f, list) if f.text == "tanh" => {
                 let twice = apply("exp", product(vec![numeral(2), list.first()?.clone()]));
@@ -232,12 +246,26 @@ impl Prover {
         }
     }
 
+    /// The sine or cosine of an argument of one term, with the sign of its number before it.
+    fn turned(&mut self, function: &str, argument: &Expr, is_negative: bool) -> Option<Expr> {
+        if !is_negative {
+            return Some(apply(function, self.simplified(argument)?));
+        }
+        let whole = apply(function, self.simplified(&negated(argument.clone()))?);
+        Some(if function == "sin" { negated(whole) } else { whole })
+    }
+
     /// A product with one exponential at most, and with powers in the place of divisors.
     fn product_by(&mut self, list: &[(Factor, Expr)], x: &str, equations: &mut Vec<(Expr, Expr)>) -> Option<Expr> {
         let (mut rest, mut exponents) = (Vec::new(), Vec::new());
+        let mut turns = false;
         for (factor, e) in list {
             let sign = if *factor == Factor::Times { Sign::Plus } else { Sign::Minus };
             let mut e = e.clone();
+            // What is expanded is mostly positive so.
+            while let ExprKind::Negate(opposite) = &e.kind {
+                (e, turns) = ((**opposite).clone(), !turns);
+            }
             if let Some((top, others)) = self.dominant(&e, x) {
                 exponents.push((sign, top));
                 e = others;
@@ -251,8 +279,8 @@ impl Prover {
         let exponent = (!exponents.is_empty()).then(|| together(&exponents));
         let exponent = exponent.filter(|u| natural(u) != Some(0));
         rest.extend(exponent.map(|u| (Factor::Times, apply("exp", u))));
-        if !matches!(rest.first(), Some((Factor::Times, _))) {
-            rest.insert(0, (Factor::Times, numeral(1)));
+        if turns || !matches!(rest.first(), Some((Factor::Times, _))) {
+            rest.insert(0, (Factor::Times, literal(&Rational::from(if turns { -1 } else { 1 }))));
         }
         match rest.as_slice() {
             [(_, only)] => Some(only.clone()),
@@ -345,6 +373,9 @@ impl Prover {
     fn power_by(&mut self, base: &Expr, exponent: &Expr, x: &str, equations: &mut Vec<(Expr, Expr)>) -> Option<Expr> {
         let whole = power(base, exponent);
         if is_plain(base, exponent, x) {
+            return Some(whole);
+        }
+        if is_turning(base, exponent, x) && !self.signs_of(base).within(Signs::POSITIVE) {
             return Some(whole);
         }
         if holds(exponent, x) {

@@ -6,6 +6,7 @@
 //!
 //! Limits: [`ORDERS`], [`ROOTS`] and those of `asymptotic_bounds`.
 
+use super::alternating::Apart;
 use super::asymptotic_bounds::{Bound, Piece, Plan, Reason, Small, Step, Tends, part, twice_size};
 use super::asymptotic_form::{atoms, raised, total};
 use super::facts::{minus, negated, power_of};
@@ -37,8 +38,9 @@ impl Prover {
     pub(super) fn by_expansion(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let no = || Fail::No("an asymptotic expansion");
         let x = &l.variable.text;
-        let mut equations = Vec::new();
-        let form = self.written_by(&l.of, x, &mut equations).ok_or_else(no)?;
+        let mut apart = self.apart_from_signs(&l.of, x)?;
+        let form = self.written_by(&apart.of, x, &mut apart.equations).ok_or_else(no)?;
+        let Apart { equations, facts, .. } = apart;
         let mut found = Vec::new();
         atoms(&form, x, &mut found).ok_or_else(no)?;
         if found.is_empty() && equations.is_empty() {
@@ -46,13 +48,11 @@ impl Prover {
         }
         for degree in ORDERS {
             for root in ROOTS {
-                let (pieces, lemmas, small) = Default::default();
-                let y = self.fresh("y");
-                let mut plan = Plan { x: x.clone(), y, degree, root, pieces, lemmas, small };
+                let mut plan = self.plan(x, degree, root, &facts);
                 let Some([Some(lower), Some(upper)]) = self.bounds_of(&form, &mut plan) else { continue };
                 let from = self.beginnings(&plan);
                 let done =
-                    self.attempt(|c| c.between_bounds(goal, l, [&lower, &upper], &plan, (&form, &equations), &from));
+                    self.on_its_own(|c| c.between_bounds(goal, l, [&lower, &upper], &plan, (&form, &equations), &from));
                 if done.is_ok() {
                     return done;
                 }
@@ -63,6 +63,27 @@ impl Prover {
             }
         }
         Err(no())
+    }
+
+    /// What an expression tends to, if two bounds of it tend to the same.
+    pub(super) fn limit_by_bounds(&mut self, e: &Expr, x: &str) -> Option<Expr> {
+        let mut apart = self.apart_from_signs(e, x).ok()?;
+        let form = self.written_by(&apart.of, x, &mut apart.equations)?;
+        for degree in ORDERS {
+            let mut plan = self.plan(x, degree, ROOTS[1], &[]);
+            let Some([Some(lower), Some(upper)]) = self.bounds_of(&form, &mut plan) else { continue };
+            if let (Tends::To(a), Tends::To(b)) = (self.tends(&lower.value, x), self.tends(&upper.value, x))
+                && self.is_zero(&minus(&a, &b))
+            {
+                return self.simplified(&a);
+            }
+        }
+        None
+    }
+
+    fn plan(&mut self, x: &str, degree: u32, root: u32, facts: &[Label]) -> Plan {
+        let (pieces, lemmas, small) = Default::default();
+        Plan { x: x.to_string(), y: self.fresh("y"), degree, root, pieces, lemmas, small, facts: facts.to_vec() }
     }
 
     fn between_bounds(
@@ -89,6 +110,10 @@ impl Prover {
                 let mut at = Substitution::default();
                 at.replace(&plan.x, k);
                 let here = |e: &Expr| at.expr(e).map_err(Fail::from);
+                for fact in &plan.facts {
+                    let here = c.instance(fact, k)?;
+                    c.put_in(&here);
+                }
                 let reach = c.reach(plan, from, k)?;
                 let mut shown = Shown::new();
                 for piece in &plan.pieces {
@@ -294,7 +319,8 @@ impl Prover {
         shown: &Shown,
     ) -> Result<[Option<Label>; 2], Fail> {
         let mut labels = [None, None];
-        for (k, shown_as) in labels.iter_mut().enumerate() {
+        // Of what falls the upper bound comes first: that its argument lies above a positive number is needed for both.
+        for k in if piece.function.falls() { [1, 0] } else { [0, 1] } {
             let Some(bound) = &piece.bounds[k] else { continue };
             let goal = at_most(k == 0, bound, &piece.atom);
             let label = match &piece.reasons[k] {
@@ -302,6 +328,9 @@ impl Prover {
                     let lemma = lemmas.get(*lemma).ok_or(Fail::No("a lemma"))?;
                     let reach = reach.get(*small).ok_or(Fail::No("what is small"))?;
                     self.within_reach(lemma, &at.value, reach)?;
+                    if piece.function.falls() {
+                        self.positive_within_reach(&at.value, &reach[0])?;
+                    }
                     self.by_lemma(&goal, piece, k == 0, lemma, at, shown)?
                 }
                 Some(Reason::Tangent { at, parts }) => {
@@ -315,7 +344,7 @@ impl Prover {
                 None => self.without_cases(&goal)?,
             };
             self.take_in(&label, &goal)?;
-            *shown_as = Some(label);
+            labels[k] = Some(label);
         }
         Ok(labels)
     }
@@ -370,6 +399,18 @@ impl Prover {
         Ok(())
     }
 
+    /// What is at least 1 − 1/2 is positive.
+    fn positive_within_reach(&mut self, value: &Expr, reach: &Label) -> Result<(), Fail> {
+        let goal = compare(value.clone(), Relation::Greater, numeral(0));
+        let half = literal(&Rational::from_unsigneds(1u32, 2));
+        let terms =
+            vec![Term { facts: vec![reach.clone()], factor: numeral(1) }, Term { facts: Vec::new(), factor: half }];
+        if let Ok(label) = self.combination(goal.clone(), terms) {
+            self.take_in(&label, &goal)?;
+        }
+        Ok(())
+    }
+
     /// The values of a function at p <= q in order.
     ///
     /// exp(q) − exp(p) = exp(p)·(exp(q − p) − 1), and exp lies above its tangent; ln(q) − ln(p) >= 1 − p/q for the same reason.
@@ -383,12 +424,21 @@ impl Prover {
             Function::Root(a) if *a > 0 => return self.emit(Rule::Monotone { from }, values),
             // 1/q − 1/p = (p − q)/(p·q).
             Function::Root(a) if *a == -1 => {
+                let positive = |e: &Expr| compare(e.clone(), Relation::Greater, numeral(0));
+                if let Ok(first) = self.without_cases(&positive(p)) {
+                    let terms = [&from, &first].map(|fact| Term { facts: vec![fact.clone()], factor: numeral(1) });
+                    if let Ok(label) = self.combination(positive(q), terms.to_vec()) {
+                        self.take_in(&label, &positive(q))?;
+                    }
+                }
                 let factor = over(numeral(1), product(vec![p.clone(), q.clone()]));
                 return self
                     .combination(values.clone(), vec![Term { facts: vec![from], factor }])
                     .or_else(|_| self.without_cases(&values));
             }
-            Function::Sine | Function::Cosine | Function::Root(_) => return self.without_cases(&values),
+            Function::Sine | Function::Cosine | Function::Turning(_) | Function::Root(_) => {
+                return self.without_cases(&values);
+            }
         };
         let line = self.tangent_fact(&gap)?;
         let term = |fact: &Label, factor: &Expr| Term { facts: vec![fact.clone()], factor: factor.clone() };

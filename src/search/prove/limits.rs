@@ -78,7 +78,8 @@ impl Prover {
         let mut divisors = Vec::new();
         divisors_in(&l.of, &mut divisors);
         let mut is_new = false;
-        for d in divisors.iter().filter(|d| holds(d, &l.variable.text)) {
+        // A sine that moves is positive near some places only.
+        for d in divisors.iter().filter(|d| holds(d, &l.variable.text) && !turns(d, &l.variable.text)) {
             let Ok(divisor) = map.expr(d) else { continue };
             let positive = compare(divisor, Relation::Greater, numeral(0));
             let every = prop(PropKind::ForAll(vec![binding.clone()], Box::new(positive.clone())));
@@ -272,4 +273,12 @@ fn divisors_in(e: &Expr, out: &mut Vec<Expr>) {
         out.extend(list.iter().filter(|f| f.0 == Factor::Over).map(|f| f.1.clone()));
     }
     crate::refute::expand::parts(e, &mut |part| divisors_in(part, out));
+}
+
+/// Whether a sine or cosine of what holds a variable stands in an expression.
+fn turns(e: &Expr, x: &str) -> bool {
+    let mut found = matches!(&e.kind, ExprKind::Apply(f, list)
+        if matches!(f.text.as_str(), "sin" | "cos") && list.iter().any(|e| holds(e, x)));
+    crate::refute::expand::parts(e, &mut |part| found |= turns(part, x));
+    found
 }

@@ -11,6 +11,7 @@
 //! what was found.
 
 mod absolute;
+mod alternating;
 mod antiderivatives;
 mod arcs;
 mod argument;
@@ -40,6 +41,7 @@ mod facts;
 mod fail;
 mod far_members;
 mod formulas;
+mod found_limits;
 mod fourier_motzkin;
 mod goals;
 mod hypergeometric;
@@ -93,6 +95,7 @@ use crate::refute::expand;
 use argument::Named;
 pub(crate) use at_once::at_once;
 pub use fail::Fail;
+pub(crate) use found_limits::value_of_limit;
 pub(crate) use integrals::with_values_of_integrals;
 use letters::Letters;
 use std::collections::{BTreeSet, HashMap, HashSet};

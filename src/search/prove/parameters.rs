@@ -66,14 +66,23 @@ impl Prover {
         let mut names = BTreeSet::new();
         names_in(&l.of, &mut names);
         names.remove(&l.variable.text);
-        // What stands beside the value tells nothing by its sign.
-        let open = names
-            .into_iter()
-            .find(|n| self.is_a_name(n) && !holds(&l.value, n) && self.signs_of(&name(n)) == Signs::ANY);
+        // What stands beside the value tells nothing by its sign, but for what is raised to the variable.
+        let mut raised = Vec::new();
+        super::alternating::powers_to(&l.of, &l.variable.text, &mut raised);
+        let is_open = |c: &mut Prover, n: &String| c.is_a_name(n) && c.signs_of(&name(n)) == Signs::ANY;
+        let beside = names.iter().find(|n| !holds(&l.value, n) && is_open(self, n)).cloned();
+        let is_beside = beside.is_some();
+        let in_a_base = |n: &&String| raised.iter().any(|(base, _)| holds(base, n));
+        let open = beside.or_else(|| names.iter().filter(in_a_base).find(|n| is_open(self, n)).cloned());
+        let open = open.or_else(|| names.iter().filter(|_| !raised.is_empty()).find(|n| is_open(self, n)).cloned());
         let open = open.ok_or_else(no)?;
+        let relations = match is_beside {
+            true => vec![Relation::Less, Relation::Equal, Relation::Greater],
+            false => vec![Relation::Less, Relation::GreaterEqual],
+        };
         self.parameters += 1;
         let mut from = Vec::new();
-        for relation in [Relation::Less, Relation::Equal, Relation::Greater] {
+        for relation in relations {
             let case = compare(name(&open), relation, numeral(0));
             let shown = self.block(&implies(&case, goal), |c, _| {
                 if relation == Relation::Equal {

@@ -21,6 +21,8 @@ pub(super) enum Function {
     Arctangent,
     /// y^a.
     Root(Rational),
+    /// t^y for a number t from −1 to 1, which has no expansion.
+    Turning(Expr),
 }
 
 impl Function {
@@ -39,12 +41,13 @@ impl Function {
             Function::Arcsine => apply("arcsin", y.clone()),
             Function::Arctangent => apply("arctan", y.clone()),
             Function::Root(a) => power(y, &literal(a)),
+            Function::Turning(t) => power(t, y),
         }
     }
 
-    /// Whether it turns without end: sin and cos.
+    /// Whether it turns without end: sin and cos, and powers of what may be negative.
     pub(super) fn turns(&self) -> bool {
-        matches!(self, Function::Sine | Function::Cosine)
+        matches!(self, Function::Sine | Function::Cosine | Function::Turning(_))
     }
 
     /// Whether it falls as its argument rises.
@@ -68,6 +71,7 @@ impl Function {
                 let third = &second * (a - Rational::from(2)) * part(3);
                 [one, a.clone(), second, third]
             }
+            Function::Turning(_) => [zero.clone(), zero.clone(), zero.clone(), zero],
         }
     }
 

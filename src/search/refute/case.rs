@@ -174,6 +174,12 @@ impl Case {
         })
     }
 
+    /// The outcome of a claim that is refuted by this method.
+    pub(crate) fn refuted(self, method: &str) -> Outcome {
+        let outcome = undecided(&self.statement.name, None, None);
+        Outcome { verdict: Verdict::Refuted, method: method.to_string(), sample: self.sample, ..outcome }
+    }
+
     /// The time left for the claim.
     pub(crate) fn time_left(&self) -> Duration {
         self.time.saturating_sub(self.started.elapsed())

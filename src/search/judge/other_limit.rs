@@ -1,0 +1,143 @@
+//! Limits that are another than a claim says, or none: the search for proofs finds what they are.
+//!
+//! Method: at a point of the parameters the value is read from bounds, and proved with the kernel. It is certainly another than
+//! the claim's. A limit is one number; and where an expression tends to one, it does so along every way on which its variable
+//! grows: a natural number along the even ones and the odd ones, a real number by steps of 2π.
+//!
+//! Limits: [`POINTS`], and the time.
+
+use crate::claim::print;
+use crate::claim::syntax::*;
+use crate::claim::walk::{names_in, parts};
+use crate::kernel::statement::{expr, name, numeral, prop};
+use crate::kernel::substitution::Substitution;
+use crate::prove;
+use crate::refute::catalogue::Limits;
+use crate::refute::evaluate::Assignment;
+use crate::refute::expand::Statement;
+use crate::refute::outcome::{Broken, Point, Witness};
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
+
+/// The most points of the parameters.
+const POINTS: usize = 2;
+
+/// A point at which a limit of the goal is another than it says, one of these or one without parameters.
+pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Option<Witness> {
+    let mut said = Vec::new();
+    limits_of(&claim.goal, &mut said);
+    if said.is_empty() {
+        return None;
+    }
+    let statement = Statement::of(claim).ok().filter(|s| s.sequences.is_empty())?;
+    let mut said = Vec::new();
+    limits_of(&statement.goal, &mut said);
+    let moving: Vec<&str> = said.iter().map(|l| l.variable.text.as_str()).collect();
+    let mut points: Vec<Point> = points.iter().map(|p| without(p, &moving)).collect();
+    let mut names = statement.bindings.iter().flat_map(|b| &b.names);
+    if names.all(|n| moving.contains(&n.0.text.as_str())) {
+        points = vec![Point::default()];
+    }
+    points.dedup();
+    points.into_iter().take(POINTS).find_map(|point| {
+        let broken = said.iter().find_map(|l| other(claim, &statement, l, &point, limits))?;
+        Some(Witness { point, broken: vec![broken] })
+    })
+}
+
+/// A point without the variables that move in the limits of a goal.
+fn without(point: &Point, moving: &[&str]) -> Point {
+    Point { values: point.values.iter().filter(|(n, _)| !moving.contains(&n.as_str())).cloned().collect() }
+}
+
+/// The limits that a goal says to hold.
+fn limits_of(p: &Prop, out: &mut Vec<Limit>) {
+    match &p.kind {
+        PropKind::And(list) => list.iter().for_each(|p| limits_of(p, out)),
+        PropKind::Limit(limit) => out.push((**limit).clone()),
+        _ => {}
+    }
+}
+
+/// What a limit is at a point, if that is another than it says.
+fn other(claim: &Claim, statement: &Statement, l: &Limit, point: &Point, limits: &Limits) -> Option<Broken> {
+    let mut at = Substitution::default();
+    for (place, value) in &point.values {
+        let place = crate::claim::parse::parse_expr(place).ok()?;
+        let ExprKind::Name(n) = &place.kind else { return None };
+        at.replace(n, &crate::claim::parse::parse_expr(value).ok()?);
+    }
+    let here = Limit { of: at.expr(&l.of).ok()?, value: at.expr(&l.value).ok()?, variable: l.variable.clone() };
+    let x = &l.variable.text;
+    let natural = statement.bindings.iter().find(|b| b.names.iter().any(|n| n.0.text == *x))?.natural;
+    let alone = Assignment { is_pi: !statement.declares(PI), ..Assignment::default() };
+    let said = alone.number(&here.value).ok()?;
+    let mut ways = vec![None];
+    ways.extend(ways_to_infinity(&here.of, x, natural, alone.is_pi).into_iter().map(Some));
+    for way in ways {
+        let mut own = here.clone();
+        if let Some(way) = &way {
+            let mut along = Substitution::default();
+            along.replace(x, way);
+            own.of = along.expr(&here.of).ok()?;
+        }
+        let domain = Binding::of(l.variable.clone(), natural || way.is_some(), Vec::new());
+        let mut own_claim = Claim {
+            items: vec![Item::Given(vec![domain])],
+            goal: prop(PropKind::Limit(Box::new(own.clone()))),
+            using: Vec::new(),
+            sample: Vec::new(),
+            proof: Proof::default(),
+            written: None,
+            ..claim.clone()
+        };
+        let Some(value) = prove::value_of_limit(&own_claim, limits) else { continue };
+        let Ok(found) = alone.number(&value) else { continue };
+        match found.order(&said) {
+            Some(Ordering::Less | Ordering::Greater) => {}
+            // Where the whole has this limit, every way has it.
+            Some(Ordering::Equal) if way.is_none() => return None,
+            _ => continue,
+        }
+        own_claim.goal = prop(PropKind::Limit(Box::new(Limit { value: value.clone(), ..own })));
+        if prove::certificate(&own_claim, &[], limits).is_ok() {
+            let (value, said) = (print::expr(&value), print::expr(&here.value));
+            let statement = match way {
+                None => format!("the limit is {value}, not {said}"),
+                Some(way) => format!("the limit is {value} along {x} = {}, and not {said}", print::expr(&way)),
+            };
+            return Some(Broken { statement, left: value, right: String::new() });
+        }
+    }
+    None
+}
+
+/// Ways on which a variable grows, written by natural numbers of the same name: on each of them what turns may stand still.
+fn ways_to_infinity(of: &Expr, x: &str, natural: bool, is_pi: bool) -> Vec<Expr> {
+    let times = |c: Expr| expr(ExprKind::Product(vec![(Factor::Times, c), (Factor::Times, name(x))]));
+    let plus = |a: Expr, b: Expr| expr(ExprKind::Sum(vec![(Sign::Plus, a), (Sign::Plus, b)]));
+    let twice = times(numeral(2));
+    if natural {
+        return vec![twice.clone(), plus(twice, numeral(1))];
+    }
+    if !is_pi || !turns(of, x) {
+        return Vec::new();
+    }
+    let turn =
+        expr(ExprKind::Product(vec![(Factor::Times, numeral(2)), (Factor::Times, name(PI)), (Factor::Times, name(x))]));
+    let half = expr(ExprKind::Product(vec![(Factor::Times, name(PI)), (Factor::Over, numeral(2))]));
+    vec![turn.clone(), plus(turn.clone(), half), plus(turn, name(PI))]
+}
+
+/// Whether a sine or cosine of what holds a variable stands in an expression.
+fn turns(e: &Expr, x: &str) -> bool {
+    let holds = |e: &Expr| {
+        let mut names = BTreeSet::new();
+        names_in(e, &mut names);
+        names.contains(x)
+    };
+    let mut found = matches!(&e.kind, ExprKind::Apply(f, list)
+        if matches!(f.text.as_str(), "sin" | "cos") && list.iter().any(holds));
+    parts(e, &mut |part| found |= turns(part, x));
+    found
+}
