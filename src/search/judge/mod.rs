@@ -319,12 +319,14 @@ fn searched(
         None => case.open_points().to_vec(),
     };
     let short = Limits { time: case.time_left() / EXPANDED, ..limits.clone() };
-    if let Some(witness) = other_limit::witness(claim, &points, &short) {
+    if !case.has_no_point()
+        && let Some(witness) = other_limit::witness(claim, &points, &short)
+    {
         let refuted = first.unwrap_or_else(|| case.refuted("limit"));
         return Ok(Decided::without_proof(Outcome { witness: Some(witness), ..refuted }));
     }
     if let Some(refuted) = first {
-        return Ok(Decided::without_proof(refuted));
+        return Ok(Decided::without_proof(other_limit::without_what_moves(claim, refuted)));
     }
     // Where evaluation found no point for the hypotheses it finds no counterexample either: it is shown to exist, or not.
     if case.has_shown_point()
@@ -338,7 +340,7 @@ fn searched(
         Err(fail) => fail,
     };
     if let Some(refuted) = case.counterexample(Stage::Last) {
-        return Ok(Decided::without_proof(refuted));
+        return Ok(Decided::without_proof(other_limit::without_what_moves(claim, refuted)));
     }
     if !case.has_no_point()
         && let Some(certificate) = refuted_by_proof(claim, &case, limits, CONTRADICTION)

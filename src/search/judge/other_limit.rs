@@ -15,7 +15,7 @@ use crate::prove;
 use crate::refute::catalogue::Limits;
 use crate::refute::evaluate::Assignment;
 use crate::refute::expand::Statement;
-use crate::refute::outcome::{Broken, Point, Witness};
+use crate::refute::outcome::{Broken, Outcome, Point, Witness};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
@@ -45,6 +45,29 @@ pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Optio
     })
 }
 
+/// The same outcome without values for the variables that move in the limits of the goal: they say nothing of a limit.
+pub(super) fn without_what_moves(claim: &Claim, mut outcome: Outcome) -> Outcome {
+    let mut said = Vec::new();
+    limits_of(&claim.goal, &mut said);
+    let moving: Vec<&str> = said.iter().map(|l| l.variable.text.as_str()).collect();
+    let fails_there = |p: &Prop| match &p.kind {
+        PropKind::Limit(_) => false,
+        _ => {
+            let mut names = BTreeSet::new();
+            crate::kernel::names::names_in_prop(p, &mut names);
+            moving.iter().any(|n| names.contains(*n))
+        }
+    };
+    let is_said_besides = match &claim.goal.kind {
+        PropKind::And(list) => list.iter().any(fails_there),
+        _ => fails_there(&claim.goal),
+    };
+    if let Some(witness) = outcome.witness.as_mut().filter(|_| !is_said_besides) {
+        witness.point = without(&witness.point, &moving);
+    }
+    outcome
+}
+
 /// A point without the variables that move in the limits of a goal.
 fn without(point: &Point, moving: &[&str]) -> Point {
     Point { values: point.values.iter().filter(|(n, _)| !moving.contains(&n.as_str())).cloned().collect() }
@@ -72,16 +95,20 @@ fn other(claim: &Claim, statement: &Statement, l: &Limit, point: &Point, limits:
     let natural = statement.bindings.iter().find(|b| b.names.iter().any(|n| n.0.text == *x))?.natural;
     let alone = Assignment { is_pi: !statement.declares(PI), ..Assignment::default() };
     let said = alone.number(&here.value).ok()?;
+    let mut taken = BTreeSet::from([x.clone()]);
+    names_in(&here.of, &mut taken);
+    let k = ["k", "m", "j", "p"].into_iter().find(|k| !taken.contains(*k))?;
     let mut ways = vec![None];
-    ways.extend(ways_to_infinity(&here.of, x, natural, alone.is_pi).into_iter().map(Some));
+    ways.extend(ways_to_infinity(&here.of, x, k, natural, alone.is_pi).into_iter().map(Some));
     for way in ways {
         let mut own = here.clone();
         if let Some(way) = &way {
             let mut along = Substitution::default();
             along.replace(x, way);
             own.of = along.expr(&here.of).ok()?;
+            own.variable = Name::new(k);
         }
-        let domain = Binding::of(l.variable.clone(), natural || way.is_some(), Vec::new());
+        let domain = Binding::of(own.variable.clone(), natural || way.is_some(), Vec::new());
         let mut own_claim = Claim {
             items: vec![Item::Given(vec![domain])],
             goal: prop(PropKind::Limit(Box::new(own.clone()))),
@@ -104,7 +131,7 @@ fn other(claim: &Claim, statement: &Statement, l: &Limit, point: &Point, limits:
             let (value, said) = (print::expr(&value), print::expr(&here.value));
             let statement = match way {
                 None => format!("the limit is {value}, not {said}"),
-                Some(way) => format!("the limit is {value} along {x} = {}, and not {said}", print::expr(&way)),
+                Some(way) => format!("along {x} = {} the limit is {value}, not {said}", print::expr(&way)),
             };
             return Some(Broken { statement, left: value, right: String::new() });
         }
@@ -112,9 +139,9 @@ fn other(claim: &Claim, statement: &Statement, l: &Limit, point: &Point, limits:
     None
 }
 
-/// Ways on which a variable grows, written by natural numbers of the same name: on each of them what turns may stand still.
-fn ways_to_infinity(of: &Expr, x: &str, natural: bool, is_pi: bool) -> Vec<Expr> {
-    let times = |c: Expr| expr(ExprKind::Product(vec![(Factor::Times, c), (Factor::Times, name(x))]));
+/// Ways on which a variable x grows, written by a natural number k: on each of them what turns may stand still.
+fn ways_to_infinity(of: &Expr, x: &str, k: &str, natural: bool, is_pi: bool) -> Vec<Expr> {
+    let times = |c: Expr| expr(ExprKind::Product(vec![(Factor::Times, c), (Factor::Times, name(k))]));
     let plus = |a: Expr, b: Expr| expr(ExprKind::Sum(vec![(Sign::Plus, a), (Sign::Plus, b)]));
     let twice = times(numeral(2));
     if natural {

@@ -120,10 +120,16 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_a_growing_sum(goal, l)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.attempt(|c| c.by_closed_members(goal, l)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_expansion(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.on_its_own(|c| c.by_ratios(goal, l)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_absolute_value(goal, l)) {

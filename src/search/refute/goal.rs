@@ -183,7 +183,8 @@ fn with_limits(
                 let statement = "the expression grows beyond every bound: it has no finite limit".to_string();
                 Broken { statement, left, right: String::new() }
             } else {
-                Broken { statement: print::prop(prop), left, right: value.text() }
+                let statement = format!("the limit is {left}, not {}", value.text());
+                Broken { statement, left, right: String::new() }
             });
             Ok(false)
         }
