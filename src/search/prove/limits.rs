@@ -120,7 +120,7 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_closed_sums(goal, l)) {
             return Ok(label);
         }
-        if let Ok(label) = self.attempt(|c| c.by_a_growing_sum(goal, l)) {
+        if let Ok(label) = self.on_its_own(|c| c.by_a_growing_sum(goal, l)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_closed_members(goal, l)) {
