@@ -6,6 +6,7 @@
 //!
 //! Limits: [`POINTS`], and the time.
 
+use crate::algebra::Moment;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::claim::walk::{names_in, parts};
@@ -39,8 +40,9 @@ pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Optio
         points = vec![Point::default()];
     }
     points.dedup();
+    let end = Moment::now().checked_add(limits.time);
     points.into_iter().take(POINTS).find_map(|point| {
-        let broken = said.iter().find_map(|l| other(claim, &statement, l, &point, limits))?;
+        let broken = said.iter().find_map(|l| other(claim, &statement, l, &point, (limits, end)))?;
         Some(Witness { point, broken: vec![broken] })
     })
 }
@@ -83,7 +85,13 @@ fn limits_of(p: &Prop, out: &mut Vec<Limit>) {
 }
 
 /// What a limit is at a point, if that is another than it says.
-fn other(claim: &Claim, statement: &Statement, l: &Limit, point: &Point, limits: &Limits) -> Option<Broken> {
+fn other(
+    claim: &Claim,
+    statement: &Statement,
+    l: &Limit,
+    point: &Point,
+    (limits, end): (&Limits, Option<Moment>),
+) -> Option<Broken> {
     let mut at = Substitution::default();
     for (place, value) in &point.values {
         let place = crate::claim::parse::parse_expr(place).ok()?;
@@ -101,6 +109,8 @@ fn other(claim: &Claim, statement: &Statement, l: &Limit, point: &Point, limits:
     let mut ways = vec![None];
     ways.extend(ways_to_infinity(&here.of, x, k, natural, alone.is_pi).into_iter().map(Some));
     for way in ways {
+        let left = end.map_or(limits.time, |end| end.after(Moment::now()));
+        let limits = &Limits { time: left, ..limits.clone() };
         let mut own = here.clone();
         if let Some(way) = &way {
             let mut along = Substitution::default();
@@ -151,7 +161,7 @@ fn ways_to_infinity(of: &Expr, x: &str, k: &str, natural: bool, is_pi: bool) -> 
         return Vec::new();
     }
     let turn =
-        expr(ExprKind::Product(vec![(Factor::Times, numeral(2)), (Factor::Times, name(PI)), (Factor::Times, name(x))]));
+        expr(ExprKind::Product(vec![(Factor::Times, numeral(2)), (Factor::Times, name(PI)), (Factor::Times, name(k))]));
     let half = expr(ExprKind::Product(vec![(Factor::Times, name(PI)), (Factor::Over, numeral(2))]));
     vec![turn.clone(), plus(turn.clone(), half), plus(turn, name(PI))]
 }
