@@ -703,6 +703,39 @@ class Checker(Logic):
             expected = compare(a, "<=", f) if below else compare(f, "<=", a)
             need(same(at(n, bound[2]), expected), f"needs {text(expected)}")
 
+    def rule_eventually(self, goal, s, known):
+        """`exists N …: for all k …: CHAIN` from the limit L of G as v grows. Each comparison of the chain is one of G, with k for
+        v, and of an expression c.
+
+        Sound: c and L mention neither N nor k, and L not the v that grows. So they are fixed numbers, the same inside as here.
+        They differ, on the side that the comparison says. From a number on, G is nearer to L than every c is, so all comparisons
+        hold. N is a number above that one and above its own bounds, which are lower ones and do not move with it. What holds for
+        all great real numbers holds for the natural ones. G has values there, since the statement has one."""
+        fact = self.fact(s.sources[0])
+        natural = self.grows(fact)
+        _, of, v, limit = fact
+        need(goal[0] == "exists" and len(goal[1]) == 1 and len(goal[1][0][1]) == 1, "`exists` with one variable is needed")
+        every = goal[2]
+        need(every[0] == "all" and len(every[1]) == 1 and len(every[1][0][1]) == 1, ONE_VARIABLE)
+        (_, ((start, family),), _, limits, _), = goal[1]
+        (_, ((k, index),), over_naturals, bounds, _), = every[1]
+        need(family is None and index is None, "families are declared by the claim only")
+        own, why = {start, k}, "the bound does not hold for all large values"
+        need(all(c[0] == "relation" and c[1] in (">", ">=") and not own & names_in(c[2]) for c in limits), why)
+        need(len(bounds) == 1 and bounds[0] in [("relation", r, N("name", start)) for r in (">", ">=")], why)
+        need(over_naturals or not natural, why)
+        need(not own & names_in(fact) and v not in names_in(limit), "the limit is another")
+        need(every[2][0] == "cmp", "a single comparison is needed, not a chain")
+        at = lambda n, x: put(x, {n: N("name", "!")})
+        grows, strict = at(v, of), {"<=": "<", ">=": ">"}
+        for a, r, b in zip(every[2][1], every[2][2], every[2][1][1:]):
+            need(r != "=", "the signs do not show this")
+            left, right = (same(at(k, e), grows) for e in (a, b))
+            need(left != right and not own & names_in(b if left else a), "the limit is another")
+            a, b, r = limit if left else a, limit if right else b, strict.get(r, r)
+            need(self.has(plus(a, b, -1), SIGNS[r], known), f"needs {text(compare(a, r, b))}")
+        self.has_value(goal, known)
+
     def rule_name(self, goal, s, known):
         e, relation, new = single(goal)
         need(relation == "=" and new[0] == "name", "the right side must be a new name")
@@ -736,7 +769,7 @@ COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 9
           "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "circle": (0, 0),
           "arc": (0, 0),
           "limit": (0, 0), "slope": (1, 999), "intermediate": (2, 999),
-          "squeeze": (4, 4), "integer": (1, 1), "evaluate": (0, 0)}
+          "squeeze": (4, 4), "eventually": (1, 1), "integer": (1, 1), "evaluate": (0, 0)}
 
 WITH = ("instance", "witness", "mean", "tangent", "circle", "slope", "intermediate", "limit")
 
