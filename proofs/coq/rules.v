@@ -21,6 +21,7 @@ rule slope: slope, slope_between, smooth_on, slope_integral, differentiable, slo
 rule intermediate: intermediate, smooth_on, differentiable
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
+rule eventually: eventually_lim, eventually_seq
 rule termwise: sum_ext2, product_ext2, sum_le2, termwise
 rule integer: whole_step, is_whole
 rule evaluate: evaluated *)
@@ -473,6 +474,18 @@ Qed.
 Lemma squeeze_lim : forall f lo hi (v : R) b, (forall x : R, x > b -> lo x <= f x /\ f x <= hi x) -> is_lim lo p_infty v -> is_lim hi p_infty v -> is_lim f p_infty v.
 Proof.
   intros f lo hi v b h hl hh. apply (is_lim_le_le_loc lo hi f p_infty v); [| exact hl | exact hh]. exists b. intros x hx. apply h. lra.
+Qed.
+Lemma eventually_lim : forall (f : R -> R) (v e b : R), is_lim f p_infty v -> 0 < e -> exists N, N > b /\ forall x, x >= N -> v - e < f x < v + e.
+Proof.
+  intros f v e b h he. apply is_lim_spec in h. destruct (h (mkposreal e he)) as [M hM]. exists (Rmax M b + 1). split.
+  - assert (c := Rmax_r M b). lra.
+  - intros x hx. assert (c := Rmax_l M b). assert (g : M < x) by lra. apply hM, Rabs_def2 in g. cbn in g. lra.
+Qed.
+Lemma eventually_seq : forall (f : nat -> R) (v e b : R), is_lim_seq f v -> 0 < e -> exists N : nat, INR N > b /\ forall n : nat, (n >= N)%nat -> v - e < f n < v + e.
+Proof.
+  intros f v e b h he. apply is_lim_seq_spec in h. destruct (h (mkposreal e he)) as [M hM].
+  assert (g := is_lim_seq_INR). apply is_lim_seq_spec in g. destruct (g b) as [K hK]. exists (M + K)%nat. split; [apply hK; lia |].
+  intros n hn. assert (k : (M <= n)%nat) by lia. apply hM, Rabs_def2 in k. cbn in k. lra.
 Qed.
 
 (** * Tactics of the generated proofs *)

@@ -80,7 +80,7 @@ macro_rules! files {
     };
 }
 
-files! { refutations evaluate combination intervals power logic blocks quantifiers sums order slope integral circle arc limits intermediate names }
+files! { refutations evaluate combination intervals power logic blocks quantifiers sums order slope integral circle arc limits eventually intermediate names }
 
 #[test]
 fn examples_of_the_page_about_the_format() {
@@ -96,7 +96,7 @@ fn examples_of_the_page_about_the_format() {
         }
     }
     // One for each rule, a second for `slope` and for `arc`; `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 27);
+    assert_eq!(count, 28);
 }
 
 /// Propositions are compared by their keys.

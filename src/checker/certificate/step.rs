@@ -186,6 +186,11 @@ pub enum Rule {
         /// Lower bound for all values, upper bound, and the limits of both.
         from: Vec<Label>,
     },
+    /// What a limit says of all values from some number on.
+    Eventually {
+        /// The limit.
+        from: Label,
+    },
     /// A statement that arithmetic decides at a point.
     Evaluate,
     /// `A >= B + 1` from `A > B` for whole numbers.
@@ -220,6 +225,7 @@ impl Rule {
             Rule::Intermediate { .. } => "intermediate",
             Rule::Limit { .. } => "limit",
             Rule::Squeeze { .. } => "squeeze",
+            Rule::Eventually { .. } => "eventually",
             Rule::Integer { .. } => "integer",
             Rule::Name => "name",
             Rule::Evaluate => "evaluate",
@@ -254,7 +260,9 @@ impl Rule {
             }
             Rule::Induction { base, advance } => vec![base, advance],
             Rule::Existence { some, all } => vec![some, all],
-            Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } => vec![from],
+            Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } | Rule::Eventually { from } => {
+                vec![from]
+            }
             _ => Vec::new(),
         }
     }
@@ -283,7 +291,7 @@ impl Show {
             }
             Rule::Induction { base, advance } => each(&mut [base, advance].into_iter()),
             Rule::Existence { some, all } => each(&mut [some, all].into_iter()),
-            Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } => {
+            Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } | Rule::Eventually { from } => {
                 each(&mut std::iter::once(from));
             }
             Rule::Combination { terms, .. } => each(&mut terms.iter_mut().flat_map(|term| &mut term.facts)),

@@ -97,7 +97,7 @@ impl Checker {
     }
 
     /// Whether a variable that grows stands for natural numbers. No sequence depends on it.
-    fn kind_of(&self, variable: &str) -> Result<bool, Refusal> {
+    pub(super) fn kind_of(&self, variable: &str) -> Result<bool, Refusal> {
         if self.is_tied_by_sequence(variable) {
             return rejected(Reason::Tied(variable.to_string()));
         }

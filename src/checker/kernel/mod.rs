@@ -13,7 +13,7 @@
 //!
 //! **What is assumed.** The axioms of the ordered field of reals; exp and its inverse ln on positive numbers, with
 //! b^E = exp(E·ln b); cos and sin with their sums of angles, cos² + sin² = 1 and the least zero π of sin above 0; arcsin and
-//! arctan as the inverses of sin and tan between −π/2 and π/2; their derivatives; induction. Four theorems of analysis as well:
+//! arctan as the inverses of sin and tan between −π/2 and π/2; their derivatives; limits by their definition; induction. Four theorems of analysis as well:
 //! the inequality of the weighted means of two values, exp above its tangent (`analysis`), the mean value theorem (`slope`) and
 //! the intermediate value theorem (`intermediate`).
 //! [`Accepted::rests_on`] names those of the four that a proof uses.
@@ -30,6 +30,7 @@ mod defined;
 mod derivative;
 pub(crate) mod enclosure;
 mod evaluate;
+mod eventually;
 pub mod fraction;
 mod hypotheses;
 mod integral;
@@ -497,6 +498,7 @@ impl Checker {
             Rule::Intermediate { with, from } => self.intermediate(goal, with, from, known)?,
             Rule::Limit { with } => self.limit(goal, with, known)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
+            Rule::Eventually { from } => self.eventually(goal, from, known)?,
             Rule::Integer { from } => self.integer(goal, from, known)?,
             Rule::Name => self.name(goal, known)?,
             Rule::Evaluate => {

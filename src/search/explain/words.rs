@@ -360,6 +360,9 @@ impl<'a> Words<'a> {
                 lead.push(say(", the expression lies between two others with the same limit. Hence"));
                 lead
             }
+            Rule::Eventually { from } => {
+                vec![say("The values are near their limit from some number on, so by "), fact(from), say(",")]
+            }
             Rule::Evaluate => vec![say("By arithmetic,")],
             Rule::Integer { from } => vec![say("Both sides of "), fact(from), say(" are whole numbers, so")],
         };

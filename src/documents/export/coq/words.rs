@@ -87,6 +87,8 @@ pub(super) const RESERVED: &[&str] = &[
     "f_equal",
     "holds",
     "holds_any",
+    "eventually_lim",
+    "eventually_seq",
     "intermediate",
     "named",
     "of_root",
