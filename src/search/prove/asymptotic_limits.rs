@@ -25,10 +25,10 @@ use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
 /// The degrees of Taylor's polynomials, in the order in which they are tried.
-const ORDERS: [u32; 3] = [1, 2, 3];
+pub(super) const ORDERS: [u32; 5] = [1, 2, 3, 4, 5];
 
 /// The j in ln(x) <= j·x^(1/j).
-const ROOTS: [u32; 2] = [2, 8];
+pub(super) const ROOTS: [u32; 2] = [2, 8];
 
 /// The labels of the facts that say how an atom is bounded.
 type Shown = Vec<(String, [Option<Label>; 2])>;

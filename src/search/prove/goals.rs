@@ -49,7 +49,12 @@ impl Prover {
                 Err(first) => self.by_induction(goal).map_err(|_| first),
             },
             PropKind::Or(parts) => self.show_or(goal, parts),
-            PropKind::Not(inner) if matches!(inner.kind, PropKind::ForAll(..)) => self.by_failing_instance(goal, inner),
+            PropKind::Not(inner) if matches!(inner.kind, PropKind::ForAll(..)) => {
+                match self.attempt(|c| c.by_failing_instance(goal, inner)) {
+                    Ok(label) => Ok(label),
+                    Err(first) => self.attempt(|c| c.not_from_some_number_on(goal, inner)).map_err(|_| first),
+                }
+            }
             PropKind::Not(inner) if matches!(inner.kind, PropKind::Exists(..)) => self.by_no_example(goal, inner),
             PropKind::Not(inner) => {
                 let p = opposite(inner).ok_or(Fail::No("a negation that is not followed"))?;
@@ -111,6 +116,9 @@ impl Prover {
 
     /// Proves `exists` by values: from elimination, small ones, from equations.
     fn by_witness(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        if let Ok(label) = self.with_half(|c| c.by_eventually(goal, bindings, body)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_elimination(goal, bindings, body) {
             return Ok(label);
         }

@@ -33,6 +33,7 @@ mod conditions;
 mod denesting;
 mod differences;
 mod elimination;
+mod eventually;
 mod existence;
 mod exponent_lattice;
 mod exponents;

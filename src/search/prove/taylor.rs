@@ -55,31 +55,72 @@ impl Function {
         matches!(self, Function::Root(a) if *a < 0)
     }
 
-    /// The coefficients of 1, s, s², s³ for the distance s from the centre.
-    fn coefficients(&self) -> [Rational; 4] {
-        let (zero, one) = (Rational::ZERO, Rational::ONE);
-        let part = |k: u32| Rational::from_unsigneds(1u32, k);
-        match self {
-            Function::Exponential => [one.clone(), one, part(2), part(6)],
-            Function::Logarithm => [zero, one, -part(2), part(3)],
-            Function::Sine => [zero.clone(), one, zero, -part(6)],
-            Function::Cosine => [one, zero.clone(), -part(2), zero],
-            Function::Arcsine => [zero.clone(), one, zero, part(6)],
-            Function::Arctangent => [zero.clone(), one, zero, -part(3)],
-            Function::Root(a) => {
-                let second = a * (a - Rational::ONE) * part(2);
-                let third = &second * (a - Rational::from(2)) * part(3);
-                [one, a.clone(), second, third]
+    /// The coefficients of 1, s, s² and so on up to a degree, for the distance s from the centre.
+    fn coefficients(&self, degree: u32) -> Vec<Rational> {
+        let part = |k: u32| Rational::from_unsigneds(1u32, k.max(1));
+        let alternating = |k: u32| if (k / 2).is_multiple_of(2) { Rational::ONE } else { -Rational::ONE };
+        // 1/k!, the binomial coefficient of k, and 1·3·…/(2·4·…) for the odd k.
+        let (mut inverse, mut binomial, mut central) = (Rational::ONE, Rational::ONE, Rational::ONE);
+        let mut out = Vec::new();
+        for k in 0..=degree {
+            let (odd, zero) = (!k.is_multiple_of(2), Rational::ZERO);
+            out.push(match self {
+                Function::Exponential => inverse.clone(),
+                Function::Logarithm if k == 0 => zero,
+                Function::Logarithm => {
+                    if odd {
+                        part(k)
+                    } else {
+                        -part(k)
+                    }
+                }
+                Function::Sine => {
+                    if odd {
+                        alternating(k) * &inverse
+                    } else {
+                        zero
+                    }
+                }
+                Function::Cosine => {
+                    if odd {
+                        zero
+                    } else {
+                        alternating(k) * &inverse
+                    }
+                }
+                Function::Arcsine => {
+                    if odd {
+                        &central * part(k)
+                    } else {
+                        zero
+                    }
+                }
+                Function::Arctangent => {
+                    if odd {
+                        alternating(k) * part(k)
+                    } else {
+                        zero
+                    }
+                }
+                Function::Root(_) => binomial.clone(),
+            });
+            inverse *= part(k + 1);
+            if let Function::Root(a) = self {
+                binomial *= (a - Rational::from(k)) * part(k + 1);
+            }
+            if odd {
+                central *= Rational::from_unsigneds(k, k + 1);
             }
             Function::Turning(_) => [zero.clone(), zero.clone(), zero.clone(), zero],
         }
+        out
     }
 
     /// Taylor's polynomial of a degree with the remainder ±C·|s|^(degree + 1), for s on one side of 0, or on both.
     ///
     /// C is large enough that the prover shows the bound for |s| <= 1/2; if it were too small, the proof would fail.
     pub(super) fn bound(&self, s: &Expr, degree: u32, upper: bool, side: Side) -> Expr {
-        let terms = self.coefficients().into_iter().zip(0..=degree).filter(|(c, _)| *c != 0);
+        let terms = self.coefficients(degree).into_iter().zip(0..=degree).filter(|(c, _)| *c != 0);
         let term =
             |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
         let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
