@@ -6,6 +6,7 @@
 //! | `limit of F as x -> a from below is L` | that of F with a − 1/x for x |
 //! | `limit of F as x -> a is L` | both |
 //! | `limit of F … is infinity` | F > 0 from some x on, and 1/F → 0; `-infinity` with F < 0 |
+//! | `F = P + O(G) as x -> infinity` | for some C > 0, abs(F − P) <= C·abs(G) from some x on; at a point with a ± 1/x for x |
 //!
 //! Contract: after [`write_out`] no [`WrittenLimit`] is left, and the claim says the same. Every definition that speaks of the
 //! variable is put into F first. A recurrence that speaks of it is refused, and so is what [`super::substitution`] refuses: a
@@ -27,6 +28,8 @@ struct Writer<'a> {
     variables: BTreeMap<String, Option<bool>>,
     /// The names `x_from` and `x_later` for each variable x.
     made: BTreeMap<String, (String, String)>,
+    /// The name `x_bound` for each variable x.
+    bounds: BTreeMap<String, String>,
     fresh: &'a mut Fresh,
     faults: &'a mut Vec<Diagnostic>,
 }
@@ -42,7 +45,8 @@ pub(super) fn write_out(claim: &mut Claim, fresh: &mut Fresh, faults: &mut Vec<D
             variables.insert(name.text.clone(), is_plain.then_some(binding.natural));
         }
     }
-    let mut writer = Writer { before: Vec::new(), variables, made: BTreeMap::new(), fresh, faults };
+    let mut writer =
+        Writer { before: Vec::new(), variables, made: BTreeMap::new(), bounds: BTreeMap::new(), fresh, faults };
     for mut item in std::mem::take(&mut claim.items) {
         if let Item::Assume { prop, .. } = &mut item {
             walk::props(prop, &mut |p| writer.prop(p));
@@ -75,19 +79,31 @@ impl Writer<'_> {
             }
         };
         let (definitions, tied) = self.that_speak_of(&variable)?;
-        let of = definitions.expr(&of).map_err(|obstacle| refused(obstacle, &variable, of.span))?;
+        let put_in = |e: &Expr| definitions.expr(e).map_err(|obstacle| refused(obstacle, &variable, e.span));
+        // What has an order: the difference, and its size.
+        let (of, size) = match &value {
+            Tendency::Order { about: Some(about), size } => {
+                (difference(&put_in(&of)?, &put_in(about)?), Some(put_in(size)?))
+            }
+            Tendency::Order { about: None, size } => (put_in(&of)?, Some(put_in(size)?)),
+            _ => (put_in(&of)?, None),
+        };
         let mut inside = BTreeSet::new();
-        names_in(&of, &mut inside);
+        [Some(&of), size.as_ref()].into_iter().flatten().for_each(|e| names_in(e, &mut inside));
         if let Some(name) = inside.intersection(&tied).next() {
             let message = format!("{name} depends on {}, the variable of this limit", variable.text);
             return Err(fault(message, "write its members out, as an expression in the variable", of.span));
         }
         let mut sides = vec![of.clone()];
+        let mut sizes: Vec<Expr> = size.iter().cloned().collect();
         let mut list = Vec::new();
         if let Towards::Point(point, side) = towards {
             let point = definitions.expr(&point).map_err(|obstacle| refused(obstacle, &variable, point.span))?;
             self.is_fixed(&point, &variable, &tied)?;
             sides = near(&of, &variable, &point, side)?;
+            if let Some(size) = &size {
+                sizes = near(size, &variable, &point, side)?;
+            }
             if !inside.contains(&variable.text) {
                 // Nothing is left of the point, and it has to have a value.
                 let kind = PropKind::Compare(vec![point.clone(), point.clone()], vec![Relation::Equal]);
@@ -99,7 +115,10 @@ impl Writer<'_> {
             self.is_fixed(&value, &variable, &tied)?;
         }
         let mut said = Vec::new();
-        for of in sides {
+        for (of, size) in sides.iter().zip(&sizes) {
+            said.push(self.is_bounded(of, size, &variable, natural, span)?);
+        }
+        for of in sides.into_iter().filter(|_| size.is_none()) {
             said.extend(self.says(of, &variable, natural, &value, span)?);
         }
         said.append(&mut list);
@@ -173,6 +192,7 @@ impl Writer<'_> {
         let sign = match value {
             Tendency::Number(value) => return Ok(vec![limit(of, value.clone())]),
             Tendency::Infinite(sign) => *sign,
+            Tendency::Order { .. } => return Ok(Vec::new()),
         };
         let inverse = at(ExprKind::Product(vec![(Factor::Times, number(1)), (Factor::Over, of.clone())]));
         let (from, later) = self.eventual_names(variable);
@@ -190,6 +210,49 @@ impl Writer<'_> {
         let eventually =
             prop(PropKind::Exists(vec![binding(&from, Relation::Greater, number(0))], Box::new(from_there)));
         Ok(vec![eventually, limit(inverse, number(0))])
+    }
+
+    /// That an expression is at most a multiple of another one where the variable is large: the root of its square is.
+    fn is_bounded(
+        &mut self,
+        of: &Expr,
+        size: &Expr,
+        variable: &Name,
+        natural: bool,
+        span: Span,
+    ) -> Result<Prop, Box<Diagnostic>> {
+        let at = |kind: ExprKind| Expr { kind, span };
+        let prop = |kind: PropKind| Prop { kind, span };
+        let number = |k: u32| at(ExprKind::Number(k.to_string()));
+        let value = |name: &Name| at(ExprKind::Name(name.text.clone()));
+        let (from, later) = self.eventual_names(variable);
+        let bound = Name { text: self.bound_name(variable), span: variable.span };
+        let mut there = Substitution::default();
+        there.replace(&variable.text, &value(&later));
+        let absolute = |e: &Expr| {
+            let e = there.expr(e).map_err(|obstacle| refused(obstacle, variable, e.span))?;
+            let square = at(ExprKind::Power(Box::new(e), Box::new(number(2))));
+            Ok::<_, Box<Diagnostic>>(at(ExprKind::Apply(Name { text: "sqrt".to_string(), span }, vec![square])))
+        };
+        let multiple = at(ExprKind::Product(vec![(Factor::Times, value(&bound)), (Factor::Times, absolute(size)?)]));
+        let holds = prop(PropKind::Compare(vec![absolute(of)?, multiple], vec![Relation::LessEqual]));
+        let binding = |name: &Name, natural: bool, relation: Relation, least: Expr| {
+            Binding::new(vec![(name.clone(), None)], natural, vec![Constraint::Relation(relation, least)], span)
+        };
+        let later = binding(&later, natural, Relation::GreaterEqual, value(&from));
+        let from_there = prop(PropKind::ForAll(vec![later], Box::new(holds)));
+        let some = vec![
+            binding(&bound, false, Relation::Greater, number(0)),
+            binding(&from, natural, Relation::Greater, number(0)),
+        ];
+        Ok(prop(PropKind::Exists(some, Box::new(from_there))))
+    }
+
+    /// The name of a factor that is found for a variable.
+    fn bound_name(&mut self, variable: &Name) -> String {
+        let fresh = &mut self.fresh;
+        let name = || fresh.name(&format!("{}_bound", variable.text));
+        self.bounds.entry(variable.text.clone()).or_insert_with(name).clone()
     }
 
     /// The names of a value from which on something holds, and of one that is greater.
@@ -230,6 +293,11 @@ fn near(of: &Expr, variable: &Name, point: &Expr, side: Option<Sign>) -> Result<
         map.expr(of).map_err(|obstacle| refused(obstacle, variable, point.span))
     };
     sides.into_iter().map(of_side).collect()
+}
+
+/// One expression less another.
+fn difference(a: &Expr, b: &Expr) -> Expr {
+    Expr { kind: ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]), span: a.span }
 }
 
 fn fault(message: String, help: &str, span: Span) -> Box<Diagnostic> {

@@ -349,6 +349,7 @@ impl Style {
             }
             PropKind::Limit(l) => self.limit(&l.of, &l.variable, "", self.word("infinity"), self.expr(&l.value)),
             PropKind::WrittenLimit(l) => {
+                let natural = if l.natural { "natural" } else { "" };
                 let towards = match &l.towards {
                     Towards::Infinity => self.word("infinity"),
                     Towards::Point(point, None) => self.expr(point),
@@ -363,19 +364,31 @@ impl Style {
                     Tendency::Number(value) => self.expr(value),
                     Tendency::Infinite(Sign::Plus) => self.word("infinity"),
                     Tendency::Infinite(Sign::Minus) => format!("-{}", self.word("infinity")),
+                    Tendency::Order { about, size } => {
+                        let whole = [l.of.clone(), with_order(about.as_ref(), size)];
+                        let whole =
+                            Prop { kind: PropKind::Compare(whole.to_vec(), vec![Relation::Equal]), span: l.of.span };
+                        let moving = self.moving(&l.variable, natural, towards);
+                        return format!("{} {moving}", self.prop(&whole));
+                    }
                 };
-                self.limit(&l.of, &l.variable, if l.natural { "natural" } else { "" }, towards, value)
+                self.limit(&l.of, &l.variable, natural, towards, value)
             }
         }
     }
 
     fn limit(self, of: &Expr, variable: &Name, domain: &'static str, towards: String, value: String) -> String {
-        let (of, mut variable) = (self.expr(of), self.name(&variable.text));
+        let (limit, of, is) = (self.word("limit of"), self.expr(of), self.word("is"));
+        format!("{limit} {of} {} {is} {value}", self.moving(variable, domain, towards))
+    }
+
+    /// `as x -> a`
+    fn moving(self, variable: &Name, domain: &'static str, towards: String) -> String {
+        let mut variable = self.name(&variable.text);
         if !domain.is_empty() {
             variable = format!("{variable} {}", self.word(domain));
         }
-        let (limit, along, to, is) = (self.word("limit of"), self.word("as"), self.word("->"), self.word("is"));
-        format!("{limit} {of} {along} {variable} {to} {towards} {is} {value}")
+        format!("{} {variable} {} {towards}", self.word("as"), self.word("->"))
     }
 
     fn prop_at_least(self, p: &Prop, least: u8) -> String {

@@ -286,7 +286,7 @@ pub struct Limit {
     pub value: Expr,
 }
 
-/// `limit of F as x -> a from above is L`, `limit of F as n -> infinity is -infinity`.
+/// `limit of F as x -> a from above is L`, `limit of F as n -> infinity is -infinity`, `F = P + O(G) as x -> a`.
 #[derive(Clone, Debug)]
 pub struct WrittenLimit {
     /// The expression.
@@ -302,18 +302,26 @@ pub struct WrittenLimit {
 }
 
 impl WrittenLimit {
-    /// The expressions in it: the function, the point and the value.
+    /// The expressions in it: the function, the point, and the value or what the function is near to and how far from it.
     pub fn parts(&self) -> impl Iterator<Item = &Expr> {
         let point = if let Towards::Point(point, _) = &self.towards { Some(point) } else { None };
-        let value = if let Tendency::Number(value) = &self.value { Some(value) } else { None };
-        std::iter::once(&self.of).chain(point).chain(value)
+        let (value, size) = match &self.value {
+            Tendency::Number(value) => (Some(value), None),
+            Tendency::Infinite(_) => (None, None),
+            Tendency::Order { about, size } => (about.as_ref(), Some(size)),
+        };
+        std::iter::once(&self.of).chain(point).chain(value).chain(size)
     }
 
     /// The same with parts that may be changed.
     pub fn parts_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         let point = if let Towards::Point(point, _) = &mut self.towards { Some(point) } else { None };
-        let value = if let Tendency::Number(value) = &mut self.value { Some(value) } else { None };
-        std::iter::once(&mut self.of).chain(point).chain(value)
+        let (value, size) = match &mut self.value {
+            Tendency::Number(value) => (Some(value), None),
+            Tendency::Infinite(_) => (None, None),
+            Tendency::Order { about, size } => (about.as_mut(), Some(size)),
+        };
+        std::iter::once(&mut self.of).chain(point).chain(value).chain(size)
     }
 }
 
@@ -333,6 +341,29 @@ pub enum Tendency {
     Number(Expr),
     /// Beyond all bounds, upwards (`Plus`) or downwards (`Minus`).
     Infinite(Sign),
+    /// It differs from an expression, or from 0, by at most a multiple of another one: `P + O(G)`.
+    Order {
+        /// P.
+        about: Option<Expr>,
+        /// G.
+        size: Expr,
+    },
+}
+
+/// The function of [`Tendency::Order`].
+pub(crate) const ORDER: &str = "O";
+
+/// `P + O(G)` as an expression.
+pub fn with_order(about: Option<&Expr>, size: &Expr) -> Expr {
+    let name = Name { text: ORDER.to_string(), span: size.span };
+    let order = Expr { kind: ExprKind::Apply(name, vec![size.clone()]), span: size.span };
+    let mut terms = match about.map(|p| &p.kind) {
+        None => return order,
+        Some(ExprKind::Sum(terms)) => terms.clone(),
+        Some(_) => about.map(|p| (Sign::Plus, p.clone())).into_iter().collect(),
+    };
+    terms.push((Sign::Plus, order));
+    Expr { kind: ExprKind::Sum(terms), span: size.span }
 }
 
 /// A declaration of a claim, in the order written.

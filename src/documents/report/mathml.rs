@@ -251,6 +251,11 @@ fn prop(p: &Prop) -> String {
                 Tendency::Number(value) => expr(value),
                 Tendency::Infinite(Sign::Plus) => operator("∞"),
                 Tendency::Infinite(Sign::Minus) => row(&[operator("−"), operator("∞")]),
+                Tendency::Order { about, size } => {
+                    let right = at_least(&with_order(about.as_ref(), size), 3);
+                    let to = [word("as"), identifier(&l.variable.text), operator("→"), towards];
+                    return row(&[at_least(&l.of, 3), operator("="), right, to.concat()]);
+                }
             };
             limit(&l.of, &l.variable, towards, value)
         }

@@ -15,6 +15,7 @@ use super::slopes::put_in;
 use super::{Fail, Prover, implies, put};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
+use crate::claim::walk::parts_mut;
 use crate::kernel::key;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, domain, expr, name, numeral, prop, sum};
@@ -59,6 +60,8 @@ enum How {
     AtOnce,
     /// Times what is positive.
     Times(Expr),
+    /// It follows from this comparison, in which absolute values are written without their signs, which follows in this way.
+    Unsigned(Prop, Box<How>),
     /// |f| < C·|g|, for −C < f/g < C.
     Inside { f: Expr, g: Expr },
 }
@@ -305,7 +308,7 @@ impl Prover {
         let mut from = Vec::new();
         for (((pair, relation), stage), fact) in sides.windows(2).zip(relations).zip(stages).zip(&here) {
             let single = compare(pair[0].clone(), *relation, pair[1].clone());
-            from.push(self.attempt(|c| c.follows(&single, stage, fact)).or_else(|_| self.show(&single))?);
+            from.push(self.attempt(|c| c.follows(&single, &stage.how, fact)).or_else(|_| self.show(&single))?);
         }
         match from.as_slice() {
             [only] => Ok(only.clone()),
@@ -314,10 +317,10 @@ impl Prover {
     }
 
     /// A comparison from what a stage says at a number.
-    fn follows(&mut self, goal: &Prop, stage: &Stage, fact: &Label) -> Result<Label, Fail> {
+    fn follows(&mut self, goal: &Prop, how: &How, fact: &Label) -> Result<Label, Fail> {
         let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison")) };
         let ([l, r], [_]) = (sides.as_slice(), relations.as_slice()) else { return Err(Fail::No("a comparison")) };
-        match &stage.how {
+        match how {
             How::AtOnce => self.logic(&[fact], goal),
             How::Times(factor) => {
                 let combined = |c: &mut Prover, sign: i64| {
@@ -325,6 +328,11 @@ impl Prover {
                     c.combination(goal.clone(), vec![Term { facts: vec![fact.clone()], factor }])
                 };
                 combined(self, 1).or_else(|_| combined(self, -1)).or_else(|_| self.without_cases(goal))
+            }
+            How::Unsigned(unsigned, how) => {
+                let label = self.follows(unsigned, how, fact)?;
+                self.take_in(&label, unsigned)?;
+                self.show(goal)
             }
             How::Inside { f, g } => self.absolute_within(goal, [l, r], [f, g], fact),
         }
@@ -411,7 +419,33 @@ impl Prover {
                 return Some(Stage { side: of, chain, limit, of: moved, how: How::Times(bottom.clone()) });
             }
         }
-        None
+        let unsigned = [l, r].map(|e| self.unsigned(e, index, x));
+        let [Some(a), Some(b)] = unsigned else { return None };
+        if key::expr(&a) == key::expr(l) && key::expr(&b) == key::expr(r) {
+            return None;
+        }
+        let stage = self.stage(&a, relation, &b, index, x)?;
+        let how = How::Unsigned(compare(a, relation, b), Box::new(stage.how));
+        Some(Stage { how, ..stage })
+    }
+
+    /// An expression with X or −X for each root of X², as the leading term of X says.
+    fn unsigned(&mut self, e: &Expr, index: &str, x: &str) -> Option<Expr> {
+        if let Some(part) = under_root(e).filter(|part| holds(part, index)) {
+            let moved = put_in(&part, index, &name(x)).ok()?;
+            let lead = self.leading_limit(&moved, x)?;
+            return match self.sign_of_constant(&lead.c)? {
+                signs if signs.within(Signs::POSITIVE) => Some(part),
+                signs if signs.within(Signs::of(Relation::Less)) => Some(negated(part)),
+                _ => None,
+            };
+        }
+        let (mut out, mut found) = (e.clone(), Some(()));
+        parts_mut(&mut out, &mut |part| match self.unsigned(part, index, x) {
+            Some(new) => *part = new,
+            None => found = None,
+        });
+        found.map(|()| out)
     }
 
     /// |f| < |g| by the limit of f, or of f/g where g moves, too.
@@ -560,6 +594,11 @@ fn inside(e: &Expr) -> Option<Expr> {
         let parts = parts.into_iter().zip(list).map(|(part, (factor, e))| (*factor, part.unwrap_or_else(|| e.clone())));
         return Some(expr(ExprKind::Product(parts.collect())));
     }
+    under_root(e)
+}
+
+/// X for the root of X².
+fn under_root(e: &Expr) -> Option<Expr> {
     let (square, half) = as_power(e)?;
     let (inside, two) = as_power(&square)?;
     let is_root = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "sqrt")

@@ -158,6 +158,10 @@ impl<'c> Checker<'c> {
                 match &limit.value {
                     Tendency::Number(value) => self.same(prop, &limit.of, value),
                     Tendency::Infinite(_) => self.of(&limit.of).map(drop),
+                    Tendency::Order { about, size } => {
+                        about.iter().try_for_each(|p| self.same(prop, &limit.of, p))?;
+                        self.same(prop, &limit.of, size)
+                    }
                 }
             }
         }

@@ -1,9 +1,10 @@
-//! Limits: at infinity, at a point, from one side, and those that are infinite.
+//! Limits: at infinity, at a point, from one side, and those that are infinite; orders `f = p + O(g) as x -> a`.
 //!
 //! A limit at infinity with a number as its value is a statement of the kernel's language; [`crate::claim::limit`] writes the
 //! others out.
 
 use super::*;
+use crate::claim::walk;
 
 impl Parser {
     /// `of F as x -> a is L`, behind `limit`.
@@ -12,28 +13,8 @@ impl Parser {
         self.need_word("of")?;
         let of = self.expr()?;
         self.need_word("as")?;
-        let variable = self.name("the variable that moves")?;
+        let (variable, natural, towards) = self.moving()?;
         let is_declared = self.declared.contains(&variable.text);
-        if variable.text == PI && !is_declared {
-            self.faults.push(Diagnostic::new(Fault::Pi, variable.span));
-            return Err(Reported);
-        }
-        let domain = self.span();
-        let said = self.grows(&variable);
-        let (has_domain, natural) = (said.is_some(), said == Some(true));
-        self.need_sign("->", "between the variable and where it goes")?;
-        let mut towards = Towards::Infinity;
-        if !self.word("infinity") {
-            if is_declared || has_domain {
-                let message =
-                    format!("{} is already declared, so it cannot be the variable of this limit", variable.text);
-                let help = "use a new name: the limit itself declares its variable";
-                let span = if has_domain { domain } else { variable.span };
-                return Err(self.other(&message, Some(help), span));
-            }
-            let point = self.expr()?;
-            towards = Towards::Point(point, self.side()?);
-        }
         self.need_word("is")?;
         let minus =
             matches!(self.peek(), Kind::Sign("-" | "−")) && self.peek_at(1) == &Kind::Word("infinity".to_string());
@@ -63,6 +44,54 @@ impl Parser {
         Ok(Prop { kind, span: self.since(start) })
     }
 
+    /// `x -> a`, `n natural -> infinity`, behind `as`: the variable, whether it is said to be natural, and where it goes.
+    fn moving(&mut self) -> Parsed<(Name, bool, Towards)> {
+        let variable = self.name("the variable that moves")?;
+        let is_declared = self.declared.contains(&variable.text);
+        if variable.text == PI && !is_declared {
+            self.faults.push(Diagnostic::new(Fault::Pi, variable.span));
+            return Err(Reported);
+        }
+        let domain = self.span();
+        let said = self.grows(&variable);
+        let (has_domain, natural) = (said.is_some(), said == Some(true));
+        self.need_sign("->", "between the variable and where it goes")?;
+        if self.word("infinity") {
+            return Ok((variable, natural, Towards::Infinity));
+        }
+        if is_declared || has_domain {
+            let message = format!("{} is already declared, so it cannot be the variable of this limit", variable.text);
+            let help = "use a new name: the limit itself declares its variable";
+            let span = if has_domain { domain } else { variable.span };
+            return Err(self.other(&message, Some(help), span));
+        }
+        let point = self.expr()?;
+        Ok((variable, natural, Towards::Point(point, self.side()?)))
+    }
+
+    /// `as x -> a` behind `F = P + O(G)`, where the claim does not declare O; nothing behind another comparison.
+    pub(super) fn order(&mut self, sides: &[Expr], relations: &[Relation], start: usize) -> Parsed<Option<Prop>> {
+        if !self.is_word("as") || self.declared.contains(ORDER) || !sides.iter().any(has_order) {
+            return Ok(None);
+        }
+        let wrong = "O(…) is the last summand on the right of one equation";
+        let ([of, right], [Relation::Equal]) = (sides, relations) else { return Err(self.no_order(wrong)) };
+        let Some((about, size)) = order_of(right) else { return Err(self.no_order(wrong)) };
+        if [Some(of), about.as_ref(), Some(&size)].into_iter().flatten().any(has_order) {
+            return Err(self.no_order(wrong));
+        }
+        self.need_word("as")?;
+        let (variable, natural, towards) = self.moving()?;
+        let value = Tendency::Order { about, size };
+        let limit = WrittenLimit { of: of.clone(), variable, natural, towards, value };
+        Ok(Some(Prop { kind: PropKind::WrittenLimit(Box::new(limit)), span: self.since(start) }))
+    }
+
+    fn no_order(&mut self, message: &str) -> Reported {
+        let span = self.span();
+        self.other(message, Some("write for example `f(x) = 1 + x + O(x^2) as x -> 0`"), span)
+    }
+
     /// `from above` or `from below`, if it is said.
     fn side(&mut self) -> Parsed<Option<Sign>> {
         if !self.word("from") {
@@ -73,4 +102,27 @@ impl Parser {
         }
         if self.word("below") { Ok(Some(Sign::Minus)) } else { Err(self.expected("`above` or `below`")) }
     }
+}
+
+/// Whether `O(…)` occurs in an expression.
+fn has_order(e: &Expr) -> bool {
+    let mut found = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == ORDER);
+    walk::parts(e, &mut |part| found = found || has_order(part));
+    found
+}
+
+/// P and G of `P + O(G)`, or of `O(G)` without P.
+fn order_of(e: &Expr) -> Option<(Option<Expr>, Expr)> {
+    let size = |e: &Expr| match &e.kind {
+        ExprKind::Apply(f, list) if f.text == ORDER && list.len() == 1 => list.first().cloned(),
+        _ => None,
+    };
+    let ExprKind::Sum(terms) = &e.kind else { return size(e).map(|size| (None, size)) };
+    let (last, rest) = terms.split_last()?;
+    let size = if last.0 == Sign::Plus { size(&last.1)? } else { return None };
+    let about = match rest {
+        [(Sign::Plus, only)] => only.clone(),
+        _ => Expr { kind: ExprKind::Sum(rest.to_vec()), span: e.span },
+    };
+    Some((Some(about), size))
 }

@@ -147,6 +147,9 @@ impl Parser {
         if relations.is_empty() {
             return Err(self.expected("a comparison sign such as = or >="));
         }
+        if let Some(order) = self.order(&sides, &relations, start)? {
+            return Ok(order);
+        }
         Ok(Prop { kind: PropKind::Compare(sides, relations), span: self.since(start) })
     }
 
