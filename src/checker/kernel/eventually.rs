@@ -10,16 +10,17 @@ use crate::claim::syntax::*;
 use std::collections::BTreeSet;
 
 impl Checker {
-    /// Rule `eventually`: `exists N …: for all k >= N: C` from `limit of G as v -> infinity is L`, where each pair of neighbours in the
-    /// chain C compares G, with k for v, with an expression c that does not depend on k and N, in the order in which L and c are.
+    /// Rule `eventually`: `exists N …: for all k >= N: C` from `limit of G as v -> infinity is L`, where each pair of
+    /// neighbours in the chain C compares G, with k for v, with an expression c that does not depend on k and N, in the order
+    /// in which L and c are.
     ///
     /// N has lower bounds only. k has the one bound `>= N` or `> N`, and is natural if v is. Signs are read outside the quantifiers.
     ///
-    /// Sound: let ε > 0 be the least distance of L from a c. From some number on G lies within ε of L, hence on the side of each c on
-    /// which L is, and strictly. N is a number above that one and above its own bounds, natural if need be. What holds for all large
-    /// real numbers holds for the natural ones. The statement is defined, so G has a value for every k. That N and k are new
-    /// names is seen with it (`within`), so a name in c is the one outside. L mentions none of v, N and k, and no sequence depends
-    /// on v.
+    /// Sound: let ε > 0 be the least distance of L from a c. From some number on G lies within ε of L, hence on the side of
+    /// each c on which L is, and strictly. N is a number above that one and above its own bounds, natural if need be. What
+    /// holds for all large real numbers holds for the natural ones. The statement is defined, so G has a value for every k.
+    /// That N and k are new names is seen with it (`within`), so a name in c is the one outside. L mentions none of v, N and
+    /// k, and no sequence depends on v.
     pub(super) fn eventually(&mut self, goal: &Prop, from: &str, known: &mut Known) -> Result<(), Refusal> {
         let fact = self.fact(from)?;
         let PropKind::Limit(limit) = &fact.kind else { return rejected(Reason::NotALimit) };

@@ -1,9 +1,10 @@
-//! What holds from some number on: `exists N …: for all k >= N: l < r`, by a limit and the rule `eventually`; also with a number C to
-//! be found besides, `abs(f) <= C*g`.
+//! What holds from some number on: `exists N …: for all k >= N: l < r`, by a limit and the rule `eventually`; also with a
+//! number C to be found besides, `abs(f) <= C*g`.
 //!
-//! Method, for F = r − l: the limit of a side where the other one does not move; bounds of what is inside an absolute value; the
-//! limit of F over its leading power of the variable (`asymptotic_bounds`); the limit of one side over the other. Each limit gives a
-//! number from which on something simple holds. For N the sum of these numbers is taken, and C is greater than the limit of f/g.
+//! Method, for F = r − l: the limit of a side where the other one does not move; bounds of what is inside an absolute value;
+//! the limit of F over its leading power of the variable (`asymptotic_bounds`); the limit of one side over the other. Each
+//! limit gives a number from which on something simple holds. For N the sum of these numbers is taken, and C is greater than
+//! the limit of f/g.
 
 use super::asymptotic_bounds::{Plan, Tends};
 use super::asymptotic_form::{Leading, atoms, raised};
@@ -567,9 +568,9 @@ impl Prover {
         for degree in ORDERS {
             for root in ROOTS {
                 self.tick().ok()?;
-                let (pieces, lemmas, small) = Default::default();
+                let (pieces, lemmas, small, facts) = Default::default();
                 let y = self.fresh("y");
-                let mut plan = Plan { x: x.to_string(), y, degree, root, pieces, lemmas, small };
+                let mut plan = Plan { x: x.to_string(), y, degree, root, pieces, lemmas, small, facts };
                 if let Some([Some(lower), Some(upper)]) = self.bounds_of(&form, &mut plan)
                     && let Some(told) = told(self, &lower.value, &upper.value)
                 {
@@ -584,7 +585,7 @@ impl Prover {
     }
 }
 
-/// An expression without its absolute values, which are roots of squares, where it is one of them, or a product of them and others.
+/// An expression without its absolute values, which are roots of squares: where it is one, or a product of them and others.
 fn inside(e: &Expr) -> Option<Expr> {
     if let ExprKind::Product(list) = &e.kind {
         let parts: Vec<Option<Expr>> = list.iter().map(|(_, e)| inside(e)).collect();

@@ -116,7 +116,10 @@ impl Prover {
 
     /// Proves `exists` by values: from elimination, small ones, from equations.
     fn by_witness(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
-        if let Ok(label) = self.with_half(|c| c.by_eventually(goal, bindings, body)) {
+        // For a bound by a multiple hardly anything else is left to try.
+        let is_multiple = bindings.iter().map(|b| b.names.len()).sum::<usize>() > 1;
+        let far = |c: &mut Prover| c.by_eventually(goal, bindings, body);
+        if let Ok(label) = if is_multiple { self.attempt(far) } else { self.with_half(far) } {
             return Ok(label);
         }
         if let Ok(label) = self.by_elimination(goal, bindings, body) {

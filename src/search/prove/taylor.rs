@@ -67,42 +67,15 @@ impl Function {
             out.push(match self {
                 Function::Exponential => inverse.clone(),
                 Function::Logarithm if k == 0 => zero,
-                Function::Logarithm => {
-                    if odd {
-                        part(k)
-                    } else {
-                        -part(k)
-                    }
-                }
-                Function::Sine => {
-                    if odd {
-                        alternating(k) * &inverse
-                    } else {
-                        zero
-                    }
-                }
-                Function::Cosine => {
-                    if odd {
-                        zero
-                    } else {
-                        alternating(k) * &inverse
-                    }
-                }
-                Function::Arcsine => {
-                    if odd {
-                        &central * part(k)
-                    } else {
-                        zero
-                    }
-                }
-                Function::Arctangent => {
-                    if odd {
-                        alternating(k) * part(k)
-                    } else {
-                        zero
-                    }
-                }
+                Function::Logarithm if odd => part(k),
+                Function::Logarithm => -part(k),
+                Function::Sine if odd => alternating(k) * &inverse,
+                Function::Cosine if !odd => alternating(k) * &inverse,
+                Function::Arcsine if odd => &central * part(k),
+                Function::Arctangent if odd => alternating(k) * part(k),
+                Function::Sine | Function::Cosine | Function::Arcsine | Function::Arctangent => zero,
                 Function::Root(_) => binomial.clone(),
+                Function::Turning(_) => zero,
             });
             inverse *= part(k + 1);
             if let Function::Root(a) = self {
@@ -111,7 +84,6 @@ impl Function {
             if odd {
                 central *= Rational::from_unsigneds(k, k + 1);
             }
-            Function::Turning(_) => [zero.clone(), zero.clone(), zero.clone(), zero],
         }
         out
     }
