@@ -90,7 +90,7 @@ impl Prover {
         let all = self.block(&every, |c, _| {
             c.far_numbers_are_positive()?;
             match &eventual.factor {
-                None => c.from_some_number_on(goal, eventual, &x),
+                None => c.beyond_some_number(goal, eventual, &x),
                 Some(factor) => c.bounded_by_a_multiple(goal, eventual, factor, &x),
             }
         })?;
@@ -159,7 +159,7 @@ impl Prover {
         shown
     }
 
-    fn from_some_number_on(&mut self, goal: &Prop, eventual: &Eventual, x: &str) -> Result<Label, Fail> {
+    fn beyond_some_number(&mut self, goal: &Prop, eventual: &Eventual, x: &str) -> Result<Label, Fail> {
         let mut stages = Vec::new();
         for (l, relation, r) in &eventual.pairs {
             stages.push(self.stage(l, *relation, r, &eventual.index, x).ok_or(Fail::No("a leading term"))?);
