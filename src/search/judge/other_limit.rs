@@ -2,7 +2,8 @@
 //!
 //! Method: at a point of the parameters the value is read from bounds, and proved with the kernel. It is certainly another than
 //! the claim's. A limit is one number; and where an expression tends to one, it does so along every way on which its variable
-//! grows: a natural number along the even ones and the odd ones, a real number by steps of 2π.
+//! grows: a natural number along the even ones and the odd ones, a real number by steps of 2π. Of a bound |F| <= C·|G| from some number
+//! on, for some C, the search shows that G/F tends to 0: so |F| exceeds every multiple of |G|.
 //!
 //! Limits: [`POINTS`], and the time.
 
@@ -25,15 +26,23 @@ const POINTS: usize = 2;
 
 /// A point at which a limit of the goal is another than it says, one of these or one without parameters.
 pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Option<Witness> {
-    let mut said = Vec::new();
+    let (mut said, mut bounds) = (Vec::new(), Vec::new());
     limits_of(&claim.goal, &mut said);
-    if said.is_empty() {
+    bounds_of(&claim.goal, &mut bounds);
+    if said.is_empty() && bounds.is_empty() {
         return None;
     }
     let statement = Statement::of(claim).ok().filter(|s| s.sequences.is_empty())?;
-    let mut said = Vec::new();
+    let (mut said, mut bounds) = (Vec::new(), Vec::new());
     limits_of(&statement.goal, &mut said);
-    let moving: Vec<&str> = said.iter().map(|l| l.variable.text.as_str()).collect();
+    bounds_of(&statement.goal, &mut bounds);
+    let mut mentioned = BTreeSet::new();
+    let props = statement.assumptions.iter().map(|a| &a.1).chain([&statement.goal]);
+    props.for_each(|p| crate::kernel::names::names_in_prop(p, &mut mentioned));
+    // An order declares its variable, of which nothing is said then.
+    let plain = statement.bindings.iter().filter(|b| b.constraints.is_empty()).flat_map(|b| &b.names);
+    let unsaid = plain.map(|n| n.0.text.as_str()).filter(|n| !mentioned.contains(*n));
+    let moving: Vec<&str> = said.iter().map(|l| l.variable.text.as_str()).chain(unsaid).collect();
     let mut points: Vec<Point> = points.iter().map(|p| without(p, &moving)).collect();
     let mut names = statement.bindings.iter().flat_map(|b| &b.names);
     if names.all(|n| moving.contains(&n.0.text.as_str())) {
@@ -42,7 +51,8 @@ pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Optio
     points.dedup();
     let end = Moment::now().checked_add(limits.time);
     points.into_iter().take(POINTS).find_map(|point| {
-        let broken = said.iter().find_map(|l| other(claim, &statement, l, &point, (limits, end)))?;
+        let other = said.iter().find_map(|l| other(claim, &statement, l, &point, (limits, end)));
+        let broken = other.or_else(|| bounds.iter().find_map(|b| exceeded(claim, b, &point, (limits, end))))?;
         Some(Witness { point, broken: vec![broken] })
     })
 }
@@ -92,12 +102,7 @@ fn other(
     point: &Point,
     (limits, end): (&Limits, Option<Moment>),
 ) -> Option<Broken> {
-    let mut at = Substitution::default();
-    for (place, value) in &point.values {
-        let place = crate::claim::parse::parse_expr(place).ok()?;
-        let ExprKind::Name(n) = &place.kind else { return None };
-        at.replace(n, &crate::claim::parse::parse_expr(value).ok()?);
-    }
+    let at = values(point)?;
     let here = Limit { of: at.expr(&l.of).ok()?, value: at.expr(&l.value).ok()?, variable: l.variable.clone() };
     let x = &l.variable.text;
     let natural = statement.bindings.iter().find(|b| b.names.iter().any(|n| n.0.text == *x))?.natural;
@@ -118,16 +123,7 @@ fn other(
             own.of = along.expr(&here.of).ok()?;
             own.variable = Name::new(k);
         }
-        let domain = Binding::of(own.variable.clone(), natural || way.is_some(), Vec::new());
-        let mut own_claim = Claim {
-            items: vec![Item::Given(vec![domain])],
-            goal: prop(PropKind::Limit(Box::new(own.clone()))),
-            using: Vec::new(),
-            sample: Vec::new(),
-            proof: Proof::default(),
-            written: None,
-            ..claim.clone()
-        };
+        let mut own_claim = of_limit(claim, own.clone(), natural || way.is_some());
         let Some(value) = prove::value_of_limit(&own_claim, limits) else { continue };
         let Ok(found) = alone.number(&value) else { continue };
         match found.order(&said) {
@@ -147,6 +143,113 @@ fn other(
         }
     }
     None
+}
+
+/// The values of a point, by the names of the variables.
+fn values(point: &Point) -> Option<Substitution> {
+    let mut at = Substitution::default();
+    for (place, value) in &point.values {
+        let place = crate::claim::parse::parse_expr(place).ok()?;
+        let ExprKind::Name(n) = &place.kind else { return None };
+        at.replace(n, &crate::claim::parse::parse_expr(value).ok()?);
+    }
+    Some(at)
+}
+
+/// A claim that says a limit alone.
+fn of_limit(claim: &Claim, limit: Limit, natural: bool) -> Claim {
+    Claim {
+        items: vec![Item::Given(vec![Binding::of(limit.variable.clone(), natural, Vec::new())])],
+        goal: prop(PropKind::Limit(Box::new(limit))),
+        using: Vec::new(),
+        sample: Vec::new(),
+        proof: Proof::default(),
+        written: None,
+        ..claim.clone()
+    }
+}
+
+/// `exists C, N: for all x >= N: abs(F) <= C*G`, as F, G and the binding of x.
+struct Bound {
+    of: Expr,
+    by: Expr,
+    later: Binding,
+}
+
+/// The bounds by some multiple that a goal says to hold from some number on.
+fn bounds_of(p: &Prop, out: &mut Vec<Bound>) {
+    match &p.kind {
+        PropKind::And(list) => list.iter().for_each(|p| bounds_of(p, out)),
+        PropKind::Exists(bindings, _) => out.extend(bound(p, bindings)),
+        _ => {}
+    }
+}
+
+fn bound(p: &Prop, bindings: &[Binding]) -> Option<Bound> {
+    let mut names: Vec<&str> = bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.as_str()).collect();
+    let PropKind::Exists(_, body) = &p.kind else { return None };
+    let mut body: &Prop = body;
+    while let PropKind::Exists(more, inner) = &body.kind {
+        names.extend(more.iter().flat_map(|b| &b.names).map(|n| n.0.text.as_str()));
+        body = inner;
+    }
+    let PropKind::ForAll(later, inner) = &body.kind else { return None };
+    let ([later], PropKind::Compare(sides, relations)) = (later.as_slice(), &inner.kind) else { return None };
+    let ([left, right], [Relation::LessEqual | Relation::Less]) = (sides.as_slice(), relations.as_slice()) else {
+        return None;
+    };
+    let ([_], [Constraint::Relation(Relation::GreaterEqual | Relation::Greater, from)]) =
+        (later.names.as_slice(), later.constraints.as_slice())
+    else {
+        return None;
+    };
+    let is_found = |e: &Expr, names: &[&str]| matches!(&e.kind, ExprKind::Name(n) if names.contains(&n.as_str()));
+    if !is_found(from, &names) {
+        return None;
+    }
+    // A multiple of G by a name that is found, which nothing else mentions.
+    let ExprKind::Product(factors) = &right.kind else { return None };
+    let place = factors.iter().position(|(how, e)| *how == Factor::Times && is_found(e, &names))?;
+    let mut rest = factors.clone();
+    rest[place].1 = numeral(1);
+    let by = expr(ExprKind::Product(rest));
+    let mut free = BTreeSet::new();
+    [left, &by].into_iter().for_each(|e| names_in(e, &mut free));
+    names.iter().all(|n| !free.contains(*n)).then(|| Bound { of: left.clone(), by, later: later.clone() })
+}
+
+/// That an expression exceeds every multiple of another at a point of the parameters.
+fn exceeded(claim: &Claim, bound: &Bound, point: &Point, (limits, end): (&Limits, Option<Moment>)) -> Option<Broken> {
+    let at = values(point)?;
+    let (of, by) = (at.expr(&bound.of).ok()?, at.expr(&bound.by).ok()?);
+    let mut taken = BTreeSet::new();
+    [&of, &by].into_iter().for_each(|e| names_in(e, &mut taken));
+    let variable = bound.later.names.first()?.0.clone();
+    if taken.iter().any(|n| *n != variable.text && n != PI && !is_built_in(n)) {
+        return None;
+    }
+    // |G/F| tends to 0 where G/F does.
+    let quotient = expr(ExprKind::Product(vec![(Factor::Times, inside(&by)), (Factor::Over, inside(&of))]));
+    let limit = Limit { of: quotient, variable, value: numeral(0) };
+    let left = end.map_or(limits.time, |end| end.after(Moment::now()));
+    let own_claim = of_limit(claim, limit, bound.later.natural);
+    prove::certificate(&own_claim, &[], &Limits { time: left, ..limits.clone() }).ok()?;
+    let statement = "the difference exceeds every multiple of the order".to_string();
+    Some(Broken { statement, left: String::new(), right: String::new() })
+}
+
+/// An expression without absolute values, which are roots of squares: where it is one, or a product of them and others.
+fn inside(e: &Expr) -> Expr {
+    match &e.kind {
+        ExprKind::Product(list) => expr(ExprKind::Product(list.iter().map(|(how, e)| (*how, inside(e))).collect())),
+        ExprKind::Apply(f, arguments) if f.text == "sqrt" => match arguments.first().map(|e| &e.kind) {
+            Some(ExprKind::Power(base, two)) if matches!(&two.kind, ExprKind::Number(k) if k == "2") => {
+                (**base).clone()
+            }
+            _ => e.clone(),
+        },
+        _ => e.clone(),
+    }
 }
 
 /// Ways on which a variable x grows, written by a natural number k: on each of them what turns may stand still.
