@@ -74,11 +74,25 @@ impl Prover {
         if self.splits >= 3 || self.inductions > 0 {
             return Err(Fail::No("effort left"));
         }
+        if eventual.factor.is_some()
+            && let Ok(label) = self.attempt(|c| c.from_one_on(goal, bindings, body))
+        {
+            return Ok(label);
+        }
         // What holds for all large real numbers holds for the natural ones.
         let mut shown = self.attempt(|c| c.as_x_grows(goal, &eventual, false));
         if shown.is_err() && eventual.natural {
             shown = self.attempt(|c| c.as_x_grows(goal, &eventual, true));
         }
+        shown
+    }
+
+    /// A bound by a multiple with 1 for all that is to be found, where little effort shows it: |sin(x)| <= 1.
+    fn from_one_on(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let ones = bindings.iter().flat_map(|b| &b.names).map(|n| (n.0.text.clone(), numeral(1))).collect();
+        let splits = std::mem::replace(&mut self.splits, 8);
+        let shown = self.by_values(goal, bindings, body, ones);
+        self.splits = splits;
         shown
     }
 
