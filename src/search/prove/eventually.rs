@@ -75,7 +75,7 @@ impl Prover {
             return Err(Fail::No("effort left"));
         }
         if eventual.factor.is_some()
-            && let Ok(label) = self.attempt(|c| c.from_one_on(goal, bindings, body))
+            && let Ok(label) = self.attempt(|c| c.bounded_by_itself(goal, bindings, body))
         {
             return Ok(label);
         }
@@ -88,7 +88,7 @@ impl Prover {
     }
 
     /// A bound by a multiple with 1 for all that is to be found, where little effort shows it: |sin(x)| <= 1.
-    fn from_one_on(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+    fn bounded_by_itself(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let ones = bindings.iter().flat_map(|b| &b.names).map(|n| (n.0.text.clone(), numeral(1))).collect();
         let splits = std::mem::replace(&mut self.splits, 8);
         let shown = self.by_values(goal, bindings, body, ones);

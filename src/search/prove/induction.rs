@@ -47,11 +47,11 @@ impl Prover {
         if self.least(variable).is_none() || !sides.iter().any(|e| has_exponent_below(e, variable)) {
             return Err(Fail::No("an exponent that is less"));
         }
-        self.from_zero(goal, variable, &mut |c, k, body| c.induction(k, None, body, 3))
+        self.counted_from_zero(goal, variable, &mut |c, k, body| c.induction(k, None, body, 3))
     }
 
     /// By a statement for all natural numbers k of what a variable is more than its least value; `every` shows it.
-    pub(super) fn from_zero(
+    pub(super) fn counted_from_zero(
         &mut self,
         goal: &Prop,
         variable: &str,

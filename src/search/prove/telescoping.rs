@@ -58,7 +58,7 @@ impl Prover {
         for other in self.naturals.clone() {
             sides.iter().try_for_each(|e| self.put_in_reversed(e, &other))?;
         }
-        self.from_zero(goal, variable, &mut |c, n, body| {
+        self.counted_from_zero(goal, variable, &mut |c, n, body| {
             c.induction_by(n, None, body, &mut |c, hypothesis, next| c.moved_on(body, hypothesis, next, n))
         })
     }
