@@ -207,6 +207,10 @@ fn bound(p: &Prop, bindings: &[Binding]) -> Option<Bound> {
     if !is_found(from, &names) {
         return None;
     }
+    // Other expressions than an absolute value may be far below.
+    if inside(left) == *left || matches!(left.kind, ExprKind::Product(_)) {
+        return None;
+    }
     // A multiple of G by a name that is found, which nothing else mentions.
     let ExprKind::Product(factors) = &right.kind else { return None };
     let place = factors.iter().position(|(how, e)| *how == Factor::Times && is_found(e, &names))?;

@@ -43,6 +43,14 @@ pub(super) struct Eventual {
     pub pairs: Vec<(Expr, Relation, Expr)>,
 }
 
+impl Eventual {
+    /// Whether a multiple of a number is to be found that bounds something.
+    fn is_within_a_number(&self) -> bool {
+        self.factor.is_some()
+            && matches!(self.pairs.as_slice(), [(l, _, r)] if !(holds(l, &self.index) && holds(r, &self.index)))
+    }
+}
+
 /// What a limit says from some number on, and how it gives a comparison there.
 struct Stage {
     /// What has the limit, as it stands in the goal.
@@ -74,7 +82,7 @@ impl Prover {
         if self.splits >= 3 || self.inductions > 0 {
             return Err(Fail::No("effort left"));
         }
-        if eventual.factor.is_some()
+        if eventual.is_within_a_number()
             && let Ok(label) = self.attempt(|c| c.bounded_by_itself(goal, bindings, body))
         {
             return Ok(label);

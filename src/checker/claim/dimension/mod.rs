@@ -246,7 +246,7 @@ mod tests {
                 "fault: `integer` cannot be combined with a family, a range, a unit or `natural`",
             ),
             ("prove for all y > 0 in m: y > 0", "fault: a unit is declared under `given` only"),
-            ("given j in N\nprove j = j", "fault: expected `..` between the first and the last value, found `prove`"),
+            ("given j in N\nprove j = j", "fault: the set N is no domain here"),
         ] {
             let said = found(goal);
             if said != wanted {
