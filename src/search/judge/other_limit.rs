@@ -10,7 +10,7 @@
 use crate::algebra::Moment;
 use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::claim::walk::{names_in, parts};
+use crate::claim::walk::names_in;
 use crate::kernel::statement::{expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::prove;
@@ -169,57 +169,42 @@ fn of_limit(claim: &Claim, limit: Limit, natural: bool) -> Claim {
     }
 }
 
-/// `exists C, N: for all x >= N: abs(F) <= C*G`, as F, G and the binding of x.
+/// `exists C, N: for all x >= N: abs(F) <= C*G`, as F, G, and x with whether it is natural.
 struct Bound {
     of: Expr,
     by: Expr,
-    later: Binding,
+    variable: String,
+    natural: bool,
 }
 
 /// The bounds by some multiple that a goal says to hold from some number on.
 fn bounds_of(p: &Prop, out: &mut Vec<Bound>) {
     match &p.kind {
         PropKind::And(list) => list.iter().for_each(|p| bounds_of(p, out)),
-        PropKind::Exists(bindings, _) => out.extend(bound(p, bindings)),
+        PropKind::Exists(bindings, body) => out.extend(bound(bindings, body)),
         _ => {}
     }
 }
 
-fn bound(p: &Prop, bindings: &[Binding]) -> Option<Bound> {
-    let mut names: Vec<&str> = bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.as_str()).collect();
-    let PropKind::Exists(_, body) = &p.kind else { return None };
-    let mut body: &Prop = body;
-    while let PropKind::Exists(more, inner) = &body.kind {
-        names.extend(more.iter().flat_map(|b| &b.names).map(|n| n.0.text.as_str()));
-        body = inner;
-    }
-    let PropKind::ForAll(later, inner) = &body.kind else { return None };
-    let ([later], PropKind::Compare(sides, relations)) = (later.as_slice(), &inner.kind) else { return None };
-    let ([left, right], [Relation::LessEqual | Relation::Less]) = (sides.as_slice(), relations.as_slice()) else {
-        return None;
-    };
-    let ([_], [Constraint::Relation(Relation::GreaterEqual | Relation::Greater, from)]) =
-        (later.names.as_slice(), later.constraints.as_slice())
-    else {
-        return None;
-    };
-    let is_found = |e: &Expr, names: &[&str]| matches!(&e.kind, ExprKind::Name(n) if names.contains(&n.as_str()));
-    if !is_found(from, &names) {
-        return None;
-    }
+fn bound(bindings: &[Binding], body: &Prop) -> Option<Bound> {
+    let (bindings, body) = prove::together(bindings, body);
+    let eventual = prove::eventual(&bindings, body)?;
+    let [(left, Relation::LessEqual | Relation::Less, right)] = eventual.pairs.as_slice() else { return None };
     // Other expressions than an absolute value may be far below.
-    if inside(left) == *left || matches!(left.kind, ExprKind::Product(_)) {
-        return None;
-    }
+    prove::under_root(left)?;
     // A multiple of G by a name that is found, which nothing else mentions.
+    let found = [eventual.factor.as_ref(), Some(&eventual.start)].into_iter().flatten().flat_map(|b| &b.names);
+    let found: Vec<&str> = found.map(|n| n.0.text.as_str()).collect();
+    let is_found = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if found.contains(&n.as_str()));
     let ExprKind::Product(factors) = &right.kind else { return None };
-    let place = factors.iter().position(|(how, e)| *how == Factor::Times && is_found(e, &names))?;
+    let place = factors.iter().position(|(how, e)| *how == Factor::Times && is_found(e))?;
     let mut rest = factors.clone();
     rest[place].1 = numeral(1);
     let by = expr(ExprKind::Product(rest));
     let mut free = BTreeSet::new();
     [left, &by].into_iter().for_each(|e| names_in(e, &mut free));
-    names.iter().all(|n| !free.contains(*n)).then(|| Bound { of: left.clone(), by, later: later.clone() })
+    let is_free = found.iter().all(|n| !free.contains(*n));
+    is_free.then(|| Bound { of: left.clone(), by, variable: eventual.index.clone(), natural: eventual.natural })
 }
 
 /// That an expression exceeds every multiple of another at a point of the parameters.
@@ -228,32 +213,18 @@ fn exceeded(claim: &Claim, bound: &Bound, point: &Point, (limits, end): (&Limits
     let (of, by) = (at.expr(&bound.of).ok()?, at.expr(&bound.by).ok()?);
     let mut taken = BTreeSet::new();
     [&of, &by].into_iter().for_each(|e| names_in(e, &mut taken));
-    let variable = bound.later.names.first()?.0.clone();
-    if taken.iter().any(|n| *n != variable.text && n != PI && !is_built_in(n)) {
+    if taken.iter().any(|n| *n != bound.variable && n != PI && !is_built_in(n)) {
         return None;
     }
     // |G/F| tends to 0 where G/F does.
-    let quotient = expr(ExprKind::Product(vec![(Factor::Times, inside(&by)), (Factor::Over, inside(&of))]));
-    let limit = Limit { of: quotient, variable, value: numeral(0) };
+    let [of, by] = [of, by].map(|e| prove::inside(&e).unwrap_or(e));
+    let quotient = expr(ExprKind::Product(vec![(Factor::Times, by), (Factor::Over, of)]));
+    let limit = Limit { of: quotient, variable: Name::new(&bound.variable), value: numeral(0) };
     let left = end.map_or(limits.time, |end| end.after(Moment::now()));
-    let own_claim = of_limit(claim, limit, bound.later.natural);
+    let own_claim = of_limit(claim, limit, bound.natural);
     prove::certificate(&own_claim, &[], &Limits { time: left, ..limits.clone() }).ok()?;
     let statement = "the difference exceeds every multiple of the order".to_string();
     Some(Broken { statement, left: String::new(), right: String::new() })
-}
-
-/// An expression without absolute values, which are roots of squares: where it is one, or a product of them and others.
-fn inside(e: &Expr) -> Expr {
-    match &e.kind {
-        ExprKind::Product(list) => expr(ExprKind::Product(list.iter().map(|(how, e)| (*how, inside(e))).collect())),
-        ExprKind::Apply(f, arguments) if f.text == "sqrt" => match arguments.first().map(|e| &e.kind) {
-            Some(ExprKind::Power(base, two)) if matches!(&two.kind, ExprKind::Number(k) if k == "2") => {
-                (**base).clone()
-            }
-            _ => e.clone(),
-        },
-        _ => e.clone(),
-    }
 }
 
 /// Ways on which a variable x grows, written by a natural number k: on each of them what turns may stand still.
@@ -264,24 +235,11 @@ fn ways_to_infinity(of: &Expr, x: &str, k: &str, natural: bool, is_pi: bool) -> 
     if natural {
         return vec![twice.clone(), plus(twice, numeral(1))];
     }
-    if !is_pi || !turns(of, x) {
+    if !is_pi || !prove::turns(of, x) {
         return Vec::new();
     }
     let turn =
         expr(ExprKind::Product(vec![(Factor::Times, numeral(2)), (Factor::Times, name(PI)), (Factor::Times, name(k))]));
     let half = expr(ExprKind::Product(vec![(Factor::Times, name(PI)), (Factor::Over, numeral(2))]));
     vec![turn.clone(), plus(turn.clone(), half), plus(turn, name(PI))]
-}
-
-/// Whether a sine or cosine of what holds a variable stands in an expression.
-fn turns(e: &Expr, x: &str) -> bool {
-    let holds = |e: &Expr| {
-        let mut names = BTreeSet::new();
-        names_in(e, &mut names);
-        names.contains(x)
-    };
-    let mut found = matches!(&e.kind, ExprKind::Apply(f, list)
-        if matches!(f.text.as_str(), "sin" | "cos") && list.iter().any(holds));
-    parts(e, &mut |part| found |= turns(part, x));
-    found
 }

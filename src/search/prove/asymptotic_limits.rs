@@ -65,23 +65,8 @@ impl Prover {
         Err(no())
     }
 
-    /// What an expression tends to, if two bounds of it tend to the same.
-    pub(super) fn limit_by_bounds(&mut self, e: &Expr, x: &str) -> Option<Expr> {
-        let mut apart = self.apart_from_signs(e, x).ok()?;
-        let form = self.written_by(&apart.of, x, &mut apart.equations)?;
-        for degree in ORDERS {
-            let mut plan = self.plan(x, degree, ROOTS[1], &[]);
-            let Some([Some(lower), Some(upper)]) = self.bounds_of(&form, &mut plan) else { continue };
-            if let (Tends::To(a), Tends::To(b)) = (self.tends(&lower.value, x), self.tends(&upper.value, x))
-                && self.is_zero(&minus(&a, &b))
-            {
-                return self.simplified(&a);
-            }
-        }
-        None
-    }
-
-    fn plan(&mut self, x: &str, degree: u32, root: u32, facts: &[Label]) -> Plan {
+    /// A plan for bounds by these degrees, with nothing in it yet.
+    pub(super) fn plan(&mut self, x: &str, degree: u32, root: u32, facts: &[Label]) -> Plan {
         let (pieces, lemmas, small) = Default::default();
         Plan { x: x.to_string(), y: self.fresh("y"), degree, root, pieces, lemmas, small, facts: facts.to_vec() }
     }

@@ -6,9 +6,7 @@
 //! limit gives a number from which on something simple holds. For N the sum of these numbers is taken, and C is greater than
 //! the limit of f/g.
 
-use super::asymptotic_bounds::{Plan, Tends};
-use super::asymptotic_form::{Leading, atoms, raised};
-use super::asymptotic_limits::{ORDERS, ROOTS};
+use super::asymptotic_form::raised;
 use super::facts::{minus, negated};
 use super::letters::{as_power, natural, product, whole_power};
 use super::limits::{holds, over};
@@ -30,7 +28,7 @@ use malachite::base::num::basic::traits::One;
 const STARTS: [u32; 3] = [1, 4, 100];
 
 /// A statement about all numbers from one on.
-pub(super) struct Eventual {
+pub(crate) struct Eventual {
     /// The number from which on, as it is declared.
     pub start: Binding,
     /// A number that is to be found besides.
@@ -44,6 +42,13 @@ pub(super) struct Eventual {
 }
 
 impl Eventual {
+    /// Whether what is to be found has lower bounds only, and the factor is real.
+    fn is_free(&self) -> bool {
+        let below = |c: &Constraint| matches!(c, Constraint::Relation(Relation::Greater | Relation::GreaterEqual, _));
+        let mut sought = [Some(&self.start), self.factor.as_ref()].into_iter().flatten();
+        sought.all(|b| b.constraints.iter().all(below)) && !self.factor.as_ref().is_some_and(|b| b.natural)
+    }
+
     /// Whether a multiple of a number is to be found that bounds something.
     fn is_within_a_number(&self) -> bool {
         self.factor.is_some()
@@ -81,6 +86,9 @@ impl Prover {
         let eventual = eventual(bindings, body).ok_or(Fail::No("what holds from some number on"))?;
         if self.splits >= 3 || self.inductions > 0 {
             return Err(Fail::No("effort left"));
+        }
+        if !eventual.is_free() {
+            return Err(Fail::No("numbers that may be as great as need be"));
         }
         if eventual.is_within_a_number()
             && let Ok(label) = self.attempt(|c| c.bounded_by_itself(goal, bindings, body))
@@ -547,68 +555,10 @@ impl Prover {
         }
         self.quietly(&compare(limit.clone(), strict, bound.clone())).is_ok()
     }
-
-    /// The limit of an expression as x grows, if bounds tell one.
-    pub(super) fn finite_limit(&mut self, e: &Expr, x: &str) -> Option<Expr> {
-        let limit = self.by_bounds(e, x, &mut |c, lower, upper| {
-            let (Tends::To(a), Tends::To(b)) = (c.tends(lower, x), c.tends(upper, x)) else { return None };
-            c.is_zero(&minus(&a, &b)).then_some(a)
-        })?;
-        match self.letters.number(&limit) {
-            Some(q) => Some(literal(&q)),
-            None => Some(self.simplified(&limit).unwrap_or(limit)),
-        }
-    }
-
-    /// The leading term of an expression as x grows, if bounds tell one other than 0.
-    fn leading_limit(&mut self, e: &Expr, x: &str) -> Option<Leading> {
-        let lead = self.by_bounds(e, x, &mut |c, lower, upper| {
-            let (a, b) = (c.leading(lower, x)?, c.leading(upper, x)?);
-            let same = a.exponent == b.exponent && !c.is_zero(&a.c) && c.is_zero(&minus(&a.c, &b.c));
-            same.then_some(a)
-        })?;
-        let c = match self.letters.number(&lead.c) {
-            Some(q) => literal(&q),
-            None => self.simplified(&lead.c)?,
-        };
-        Some(Leading { c, exponent: lead.exponent })
-    }
-
-    /// What the first bounds of an expression tell that tell something.
-    fn by_bounds<T>(
-        &mut self,
-        e: &Expr,
-        x: &str,
-        told: &mut dyn FnMut(&mut Prover, &Expr, &Expr) -> Option<T>,
-    ) -> Option<T> {
-        let form = self.written_by(e, x, &mut Vec::new())?;
-        let mut found = Vec::new();
-        atoms(&form, x, &mut found)?;
-        if found.is_empty() {
-            return told(self, &form, &form);
-        }
-        for degree in ORDERS {
-            for root in ROOTS {
-                self.tick().ok()?;
-                let (pieces, lemmas, small, facts) = Default::default();
-                let y = self.fresh("y");
-                let mut plan = Plan { x: x.to_string(), y, degree, root, pieces, lemmas, small, facts };
-                if let Some([Some(lower), Some(upper)]) = self.bounds_of(&form, &mut plan)
-                    && let Some(told) = told(self, &lower.value, &upper.value)
-                {
-                    return Some(told);
-                }
-                if !plan.has_logarithm() {
-                    break;
-                }
-            }
-        }
-        None
-    }
 }
 
 /// An expression without its absolute values, which are roots of squares: where it is one, or a product of them and others.
-fn inside(e: &Expr) -> Option<Expr> {
+pub(crate) fn inside(e: &Expr) -> Option<Expr> {
     if let ExprKind::Product(list) = &e.kind {
         let parts: Vec<Option<Expr>> = list.iter().map(|(_, e)| inside(e)).collect();
         if parts.iter().all(Option::is_none) {
@@ -621,7 +571,7 @@ fn inside(e: &Expr) -> Option<Expr> {
 }
 
 /// X for the root of X².
-fn under_root(e: &Expr) -> Option<Expr> {
+pub(crate) fn under_root(e: &Expr) -> Option<Expr> {
     let (square, half) = as_power(e)?;
     let (inside, two) = as_power(&square)?;
     let is_root = matches!(&e.kind, ExprKind::Apply(f, _) if f.text == "sqrt")
@@ -642,7 +592,7 @@ fn without_one(e: &Expr) -> Expr {
 }
 
 /// A statement as one about all numbers from one on.
-pub(super) fn eventual(bindings: &[Binding], body: &Prop) -> Option<Eventual> {
+pub(crate) fn eventual(bindings: &[Binding], body: &Prop) -> Option<Eventual> {
     let PropKind::ForAll(over, inner) = &body.kind else { return None };
     let [Binding { names, natural, constraints, indices: None, .. }] = over.as_slice() else { return None };
     let [(index, None)] = names.as_slice() else { return None };
@@ -671,9 +621,7 @@ pub(super) fn eventual(bindings: &[Binding], body: &Prop) -> Option<Eventual> {
     let mut own: Vec<Binding> = Vec::new();
     for binding in bindings {
         for (variable, index) in &binding.names {
-            let below =
-                |c: &Constraint| matches!(c, Constraint::Relation(Relation::Greater | Relation::GreaterEqual, _));
-            if index.is_some() || !binding.constraints.iter().all(below) {
+            if index.is_some() {
                 return None;
             }
             own.push(Binding::of(variable.clone(), binding.natural, binding.constraints.clone()));
@@ -681,7 +629,7 @@ pub(super) fn eventual(bindings: &[Binding], body: &Prop) -> Option<Eventual> {
     }
     let place = own.iter().position(|b| b.names.iter().any(|n| n.0.text == start))?;
     let start = own.remove(place);
-    if own.len() > 1 || own.iter().any(|b| b.natural) {
+    if own.len() > 1 {
         return None;
     }
     Some(Eventual { start, factor: own.pop(), index: index.text.clone(), natural: *natural, pairs })

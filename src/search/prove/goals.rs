@@ -401,7 +401,7 @@ fn at(point: Vec<(String, Expr)>) -> (Vec<(Name, Expr)>, Substitution) {
 }
 
 /// The bindings of `exists` and of each `exists` directly in it, and what stands behind them.
-fn together<'p>(bindings: &[Binding], body: &'p Prop) -> (Vec<Binding>, &'p Prop) {
+pub(crate) fn together<'p>(bindings: &[Binding], body: &'p Prop) -> (Vec<Binding>, &'p Prop) {
     let (mut all, mut inner) = (bindings.to_vec(), body);
     while let PropKind::Exists(more, body) = &inner.kind {
         all.extend(more.iter().cloned());

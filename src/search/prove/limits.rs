@@ -282,7 +282,7 @@ fn divisors_in(e: &Expr, out: &mut Vec<Expr>) {
 }
 
 /// Whether a sine or cosine of what holds a variable stands in an expression.
-fn turns(e: &Expr, x: &str) -> bool {
+pub(crate) fn turns(e: &Expr, x: &str) -> bool {
     let mut found = matches!(&e.kind, ExprKind::Apply(f, list)
         if matches!(f.text.as_str(), "sin" | "cos") && list.iter().any(|e| holds(e, x)));
     crate::refute::expand::parts(e, &mut |part| found |= turns(part, x));
