@@ -132,21 +132,38 @@ impl Prover {
     }
 
     /// The factors of a term that are quotients of polynomials in a variable, multiplied, and the others.
-    pub(super) fn parted(&mut self, term: &Expr, v: &str) -> (Quotient, Expr) {
-        let list = match &term.kind {
-            ExprKind::Product(list) => list.clone(),
-            _ => vec![(Factor::Times, term.clone())],
-        };
-        let (mut plain, mut rest) = ((Polynomial::one(), Polynomial::one()), vec![(Factor::Times, numeral(1))]);
-        for (how, e) in list {
-            let own = self.quotient(&e, v).map(|(a, b)| if how == Factor::Over { (b, a) } else { (a, b) });
-            match own.and_then(|own| times(&plain, &own)) {
-                Some(both) => plain = both,
-                None => rest.push((how, e)),
+    pub(super) fn parted(&mut self, term: &Expr, v: &str) -> Option<(Quotient, Vec<(Factor, Expr)>)> {
+        let (mut plain, mut rest) = ((Polynomial::one(), Polynomial::one()), Vec::new());
+        self.parted_into(term, v, Factor::Times, &mut plain, &mut rest)?;
+        Some((plain, rest))
+    }
+
+    fn parted_into(
+        &mut self,
+        e: &Expr,
+        v: &str,
+        how: Factor,
+        plain: &mut Quotient,
+        rest: &mut Vec<(Factor, Expr)>,
+    ) -> Option<()> {
+        if let Some((above, below)) = self.quotient(e, v) {
+            *plain = times(plain, &if how == Factor::Over { (below, above) } else { (above, below) })?;
+            return Some(());
+        }
+        match &e.kind {
+            ExprKind::Negate(a) => {
+                plain.0 = plain.0.neg();
+                self.parted_into(a, v, how, plain, rest)
+            }
+            ExprKind::Product(list) => list.iter().try_for_each(|(own, e)| {
+                let own = if *own == how { Factor::Times } else { Factor::Over };
+                self.parted_into(e, v, own, plain, rest)
+            }),
+            _ => {
+                rest.push((how, e.clone()));
+                Some(())
             }
         }
-        let rest = if rest.len() > 1 { expr(ExprKind::Product(rest)) } else { numeral(1) };
-        (plain, rest)
     }
 
     /// The whole slope of an expression that is linear in a variable.

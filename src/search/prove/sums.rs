@@ -1,6 +1,7 @@
 //! Sums up to a variable in closed form, by an antidifference of what is summed (`algebra::gosper`). What is summed may hold the
 //! variable, as in sum(k = 1..n, k/n): it is then a constant beside an end of its own.
 
+use super::hypergeometric::times;
 use super::letters::{natural, total};
 use super::limits::holds;
 use super::{Fail, Prover};
@@ -14,9 +15,8 @@ use crate::kernel::key;
 use crate::kernel::statement::{compare, expr, name, numeral, prop, sum};
 use crate::kernel::substitution::Substitution;
 
-/// The largest exponent of a polynomial in the index, and the steepest exponent of a power.
+/// The largest exponent of a polynomial in the index.
 const DEGREE: u32 = 12;
-const SLOPE: u64 = 3;
 
 impl Prover {
     /// An expression with closed forms in the place of the sums up to a variable, and the facts that these are equal for
@@ -145,19 +145,13 @@ impl Prover {
     /// Σ t(i) for i = from … n, as T(n + 1) − T(1) for an antidifference T of t, and t(0) where it begins there.
     fn telescoped(&mut self, index: &str, body: &Expr, from: u32, variable: &str) -> Option<Expr> {
         let i = self.letters.of(&name(index));
-        let mut term = Term::default();
-        self.term_of(body, index, i, false, &mut term)?;
-        let next = |p: &Polynomial| p.substitute(i, &Polynomial::variable(i).add(&Polynomial::one())).ok();
-        let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
-        let (above, below) = (&term.plain.0, &term.plain.1);
-        let step_above = times(&times(&term.ratio.0, &next(above)?)?, below)?;
-        let step_below = times(&times(&term.ratio.1, above)?, &next(below)?)?;
-        let (top, bottom) = antidifference(&step_above, &step_below, i)?;
-        let (top, bottom) = (times(&top, above)?, times(&bottom, below)?);
+        let (plain, rest) = self.parted(body, index)?;
+        let (above, below) = self.ratio(body, index)?;
+        let (top, bottom) = times(&antidifference(&above, &below, i)?, &plain)?;
         let common = gcd(&top, &bottom).ok()?;
         let (top, bottom) = (top.exact_divide(&common)?, bottom.exact_divide(&common)?);
         let mut whole = vec![(Factor::Times, self.letters.written(&top))];
-        whole.extend(term.rest);
+        whole.extend(rest);
         if !bottom.is_one() {
             whole.push((Factor::Over, self.letters.written(&bottom)));
         }
@@ -176,55 +170,6 @@ impl Prover {
             parts.push((Sign::Plus, at(body, &numeral(0))?));
         }
         Some(sum(parts))
-    }
-
-    /// Takes in a factor of a term, or a divisor: as a quotient of polynomials in the index, as a power whose exponent is linear in it,
-    /// or as a product up to it.
-    fn term_of(&mut self, e: &Expr, index: &str, i: u32, divides: bool, term: &mut Term) -> Option<()> {
-        let take = |into: &mut Quotient, (above, below): Quotient| {
-            let (above, below) = if divides { (below, above) } else { (above, below) };
-            *into = (into.0.try_mul(&above).ok()?, into.1.try_mul(&below).ok()?);
-            Some(())
-        };
-        if let Some(quotient) = self.quotient(e, index) {
-            return take(&mut term.plain, quotient);
-        }
-        let step = match &e.kind {
-            ExprKind::Negate(a) => {
-                term.plain.0 = term.plain.0.neg();
-                return self.term_of(a, index, i, divides, term);
-            }
-            ExprKind::Product(list) => {
-                return list
-                    .iter()
-                    .try_for_each(|(f, e)| self.term_of(e, index, i, divides != (*f == Factor::Over), term));
-            }
-            ExprKind::Power(base, exponent) if !holds(base, index) => {
-                let slope = self.letters.polynomial(exponent)?.derivative(i).as_constant()?;
-                let slope = i64::try_from(&slope).ok().filter(|k| k.unsigned_abs() <= SLOPE)?;
-                let (above, below) = self.quotient(base, index)?;
-                let k = u32::try_from(slope.unsigned_abs()).ok()?;
-                let (above, below) = (above.pow(k).ok()?, below.pow(k).ok()?);
-                if slope < 0 { (below, above) } else { (above, below) }
-            }
-            ExprKind::ProductOver(inner, body) if !holds(body, index) && !holds(&inner.from, index) => {
-                let end = self.letters.polynomial(&inner.to)?;
-                let slope = u32::try_from(&end.derivative(i).as_constant()?).ok()?;
-                let mut step = (Polynomial::one(), Polynomial::one());
-                for k in 1..=Some(slope).filter(|s| u64::from(*s) <= SLOPE)? {
-                    let place = self.letters.written(&end.add(&Polynomial::integer(i64::from(k))));
-                    let mut map = Substitution::default();
-                    map.replace(&inner.name.text, &place);
-                    let (above, below) = self.quotient(&map.expr(body).ok()?, index)?;
-                    step = (step.0.try_mul(&above).ok()?, step.1.try_mul(&below).ok()?);
-                }
-                step
-            }
-            _ => return None,
-        };
-        take(&mut term.ratio, step)?;
-        term.rest.push((if divides { Factor::Over } else { Factor::Times }, e.clone()));
-        Some(())
     }
 
     /// A quotient of polynomials in the index, with letters that do not depend on it.
@@ -266,20 +211,6 @@ impl Prover {
 
 /// A polynomial over another.
 pub(super) type Quotient = (Polynomial, Polynomial);
-
-/// A member of a sum: a quotient in the index times the rest, and by what the rest is multiplied where the index is one more.
-struct Term {
-    plain: Quotient,
-    rest: Vec<(Factor, Expr)>,
-    ratio: Quotient,
-}
-
-impl Default for Term {
-    fn default() -> Self {
-        let one = || (Polynomial::one(), Polynomial::one());
-        Term { plain: one(), rest: Vec::new(), ratio: one() }
-    }
-}
 
 /// Whether an expression divides by what holds a variable.
 fn divides(e: &Expr, variable: &str) -> bool {

@@ -116,7 +116,9 @@ impl Prover {
         let (top, bottom) = &found.certificate;
         let above = moved(top, &after).and_then(|p| p.try_mul(&step.0).ok()).ok_or_else(no)?;
         let below = moved(bottom, &after).and_then(|p| p.try_mul(&step.1).ok()).ok_or_else(no)?;
-        let (plain, rest) = self.parted(term, k);
+        let (plain, mut rest) = self.parted(term, k).ok_or_else(no)?;
+        rest.insert(0, (Factor::Times, numeral(1)));
+        let rest = if rest.len() > 1 { expr(ExprKind::Product(rest)) } else { numeral(1) };
         let (last_above, last_below) = super::hypergeometric::times(&(above, below), &plain).ok_or_else(no)?;
         let last = self.quotient_written(&last_above, &last_below).ok_or_else(no)?;
         let last = put_in(&super::letters::product(vec![last, rest.clone()]), k, &name(&m))?;
