@@ -297,11 +297,11 @@ class Values(Intervals, Terms):
                 return POSITIVE if not base & 2 or inner[1].factors else NOT_NEGATIVE
             return next((s for s in (POSITIVE, NOT_NEGATIVE, NOT_ZERO) if not base & ~s), ANY)
         if kind == "over":
-            kind, depth, low, high, body = inner
-            index = self.intern(("index", depth))
-            if any(r[0] == index for r in known.ranges):
-                return ANY
+            kind, own, low, high, body = inner
+            index = self.intern(("index", own))
             body = self.fraction_signs(body, known.under(index, low, high), {})
+            if kind == "sum" and body in (1, 4) and not self.fraction_signs(high - low, known, found) & ~NOT_NEGATIVE:
+                return body
             kinds = (NOT_NEGATIVE, 3) if kind == "sum" else (POSITIVE, NOT_NEGATIVE, NOT_ZERO)
             return next((s for s in kinds if not body & ~s), ANY)
         out = ANY

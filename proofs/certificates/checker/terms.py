@@ -87,7 +87,8 @@ class F:
 
 ONE, ZERO = F(1), F(0)
 NO_DERIVATIVE = "a derivative of a member of a family or sequence, of a sum over an index, or of what stands in an integral"
-# What a sum or product over an index, and an integral, binds in its body: an atom with the number of these around it.
+# What a sum or product over an index, and an integral, binds in its body. While the body is read it is open: its number is minus
+# that of these around it. In an atom it is closed: its number is 1 more than all that are bound in the body.
 BOUND = {"over": "index", "integral": "place"}
 # The atoms of arctan and arcsin, and where one is a known part of π: by the square of an argument that is positive.
 ARCS = ("arctangent", "arcsine")
@@ -205,7 +206,7 @@ class Terms:
 
     def __init__(self, claim):
         self.claim, self.scope = claim, {}
-        self.atoms, self.ids, self.free = [], {}, []
+        self.atoms, self.ids, self.free, self.heights = [], {}, [], []
         self.equations, self.depth, self.serial = [], 0, 0
         self.families = {n: b for b in claim.given for n, i in b[1] if i is not None}
         self.sequences = {u[0]: u for u in claim.sequences}
@@ -239,6 +240,7 @@ class Terms:
             self.ids[a] = len(self.atoms)
             self.atoms.append(a)
             free = set().union(*(self.free_in(f) for f in a if isinstance(f, F)))
+            self.heights.append(max([self.height(f) for f in a if isinstance(f, F)] + [a[-4] if a[0] in BOUND else 0]))
             if a[0] in BOUND:
                 *_, low, high, body = a
                 free = self.free_in(low) | self.free_in(high) | self.free_in(body) - {self.bound_by(a)}
@@ -249,6 +251,27 @@ class Terms:
     def bound_by(self, a):
         """The number of the atom that an atom binds in its body."""
         return self.intern((BOUND[a[0]], a[-4]))
+
+    def height(self, f):
+        """The greatest number that is bound in a fraction."""
+        return max((self.heights[a] for a in f.atoms()), default=0)
+
+    def opened(self, run):
+        """Runs something with the number of what one more sum, product or integral binds."""
+        self.depth += 1
+        try:
+            return run(-self.depth)
+        finally:
+            self.depth -= 1
+
+    def closed(self, tag, own, body):
+        """The number that an atom binds in its body, and the body with it."""
+        number = 1 + self.height(body)
+        return number, self.renamed(tag, body, own, number)
+
+    def renamed(self, tag, body, old, new):
+        old, new = (self.intern((BOUND[tag], number)) for number in (old, new))
+        return self.replaced(body, old, atom(new), {new: atom(new)})
 
     def free_in(self, f):
         return set().union(*(self.free[a] for a in f.atoms()))
@@ -341,13 +364,8 @@ class Terms:
         if tag == "over":
             low, high = self.whole(self.scalar(e[3])), self.whole(self.scalar(e[4]))
             need(e[2] != PI, f"the name {PI} is in use")
-            self.depth += 1
-            index = self.intern(("index", self.depth))
-            try:
-                body = self.inside({e[2]: index}, lambda: self.scalar(e[5]))
-                return self.over(e[1], self.depth, low, high, body)
-            finally:
-                self.depth -= 1
+            body = lambda own: self.inside({e[2]: self.intern(("index", own))}, lambda: self.scalar(e[5]))
+            return self.opened(lambda own: self.over(e[1], own, low, high, body(own)))
         if tag == "integral":
             return self.integral(*e[2:])
         if tag == "deriv":
@@ -369,13 +387,12 @@ class Terms:
         """An atom. Its variable is new, and known by its number, as an index is, so that its name does not matter."""
         ends = self.scalar(low), self.scalar(high)
         need(x != PI and not self.is_declared(x), f"the name {x} is in use")
-        self.depth += 1
-        try:
-            place = self.intern(("place", self.depth))
-            body = self.inside({x: place}, lambda: self.scalar(body))
-            return self.atom("integral", self.depth, *ends, body)
-        finally:
-            self.depth -= 1
+        inside = lambda own: self.inside({x: self.intern(("place", own))}, lambda: self.scalar(body))
+        return self.opened(lambda own: self.integral_of(own, *ends, inside(own)))
+
+    def integral_of(self, own, low, high, body):
+        own, body = self.closed("integral", own, body)
+        return self.atom("integral", own, low, high, body)
 
     def call(self, f, arguments):
         need(len(arguments) == 1, f"{f} has one argument")
@@ -549,13 +566,16 @@ class Terms:
             out *= base.power(int(twice))
         return out.c
 
-    def over(self, kind, depth, low, high, body):
+    def over(self, kind, own, low, high, body):
         """A sum term by term, a product factor by factor; what does not depend on the index is taken out. Divisors are
         taken out only where the range is not empty by its form: an empty sum of 1/n is 0, and not n·(1/n) for n = 0."""
-        index, room = self.intern(("index", depth)), total([high, ONE, -low])
+        index, room = self.intern(("index", own)), total([high, ONE, -low])
         rest = room - ONE
         filled = self.is_whole(rest) and all(c > 0 for c, _ in rest.terms())
-        over = lambda f: self.atom("over", kind, depth, low, high, f)
+
+        def over(f):
+            number, inner = self.closed("over", own, f)
+            return self.atom("over", kind, number, low, high, inner)
 
         def free(p):
             return index not in self.free_in(F(1, {p: 1}))
@@ -666,20 +686,22 @@ class Terms:
         kind, *inner = self.atoms[a]
         if kind in ("variable", "pi", *BOUND.values()):
             return atom(a)
-        new = [self.replaced(y, left, value, done) if isinstance(y, F) else y for y in inner]
-        if kind in BOUND and left == self.bound_by(self.atoms[a]):
-            # In the body it is another number.
-            new[-1] = inner[-1]
+        put_in = lambda f: self.replaced(f, left, value, done)
+        if kind in BOUND:
+            *word, bound, low, high, body = inner
+            low, high = put_in(low), put_in(high)
+            # The body is opened: nothing else in it, and nothing that is put in, has that number.
+            inside = lambda own: put_in(self.renamed(kind, body, bound, own))
+            if kind == "integral":
+                return self.opened(lambda own: self.integral_of(own, low, high, inside(own)))
+            return self.opened(lambda own: self.over(*word, own, self.whole(low), self.whole(high), inside(own)))
+        new = [put_in(y) if isinstance(y, F) else y for y in inner]
         if new == inner:
             return atom(a)
         if kind == "member":
             return self.atom(kind, new[0], self.whole(new[1]))
         if kind == "power":
             return self.power(new[0], inner[1] if self.is_whole(inner[1]) and not self.is_whole(new[1]) else new[1])
-        if kind == "integral":
-            return self.atom(kind, *new)
-        if kind == "over":
-            return self.over(new[0], new[1], self.whole(new[2]), self.whole(new[3]), new[4])
         if kind in ("cos", "sin"):
             return self.point(new[0])[kind == "sin"]
         if kind in ARCS:

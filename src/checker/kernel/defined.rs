@@ -133,19 +133,19 @@ impl Checker {
         known: &mut Known,
         run: impl FnOnce(&mut Checker, &mut Known) -> Result<(), Refusal>,
     ) -> Result<(), Refusal> {
-        self.binders += 1;
-        let (bound, before) = (self.binders, known.mark());
-        let result = self.under(name, Atom::Bound(bound), |checker| {
-            let index = checker.intern(Atom::Bound(bound));
-            known.ranges.push(Range { index, from: checker.whole(from)?, to: checker.whole(to)? });
-            let place = Fraction::atom(index);
-            for difference in [place.minus(from, &checker.work)?, to.minus(&place, &checker.work)?] {
-                checker.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
-            }
-            checker.learn_for_all(true, &Atom::Bound(bound), known)?;
-            run(checker, known)
+        let before = known.mark();
+        let result = self.opened(|checker, own| {
+            checker.under(name, Atom::Bound(own), |checker| {
+                let index = checker.intern(Atom::Bound(own));
+                known.ranges.push(Range { index, from: checker.whole(from)?, to: checker.whole(to)? });
+                let place = Fraction::atom(index);
+                for difference in [place.minus(from, &checker.work)?, to.minus(&place, &checker.work)?] {
+                    checker.learn_signs(&difference, Signs::NOT_NEGATIVE, known)?;
+                }
+                checker.learn_for_all(true, &Atom::Bound(own), known)?;
+                run(checker, known)
+            })
         });
-        self.binders -= 1;
         known.back_to(before);
         result
     }

@@ -117,19 +117,18 @@ impl Checker {
         if signs != Signs::ANY {
             self.need(&u.initial, signs, known)?;
         }
-        self.binders += 1;
-        let bound = self.binders;
         let before = known.mark();
-        let result = self.under(&u.index, Atom::Bound(bound), |checker| {
-            let index = checker.intern(Atom::Bound(bound));
-            let member = checker.atom_fraction(Atom::Member(u.name.clone(), Poly::atom(index)));
-            if signs != Signs::ANY {
-                checker.learn_signs(&member, signs, known)?;
-            }
-            checker.defined(&u.step, known)?;
-            if signs == Signs::ANY { Ok(()) } else { checker.need(&u.step, signs, known) }
+        let result = self.opened(|checker, own| {
+            checker.under(&u.index, Atom::Bound(own), |checker| {
+                let index = checker.intern(Atom::Bound(own));
+                let member = checker.atom_fraction(Atom::Member(u.name.clone(), Poly::atom(index)));
+                if signs != Signs::ANY {
+                    checker.learn_signs(&member, signs, known)?;
+                }
+                checker.defined(&u.step, known)?;
+                if signs == Signs::ANY { Ok(()) } else { checker.need(&u.step, signs, known) }
+            })
         });
-        self.binders -= 1;
         known.back_to(before);
         result
     }

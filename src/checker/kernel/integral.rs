@@ -12,11 +12,11 @@ use super::term::Atom;
 use super::{Checker, Reason, Refusal, rejected};
 use crate::claim::syntax::*;
 
-/// A definite integral over `Real(depth)`.
+/// A definite integral over `Real(own)`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Integral {
-    /// Which variable.
-    pub(super) depth: usize,
+    /// The number of its variable.
+    pub(super) own: usize,
     /// Where it begins.
     pub(super) from: Fraction,
     /// Where it ends.
@@ -29,11 +29,23 @@ impl Checker {
     /// An integral as an atom.
     pub(super) fn integral(&mut self, variable: &Index, body: &Expr, depth: usize) -> Result<Fraction, Refusal> {
         let (from, to) = (self.scalar_in(&variable.from, depth)?, self.scalar_in(&variable.to, depth)?);
-        self.binders += 1;
-        let own = self.binders;
-        let body = self.under(&variable.name.text, Atom::Real(own), |checker| checker.scalar_in(body, depth));
-        self.binders -= 1;
-        Ok(self.atom_fraction(Atom::Integral(Integral { depth: own, from, to, body: body? })))
+        self.opened(|checker, own| {
+            let read = |checker: &mut Checker| checker.scalar_in(body, depth);
+            let body = checker.under(&variable.name.text, Atom::Real(own), read)?;
+            checker.integral_of(own, from, to, &body)
+        })
+    }
+
+    /// The integral over an open place ([`super::binder`]).
+    pub(super) fn integral_of(
+        &mut self,
+        own: usize,
+        from: Fraction,
+        to: Fraction,
+        body: &Fraction,
+    ) -> Result<Fraction, Refusal> {
+        let (own, body) = self.closed(own, body, Atom::Real)?;
+        Ok(self.atom_fraction(Atom::Integral(Integral { own, from, to, body })))
     }
 
     /// Runs something where the variable of an integral lies between the ends. Where the facts do not tell which end is less, it
@@ -90,11 +102,8 @@ impl Checker {
         by: &str,
         depth: usize,
     ) -> Result<Fraction, Refusal> {
-        let Integral { depth: own, from, to, body } = integral;
-        // What was put in may bind the same variable again: no value goes in there.
-        let binds_again =
-            self.holds_atom(body, &|atom| matches!(atom, Atom::Integral(inner) if inner.depth == *own))?;
-        if binds_again || !self.is_free_of(body, variable)? {
+        let Integral { own, from, to, body } = integral;
+        if !self.is_free_of(body, variable)? {
             return rejected(Reason::DerivativeOfMember);
         }
         let moved = self.intern(Atom::Real(*own));

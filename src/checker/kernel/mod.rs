@@ -26,6 +26,7 @@
 pub mod analysis;
 pub mod arc;
 mod arithmetic;
+mod binder;
 mod defined;
 mod derivative;
 pub(crate) mod enclosure;
@@ -294,6 +295,8 @@ pub struct Checker {
     atom_index: BTreeMap<Atom, usize>,
     /// For each atom those that occur in it at any depth, itself among them, in order.
     occurring: Vec<Vec<usize>>,
+    /// For each atom the greatest number that is bound in it ([`binder`]), or 0.
+    heights: Vec<usize>,
     /// Names in scope that a quantifier may bind again.
     again: BTreeSet<String>,
     /// The number of indices of sums and products in scope.
@@ -354,6 +357,7 @@ impl Checker {
             atoms: Vec::new(),
             atom_index: BTreeMap::new(),
             occurring: Vec::new(),
+            heights: Vec::new(),
             again,
             binders: 0,
             put_in: Rc::new(Vec::new()),

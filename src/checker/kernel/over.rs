@@ -16,31 +16,29 @@ impl Checker {
     pub(super) fn over(&mut self, sum: bool, index: &Index, body: &Expr, depth: usize) -> Result<Fraction, Refusal> {
         let (low, high) = (self.scalar_in(&index.from, depth)?, self.scalar_in(&index.to, depth)?);
         let (from, to) = (self.whole(&low)?, self.whole(&high)?);
-        self.binders += 1;
-        let depth_of_index = self.binders;
-        let body = self.under(&index.name.text, Atom::Bound(depth_of_index), |checker| checker.scalar_in(body, depth));
-        self.binders -= 1;
-        self.over_of(&Over { sum, depth: depth_of_index, from, to, body: body? })
+        self.opened(|checker, own| {
+            let read = |checker: &mut Checker| checker.scalar_in(body, depth);
+            let body = checker.under(&index.name.text, Atom::Bound(own), read)?;
+            checker.over_of(&Over { sum, own, from, to, body })
+        })
     }
 
+    /// The sum or product over an open index ([`super::binder`]).
     pub(super) fn over_of(&mut self, over: &Over) -> Result<Fraction, Refusal> {
         let (low, high) = (Fraction::of(&over.from), Fraction::of(&over.to));
         let room = Fraction::sum(&[high, Fraction::integer(1), low.negated()], &self.work)?;
-        let with = |body: Fraction| Atom::Over(Over { body, ..over.clone() });
-        if over.sum {
-            self.sum_over(&over.body, over.depth, &room, &with)
-        } else {
-            self.product_over(&over.body, over.depth, &room, &with)
-        }
+        if over.sum { self.sum_over(over, &room) } else { self.product_over(over, &room) }
     }
 
-    fn sum_over(
-        &mut self,
-        body: &Fraction,
-        bound: usize,
-        room: &Fraction,
-        over: &dyn Fn(Fraction) -> Atom,
-    ) -> Result<Fraction, Refusal> {
+    /// The sum or product of another body, as an atom.
+    fn atom_over(&mut self, over: &Over, body: Fraction) -> Result<Fraction, Refusal> {
+        let (own, body) = self.closed(over.own, &body, Atom::Bound)?;
+        Ok(self.atom_fraction(Atom::Over(Over { own, body, ..over.clone() })))
+    }
+
+    fn sum_over(&mut self, over: &Over, room: &Fraction) -> Result<Fraction, Refusal> {
+        let Over { own: bound, body, .. } = over;
+        let bound = *bound;
         let filled = self.is_not_empty(room)?;
         let (outside, inside) = self.taken_out(body, bound, filled)?;
         if body.is_zero() {
@@ -63,40 +61,35 @@ impl Checker {
                     let (free, rest) = self.taken_out(&term, bound, filled)?;
                     let rest = rest.times(&divisors, &self.work)?;
                     let one = rest.as_integer() == Some(1);
-                    let sum = if one { room.clone() } else { self.atom_fraction(over(rest)) };
+                    let sum = if one { room.clone() } else { self.atom_over(over, rest)? };
                     terms.push(free.times(&sum, &self.work)?);
                 }
             }
-            None => terms.push(self.atom_fraction(over(inside))),
+            None => terms.push(self.atom_over(over, inside)?),
         }
         Fraction::sum(&terms, &self.work)?.times(&outside, &self.work)
     }
 
-    fn product_over(
-        &mut self,
-        body: &Fraction,
-        bound: usize,
-        room: &Fraction,
-        over: &dyn Fn(Fraction) -> Atom,
-    ) -> Result<Fraction, Refusal> {
+    fn product_over(&mut self, over: &Over, room: &Fraction) -> Result<Fraction, Refusal> {
+        let Over { own: bound, body, .. } = over;
         if body.is_zero() {
-            return Ok(self.atom_fraction(over(body.clone())));
+            return self.atom_over(over, body.clone());
         }
         // The number of members is natural; by its form only if no coefficient is negative.
         let counted = self.polynomial(room)?.is_some_and(|p| p.terms().all(|t| !t.1.is_negative()));
         let mut out = Fraction::integer(1);
         if !body.coefficient.is_one() {
             let constant = Fraction::number(body.coefficient.clone());
-            let factor = if counted { self.power(&constant, room)? } else { self.atom_fraction(over(constant)) };
+            let factor = if counted { self.power(&constant, room)? } else { self.atom_over(over, constant)? };
             out.multiply(&factor, &self.work)?;
         }
         for (poly, k) in &body.factors {
             let factor = Fraction::of(poly);
-            let mut free = self.is_free_of(&factor, &Atom::Bound(bound))?;
+            let mut free = self.is_free_of(&factor, &Atom::Bound(*bound))?;
             if free && self.has_divided_exponents(poly) {
                 free = self.is_not_empty(room)?;
             }
-            let value = if free && counted { self.power(&factor, room)? } else { self.atom_fraction(over(factor)) };
+            let value = if free && counted { self.power(&factor, room)? } else { self.atom_over(over, factor)? };
             out.multiply(&value.power(*k)?, &self.work)?;
         }
         Ok(out)

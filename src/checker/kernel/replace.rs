@@ -28,24 +28,8 @@ impl Checker {
         Ok(false)
     }
 
-    /// Whether an atom of a kind occurs in a fraction, at any depth.
+    /// Whether an atom of a kind occurs in a fraction, at any depth. Each atom is looked at once.
     pub(super) fn holds_atom(&self, f: &Fraction, kind: &dyn Fn(&Atom) -> bool) -> Result<bool, Refusal> {
-        self.holds_atom_where(f, kind, &|_| true)
-    }
-
-    /// Whether a bound index occurs in a fraction, elsewhere than in a sum or product over this very index.
-    pub(super) fn holds_free_index(&self, f: &Fraction, depth: usize) -> Result<bool, Refusal> {
-        self.holds_atom_where(f, &|atom| *atom == Atom::Bound(depth), &|over| over.depth != depth)
-    }
-
-    /// Whether an atom of a kind occurs in a fraction, at any depth but in the bodies of sums and products that are not
-    /// entered. Each atom is looked at once.
-    fn holds_atom_where(
-        &self,
-        f: &Fraction,
-        kind: &dyn Fn(&Atom) -> bool,
-        enter: &dyn Fn(&Over) -> bool,
-    ) -> Result<bool, Refusal> {
         let mut open: Vec<usize> = f.atoms().collect();
         let mut seen = BTreeSet::new();
         while let Some(place) = open.pop() {
@@ -57,10 +41,7 @@ impl Checker {
             if kind(atom) {
                 return Ok(true);
             }
-            match atom {
-                Atom::Over(over) if !enter(over) => open.extend(over.from.atoms().chain(over.to.atoms())),
-                _ => open.extend(atom.parts()),
-            }
+            open.extend(atom.parts());
             self.work.count(1 + open.len() - before)?;
         }
         Ok(false)
@@ -194,16 +175,22 @@ impl Checker {
                 let x = inner(self, &x)?;
                 self.arc("arctan", &x)
             }
-            Atom::Integral(integral) => {
-                let (from, to) = (inner(self, &integral.from)?, inner(self, &integral.to)?);
-                let body = inner(self, &integral.body)?;
-                Ok(self.atom_fraction(Atom::Integral(Integral { from, to, body, ..integral })))
+            Atom::Integral(Integral { own: bound, from, to, body }) => {
+                let (from, to) = (inner(self, &from)?, inner(self, &to)?);
+                self.opened(|checker, own| {
+                    let body = checker.renamed(&body, Atom::Real(bound), Atom::Real(own))?;
+                    let body = inner(checker, &body)?;
+                    checker.integral_of(own, from, to, &body)
+                })
             }
             Atom::Over(over) => {
                 let (from, to) = (inner(self, &Fraction::of(&over.from))?, inner(self, &Fraction::of(&over.to))?);
                 let (from, to) = (self.whole(&from)?, self.whole(&to)?);
-                let body = inner(self, &over.body)?;
-                self.over_of(&Over { from, to, body, ..over })
+                self.opened(|checker, own| {
+                    let body = checker.renamed(&over.body, Atom::Bound(over.own), Atom::Bound(own))?;
+                    let body = inner(checker, &body)?;
+                    checker.over_of(&Over { own, from, to, body, ..over })
+                })
             }
         }
     }

@@ -272,18 +272,20 @@ impl Checker {
             Some(Atom::Sine(u)) => self.arc_signs(u, [(0, 2), (-2, 0)], known, depth, found)?,
             Some(Atom::Member(name, _)) => self.member_signs(name, known)?,
             Some(Atom::Over(over)) => {
-                let Some(index) = self.atom_index.get(&Atom::Bound(over.depth)).copied() else {
+                let Some(index) = self.atom_index.get(&Atom::Bound(over.own)).copied() else {
                     return Ok(Signs::ANY);
                 };
-                // What is known of an index of this number is said of another sum or product, which is read right now; the
-                // one in this atom, which an equation put in, has all values of its own range.
-                if found.ranges.iter().any(|r| r.index == index) || self.is_index_known(over.depth, known)? {
-                    return Ok(Signs::ANY);
-                }
                 let mut ranges = found.ranges.clone();
                 ranges.push(Range { index, from: over.from.clone(), to: over.to.clone() });
                 let mut inside = Found { signs: BTreeMap::new(), ranges, ..*found };
                 let body = self.fraction_signs(&over.body, known, depth, &mut inside)?;
+                let members = Fraction::of(&over.to).minus(&Fraction::of(&over.from), &self.work)?;
+                if over.sum
+                    && (body.within(Signs::POSITIVE) || body.within(Signs::of(Relation::Less)))
+                    && self.fraction_signs(&members, known, depth, found)?.within(Signs::NOT_NEGATIVE)
+                {
+                    return Ok(body);
+                }
                 // A range may be empty: an empty sum is 0, an empty product 1.
                 let kinds = if over.sum {
                     vec![Signs::NOT_NEGATIVE, Signs::of(Relation::LessEqual)]
@@ -333,16 +335,6 @@ impl Checker {
         known.asked.borrow_mut().extend(before.0);
         known.put_in.borrow_mut().extend(before.1);
         Ok(signs)
-    }
-
-    /// Whether a sign is noted of something that holds the index of this number.
-    fn is_index_known(&self, depth: usize, known: &Known) -> Result<bool, Refusal> {
-        for sign in &known.signs {
-            if self.holds_free_index(&Fraction::of(&sign.poly), depth)? {
-                return Ok(true);
-            }
-        }
-        Ok(false)
     }
 
     /// The signs that the definition gives to every member of a sequence, and cited facts `for all k natural: f(k) relation

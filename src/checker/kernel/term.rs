@@ -25,15 +25,15 @@ pub(super) enum Atom {
     Variable(String),
     /// The variable of a limit inside it: another one than outside.
     Growing(String),
-    /// The index of a sum or product, by its depth: a natural number.
+    /// The index of a sum or product: a natural number ([`super::binder`]).
     Bound(usize),
-    /// The variable of an integral, by its depth: a real number.
+    /// The variable of an integral: a real number.
     Real(usize),
     /// A member of a family or sequence.
     Member(String, Poly),
-    /// A sum or product over `Bound(depth)`.
+    /// A sum or product over `Bound(own)`.
     Over(Over),
-    /// An integral over `Real(depth)`.
+    /// An integral over `Real(own)`.
     Integral(Integral),
     /// b^E where E is not a whole number.
     Power(Fraction, Fraction),
@@ -77,8 +77,8 @@ impl Atom {
 pub(super) struct Over {
     /// A sum, else a product.
     pub(super) sum: bool,
-    /// Which bound index.
-    pub(super) depth: usize,
+    /// The number of its index.
+    pub(super) own: usize,
     /// Its least value.
     pub(super) from: Poly,
     /// Its greatest value.
@@ -111,6 +111,7 @@ impl Checker {
         occur.dedup();
         self.work.spend(occur.len());
         self.occurring.push(occur);
+        self.heights.push(self.height_of(&atom));
         self.atoms.push(atom.clone());
         self.atom_index.insert(atom, place);
         place

@@ -3,6 +3,7 @@
 //!
 //! Contract: nothing here adds a fact or changes what a step means; a view is made from a state and forgotten.
 
+use super::binder::bound_name;
 use super::fraction::{Fraction, Poly};
 use super::known::Known;
 use super::order::Signs;
@@ -151,14 +152,13 @@ impl Checker {
     }
 
     fn atom_expr(&self, place: usize) -> Expr {
-        let index = |depth: usize| format!("i{depth}");
         match self.atoms.get(place) {
             None => name("?"),
             Some(Atom::Variable(text) | Atom::Growing(text)) => name(text),
-            Some(Atom::Bound(depth) | Atom::Real(depth)) => name(&index(*depth)),
+            Some(Atom::Bound(own) | Atom::Real(own)) => name(&bound_name('i', *own)),
             Some(Atom::Integral(integral)) => {
                 let variable = Index {
-                    name: Name::new(index(integral.depth)),
+                    name: Name::new(bound_name('i', integral.own)),
                     from: Box::new(self.fraction_expr(&integral.from)),
                     to: Box::new(self.fraction_expr(&integral.to)),
                 };
@@ -178,7 +178,7 @@ impl Checker {
             }
             Some(Atom::Over(over)) => {
                 let range = Index {
-                    name: Name::new(index(over.depth)),
+                    name: Name::new(bound_name('i', over.own)),
                     from: Box::new(self.poly_expr(&over.from)),
                     to: Box::new(self.poly_expr(&over.to)),
                 };

@@ -3,6 +3,7 @@
 //!
 //! Nothing here justifies a step.
 
+use super::binder::bound_name;
 use super::fraction::{Fraction, Poly};
 use super::known::Known;
 use super::order::Signs;
@@ -241,10 +242,10 @@ impl Checker {
     pub fn atom_words(&self, place: usize) -> Expr {
         match self.atoms.get(place) {
             Some(Atom::Variable(text) | Atom::Growing(text)) => name(text),
-            Some(Atom::Bound(depth) | Atom::Real(depth)) => name(&bound_name(*depth)),
+            Some(Atom::Bound(own) | Atom::Real(own)) => name(&bound_name('j', *own)),
             Some(Atom::Integral(integral)) => {
                 let variable = Index {
-                    name: Name::new(bound_name(integral.depth)),
+                    name: Name::new(bound_name('j', integral.own)),
                     from: Box::new(self.fraction_words(&integral.from)),
                     to: Box::new(self.fraction_words(&integral.to)),
                 };
@@ -263,7 +264,7 @@ impl Checker {
             }
             Some(Atom::Over(over)) => {
                 let index = Index {
-                    name: Name::new(bound_name(over.depth)),
+                    name: Name::new(bound_name('j', over.own)),
                     from: Box::new(self.poly_words(&over.from)),
                     to: Box::new(self.poly_words(&over.to)),
                 };
@@ -273,10 +274,6 @@ impl Checker {
             None => numeral(&BigRational::zero()),
         }
     }
-}
-
-fn bound_name(depth: usize) -> String {
-    format!("j{depth}")
 }
 
 fn numeral(q: &BigRational) -> Expr {
