@@ -18,6 +18,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The most work in the check of one certificate: about that many operations on short numbers, terms
 /// written, and comparisons of names, signs and facts in searches.
@@ -29,24 +30,34 @@ pub(crate) const EXPONENT_LIMIT: i64 = 1_000;
 /// The most bits of a numerator or denominator.
 pub(crate) const BITS_LIMIT: u64 = 100_000;
 
-/// Counts work. Cells, so that what only reads the state of a check counts as well.
-#[derive(Clone, Debug)]
-pub struct Work {
-    done: Cell<u64>,
-    /// How much may be done, at most [`WORK_LIMIT`].
-    allowed: Cell<u64>,
-}
+/// How much work is done between two looks at whether it may go on.
+const BETWEEN_LOOKS: u64 = 1_000;
 
-impl Default for Work {
-    fn default() -> Work {
-        Work { done: Cell::new(0), allowed: Cell::new(WORK_LIMIT) }
+/// Whether work may go on: for a search, whose time is limited. A certificate is checked without one.
+#[derive(Clone)]
+pub struct Watch(pub Rc<dyn Fn() -> bool>);
+
+impl std::fmt::Debug for Watch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Watch")
     }
 }
 
+/// Counts work. Cells, so that what only reads the state of a check counts as well.
+#[derive(Clone, Debug, Default)]
+pub struct Work {
+    done: Cell<u64>,
+    /// Asked from time to time.
+    watch: Option<Watch>,
+    /// The work after which it is asked again.
+    next_look: Cell<u64>,
+}
+
 impl Work {
-    /// Allows so much more work from now on, within the limit: for a search that has little time left.
-    pub fn allow(&self, more: u64) {
-        self.allowed.set(self.done.get().saturating_add(more).min(WORK_LIMIT));
+    /// Has somebody asked from time to time whether work may go on, or nobody.
+    pub fn watched_by(&mut self, watch: Option<Watch>) {
+        self.watch = watch;
+        self.next_look.set(0);
     }
 
     /// Counts some work; whether it was too much, the next [`Work::count`] says.
@@ -62,7 +73,16 @@ impl Work {
     /// Counts some work.
     pub fn count(&self, amount: usize) -> Result<(), Refusal> {
         self.spend(amount);
-        if self.done.get() > self.allowed.get() { Err(Refusal::Limit("work")) } else { Ok(()) }
+        if self.done.get() > WORK_LIMIT {
+            return Err(Refusal::Limit("work"));
+        }
+        match &self.watch {
+            Some(watch) if self.done.get() >= self.next_look.get() => {
+                self.next_look.set(self.done.get().saturating_add(BETWEEN_LOOKS));
+                if watch.0() { Ok(()) } else { Err(Refusal::Limit("time")) }
+            }
+            _ => Ok(()),
+        }
     }
 }
 

@@ -380,9 +380,9 @@ impl Checker {
         self.cited.iter().map(|accepted| &accepted.statement).find(|statement| statement.name == name)
     }
 
-    /// Allows so much more work from now on, within the limit of a check. A certificate is checked with the whole limit.
-    pub fn allow(&self, work: u64) {
-        self.work.allow(work);
+    /// Has somebody asked from time to time whether work may go on, or nobody.
+    pub fn watched_by(&mut self, watch: Option<fraction::Watch>) {
+        self.work.watched_by(watch);
     }
 
     /// The facts, with their labels.

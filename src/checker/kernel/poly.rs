@@ -143,7 +143,10 @@ impl Poly {
     pub fn sum(list: &[Poly], work: &Work) -> Result<Poly, Refusal> {
         match list {
             [only] => Ok(only.clone()),
-            _ => Poly::collected(list.iter().flat_map(|p| p.0.iter()).map(|term| Ok(term.clone())), work),
+            _ => {
+                work.count(list.iter().map(|p| p.0.len()).sum())?;
+                Poly::collected(list.iter().flat_map(|p| p.0.iter()).map(|term| Ok(term.clone())), work)
+            }
         }
     }
 

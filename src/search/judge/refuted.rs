@@ -122,9 +122,8 @@ impl Refuter<'_> {
 
     fn attempt(&self, refutes: Refutes) -> Option<Attempt> {
         let claim = refutation::of(self.claim, &refutes).ok()?;
-        let checker = Checker::refuting(self.claim, &refutes).ok()?;
-        // One attempt may take what is left; most take little of it.
-        checker.allow(prove::work_until(self.deadline).saturating_mul(4));
+        let mut checker = Checker::refuting(self.claim, &refutes).ok()?;
+        checker.watched_by(prove::until(self.deadline));
         let labels: Vec<Label> = checker.facts().map(|(label, _)| label.to_string()).collect();
         let given = labels.get(labels.len().checked_sub(refutes.point.len())?..)?.to_vec();
         Some(Attempt { refutes, claim, checker, given, read: Vec::new(), steps: Vec::new() })

@@ -65,6 +65,9 @@ impl Prover {
         if let Ok(label) = self.by_moving_products(goal) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_members(goal) {
+            return Ok(label);
+        }
         if self.splits < 8
             && let Ok(label) = self.attempt(|c| c.by_weighted_tangents(goal, a, b))
         {

@@ -1,6 +1,7 @@
 //! Instances of `for all` facts at the indices that occur.
 
 use super::Prover;
+use super::coefficients::rational;
 use crate::algebra::Polynomial;
 use crate::certificate::Label;
 use crate::claim::syntax::*;
@@ -31,7 +32,9 @@ impl Prover {
                 sides.iter().for_each(|e| members_in(e, &mut members));
                 let members: Vec<(String, Polynomial)> =
                     members.into_iter().filter_map(|(f, e)| Some((f, self.letters.polynomial(&e)?))).collect();
-                (members.len() > 1).then_some((label, variable, members))
+                // The kernel itself uses the sign of every member.
+                let is_sign = members.len() == 1 && sides.iter().any(|e| rational(e).is_some());
+                (!members.is_empty() && !is_sign).then_some((label, variable, members))
             })
             .collect();
         if facts.is_empty() {

@@ -58,6 +58,7 @@ mod letters;
 mod limits;
 mod logarithms;
 mod means;
+mod members;
 mod narrowing;
 mod parameters;
 mod partial_fractions;
@@ -90,6 +91,7 @@ mod witnesses;
 use crate::algebra::Moment;
 use crate::certificate::{Certificate, Label, Rule, Show, Step, Term};
 use crate::claim::syntax::{Claim, Expr, PI, Proof, Prop, PropKind, Relation, is_built_in};
+use crate::kernel::fraction::Watch;
 use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
 use crate::kernel::{Accepted, Checker, Refusal};
@@ -106,7 +108,6 @@ use letters::Letters;
 pub(crate) use limits::turns;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
-use std::time::Duration;
 
 /// How many search steps ([`Limits::steps`]) one step that is tried counts as.
 const STEPS_OF_A_TRY: usize = 20;
@@ -234,6 +235,10 @@ pub(crate) struct Prover {
     slopes_open: usize,
     /// Whether powers of facts are tried.
     within_powers: bool,
+    /// Whether the members of a goal's sums are compared.
+    in_members: bool,
+    /// The goals whose sums were compared so.
+    compared: BTreeSet<String>,
     /// Whether an equation or order of arcs is tried.
     within_arcs: bool,
     /// Whether the logarithms of a goal's sides are compared.
@@ -248,18 +253,25 @@ pub(crate) struct Prover {
     parameters: usize,
 }
 
-/// The kernel's work of evaluation for which the time until a deadline is enough: the kernel itself looks at no clock. A step is checked
-/// about five times until its certificate is written, and a quick machine does 3,000 units in a millisecond.
-pub(crate) fn work_until(deadline: Option<Moment>) -> u64 {
-    const IN_A_MILLISECOND: u64 = 600;
-    let left = deadline.map_or(Duration::MAX, |deadline| deadline.after(Moment::now()));
-    u64::try_from(left.as_millis()).unwrap_or(u64::MAX).saturating_mul(IN_A_MILLISECOND)
+/// Lets the kernel work until a deadline: the kernel itself looks at no clock.
+pub(crate) fn until(deadline: Option<Moment>) -> Option<Watch> {
+    deadline.map(|deadline| Watch(Rc::new(move || Moment::now() <= deadline)))
 }
+
+/// The end of a part of the time until a deadline.
+fn within(deadline: Option<Moment>, parts: u32) -> Option<Moment> {
+    let now = Moment::now();
+    deadline.and_then(|end| now.checked_add(end.after(now) / parts))
+}
+
+/// How often an evaluation is carried out until its certificate is written.
+const EVALUATIONS: u32 = 5;
 
 impl Prover {
     /// A search that knows the hypotheses of a claim.
     fn new(claim: &Claim, cited: &[&Accepted], limits: &Limits, deadline: Option<Moment>) -> Result<Prover, Fail> {
-        let checker = Checker::new(claim, cited).map_err(Fail::from)?;
+        let mut checker = Checker::new(claim, cited).map_err(Fail::from)?;
+        checker.watched_by(until(deadline));
         let statement = checker.statement();
         let natural = statement.bindings.iter().filter(|b| b.natural).flat_map(|b| &b.names);
         Ok(Prover {
@@ -296,6 +308,8 @@ impl Prover {
             stationary: slopes::STATIONARY,
             slopes_open: 0,
             within_powers: false,
+            in_members: false,
+            compared: BTreeSet::new(),
             within_arcs: false,
             within_logarithms: false,
             in_residues: false,
@@ -355,10 +369,11 @@ impl Prover {
     fn with_half<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
         let (most, deadline) = (self.most_tries, self.deadline);
         self.most_tries -= most.saturating_sub(self.tries) / 2;
-        let now = Moment::now();
-        self.deadline = deadline.and_then(|end| now.checked_add(end.after(now) / 2));
+        self.deadline = within(deadline, 2);
+        self.checker.watched_by(until(self.deadline));
         let result = self.attempt(run);
         (self.most_tries, self.deadline) = (most, deadline);
+        self.checker.watched_by(until(deadline));
         result
     }
 
@@ -375,7 +390,7 @@ impl Prover {
         self.tick()?;
         let evaluates = matches!(rule, Rule::Evaluate);
         if evaluates {
-            self.checker.allow(work_until(self.deadline));
+            self.checker.watched_by(until(within(self.deadline, EVALUATIONS)));
         }
         let by = self.signs();
         let show = Show { label: self.next_label(), rule, prop: shown, by, using: self.equations.clone() };
@@ -384,7 +399,7 @@ impl Prover {
             other => other,
         };
         if evaluates {
-            self.checker.allow(u64::MAX);
+            self.checker.watched_by(until(self.deadline));
             self.is_short = self.is_short || matches!(step, Err(Refusal::Limit(_)));
         }
         Ok(self.taken(step.map_err(Fail::from)?))
