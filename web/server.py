@@ -1,4 +1,5 @@
 """Serves a folder on this machine, compressed by gzip; a file that the browser has already is not sent again.
+The engine's files are compressed already.
 
     python3 server.py FOLDER [PORT]
 
@@ -16,7 +17,7 @@ TYPES = {
     ".html": "text/html; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
     ".css": "text/css; charset=utf-8",
-    ".wasm": "application/wasm",
+    ".engine": "application/octet-stream",
     ".svg": "image/svg+xml",
     ".webmanifest": "application/manifest+json",
 }
@@ -30,7 +31,7 @@ class Files:
         self.known = {}
 
     def get(self, path):
-        """Content, compressed content, tag and type of the file behind a path; None where there is none."""
+        """Content, compressed content (if it is not compressed already), tag and type of the file behind a path; None where there is none."""
         name = unquote(urlsplit(path).path)
         file = (self.folder / name.lstrip("/")).resolve()
         if file.is_dir():
@@ -42,7 +43,8 @@ class Files:
             content = file.read_bytes()
             tag = '"' + hashlib.sha256(content).hexdigest()[:32] + '"'
             kind = TYPES.get(file.suffix, "text/plain; charset=utf-8")
-            self.known[file] = (stamp, content, gzip.compress(content, 9), tag, kind)
+            compressed = None if file.suffix == ".engine" else gzip.compress(content, 9)
+            self.known[file] = (stamp, content, compressed, tag, kind)
         return self.known[file][1:]
 
 
@@ -69,7 +71,7 @@ class Handler(BaseHTTPRequestHandler):
             self.common(tag)
             self.end_headers()
             return
-        squeezed = "gzip" in self.headers.get("Accept-Encoding", "")
+        squeezed = compressed is not None and "gzip" in self.headers.get("Accept-Encoding", "")
         body = compressed if squeezed else content
         self.send_response(200)
         self.common(tag)

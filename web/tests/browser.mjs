@@ -12,7 +12,7 @@ export const SHOTS = new URL("../shots/", import.meta.url).pathname;
 mkdirSync(SHOTS, { recursive: true });
 
 const TYPES = {
-  ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
+  ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css",
   ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json",
 };
 

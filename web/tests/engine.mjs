@@ -6,6 +6,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gunzipSync } from "node:zlib";
 import assert from "node:assert/strict";
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -13,7 +14,7 @@ const dist = process.env.DIST ?? join(here, "../dist");
 const carom = process.env.CAROM ?? join(here, "../../target/release/carom");
 const parts = await Promise.all(["first", "whole"].map(async (name) => {
   const part = await import(join(dist, `${name}.js`));
-  part.initSync({ module: readFileSync(join(dist, `${name}_bg.wasm`)) });
+  part.initSync({ module: gunzipSync(readFileSync(join(dist, `${name}.engine`))) });
   return part;
 }));
 const call = (name, request) => JSON.parse(parts.find((part) => name in part)[name](JSON.stringify(request)));
