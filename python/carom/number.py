@@ -139,6 +139,9 @@ _REFINED = (25, 60, 200, _MAX_DIGITS)
 """Digits to which both sides of an open comparison are narrowed, in turn."""
 
 
+_Ends = Tuple[Fraction, Fraction]
+
+
 class Number:
     """A result: an exact rational number, or one that lies between two known ends.
 
@@ -179,6 +182,8 @@ class Number:
     def measured(self) -> bool:
         """Whether it is wide because inputs are measured: more digits do not narrow it."""
         return False
+
+    _measured: bool
 
     def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
         """Ends that agree to about so many digits, where nothing is measured."""
@@ -396,7 +401,20 @@ class Number:
 class Rational(Number, Fraction):  # type: ignore[misc]  # fractions of fractions are results here
     """A result that is known exactly: a fraction with the methods of every result."""
 
-    __slots__ = ()
+    __slots__ = ("_fixed",)
+
+    _measured = False
+
+    _fixed: Optional[_Fixed]
+
+    def __new__(cls, numerator: Any = 0, denominator: Any = None) -> Rational:
+        made = super().__new__(cls, numerator, denominator)
+        made._fixed = None
+        return made
+
+    def _leaf(self, bits: int) -> Tuple[int, int]:
+        above, below = self.numerator << bits, self.denominator
+        return above // below, -(-above // below)
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return (Rational, (self.numerator, self.denominator))
@@ -436,9 +454,65 @@ class Enclosure(Number):
 
     __slots__ = ()
 
+    _fixed: Optional[_Fixed]
+    """What is remembered of the number: bits, and the ends of the number in units of 2^-bits, rounded outwards."""
+
+    _measured: bool
+
     @property
     def exact(self) -> None:
         return None
+
+    def _leaf(self, bits: int) -> Tuple[int, int]:
+        """The ends in units of 2^-bits, rounded outwards."""
+        digits = bits * 3 // 10 + 5
+        lo, hi = self.narrower(digits)
+        size = max(abs(lo.numerator), abs(hi.numerator)).bit_length() - hi.denominator.bit_length()
+        if size > 0:
+            lo, hi = self.narrower(digits + size * 3 // 10)
+        return (lo.numerator << bits) // lo.denominator, -((-hi.numerator << bits) // hi.denominator)
+
+    # Operators of two enclosures, without a look at what the other side could else be.
+
+    def __add__(self, other: Any) -> Number:
+        if isinstance(other, Enclosure):
+            return Computed("+", self, other)
+        return _result("+", self, other)
+
+    def __rsub__(self, other: Any) -> Number:
+        if type(other) is int and other in _INTEGERS:
+            return Computed("-", _INTEGERS[other], self)
+        return _result("-", other, self)
+
+    def __rmul__(self, other: Any) -> Number:
+        if type(other) is int and other in _INTEGERS:
+            return Computed("*", _INTEGERS[other], self)
+        return _result("*", other, self)
+
+    def __sub__(self, other: Any) -> Number:
+        if isinstance(other, Enclosure) and (type(self) is Computed or type(other) is Computed) and self is not other:
+            return Computed("-", self, other)
+        return super().__sub__(other)
+
+    def __mul__(self, other: Any) -> Number:
+        if isinstance(other, Enclosure):
+            return Computed("*", self, other)
+        return _result("*", self, other)
+
+    def __lt__(self, other: Any) -> bool:
+        if isinstance(other, Enclosure):
+            a, b = self._fixed, other._fixed
+            if a is not None and b is not None and a[0] == b[0]:
+                if a[2] < b[1]:
+                    return True
+                if a[1] > b[2]:
+                    return False
+        return _decided(self, other, "<")
+
+    def __gt__(self, other: Any) -> bool:
+        if isinstance(other, Enclosure):
+            return other < self
+        return _decided(self, other, ">")
 
     def as_integer_ratio(self) -> Tuple[int, int]:
         """Refused: ``statistics.mean`` and its neighbours ask for it, and an irrational number has none."""
@@ -499,13 +573,15 @@ _SHOWN = 20
 class Answer(Enclosure):
     """An answer of the engine that is not exact."""
 
-    __slots__ = ("_found", "_place", "_quantity", "_source")
+    __slots__ = ("_fixed", "_found", "_measured", "_place", "_quantity", "_source")
 
     def __init__(self, source: Source, quantity: str, place: Tuple[int, ...], found: Found) -> None:
         self._source = source
         self._quantity = quantity
         self._place = place
         self._found = found
+        self._fixed = None
+        self._measured = not (isinstance(source, tuple) or source.is_exact)
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return (_answered, (self._chain(), self._quantity, self._place))
@@ -548,7 +624,7 @@ class Answer(Enclosure):
     @property
     def measured(self) -> bool:
         """Whether it is wide because inputs are measured."""
-        return not (isinstance(self._source, tuple) or self._source.is_exact)
+        return self._measured
 
     def digits(self, count: int, *, rounding: str = "nearest") -> str:
         """The number with so many significant digits, each of them right.
@@ -618,10 +694,13 @@ def _latex(numeral: str) -> str:
 class Root(Enclosure):
     """A root of a fraction that is no fraction itself."""
 
-    __slots__ = ("_ends", "_index", "_radicand")
+    __slots__ = ("_ends", "_fixed", "_index", "_radicand")
+
+    _measured = False
 
     def __init__(self, radicand: Fraction, index: int) -> None:
         self._radicand, self._index = radicand, index
+        self._fixed = None
         self._ends = self.narrower(_SHOWN)
 
     def __reduce__(self) -> Tuple[Any, ...]:
@@ -659,42 +738,98 @@ def _floor_root(number: int, index: int) -> int:
 
 
 class Computed(Enclosure):
-    """What arithmetic makes of results."""
+    """What arithmetic makes of results.
 
-    __slots__ = ("_ends", "_left", "_measured", "_operation", "_right")
+    Where nothing is measured it is only written down: what is asked of it narrows it as far as that needs. Its ends
+    are whole numbers of units of 2^-bits. Each part remembers them, and is computed once, however often it occurs.
+    """
+
+    __slots__ = ("_ends", "_fixed", "_left", "_measured", "_operation", "_right")
+
+    _ends: Optional[_Ends]
 
     def __init__(self, operation: str, left: Number, right: Number) -> None:
-        self._operation, self._left, self._right = operation, left, right
-        self._measured = left.measured or right.measured
-        ends = ((left.exact_lo, left.exact_hi), (right.exact_lo, right.exact_hi))
-        try:
-            found = _ENDS[operation](*ends)
-        except Undecided:
-            # A divisor that is not seen to be apart from 0 yet, or a radicand.
-            found = _ENDS[operation](*(side.narrower(_MAX_DIGITS) for side in (left, right)))
-        self._ends = _shortened(found, _LONG) if _is_long(found) else found
+        self._operation = operation
+        self._left: Any = left
+        self._right: Any = right
+        self._fixed = self._ends = None
+        self._measured = self._left._measured or self._right._measured
+        if self._measured or operation not in "+-*":
+            self._check()
+
+    def _check(self) -> None:
+        """The ends of what is measured; whether a divisor is apart from 0, and a radicand not below it."""
+        left, right = self._left, self._right
+        if not self._measured and self._operation in ("/", "root"):
+            side = right if self._operation == "/" else left
+            for bits in _BITS:
+                known = side._fixed
+                try:
+                    _, lo, hi = known if known is not None else _fixed(side, bits)
+                except _Open:
+                    continue
+                if lo > 0 or (hi < 0 and side is right):
+                    return
+                side._fixed = None
+        if self._measured or self._operation in ("/", "root"):
+            ends = ((left.exact_lo, left.exact_hi), (right.exact_lo, right.exact_hi))
+            try:
+                found = _ENDS[self._operation](*ends)
+            except Undecided:
+                # A divisor that is not seen to be apart from 0 yet, or a radicand.
+                found = _ENDS[self._operation](*(side.narrower(_MAX_DIGITS) for side in (left, right)))
+            self._ends = _shortened(found, _LONG) if _is_long(found) else found
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return (Computed, (self._operation, self._left, self._right))
 
     @property
     def exact_lo(self) -> Fraction:
-        return self._ends[0]
+        return self._shown()[0]
 
     @property
     def exact_hi(self) -> Fraction:
-        return self._ends[1]
+        return self._shown()[1]
+
+    def _shown(self) -> _Ends:
+        if self._ends is None:
+            self._ends = self.narrower(_SHOWN)
+        return self._ends
 
     @property
     def measured(self) -> bool:
         return self._measured
 
+    def digits(self, count: int, *, rounding: str = "nearest") -> str:
+        if self._measured:
+            return super().digits(count, rounding=rounding)
+        count = count_of(count, "digits")
+        for bits in _BITS:
+            if bits > count * 10 // 3 + 16:
+                try:
+                    _, lo, hi = _fixed(self, bits)
+                except _Open:
+                    continue
+                if (hi - lo).bit_length() + count * 10 // 3 < max(-lo, hi).bit_length():
+                    ends = [_engine.rounded((f"{end:x}", f"{1 << bits:x}"), count, rounding) for end in {lo, hi}]
+                    if ends[0] == ends[-1]:
+                        return ends[0]
+        return super().digits(count, rounding=rounding)
+
     def narrower(self, count: int) -> Tuple[Fraction, Fraction]:
-        if self.measured:
-            return self._ends
+        if self._measured:
+            return self._shown()
+        for bits in _BITS:
+            if bits > count * 10 // 3 + 8:
+                try:
+                    _, lo, hi = _fixed(self, bits)
+                except _Open:
+                    continue
+                if (hi - lo) * 10**count <= max(-lo, hi):
+                    return Fraction(lo, 1 << bits), Fraction(hi, 1 << bits)
         for more in _REFINED:
-            lo, hi = ends = self._evaluated(count + more)
-            if (hi - lo) * 10**count <= max(abs(lo), abs(hi)):
+            ends = self._evaluated(count + more)
+            if (ends[1] - ends[0]) * 10**count <= max(abs(end) for end in ends):
                 break
         return ends
 
@@ -717,10 +852,128 @@ class Computed(Enclosure):
         return done[id(self)]
 
 
+_Fixed = Tuple[int, int, int]
+"""Bits, and the ends of a number in units of 2^-bits."""
+
+_BITS = tuple(256 << place for place in range(8))
+"""Bits after the point that are tried in turn. Numbers of very different sizes need more, and are narrowed by their
+significant digits instead."""
+
+
+class _Open(Exception):
+    """So many bits do not show that a divisor is apart from 0, or that a radicand is not below it."""
+
+
+def _fixed(number: Any, bits: int) -> _Fixed:
+    """The ends of a number that is not measured, in units of 2^-bits: each part once, and without recursion."""
+    stack = [number]
+    while stack:
+        part = stack[-1]
+        known = part._fixed
+        if known is not None and known[0] == bits:
+            stack.pop()
+            continue
+        if type(part) is not Computed:
+            part._fixed = (bits, *part._leaf(bits))
+            stack.pop()
+            continue
+        left, right = part._left._fixed, part._right._fixed
+        if left is None or left[0] != bits:
+            stack.append(part._left)
+            continue
+        if right is None or right[0] != bits:
+            stack.append(part._right)
+            continue
+        operation = part._operation
+        if operation == "+":
+            part._fixed = (bits, left[1] + right[1], left[2] + right[2])
+        elif operation == "*":
+            low, high = left[1] * right[1], left[2] * right[2]
+            if left[1] < 0 or right[1] < 0:
+                low, _, _, high = sorted((low, high, left[1] * right[2], left[2] * right[1]))
+            part._fixed = (bits, low >> bits, -(-high >> bits))
+        elif operation == "-":
+            part._fixed = (bits, left[1] - right[2], left[2] - right[1])
+        else:
+            part._fixed = (bits, *_FIXED[operation](left, part._right, right))
+        stack.pop()
+    return number._fixed  # type: ignore[no-any-return]
+
+
+def _fixed_quotient(a: _Fixed, _: Number, b: _Fixed) -> Tuple[int, int]:
+    if b[1] <= 0 <= b[2]:
+        raise _Open
+    bits = a[0]
+    below = [(end << bits) // divisor for end in a[1:] for divisor in b[1:]]
+    return min(below), max(below) + 1
+
+
+def _fixed_power(a: _Fixed, exponent: Number, _: _Fixed) -> Tuple[int, int]:
+    power, bits = int(exponent), a[0]
+    low, high = a[1:]
+    if power < 0:
+        if low <= 0 <= high:
+            raise _Open
+        low, high = _fixed_power(a, Rational(-power), a)
+        return _fixed_quotient((bits, 1 << bits, 1 << bits), exponent, (bits, low, high))
+    even = power % 2 == 0
+    straddles = low < 0 < high
+    if even or low >= 0:
+        # By the sizes: the power of the smaller one is below.
+        small, large = sorted((abs(low), abs(high)))
+        down = 0 if straddles else _power_down(small, power, bits)
+        return down, _power_up(large, power, bits)
+    # An odd power rises.
+    down = -_power_up(-low, power, bits)
+    return down, (_power_up(high, power, bits) if high >= 0 else -_power_down(-high, power, bits))
+
+
+def _power_down(base: int, power: int, bits: int) -> int:
+    """At most the power of a number that is not negative."""
+    found = 1 << bits
+    while power:
+        if power & 1:
+            found = found * base >> bits
+        base, power = base * base >> bits, power >> 1
+    return found
+
+
+def _power_up(base: int, power: int, bits: int) -> int:
+    """At least the power of a number that is not negative."""
+    found = 1 << bits
+    while power:
+        if power & 1:
+            found = -(-found * base >> bits)
+        base, power = -(-base * base >> bits), power >> 1
+    return found
+
+
+def _fixed_root(a: _Fixed, index: Number, _: _Fixed) -> Tuple[int, int]:
+    bits, low, high = a
+    if low < 0:
+        raise _Open
+    count = int(index)
+    roots = [_floor_root(end << bits * (count - 1), count) if end else 0 for end in (low, high)]
+    return roots[0], roots[1] + 1
+
+
+def _fixed_absolute(a: _Fixed, _: Number, __: _Fixed) -> Tuple[int, int]:
+    low, high = a[1:]
+    small, large = sorted((abs(low), abs(high)))
+    return (0 if low < 0 < high else small), large
+
+
+_FIXED: Dict[str, Callable[[_Fixed, Any, _Fixed], Tuple[int, int]]] = {
+    "/": _fixed_quotient,
+    "**": _fixed_power,
+    "root": _fixed_root,
+    "abs": _fixed_absolute,
+}
+"""For each operation that :func:`_fixed` does not do itself the ends of the result, in the same units, outwards."""
+
+
 # In Python's own messages both have the name that they show.
 Answer.__name__ = Computed.__name__ = "Enclosure"
-
-_Ends = Tuple[Fraction, Fraction]
 
 _LONG = 4_096
 """Bits beyond which the ends of a computed number are rounded outwards."""
@@ -815,8 +1068,15 @@ _ENDS: Dict[str, Callable[[_Ends, _Ends], _Ends]] = {
 """For each operation the ends of the result from those of its sides: no possible value is outside."""
 
 
+_INTEGERS = {number: Rational(number) for number in range(-16, 1025)}
+"""Integers that are often written in formulas; what is remembered of them is shared."""
+
+
 def _operand(value: Any) -> Optional[Number]:
     """An exact number or a result; None for anything else, a float too, which is seldom the number that is meant."""
+    if type(value) is int:
+        found = _INTEGERS.get(value)
+        return Rational(value) if found is None else found
     if isinstance(value, Number):
         return value
     if isinstance(value, bool):
@@ -836,8 +1096,8 @@ def _result(operation: str, left: Any, right: Any) -> Number:
             if isinstance(value, float):
                 text_of(value, operation)
         return NotImplemented
-    exact = sides[0].exact, sides[1].exact
-    if exact[0] is not None and exact[1] is not None:
+    if isinstance(sides[0], Rational) and isinstance(sides[1], Rational):
+        exact = sides[0].exact, sides[1].exact
         return Rational(_ENDS[operation]((exact[0], exact[0]), (exact[1], exact[1]))[0])
     return Computed(operation, sides[0], sides[1])
 
@@ -856,6 +1116,16 @@ def _decided(left: Number, right: Any, relation: str) -> bool:
         return NotImplemented
     if relation == "==" and left is other and not left.measured:
         return True
+    if not (left._measured or other._measured):
+        for bits in _BITS[:2]:
+            try:
+                fixed = _fixed(left, bits)[1:], _fixed(other, bits)[1:]
+            except _Open:
+                continue
+            found = answer_of(fixed[0], fixed[1], relation)
+            # Both may be rounded: that ends meet says nothing.
+            if found is not None and (relation != "==" or not found):
+                return found
     for digits in _REFINED:
         a, b = left.narrower(digits), other.narrower(digits)
         found = answer_of(a, b, relation)
@@ -888,7 +1158,7 @@ def _equal(left: Number, right: Any) -> bool:
         return False
 
 
-def answer_of(a: _Ends, b: _Ends, relation: str) -> Optional[bool]:
+def answer_of(a: Tuple[Any, Any], b: Tuple[Any, Any], relation: str) -> Optional[bool]:
     if relation in (">", ">="):
         return answer_of(b, a, "<" if relation == ">" else "<=")
     below, above = a[1] < b[0], a[0] > b[1]

@@ -242,3 +242,64 @@ def test_mpmath_sympy_and_flint():
     x = carom.eta(10, 1, e="9/10", n=2)
     half = flint.fmpq(1, 2)
     assert str(x + half) == str(half + x) == str(x + Fraction(1, 2)) and x < flint.fmpz(1)
+
+
+def test_operators_give_the_digits_of_flint():
+    flint = pytest.importorskip("flint")
+    flint.ctx.prec = 4000
+    rng = random.Random(33)
+    shares = [carom.eta(10, 1, e="9/10", n=n) for n in (2, 3, 7)] + [carom.masses(2, 1, n=1)[1]]
+    balls = [flint.arb(x.digits(1100)) for x in shares]
+    for _ in range(120):
+        pool = list(zip(shares, balls))
+        for _ in range(8):
+            (x, a), (y, b) = rng.choice(pool), rng.choice(pool)
+            k = rng.randint(-5, 5)
+            step = rng.randrange(8)
+            if step == 0:
+                pool.append((x + y, a + b))
+            elif step == 1 and x is not y:
+                pool.append((x - y, a - b))
+            elif step == 2:
+                pool.append((x * y, a * b))
+            elif step == 3 and not b.contains(0):
+                pool.append((x / y, a / b))
+            elif step == 4 and not (k <= 0 and a.contains(0)):
+                pool.append((x**k, a**k))
+            elif step == 5:
+                pool.append((abs(x), abs(a)))
+            elif step == 6 and not a.contains(0):
+                pool.append((abs(x).sqrt(), abs(a).sqrt()))
+            elif step == 7:
+                pool.append((k - x * k, k - a * k))
+        for x, a in pool:
+            if a.contains(0):
+                continue
+            lo, hi = x.narrower(60)
+            true = a.mid().fmpq()
+            value, slack = (
+                Fraction(int(true.p), int(true.q)),
+                Fraction(1, 10**900) * (1 + abs(int(true.p) // int(true.q))),
+            )
+            assert lo - slack <= value <= hi + slack and hi - lo <= abs(value) * Fraction(1, 10**58)
+            assert x.digits(40) == carom.Number.digits(x, 40)
+
+
+def test_numbers_of_very_different_sizes_keep_their_digits():
+    x = carom.eta(10, 1, e="9/10", n=7)
+    small = x / 10**20_000
+    assert (small * 10**20_000).digits(40) == x.digits(40) and 0 < small < x
+    assert (small + x).digits(40) == x.digits(40) and small.digits(5) == "3.7314e-20001"
+    with pytest.raises(ZeroDivisionError):
+        x / (x - x)
+    root = carom.masses(2, 1, n=1)[1]
+    with pytest.raises(carom.Undecided):
+        x / (root * root - 2)
+
+
+def test_what_is_written_down_is_computed_once():
+    x = carom.eta(10, 1, e="9/10", n=7)
+    for _ in range(200):
+        # 2^200 paths lead to the first number.
+        x = (x + x) / 2 * (3 - x) / 3
+    assert 0 < x < 1 and len(x.digits(40)) >= 40
