@@ -2,13 +2,15 @@
 
 use crate::certificate::{Certificate, Label, Rule, Show, Step, needed};
 use crate::claim::print;
-use crate::claim::syntax::{Claim, Item, Prop, PropKind, Relation};
+use crate::claim::syntax::{Claim, Item, Name, Prop, PropKind, Relation};
 use crate::claim::write_out::in_words;
+use crate::kernel::names::names_in_prop;
 use crate::kernel::statement::{constraints, name};
 use crate::kernel::{Accepted, domains, text};
 use std::collections::BTreeSet;
 
-/// The hypotheses that are needed, and those that are stated and not needed.
+/// The hypotheses that are needed, and those that are stated and not needed. What the reader added to say what its own names
+/// mean, such as `cos(x)^2 + sin(x)^2 = 1`, is not stated.
 ///
 /// The facts `h1`, `h2`, … are in the order of the kernel: the domains of each declaration, its families last, then
 /// the hypotheses.
@@ -20,16 +22,20 @@ pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -
     let is_goal = |prop: &Prop| certificate.steps.is_empty() && text::prop(prop) == goal;
     let (mut used, mut unused) = (Vec::new(), Vec::new());
     let mut place = 0;
-    let mut say = |text: String, always: bool| {
+    let mut say = |text: String, always: bool, is_stated: bool| {
         place += 1;
         let label = format!("h{place}");
         let is_used = always || cited.contains(&label) || shown.assumed().contains(&label);
-        if is_used { used.push(text) } else { unused.push(text) }
+        match (is_used, is_stated) {
+            (true, _) => used.push(text),
+            (false, true) => unused.push(text),
+            (false, false) => {}
+        }
     };
     for binding in &statement.bindings {
         for (variable, _) in binding.names.iter().filter(|n| n.1.is_none()) {
             for domain in constraints(binding, &name(&variable.text)) {
-                say(print::prop(&in_words(claim, &domain)), is_goal(&domain));
+                say(print::prop(&in_words(claim, &domain)), is_goal(&domain), true);
             }
         }
         for family in binding.names.iter().filter(|n| n.1.is_some()) {
@@ -37,19 +43,35 @@ pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -
             single.names = vec![family.clone()];
             if !single.constraints.is_empty() {
                 // That members are natural numbers is used without a citation.
-                say(print::Style::Text.binding(&single), binding.natural);
+                say(print::Style::Text.binding(&single), binding.natural, true);
             }
         }
     }
-    let labels = claim.items.iter().filter_map(|item| match item {
-        Item::Assume { label, .. } => Some(label),
-        _ => None,
-    });
-    for (label, prop) in labels.zip(&statement.assumptions) {
+    for ((label, read), prop) in assumed(&claim.items).zip(&statement.assumptions) {
         let label = label.as_ref().map_or(String::new(), |l| format!("{}: ", l.text));
-        say(format!("{label}{}", print::prop(&in_words(claim, prop))), is_goal(prop));
+        say(format!("{label}{}", print::prop(&in_words(claim, prop))), is_goal(prop), is_stated(claim, read));
     }
     (used, unused)
+}
+
+/// The hypotheses among declarations, with their labels.
+fn assumed(items: &[Item]) -> impl Iterator<Item = (&Option<Name>, &Prop)> {
+    items.iter().filter_map(|item| match item {
+        Item::Assume { label, prop } => Some((label, prop)),
+        _ => None,
+    })
+}
+
+/// Whether the author of a claim states a hypothesis: it stands in the text, or says of an angle in which range it lies.
+fn is_stated(claim: &Claim, prop: &Prop) -> bool {
+    let stands = assumed(claim.written_items()).any(|(_, written)| written.span == prop.span);
+    let is_equation = match &prop.kind {
+        PropKind::Compare(_, relations) => relations.iter().all(|relation| *relation == Relation::Equal),
+        _ => false,
+    };
+    let mut names = BTreeSet::new();
+    names_in_prop(prop, &mut names);
+    stands || !is_equation && names.iter().all(|name| claim.meaning_of(name).is_some())
 }
 
 /// Something that a step is or is not.

@@ -202,31 +202,35 @@ fn one(claim: &Claim, cited: &[&Judged], hand: &AtHand, settings: &Settings) -> 
     }
     let accepted: Vec<&Accepted> = cited.iter().filter_map(|c| c.accepted.as_ref()).collect();
     let held = if settings.anew { None } else { hand.accepted(claim, &accepted) };
+    let refuting = if settings.anew || held.is_some() { None } else { hand.refuting(claim) };
     let decided = match with_a_point(claim, &settings.limits) {
         Err(name) => Decided::without_proof(beyond(claim, name)),
         Ok(case) if case.has_no_point() && contradictory(claim, &settings.limits) => {
             return Judged { entry: Err(contradiction(claim)), accepted: None };
         }
-        Ok(case) => match held {
-            Some(held) => Decided { outcome: case.proved(), held: Some(held) },
-            None => match searched(claim, case, cited, &accepted, &settings.limits) {
+        Ok(case) => match (held, &refuting) {
+            (Some(held), _) => Decided { outcome: case.proved(), held: Some(held) },
+            // A refutation at hand needs no search where it shows as much as one that is found.
+            (None, Some(certificate)) if refuted::shows_sides(claim, certificate) => {
+                Decided::refuted(claim, case, certificate)
+            }
+            (None, _) => match searched(claim, case, cited, &accepted, &settings.limits) {
                 Err(fault) => return Judged { entry: Err(fault), accepted: None },
                 Ok(decided) => decided,
             },
         },
     };
     let Decided { mut outcome, held } = decided;
-    let at_hand = || if settings.anew { None } else { hand.refuting(claim) };
     // A refutation at hand decides where no witness was found.
     if outcome.verdict == Verdict::Undecided
-        && let Some(certificate) = at_hand()
+        && let Some(certificate) = &refuting
     {
-        outcome = refuted::outcome(outcome, claim, &certificate);
+        outcome = refuted::outcome(outcome, claim, certificate);
     }
     let Some((certificate, shown)) = held.filter(|_| outcome.verdict == Verdict::Proved) else {
         let refuted = outcome.witness.as_ref().filter(|_| outcome.verdict == Verdict::Refuted);
         let proof = refuted.and_then(|w| {
-            at_hand().or_else(|| refuted::certificate(claim, &w.point, &settings.limits)).map(Proof::refuting)
+            refuting.or_else(|| refuted::certificate(claim, &w.point, &settings.limits)).map(Proof::refuting)
         });
         let entry = Entry { claim: claim.clone(), outcome, proof, explained: None };
         return Judged { entry: Ok(entry), accepted: None };

@@ -50,25 +50,36 @@ pub fn certificate(claim: &Claim, witness: &Point, limits: &Limits) -> Option<Ce
 
 /// The outcome of a claim that a certificate refutes.
 pub fn outcome(undecided: Outcome, claim: &Claim, certificate: &Certificate) -> Outcome {
-    let refutes = certificate.refutes.clone().unwrap_or_default();
-    let values = refutes.point.iter().map(|(place, value)| (print::expr(place), print::expr(value))).collect();
-    let single = |statement, left: &str| vec![Broken { statement, left: left.to_string(), right: String::new() }];
-    let (broken, method) = match &refutes.undefined {
-        Some(e) => (single(format!("{} has no value", print::expr(e)), "no value"), "definedness"),
-        None => {
-            let sides = expand::Statement::of(claim).map_or_else(|_| Vec::new(), |s| broken(&s, &refutes.point));
-            let whole = || single(print::prop(claim.written_goal()), "");
-            (if sides.is_empty() { whole() } else { sides }, "search")
-        }
-    };
+    let without_value = certificate.refutes.as_ref().is_some_and(|refutes| refutes.undefined.is_some());
     Outcome {
         verdict: Verdict::Refuted,
-        method: method.to_string(),
-        witness: Some(Witness { point: Point { values }, broken }),
+        method: if without_value { "definedness" } else { "search" }.to_string(),
+        witness: Some(witness(claim, certificate)),
         reason: None,
         limit: None,
         ..undecided
     }
+}
+
+/// Whether the counterexample of a certificate has both sides of what is false at it.
+pub fn shows_sides(claim: &Claim, certificate: &Certificate) -> bool {
+    let is_defined = certificate.refutes.as_ref().is_some_and(|refutes| refutes.undefined.is_none());
+    is_defined && witness(claim, certificate).broken.iter().all(|broken| !broken.right.is_empty())
+}
+
+/// The counterexample of a certificate that refutes a claim.
+pub fn witness(claim: &Claim, certificate: &Certificate) -> Witness {
+    let refutes = certificate.refutes.clone().unwrap_or_default();
+    let values = refutes.point.iter().map(|(place, value)| (print::expr(place), print::expr(value))).collect();
+    let single = |statement, left: &str| vec![Broken { statement, left: left.to_string(), right: String::new() }];
+    let broken = match &refutes.undefined {
+        Some(e) => single(format!("{} has no value", print::expr(e)), "no value"),
+        None => {
+            let sides = expand::Statement::of(claim).map_or_else(|_| Vec::new(), |s| broken(&s, &refutes.point));
+            if sides.is_empty() { single(print::prop(claim.written_goal()), "") } else { sides }
+        }
+    };
+    Witness { point: Point { values }, broken }
 }
 
 /// The point with a member of each family whose domain has bounds.

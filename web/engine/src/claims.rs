@@ -280,7 +280,8 @@ fn described(entry: &Entry, text: Option<&str>) -> Value {
 }
 
 fn hypotheses(claim: &Claim) -> Vec<Value> {
-    claim.items.iter().map(|item| json!({ "text": Style::Unicode.item(item), "mathml": mathml::item(item) })).collect()
+    let items = claim.written_items().iter();
+    items.map(|item| json!({ "text": Style::Unicode.item(item), "mathml": mathml::item(item) })).collect()
 }
 
 #[cfg(test)]
