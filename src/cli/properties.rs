@@ -7,12 +7,14 @@ use super::progress::Progress;
 use super::{Exit, deliver, junit, terminal};
 use crate::claim::print::{Style, statement};
 use crate::claim::syntax::{Claim, Expectation, Item};
-use crate::property::law::{Failure, Outcome, Settings, tried};
+use crate::judge::hand::AtHand;
+use crate::property::law::{Failure, Found, Outcome, Settings, again as tried_again, tried};
+use crate::refute::outcome::Point;
 use crate::report::{counted, visible};
 use quick_junit::TestCaseStatus;
 use serde_json::{Value, json};
 use std::hash::{BuildHasher, RandomState};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
@@ -37,7 +39,8 @@ pub(super) struct Flags {
     /// Largest number of seconds for each claim, on one core
     #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = super::seconds)]
     time: u64,
-    /// Save each counterexample in this folder as a claim file: the statement, with the variables' values as hypotheses
+    /// Save each counterexample in this folder as a claim file: the statement, with the variables' values as hypotheses.
+    /// The next run with this folder tries what is saved there first
     #[arg(long, value_name = "FOLDER")]
     save: Option<PathBuf>,
     /// The form of the report [default: by the ending of --output (.json, .xml), else text]
@@ -88,7 +91,7 @@ impl Row<'_> {
 
 /// Runs the command. The exit code is 1 if an outcome is not as expected, 3 if a requested claim could not be tried.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
-    let loaded = readable(&flags.paths, &flags.only)?;
+    let loaded = readable(&flags.paths, &flags.only)?.with_certificates(false)?;
     let format = form(flags.format, flags.output.as_deref())?;
     if let Some(folder) = &flags.save {
         std::fs::create_dir_all(folder)
@@ -129,7 +132,8 @@ fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Ve
     let claims: Vec<&Claim> = loaded.claims().iter().filter(wanted).collect();
     let total = claims.len() as u64 * u64::from(settings.cases);
     let progress = Progress::rows(0, total);
-    let outcomes = on_all_cores(&claims, settings, &progress);
+    let earlier = claims.iter().map(|claim| earlier(claim, flags)).collect::<Result<Vec<_>, _>>()?;
+    let outcomes = on_all_cores(&claims, &earlier, settings, loaded.hand(), &progress);
     progress.finish();
     let mut rows = Vec::new();
     for (claim, outcome) in claims.into_iter().zip(outcomes) {
@@ -144,8 +148,10 @@ fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Ve
     if let Some(folder) = &flags.save {
         for row in &mut rows {
             if let Outcome::Failed(failure) = &row.outcome {
-                let path = folder.join(format!("counterexample-{}.claim", row.claim.name.text));
-                write_file(&path, &as_claim(row.claim, failure, &row.again))?;
+                let path = file_of(folder, row.claim);
+                if failure.found != Found::Saved {
+                    write_file(&path, &as_claim(row.claim, failure, &row.again))?;
+                }
                 row.saved = Some(path.display().to_string());
             }
         }
@@ -153,19 +159,41 @@ fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Ve
     Ok(rows)
 }
 
-/// The outcome of each claim, in their order. One thread tries one claim at a time; `None` if it failed.
-fn on_all_cores(claims: &[&Claim], settings: &Settings, progress: &Progress) -> Vec<Option<Outcome>> {
+/// Where the counterexample of a claim is saved.
+fn file_of(folder: &Path, claim: &Claim) -> PathBuf {
+    folder.join(format!("counterexample-{}.claim", claim.name.text))
+}
+
+/// The counterexample of a claim that an earlier run saved.
+fn earlier(claim: &Claim, flags: &Flags) -> Result<Option<Claim>, Exit> {
+    let path = flags.save.as_deref().map(|folder| file_of(folder, claim)).filter(|path| path.is_file());
+    let loaded = path.map(|path| readable(&[path], &[])).transpose()?;
+    Ok(loaded.and_then(|loaded| loaded.claims().first().cloned()))
+}
+
+/// The outcome of each claim, in their order. One thread tries one claim at a time, first at the point that an `earlier` run
+/// saved; `None` if it failed.
+fn on_all_cores(
+    claims: &[&Claim],
+    earlier: &[Option<Claim>],
+    settings: &Settings,
+    hand: &AtHand,
+    progress: &Progress,
+) -> Vec<Option<Outcome>> {
     let (next, done) = (AtomicUsize::new(0), AtomicU64::new(0));
     let found: Vec<Mutex<Option<Outcome>>> = claims.iter().map(|_| Mutex::new(None)).collect();
     let work = || {
-        while let Some((claim, place)) = Some(next.fetch_add(1, Relaxed)).and_then(|i| claims.get(i).zip(found.get(i)))
-        {
+        while let Some((i, claim)) = Some(next.fetch_add(1, Relaxed)).and_then(|i| Some((i, claims.get(i)?))) {
+            let Some((place, saved)) = found.get(i).zip(earlier.get(i)) else { break };
             let mut before = 0;
-            let outcome = tried(claim, settings, &mut |points| {
-                let points = u64::try_from(points).unwrap_or(u64::MAX).min(u64::from(settings.cases));
-                let all = done.fetch_add(points - before, Relaxed) + points - before;
-                before = points;
-                progress.now(all, &claim.name.text);
+            let again = saved.as_ref().and_then(|saved| tried_again(claim, saved, settings));
+            let outcome = again.map(Outcome::Failed).unwrap_or_else(|| {
+                tried(claim, settings, hand, &mut |points| {
+                    let points = u64::try_from(points).unwrap_or(u64::MAX).min(u64::from(settings.cases));
+                    let all = done.fetch_add(points - before, Relaxed) + points - before;
+                    before = points;
+                    progress.now(all, &claim.name.text);
+                })
             });
             done.fetch_add(u64::from(settings.cases) - before, Relaxed);
             *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
@@ -194,10 +222,11 @@ fn quoted(word: &str) -> String {
     if word.chars().all(plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }
 
-/// A counterexample as a claim of its own: the same statement, with the values of its variables as hypotheses.
+/// A counterexample as a claim of its own: the same statement, with the values of its variables as hypotheses. Values of what
+/// the reader made, such as the whole number below another one, follow from these.
 fn as_claim(claim: &Claim, failure: &Failure, again: &str) -> String {
     let declared = |name: &str| {
-        let bindings = claim.items.iter().filter_map(|item| match item {
+        let bindings = claim.written_items().iter().filter_map(|item| match item {
             Item::Given(bindings) => Some(bindings),
             _ => None,
         });
@@ -205,8 +234,9 @@ fn as_claim(claim: &Claim, failure: &Failure, again: &str) -> String {
         bindings.flatten().any(|b| b.names.iter().any(|n| n.0.text == name))
     };
     let mut lines = statement(claim, Style::Text);
-    let values = failure.witness.point.values.iter().filter(|(name, _)| declared(name));
-    let values = values.map(|(name, value)| format!("assume {name} = {value}"));
+    let kept = |(name, _): &&(String, String)| declared(name) || claim.meaning_of(name).is_some();
+    let values = Point { values: failure.witness.point.values.iter().filter(kept).cloned().collect() };
+    let values = values.in_words(claim).into_iter().map(|value| format!("assume {value}"));
     let place = lines.iter().position(|line| line.starts_with("prove ")).unwrap_or(lines.len());
     lines.splice(place..place, values);
     let name = &claim.name.text;
@@ -228,10 +258,7 @@ fn status(row: &Row) -> TestCaseStatus {
         return TestCaseStatus::success();
     }
     let mut lines = match &row.outcome {
-        Outcome::Failed(Failure { witness, .. }) => {
-            let point: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
-            junit::witness(&point, &witness.broken)
-        }
+        Outcome::Failed(Failure { witness, .. }) => junit::witness(&witness.point.in_words(row.claim), &witness.broken),
         _ => vec!["its file expects a counterexample, and none was found".to_owned()],
     };
     lines.push(format!("to repeat: {}", row.again));
@@ -279,8 +306,10 @@ fn lines(row: &Row) -> String {
         Outcome::Untested(reason) => more(reason),
         Outcome::Fault(_) => {}
         Outcome::Failed(Failure { witness, found }) => {
-            let at: Vec<String> = witness.point.values.iter().map(|(n, v)| format!("{n} = {v}")).collect();
-            more(&format!("fails at {}", at.join(", ")));
+            match witness.point.in_words(row.claim) {
+                at if at.is_empty() => more("it is false"),
+                at => more(&format!("fails at {}", at.join(", "))),
+            }
             for broken in &witness.broken {
                 if broken.right.is_empty() {
                     more(&format!("  {}", broken.statement));
@@ -289,7 +318,11 @@ fn lines(row: &Row) -> String {
                     more(&format!("  {}: left side {left}, right side {right}", broken.statement));
                 }
             }
-            more(&format!("found at point {found}, then simplified"));
+            match found {
+                Found::At(number) => more(&format!("found at point {number}, then simplified")),
+                Found::Saved => more("found again where an earlier run had saved it"),
+                Found::ByAudit => more("found by an audit: all points that were tried hold"),
+            }
         }
     }
     if let Some(path) = &row.saved {
@@ -348,7 +381,8 @@ fn row(row: &Row) -> Value {
         "reason": match &row.outcome { Outcome::Untested(reason) => Some(reason), _ => None },
         "witness": witness,
         "broken": broken,
-        "found": failure.map(|f| f.found),
+        "found": failure.and_then(|f| match f.found { Found::At(number) => Some(number), _ => None }),
+        "found_by": failure.map(|f| match f.found { Found::At(_) => "point", Found::Saved => "saved", Found::ByAudit => "audit" }),
         "again": row.again,
         "saved": row.saved,
     })

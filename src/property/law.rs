@@ -24,11 +24,13 @@
 use super::points::Values;
 use carom_checker::claim::diagnostic::Diagnostic;
 use carom_checker::claim::parse::parse;
-use carom_checker::claim::syntax::Claim;
+use carom_checker::claim::print;
+use carom_checker::claim::syntax::{Claim, Item, Prop, PropKind, Relation};
 use carom_exact::algebra::Moment;
-use carom_search::judge::{contradiction, contradictory};
-use carom_search::refute::catalogue::Limits;
-use carom_search::refute::outcome::{Fault, Witness, limit_reached};
+use carom_search::judge::hand::AtHand;
+use carom_search::judge::{self, Entry, contradiction, contradictory, judge, refuted};
+use carom_search::refute::catalogue::{Catalogue, Limits};
+use carom_search::refute::outcome::{Broken, Fault, Point, Verdict, Witness, limit_reached};
 use carom_search::refute::points::Effort;
 use carom_search::refute::trial::{Trial, Tried, Untried};
 use std::time::Duration;
@@ -75,8 +77,19 @@ pub enum Outcome {
 pub struct Failure {
     /// The point, as small as it could be made, and what fails there.
     pub witness: Witness,
-    /// The number of the point at which it failed first, from 1.
-    pub found: usize,
+    /// How it was found.
+    pub found: Found,
+}
+
+/// How a counterexample was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// At the point of this number, from 1.
+    At(usize),
+    /// At a point that an earlier run saved.
+    Saved,
+    /// By an audit, where all points held: mostly its values are roots, which are not drawn at random.
+    ByAudit,
 }
 
 /// A claim as a property.
@@ -120,33 +133,100 @@ impl Law {
     /// Tries the law at random points.
     #[must_use]
     pub fn tried(&self, settings: &Settings) -> Outcome {
-        tried(&self.claim, settings, &mut |_| {})
+        tried(&self.claim, settings, &AtHand::default(), &mut |_| {})
     }
 
     /// Proves the law, or tries it where no proof is found. What is proved is not tried.
     #[must_use]
     pub fn assured(&self, settings: &Settings) -> Assurance {
-        use carom_search::judge::{self, hand::AtHand};
-        use carom_search::refute::catalogue::Catalogue;
-        use carom_search::refute::outcome::Verdict;
-        let names = [self.claim.name.text.clone()];
-        let found = Catalogue::new(vec![self.claim.clone()]).ok().map(|catalogue| {
-            let limits = Limits { time: settings.time, ..Limits::default() };
-            let settings = judge::Settings { limits, ..judge::Settings::default() };
-            judge::judge(&catalogue, &names, &AtHand::default(), &settings, &|_| {})
-        });
-        let entries = found.into_iter().flat_map(|found| found.entries);
-        let entry = entries.filter_map(|(_, entry)| entry.ok()).find(|entry| entry.outcome.verdict == Verdict::Proved);
-        match entry.and_then(|entry| entry.proof) {
-            Some(proof) => Assurance::Proved(proof.sha256),
-            None => Assurance::Tried(self.tried(settings)),
+        let entry = audited(&self.claim, settings.time, &AtHand::default());
+        match entry {
+            Some(Entry { proof: Some(proof), outcome, .. }) if outcome.verdict == Verdict::Proved => {
+                Assurance::Proved(proof.sha256)
+            }
+            entry => Assurance::Tried(match at_points(&self.claim, settings, &mut |_| {}) {
+                held if is_no_failure(&held) => by_audit(entry).map_or(held, Outcome::Failed),
+                outcome => outcome,
+            }),
         }
     }
 }
 
-/// Tries a claim at the points of an audit, and at random points; `now` hears how many points are done. The same seed gives
-/// the same points, whatever else is tried.
-pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(usize)) -> Outcome {
+/// What an audit says of one claim; `None` where the claim is at fault or cites others.
+fn audited(claim: &Claim, time: Duration, hand: &AtHand) -> Option<Entry> {
+    let names = [claim.name.text.clone()];
+    let catalogue = Catalogue::new(vec![claim.clone()]).ok()?;
+    let settings = judge::Settings { limits: Limits { time, ..Limits::default() }, ..judge::Settings::default() };
+    let found = judge(&catalogue, &names, hand, &settings, &|_| {});
+    found.entries.into_iter().find_map(|(_, entry)| entry.ok())
+}
+
+/// The counterexample of an audit; without a point where the claim compares different dimensions.
+fn by_audit(entry: Option<Entry>) -> Option<Failure> {
+    let outcome = entry?.outcome;
+    if outcome.verdict != Verdict::Refuted {
+        return None;
+    }
+    let reason = outcome.reason.map(|statement| Broken { statement, left: String::new(), right: String::new() });
+    let without_point = || reason.map(|reason| Witness { point: Point::default(), broken: vec![reason] });
+    Some(Failure { witness: outcome.witness.or_else(without_point)?, found: Found::ByAudit })
+}
+
+/// Whether no point that was tried speaks against a claim that makes sense.
+fn is_no_failure(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::Held { .. } | Outcome::Untested(_))
+}
+
+/// Tries a claim at the points of an audit, and at random points; `now` hears how many points are done. Where none fails, an
+/// audit is asked for the time that is left, with the certificates at `hand`, so that no claim holds here which it refutes. The same seed gives the same points,
+/// whatever else is tried.
+pub fn tried(claim: &Claim, settings: &Settings, hand: &AtHand, now: &mut dyn FnMut(usize)) -> Outcome {
+    let started = Moment::now();
+    match at_points(claim, settings, now) {
+        held if is_no_failure(&held) => {
+            let left = settings.time.saturating_sub(started.elapsed());
+            by_audit(audited(claim, left, hand)).map_or(held, Outcome::Failed)
+        }
+        outcome => outcome,
+    }
+}
+
+/// Tries a claim again at the point of a counterexample that was saved: a claim with the point's values among its hypotheses.
+/// `None` where the claim does not fail there any more.
+pub fn again(claim: &Claim, saved: &Claim, settings: &Settings) -> Option<Failure> {
+    let own: Vec<String> = assumed(claim).map(print::prop).collect();
+    let values: Vec<&Prop> = assumed(saved).filter(|prop| !own.contains(&print::prop(prop))).collect();
+    let point = values.iter().filter_map(|prop| match &prop.kind {
+        PropKind::Compare(sides, relations) if relations.as_slice() == [Relation::Equal] => match sides.as_slice() {
+            [place, value] => Some((print::expr(place), print::expr(value))),
+            _ => None,
+        },
+        _ => None,
+    });
+    let point = Point { values: point.collect() };
+    let mut there = claim.clone();
+    there.items.extend(values.into_iter().map(|prop| Item::Assume { label: None, prop: prop.clone() }));
+    let witness = match at_points(&there, &Settings { cases: 1, ..settings.clone() }, &mut |_| {}) {
+        Outcome::Failed(failure) => failure.witness,
+        // Members of families are not drawn by their equations: the kernel is asked about the point itself.
+        _ => {
+            let limits = Limits { time: settings.time, ..Limits::default() };
+            refuted::witness(claim, &refuted::certificate(claim, &point, &limits)?)
+        }
+    };
+    Some(Failure { witness, found: Found::Saved })
+}
+
+/// The hypotheses of a claim.
+fn assumed(claim: &Claim) -> impl Iterator<Item = &Prop> {
+    claim.items.iter().filter_map(|item| match item {
+        Item::Assume { prop, .. } => Some(prop),
+        _ => None,
+    })
+}
+
+/// Tries a claim at the points of an audit, and at random points.
+fn at_points(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(usize)) -> Outcome {
     let started = Moment::now();
     let limits = Limits { time: settings.time, ..Limits::default() };
     let mut trial = match Trial::new(claim) {
@@ -167,7 +247,7 @@ pub fn tried(claim: &Claim, settings: &Settings, now: &mut dyn FnMut(usize)) -> 
         now(number);
     });
     if let Some(witness) = witness {
-        return Outcome::Failed(Failure { witness, found: number });
+        return Outcome::Failed(Failure { witness, found: Found::At(number) });
     }
     let late = started.elapsed() > settings.time;
     match (points, open, late) {

@@ -1,7 +1,7 @@
 //! `carom test`: claims of the language at random exact points.
 
 use crate::support::{carom, text};
-use carom::property::law::{Assurance, Failure, Outcome, Settings, law};
+use carom::property::law::{Assurance, Failure, Found, Outcome, Settings, law};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestRunner};
 
@@ -165,6 +165,55 @@ fn the_line_that_is_printed_gives_the_same_again() {
     let out = carom(&["audit", &saved]);
     assert_eq!(out.status.code(), Some(0), "{}{}", text(&out.stdout), text(&out.stderr));
     assert!(text(&out.stdout).contains("fails at a = 1, b = 1"), "{}", text(&out.stdout));
+}
+
+#[test]
+fn nothing_holds_that_an_audit_refutes() {
+    // The first two fail at roots alone, which no random point is; the third for what its quantities are.
+    for (claim, sign) in [
+        ("given x real\nprove x^2 != 2", "x = sqrt(2)"),
+        ("given x > 0\nassume x^2 = 2\nprove x^3 < 2", "x = sqrt(2)"),
+        ("given m > 0 in kg; v > 0 in m/s\nprove m + v = v + m", ""),
+    ] {
+        let found = failure(claim, 1);
+        assert_eq!((&*point(&found), found.found), (sign, Found::ByAudit), "{claim}");
+        let Assurance::Tried(Outcome::Failed(found)) = law(claim).expect("it parses").assured(&Settings::default())
+        else {
+            panic!("{claim}");
+        };
+        assert_eq!(found.found, Found::ByAudit, "{claim}");
+    }
+}
+
+#[test]
+fn a_saved_counterexample_is_read_again_and_tried_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.claim").display().to_string();
+    let save = folder.path().join("saved").display().to_string();
+    let run = |seed: &str| text(&carom(&["test", &path, "--save", &save, "--seed", seed]).stdout);
+    for (claim, sign) in [
+        ("given x > 0\nprove x < 1000", "assume x = 1000"),
+        ("given theta real\nprove cos(theta)*tan(theta)/cos(theta) = tan(theta)", "assume cos(theta) = 0"),
+        ("given theta in [0, pi]\nprove cos(theta/2) > 3/4", "assume cos(theta/2) = 0"),
+        ("given x > 0\nprove floor(x) < 5", "assume x = 5"),
+        ("given mu(k) > 0; n natural >= 2\nprove sum(i = 1..n, mu(i)) < 7", "assume mu(1) = "),
+        ("given k integer\nprove k^2 != 4", "assume k_up = "),
+    ] {
+        std::fs::write(&path, format!("claim a \"t\"\n{claim}\n")).expect("written");
+        let first = run("1");
+        assert!(first.contains("found at point"), "{claim}: {first}");
+        let file = folder.path().join("saved/counterexample-a.claim");
+        let saved = std::fs::read_to_string(&file).expect("it is saved");
+        assert!(saved.contains(sign), "{claim}: {saved}");
+        let again = run("2");
+        assert!(again.contains("found again where an earlier run had saved it"), "{claim}: {again}");
+        assert_eq!(std::fs::read_to_string(&file).expect("it stays"), saved, "{claim}");
+        // A mended claim holds there; what is saved stays.
+        let mended = claim.split("prove ").next().expect("hypotheses");
+        std::fs::write(&path, format!("claim a \"t\"\n{mended}prove 1 < 2\n")).expect("written");
+        assert!(!run("3").contains("counterexample"), "{claim}");
+        std::fs::remove_file(&file).expect("it stays");
+    }
 }
 
 #[test]
