@@ -76,6 +76,35 @@ fn a_sheet_says_what_cannot_happen() {
 }
 
 #[test]
+fn a_sketch_has_each_body_with_its_mass_and_its_velocity() {
+    let sheet = |name: &str, form: &str| good(&["worksheet", &scene(name), "--sheet", "blank", "--format", form]);
+    let cars = sheet("car-chain", "text");
+    let drawn = [
+        "  [1]-->   [2]      [3]      [4]",
+        "  ====================================",
+        "  1500 kg  1200 kg  1800 kg  1100 kg",
+        "  15 m/s   at rest  at rest  at rest",
+    ];
+    assert!(cars.contains(&drawn.join("\n")), "{cars}");
+    // Balls stand on a floor; the lowest comes back up while the others fall.
+    let balls = sheet("stacked-balls", "text");
+    for line in ["[4] v   m = 1      −1 v", "[1] ^   m = 11.9   1 v", "floor"] {
+        assert!(balls.contains(line), "{line}: {balls}");
+    }
+    let page = sheet("car-chain", "html");
+    let picture =
+        page.split("<svg class=\"sketch\"").nth(1).expect("a picture").split("</svg>").next().expect("its end");
+    assert!(picture.contains("from left to right: body 1: 1500 kg, 15 m/s; body 2: 1200 kg, at rest"), "{picture}");
+    assert!(picture.contains(">1800 kg</text>") && picture.contains("<polyline"), "{picture}");
+    let latex = sheet("car-chain", "latex");
+    assert!(latex.contains("\\begin{picture}") && latex.contains("1500 kg"), "{latex}");
+    // Where many bodies stand in a row, the table alone lists them.
+    let many = "[chain]\nfirst = 2\nlast = 1\ninserted = 12\nrestitution = 1\n";
+    let out = crate::support::with_input(&["worksheet", "-", "--sheet", "blank"], many);
+    assert!(!crate::support::text(&out.stdout).contains("[1]--"), "{}", crate::support::text(&out.stdout));
+}
+
+#[test]
 fn a_power_of_ten_has_two_notations_on_one_page() {
     let page = good(&["worksheet", &scene("car-chain"), "--sheet", "key", "--format", "html"]);
     assert!(page.contains("<td>2.250·10<sup>4</sup></td>"), "a cell");

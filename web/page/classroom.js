@@ -2,6 +2,7 @@
 
 import { Client, clientWith } from "./client.js";
 import { $, announce, later, make, outdated, save, sentence, showFault } from "./dom.js";
+import { shape } from "./graph.js";
 import { markdown } from "./markdown.js";
 import { decimal } from "./numbers.js";
 import * as state from "./state.js";
@@ -91,10 +92,20 @@ function tableOf({ title, columns, groups }) {
     groups.map((rows) => make("tbody", {}, rows.map((row) => make("tr", {}, make("th", { scope: "row" }, row.name), row.cells.map(cell)))))));
 }
 
+/** The bodies before the first collision, from the strokes of the engine. */
+function sketchOf({ size: [width, height], text, strokes }) {
+  const picture = shape("svg", { class: "sketch", role: "img", "aria-label": text, viewBox: `-1 -1 ${width + 2} ${height + 2}` });
+  picture.append(...strokes.map(({ points, at, text: label, size }) => (points
+    ? shape("polyline", { points: points.map((point) => point.join(",")).join(" ") })
+    : shape("text", { x: at[0], y: at[1] + 0.36 * size, "font-size": size }, label))));
+  return picture;
+}
+
 const PARTS = {
   names: () => make("p", { class: "names" }, ["Name", "Class", "Date"].map((word) => make("span", {}, `${word} `))),
   heading: ({ text }) => make("h4", {}, text),
   text: ({ text }) => make("p", {}, text),
+  sketch: sketchOf,
   choice: ({ ask: question, options }) => make("div", { class: "choice" }, make("p", {}, question),
     make("ul", {}, options.map(([text, right]) => make("li", {}, make("span", { "aria-hidden": "true" }, right ? "☒ " : "☐ "), text,
       right ? make("span", { class: "visually-hidden" }, " (right)") : null)))),

@@ -3,6 +3,7 @@
 use crate::request::{Fault, Request, numeral};
 use carom_documents::report::plot::pdf;
 use carom_documents::report::worksheet::made::{MAX_VERSIONS, STANDARD, Wanted, sheets};
+use carom_documents::report::worksheet::sketch::Stroke;
 use carom_documents::report::worksheet::{Cell, Part, Sheet, Style, html, latex, pages, text};
 use carom_documents::report::{bounces, comparison};
 use carom_exact::number::decimal::{Digits, Rounding};
@@ -138,12 +139,23 @@ fn long<'a>(request: &'a Request, field: &'static str) -> Result<&'a str, Fault>
     Ok(text)
 }
 
+/// The width of a sketch, in the units of its strokes.
+const SKETCH: f32 = 487.0;
+
 /// A sheet for the page to show.
 fn view(sheet: &Sheet) -> Value {
     let part = |part: &Part| match part {
         Part::Names => json!({ "kind": "names" }),
         Part::Heading(text) => json!({ "kind": "heading", "text": text }),
         Part::Text(text) => json!({ "kind": "text", "text": text }),
+        Part::Sketch(sketch) => {
+            let stroke = |stroke: Stroke| match stroke {
+                Stroke::Line(points) => json!({ "points": points }),
+                Stroke::Label(at, text, size) => json!({ "at": at, "text": text, "size": size }),
+            };
+            let strokes: Vec<Value> = sketch.strokes(SKETCH).into_iter().map(stroke).collect();
+            json!({ "kind": "sketch", "size": [SKETCH, sketch.height()], "text": sketch.description(), "strokes": strokes })
+        }
         Part::Choice { ask, options } => json!({ "kind": "choice", "ask": ask, "options": options }),
         Part::Open { ask, answer, lines } => json!({ "kind": "open", "ask": ask, "answer": answer, "lines": lines }),
         Part::Table(table) => {

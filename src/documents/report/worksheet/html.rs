@@ -3,6 +3,7 @@
 //! Contract: one file without scripts that loads nothing; each sheet begins on a printed page of its own; every field has a
 //! name for screen readers.
 
+use super::sketch::{Sketch, Stroke};
 use super::{Cell, Part, Sheet, Table, with_powers};
 use crate::report::markup::escape;
 
@@ -39,6 +40,7 @@ fn one(sheet: &Sheet, place: usize) -> String {
             }
             Part::Heading(text) => out.push_str(&format!("<h2>{}</h2>\n", escape(text))),
             Part::Text(text) => out.push_str(&format!("<p>{}</p>\n", formulas(text))),
+            Part::Sketch(sketch) => out.push_str(&drawn(sketch)),
             Part::Choice { ask, options } => {
                 out.push_str(&format!("<fieldset>\n<legend>{}</legend>\n", escape(ask)));
                 for (text, right) in options {
@@ -62,6 +64,32 @@ fn one(sheet: &Sheet, place: usize) -> String {
     }
     out.push_str(&format!("<p class=\"foot\">{}</p>\n</form>\n", escape(&sheet.foot)));
     out
+}
+
+/// The width of a sketch, in points.
+const WIDTH: f32 = 487.0;
+
+/// A sketch as SVG in the page.
+fn drawn(sketch: &Sketch) -> String {
+    let mut out = format!(
+        "<svg class=\"sketch\" role=\"img\" aria-label=\"{}\" viewBox=\"-1 -1 {} {}\">\n",
+        escape(&sketch.description()),
+        WIDTH + 2.0,
+        sketch.height() + 2.0
+    );
+    for stroke in sketch.strokes(WIDTH) {
+        out.push_str(&match stroke {
+            Stroke::Line(points) => {
+                let points: Vec<String> = points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
+                format!("<polyline points=\"{}\"/>\n", points.join(" "))
+            }
+            Stroke::Label((x, y), text, size) => {
+                let base = y + 0.36 * size;
+                format!("<text x=\"{x:.1}\" y=\"{base:.1}\" font-size=\"{size:.1}\">{}</text>\n", escape(&text))
+            }
+        });
+    }
+    out + "</svg>\n"
 }
 
 /// Text with the letters of its formulas in italics.

@@ -3,6 +3,7 @@
 //! Contract: nothing is wider than the text: columns have fixed widths, and a number that is longer is set smaller. Each
 //! sheet begins on a page of its own.
 
+use super::sketch::{Sketch, Stroke};
 use super::{Cell, Part, Sheet, Table, with_powers};
 use crate::report::latex::escape;
 
@@ -48,6 +49,7 @@ fn one(sheet: &Sheet) -> String {
             ),
             Part::Heading(text) => out.push_str(&format!("\\subsection*{{{}}}\n", escape(text))),
             Part::Text(text) => out.push_str(&format!("{}\\par\n", formulas(text))),
+            Part::Sketch(sketch) => out.push_str(&drawn(sketch)),
             Part::Choice { ask, options } => {
                 let boxes = options.iter().map(|(text, right)| {
                     let mark = if *right { "\\boxtimes" } else { "\\square" };
@@ -67,6 +69,35 @@ fn one(sheet: &Sheet) -> String {
         }
     }
     out
+}
+
+/// The width of a sketch, in points of PostScript.
+const WIDTH: f32 = 455.0;
+
+/// A sketch in LaTeX's own picture environment, which counts from the lower left corner.
+fn drawn(sketch: &Sketch) -> String {
+    let height = sketch.height();
+    let mut out =
+        format!("\\par\\medskip{{\\setlength{{\\unitlength}}{{1bp}}\\begin{{picture}}({WIDTH:.0},{height:.0})\n");
+    for stroke in sketch.strokes(WIDTH) {
+        match stroke {
+            Stroke::Line(points) => {
+                for pair in points.windows(2) {
+                    let ((x, y), (to_x, to_y)) = (pair[0], pair[1]);
+                    let step = |d: f32| if d == 0.0 { 0 } else { d.signum() as i32 };
+                    let (dx, dy) = (step(to_x - x), step(y - to_y));
+                    let length = (to_x - x).abs().max((to_y - y).abs());
+                    out.push_str(&format!("\\put({x:.1},{:.1}){{\\line({dx},{dy}){{{length:.1}}}}}\n", height - y));
+                }
+            }
+            Stroke::Label((x, y), text, size) => out.push_str(&format!(
+                "\\put({x:.1},{:.1}){{\\makebox(0,0){{\\fontsize{{{size:.1}}}{{{size:.1}}}\\selectfont {}}}}}\n",
+                height - y,
+                powers(&text)
+            )),
+        }
+    }
+    out + "\\end{picture}}\\par\\medskip\n"
 }
 
 /// Text with its powers of ten in mathematics mode.

@@ -11,6 +11,7 @@ pub mod made;
 pub mod pages;
 mod questions;
 mod setting;
+pub mod sketch;
 pub mod text;
 
 use crate::chain::recollision::{MAY_WARN, WARNING};
@@ -72,6 +73,8 @@ pub enum Part {
     Heading(String),
     /// A paragraph.
     Text(String),
+    /// The bodies before the first collision.
+    Sketch(sketch::Sketch),
     /// A question with boxes to tick.
     Choice {
         /// The question.

@@ -3,6 +3,7 @@
 //! Contract: every shape lies within the margins; each sheet begins on a page of its own; a table or a question is not cut.
 //! A number that is wider than its column is set smaller. Cells to be filled in are seven millimetres high.
 
+use super::sketch::Stroke;
 use super::{Cell, Part, Sheet, Table, with_powers};
 use crate::report::plot::letters::Letters;
 use crate::report::plot::shape::{Anchor, BLACK, Colour, Page, Shape};
@@ -134,6 +135,7 @@ impl Flow<'_> {
             Part::Names => 34.0,
             Part::Heading(_) => HEADING * LEADING + 12.0,
             Part::Text(content) => text(content, 0.0) + 5.0,
+            Part::Sketch(sketch) => sketch.height() + 14.0,
             Part::Choice { ask, options } => text(ask, 0.0) + self.rows(options).len() as f32 * BODY * 1.7 + 7.0,
             Part::Open { ask, answer, lines } => {
                 let below = answer.as_ref().map_or(*lines as f32 * PEN, |answer| text(answer, 18.0));
@@ -190,6 +192,22 @@ impl Flow<'_> {
             Part::Text(text) => {
                 self.paragraph(text, BODY, 0.0);
                 self.y += 5.0;
+            }
+            Part::Sketch(sketch) => {
+                self.y += 4.0;
+                for stroke in sketch.strokes(self.room()) {
+                    match stroke {
+                        Stroke::Line(points) => {
+                            let points = points.iter().map(|(x, y)| (MARGIN + x, self.y + y)).collect();
+                            self.shapes.push(Shape::Line { points, colour: BLACK, width: 0.8, dash: &[] });
+                        }
+                        Stroke::Label((x, y), text, size) => {
+                            let at = (MARGIN + x, self.y + y + 0.36 * size);
+                            self.text(at, &with_powers(&text, raised), size, Anchor::Middle);
+                        }
+                    }
+                }
+                self.y += sketch.height() + 10.0;
             }
             Part::Choice { ask, options } => {
                 self.paragraph(ask, BODY, 0.0);
@@ -337,7 +355,11 @@ mod tests {
                         match shape {
                             Shape::Text { at, text, size, anchor, .. } => {
                                 let width = letters.width(text, *size);
-                                let from = if *anchor == Anchor::End { at.0 - width } else { at.0 };
+                                let from = match anchor {
+                                    Anchor::Start => at.0,
+                                    Anchor::Middle => at.0 - width / 2.0,
+                                    Anchor::End => at.0 - width,
+                                };
                                 assert!(
                                     from >= left && from + width <= right,
                                     "{text:?} from {from} to {}",

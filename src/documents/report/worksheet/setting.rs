@@ -1,12 +1,13 @@
 //! How the bodies stand and move, in words and with units.
 
+use super::sketch::Sketch;
 use super::{Cell, Part, Row, Style, Subject, Table, written};
 use crate::number::NumberError;
 use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::plus_minus::plus_minus;
 use crate::scene::About;
 use crate::table::grid::decimal_or_fraction;
-use crate::table::worksheet::{Collision, Entry};
+use crate::table::worksheet::{Body, Collision, Entry, Worksheet};
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
 
@@ -52,12 +53,15 @@ fn count(bodies: usize) -> String {
 /// The scene's own words, what happens, and a table of the bodies.
 pub(super) fn parts(subject: &Subject<'_>, units: &Units, style: Style) -> Result<Vec<Part>, NumberError> {
     let collisions = &subject.worksheet.collisions;
-    let Some(first) = collisions.first() else { return Ok(Vec::new()) };
+    if collisions.is_empty() {
+        return Ok(Vec::new());
+    }
     let mut parts = Vec::new();
     parts.extend(subject.about.text.clone().map(Part::Text));
     parts.push(Part::Text(words(subject, units, style)?));
-    let bodies = || std::iter::once(&first.bodies[0]).chain(collisions.iter().map(|c| &c.bodies[1]));
-    let row = |name: &str, unit: &Option<String>, entry: &dyn Fn(&crate::table::worksheet::Body) -> Entry| {
+    parts.extend(Sketch::of(subject, units, style)?.map(Part::Sketch));
+    let bodies = || bodies(subject.worksheet);
+    let row = |name: &str, unit: &Option<String>, entry: &dyn Fn(&Body) -> Entry| {
         let unit = unit.as_ref().map_or(String::new(), |unit| format!(" ({unit})"));
         let cells = bodies().map(|body| Ok(Cell::Number(written(&entry(body), style)?)));
         Ok::<Row, NumberError>(Row { name: format!("{name}{unit}"), cells: cells.collect::<Result<_, NumberError>>()? })
@@ -78,6 +82,12 @@ pub(super) fn parts(subject: &Subject<'_>, units: &Units, style: Style) -> Resul
         }));
     }
     Ok(parts)
+}
+
+/// The bodies of a sheet before the first collision, in their order.
+pub(super) fn bodies(worksheet: &Worksheet) -> impl Iterator<Item = &Body> {
+    let first = worksheet.collisions.first().map(|c| &c.bodies[0]);
+    first.into_iter().chain(worksheet.collisions.iter().map(|c| &c.bodies[1]))
 }
 
 /// The most bodies side by side.

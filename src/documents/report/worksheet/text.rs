@@ -18,6 +18,7 @@ pub fn text(sheet: &Sheet) -> String {
             Part::Names => out.push_str("Name: ______________________   Class: ________   Date: ___________\n"),
             Part::Heading(text) => out.push_str(&headed(text, '-')),
             Part::Text(text) => out.push_str(&filled(text)),
+            Part::Sketch(sketch) => sketch.lines().iter().for_each(|line| out.push_str(&format!("  {line}\n"))),
             Part::Choice { ask, options } => {
                 out.push_str(&filled(ask));
                 for (text, right) in options {
@@ -48,6 +49,7 @@ pub fn markdown(sheet: &Sheet) -> String {
             Part::Names => out.push_str("Name: \\_\\_\\_\\_\\_\\_\\_\\_ Class: \\_\\_\\_\\_ Date: \\_\\_\\_\\_\n"),
             Part::Heading(text) => out.push_str(&format!("## {}\n", escape(text))),
             Part::Text(text) => out.push_str(&format!("{}\n", escape(text))),
+            Part::Sketch(sketch) => out.push_str(&format!("```text\n{}\n```\n", sketch.lines().join("\n"))),
             Part::Choice { ask, options } => {
                 out.push_str(&format!("{}\n\n", escape(ask)));
                 for (text, right) in options {
