@@ -7,7 +7,7 @@ use crate::refusal::{Refusal, detached, detached_deep};
 use carom::chain::replay::Options;
 use carom::chain::uncertain::Range;
 use carom::chain::{ChainError, Positive, Restitution};
-use carom::claim::diagnostic::Diagnostic;
+use carom::claim::diagnostic::{self, Diagnostic, Span};
 use carom::claim::parse::parse;
 use carom::claim::syntax::Claim;
 use carom::export::{coq, smt2};
@@ -102,9 +102,9 @@ pub fn replay(
             digits: digits.unwrap_or(report::DEFAULT_DIGITS),
             ..Options::default()
         };
-        let outcome = carom::replay(scene, &options)?;
-        // It was read a moment ago.
-        let scene = bodies::read(scene).map_err(|fault| Refusal::Input(fault.message))?;
+        let text = scene;
+        let scene = bodies::read(text).map_err(|fault| unread(fault, text))?;
+        let outcome = carom::replay(text, &options)?;
         let numbers = match (digits, form) {
             (Some(digits), _) => report::Numbers::Decimal(digits),
             (None, "json" | "csv") => report::Numbers::Exact,
@@ -125,6 +125,13 @@ pub fn replay(
 /// What to say of a form that a function does not write.
 pub fn unknown_form(form: &str, known: &str) -> Refusal {
     Refusal::Input(format!("form: {form:?} is unknown; write {known}"))
+}
+
+/// What is wrong with a scene of bodies, at its place.
+fn unread(fault: bodies::SceneError, text: &str) -> Refusal {
+    let bodies::SceneError { message, help, span } = fault;
+    let span = Span { start: span.start, end: span.end };
+    Refusal::Input(Diagnostic::new(diagnostic::Fault::Other { message, help }, span).render("scene", text, false))
 }
 
 fn scene_fault(fault: SceneFault, text: &str) -> Refusal {

@@ -279,3 +279,12 @@ def test_examples_run_as_they_stand(example, tmp_path):
         pytest.importorskip(needed[example.stem])
     out = subprocess.run([sys.executable, str(example)], capture_output=True, text=True, timeout=600, cwd=tmp_path)
     assert out.returncode == 0, out.stderr
+
+
+def test_a_fault_of_a_scene_has_its_line():
+    for text, line in [
+        ('restitution = "1/2"\n[[body]]\nmass = \n', "scene:3:8"),
+        ('restitution = "1/2"\n[[body]]\nmas = 1\nposition = 0\n', "scene:3:1"),
+    ]:
+        with pytest.raises(ValueError, match=line):
+            carom.replay(text)
