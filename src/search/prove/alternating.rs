@@ -1,10 +1,12 @@
-//! Powers of what may be negative: q^n = t^n·c^n for a number c > 0 that is at least as large as q, and t = q/c from −1 to 1.
+//! Powers of constants of any sign: q^n = t^n·c^n for a number c > 0 that is at least as large as q, and t = q/c from −1 to 1.
 //!
 //! Method: c is −q where q is negative, and (1 + q²)/2 where its sign is not known: that is at least |q|, and less than 1 where
 //! q is between −1 and 1. The power of c is an exponential, and t^n lies between −1 and 1, as sine and cosine do. Both are shown
 //! for every n by induction.
 //!
-//! Limits: [`BASES`].
+//! A base that is a sum, as in (1 − p)^n, gets a name.
+//!
+//! Limits: [`BASES`], [`MULTIPLE`].
 
 use super::facts::{minus, negated};
 use super::letters::{natural, product, whole_power};
@@ -18,6 +20,9 @@ use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, name, numeral, power, prop};
 use crate::refute::literal::literal;
 use malachite::Rational;
+
+/// The greatest multiple of the variable in an exponent.
+const MULTIPLE: u32 = 6;
 
 /// The most bases whose powers are taken apart.
 const BASES: usize = 2;
@@ -43,20 +48,17 @@ impl Prover {
         powers_to(e, x, &mut powers);
         let mut known: Vec<(Expr, Expr)> = Vec::new();
         for (base, exponent) in powers {
-            let written = match known.iter().find(|(other, _)| key::expr(other) == key::expr(&base)) {
+            let Some((multiple, more)) = self.steps_of(&exponent, x) else { continue };
+            let base_of_x = whole_power(base.clone(), i64::from(multiple));
+            let written = match known.iter().find(|(other, _)| key::expr(other) == key::expr(&base_of_x)) {
                 Some((_, written)) => written.clone(),
                 None if known.len() == BASES => continue,
-                None => match self.of_unknown_sign(&base) {
-                    None => continue,
-                    Some(signs) => {
-                        let written = self.by_size(&base, signs, x, &mut apart.facts)?;
-                        known.push((base.clone(), written.clone()));
-                        written
-                    }
-                },
+                None => {
+                    let Some(written) = self.written_apart(&base_of_x, x, &mut apart.facts)? else { continue };
+                    known.push((base_of_x, written.clone()));
+                    written
+                }
             };
-            let more = self.simplified(&minus(&exponent, &name(x)));
-            let more = more.and_then(|more| natural(&more)).ok_or(Fail::No("an exponent"))?;
             let whole = power(&base, &exponent);
             let new = match more {
                 0 => written,
@@ -66,6 +68,36 @@ impl Prover {
             apart.equations.push((whole, new));
         }
         Ok(apart)
+    }
+
+    /// An exponent c·x + d as the natural numbers c and d.
+    fn steps_of(&mut self, exponent: &Expr, x: &str) -> Option<(u32, u32)> {
+        (1..=MULTIPLE).find_map(|c| {
+            let rest = minus(exponent, &product(vec![numeral(c), name(x)]));
+            Some((c, natural(&self.simplified(&rest)?)?))
+        })
+    }
+
+    /// The power of a base with the exponent x, taken apart: of one that is positive, if it is no name or number, by a name for it.
+    fn written_apart(&mut self, base: &Expr, x: &str, facts: &mut Vec<Label>) -> Result<Option<Expr>, Fail> {
+        if let Some(signs) = self.of_unknown_sign(base) {
+            return self.by_size(base, signs, x, facts).map(Some);
+        }
+        if !matches!(base.kind, ExprKind::Sum(_)) || self.letters.number(base).is_some() {
+            return Ok(None);
+        }
+        let c = self.with_a_name("c", base.clone())?;
+        self.show(&compare(c.clone(), Relation::Greater, numeral(0)))?;
+        for side in [Relation::Less, Relation::Greater] {
+            if self.quietly(&compare(c.clone(), side, numeral(1))).is_ok() {
+                break;
+            }
+        }
+        let k = self.fresh("k");
+        let same = compare(power(base, &name(&k)), Relation::Equal, power(&c, &name(&k)));
+        let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(same)));
+        facts.push(self.on_its_own(|c| c.show(&every))?);
+        Ok(Some(power(&c, &name(x))))
     }
 
     /// The signs of a constant that is not known to be positive.

@@ -9,7 +9,7 @@ use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::weighted_mean;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, numeral, one_minus, power};
+use crate::kernel::statement::{compare, name, numeral, one_minus, power, prop, sum};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -41,8 +41,23 @@ impl Prover {
             for (a, b, p) in tries {
                 out.extend(self.attempt(|c| c.mean(&a, &b, &p)));
             }
+            if self.is_whole(&p) {
+                out.extend(self.on_its_own(|c| c.bernoulli(&b, &p)));
+            }
         }
         if out.is_empty() { Err(Fail::No("the mean inequality")) } else { Ok(out) }
+    }
+
+    /// Notes b^n >= 1 + n·(b − 1), Bernoulli's inequality for b >= 0, shown for every exponent by induction: b may hold n.
+    fn bernoulli(&mut self, b: &Expr, n: &Expr) -> Result<Label, Fail> {
+        let k = self.fresh("k");
+        let line = sum(vec![(Sign::Plus, numeral(1)), (Sign::Plus, product(vec![name(&k), minus(b, &numeral(1))]))]);
+        let body = compare(power(b, &name(&k)), Relation::GreaterEqual, line);
+        let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(body)));
+        let splits = std::mem::replace(&mut self.splits, 0);
+        let shown = self.all_by_induction(&every, 3);
+        self.splits = splits;
+        self.instance(&shown?, n)
     }
 
     fn mean(&mut self, a: &Expr, b: &Expr, p: &Expr) -> Result<Label, Fail> {

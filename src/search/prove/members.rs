@@ -89,7 +89,7 @@ impl Prover {
         super::goals::sides_in(goal, &mut sides);
         sides.iter().for_each(|e| outermost(e, &mut sums));
         let has_members = sums.iter().any(|s| matches!(&s.kind, ExprKind::SumOver(i, _) if rational(&i.to).is_none()));
-        if self.in_members || self.inductions > 0 || !has_members || sums.len() > SUMS {
+        if self.in_members || self.inductions > 0 || self.splits > 3 || !has_members || sums.len() > SUMS {
             return Err(no());
         }
         if !self.compared.insert(key::prop(goal)) {
@@ -231,7 +231,7 @@ impl Prover {
         inverses.labels.iter().for_each(|label| self.put_in(label));
         let range = Constraint::Range((*members.index.from).clone(), (*members.index.to).clone());
         let binding = Binding::of(members.index.name.clone(), true, vec![range]);
-        let shown = self.show(&prop(PropKind::ForAll(vec![binding], Box::new(body.clone()))));
+        let shown = self.without_cases(&prop(PropKind::ForAll(vec![binding], Box::new(body.clone()))));
         self.equations = before;
         shown
     }
@@ -293,6 +293,10 @@ impl Prover {
             return Err(no());
         }
         let has_rest = !left.rest.is_empty() || !right.rest.is_empty();
+        // Members that are all equal to a number are none that hold the index.
+        if has_rest && *relation == Relation::Equal {
+            return Err(no());
+        }
         let members = Members { index: Index { name: Name::new(self.fresh("k")), ..first }, body: numeral(0) };
         let count = has_rest.then(|| members.count());
         let (left, right) = (left.member(&members, count.as_ref())?, right.member(&members, count.as_ref())?);
