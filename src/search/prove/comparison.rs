@@ -136,6 +136,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_exponents(goal)) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_signs_of_factors(goal)) {
+            return Ok(label);
+        }
         if self.saturate()
             && let Ok(label) = self.quietly(goal)
         {
@@ -374,7 +377,9 @@ impl Prover {
             .attempt(|c| c.by_squares(goal, a, relation, b))
             .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)));
         self.splits = splits;
-        shown.or_else(|_| self.attempt(|c| c.by_root_bounds(goal, a, relation, b)))
+        shown
+            .or_else(|_| self.attempt(|c| c.by_root_bounds(goal, a, relation, b)))
+            .or_else(|_| self.by_roots_in_full(goal, a, relation, b))
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.

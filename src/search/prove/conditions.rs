@@ -51,7 +51,10 @@ impl Prover {
     fn sign(&mut self, e: &Expr, relation: Relation, bound: &Expr) {
         let seen = natural(bound) == Some(0) && self.signs_of(e).within(Signs::of(relation));
         if !seen {
-            let _ = self.quietly(&compare(e.clone(), relation, bound.clone()));
+            let sign = compare(e.clone(), relation, bound.clone());
+            if self.quietly(&sign).is_err() && self.roots_in_full.is_some() {
+                let _ = self.compared_in_full(&sign, e, relation, bound);
+            }
         }
     }
 

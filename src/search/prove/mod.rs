@@ -71,6 +71,7 @@ mod refutation;
 mod residues;
 mod root_bounds;
 mod sign_charts;
+mod signs_of_parts;
 mod slopes;
 mod solutions;
 mod solved_equations;
@@ -239,6 +240,8 @@ pub(crate) struct Prover {
     in_members: bool,
     /// The goals whose sums were compared so.
     compared: BTreeSet<String>,
+    /// The number of roots isolated within one another, where roots are compared with all effort.
+    roots_in_full: Option<usize>,
     /// Whether an equation or order of arcs is tried.
     within_arcs: bool,
     /// Whether the logarithms of a goal's sides are compared.
@@ -310,6 +313,7 @@ impl Prover {
             within_powers: false,
             in_members: false,
             compared: BTreeSet::new(),
+            roots_in_full: None,
             within_arcs: false,
             within_logarithms: false,
             in_residues: false,

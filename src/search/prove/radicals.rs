@@ -73,8 +73,12 @@ impl Prover {
         }
         let simpler = self.letters.written(&left);
         let shown = compare(simpler.clone(), own, numeral(0));
-        let label =
-            self.quietly(&shown).or_else(|_| self.attempt(|c| c.by_squares(&shown, &simpler, own, &numeral(0))))?;
+        let label = match self.roots_in_full {
+            Some(_) => self.compared_in_full(&shown, &simpler, own, &numeral(0)),
+            None => {
+                self.quietly(&shown).or_else(|_| self.attempt(|c| c.by_squares(&shown, &simpler, own, &numeral(0))))
+            }
+        }?;
         let mut all = times(terms, &open.rest);
         all.push(Term { facts: vec![label], factor: product(open.rest) });
         self.combination(goal.clone(), all)
@@ -168,6 +172,17 @@ impl Prover {
         Ok(name)
     }
 
+    /// A new name for an expression that is not negative, and the fact that it is the expression.
+    pub(super) fn named_not_negative(&mut self, e: &Expr) -> Result<(Expr, Label), Fail> {
+        let name = crate::kernel::statement::name(&self.fresh("r"));
+        let label = self.emit(Rule::Name, compare(e.clone(), Relation::Equal, name.clone()))?;
+        let turned = expr(ExprKind::Negate(Box::new(numeral(1))));
+        let terms =
+            vec![Term { facts: vec![label.clone()], factor: turned }, Term { facts: Vec::new(), factor: e.clone() }];
+        self.combination(compare(name.clone(), Relation::GreaterEqual, numeral(0)), terms)?;
+        Ok((name, label))
+    }
+
     /// The polynomial or its opposite, whichever has these signs as the kernel sees or as is shown with little effort.
     fn of_signs(&mut self, poly: &Polynomial, signs: Signs) -> Option<Polynomial> {
         let both = [poly.clone(), poly.neg()];
@@ -207,8 +222,10 @@ impl Prover {
     ) -> Option<(Polynomial, Polynomial, Vec<Label>, Vec<Expr>)> {
         let root = self.letters.expr(v).cloned()?;
         let key = crate::kernel::key::expr(&root);
+        let on_circle = if self.roots_in_full.is_some() { self.square_on_circle(&root) } else { None };
         let (degree, label, fact) = match named.iter().find(|n| crate::kernel::key::expr(&n.name) == key) {
             Some(n) => (1, n.value.clone(), self.fact(&n.value)?),
+            None if on_circle.is_some() => on_circle.map(|(label, fact)| (2, label, fact))?,
             None => {
                 let d = self.degree(&root)?;
                 let ExprKind::Power(base, _) = &root.kind else { return None };

@@ -111,7 +111,7 @@ impl Prover {
     }
 
     /// An inequality of rational functions in positive variables. No equation is put in: those of roots would bring these back.
-    fn without_roots(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    pub(super) fn without_roots(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let equations = std::mem::take(&mut self.equations);
         let shown = self
             .attempt(|c| c.without_cases(goal))

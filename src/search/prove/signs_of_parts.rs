@@ -1,0 +1,169 @@
+//! Orders of polynomials that squares of roots leave: by the signs of what is written, by those of factors, by differences and sums of
+//! squares.
+//!
+//! Method: a sum whose summands have one sign has it too, before it is multiplied out. A product has the sign of its factors: where a
+//! square is a factor, it is enough for a strict order that its base is not 0. A point of a circle, c² + s² = 1, has coordinates
+//! between −1 and 1, which bound what is linear in them.
+
+use super::facts::{is_settled, minus};
+use super::letters::{product, whole_power};
+use super::products::Kind;
+use super::{Fail, Prover};
+use crate::certificate::{Label, Rule, Term};
+use crate::claim::syntax::*;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{compare, expr, name, numeral};
+use crate::refute::literal::literal;
+use malachite::Rational;
+
+impl Prover {
+    /// Shows an order of polynomials, the cheapest way first.
+    pub(super) fn by_signs_of_parts(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        self.attempt(|c| c.by_written_summands(goal))
+            .or_else(|_| self.attempt(|c| c.by_signs_of_factors(goal)))
+            .or_else(|_| self.with_half(|c| c.without_roots(goal)))
+    }
+
+    /// Shows an order by the signs of the summands as they are written.
+    pub(super) fn by_written_summands(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("an order")) };
+        let ([a, b], true) = (sides.as_slice(), relations[0].is_greater().is_some()) else {
+            return Err(Fail::No("an order"));
+        };
+        let mut summands = Vec::new();
+        summands_of(a, false, &mut summands);
+        summands_of(b, true, &mut summands);
+        let terms = summands.into_iter().map(|factor| Term { facts: Vec::new(), factor }).collect();
+        self.emit(Rule::Combination { times: None, terms }, goal.clone())
+    }
+
+    /// Shows an order from the signs of the factors of its difference.
+    pub(super) fn by_signs_of_factors(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("factors");
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
+        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let strict = match relation {
+            Relation::Less | Relation::Greater => true,
+            Relation::LessEqual | Relation::GreaterEqual => false,
+            _ => return Err(no()),
+        };
+        let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
+        let split = self.split_open(reading.clone());
+        let is_split = split.factors.len() > reading.factors.len() || split.factors.iter().any(|f| f.power > 1);
+        let mut factors = vec![literal(&split.number)];
+        for f in &split.factors {
+            let e = self.letters.written(&f.poly);
+            if f.power % 2 != 0 && !is_settled(f.signs) {
+                if !is_split || !is_settled(self.sign_in_full(&e)) {
+                    return Err(no());
+                }
+            } else if strict && !f.signs.within(Signs::NOT_ZERO) {
+                self.nonzero(&e);
+                let _ = self.attempt(|c| c.other_than_zero(&e));
+            }
+            factors.push(whole_power(e, f.power));
+        }
+        self.emit(
+            Rule::Combination { times: None, terms: vec![Term { facts: Vec::new(), factor: product(factors) }] },
+            goal.clone(),
+        )
+    }
+
+    /// Shows that an expression is not 0, since a fact denies what follows if it is.
+    fn other_than_zero(&mut self, e: &Expr) -> Result<Label, Fail> {
+        let goal = compare(e.clone(), Relation::NotEqual, numeral(0));
+        if self.signs_of(e).within(Signs::NOT_ZERO) {
+            return self.combination(goal, Vec::new());
+        }
+        self.against_opposite(&goal, |c, _| c.by_denial(&goal, |c, equation| c.by_products(equation, 1)))
+    }
+
+    /// The signs of an expression, after a search for them.
+    pub(super) fn sign_in_full(&mut self, e: &Expr) -> Signs {
+        let signs = self.signs_of(e);
+        if is_settled(signs) {
+            return signs;
+        }
+        let orders = [Relation::Greater, Relation::Less, Relation::GreaterEqual, Relation::LessEqual];
+        let zero = numeral(0);
+        for quick in [true, false] {
+            for order in orders.into_iter().filter(|order| !signs.and(Signs::of(*order)).within(Signs::ZERO)) {
+                let sign = compare(e.clone(), order, zero.clone());
+                let shown = match quick {
+                    true => self.quietly(&sign),
+                    false => self.compared_in_full(&sign, e, order, &zero),
+                };
+                if shown.is_ok() {
+                    return self.signs_of(e);
+                }
+            }
+        }
+        signs
+    }
+
+    /// Adds the facts that the coordinates of points on circles lie between −1 and 1, strictly where the other one is not 0.
+    pub(super) fn bound_points_of_circles(&mut self) {
+        for (label, fact) in self.facts() {
+            let Some((x, y)) = point_of_circle(&fact) else { continue };
+            for (x, y) in [(&x, &y), (&y, &x)] {
+                for sign in [Sign::Plus, Sign::Minus] {
+                    let (x, y) = (name(x), name(y));
+                    let relation = match self.signs_of(&y).within(Signs::NOT_ZERO) {
+                        true => Relation::Greater,
+                        false => Relation::GreaterEqual,
+                    };
+                    // 2·(1 ± x) = (1 ± x)² + y² where x² + y² = 1.
+                    let sum = expr(ExprKind::Sum(vec![(Sign::Plus, numeral(1)), (sign, x)]));
+                    let half = literal(&(Rational::from(1) / Rational::from(2)));
+                    let square = |e: &Expr| product(vec![half.clone(), whole_power(e.clone(), 2)]);
+                    let minus = expr(ExprKind::Negate(Box::new(half.clone())));
+                    let terms = vec![
+                        Term { facts: Vec::new(), factor: square(&sum) },
+                        Term { facts: Vec::new(), factor: square(&y) },
+                        Term { facts: vec![label.clone()], factor: minus },
+                    ];
+                    let _ = self.combination(compare(sum, relation, numeral(0)), terms);
+                }
+            }
+        }
+    }
+
+    /// The equation by which a name squared is written by another one, the coordinates of a point on a circle; of two coordinates one.
+    pub(super) fn square_on_circle(&mut self, e: &Expr) -> Option<(Label, Prop)> {
+        let ExprKind::Name(text) = &e.kind else { return None };
+        let mut facts = self.facts().into_iter();
+        let (label, fact) = facts.find(|(_, fact)| point_of_circle(fact).is_some_and(|p| p.0 == *text))?;
+        let fact = (*fact).clone();
+        self.known_of(&label, &fact).filter(|k| k.kind == Kind::Zero).map(|_| (label, fact))
+    }
+}
+
+/// The two names of an equation x^2 + y^2 = 1.
+fn point_of_circle(p: &Prop) -> Option<(String, String)> {
+    let PropKind::Compare(sides, relations) = &p.kind else { return None };
+    let ([Expr { kind: ExprKind::Sum(list), .. }, one], [Relation::Equal]) = (sides.as_slice(), relations.as_slice())
+    else {
+        return None;
+    };
+    let [(Sign::Plus, x), (Sign::Plus, y)] = list.as_slice() else { return None };
+    let base = |e: &Expr| match &e.kind {
+        ExprKind::Power(base, k) if super::letters::natural(k) == Some(2) => match &base.kind {
+            ExprKind::Name(name) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    Some((base(x)?, base(y)?)).filter(|_| super::letters::natural(one) == Some(1))
+}
+
+/// The summands of an expression as they are written.
+fn summands_of(e: &Expr, negative: bool, out: &mut Vec<Expr>) {
+    match &e.kind {
+        ExprKind::Sum(list) => {
+            list.iter().for_each(|(sign, e)| summands_of(e, negative != (*sign == Sign::Minus), out))
+        }
+        ExprKind::Negate(e) => summands_of(e, !negative, out),
+        _ if negative => out.push(expr(ExprKind::Negate(Box::new(e.clone())))),
+        _ => out.push(e.clone()),
+    }
+}
