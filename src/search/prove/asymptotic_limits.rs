@@ -259,7 +259,7 @@ impl Prover {
     }
 
     /// A statement for all y, with the effort of a claim of its own.
-    fn lemma(&mut self, p: &Prop) -> Result<Label, Fail> {
+    pub(super) fn lemma(&mut self, p: &Prop) -> Result<Label, Fail> {
         let splits = std::mem::replace(&mut self.splits, 0);
         let shown = self.on_its_own(|c| c.show(p));
         self.splits = splits;
@@ -363,7 +363,7 @@ impl Prover {
     }
 
     /// Shows that a value near the centre lies in the domain of a fact for all values of one variable.
-    fn within_reach(&mut self, fact: &Label, value: &Expr, reach: &[Label; 2]) -> Result<(), Fail> {
+    pub(super) fn within_reach(&mut self, fact: &Label, value: &Expr, reach: &[Label; 2]) -> Result<(), Fail> {
         let Some(Prop { kind: PropKind::ForAll(bindings, _), .. }) = self.fact(fact) else { return Ok(()) };
         for binding in &bindings {
             let mut at = Substitution::default();

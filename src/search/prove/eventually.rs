@@ -7,6 +7,7 @@
 //! the limit of f/g.
 
 use super::asymptotic_form::raised;
+use super::expansion_steps::Remainder;
 use super::facts::{minus, negated};
 use super::letters::{as_power, natural, product, whole_power};
 use super::limits::{holds, over};
@@ -78,6 +79,8 @@ enum How {
     Unsigned(Prop, Box<How>),
     /// |f| < C·|g|, for −C < f/g < C.
     Inside { f: Expr, g: Expr },
+    /// The same, or f < C·g, for what is left of f/g near infinity.
+    Left { left: Box<Remainder>, how: Box<How> },
 }
 
 impl Prover {
@@ -366,6 +369,32 @@ impl Prover {
                 self.show(goal)
             }
             How::Inside { f, g } => self.absolute_within(goal, [l, r], [f, g], fact),
+            How::Left { left, how } => {
+                let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = self.fact(fact) else {
+                    return Err(Fail::No("a large number"));
+                };
+                let ExprKind::Product(list) = &sides[0].kind else { return Err(Fail::No("a large number")) };
+                let k = list.last().map(|f| f.1.clone()).ok_or(Fail::No("a large number"))?;
+                let near = Term { facts: vec![fact.clone()], factor: numeral(1) };
+                let (_, [below, above]) = self.remainder_at(left, &k, &near)?;
+                let bound = left.bound.clone();
+                match how.as_ref() {
+                    How::Inside { f, g } => {
+                        let value = if natural(g) == Some(1) { f.clone() } else { over(f.clone(), g.clone()) };
+                        let low = compare(negated(bound.clone()), Relation::Less, value.clone());
+                        let high = compare(value.clone(), Relation::Less, bound.clone());
+                        let mut both = Vec::new();
+                        for (order, fact) in [(low, below), (high, above)] {
+                            both.push(self.combination(order, vec![Term { facts: vec![fact], factor: numeral(1) }])?);
+                        }
+                        let chain =
+                            PropKind::Compare(vec![negated(bound.clone()), value, bound], vec![Relation::Less; 2]);
+                        let inside = self.emit(Rule::Logic { from: both }, prop(chain))?;
+                        self.follows(goal, how, &inside)
+                    }
+                    _ => self.follows(goal, how, &above),
+                }
+            }
         }
     }
 
@@ -522,6 +551,10 @@ impl Prover {
         let g = without_one(&inside(&multiple).unwrap_or(multiple));
         let of = if natural(&g) == Some(1) { f.clone() } else { over(f.clone(), g.clone()) };
         let moved = put_in(&of, &eventual.index, &name(x))?;
+        let how = if is_absolute { How::Inside { f: f.clone(), g: g.clone() } } else { How::Times(g.clone()) };
+        if let Ok(label) = self.on_its_own(|c| c.by_what_is_left_of(goal, eventual, (&own, how), &moved, x)) {
+            return Ok(label);
+        }
         let limit = self.finite_limit(&moved, x).ok_or_else(no)?;
         // Greater than the size of the limit.
         let bound = match self.letters.number(&limit) {
@@ -545,6 +578,33 @@ impl Prover {
         };
         let stage = Stage { side: of, chain, limit, of: moved, how };
         self.with_numbers(goal, eventual, &[stage], x, &[(own, bound)])
+    }
+
+    /// The same by an expansion of the quotient, in which no power grows.
+    fn by_what_is_left_of(
+        &mut self,
+        goal: &Prop,
+        eventual: &Eventual,
+        (own, how): (&str, How),
+        quotient: &Expr,
+        x: &str,
+    ) -> Result<Label, Fail> {
+        let plan = self.expansion(quotient, x, 0).ok_or(Fail::No("an expansion"))?;
+        if plan.nodes.last().is_none_or(|root| !root.terms.is_empty()) {
+            return Err(Fail::No("what is bounded"));
+        }
+        let left = self.remainder_of(&plan, 0)?;
+        let (end, bound) = (over(numeral(1), left.start.clone()), left.bound.clone());
+        let near = |k: &str| over(numeral(1), name(k));
+        let side = near(&eventual.index);
+        let stage = Stage {
+            chain: compare(side.clone(), Relation::Less, end),
+            side,
+            of: near(x),
+            limit: numeral(0),
+            how: How::Left { left: Box::new(left), how: Box::new(how) },
+        };
+        self.with_numbers(goal, eventual, &[stage], x, &[(own.to_string(), bound)])
     }
 
     /// Whether the order of a limit and what it is compared with is strict, and can be shown.

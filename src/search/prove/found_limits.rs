@@ -9,9 +9,10 @@ use super::{Prover, with_values_of_integrals};
 use crate::algebra::Moment;
 use crate::claim::syntax::*;
 use crate::claim::walk::parts_mut;
-use crate::kernel::statement::apply;
+use crate::kernel::statement::{apply, numeral};
 use crate::refute::catalogue::Limits;
 use crate::refute::literal::literal;
+use malachite::Rational;
 
 /// The value that the limit of a claim seems to have, whatever the claim says of it.
 pub(crate) fn value_of_limit(claim: &Claim, limits: &Limits) -> Option<Expr> {
@@ -52,11 +53,16 @@ impl Prover {
         })
     }
 
-    /// The limit of an expression as x grows, if bounds tell one.
+    /// The limit of an expression as x grows, if bounds or an expansion tell one.
     pub(super) fn finite_limit(&mut self, e: &Expr, x: &str) -> Option<Expr> {
         let limit = self.by_bounds(e, x, &mut |c, lower, upper| {
             let (Tends::To(a), Tends::To(b)) = (c.tends(lower, x), c.tends(upper, x)) else { return None };
             c.is_zero(&minus(&a, &b)).then_some(a)
+        });
+        let limit = limit.or_else(|| match self.first_term(e, x)? {
+            (..0, _) => None,
+            (0, c) => Some(c),
+            (1.., _) => Some(numeral(0)),
         })?;
         match self.letters.number(&limit) {
             Some(q) => Some(literal(&q)),
@@ -64,12 +70,16 @@ impl Prover {
         }
     }
 
-    /// The leading term of an expression as x grows, if bounds tell one other than 0.
+    /// The leading term of an expression as x grows, if bounds or an expansion tell one other than 0.
     pub(super) fn leading_limit(&mut self, e: &Expr, x: &str) -> Option<Leading> {
         let lead = self.by_bounds(e, x, &mut |c, lower, upper| {
             let (a, b) = (c.leading(lower, x)?, c.leading(upper, x)?);
             let same = a.exponent == b.exponent && !c.is_zero(&a.c) && c.is_zero(&minus(&a.c, &b.c));
             same.then_some(a)
+        });
+        let lead = lead.or_else(|| {
+            let (k, c) = self.first_term(e, x)?;
+            Some(Leading { c, exponent: Rational::from(-k) })
         })?;
         let c = match self.letters.number(&lead.c) {
             Some(q) => literal(&q),

@@ -1,14 +1,17 @@
 //! Limits: by degrees, by asymptotic expansion (`asymptotic_limits`), or by a squeeze between bounds that fall like 1/(n + 1).
 
-use super::letters::{natural, whole_power};
+use super::facts::minus as difference;
+use super::letters::{natural, product, whole_power};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
-use crate::certificate::{Label, Rule};
+use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
+use crate::refute::literal::literal;
+use malachite::Rational;
 use std::collections::BTreeSet;
 
 /// a + b.
@@ -39,6 +42,9 @@ impl Prover {
             Ok(label) => return Ok(label),
             Err(first) => first,
         };
+        if self.has_another_limit(l) {
+            return Err(first);
+        }
         if self.divisors_are_positive(l)
             && let Ok(label) = self.limit_from(1, goal)
         {
@@ -51,6 +57,17 @@ impl Prover {
         let done = self.squeezed(goal, l);
         self.splits -= 1;
         done.map_err(|_| first)
+    }
+
+    /// Whether an expansion tells a number as the limit, or that there is none, and another is claimed.
+    fn has_another_limit(&mut self, l: &Limit) -> bool {
+        let Some((power, c)) = self.first_term(&l.of, &l.variable.text) else { return false };
+        let distance = match power {
+            ..0 => return true,
+            0 => difference(&c, &l.value),
+            1.. => l.value.clone(),
+        };
+        self.letters.number(&distance).is_some_and(|q| q != 0)
     }
 
     /// By rule `limit`, if need be after the sign of the leading coefficient of the divisor.
@@ -129,6 +146,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_expansion(goal, l)) {
             return Ok(label);
         }
+        if let Ok(label) = self.on_its_own(|c| c.within_falling_bounds(goal, l)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.on_its_own(|c| c.by_ratios(goal, l)) {
             return Ok(label);
         }
@@ -156,6 +176,45 @@ impl Prover {
             }
         }
         Err(Fail::No("a squeeze"))
+    }
+
+    /// The limit is the first term of an expansion in powers of 1/x: the expression lies within C/x of it.
+    fn within_falling_bounds(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let no = || Fail::No("an expansion with this limit");
+        let plan = self.expansion(&l.of, &l.variable.text, 1).ok_or_else(no)?;
+        let terms = plan.nodes.last().map(|root| root.terms.clone()).unwrap_or_default();
+        if terms.keys().any(|k| *k < 0) {
+            return Err(no());
+        }
+        let value = terms.get(&0).cloned().unwrap_or(numeral(0));
+        let same = match self.is_zero(&difference(&value, &l.value)) {
+            true => None,
+            false => {
+                let same = compare(value, Relation::Equal, l.value.clone());
+                Some(self.emit(Rule::Power, same.clone()).or_else(|_| self.without_cases(&same))?)
+            }
+        };
+        let left = self.remainder_of(&plan, 1)?;
+        let falling = over(left.bound.clone(), name(&l.variable.text));
+        let (lower, upper) = (difference(&l.value, &falling), plus(&l.value, falling));
+        let mut sides = [-1, 1].into_iter();
+        self.squeeze(goal, l, [&lower, &upper], &left.start, &mut |c, k, every, body| {
+            let sign = sides.next().ok_or_else(no)?;
+            c.block(every, |c, _| {
+                let far = compare(k.clone(), Relation::GreaterEqual, left.start.clone());
+                let far = c.known(&far).ok_or_else(no)?;
+                let below = product(vec![
+                    literal(&Rational::from(-1)),
+                    over(numeral(1), product(vec![k.clone(), left.start.clone()])),
+                ]);
+                let (_, [low, high]) = c.remainder_at(&left, k, &Term { facts: vec![far], factor: below })?;
+                let near = if sign < 0 { low } else { high };
+                let mut terms = vec![Term { facts: vec![near], factor: over(numeral(1), k.clone()) }];
+                let factor = literal(&Rational::from(sign));
+                terms.extend(same.iter().map(|same| Term { facts: vec![same.clone()], factor: factor.clone() }));
+                c.combination(body.clone(), terms)
+            })
+        })
     }
 
     /// Proves the limit after replacing sums by closed forms.

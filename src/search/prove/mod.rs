@@ -35,6 +35,8 @@ mod differences;
 mod elimination;
 mod eventually;
 mod existence;
+mod expansion_steps;
+mod expansions;
 mod exponent_lattice;
 mod exponents;
 mod extrema;

@@ -56,7 +56,7 @@ impl Function {
     }
 
     /// The coefficients of 1, s, s² and so on up to a degree, for the distance s from the centre.
-    fn coefficients(&self, degree: u32) -> Vec<Rational> {
+    pub(super) fn coefficients(&self, degree: u32) -> Vec<Rational> {
         let part = |k: u32| Rational::from_unsigneds(1u32, k.max(1));
         let alternating = |k: u32| if (k / 2).is_multiple_of(2) { Rational::ONE } else { -Rational::ONE };
         // 1/k!, the binomial coefficient of k, and 1·3·…/(2·4·…) for the odd k.
@@ -88,22 +88,26 @@ impl Function {
         out
     }
 
-    /// Taylor's polynomial of a degree with the remainder ±C·|s|^(degree + 1), for s on one side of 0, or on both.
+    /// The C of the remainder C·|s|^(degree + 1) of Taylor's polynomial.
     ///
-    /// C is large enough that the prover shows the bound for |s| <= 1/2; if it were too small, the proof would fail.
-    pub(super) fn bound(&self, s: &Expr, degree: u32, upper: bool, side: Side) -> Expr {
-        let terms = self.coefficients(degree).into_iter().zip(0..=degree).filter(|(c, _)| *c != 0);
-        let term =
-            |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
-        let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
-        let c = match self {
+    /// It is large enough that the prover shows the bound for |s| <= 1/2; if it were too small, the proof would fail.
+    pub(super) fn remainder(&self, degree: u32) -> u32 {
+        match self {
             Function::Root(a) => {
                 let size = a.clone().abs() * ((a.clone() - Rational::ONE).abs() + Rational::ONE);
                 u32::try_from(&Ceiling::ceiling(size)).unwrap_or(u32::MAX).max(1)
             }
             _ => 2 * degree,
-        };
-        let rest = product(vec![numeral(c), whole_power(s.clone(), i64::from(degree) + 1)]);
+        }
+    }
+
+    /// Taylor's polynomial of a degree with the remainder ±C·|s|^(degree + 1), for s on one side of 0, or on both.
+    pub(super) fn bound(&self, s: &Expr, degree: u32, upper: bool, side: Side) -> Expr {
+        let terms = self.coefficients(degree).into_iter().zip(0..=degree).filter(|(c, _)| *c != 0);
+        let term =
+            |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
+        let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
+        let rest = product(vec![numeral(self.remainder(degree)), whole_power(s.clone(), i64::from(degree) + 1)]);
         let turned = degree.is_multiple_of(2) && side == Side::Below;
         terms.push((if upper != turned { Sign::Plus } else { Sign::Minus }, rest));
         sum(terms)
