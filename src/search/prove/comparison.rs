@@ -306,12 +306,15 @@ impl Prover {
 
     /// A comparison from inequalities between means, tangents, sums or slopes.
     fn by_known_inequalities(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let names = self.names.clone();
         if let Ok(label) = self.attempt(|c| {
             c.means(goal)?;
             c.quietly(goal)
         }) {
             return Ok(label);
         }
+        // No step is left that holds one of its names.
+        self.names = names;
         if let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, relation, b)) {
             return Ok(label);
         }

@@ -555,7 +555,7 @@ impl Prover {
         if let Ok(label) = self.on_its_own(|c| c.by_what_is_left_of(goal, eventual, (&own, how), &moved, x)) {
             return Ok(label);
         }
-        let limit = self.finite_limit(&moved, x).ok_or_else(no)?;
+        let limit = self.told_limit(&moved, x).ok_or_else(no)?;
         // Greater than the size of the limit.
         let bound = match self.letters.number(&limit) {
             Some(q) => literal(&Rational::from(Ceiling::ceiling(q.abs() + Rational::ONE))),

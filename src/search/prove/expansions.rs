@@ -189,7 +189,8 @@ impl Prover {
 
     /// The node of an expression up to an order, or a better one; of a lower order where none is known.
     fn node(&mut self, plan: &mut Expansion, e: &Expr, order: i64) -> Option<usize> {
-        self.tick().ok()?;
+        // A plan takes no step of the search: its work is bounded by its nodes.
+        self.exhausted().is_none().then_some(())?;
         let key = key::expr(e);
         let fits = |own: &Option<i64>| own.is_none_or(|own| own >= order);
         let known = plan.known.get(&key).and_then(|list| list.iter().find(|k| fits(&plan.nodes[**k].order)));
@@ -696,7 +697,7 @@ impl Prover {
     }
 
     fn collected(&mut self, all: BTreeMap<(i64, Vec<usize>), Vec<Expr>>) -> Option<Series> {
-        self.tick().ok()?;
+        self.exhausted().is_none().then_some(())?;
         let mut terms = BTreeMap::new();
         for (m, list) in all {
             let c = match (self.number_of(&list), list.as_slice()) {

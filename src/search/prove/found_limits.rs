@@ -12,7 +12,6 @@ use crate::claim::walk::parts_mut;
 use crate::kernel::statement::{apply, numeral};
 use crate::refute::catalogue::Limits;
 use crate::refute::literal::literal;
-use malachite::Rational;
 
 /// The value that the limit of a claim seems to have, whatever the claim says of it.
 pub(crate) fn value_of_limit(claim: &Claim, limits: &Limits) -> Option<Expr> {
@@ -48,38 +47,46 @@ impl Prover {
             Tends::To(value) => self.simplified(&value),
             _ => {
                 let apart = self.apart_from_signs(&of, x).ok()?;
-                self.finite_limit(&apart.of, x)
+                self.told_limit(&apart.of, x)
             }
         })
     }
 
-    /// The limit of an expression as x grows, if bounds or an expansion tell one.
+    /// The limit of an expression as x grows, if bounds tell one, or else an expansion.
+    pub(super) fn told_limit(&mut self, e: &Expr, x: &str) -> Option<Expr> {
+        if let Some(limit) = self.finite_limit(e, x) {
+            return Some(limit);
+        }
+        let limit = match self.first_term(e, x)? {
+            (..0, _) => return None,
+            (0, c) => c,
+            (1.., _) => numeral(0),
+        };
+        self.value_written(limit)
+    }
+
+    fn value_written(&mut self, value: Expr) -> Option<Expr> {
+        match self.letters.number(&value) {
+            Some(q) => Some(literal(&q)),
+            None => Some(self.simplified(&value).unwrap_or(value)),
+        }
+    }
+
+    /// The limit of an expression as x grows, if bounds tell one.
     pub(super) fn finite_limit(&mut self, e: &Expr, x: &str) -> Option<Expr> {
         let limit = self.by_bounds(e, x, &mut |c, lower, upper| {
             let (Tends::To(a), Tends::To(b)) = (c.tends(lower, x), c.tends(upper, x)) else { return None };
             c.is_zero(&minus(&a, &b)).then_some(a)
-        });
-        let limit = limit.or_else(|| match self.first_term(e, x)? {
-            (..0, _) => None,
-            (0, c) => Some(c),
-            (1.., _) => Some(numeral(0)),
         })?;
-        match self.letters.number(&limit) {
-            Some(q) => Some(literal(&q)),
-            None => Some(self.simplified(&limit).unwrap_or(limit)),
-        }
+        self.value_written(limit)
     }
 
-    /// The leading term of an expression as x grows, if bounds or an expansion tell one other than 0.
+    /// The leading term of an expression as x grows, if bounds tell one other than 0.
     pub(super) fn leading_limit(&mut self, e: &Expr, x: &str) -> Option<Leading> {
         let lead = self.by_bounds(e, x, &mut |c, lower, upper| {
             let (a, b) = (c.leading(lower, x)?, c.leading(upper, x)?);
             let same = a.exponent == b.exponent && !c.is_zero(&a.c) && c.is_zero(&minus(&a.c, &b.c));
             same.then_some(a)
-        });
-        let lead = lead.or_else(|| {
-            let (k, c) = self.first_term(e, x)?;
-            Some(Leading { c, exponent: Rational::from(-k) })
         })?;
         let c = match self.letters.number(&lead.c) {
             Some(q) => literal(&q),

@@ -63,7 +63,7 @@ impl Prover {
     fn has_another_limit(&mut self, l: &Limit) -> bool {
         let Some((power, c)) = self.first_term(&l.of, &l.variable.text) else { return false };
         let distance = match power {
-            ..0 => return true,
+            ..0 => return self.letters.number(&c).is_some_and(|q| q != 0),
             0 => difference(&c, &l.value),
             1.. => l.value.clone(),
         };

@@ -14,6 +14,7 @@ use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, numeral};
 use crate::refute::literal::literal;
 use malachite::Rational;
+use malachite::base::num::conversion::traits::IsInteger;
 
 /// A difference as a factor whose sign is open, times the rest.
 pub(super) struct Open {
@@ -83,6 +84,9 @@ impl Prover {
         relation: Relation,
         b: &Expr,
     ) -> Result<Label, Fail> {
+        if ![a, b].into_iter().any(has_a_root) {
+            return Err(Fail::No("a root"));
+        }
         self.in_full(|c| {
             c.failed.clear();
             c.define(a);
@@ -99,9 +103,10 @@ impl Prover {
     }
 
     fn in_full(&mut self, run: impl FnOnce(&mut Self) -> Result<Label, Fail>) -> Result<Label, Fail> {
-        if self.roots_in_full.is_some() || self.inductions > 0 {
+        if self.roots_in_full.is_some() || self.inductions > 0 || self.splits >= 8 {
             return Err(Fail::No("effort left"));
         }
+        let failed = self.failed.clone();
         let splits = std::mem::replace(&mut self.splits, 8);
         self.roots_in_full = Some(0);
         let shown = self.with_half(|c| {
@@ -110,6 +115,7 @@ impl Prover {
         });
         self.roots_in_full = None;
         self.splits = splits;
+        self.failed = failed;
         shown
     }
 
@@ -363,4 +369,12 @@ impl Prover {
 
 fn greatest_common_divisor(a: i64, b: i64) -> i64 {
     if b == 0 { a } else { greatest_common_divisor(b, a % b) }
+}
+
+/// Whether a power whose exponent is a number, but no whole one, stands in an expression.
+fn has_a_root(e: &Expr) -> bool {
+    let mut found = super::letters::as_power(e)
+        .is_some_and(|(_, exponent)| super::coefficients::rational(&exponent).is_some_and(|q| !q.is_integer()));
+    crate::claim::walk::parts(e, &mut |part| found |= has_a_root(part));
+    found
 }
