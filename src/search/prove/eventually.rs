@@ -8,7 +8,7 @@
 
 use super::asymptotic_form::raised;
 use super::expansion_steps::Remainder;
-use super::facts::{minus, negated};
+use super::facts::{minus, negated, scaled};
 use super::letters::{as_power, natural, product, whole_power};
 use super::limits::{holds, over};
 use super::slopes::put_in;
@@ -369,33 +369,34 @@ impl Prover {
                 self.show(goal)
             }
             How::Inside { f, g } => self.absolute_within(goal, [l, r], [f, g], fact),
-            How::Left { left, how } => {
-                let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = self.fact(fact) else {
-                    return Err(Fail::No("a large number"));
-                };
-                let ExprKind::Product(list) = &sides[0].kind else { return Err(Fail::No("a large number")) };
-                let k = list.last().map(|f| f.1.clone()).ok_or(Fail::No("a large number"))?;
-                let near = Term { facts: vec![fact.clone()], factor: numeral(1) };
-                let (_, [below, above]) = self.remainder_at(left, &k, &near)?;
-                let bound = left.bound.clone();
-                match how.as_ref() {
-                    How::Inside { f, g } => {
-                        let value = if natural(g) == Some(1) { f.clone() } else { over(f.clone(), g.clone()) };
-                        let low = compare(negated(bound.clone()), Relation::Less, value.clone());
-                        let high = compare(value.clone(), Relation::Less, bound.clone());
-                        let mut both = Vec::new();
-                        for (order, fact) in [(low, below), (high, above)] {
-                            both.push(self.combination(order, vec![Term { facts: vec![fact], factor: numeral(1) }])?);
-                        }
-                        let chain =
-                            PropKind::Compare(vec![negated(bound.clone()), value, bound], vec![Relation::Less; 2]);
-                        let inside = self.emit(Rule::Logic { from: both }, prop(chain))?;
-                        self.follows(goal, how, &inside)
-                    }
-                    _ => self.follows(goal, how, &above),
-                }
-            }
+            How::Left { left, how } => self.follows_from_what_is_left(goal, left, how, fact),
         }
+    }
+
+    /// The same where 1/k, for the index k, is as small as a bound of what is left asks for.
+    fn follows_from_what_is_left(
+        &mut self,
+        goal: &Prop,
+        left: &Remainder,
+        how: &How,
+        fact: &Label,
+    ) -> Result<Label, Fail> {
+        let no = || Fail::No("a large number");
+        let Some(Prop { kind: PropKind::Compare(sides, _), .. }) = self.fact(fact) else { return Err(no()) };
+        let ExprKind::Product(list) = &sides[0].kind else { return Err(no()) };
+        let k = list.last().map(|f| f.1.clone()).ok_or_else(no)?;
+        let (_, [below, above]) = self.remainder_at(left, &k, &scaled(fact, numeral(1)))?;
+        let How::Inside { f, g } = how else { return self.follows(goal, how, &above) };
+        let value = if natural(g) == Some(1) { f.clone() } else { over(f.clone(), g.clone()) };
+        let (low, high) = (negated(left.bound.clone()), left.bound.clone());
+        let mut from = Vec::new();
+        for (a, b, fact) in [(&low, &value, below), (&value, &high, above)] {
+            let order = compare(a.clone(), Relation::Less, b.clone());
+            from.push(self.combination(order, vec![scaled(&fact, numeral(1))])?);
+        }
+        let inside = PropKind::Compare(vec![low, value, high], vec![Relation::Less; 2]);
+        let inside = self.emit(Rule::Logic { from }, prop(inside))?;
+        self.follows(goal, how, &inside)
     }
 
     /// A <= B from −C < f/g < C, where A = |f| and B = C·|g|: f² is at most (C·g)², and so are the roots.

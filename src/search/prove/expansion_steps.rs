@@ -6,7 +6,7 @@
 
 use super::asymptotic_form::total;
 use super::expansions::{Bounded, Expansion, Factors, How, Node, Series};
-use super::facts::{minus, negated};
+use super::facts::{minus, negated, scaled};
 use super::letters::{product, whole_power};
 use super::limits::over;
 use super::taylor::{Function, Side, at_most};
@@ -66,10 +66,6 @@ fn written(series: &Series, t: &Expr, numbers: &[(String, Expr)]) -> Expr {
     total(&terms.collect::<Vec<_>>())
 }
 
-fn of(fact: &Label, factor: Expr) -> Term {
-    Term { facts: vec![fact.clone()], factor }
-}
-
 fn alone(factor: Expr) -> Term {
     Term { facts: Vec::new(), factor }
 }
@@ -123,9 +119,9 @@ impl Steps<'_> {
 
     /// Terms that come to a factor times t·M − 1, for one of the numbers M that tell how small t is.
     fn reached(&self, place: usize, factor: &Expr) -> Vec<Term> {
-        let mut terms = vec![of(&self.reach[place], factor.clone())];
+        let mut terms = vec![scaled(&self.reach[place], factor.clone())];
         let named = self.name_of(&self.plan.reach[place]);
-        terms.extend(named.map(|l| of(l, product(vec![factor.clone(), self.t.clone()]))));
+        terms.extend(named.map(|l| scaled(l, product(vec![factor.clone(), self.t.clone()]))));
         terms
     }
 
@@ -152,7 +148,7 @@ impl Prover {
             let label = self.name_for_a_sum(fresh, &parts)?;
             names.insert(fresh.clone(), label.clone());
             let positive = compare(start.clone(), Relation::Greater, numeral(0));
-            let terms = std::iter::once(of(&label, whole(-1))).chain(parts.iter().map(|e| alone(e.clone())));
+            let terms = std::iter::once(scaled(&label, whole(-1))).chain(parts.iter().map(|e| alone(e.clone())));
             self.combination(positive, terms.collect())?;
         }
         let mut lemmas = HashMap::new();
@@ -193,8 +189,8 @@ impl Prover {
             for (sign, fact) in [(-1, lower), (1, upper)] {
                 let links = steps.equation(last);
                 let mut terms: Vec<Term> =
-                    links.iter().map(|l| of(l, product(vec![whole(sign), scale.clone()]))).collect();
-                terms.extend([of(&fact, numeral(1)), alone(whole(-1))]);
+                    links.iter().map(|l| scaled(l, product(vec![whole(sign), scale.clone()]))).collect();
+                terms.extend([scaled(&fact, numeral(1)), alone(whole(-1))]);
                 let order = match sign {
                     1 => compare(value.clone(), Relation::Less, bound.clone()),
                     _ => compare(negated(bound.clone()), Relation::Less, value.clone()),
@@ -229,7 +225,7 @@ impl Prover {
     /// A name for a sum of numbers that are not negative, and that it is not negative.
     fn name_for_a_sum(&mut self, fresh: &str, parts: &[Expr]) -> Result<Label, Fail> {
         let label = self.emit(Rule::Name, compare(total(parts), Relation::Equal, name(fresh)))?;
-        let terms = std::iter::once(of(&label, whole(-1))).chain(parts.iter().map(|e| alone(e.clone())));
+        let terms = std::iter::once(scaled(&label, whole(-1))).chain(parts.iter().map(|e| alone(e.clone())));
         self.combination(compare(name(fresh), Relation::GreaterEqual, numeral(0)), terms.collect())?;
         Ok(label)
     }
@@ -261,7 +257,7 @@ impl Prover {
         let near = compare(t.clone(), Relation::LessEqual, over(numeral(1), start.clone()));
         let near = self.known(&near).ok_or(Fail::No("a small number"))?;
         let within = compare(product(vec![t.clone(), start.clone()]), Relation::LessEqual, numeral(1));
-        let within = self.combination(within, vec![of(&near, start.clone())])?;
+        let within = self.combination(within, vec![scaled(&near, start.clone())])?;
         let named = match &start.kind {
             ExprKind::Name(n) => names.get(n).cloned(),
             _ => None,
@@ -269,8 +265,8 @@ impl Prover {
         let least = self.letters.number(&parts[0]).ok_or(Fail::No("a number"))?;
         let at_most_one = |c: &mut Prover, number: &Expr| {
             let goal = compare(product(vec![t.clone(), number.clone()]), Relation::LessEqual, numeral(1));
-            let mut terms = vec![of(&within, numeral(1))];
-            terms.extend(named.iter().map(|l| of(l, t.clone())));
+            let mut terms = vec![scaled(&within, numeral(1))];
+            terms.extend(named.iter().map(|l| scaled(l, t.clone())));
             let q = c.letters.number(number);
             for (k, part) in parts.iter().enumerate() {
                 let rest = match (&q, k) {
@@ -312,7 +308,7 @@ impl Prover {
         let left = if order == 0 { left } else { over(left, steps.t(order)) };
         let named = self.emit(Rule::Name, compare(left, Relation::Equal, rest))?;
         let whole = steps.written(&steps.plan.series(place));
-        let equation = self.combination(compare(e, Relation::Equal, whole), vec![of(&named, steps.t(order))])?;
+        let equation = self.combination(compare(e, Relation::Equal, whole), vec![scaled(&named, steps.t(order))])?;
         steps.equations[place] = Some(equation);
         Ok(named)
     }
@@ -330,7 +326,7 @@ impl Prover {
             let half = literal(&Rational::from_unsigneds(1u32, 2));
             let order = at_most(true, &half, &rest);
             let order = self.known(&order).ok_or(Fail::No("what is near 1"))?;
-            let near = vec![of(&order, negated(scale.clone())), alone(product(vec![half, scale]))];
+            let near = vec![scaled(&order, negated(scale.clone())), alone(product(vec![half, scale]))];
             self.combination(compare(base, Relation::Greater, numeral(0)), near)?;
         }
         if !by_powers {
@@ -340,8 +336,8 @@ impl Prover {
         let (e, other) = (steps.here(&node.e)?, steps.here(&steps.plan.nodes[child].e)?);
         let same = compare(e.clone(), Relation::Equal, other);
         let same = self.emit(Rule::Power, same.clone()).or_else(|_| self.without_cases(&same))?;
-        let mut terms = vec![of(&same, numeral(1))];
-        terms.extend(steps.equation(child).iter().map(|l| of(l, numeral(1))));
+        let mut terms = vec![scaled(&same, numeral(1))];
+        terms.extend(steps.equation(child).iter().map(|l| scaled(l, numeral(1))));
         let whole = steps.written(&steps.plan.series(place));
         steps.equations[place] = Some(self.combination(compare(e, Relation::Equal, whole), terms)?);
         Ok(())
@@ -363,7 +359,7 @@ impl Prover {
             for k in behind {
                 factor.push(steps.here(&steps.plan.nodes[*k].e)?);
             }
-            terms.extend(steps.equation(*child).iter().map(|l| of(l, product(factor.clone()))));
+            terms.extend(steps.equation(*child).iter().map(|l| scaled(l, product(factor.clone()))));
         }
         let Some(rest) = node.rest else {
             let whole = steps.written(&steps.polynomial(node));
@@ -373,7 +369,7 @@ impl Prover {
         };
         let named = self.rest_named(steps, place, node)?;
         let number = name(&steps.plan.numbers[rest].0);
-        terms.push(of(&named, whole(-1)));
+        terms.push(scaled(&named, whole(-1)));
         let value = self.combination(compare(number, Relation::Equal, steps.written(tail)), terms)?;
         let sides = [true, false].map(|upper| self.bounding(steps, tail, upper));
         let [upper, lower] = sides;
@@ -393,8 +389,8 @@ impl Prover {
             let is_order = self
                 .fact(value)
                 .is_some_and(|p| matches!(&p.kind, PropKind::Compare(_, relations) if *relations != [Relation::Equal]));
-            terms.push(of(value, whole(if place == 0 || is_order { 1 } else { -1 })));
-            terms.extend(steps.name_of(&bound).map(|l| of(l, numeral(1))));
+            terms.push(scaled(value, whole(if place == 0 || is_order { 1 } else { -1 })));
+            terms.extend(steps.name_of(&bound).map(|l| scaled(l, numeral(1))));
             labels.push(self.combination(side(place == 0, &own, &bound), terms)?);
         }
         steps.numbers[number] = <[Label; 2]>::try_from(labels).ok();
@@ -407,7 +403,7 @@ impl Prover {
         let mut labels = Vec::new();
         for upper in [true, false] {
             let mut terms = self.bounding(steps, &bounded.of, upper)?;
-            terms.extend(steps.name_of(&bounded.by).map(|l| of(l, numeral(1))));
+            terms.extend(steps.name_of(&bounded.by).map(|l| scaled(l, numeral(1))));
             labels.push(self.combination(side(upper, &value, &bounded.by), terms)?);
         }
         <[Label; 2]>::try_from(labels).map_err(|_| Fail::No("two bounds"))
@@ -432,13 +428,13 @@ impl Prover {
             }
             let [above, below] = self.product_bounded(steps, *k, list)?;
             match side {
-                Side::Above => out.push(of(&above, c)),
-                Side::Below => out.push(of(&below, negated(c))),
+                Side::Above => out.push(scaled(&above, c)),
+                Side::Below => out.push(scaled(&below, negated(c))),
                 Side::Both => {
                     let quarter =
                         |e: Expr| product(vec![literal(&Rational::from_unsigneds(1u32, 4)), whole_power(e, 2)]);
-                    out.push(of(&above, quarter(total(&[c.clone(), numeral(1)]))));
-                    out.push(of(&below, quarter(minus(&c, &numeral(1)))));
+                    out.push(scaled(&above, quarter(total(&[c.clone(), numeral(1)]))));
+                    out.push(scaled(&below, quarter(minus(&c, &numeral(1)))));
                 }
             }
         }
@@ -459,7 +455,7 @@ impl Prover {
         let labels = match list.split_last() {
             None => {
                 let powers: Vec<Expr> = (0..k).map(|j| steps.t(j)).collect();
-                let upper = vec![of(&steps.one, total(&powers))];
+                let upper = vec![scaled(&steps.one, total(&powers))];
                 let lower = vec![alone(negated(total(&[numeral(1), value.clone()])))];
                 [
                     self.combination(side(true, &value, &numeral(1)), upper)?,
@@ -498,12 +494,12 @@ impl Prover {
         let signed = product(vec![sign.clone(), inner.clone()]);
         let [above, below] = self.within(steps, rest)?;
         let mut away = steps.reached(*reach, &half);
-        away.push(of(if *is_negative { &above } else { &below }, steps.t.clone()));
+        away.push(scaled(if *is_negative { &above } else { &below }, steps.t.clone()));
         let away = self.combination(compare(half.clone(), Relation::LessEqual, signed.clone()), away)?;
         self.at_least_positive(&signed, &away, &half)?;
         let scale = product(vec![sign.clone(), steps.t(*power)]);
-        let mut terms: Vec<Term> = steps.equation(*child).iter().map(|l| of(l, numeral(1))).collect();
-        terms.push(of(&away, negated(scale.clone())));
+        let mut terms: Vec<Term> = steps.equation(*child).iter().map(|l| scaled(l, numeral(1))).collect();
+        terms.push(scaled(&away, negated(scale.clone())));
         terms.push(alone(product(vec![scale, half.clone()])));
         let relation = if *is_negative { Relation::Less } else { Relation::Greater };
         let divisor = steps.here(&child_node.e)?;
@@ -511,9 +507,9 @@ impl Prover {
         let named = self.rest_named(steps, place, node)?;
         let number = node.rest.ok_or(Fail::No("what is left"))?;
         let (own, bound) = (name(&steps.plan.numbers[number].0), steps.plan.numbers[number].1.clone());
-        let mut terms = vec![of(&named, negated(inner.clone()))];
+        let mut terms = vec![scaled(&named, negated(inner.clone()))];
         let below = product(vec![whole(-1), over(numeral(1), product(vec![divisor, steps.t(order + power)]))]);
-        terms.extend(steps.equation(*child).iter().map(|l| of(l, below.clone())));
+        terms.extend(steps.equation(*child).iter().map(|l| scaled(l, below.clone())));
         let times = compare(product(vec![own.clone(), inner]), Relation::Equal, steps.written(&cofactor.of));
         let times = self.combination(times, terms)?;
         let [above, below] = self.within(steps, cofactor)?;
@@ -521,11 +517,11 @@ impl Prover {
         for upper in [true, false] {
             let turned = upper == *is_negative;
             let mut terms = vec![
-                of(&times, if turned { whole(-1) } else { whole(1) }),
-                of(if turned { &below } else { &above }, numeral(1)),
-                of(&away, bound.clone()),
+                scaled(&times, if turned { whole(-1) } else { whole(1) }),
+                scaled(if turned { &below } else { &above }, numeral(1)),
+                scaled(&away, bound.clone()),
             ];
-            terms.extend(steps.name_of(&bound).map(|l| of(l, half.clone())));
+            terms.extend(steps.name_of(&bound).map(|l| scaled(l, half.clone())));
             let rule = Rule::Combination { times: Some(signed.clone()), terms };
             labels.push(self.emit(rule, side(upper, &own, &bound))?);
         }
@@ -546,8 +542,8 @@ impl Prover {
         for (sign, fact) in [(-1, &below), (1, &above)] {
             let end = literal(&(Rational::from_signeds(sign, 2) + Rational::from(function.centre())));
             let goal = at_most(sign < 0, &end, &argument);
-            let mut terms: Vec<Term> = links.iter().map(|l| of(l, whole(sign))).collect();
-            terms.push(of(fact, steps.t.clone()));
+            let mut terms: Vec<Term> = links.iter().map(|l| scaled(l, whole(sign))).collect();
+            terms.push(scaled(fact, steps.t.clone()));
             terms.extend(steps.reached(*reach, &half(1)));
             near.push(self.combination(goal, terms)?);
         }
@@ -565,10 +561,10 @@ impl Prover {
             let lemma = steps.lemmas.get(&(place, upper)).cloned().ok_or(Fail::No("a lemma"))?;
             self.within_reach(&lemma, &argument, &near)?;
             let fact = self.instance(&lemma, &argument)?;
-            let mut terms = vec![of(&fact, scale.clone()), of(&named, whole(if upper { -1 } else { 1 }))];
+            let mut terms = vec![scaled(&fact, scale.clone()), scaled(&named, whole(if upper { -1 } else { 1 }))];
             let slope = slope(function, *degree, upper, &argument, &polynomial);
             let factor = product(vec![whole(if upper { 1 } else { -1 }), scale.clone(), slope]);
-            terms.extend(links.iter().map(|l| of(l, factor.clone())));
+            terms.extend(links.iter().map(|l| scaled(l, factor.clone())));
             let mut value = vec![steps.written(tail), steps.written(remainder)];
             if !upper {
                 value[1] = negated(value[1].clone());
@@ -587,7 +583,7 @@ impl Prover {
 
     /// What is at least a positive number is positive.
     fn at_least_positive(&mut self, e: &Expr, fact: &Label, bound: &Expr) -> Result<Label, Fail> {
-        let terms = vec![of(fact, whole(-1)), alone(bound.clone())];
+        let terms = vec![scaled(fact, whole(-1)), alone(bound.clone())];
         self.combination(compare(e.clone(), Relation::Greater, numeral(0)), terms)
     }
 
@@ -600,7 +596,7 @@ impl Prover {
         let mut labels = Vec::new();
         for upper in [true, false] {
             let order = self.without_cases(&side(upper, &e, &numeral(1)))?;
-            let terms = vec![of(&order, numeral(1)), of(&named, whole(if upper { -1 } else { 1 }))];
+            let terms = vec![scaled(&order, numeral(1)), scaled(&named, whole(if upper { -1 } else { 1 }))];
             labels.push(self.combination(side(upper, &own, &numeral(1)), terms)?);
         }
         steps.numbers[number] = <[Label; 2]>::try_from(labels).ok();

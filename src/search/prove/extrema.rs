@@ -5,7 +5,7 @@ use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::at_the_point;
-use crate::kernel::statement::{compare, domain, name, numeral, prop};
+use crate::kernel::statement::{compare, domain, name, prop};
 use crate::kernel::substitution::Substitution;
 
 impl Prover {
@@ -24,9 +24,6 @@ impl Prover {
         let every = |body: Prop| prop(PropKind::ForAll(e.over.clone(), Box::new(body)));
         let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         let bound = every(compare(e.of.clone(), relation, e.value.clone()));
-        if !self.may_suppose(&bound) {
-            let _ = self.define_over(e);
-        }
         self.stationary = STATIONARY;
         from.push(self.on_its_own(|c| c.show(&bound))?);
         if e.unique {
@@ -34,49 +31,13 @@ impl Prover {
             let equal = compare(e.of.clone(), Relation::Equal, e.value.clone());
             let only = implies(&equal, &there);
             let every = every(only.clone());
-            if !self.may_suppose(&every) {
-                let _ = self.define_over(e);
-            }
             let shown = self
                 .quietly(&every)
                 .or_else(|_| self.attempt(|c| c.block(&every, |c, _| c.by_strict_sides(&only, &equal, e))))
                 .or_else(|_| self.on_its_own(|c| c.show(&every)));
             from.push(shown?);
         }
-        let rule = Rule::Extremum { from };
-        self.emit(rule.clone(), goal.clone()).or_else(|first| {
-            self.define_over(e).map_err(|_| first)?;
-            self.emit(rule, goal.clone())
-        })
-    }
-
-    /// Whether the kernel sees that a proposition for all values has a value, so that its proof may begin.
-    fn may_suppose(&mut self, every: &Prop) -> bool {
-        let mut seen = false;
-        let _ = self.attempt(|c| {
-            seen = c.emit(Rule::Let, every.clone()).is_ok();
-            Err::<(), _>(Fail::No("a trial"))
-        });
-        seen
-    }
-
-    /// Shows for all values of the variable the conditions under which the function has a value, where the kernel sees them not itself.
-    fn define_over(&mut self, e: &Extremum) -> Result<(), Fail> {
-        let mut bases = Vec::new();
-        bases_in(&e.of, &mut bases);
-        let mut shown = Err(Fail::No("a condition"));
-        for base in bases {
-            let sign = |relation| compare(base.clone(), relation, numeral(0));
-            let every = |body: Prop| prop(PropKind::ForAll(e.over.clone(), Box::new(body)));
-            for relation in [Relation::Greater, Relation::GreaterEqual] {
-                let done = self.attempt(|c| c.block(&every(sign(relation)), |c, _| c.sign_of_base(&sign(relation))));
-                if done.is_ok() {
-                    shown = Ok(());
-                    break;
-                }
-            }
-        }
-        shown
+        self.emit(Rule::Extremum { from }, goal.clone())
     }
 
     /// Shows that a greatest or least value is taken at one place only: on either side of it the function lies strictly below or above.
@@ -99,16 +60,5 @@ impl Prover {
             }
             c.logic(&[&halves[0], &halves[1]], &there)
         })
-    }
-}
-
-/// What roots are taken of in an expression.
-fn bases_in(e: &Expr, out: &mut Vec<Expr>) {
-    crate::claim::walk::parts(e, &mut |part| bases_in(part, out));
-    if let Some((base, exponent)) = super::letters::as_power(e)
-        && super::letters::natural(&exponent).is_none()
-        && !out.contains(&base)
-    {
-        out.push(base);
     }
 }

@@ -39,6 +39,11 @@ pub(crate) fn is_settled(signs: Signs) -> bool {
     signs.within(Signs::POSITIVE) || signs.within(Signs::of(Relation::Less))
 }
 
+/// A fact times a factor, as a summand of a combination.
+pub(super) fn scaled(fact: &Label, factor: Expr) -> Term {
+    Term { facts: vec![fact.clone()], factor }
+}
+
 /// a − b.
 pub(crate) fn minus(a: &Expr, b: &Expr) -> Expr {
     expr(ExprKind::Sum(vec![(Sign::Plus, a.clone()), (Sign::Minus, b.clone())]))

@@ -10,9 +10,9 @@
 //! Limits: [`SUMS`].
 
 use super::coefficients::rational;
-use super::facts::{minus, negated};
+use super::facts::{minus, negated, scaled};
 use super::letters::{product, total, whole_power};
-use super::limits::{holds, over};
+use super::limits::{holds, over, plus};
 use super::slopes::put_in;
 use super::sums::replace;
 use super::{Fail, Prover};
@@ -72,12 +72,12 @@ type Way<'a> = Box<dyn Fn(&mut Prover, &mut Inverses) -> Result<Label, Fail> + '
 
 /// A fact as it is.
 fn fact(label: &Label) -> Term {
-    Term { facts: vec![label.clone()], factor: numeral(1) }
+    scaled(label, numeral(1))
 }
 
 /// An equation with its sides changed.
 fn turned(label: &Label) -> Term {
-    Term { facts: vec![label.clone()], factor: negated(numeral(1)) }
+    scaled(label, negated(numeral(1)))
 }
 
 impl Prover {
@@ -513,11 +513,10 @@ fn tangents(members: &Members) -> Vec<(Expr, Relation)> {
 
 /// exp u >= 1 + u, ln u >= 1 − 1/u, sqrt u <= (u + 1)/2.
 fn at_one(f: &str, u: &Expr, _: &Members) -> Option<Expr> {
-    let plus = |a: Expr, b: Expr| sum(vec![(Sign::Plus, a), (Sign::Plus, b)]);
     Some(match f {
-        "exp" => plus(numeral(1), u.clone()),
+        "exp" => plus(&numeral(1), u.clone()),
         "ln" => minus(&numeral(1), &inverse(u)),
-        "sqrt" => over(plus(u.clone(), numeral(1)), numeral(2)),
+        "sqrt" => over(plus(u, numeral(1)), numeral(2)),
         _ => return None,
     })
 }
@@ -535,12 +534,11 @@ fn at_mean(f: &str, u: &Expr, members: &Members) -> Option<Expr> {
     let all = Members { body: u.clone(), ..members.clone() };
     let m = over(all.sum_of(u), members.count());
     let part = over(product(vec![u.clone(), members.count()]), all.sum_of(u));
-    let plus = |a: Expr, b: Expr| sum(vec![(Sign::Plus, a), (Sign::Plus, b)]);
     let of_mean = |f: &str| apply(f, m.clone());
     Some(match f {
-        "exp" => product(vec![of_mean(f), plus(numeral(1), minus(u, &m))]),
-        "ln" => plus(of_mean(f), minus(&part, &numeral(1))),
-        "sqrt" => over(product(vec![of_mean(f), plus(part, numeral(1))]), numeral(2)),
+        "exp" => product(vec![of_mean(f), plus(&numeral(1), minus(u, &m))]),
+        "ln" => plus(&of_mean(f), minus(&part, &numeral(1))),
+        "sqrt" => over(product(vec![of_mean(f), plus(&part, numeral(1))]), numeral(2)),
         "1/" => over(minus(&numeral(2), &part), m),
         _ => return None,
     })

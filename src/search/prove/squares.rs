@@ -96,12 +96,6 @@ impl Prover {
         })
     }
 
-    /// Shows with the same effort that what a root is taken of is positive, or not negative.
-    pub(super) fn sign_of_base(&mut self, sign: &Prop) -> Result<Label, Fail> {
-        let PropKind::Compare(sides, relations) = &sign.kind else { return Err(Fail::No("a sign")) };
-        self.in_full(|c| c.compared_in_full(sign, &sides[0], relations[0], &sides[1]))
-    }
-
     fn in_full(&mut self, run: impl FnOnce(&mut Self) -> Result<Label, Fail>) -> Result<Label, Fail> {
         if self.roots_in_full.is_some() || self.inductions > 0 || self.splits >= 8 {
             return Err(Fail::No("effort left"));
