@@ -252,6 +252,11 @@ class Evaluator(Values):
             before, self.in_limit = self.in_limit, True
             try:
                 held = self.along(scale, body, name, natural, center, side, target, env)
+            except Undefined:
+                # Only as far out as we look: (sqrt(a + h) - sqrt(a))/h has values as soon as |h| <= a.
+                if scale is scales[0]:
+                    raise
+                held = None
             finally:
                 self.in_limit = before
             if held or held is False and (scale is FAR or not slow):
@@ -261,6 +266,9 @@ class Evaluator(Values):
     def along(self, scale, body, name, natural, center, side, target, env):
         rows, undefined = [], 0
         for distance in scale:
+            if undefined:
+                # A limit says nothing about what lies before the last point without a value.
+                rows, undefined = [], 0
             row = []
             for factor in JITTER:
                 v = distance * factor
