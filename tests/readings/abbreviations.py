@@ -218,6 +218,36 @@ def quantified(m):
     )
 
 
+def parameters(m):
+    """Definitions whose parameters have names of the claim, and derivatives by a parameter, at a variable and elsewhere."""
+    x, y = m.pick((("t", "a"), ("x", "k"), ("n_2", "n")))
+    bodies = ("{b}*{a}^2", "{a}^2 + {b}", "{a}^3 - {b}*{a}", "cos({b}*{a})", "exp({a})*{b}", "c*{a}", "c + {b}*{a}")
+    body = m.pick(bodies)
+    # The parameter, and the name that stands free in the definition.
+    parameter, other = m.pick(((x, y), (y, x), ("s", y)))
+    slope = m.pick((x, "r"))
+    lets = [
+        f"let c = {x}*{y}",
+        f"let f({parameter}) = {body.format(a=parameter, b=other)}",
+        f"let g({m.pick((x, 'r'))}) = f({m.pick((x, y))}) + {x}",
+        f"let v({slope}) = derivative(f({slope}), {slope})",
+    ]
+    goals = (
+        f"f({x}) = {body.format(a=x, b=other)}",
+        f"f({y}) = {body.format(a=x, b=y)}",
+        f"g({x}) = f({x}) + {x}",
+        f"g({y}) = f({x}) + {x}",
+        f"g({y}) = f({y}) + {y}",
+        f"v({x}) = derivative({body.format(a=x, b=y)}, {x})",
+        f"v({y}) = derivative({body.format(a=y, b=x)}, {y})",
+        f"v({x}) = f({x})",
+        f"v({y}) = derivative(f({y}), {y})",
+        "for all z real, w real: v(z) + w = derivative(f(z), z) + w",
+    )
+    more = m.pick(("", f"; {x} > 1", f"; {y} < 2, {x} >= {y}", ", q > 0"))
+    return [f"given {x}, {y} real{more}", *lets, f"prove {m.pick(goals)}"]
+
+
 def preamble(m):
     """Declarations and hypotheses before the claim, some of which it takes."""
     e = spoiled(read("sin(2*theta)"), m.rng) if not m.is_true else read("sin(2*theta)")

@@ -47,6 +47,7 @@ KINDS = {
     "exponents": (abbreviations.exponents, 2),
     "arcs": (arcs.any_kind, 12),
     "quantified numbers": (abbreviations.quantified, 5),
+    "parameters": (abbreviations.parameters, 3),
     PREAMBLE: (abbreviations.preamble, 2),
     SIGNS: (None, 3),
     KNOWN: (None, 6),

@@ -186,7 +186,7 @@ class Parser:
         known = set(claim.declared()) | set(claim.lets) | set(claim.sequences) | {"pi"}
         known |= {name for binding in claim.given for name, _ in binding.names}
         while True:
-            prop = self.tried(self.relation_given)
+            prop = self.tried(lambda: self.relation_given(known - {"pi"}))
             if prop:
                 claim.hypotheses.append(prop)
                 new = [n for n in sorted(names_in(prop)) if n not in known and n not in FUNCTIONS]
@@ -200,11 +200,12 @@ class Parser:
             if not self.next(";", ",") or self.at_clause():
                 return
 
-    def relation_given(self):
-        """A relation between variables: a chain, or a comparison whose left side is no name by itself."""
+    def relation_given(self, known):
+        """A relation between variables: a chain, or a comparison whose left side is no new name by itself."""
         prop = self.comparison()
         _, sides, relations = prop
-        is_new = sides[0][0] == "name" or sides[0][0] == "call" and sides[0][1] not in FUNCTIONS
+        is_new = sides[0][0] == "name" and sides[0][1] not in known
+        is_new = is_new or sides[0][0] == "call" and sides[0][1] not in FUNCTIONS
         if len(relations) == 1 and is_new:
             raise Unreadable("a declaration")
         return prop
@@ -248,7 +249,7 @@ class Parser:
 
     def bindings(self):
         out = [self.binding()]
-        while self.next(";") or (out[-1].constraints or out[-1].kind != "real") and self.next(","):
+        while self.next(";", ","):
             out.append(self.binding())
         return out
 

@@ -88,7 +88,7 @@ class Values:
         if name in self.claim.lets:
             parameters, body = self.claim.lets[name]
             if not parameters:
-                return self.value(body, env)
+                return self.value(body, env.get("#outside", env))
         if name == "pi":
             return +mpmath.pi
         raise Unclear
@@ -195,7 +195,10 @@ class Values:
         """A definition with parameters is a function: the value of its body, where the parameters have these values."""
         parameters, body = self.claim.lets[name]
         values = [self.value(a, env) for a in arguments]
-        inner = bound(env, dict(zip(parameters, values)))
+        # What else stands in the body has its meaning where the definition stands, not where it is applied.
+        outside = env.get("#outside", env)
+        inner = bound(outside, dict(zip(parameters, values)))
+        inner["#outside"] = outside
         for parameter, argument in zip(parameters, arguments):
             inner["#" + parameter] = argument, env
         return self.value(body, inner)
@@ -276,7 +279,7 @@ class Values:
             if isinstance(said, tuple):
                 return said
             if e[1] not in env and e[1] in self.claim.lets and not self.claim.lets[e[1]][0]:
-                return self.claim.lets[e[1]][1], env
+                return self.claim.lets[e[1]][1], env.get("#outside", env)
         return None
 
     def numerals(self, e, env):

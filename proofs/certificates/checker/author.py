@@ -102,9 +102,8 @@ class Author(Parser):
         while True:
             relates, self.integer = self.begins_relation(), False
             out += self.related() if relates else self.domain()
-            limited = relates or self.integer or out[-1][0] == "given" and (out[-1][1][0][2] or out[-1][1][0][3])
             self.integer = False
-            if not (self.take(";") or limited and self.take(",")) or self.at_clause():
+            if not self.take(";", ",") or self.at_clause():
                 return out
 
     def related(self):
@@ -149,7 +148,7 @@ class Author(Parser):
         relations, chains = set(self.relations_ahead()), ({"<", "<="}, {">", ">="})
         one = len(self.relations_ahead()) == 1
         need(one or any(relations <= chain for chain in chains), "these comparison signs do not form a chain")
-        return not one
+        return not one or word in self.declared
 
     def relations_ahead(self):
         """The signs of comparison up to the end of the declaration, or to a word of the language."""

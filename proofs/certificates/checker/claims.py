@@ -112,10 +112,25 @@ def subtrees(x):
         yield from subtrees(y)
 
 
-def put(x, m, depth=0):
+def of_arguments(x, m):
+    """The variables of a derivative in a definition whose parameters get these arguments; None if an argument for one of
+    them is no variable, or stands elsewhere in the derivative or in another argument."""
+    out = []
+    for v in x[2]:
+        z = m.get(v, (None, None))
+        elsewhere = mentioned(x[1]) - {v}
+        elsewhere = elsewhere.union(*(mentioned(value) for key, value in m.items() if key != v))
+        if z[0] != "name" or z[1] == PI or z[1] in elsewhere:
+            return None
+        out.append(z[1])
+    return tuple(out)
+
+
+def put(x, m, depth=0, arguments=False):
     """x with values put in for free names, all at once, and bound names by number: two propositions are the same if they
-    are equal after put(x, {}). With depth None bound names are kept, and one that would capture a name is refused."""
-    go = lambda y: put(y, m, depth)
+    are equal after put(x, {}). With depth None bound names are kept, and one that would capture a name is refused.
+    Arguments of a definition are put in for its parameters."""
+    go = lambda y: put(y, m, depth, arguments)
     tag = x[0]
 
     def under(names):
@@ -132,16 +147,18 @@ def put(x, m, depth=0):
         value = m.get(x[1], x)
         return value if value[0] != "define" else value[2] if not value[1] else x
     if tag == "call":
-        value, arguments = m.get(x[1]), tuple(map(go, x[2]))
+        value, given = m.get(x[1]), tuple(map(go, x[2]))
         if value is None:
-            return N("call", x[1], arguments)
-        if value[0] == "define" and len(value[1]) == len(arguments):
-            return put(value[2], dict(zip(value[1], arguments)), None)
+            return N("call", x[1], given)
+        if value[0] == "define" and len(value[1]) == len(given):
+            return put(value[2], dict(zip(value[1], given)), None, True)
         need(value[0] == "name", f"{x[1]} is not a function")
-        return N("call", value[1], arguments)
+        return N("call", value[1], given)
     if tag in BINDERS:
         inner, below = under([x[2]])
-        return N(tag, x[1], new(x[2], inner), go(x[3]), go(x[4]), put(x[5], inner, below))
+        return N(tag, x[1], new(x[2], inner), go(x[3]), go(x[4]), put(x[5], inner, below, arguments))
+    if tag == "deriv" and arguments and any(v in m for v in x[2]) and (by := of_arguments(x, m)):
+        return N(tag, go(x[1]), by)
     if tag in ("deriv", "limit"):
         for v in x[2] if tag == "deriv" else [x[2]]:
             moves(m, v)
@@ -437,8 +454,7 @@ class Parser:
         out = []
         while True:
             out.append(self.binding())
-            more = self.take(";") or ((out[-1][2] or out[-1][3]) and self.take(","))
-            if not more or self.at_clause():
+            if not self.take(";", ",") or self.at_clause():
                 return tuple(out)
 
     def binding(self):

@@ -1,6 +1,6 @@
 """The preamble, whose declarations the claims of a file or folder share: section 14.3 of docs/certificates.md."""
 from .author import ABBREVIATIONS, OF_ANGLES
-from .claims import BINDERS, FUNCTIONS, N, need, Node, PI
+from .claims import BINDERS, FUNCTIONS, mentioned, N, need, Node, PI
 from .walk import bound as bound_in, declared
 
 WORDS = FUNCTIONS | set(ABBREVIATIONS) | {*OF_ANGLES, "floor", "ceil", "ceiling"}
@@ -64,6 +64,41 @@ def free_of_item(item, bound):
     return free(item[2], bound) if item[0] == "assume" else set()
 
 
+def apart(items):
+    """The items, in which no parameter of a `let` and no index of a `define` has the name of something that they declare."""
+    names = {n for item in items for n in declared(item)}
+    out = []
+    for item in items:
+        if item[0] in ("let", "define"):
+            bound, body = (item[2], item[3]) if item[0] == "let" else ((item[3],), item[4])
+            inside = mentioned(body)
+            new = {}
+            for v in bound:
+                if v in names and v != PI and is_number_in(v, body):
+                    new[v] = next(w for k in range(2, 10**6) if (w := f"{v}_{k}") not in names | inside | set(new.values()))
+            bound, body = tuple(new.get(v, v) for v in bound), renamed(body, new)
+            item = Node(("let", item[1], bound, body) if item[0] == "let" else (*item[:3], *bound, body))
+        out.append(item)
+    return out
+
+
+def is_number_in(v, x):
+    """Whether a name stands in an expression for a number alone: nothing in it binds or applies the name."""
+    own = x[1] != v if x[0] == "call" else x[2] != v if x[0] in BINDERS else True
+    return own and all(is_number_in(v, y) for y in below(x))
+
+
+def renamed(x, new):
+    """An expression with names for others, none of which it binds."""
+    if not isinstance(x, (Node, tuple)):
+        return x
+    if isinstance(x, Node) and x[0] == "name":
+        return N("name", new.get(x[1], x[1]))
+    if isinstance(x, Node) and x[0] == "deriv":
+        return N("deriv", renamed(x[1], new), tuple(new.get(v, v) for v in x[2]))
+    return type(x)(renamed(y, new) for y in x)
+
+
 def free_of_steps(steps, bound):
     """The names that an argument mentions; what `obtain` declares holds up to the end of its block."""
     out = set()
@@ -110,7 +145,7 @@ class Preamble:
     """Declarations and hypotheses in their order."""
 
     def __init__(self, items=()):
-        self.items = tuple(items)
+        self.items = tuple(apart(items))
         self.names = {n for item in self.items for n in declared(item)}
 
     def speaks_of(self):
@@ -127,6 +162,7 @@ class Preamble:
         """Inserts what the claim needs: the declarations of its free names, and every hypothesis about them."""
         again = [n for item in claim.items for n in declared(item) if n in self.names]
         need(not again, f"the preamble already declares {', '.join(again)}")
+        claim.items = apart(claim.items)
         wanted, labels, taken, speaks_of = free_of_claim(claim), cited(claim.argument), set(), self.speaks_of()
 
         def is_wanted(place):
@@ -138,7 +174,7 @@ class Preamble:
         while more := [k for k in range(len(self.items)) if k not in taken and is_wanted(k)]:
             taken.add(more[0])
             wanted |= speaks_of[more[0]]
-        claim.items[:0] = [only(self.items[k], wanted) for k in sorted(taken)]
+        claim.items = apart([only(self.items[k], wanted) for k in sorted(taken)] + claim.items)
 
 
 def only(item, wanted):

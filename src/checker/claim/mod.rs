@@ -1,5 +1,6 @@
 //! The claim language: reading, checking and printing claim files.
 pub(crate) mod abbreviation;
+mod alpha_conversion;
 mod angle;
 mod binding;
 mod check;

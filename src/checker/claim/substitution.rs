@@ -48,6 +48,8 @@ pub struct Substitution {
     put_in: Rc<BTreeSet<String>>,
     /// Whether such a value holds a member of a family or sequence, which may depend on anything.
     members_put_in: bool,
+    /// Whether the values are the arguments of a definition, put in for its parameters.
+    of_arguments: bool,
 }
 
 /// Room left: for depth, and for nodes.
@@ -138,6 +140,38 @@ impl Substitution {
         Ok(())
     }
 
+    /// The variables of a derivative in a definition by whose parameters it is taken, if the arguments for these are variables.
+    ///
+    /// With `v(s) = derivative(F, s)`, v(z) is the derivative of F by s at s = z. Where z stands neither in F nor in another argument,
+    /// F with z for s is the same function of z, so that v(z) is its derivative by z. With `F = z*s` it is not.
+    fn renamed(&self, body: &Expr, by: &[Name]) -> Option<Vec<Name>> {
+        if !self.of_arguments || by.iter().all(|name| self.replacement(&name.text).is_none()) {
+            return None;
+        }
+        let mut inside = BTreeSet::new();
+        super::walk::names_in(body, &mut inside);
+        let argument = |parameter: &str| match self.replacement(parameter) {
+            Some(Replacement::Value(Expr { kind: ExprKind::Name(z), .. })) if z != PI => Some(z),
+            _ => None,
+        };
+        let is_own = |parameter: &str, z: &String| {
+            let others = self.map.iter().filter(|(other, _)| *other != parameter);
+            let mut names = BTreeSet::new();
+            for (_, value) in others {
+                if let Replacement::Value(value) = value {
+                    super::walk::names_in(value, &mut names);
+                }
+            }
+            !names.contains(z) && (parameter == z || !inside.contains(z))
+        };
+        by.iter()
+            .map(|name| {
+                let z = argument(&name.text).filter(|z| is_own(&name.text, z))?;
+                Some(Name { text: z.clone(), span: name.span })
+            })
+            .collect()
+    }
+
     /// The expression with the names replaced.
     pub fn expr(&self, e: &Expr) -> Result<Expr, Obstacle> {
         self.expr_in(e, &mut Room::new())
@@ -173,7 +207,7 @@ impl Substitution {
                 let arguments = all(arguments, room)?;
                 match self.replacement(&function.text) {
                     Some(Replacement::Definition(parameters, value)) if parameters.len() == arguments.len() => {
-                        let mut inner = Substitution::default();
+                        let mut inner = Substitution { of_arguments: true, ..Substitution::default() };
                         for (parameter, argument) in parameters.iter().zip(&arguments) {
                             inner.replace(parameter, argument);
                         }
@@ -207,10 +241,14 @@ impl Substitution {
                 IntegralOver(variable, body)
             }
             Derivative(body, by) => {
-                for name in by {
-                    self.moves(&name.text)?;
-                }
-                Derivative(Box::new(self.expr_in(body, room)?), by.clone())
+                let by = match self.renamed(body, by) {
+                    Some(by) => by,
+                    None => {
+                        by.iter().try_for_each(|name| self.moves(&name.text))?;
+                        by.clone()
+                    }
+                };
+                Derivative(Box::new(self.expr_in(body, room)?), by)
             }
             Matrix(rows) => Matrix(rows.iter().map(|row| all(row, room)).collect::<Result<_, Obstacle>>()?),
         };

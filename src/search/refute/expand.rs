@@ -5,9 +5,9 @@
 
 use crate::claim::syntax::*;
 pub use crate::claim::walk::{names_in, parts};
-use crate::kernel::Refusal;
 use crate::kernel::statement::{self, Sequence};
 use crate::kernel::substitution::{Obstacle, Substitution};
+use crate::kernel::{Reason, Refusal};
 
 /// A limit that was reached, with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,10 +16,14 @@ pub struct Limit(pub &'static str);
 /// Said where a substitution is refused.
 const BOUND: &str = "a value put in where a name is bound";
 
+/// The same where it is that of a derivative or limit.
+const MOVES: &str = "a value, or what depends on it, put in for the variable of a derivative or limit";
+
 impl From<Obstacle> for Limit {
     fn from(obstacle: Obstacle) -> Limit {
         match obstacle {
             Obstacle::Limit(name) => Limit(name),
+            Obstacle::Moves(_) => Limit(MOVES),
             _ => Limit(BOUND),
         }
     }
@@ -63,6 +67,7 @@ impl Statement {
     pub fn of(claim: &Claim) -> Result<Statement> {
         let (understood, lets) = statement::Statement::with_lets(claim).map_err(|refusal| match refusal {
             Refusal::Limit(name) => Limit(name),
+            Refusal::Rejected(Reason::Moves(_)) => Limit(MOVES),
             Refusal::Rejected(_) => Limit(BOUND),
         })?;
         let labels = claim.items.iter().filter_map(|item| match item {

@@ -86,7 +86,7 @@ impl Parser {
     }
 
     fn end_of_clause(&mut self) -> Parsed<()> {
-        if self.at_clause() { Ok(()) } else { Err(self.expected("the end of the clause")) }
+        if self.at_clause() { Ok(()) } else { Err(self.expected(END_OF_CLAUSE)) }
     }
 
     fn claim(&mut self, prose: Vec<String>) -> Option<Claim> {

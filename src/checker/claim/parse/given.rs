@@ -8,21 +8,18 @@ impl Parser {
     pub(super) fn given(&mut self) -> Parsed<Vec<Item>> {
         let mut out = Vec::new();
         loop {
-            let mut constrained = true;
             if self.begins_relation()? {
                 self.related(&mut out)?;
             } else {
                 let binding = self.binding()?;
-                constrained = self.constrained(std::slice::from_ref(&binding));
                 if let Some(span) = self.whole.take() {
-                    constrained = true;
                     self.integers(binding, span, &mut out)?;
                 } else {
                     self.declared.extend(binding.names.iter().map(|n| n.0.text.clone()));
                     declare(binding, &mut out);
                 }
             }
-            if !(self.sign(";") || constrained && self.sign(",")) || self.at_clause() {
+            if !(self.sign(";") || self.sign(",")) || self.at_clause() {
                 return Ok(out);
             }
         }
@@ -50,9 +47,10 @@ impl Parser {
             (Kind::Word(_), _) => return Ok(false),
             _ => return Ok(true),
         };
-        // `a > b > 0` is a chain; `a > 0` gives a its domain.
+        // `a > b > 0` is a chain; `a > 0` gives a its domain, or says more of it where it has one.
+        let is_new = !matches!(self.peek(), Kind::Word(name) if self.declared.contains(name));
         match self.relations_from(plain).as_slice() {
-            [_] => Ok(false),
+            [_] => Ok(!is_new),
             list if list.iter().all(|r| matches!(r, Relation::Less | Relation::LessEqual)) => Ok(true),
             list if list.iter().all(|r| matches!(r, Relation::Greater | Relation::GreaterEqual)) => Ok(true),
             _ => {

@@ -111,7 +111,7 @@ fn has_order(e: &Expr) -> bool {
     found
 }
 
-/// P and G of `P + O(G)`, or of `O(G)` without P.
+/// P and G of `P + O(G)`, or of `O(G)` without P. `P - O(G)` says the same.
 fn order_of(e: &Expr) -> Option<(Option<Expr>, Expr)> {
     let size = |e: &Expr| match &e.kind {
         ExprKind::Apply(f, list) if f.text == ORDER && list.len() == 1 => list.first().cloned(),
@@ -119,7 +119,7 @@ fn order_of(e: &Expr) -> Option<(Option<Expr>, Expr)> {
     };
     let ExprKind::Sum(terms) = &e.kind else { return size(e).map(|size| (None, size)) };
     let (last, rest) = terms.split_last()?;
-    let size = if last.0 == Sign::Plus { size(&last.1)? } else { return None };
+    let size = size(&last.1)?;
     let about = match rest {
         [(Sign::Plus, only)] => only.clone(),
         _ => Expr { kind: ExprKind::Sum(rest.to_vec()), span: e.span },

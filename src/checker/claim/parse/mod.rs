@@ -91,6 +91,21 @@ fn is_function(word: &str) -> bool {
         || super::floor::is_function(word)
 }
 
+/// What a parser expects behind a clause.
+const END_OF_CLAUSE: &str = "the end of the clause";
+
+/// What to write instead of a word that other languages have behind a statement.
+fn behind_a_statement(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "for" => "write the quantifier before what it says: `for all x > 0: x + 1/x >= 2`",
+        "with" | "where" | "when" | "if" => {
+            "write the condition as a hypothesis before `prove`: `assume a + b + c = 1`"
+        }
+        "at" => "write the place before the value: `maximum of x*(2 - x) over x real at x = 1 is 1`",
+        _ => return None,
+    })
+}
+
 /// Whether a word begins a clause of a claim.
 pub fn begins_clause(word: &str) -> bool {
     CLAUSES.contains(&word)
@@ -121,7 +136,8 @@ pub fn parse_placed(
     place: &dyn Fn(Span) -> Span,
 ) -> Result<(Vec<Claim>, Preamble), Vec<Diagnostic>> {
     let mut faults = Vec::new();
-    let (mut claims, preamble) = clauses_placed(source, folder, place)?;
+    let (mut claims, mut preamble) = clauses_placed(source, folder, place)?;
+    super::alpha_conversion::convert(&mut preamble.items);
     super::check::preamble(&preamble, &mut faults);
     if faults.is_empty() {
         super::dimension::preamble(&preamble, &mut faults);
@@ -129,6 +145,7 @@ pub fn parse_placed(
     if faults.is_empty() {
         for claim in &mut claims {
             preamble.put_before(claim, &mut faults);
+            super::alpha_conversion::convert(&mut claim.items);
             super::check::check(claim, &mut faults);
         }
     }
@@ -382,6 +399,10 @@ impl Parser {
                 (_, Kind::Word(w)) if matches!(w.as_str(), "in" | "infinity") => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), _) if expected == "`of`" => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), Kind::Sign("!")) if w == "exists" => foreign("exists !").map(str::to_string),
+                (_, Kind::Word(w)) if expected == END_OF_CLAUSE => behind_a_statement(w).map(str::to_string),
+                (_, Kind::Sign(",")) if expected == END_OF_CLAUSE && self.peek_at(2) == &Kind::Sign("->") => {
+                    Some("say where a variable goes by `as`: `sin(x) = x + O(x^3) as x -> 0`".to_string())
+                }
                 (_, Kind::Sign("=")) if expected == "`is`" => Some("write `is` before the value".to_string()),
                 (Some(Kind::Sign("=")), Kind::Sign("<")) => Some("write <=".to_string()),
                 (Some(Kind::Sign("<")), Kind::Sign(">")) => Some("write !=".to_string()),

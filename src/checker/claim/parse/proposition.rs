@@ -198,7 +198,7 @@ impl Parser {
         }
     }
 
-    /// `m1, m2 > 0; e in [0, 1]; n natural`: separated by `;`, or by `,` where a new constraint began.
+    /// `m1, m2 > 0; e in [0, 1], n natural`: a comma between names belongs to one domain, one behind a domain begins the next.
     pub(super) fn bindings(&mut self) -> Parsed<Vec<Binding>> {
         let mut list = Vec::new();
         loop {
@@ -211,17 +211,10 @@ impl Parser {
                 let (span, help) = (*span, "leave it out: it follows from the equations");
                 return Err(self.other("a unit is declared under `given` only", Some(help), span));
             }
-            if !(self.sign(";") || self.constrained(&list) && self.sign(",")) {
-                return Ok(list);
-            }
-            if self.at_clause() {
+            if !(self.sign(";") || self.sign(",")) || self.at_clause() {
                 return Ok(list);
             }
         }
-    }
-
-    pub(super) fn constrained(&self, list: &[Binding]) -> bool {
-        list.last().is_some_and(|b| b.natural || !b.constraints.is_empty() || b.unit.is_some())
     }
 
     pub(super) fn binding(&mut self) -> Parsed<Binding> {
