@@ -131,9 +131,7 @@ impl Diagnostic {
                 (None, None) => format!("declare it, for instance `given {name} > 0` or `given {name} real`"),
             }),
             Fault::Empty => Some("a claim begins with: claim NAME \"Title\"".to_string()),
-            Fault::Twice(name) => {
-                Some(format!("a name has one meaning at a place: call one of the two other than {name}"))
-            }
+            Fault::Twice(_) => Some("a name has one meaning at a place: give one of the two another name".to_string()),
             Fault::Pi => Some("choose another name".to_string()),
             Fault::Missing { .. } => Some("add a line such as: prove a = b".to_string()),
             Fault::Stray(c) => foreign(c.encode_utf8(&mut [0; 4])).map(str::to_string),

@@ -136,7 +136,10 @@ fn faults_are_said_where_they_are() {
         ),
         (&with("let speed = x\nprove sped = y"), "4:7 nothing declares the name sped (did you mean speed?)"),
         (&with("let a = x"), "1:7 claim c has no `prove` clause (add a line such as: prove a = b)"),
-        (&with("given x in (1, 2)\nprove x = x"), "3:7 the name x is declared twice"),
+        (
+            &with("given x in (1, 2)\nprove x = x"),
+            "3:7 the name x is declared twice (a name has one meaning at a place: give one of the two another name)",
+        ),
         (&with("given e in [0, 1\nprove x = x"), "4:1 expected `]` or `)` to close the interval, found `prove`"),
         (&with("prov x = y"), "3:1 expected `;`, a clause or the end, found `prov`"),
         (&with("prove x(y) = y"), "3:7 x is a variable, not a function (for a product write x*(…))"),
