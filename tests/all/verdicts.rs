@@ -32,6 +32,10 @@ fn no_hypothesis_is_called_not_needed_that_is_needed() {
     for (body, needed) in [
         ("given x > 0; y real\nassume x*y = 0\nprove y = 0", "x > 0"),
         ("given x real; e in [0, 1)\nassume (1 - e)*x >= 0\nprove x >= 0", "e < 1"),
+        // Without it, the floor has no value at b = 0.
+        ("given a natural; b natural >= 1\nprove floor(a/b)*b <= a", "b >= 1"),
+        ("given a, b > 0; n natural\nassume 2 < a\nprove floor(n/(a + b)) <= n/(a + b)", "b > 0"),
+        ("given x > 0\ndefine u by u(0) = 1, u(1) = 2, u(k + 2) = u(k)/x\nprove u(0) = 1", "x > 0"),
     ] {
         let outcome = proved(body);
         assert!(outcome.used.iter().any(|used| used == needed), "{body}: not needed: {:?}", outcome.unused);

@@ -95,7 +95,8 @@ impl Writer<'_> {
             return of;
         }
         if !self.values.exist_for(&of) {
-            let help = "give the quotient or root a name: `given q real` with `assume q*m = a`, and write floor(q)";
+            let help = "say before it that the divisor is positive, as in `given b > 0`; or give the quotient or root a name: \
+                        `given q real` with `assume q*m = a`, and write floor(q)";
             self.fault("the argument of a floor must have a value everywhere", help, span);
             return of;
         }

@@ -1,9 +1,10 @@
 //! Expressions that, by their form, have a value wherever the hypotheses hold.
 //!
-//! Expanding an abbreviation may drop a part of it, and with the part the conditions under which it has a value. Code that
-//! asks this module first keeps these conditions.
+//! What the reader writes as a hypothesis, a floor or a recurrence, says that its expressions have values, which a definition does
+//! not say. It asks here first. An expression has a value by its form if it divides by what is not 0, takes roots of what is not
+//! negative and logarithms of what is positive, as declarations and hypotheses before it and the signs of its parts show.
 
-use super::definedness::{needs, number};
+use super::definedness::number;
 use super::preamble::applied;
 use super::syntax::*;
 use super::walk;
@@ -11,47 +12,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions with a value at every real number.
 const EVERYWHERE: [&str; 11] = ["abs", "max", "min", "exp", "cos", "sin", "arctan", "cosh", "sinh", "sech", "tanh"];
-
-/// Whether an expression has a value wherever the hypotheses hold, by how it is written: it divides by numbers other than 0
-/// and by what is positive by its form, takes roots and logarithms of such, and nothing in it has another condition. `named` says
-/// of a name whether what it stands for has a value, `positive` whether it is declared positive; families, definitions with
-/// parameters, sums and products are taken to have conditions.
-pub(crate) fn has_a_value(e: &Expr, named: &dyn Fn(&str) -> bool, positive: &dyn Fn(&str) -> bool) -> bool {
-    let mut all = match &e.kind {
-        ExprKind::Product(list) => list.iter().all(|(factor, a)| {
-            *factor == Factor::Times || number(a).is_some_and(|(top, _)| top != 0) || is_positive(a, positive)
-        }),
-        ExprKind::Apply(f, list) if matches!(f.text.as_str(), "sqrt" | "cbrt" | "ln") => {
-            list.iter().all(|a| is_positive(a, positive))
-        }
-        ExprKind::Apply(f, _) => EVERYWHERE.contains(&f.text.as_str()) && named(&f.text),
-        ExprKind::Name(name) => named(name),
-        ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
-        ExprKind::Power(..) => needs(e, &|_| false).is_ok_and(|needs| needs.is_empty()),
-        _ => false,
-    };
-    walk::parts(e, &mut |part| all = all && has_a_value(part, named, positive));
-    all
-}
-
-/// Whether an expression is positive by its form: sums, products, quotients, whole powers, roots and arctangents of positive numbers
-/// and names, and exponentials.
-fn is_positive(e: &Expr, positive: &dyn Fn(&str) -> bool) -> bool {
-    let inner = |e: &Expr| is_positive(e, positive);
-    match &e.kind {
-        ExprKind::Number(_) => number(e).is_some_and(|(top, _)| top > 0),
-        ExprKind::Name(name) => positive(name),
-        ExprKind::Apply(f, list) => match f.text.as_str() {
-            "exp" => true,
-            "sqrt" | "cbrt" | "arctan" => list.iter().all(inner),
-            _ => false,
-        },
-        ExprKind::Sum(list) => list.iter().all(|(sign, e)| *sign == Sign::Plus && inner(e)),
-        ExprKind::Product(list) => list.iter().all(|(_, e)| inner(e)),
-        ExprKind::Power(base, exponent) => inner(base) && number(exponent).is_some_and(|(_, below)| below == 1),
-        _ => false,
-    }
-}
 
 /// Whether a constraint keeps a name above 0: `> 0`, `>= 1`, `in (0, 1]`, `in 1..n`.
 fn is_above_zero(constraint: &Constraint) -> bool {
@@ -70,7 +30,7 @@ fn is_above_zero(constraint: &Constraint) -> bool {
 pub(crate) struct Values {
     /// Names of what may have no value: families, definitions with parameters or with conditions of their own.
     partial: BTreeSet<String>,
-    /// Variables that are declared positive.
+    /// Variables that are declared positive, or that a hypothesis puts above a number or variable that is.
     positive: BTreeSet<String>,
     /// Variables that are natural numbers.
     natural: BTreeSet<String>,
@@ -100,11 +60,47 @@ impl Values {
                         let text = name.text.clone();
                         if index.is_some() && binding.indices.is_none() {
                             self.families.insert(text, (is_positive, binding.natural));
-                        } else if index.is_none() && is_positive {
-                            self.positive.insert(text);
-                        } else if index.is_none() && binding.natural {
-                            self.natural.insert(text);
+                        } else if index.is_none() {
+                            if binding.natural {
+                                self.natural.insert(text.clone());
+                            }
+                            if is_positive {
+                                self.positive.insert(text);
+                            }
                         }
+                    }
+                }
+            }
+            Item::Assume { prop, .. } => self.suppose(prop),
+            _ => {}
+        }
+    }
+
+    /// Learns which variables a hypothesis puts above what is positive, or strictly above what is not negative.
+    fn suppose(&mut self, prop: &Prop) {
+        match &prop.kind {
+            PropKind::And(list) => list.iter().for_each(|p| self.suppose(p)),
+            PropKind::Compare(sides, relations) => {
+                let pairs = sides.iter().zip(&sides[1..]).zip(relations);
+                let mut above: Vec<(&Expr, &Expr, bool)> = pairs
+                    .filter_map(|((a, b), relation)| match relation {
+                        Relation::Less => Some((a, b, true)),
+                        Relation::LessEqual => Some((a, b, false)),
+                        Relation::Greater => Some((b, a, true)),
+                        Relation::GreaterEqual => Some((b, a, false)),
+                        Relation::Equal | Relation::NotEqual => None,
+                    })
+                    .collect();
+                // A chain is read from its least member on.
+                if relations.first().is_some_and(|r| matches!(r, Relation::Greater | Relation::GreaterEqual)) {
+                    above.reverse();
+                }
+                for (low, high, is_strict) in above {
+                    let form = self.form();
+                    if let ExprKind::Name(name) = &high.kind
+                        && (form.is_positive(low) || is_strict && form.is_not_negative(low))
+                    {
+                        self.positive.insert(name.clone());
                     }
                 }
             }
@@ -112,28 +108,32 @@ impl Values {
         }
     }
 
+    fn form(&self) -> Form<'_> {
+        Form { values: self, members: &[], index: Vec::new() }
+    }
+
     /// Whether an expression has a value wherever the hypotheses hold.
     pub(crate) fn exist_for(&self, e: &Expr) -> bool {
-        has_a_value(e, &|name| !self.partial.contains(name), &|name| self.positive.contains(name))
+        self.form().exists(e)
     }
 
     /// Whether the right side of a recurrence has a value by its form. `members` are the sequences that it defines, real numbers
     /// at every natural number; `index` and what sums in it bind are natural numbers.
     pub(crate) fn exist_in_recurrence(&self, e: &Expr, members: &[Name], index: Option<&Name>) -> bool {
         let index = index.into_iter().map(|name| name.text.as_str()).collect();
-        Recurrence { values: self, members, index }.exists(e)
+        Form { values: self, members, index }.exists(e)
     }
 }
 
-/// What is known within the equations of a recurrence.
-struct Recurrence<'a> {
+/// What is known of the names in an expression, within the equations of a recurrence or elsewhere.
+struct Form<'a> {
     values: &'a Values,
     members: &'a [Name],
     /// Names that are natural numbers here.
     index: Vec<&'a str>,
 }
 
-impl<'a> Recurrence<'a> {
+impl<'a> Form<'a> {
     fn exists(&self, e: &'a Expr) -> bool {
         let own = match &e.kind {
             ExprKind::Number(_) | ExprKind::Negate(_) | ExprKind::Sum(_) => true,
@@ -155,7 +155,7 @@ impl<'a> Recurrence<'a> {
                 let begins = number(&over.from).is_some_and(|(top, below)| below == 1 && (0..=1).contains(&top));
                 let mut index = self.index.clone();
                 index.push(&over.name.text);
-                let inside = Recurrence { index, ..*self };
+                let inside = Form { index, ..*self };
                 return begins && self.is_natural(&over.to) && inside.exists(body);
             }
             ExprKind::IntegralOver(..) | ExprKind::Derivative(..) | ExprKind::Matrix(_) => false,
@@ -187,7 +187,7 @@ impl<'a> Recurrence<'a> {
             ExprKind::Power(base, _) => self.is_positive(base),
             ExprKind::Apply(f, arguments) => match f.text.as_str() {
                 "exp" | "cosh" | "sech" => true,
-                "sqrt" | "cbrt" => arguments.iter().all(|a| self.is_positive(a)),
+                "sqrt" | "cbrt" | "arctan" => arguments.iter().all(|a| self.is_positive(a)),
                 word => self.values.families.get(word).is_some_and(|known| known.0),
             },
             _ => false,

@@ -1,10 +1,11 @@
 //! Which hypotheses a proof needs, and which rule carries it, read off the certificate that the kernel accepted.
 
 use crate::certificate::{Certificate, Label, Rule, Show, Step, needed};
-use crate::claim::print;
-use crate::claim::syntax::{Claim, Item, Name, Prop, PropKind, Relation};
+use crate::claim::definedness::{Need, needs};
+use crate::claim::syntax::{Claim, Expr, Item, Name, Prop, PropKind, Relation};
 use crate::claim::write_out::in_words;
-use crate::kernel::names::names_in_prop;
+use crate::claim::{print, walk};
+use crate::kernel::names::{names_in, names_in_prop};
 use crate::kernel::statement::{constraints, name};
 use crate::kernel::{Accepted, domains, text};
 use std::collections::BTreeSet;
@@ -20,6 +21,12 @@ pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -
     // If the certificate has no steps, the goal is a hypothesis that no step cites.
     let goal = text::prop(&statement.goal);
     let is_goal = |prop: &Prop| certificate.steps.is_empty() && text::prop(prop) == goal;
+    let relied_on = relied_on(claim, shown);
+    let holds_a_name = |prop: &Prop| {
+        let mut names = BTreeSet::new();
+        names_in_prop(prop, &mut names);
+        !names.is_disjoint(&relied_on)
+    };
     let (mut used, mut unused) = (Vec::new(), Vec::new());
     let mut place = 0;
     let mut say = |text: String, always: bool, is_stated: bool| {
@@ -35,7 +42,7 @@ pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -
     for binding in &statement.bindings {
         for (variable, _) in binding.names.iter().filter(|n| n.1.is_none()) {
             for domain in constraints(binding, &name(&variable.text)) {
-                say(print::prop(&in_words(claim, &domain)), is_goal(&domain), true);
+                say(print::prop(&in_words(claim, &domain)), is_goal(&domain) || holds_a_name(&domain), true);
             }
         }
         for family in binding.names.iter().filter(|n| n.1.is_some()) {
@@ -43,15 +50,62 @@ pub(super) fn used(claim: &Claim, certificate: &Certificate, shown: &Accepted) -
             single.names = vec![family.clone()];
             if !single.constraints.is_empty() {
                 // That members are natural numbers is used without a citation.
-                say(print::Style::Text.binding(&single), binding.natural, true);
+                let always = binding.natural || relied_on.contains(&family.0.text);
+                say(print::Style::Text.binding(&single), always, true);
             }
         }
     }
     for ((label, read), prop) in assumed(&claim.items).zip(&statement.assumptions) {
         let label = label.as_ref().map_or(String::new(), |l| format!("{}: ", l.text));
-        say(format!("{label}{}", print::prop(&in_words(claim, prop))), is_goal(prop), is_stated(claim, read));
+        say(
+            format!("{label}{}", print::prop(&in_words(claim, prop))),
+            is_goal(prop) || holds_a_name(prop),
+            is_stated(claim, read),
+        );
     }
     (used, unused)
+}
+
+/// The names in the conditions under which that has a value which the reader wrote as a hypothesis: b of `floor(a/b)`, and what
+/// a member of a recurrence is divided by. Such a hypothesis says itself that b is not 0, so that a proof need not cite `b >= 1`. But the
+/// author's floor has a value for that reason alone.
+fn relied_on(claim: &Claim, shown: &Accepted) -> BTreeSet<String> {
+    let statement = shown.statement();
+    let natural: BTreeSet<&str> = statement
+        .bindings
+        .iter()
+        .filter(|binding| binding.natural)
+        .flat_map(|binding| binding.names.iter().map(|n| n.0.text.as_str()))
+        .collect();
+    let mut out = BTreeSet::new();
+    for ((_, read), prop) in assumed(&claim.items).zip(&statement.assumptions) {
+        let (said, is_family) = match &prop.kind {
+            PropKind::ForAll(_, body) => (body.as_ref(), true),
+            _ => (prop, false),
+        };
+        if let PropKind::Compare(sides, _) = &said.kind
+            && (is_family || !is_stated(claim, read))
+        {
+            sides.iter().for_each(|side| in_conditions(side, &natural, &mut out));
+        }
+    }
+    out
+}
+
+/// The names in the conditions of an expression and of its parts.
+fn in_conditions(e: &Expr, natural: &BTreeSet<&str>, out: &mut BTreeSet<String>) {
+    for need in needs(e, &|name| natural.contains(name)).unwrap_or_default() {
+        match &need {
+            Need::NotZero(a) | Need::Positive(a) | Need::NotNegative(a) | Need::Differentiable(a, ..) => {
+                names_in(a, out)
+            }
+            Need::NotZeroOrNatural(a, b) | Need::Range(a, b) => {
+                names_in(a, out);
+                names_in(b, out);
+            }
+        }
+    }
+    walk::parts(e, &mut |part| in_conditions(part, natural, out));
 }
 
 /// The hypotheses among declarations, with their labels.

@@ -128,8 +128,13 @@ impl Prover {
         reading.factors.iter().fold(sign_of(&reading.number), |s, f| s.times(f.signs.power(f.power)))
     }
 
-    /// A fact as a polynomial that is 0, positive or not negative.
+    /// A fact as a polynomial that is 0, positive or not negative: without the factors whose signs are seen.
     pub(crate) fn known_of(&mut self, label: &str, fact: &Prop) -> Option<Known> {
+        self.known_by(label, fact, false)
+    }
+
+    /// The same, with the only factor above the line whether its sign is seen or not: it may be seen by this very fact.
+    fn known_by(&mut self, label: &str, fact: &Prop, is_said: bool) -> Option<Known> {
         let PropKind::Compare(sides, relations) = &fact.kind else { return None };
         let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
         let (kind, up) = match relation {
@@ -158,9 +163,11 @@ impl Prover {
         let mut poly = Polynomial::one();
         let mut rest = vec![literal(&(Rational::ONE / &reading.number))];
         let mut positive = (reading.number > 0) == up;
-        let single = matches!(reading.factors.as_slice(), [Factored { power: 1, .. }]);
+        let mut above = reading.factors.iter().filter(|f| f.power > 0);
+        let single = matches!((above.next(), above.next()), (Some(Factored { power: 1, .. }), None));
+        let stays = single && (is_said || reading.factors.len() == 1);
         for f in &reading.factors {
-            let signs = if single { Signs::ANY } else { self.signs_of(&self.letters.written(&f.poly)) };
+            let signs = if stays && f.power > 0 { Signs::ANY } else { self.signs_of(&self.letters.written(&f.poly)) };
             let signs = signs.power(f.power);
             if is_settled(signs) || (kind == Kind::Zero && signs.within(Signs::NOT_ZERO)) {
                 positive ^= !signs.within(Signs::POSITIVE);
@@ -190,6 +197,7 @@ impl Prover {
             .map(|(l, p)| (l.to_string(), p.clone()))
             .collect();
         let mut out: Vec<Known> = Vec::new();
+        let mut late = Vec::new();
         for (label, fact) in list.iter().rev() {
             let Some(known) = self.known_of(label, fact) else { continue };
             // A fact about numbers helps only where it is false.
@@ -199,19 +207,16 @@ impl Prover {
                 Kind::Weak => c >= 0,
             };
             if known.poly.as_constant().is_some_and(holds) {
+                late.push((label, fact));
                 continue;
             }
-            let same = |k: &Known| k.poly == known.poly && (k.kind == known.kind || known.kind == Kind::Weak);
-            if !out.iter().any(same) {
-                out.retain(|k| !(k.poly == known.poly && k.kind == Kind::Weak));
-                out.push(known);
-            }
+            note(known, &mut out);
         }
         let mut letters: Vec<u32> = out.iter().flat_map(|k| k.poly.variables()).collect();
         letters.extend(extra.iter().flat_map(Polynomial::variables));
         letters.sort_unstable();
         letters.dedup();
-        for v in letters {
+        for &v in &letters {
             let Some(e) = self.letters.expr(v).cloned() else { continue };
             let signs = self.signs_of(&e);
             let poly = Polynomial::variable(v);
@@ -225,6 +230,14 @@ impl Prover {
             if !out.iter().any(|k| k.poly == poly && (k.kind == kind || kind == Kind::Weak)) {
                 out.retain(|k| k.poly != poly);
                 out.push(Known { poly, kind, facts: Vec::new(), factors: vec![e], order: 0 });
+            }
+        }
+        // Last, for only few columns are taken: what is below a divisor, such as k*n + k + 1 in (k*n + k + 1)/(n + 1) > 0.
+        for (label, fact) in late {
+            let known = self.known_by(label, fact, true).filter(|known| !known.poly.is_constant());
+            let is_near = |known: &Known| known.poly.variables().iter().all(|v| letters.binary_search(v).is_ok());
+            if let Some(known) = known.filter(is_near) {
+                note(known, &mut out);
             }
         }
         out
@@ -349,6 +362,15 @@ impl Prover {
                 let _ = self.emit(Rule::Monotone { from: label.to_string() }, next);
             }
         }
+    }
+}
+
+/// Notes what is known, unless the same or more is known already.
+fn note(known: Known, out: &mut Vec<Known>) {
+    let same = |k: &Known| k.poly == known.poly && (k.kind == known.kind || known.kind == Kind::Weak);
+    if !out.iter().any(same) {
+        out.retain(|k| !(k.poly == known.poly && k.kind == Kind::Weak));
+        out.push(known);
     }
 }
 

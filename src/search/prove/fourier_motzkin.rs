@@ -81,7 +81,9 @@ impl Prover {
             return Err(Fail::No("the sign of a factor"));
         }
         let left = self.letters.written(&if up { parts.left.clone() } else { parts.left.neg() });
-        let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
+        // A strict fact times a factor that is not 0 is strict already.
+        let by_fact = known.kind == Kind::Strict && self.has_sign(&outer, Relation::Greater, Relation::Less).is_some();
+        let relation = if strict && !by_fact { Relation::Greater } else { Relation::GreaterEqual };
         let remains = self.quietly(&compare(left, relation, numeral(0)))?;
         let sign = |negative: bool| literal(&Rational::from(if negative { -1 } else { 1 }));
         let times = |more: Vec<Expr>| {
