@@ -337,7 +337,8 @@ impl Prover {
         for v in variables.into_iter().rev() {
             let Some(e) = self.letters.expr(v).cloned() else { continue };
             let ExprKind::Name(name) = &e.kind else { continue };
-            if self.naturals.contains(name) {
+            // π is written by no variable: cosines and sines are read by their multiples of π.
+            if self.naturals.contains(name) || !self.is_a_name(name) {
                 continue;
             }
             let parts = known.poly.coefficients_in(v);
