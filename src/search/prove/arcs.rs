@@ -94,7 +94,7 @@ impl Prover {
     }
 
     /// The y for which the difference is c·(arc − y) with a rational number c, and whether c is negative.
-    fn solved_for(&mut self, difference: &Expr, arc: &Expr) -> Option<(bool, Expr)> {
+    pub(super) fn solved_for(&mut self, difference: &Expr, arc: &Expr) -> Option<(bool, Expr)> {
         let reading = self.read(difference, false)?;
         let [factor] = reading.factors.as_slice() else { return None };
         let letter = self.letters.of(arc);

@@ -65,7 +65,7 @@ impl Prover {
     }
 
     /// Whether lengths are positive, or not negative: seen at once, or a sum of linear facts.
-    fn are_lengths(&mut self, lengths: &[Expr], relation: Relation) -> bool {
+    pub(super) fn are_lengths(&mut self, lengths: &[Expr], relation: Relation) -> bool {
         let signs = Signs::of(relation);
         self.enrich(&lengths.iter().collect::<Vec<_>>());
         lengths.iter().all(|length| {

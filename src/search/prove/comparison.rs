@@ -47,6 +47,14 @@ impl Prover {
         if let Ok(label) = self.by_arcs(goal, a, relation, b) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_angles(goal, a, relation, b) {
+            return Ok(label);
+        }
+        if relation != Relation::NotEqual
+            && let Ok(label) = self.by_quarters(goal)
+        {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_chain(goal, a, relation, b) {
             return Ok(label);
         }

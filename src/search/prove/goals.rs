@@ -294,6 +294,9 @@ impl Prover {
         if let Ok(label) = self.logic(&[], goal) {
             return Ok(label);
         }
+        if let Ok(label) = self.by_quarters(goal) {
+            return Ok(label);
+        }
         if self.splits < 8
             && let Ok(label) = self.attempt(|c| c.by_opposite(goal)).or_else(|_| self.by_boxes(goal))
         {

@@ -12,6 +12,7 @@
 
 mod absolute;
 mod alternating;
+mod angles;
 mod antiderivatives;
 mod arcs;
 mod argument;
@@ -67,6 +68,7 @@ mod partial_fractions;
 mod powers;
 mod products;
 mod quadratics;
+mod quarters;
 mod radicals;
 mod ratios;
 mod refutation;
