@@ -390,6 +390,7 @@ impl Prover {
         self.splits = splits;
         shown
             .or_else(|_| self.attempt(|c| c.by_root_bounds(goal, a, relation, b)))
+            .or_else(|_| self.attempt(|c| c.by_powers_of_sides(goal, a, relation, b)))
             .or_else(|_| self.by_roots_in_full(goal, a, relation, b))
     }
 
