@@ -73,6 +73,9 @@ impl Prover {
         if let Ok(label) = self.by_moving_products(goal) {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_members_in_closed_form(goal)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_members(goal) {
             return Ok(label);
         }

@@ -26,6 +26,7 @@ mod brief;
 mod cases;
 mod chains;
 mod circle;
+mod closed_members;
 mod coefficients;
 mod cofactors;
 mod columns;

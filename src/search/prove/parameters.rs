@@ -1,17 +1,14 @@
 //! Limits that depend on parameters: the members of a sequence by their closed form, and parameters of any sign case by case.
 
-use super::facts::minus;
-use super::letters::product;
-use super::limits::{holds, over, plus};
+use super::limits::holds;
 use super::slopes::put_in;
 use super::{Fail, Prover, implies};
-use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, compare, name, numeral, power};
+use crate::kernel::statement::{apply, compare, name, numeral};
 use std::collections::BTreeSet;
 
 /// The most parameters whose signs are distinguished.
@@ -29,24 +26,7 @@ impl Prover {
             if !mentions(&closed, &member(n.clone())) {
                 continue;
             }
-            let before = self.letters.of(&member(name(&sequence.index)));
-            let step = self.letters.polynomial(&sequence.step).ok_or_else(no)?;
-            let slope = step.derivative(before);
-            let rest = step.substitute(before, &Polynomial::zero()).map_err(|_| no())?;
-            let (a, b) = (self.letters.written(&slope), self.letters.written(&rest));
-            if step.degree_in(before) != 1 || holds(&a, &sequence.index) || holds(&b, &sequence.index) {
-                return Err(no());
-            }
-            let first = sequence.initial.clone();
-            let times = |e: Expr| product(vec![e, power(&a, &n)]);
-            let value = if rest.is_zero() {
-                times(first)
-            } else if slope.is_one() {
-                plus(&first, product(vec![b, n.clone()]))
-            } else {
-                let fixed = over(b, minus(&numeral(1), &a));
-                plus(&times(minus(&first, &fixed)), fixed)
-            };
+            let value = self.member_at(&sequence, &n).ok_or_else(no)?;
             let own = member(n.clone());
             facts.push(self.on_its_own(|c| c.is_closed_form(&own, &value, &l.variable.text))?);
             super::sums::replace(&mut closed, &own, &value);

@@ -1,0 +1,246 @@
+//! Members of sequences inside any comparison, in closed form: for u(0) = c and u(k + 1) = a·u(k) + b, with a and b without k, u(k) is
+//! (c − b/(1 − a))·a^k + b/(1 − a), or c + k·b where a is 1.
+//!
+//! Method: the closed form is shown for all k by induction, and put in for each member of the goal; sums and products over an index are
+//! equal where their members are. What is left says nothing of the sequence, and is shown as any other goal.
+//!
+//! Limits: [`SEQUENCES`].
+
+use super::facts::minus;
+use super::letters::{product, total};
+use super::limits::{holds, over, plus};
+use super::slopes::put_in;
+use super::{Fail, Prover};
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::claim::walk::{parts, parts_mut};
+use crate::kernel::key;
+use crate::kernel::statement::{Sequence, apply, compare, expr, name, numeral, power, prop};
+
+/// The most sequences whose closed forms are put in for one goal.
+const SEQUENCES: usize = 4;
+
+/// What a sequence is for every index.
+struct Closed {
+    sequence: String,
+    /// A name for the index, and the value in it.
+    index: String,
+    value: Expr,
+    /// The fact that it is so.
+    every: Label,
+}
+
+impl Prover {
+    /// Shows a comparison with closed forms in the place of members of sequences.
+    pub(super) fn by_members_in_closed_form(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("members with a closed form");
+        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
+        let sequences = self.checker.statement().sequences.clone();
+        if sequences.is_empty() || self.inductions > 0 || self.splits > 2 {
+            return Err(no());
+        }
+        // Of one member alone an induction shows what it is.
+        if *relations == [Relation::Equal] && sides.iter().any(|e| sequences.iter().any(|u| is_member(e, &u.name))) {
+            return Err(no());
+        }
+        let occur = |u: &&Sequence| sides.iter().any(|e| holds_member(e, &u.name));
+        let occurring: Vec<Sequence> = sequences.iter().filter(occur).cloned().collect();
+        if occurring.is_empty() || occurring.len() > SEQUENCES {
+            return Err(no());
+        }
+        let mut all = Vec::new();
+        for u in &occurring {
+            all.push(self.closed_form(u)?);
+        }
+        let (mut changed, mut labels) = (goal.clone(), Vec::new());
+        if let PropKind::Compare(sides, _) = &mut changed.kind {
+            for e in sides {
+                self.with_closed_members(e, &all, &mut labels)?;
+            }
+        }
+        let shown = self.on_its_own(|c| c.show(&changed))?;
+        labels.iter().for_each(|label| self.put_in(label));
+        self.combination(goal.clone(), vec![super::facts::scaled(&shown, numeral(1))])
+    }
+
+    /// The closed form of a sequence, shown by induction.
+    fn closed_form(&mut self, u: &Sequence) -> Result<Closed, Fail> {
+        let k = self.fresh("k");
+        let value = self.member_at(u, &name(&k)).ok_or(Fail::No("a linear recurrence"))?;
+        let every = self.is_closed_form(&apply(&u.name, name(&k)), &value, &k)?;
+        Ok(Closed { sequence: u.name.clone(), index: k, value, every })
+    }
+
+    /// What the member of a linear recurrence with this index is.
+    pub(super) fn member_at(&mut self, u: &Sequence, at: &Expr) -> Option<Expr> {
+        let (a, b) = linear(&u.step, u)?;
+        let first = u.initial.clone();
+        let times = |e: Expr| product(vec![e, power(&a, at)]);
+        let Some(b) = b else { return Some(times(first)) };
+        if self.is_one(&a) {
+            return Some(plus(&first, product(vec![b, at.clone()])));
+        }
+        let rest = minus(&numeral(1), &a);
+        self.nonzero(&rest);
+        let fixed = over(b, rest);
+        Some(plus(&times(minus(&first, &fixed)), fixed))
+    }
+
+    /// Puts closed forms in an expression, and adds the facts that say what they stand for.
+    fn with_closed_members(&mut self, e: &mut Expr, all: &[Closed], labels: &mut Vec<Label>) -> Result<(), Fail> {
+        if let Some(closed) = all.iter().find(|closed| is_member(e, &closed.sequence)) {
+            let ExprKind::Apply(_, at) = &e.kind else { return Ok(()) };
+            let [at] = at.as_slice() else { return Ok(()) };
+            labels.push(self.instance(&closed.every, at)?);
+            *e = put_in(&closed.value, &closed.index, at)?;
+            return Ok(());
+        }
+        if !all.iter().any(|closed| holds_member(e, &closed.sequence)) {
+            return Ok(());
+        }
+        match &e.kind {
+            ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
+                let is_sum = matches!(e.kind, ExprKind::SumOver(..));
+                let k = self.fresh("k");
+                let own = put_in(body, &index.name.text, &name(&k))?;
+                let mut closed = own.clone();
+                let binding = Binding::of(Name::new(&k), true, Vec::new());
+                let equal = |closed: &Expr| compare(own.clone(), Relation::Equal, closed.clone());
+                // Once to see what it becomes, which the block then says.
+                for closed_form in all {
+                    in_closed_form(&mut closed, closed_form)?;
+                }
+                let every = prop(PropKind::ForAll(vec![binding], Box::new(equal(&closed))));
+                let from = self.block(&every, |c, _| {
+                    let mut labels = Vec::new();
+                    c.with_closed_members(&mut own.clone(), all, &mut labels)?;
+                    labels.iter().for_each(|label| c.put_in(label));
+                    c.combination(equal(&closed), Vec::new())
+                })?;
+                let closed = put_in(&closed, &k, &name(&index.name.text))?;
+                let whole = super::values::over(is_sum, index.clone(), &closed);
+                let label = self.emit(Rule::Termwise { from }, compare(e.clone(), Relation::Equal, whole.clone()))?;
+                labels.push(label);
+                *e = whole;
+                Ok(())
+            }
+            ExprKind::IntegralOver(..) | ExprKind::Derivative(..) => Err(Fail::No("a member outside of integrals")),
+            _ => {
+                let mut done = Ok(());
+                parts_mut(e, &mut |part| {
+                    if done.is_ok() {
+                        done = self.with_closed_members(part, all, labels);
+                    }
+                });
+                done
+            }
+        }
+    }
+}
+
+/// Puts one closed form in the place of the members of its sequence that stand in no sum, product, integral or derivative.
+fn in_closed_form(e: &mut Expr, closed: &Closed) -> Result<(), Fail> {
+    match &e.kind {
+        ExprKind::Apply(_, at) if is_member(e, &closed.sequence) => {
+            if let [at] = at.as_slice() {
+                *e = put_in(&closed.value, &closed.index, at)?;
+            }
+            Ok(())
+        }
+        ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..)
+            if holds_member(e, &closed.sequence) =>
+        {
+            Err(Fail::No("a member under one index"))
+        }
+        _ => {
+            let mut done = Ok(());
+            parts_mut(e, &mut |part| {
+                if done.is_ok() {
+                    done = in_closed_form(part, closed);
+                }
+            });
+            done
+        }
+    }
+}
+
+fn is_member(e: &Expr, sequence: &str) -> bool {
+    matches!(&e.kind, ExprKind::Apply(f, at) if f.text == sequence && at.len() == 1)
+}
+
+fn holds_member(e: &Expr, sequence: &str) -> bool {
+    let mut found = is_member(e, sequence);
+    parts(e, &mut |part| found |= holds_member(part, sequence));
+    found
+}
+
+/// A step as a·u(k) + b, with no b where there is none: a and b hold neither the index nor a member.
+fn linear(e: &Expr, u: &Sequence) -> Option<(Expr, Option<Expr>)> {
+    let own = key::expr(&apply(&u.name, name(&u.index)));
+    let is_own = |e: &Expr| key::expr(e) == own;
+    let is_constant = |e: &Expr| !holds(e, &u.index) && !holds_member(e, &u.name);
+    match &e.kind {
+        _ if is_own(e) => Some((numeral(1), None)),
+        ExprKind::Negate(inner) => {
+            let (a, b) = linear(inner, u)?;
+            let negated = super::facts::negated;
+            Some((negated(a), b.map(negated)))
+        }
+        ExprKind::Sum(list) => {
+            let (mut of_member, mut rest) = (Vec::new(), Vec::new());
+            for (sign, e) in list {
+                if is_constant(e) {
+                    rest.push((*sign, e.clone()));
+                    continue;
+                }
+                let (a, b) = linear(e, u)?;
+                of_member.push((*sign, a));
+                rest.extend(b.map(|b| (*sign, b)));
+            }
+            let all = |terms: Vec<(Sign, Expr)>| (!terms.is_empty()).then(|| total(terms));
+            Some((all(of_member)?, all(rest)))
+        }
+        ExprKind::Product(list) => {
+            let mut moving = list.iter().filter(|(_, e)| !is_constant(e));
+            let (Some((Factor::Times, inner)), None) = (moving.next(), moving.next()) else { return None };
+            let (a, b) = linear(inner, u)?;
+            let times = |e: Expr| {
+                let others: Vec<(Factor, Expr)> = list.iter().filter(|(_, e)| is_constant(e)).cloned().collect();
+                match others.as_slice() {
+                    [(Factor::Times, only)] if e == numeral(1) => only.clone(),
+                    [(Factor::Times, _), ..] if e == numeral(1) => expr(ExprKind::Product(others)),
+                    _ => expr(ExprKind::Product([(Factor::Times, e)].into_iter().chain(others).collect())),
+                }
+            };
+            Some((times(a), b.map(times)))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_is_read_as_a_factor_and_a_summand_where_neither_moves() {
+        let read = |step: &str| {
+            let text = format!(
+                "claim t \"t\"\ngiven b, c > 0; n natural\ndefine u by u(0) = 1, u(k + 1) = {step}\nprove u(n) = u(n)\n"
+            );
+            let claims = crate::claim::parse::parse(&text).expect("a claim");
+            let checker = crate::kernel::Checker::new(&claims[0], &[]).expect("a statement");
+            let said = |e: &Expr| crate::claim::print::expr(e);
+            let (a, rest) = linear(&checker.statement().sequences[0].step, &checker.statement().sequences[0])?;
+            Some((said(&a), rest.as_ref().map_or_else(String::new, said)))
+        };
+        let parts = |a: &str, b: &str| Some((a.to_string(), b.to_string()));
+        assert_eq!(read("2*u(k) + 3"), parts("2", "3"));
+        assert_eq!(read("u(k)/3"), parts("1/3", ""));
+        assert_eq!(read("(b*u(k) + c)/(b + c)"), parts("b/(b + c)", "c/(b + c)"));
+        assert_eq!(read("b - (u(k) - c)"), parts("-1", "b - (-c)"));
+        for step in ["k*u(k)", "u(k)*u(k)", "1/u(k)", "u(k) + k", "u(k)^2", "b"] {
+            assert_eq!(read(step), None, "{step}");
+        }
+    }
+}
