@@ -87,6 +87,7 @@ fn true_statements_of_a_procedures_kind_are_proved() {
         "quotients",
         "orders",
         "extrema-with-roots",
+        "members-in-closed-form",
     ];
     for claim in files.iter().flat_map(|f| claims(&fs::read_to_string(folder.join(format!("{f}.claim"))).unwrap())) {
         let name = claim.split_whitespace().nth(1).unwrap().to_owned();

@@ -242,6 +242,9 @@ impl Prover {
         {
             return Ok(label);
         }
+        if let Ok(label) = self.attempt(|c| c.by_signs_of_divisors(goal)) {
+            return Ok(label);
+        }
         if self.inductions == 0
             && let Ok(label) = self.by_induction(goal)
         {

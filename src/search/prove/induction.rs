@@ -247,6 +247,7 @@ impl Prover {
         let next = at_next(body, variable)?;
         let step = implies(body, &next);
         let advance = self.block(&every(step.clone()), |c, _| {
+            c.take_signs_at(variable);
             c.define_sides(&step);
             c.block(&step, |c, block| advance(c, format!("{block}s"), &next))
         })?;

@@ -78,6 +78,7 @@ mod refutation;
 mod residues;
 mod root_bounds;
 mod sign_charts;
+mod signs_of_divisors;
 mod signs_of_parts;
 mod slopes;
 mod solutions;
@@ -241,6 +242,8 @@ pub(crate) struct Prover {
     stationary: usize,
     /// Number of such attempts that are nested now.
     slopes_open: usize,
+    /// Signs of divisors that were shown for all values of a natural variable.
+    signs_for_all: Vec<Label>,
     /// Whether powers of facts are tried.
     within_powers: bool,
     /// Whether the members of a goal's sums are compared.
@@ -317,6 +320,7 @@ impl Prover {
             charts: 0,
             stationary: slopes::STATIONARY,
             slopes_open: 0,
+            signs_for_all: Vec::new(),
             within_powers: false,
             in_members: false,
             compared: BTreeSet::new(),
