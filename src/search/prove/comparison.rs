@@ -141,10 +141,16 @@ impl Prover {
         if let Ok(label) = seen {
             return Ok(label);
         }
+        if let Ok(label) = self.on_its_own(|c| c.by_weak_order(goal, a, relation, b)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.by_known_inequalities(goal, a, relation, b) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_exponents(goal)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.on_its_own(|c| c.by_roots_of_sides(a, relation, b, goal)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_signs_of_factors(goal)) {
@@ -171,6 +177,23 @@ impl Prover {
             return Ok(label);
         }
         Err(not_shown())
+    }
+
+    /// a < b from a <= b and a != b: 2*sqrt(x*y) < x + y for x != y, since the square of the difference of the roots is 0 at x = y alone.
+    fn by_weak_order(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+        let weak = match relation {
+            Relation::Less => Relation::LessEqual,
+            Relation::Greater => Relation::GreaterEqual,
+            _ => return Err(Fail::No("a strict order")),
+        };
+        // Only a denied equation tells the two apart.
+        let is_denied = |p: &Prop| matches!(&p.kind, PropKind::Compare(_, r) if r.contains(&Relation::NotEqual));
+        if !self.checker.facts().any(|(_, p)| is_denied(p)) {
+            return Err(Fail::No("a denied equation"));
+        }
+        let order = self.show(&compare(a.clone(), weak, b.clone()))?;
+        let apart = self.show(&compare(a.clone(), Relation::NotEqual, b.clone()))?;
+        self.logic(&[&order, &apart], goal).or_else(|_| self.combination(goal.clone(), Vec::new()))
     }
 
     /// A comparison that the kernel sees, once its letters are known.

@@ -329,7 +329,8 @@ impl Prover {
                 (_, other) => prop(PropKind::Or(rest.into_iter().chain(other).collect())),
             };
             let other = opposite(denied).ok_or(Fail::No("an opposite"))?;
-            let done = self.attempt(|c| {
+            // What one way cost is not taken from the other.
+            let done = self.on_its_own(|c| {
                 let block = c.block(&implies(&other, &rest), |c, _| c.show(&rest))?;
                 c.logic(&[&block], goal)
             });

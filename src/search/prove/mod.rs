@@ -77,6 +77,7 @@ mod ratios;
 mod refutation;
 mod residues;
 mod root_bounds;
+mod roots_of_sides;
 mod sign_charts;
 mod signs_of_divisors;
 mod signs_of_parts;
