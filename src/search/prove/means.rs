@@ -41,7 +41,7 @@ impl Prover {
             for (a, b, p) in tries {
                 out.extend(self.attempt(|c| c.mean(&a, &b, &p)));
             }
-            if self.is_whole(&p) {
+            if self.is_whole(&p) && !self.in_bernoulli {
                 out.extend(self.on_its_own(|c| c.bernoulli(&b, &p)));
             }
         }
@@ -55,7 +55,9 @@ impl Prover {
         let body = compare(power(b, &name(&k)), Relation::GreaterEqual, line);
         let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(body)));
         let splits = std::mem::replace(&mut self.splits, 0);
+        self.in_bernoulli = true;
         let shown = self.all_by_induction(&every, 3);
+        self.in_bernoulli = false;
         self.splits = splits;
         self.instance(&shown?, n)
     }

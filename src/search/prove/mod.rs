@@ -259,6 +259,8 @@ pub(crate) struct Prover {
     within_logarithms: bool,
     /// Whether the remainders of a natural number are distinguished.
     in_residues: bool,
+    /// Whether Bernoulli's inequality is being shown, which needs no other inequality between powers.
+    in_bernoulli: bool,
     /// Whether whole numbers are tried one by one.
     in_boxes: bool,
     /// How many more such searches may fail.
@@ -329,6 +331,7 @@ impl Prover {
             within_arcs: false,
             within_logarithms: false,
             in_residues: false,
+            in_bernoulli: false,
             in_boxes: false,
             box_searches: boxes::SEARCHES,
             parameters: 0,

@@ -22,7 +22,7 @@ impl Prover {
         goal: &Prop,
     ) -> Result<Label, Fail> {
         let no = || Fail::No("a power to a variable");
-        if matches!(relation, Relation::Equal | Relation::NotEqual) {
+        if self.in_bernoulli || matches!(relation, Relation::Equal | Relation::NotEqual) {
             return Err(no());
         }
         for (side, other, is_left) in [(a, b, true), (b, a, false)] {
